@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "anim/timeline.h"
+
+namespace flatray {
+
+/// Where an entity is in one frame and how it looks.
+struct EntityState {
+  Vec2 at{0, 0};
+  double angle = 0;
+  ShapeId shape = 0;
+  std::optional<Colour> fill;
+  std::optional<Stroke> stroke;
+  std::optional<StateId> state;  ///< of its Markov chain
+  std::uint32_t sub_state = 0;
+};
+
+/// One frame: a function of (scene, frame) alone, so frame 17 by itself equals frame 17 of the run.
+struct FrameState {
+  unsigned frame = 1;  ///< from 1
+  double time = 0;     ///< (frame - 1) / fps seconds
+  std::vector<EntityState> entities;
+  Bounds window;          ///< world shown, of the film's aspect
+  Vec2 displaced{0, 0};   ///< added to every world position where the camera moves objects instead of itself
+};
+
+/// State at frame k >= 1.
+FrameState at(const Timeline& timeline, unsigned frame);
+
+/// Point of an entity's own coordinates in the world of the frame: at + R(angle) * local (+ displaced).
+struct Pose {
+  Vec2 at;
+  double cos = 1, sin = 0;
+  Vec2 operator()(const Vec2& local) const {
+    if (sin == 0 && cos == 1) return at + local;  // keeps dyadic positions dyadic
+    return at + Vec2(cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y());
+  }
+};
+/// Angles that are multiples of 90 degrees (as radians nearest to them) turn exactly.
+Pose pose(const Vec2& at, double angle);
+
+}  // namespace flatray

@@ -1,0 +1,81 @@
+#include "base/diagnostic.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace flatray {
+namespace {
+
+// A line of the source as shown below a message: at most this many bytes, around the value.
+constexpr std::size_t kExcerptWidth = 100;
+
+// Control bytes of a hostile input must not reach a terminal.
+std::string printable(std::string_view bytes) {
+  std::string shown(bytes);
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = c == '\t' ? ' ' : '?';
+  return shown;
+}
+
+std::string excerpt(const Place& where, SourceText::Position at, const std::string& hint) {
+  std::string_view line = where.source->line(at.line);
+  std::size_t column = static_cast<std::size_t>(at.column) - 1;
+  std::size_t cut = 0;
+  if (line.size() > kExcerptWidth && column > kExcerptWidth / 2) cut = column - kExcerptWidth / 2;
+  line = line.substr(std::min(cut, line.size()), kExcerptWidth);
+  column -= cut;
+  const std::size_t room = line.size() > column ? line.size() - column : 1;
+  const std::size_t tildes = std::clamp<std::size_t>(where.length, 1, room) - 1;
+  return fmt::format("    {}\n    {}^{}{}{}\n", printable(line), std::string(column, ' '),
+                     std::string(tildes, '~'), hint.empty() ? "" : "  ", hint);
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string format(const Diagnostic& diagnostic, const char* severity) {
+  const auto& [where, message, hint, trouble] = diagnostic;
+  if (!where || where.source->text().empty()) {
+    const std::string name = where ? printable(where.source->name()) + ": " : "";
+    const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", hint);
+    return fmt::format("{}{}: {}{}\n", name, severity, message, tail);
+  }
+  const SourceText::Position at = where.source->position(where.offset);
+  return fmt::format("{}:{}:{}: {}: {}\n{}", printable(where.source->name()), at.line, at.column,
+                     severity, message, excerpt(where, at, hint));
+}
+
+std::string format(const Diagnostics& diagnostics, const char* severity) {
+  std::string all;
+  for (const Diagnostic& one : diagnostics) all += format(one, severity);
+  return all;
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  if (word.size() > 64) return best;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) best = candidate, best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace flatray

@@ -1,0 +1,110 @@
+#include "base/file.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ > STDERR_FILENO) ::close(fd_);
+  }
+  explicit operator bool() const { return fd_ >= 0; }
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+bool write_all(int fd, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+tl::unexpected<Diagnostics> cannot(const char* what, const fs::path& path, int error,
+                                   Trouble trouble) {
+  return fail(named_place(path.string()), fmt::format("cannot {}: {}", what, std::strerror(error)),
+              "", trouble);
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+}  // namespace
+
+Result<std::string> read_file(const fs::path& path, std::size_t limit) {
+  const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return cannot("read", path, errno, Trouble::missing);
+  std::string content;
+  std::array<char, 1 << 16> buffer;
+  for (;;) {
+    const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return cannot("read", path, errno, Trouble::missing);
+    if (count == 0) return content;
+    if (content.size() + static_cast<std::size_t>(count) > limit)
+      return fail(named_place(path.string()), fmt::format("is larger than {} bytes", limit), "",
+                  Trouble::missing);
+    content.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  const fs::path folder = folder_of(path);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return cannot("make the folder", folder, error.value(), Trouble::output);
+  // The process number keeps two runs into one folder from sharing a temporary file.
+  const fs::path temporary =
+      folder / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
+  const auto give_up = [&](int reason) {
+    ::unlink(temporary.c_str());
+    return cannot("write", path, reason, Trouble::output);
+  };
+  {
+    const Descriptor file(
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!file) return cannot("write", path, errno, Trouble::output);
+    if (!write_all(file.get(), bytes) || ::fsync(file.get()) != 0) return give_up(errno);
+  }
+  if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up(errno);
+  const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (parent) ::fsync(parent.get());
+  return {};
+}
+
+Result<void> write_file(const fs::path& path, const std::string& text) {
+  return write_file(path, std::as_bytes(std::span(text)));
+}
+
+Result<void> append_line(const fs::path& path, const std::string& line) {
+  std::error_code error;
+  fs::create_directories(folder_of(path), error);
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (!file) return cannot("write", path, errno, Trouble::output);
+  const std::string whole = line + "\n";
+  if (!write_all(file.get(), std::as_bytes(std::span(whole))) || ::fsync(file.get()) != 0)
+    return cannot("write", path, errno, Trouble::output);
+  return {};
+}
+
+}  // namespace flatray

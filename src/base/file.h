@@ -1,0 +1,25 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+
+namespace flatray {
+
+/// Whole content of a file, or of standard input for "-".
+/// Error   Trouble::missing, naming the path and the system's reason; also above `limit` bytes.
+Result<std::string> read_file(const std::filesystem::path& path,
+                              std::size_t limit = std::size_t{1} << 32);
+
+/// Writes `bytes` so that `path` holds either what it held before or all of them, whenever the program or the
+/// machine stops: temporary name beside it, flush, rename, flush of the folder. Makes missing folders.
+/// Error   Trouble::output with the system's reason; the temporary file is gone.
+Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+Result<void> write_file(const std::filesystem::path& path, const std::string& text);
+
+/// Adds one line to a file and flushes it: one write, so that lines of two writers do not mix.
+Result<void> append_line(const std::filesystem::path& path, const std::string& line);
+
+}  // namespace flatray

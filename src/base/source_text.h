@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flatray {
+
+/// One input as read: its name for messages and its bytes. Lines and columns count from 1, columns in bytes.
+class SourceText {
+ public:
+  struct Position {
+    int line = 0, column = 0;
+  };
+
+  SourceText(std::string name, std::string text);
+
+  const std::string& name() const { return name_; }
+  std::string_view text() const { return text_; }
+  /// Line and column of a byte. `offset` past the end is the end.
+  Position position(std::size_t offset) const;
+  /// Byte at a line and column, clamped to that line: the inverse of `position`.
+  std::size_t offset(int line, int column) const;
+  /// A line without its line end.
+  std::string_view line(int number) const;
+
+ private:
+  std::string name_, text_;
+  std::vector<std::size_t> line_starts_;
+};
+
+using SourcePtr = std::shared_ptr<const SourceText>;
+
+/// Where a value stands: `length` bytes at `offset` of `source`. Without a source it is nowhere; a source
+/// without text (a file that cannot be read, a command line) still gives its name.
+struct Place {
+  SourcePtr source;
+  std::size_t offset = 0, length = 0;
+
+  explicit operator bool() const { return source != nullptr; }
+};
+
+/// A place that is only a name: "--size", "my/scene.toml".
+Place named_place(std::string name);
+
+}  // namespace flatray

@@ -1,0 +1,23 @@
+#pragma once
+#include "geom/ray.h"
+
+namespace flatray {
+
+/// Closed box with sides along the axes; empty while low > high.
+struct Bounds {
+  Vec2 low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+
+  bool empty() const { return !(low.x() <= high.x() && low.y() <= high.y()); }
+  void add(const Vec2& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  void add(const Bounds& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+  Vec2 size() const { return high - low; }
+  Vec2 centre() const { return 0.5 * low + 0.5 * high; }
+};
+
+}  // namespace flatray

@@ -1,0 +1,43 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "geom/hit_interval.h"
+#include "geom/ray.h"
+
+namespace flatray {
+
+/// Part of `ray` inside a closed convex polygon, by Cyrus-Beck clipping.
+///
+/// Units   t counts lengths of `ray.direction`: t = 1 is its tip.
+/// Needs   `vertices` convex, finite, in either orientation; repeated and collinear vertices are passed over.
+///         A polygon without area is the segment or point it is.
+/// Gives   the closed interval clipped to `within`, the edges it enters and leaves by, its class, and
+///         where the origin lies. A corner touched gives t_enter == t_exit; along an edge is inside.
+///         Edges that tie at a vertex: the lower number of the list as given (facts, section 7).
+/// Error   verdict, edges and class exact for the doubles given; t_enter and t_exit within 1 ulp.
+/// Cost    two differences of products an edge; exact integers only where the error bound cannot decide;
+///         one division for each end of the interval.
+/// Source  the paper's table 1 and eq. 3, as corrected in docs/DEVIATIONS.md.
+HitInterval clip_convex(const Ray& ray, std::span<const Vec2> vertices, Range within = kRay);
+
+/// Part of `ray` inside a closed disc. Radius 0 is a point. Error as above; edges are kNoEdge.
+HitInterval clip_circle(const Ray& ray, const Circle& circle, Range within = kRay);
+
+/// Part of `ray` on a closed segment: touch where they cross, along where they overlap.
+HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within = kRay);
+
+/// One edge of a clip as the paper's table 3 shows it, for people: see `flatray hit`.
+struct ClipStep {
+  int edge;
+  double numerator, denominator;  ///< n.(P_i - A) and n.c of the outward normal n, rounded once
+  int kind;                       ///< -1 entering, 0 parallel, 1 exiting
+  double t;                       ///< numerator / denominator rounded once; 0 where parallel
+  HitInterval candidate;          ///< the interval after this edge, clipped to the range
+};
+
+/// The same clip edge by edge. Stops after the edge that makes it a miss.
+std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices,
+                                 Range within = kRay);
+
+}  // namespace flatray

@@ -1,0 +1,52 @@
+#pragma once
+#include <compare>
+#include <cstddef>
+#include <string>
+
+#include "geom/predicates.h"
+
+namespace flatray {
+
+/// Exact rational number, the last resort behind the filters. Holds any finite double without rounding.
+///
+/// Cost    a microsecond or so an operation: only where an error bound could not decide.
+/// Source  GMP, which no other file includes.
+class Rational {
+ public:
+  Rational(double finite = 0);
+  Rational(const Rational& other);
+  Rational(Rational&& other) noexcept;
+  Rational& operator=(const Rational& other);
+  Rational& operator=(Rational&& other) noexcept;
+  ~Rational();
+
+  Rational& operator+=(const Rational& b);
+  Rational& operator-=(const Rational& b);
+  Rational& operator*=(const Rational& b);
+  Rational& operator/=(const Rational& b);  ///< Needs b != 0.
+  friend Rational operator+(Rational a, const Rational& b) { return a += b; }
+  friend Rational operator-(Rational a, const Rational& b) { return a -= b; }
+  friend Rational operator*(Rational a, const Rational& b) { return a *= b; }
+  friend Rational operator/(Rational a, const Rational& b) { return a /= b; }
+  Rational operator-() const { return Rational(0) -= *this; }
+
+  Sign sign() const;
+  std::strong_ordering operator<=>(const Rational& b) const;
+  bool operator==(const Rational& b) const;
+
+  /// Nearest double, halves to even; beyond the doubles +-infinity. Subnormals rounded once.
+  double nearest() const;
+  /// Largest integer not above it, as a Rational.
+  Rational floor() const;
+  /// "19/72" or "3".
+  std::string text() const;
+
+  /// Nearest double to p + s * sqrt(q), s = -1, 0 or 1, within 1 ulp, also where the two cancel.
+  /// Needs q >= 0.
+  static double root_sum(const Rational& p, int s, const Rational& q);
+
+ private:
+  alignas(std::max_align_t) std::byte storage_[32];
+};
+
+}  // namespace flatray

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+
+#include "geom/ray.h"
+
+namespace flatray {
+
+enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
+
+inline Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
+inline Sign sign_of(double x) {
+  return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
+}
+
+/// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite doubles.
+Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// Sign of a x b for given vectors. Exact for all finite doubles.
+Sign cross_sign(const Vec2& a, const Vec2& b);
+
+/// Sign of cross(d, p - o): the side of `p` seen from `o` along `d`. Exact.
+Sign side_of_ray(const Ray& ray, const Vec2& p);
+
+/// Sign of cross(b - a, d): whether direction d turns left of the edge a -> b. Exact.
+Sign turn_from_edge(const Vec2& a, const Vec2& b, const Vec2& d);
+
+}  // namespace flatray

@@ -1,0 +1,29 @@
+#pragma once
+#include <limits>
+
+#include "geom/vec.h"
+
+namespace flatray {
+
+/// origin + t * direction. `direction` has any length; zero makes the query a point test.
+struct Ray {
+  Vec2 origin, direction;
+};
+
+/// Closed range of t a query is clipped to.
+struct Range {
+  double low, high;
+};
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr Range kLine{-kInfinity, kInfinity}, kRay{0, kInfinity}, kSegment{0, 1};
+
+struct Segment {
+  Vec2 a, b;
+};
+
+struct Circle {
+  Vec2 centre;
+  double radius;  ///< 0 is a point
+};
+
+}  // namespace flatray

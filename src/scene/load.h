@@ -1,0 +1,44 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/scene.h"
+
+namespace flatray {
+
+/// `-D key=value`: `key` a dotted path ("film.size", "entity.2.at", "markov.runner.hold"), `value` as TOML.
+struct Override {
+  std::string key, value;
+};
+
+struct LoadLimits {
+  std::uint64_t max_pixels = std::uint64_t{1} << 28;
+  std::size_t max_file_bytes = std::size_t{1} << 30;
+};
+
+struct LoadedScene {
+  Scene scene;
+  Diagnostics warnings;
+};
+
+/// Reads, parses (format by extension, or by content for "-") and builds a scene.
+/// Error   the one syntax error, or every semantic mistake together, each with its place.
+Result<LoadedScene> load_scene(const std::filesystem::path& path,
+                               const std::vector<Override>& overrides = {},
+                               const LoadLimits& limits = {});
+
+/// The same from text already read, e.g. in tests: `name` decides the format by its extension.
+Result<LoadedScene> load_scene_text(std::string name, std::string text,
+                                    const std::vector<Override>& overrides = {},
+                                    const LoadLimits& limits = {});
+
+/// One line each for `flatray list`: registered name and what it takes.
+struct Listed {
+  std::string name, usage;
+};
+std::vector<Listed> listed_shapes();
+std::vector<Listed> listed_formats();
+
+}  // namespace flatray

@@ -1,0 +1,175 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/source_text.h"
+#include "geom/bounds.h"
+#include "geom/ray.h"
+
+namespace flatray {
+
+/// sRGB with straight alpha, as written: "#rrggbb" or "#rrggbbaa".
+struct Colour {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  bool operator==(const Colour&) const = default;
+};
+
+/// Line drawn along an outline, centred on it, round joins and caps.
+struct Stroke {
+  double width = 1;
+  bool in_pixels = false;  ///< width in pixels of the film, else world units
+  Colour colour;
+};
+
+enum class Coverage { area, centre };
+enum class FillRule { nonzero, even_odd };
+
+/// A shape in its own coordinates, made of primitives that stay what they are. Its pieces combine by union.
+///
+/// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces share
+/// (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's numbers.
+struct Shape {
+  std::vector<Vec2> vertices;
+  std::vector<std::uint32_t> begin{0};  ///< piece i is vertices [begin[i], begin[i + 1])
+  std::vector<std::int32_t> edges;      ///< input edge from vertex k to the next of its piece; -1 a cut
+  std::vector<Circle> circles;
+  std::vector<Segment> segments;
+  std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
+
+  std::size_t piece_count() const { return begin.size() - 1; }
+};
+using ShapeId = std::uint32_t;  ///< index into Scene::shapes
+
+/// What a Markov state or sub-state changes; nothing set keeps the entity's own.
+struct Look {
+  std::string name;  ///< of the sub-state, "" if unnamed
+  std::optional<ShapeId> shape;
+  std::optional<Colour> fill;
+  std::optional<Stroke> stroke;
+  std::optional<Vec2> velocity;
+};
+
+using StateId = std::uint32_t;
+
+struct Transition {
+  std::uint64_t cumulative;  ///< a draw <= it takes this one; the last is 2^64 - 1
+  StateId to;
+};
+
+enum class ChainRepair { none, to_start, to_self, scaled };
+
+struct MarkovChain {
+  std::string name;
+  unsigned hold = 1;  ///< frames between draws
+  std::vector<std::string> states;
+  std::vector<std::vector<Transition>> rows;        ///< by StateId; probability 0 is dropped
+  std::vector<std::vector<double>> probabilities;   ///< rows x states, for reports: nearest doubles
+  StateId start = 0;  ///< where repair = "to-start" sends the missing rest; else the first row
+};
+
+struct MarkovUse {
+  std::uint32_t chain = 0;  ///< index into Scene::chains
+  StateId start = 0;
+  std::vector<std::vector<Look>> looks;  ///< by StateId: its sub-states in order, one a frame; may be empty
+};
+
+/// What a ray does on arrival.
+enum class Material { absorb, mirror };
+
+struct Entity {
+  std::string name;
+  ShapeId shape = 0;
+  Vec2 at{0, 0};
+  double angle = 0;             ///< radians, counter-clockwise
+  Vec2 velocity{0, 0};          ///< world units a second
+  double angular_velocity = 0;  ///< radians a second
+  std::optional<Colour> fill;
+  std::optional<Stroke> stroke;
+  std::optional<Stroke> bounding_box;  ///< drawn when set
+  int layer = 0;
+  Material material = Material::absorb;
+  std::optional<MarkovUse> markov;
+  Place where;
+};
+
+/// Convex or simple room with obstacles: rays bounce inside it.
+struct Chamber {
+  std::string name;
+  ShapeId shape = 0;
+  Material material = Material::mirror;
+  std::optional<Colour> fill;
+  std::optional<Stroke> stroke;
+  int layer = 0;
+  struct Pillar {
+    std::string name;
+    ShapeId shape = 0;
+    Vec2 at{0, 0};
+    double angle = 0;
+    Material material = Material::mirror;
+    std::optional<Colour> fill;
+    std::optional<Stroke> stroke;
+  };
+  std::vector<Pillar> pillars;
+  Place where;
+};
+
+/// An orbit to trace and draw: starts at `at`, reflected by mirrors, ended by what absorbs.
+struct RayPath {
+  std::string name;
+  Vec2 at{0, 0}, direction{1, 0};
+  unsigned bounces = 0;
+  Stroke stroke;
+  std::optional<Colour> hit_points;  ///< marks where it bounces
+  int layer = 0;
+  Place where;
+};
+
+/// The paper's Figure 4: the edges of one entity as rays against another, the inside part thick, the entering
+/// and exiting points marked.
+struct EdgeRays {
+  std::uint32_t from = 0, against = 0;  ///< entities
+  Stroke stroke;                        ///< of the rays; the inside part is three times as wide
+  Colour inside, enter, exit;
+  int layer = 0;
+};
+
+/// How the window moves (the paper's Figure 3). `frame_origin` moves the window; `objects` moves everything else
+/// the other way and must give the same picture.
+enum class CameraMotion { frame_origin, objects };
+
+struct Camera {
+  std::optional<Vec2> at;            ///< world position of the window's centre; unset: film.world or content
+  std::optional<double> height;      ///< world units the picture is high
+  std::optional<std::uint32_t> follow;  ///< entity kept at the window's centre plus `offset`
+  Vec2 offset{0, 0};
+  Vec2 velocity{0, 0};  ///< of the window's origin, world units a second
+  CameraMotion motion = CameraMotion::frame_origin;
+};
+
+struct Film {
+  int width = 640, height = 360;
+  std::optional<Bounds> world;  ///< window wanted; grown to the film's aspect
+  Colour background{255, 255, 255, 255};
+  Coverage coverage = Coverage::area;
+};
+
+/// A validated scene: finite, convex pieces counter-clockwise, chains summing to 1. Never changed once built.
+struct Scene {
+  std::string name;  ///< file name without folder and extension
+  Film film;
+  Camera camera;
+  unsigned frames = 1;
+  double fps = 24;
+  std::uint64_t seed = 0;
+  std::vector<Shape> shapes;
+  std::vector<Entity> entities;
+  std::vector<Chamber> chambers;
+  std::vector<RayPath> rays;
+  std::vector<EdgeRays> edge_rays;
+  std::vector<MarkovChain> chains;
+  std::uint64_t hash = 0;  ///< of the source text, its imports and overrides
+};
+
+}  // namespace flatray

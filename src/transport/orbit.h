@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/scene.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+enum class OrbitEnd {
+  limit,     ///< all bounces asked for were made
+  escape,    ///< nothing lies ahead
+  absorbed,  ///< arrived at a surface that absorbs
+  corner,    ///< arrived exactly at an end of a wall or where two walls meet: no reflection is defined
+  along      ///< starts on a wall and runs along it
+};
+const char* name(OrbitEnd end);
+
+/// One reflection.
+struct Bounce {
+  std::uint32_t surface;
+  Vec2 point;             ///< on the closed inner side of its wall and of every wall that meets it there
+  double t;               ///< since the last bounce, in lengths of the direction then
+  double path_length;     ///< from the start, world units
+  Vec2 normal;            ///< unit, towards the side the ray came from
+  double incidence;       ///< radians between the ray and the normal, [0, pi/2]
+};
+
+struct Orbit {
+  Vec2 start, direction;
+  std::vector<Bounce> bounces;
+  OrbitEnd end = OrbitEnd::limit;
+  Vec2 out{0, 0};                       ///< unit direction after the last bounce
+  Vec2 end_point{0, 0};                 ///< where it was absorbed or met the corner
+  std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
+};
+
+/// Follows a ray from mirror to mirror in exact decisions and double constructions (design, decision 4): a straight
+/// wall just left is excluded by its number, a circle only in the root stood on. No epsilon.
+///
+/// Needs   `materials` by surface; a direction that is not zero.
+/// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on the inner side.
+Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
+                  std::uint64_t bounces);
+
+}  // namespace flatray

@@ -1,0 +1,48 @@
+# What every target is compiled with.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug" FORCE)
+endif()
+option(FLATRAY_TESTS "build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(FLATRAY_WERROR "warnings are errors" OFF)
+set(FLATRAY_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize takes them")
+set(FLATRAY_WITHOUT "" CACHE STRING "registered entries to leave out, as folder/name")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+
+add_library(flatray_options INTERFACE)
+target_compile_options(flatray_options INTERFACE
+  -ffp-contract=off  # a fused multiply-add would change bits between machines
+  -fno-math-errno    # sqrt is one instruction
+  -fPIC              # the libraries may go into shared ones; the same for all, for the precompiled header
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
+  $<$<BOOL:${FLATRAY_WERROR}>:-Werror>)
+if(FLATRAY_SANITIZE)
+  target_compile_options(flatray_options INTERFACE
+    -fsanitize=${FLATRAY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(flatray_options INTERFACE -fsanitize=${FLATRAY_SANITIZE})
+endif()
+
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(tl-expected REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
+find_path(GMP_INCLUDE_DIR gmp.h REQUIRED)
+find_library(GMP_LIBRARY gmp REQUIRED)
+find_path(SLEEF_INCLUDE_DIR sleef.h REQUIRED)
+find_library(SLEEF_LIBRARY sleef REQUIRED)
+
+# One precompiled header for all modules: what nearly every source includes.
+add_library(flatray_pch STATIC ${PROJECT_SOURCE_DIR}/tools/cmake/pch.cpp)
+target_link_libraries(flatray_pch PUBLIC flatray_options Eigen3::Eigen fmt::fmt tl::expected)
+target_precompile_headers(flatray_pch PRIVATE
+  <algorithm> <array> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
+  <string_view> <utility> <variant> <vector> <Eigen/Core> <fmt/core.h> <tl/expected.hpp>)
