@@ -7,7 +7,8 @@
 
 namespace flatray {
 
-/// Exact rational number, the last resort behind the filters. Holds any finite double without rounding.
+/// Exact rational number, the last resort behind the filters. Holds any finite double without
+/// rounding.
 ///
 /// Cost    a microsecond or so an operation: only where an error bound could not decide.
 /// Source  GMP, which no other file includes.

@@ -12,7 +12,8 @@ inline Sign sign_of(double x) {
   return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite doubles.
+/// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite
+/// doubles.
 Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// Sign of a x b for given vectors. Exact for all finite doubles.
