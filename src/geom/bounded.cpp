@@ -58,6 +58,7 @@ Bounded operator/(const Bounded& a, const Bounded& b) {
   const double miss = std::fabs(last.value_.hi) * (1 + 0x1p-50) + last.error_ + a.error_ +
                       2 * std::fabs(first) * b.error_;
   if (!(least > 0)) return {value, kInfinity};
+  if (miss == 0) return {value, 0};
   return {value, (miss / least + kUnderflowError) * kRadiusInflation};
 }
 
@@ -71,6 +72,7 @@ Bounded square_root(const Bounded& a) {
   // |sqrt(a) - r| = |a - r^2| / (sqrt(a) + r) <= |a - r^2| / r, and r is `value`.
   const Bounded last = Bounded(a.value_, 0) - Bounded(value, 0) * Bounded(value, 0);
   const double miss = std::fabs(last.value_.hi) * (1 + 0x1p-50) + last.error_ + a.error_;
+  if (miss == 0) return {value, 0};
   return {value, (miss / (first * (1 - 0x1p-50)) + kUnderflowError) * kRadiusInflation};
 }
 

@@ -2,6 +2,7 @@
 #include <compare>
 #include <optional>
 
+#include "geom/bounded.h"
 #include "geom/exact.h"
 #include "geom/ray.h"
 
@@ -21,6 +22,7 @@ struct RoundedTime {
 /// where those leave a doubt.
 class HitTime {
  public:
+  HitTime() = default;  ///< No hit: only to be assigned to.
   /// The first or second root on a circle; a tangent has both in one.
   enum class Root { first = -1, second = 1 };
 
@@ -49,11 +51,11 @@ class HitTime {
   Exact exact() const;
 
  private:
-  template <class Number>
-  friend struct TimeFormula;
+  friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
+  Bounded approximate() const;
 
   Ray ray_;
-  Vec2 p_, from_, to_;  // a line; the centre of a circle is p_
+  Vec2 p_, from_, to_;  // the line; p_ is also the centre of a circle
   double radius_ = 0;
   int root_ = 0;  // 0 for a line
 };

@@ -10,11 +10,9 @@ namespace {
 [[gnu::noinline]] Sign uncertain_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   // Signs of differences are always right, so products of opposite signs need no arithmetic:
   // axis-parallel input, and a product that under- or overflowed.
-  const int left =
-      static_cast<int>(sign_of(b.x() - a.x())) * static_cast<int>(sign_of(d.y() - c.y()));
-  const int right =
-      static_cast<int>(sign_of(b.y() - a.y())) * static_cast<int>(sign_of(d.x() - c.x()));
-  if (left != right || left == 0) return static_cast<Sign>((left > right) - (left < right));
+  const Sign left = sign_of(b.x() - a.x()) * sign_of(d.y() - c.y());
+  const Sign right = sign_of(b.y() - a.y()) * sign_of(d.x() - c.x());
+  if (left != right || left == Sign::zero) return sign_of(left <=> right);
   return decide([&](const auto& number) { return determinant(number, a, b, c, d); });
 }
 
