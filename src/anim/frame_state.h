@@ -23,8 +23,8 @@ struct FrameState {
   double time = 0;     ///< (frame - 1) / fps seconds
   std::vector<EntityState> entities;
   Bounds window;  ///< world shown, of the film's aspect
-  Vec2 displaced{
-      0, 0};  ///< added to every world position where the camera moves objects instead of itself
+  /// Added to every world position where the camera moves objects instead of itself.
+  Vec2 displaced{0, 0};
 };
 
 /// State at frame k in [1, last frame of the timeline].

@@ -7,8 +7,10 @@ namespace flatray {
 /// to the last frame; contact responses will add piecewise motion here.
 class Timeline {
  public:
-  /// Needs   `scene` outlives the timeline. `seed` replaces the scene's own where given by the
-  /// command line. Cost    32 bytes and at most one draw for each frame and entity with a chain.
+  /// Needs   `scene` to outlive the timeline. `seed` replaces the scene's own where the command
+  /// line
+  ///         gives one.
+  /// Cost    32 bytes and at most one draw for each frame and entity with a chain.
   Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame);
 
   const Scene& scene() const { return *scene_; }

@@ -23,9 +23,8 @@ struct World {
 /// of one shape, crossing rings, and edges whose ends are one point in the world.
 ///
 /// Gives   entities, then chambers each with its pillars; of a shape its edges, its lone segments,
-/// its circles. Edges
-///         run counter-clockwise. Edges that share a vertex in the shape share its doubles in the
-///         world.
+///         its circles. Edges run counter-clockwise. Edges that share a vertex in the shape share
+///         its doubles in the world.
 /// Cost    O(n log n) edges for shapes of several pieces, else O(n).
 World build_world(const Scene& scene, const FrameState& state);
 
