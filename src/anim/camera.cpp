@@ -11,17 +11,7 @@ class ContentBox {
   explicit ContentBox(const Scene& scene) : scene_(scene) {}
 
   void add(ShapeId id, const Pose& place, double stroke) {
-    const Shape& shape = scene_.shapes[id];
-    Bounds box;
-    for (const Vec2& vertex : shape.vertices) box.add(place(vertex));
-    for (const auto& ring : shape.crossing_rings)
-      for (const Vec2& vertex : ring) box.add(place(vertex));
-    for (const Segment& segment : shape.segments)
-      box.add(place(segment.a)), box.add(place(segment.b));
-    for (const Circle& circle : shape.circles) {
-      const Vec2 reach(circle.radius, circle.radius), centre = place(circle.centre);
-      box.add(Bounds{centre - reach, centre + reach});
-    }
+    const Bounds box = shape_bounds(scene_.shapes[id], place);
     const Vec2 reach(stroke / 2, stroke / 2);
     if (!box.empty()) all_.add(Bounds{box.low - reach, box.high + reach});
   }

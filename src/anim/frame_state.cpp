@@ -105,4 +105,18 @@ Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar) {
 
 Pose world_pose(const FrameState& state) { return {state.displaced}; }
 
+Bounds shape_bounds(const Shape& shape, const Pose& place) {
+  Bounds box;
+  for (const Vec2& vertex : shape.vertices) box.add(place(vertex));
+  for (const auto& ring : shape.crossing_rings)
+    for (const Vec2& vertex : ring) box.add(place(vertex));
+  for (const Segment& segment : shape.segments)
+    box.add(place(segment.a)), box.add(place(segment.b));
+  for (const Circle& circle : shape.circles) {
+    const Vec2 reach(circle.radius, circle.radius), centre = place(circle.centre);
+    box.add(Bounds{centre - reach, centre + reach});
+  }
+  return box;
+}
+
 }  // namespace flatray

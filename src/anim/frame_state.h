@@ -52,4 +52,7 @@ Pose entity_pose(const FrameState& state, std::size_t entity);
 Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar);
 Pose world_pose(const FrameState& state);
 
+/// Box around a posed shape, without its stroke; empty for a shape without content.
+Bounds shape_bounds(const Shape& shape, const Pose& place);
+
 }  // namespace flatray
