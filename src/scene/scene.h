@@ -68,6 +68,10 @@ struct MarkovChain {
   std::vector<std::string> states;
   std::vector<std::vector<Transition>> rows;       ///< by StateId; probability 0 is dropped
   std::vector<std::vector<double>> probabilities;  ///< rows x states, for reports: nearest doubles
+  /// The same as exact fractions after the repair, "3/5" or "60/91", "0" where dropped: filled by
+  /// the scene builder, so that reports can print closed forms exactly. Empty: not known beyond the
+  /// doubles.
+  std::vector<std::vector<std::string>> fractions;
   StateId start = 0;  ///< where repair = "to-start" sends the missing rest; else the first row
 };
 

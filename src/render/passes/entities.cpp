@@ -13,8 +13,8 @@ void draw(DrawContext& context) {
     const Entity& entity = context.scene.entities[i];
     const EntityState& now = context.state.entities[i];
     context.place(entity.layer, entity.where);
-    context.add_shape(context.scene.shapes[now.shape],
-                      pose(now.at + context.state.displaced, now.angle), now.fill, now.stroke);
+    context.add_shape(context.scene.shapes[now.shape], entity_pose(context.state, i), now.fill,
+                      now.stroke);
   }
 }
 
