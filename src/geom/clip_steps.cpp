@@ -7,14 +7,6 @@
 namespace flatray {
 namespace {
 
-// Nearest double to a formula's value; the largest of its sign beyond the doubles.
-template <class Formula>
-double round_once(const Formula& formula) {
-  if (const auto value = formula([](double x) { return Bounded(x); }).nearest()) return *value;
-  constexpr double largest = std::numeric_limits<double>::max();
-  return std::clamp(formula([](double x) { return Rational(x); }).nearest(), -largest, largest);
-}
-
 // The candidate interval as the paper keeps it: edge after edge.
 class Candidate {
  public:
