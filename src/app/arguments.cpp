@@ -47,7 +47,7 @@ Result<std::string> Arguments::one_of(std::string_view name,
       where(name),
       fmt::format("unknown value '{}'{}", given,
                   near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
-      fmt::format("say {}", fmt::join(words, ", ")));
+      fmt::format("say {}", comma_list(words)));
 }
 
 }  // namespace flatray

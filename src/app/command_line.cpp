@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/option_values.h"
 #include "app/report.h"
 #include "app/verb.h"
 #include "app/version.h"
@@ -41,7 +42,7 @@ Diagnostics unknown_verb(const std::string& word) {
   for (const Verb* verb : all_verbs()) known.emplace_back(verb->name);
   const std::string near = nearest_word(word, known);
   std::error_code ignored;
-  std::string hint = fmt::format("say one of: {}", fmt::join(known, ", "));
+  std::string hint = fmt::format("say one of: {}", comma_list(known));
   if (word.starts_with('-')) hint = "the verb comes first, as in: flatray render SCENE --quiet";
   if (std::filesystem::exists(word, ignored)) hint = fmt::format("flatray render {}", word);
   return {{named_place(word),

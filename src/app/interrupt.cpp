@@ -18,8 +18,9 @@ void catch_interrupts() {
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);
 }
+
+void survive_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }
 
 bool interrupted() { return stop != 0; }
 

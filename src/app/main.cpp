@@ -8,7 +8,7 @@
 int main(int argc, char** argv) {
   constexpr int kInternalError = 70;
   try {
-    flatray::catch_interrupts();
+    flatray::survive_file_limits();
     return flatray::run_command_line({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const std::bad_alloc&) {
     std::fputs("flatray: out of memory; a smaller --size or fewer threads (-j) need less\n", stderr);

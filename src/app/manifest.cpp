@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/value.h"
+#include "app/option_values.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "image/png.h"
@@ -34,15 +34,13 @@ unsigned number_of(const Value& record, const char* field) {
 
 }  // namespace
 
-std::string manifest_line(const FrameRecord& record) {
-  return json_text(Fields{{"frame", record.frame},
-                          {"file", record.file},
-                          {"width", record.width},
-                          {"height", record.height},
-                          {"pixels", record.pixels},
-                          {"bytes", record.bytes},
-                          {"scene", record.scene}});
+Value as_value(const FrameRecord& record) {
+  return Fields{{"frame", record.frame},   {"file", record.file},     {"width", record.width},
+                {"height", record.height}, {"pixels", record.pixels}, {"bytes", record.bytes},
+                {"scene", record.scene}};
 }
+
+std::string manifest_line(const FrameRecord& record) { return json_text(as_value(record)); }
 
 std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   if (line.size() > kLongestLine) return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "app/frames.h"
 #include "app/output_pattern.h"
+#include "app/value.h"
 
 namespace flatray {
 
@@ -21,6 +22,7 @@ struct FrameRecord {
   bool operator==(const FrameRecord&) const = default;
 };
 
+Value as_value(const FrameRecord& record);
 std::string manifest_line(const FrameRecord& record);
 /// nullopt for a torn line, and for anything else that is no record.
 std::optional<FrameRecord> parse_manifest_line(std::string_view line);

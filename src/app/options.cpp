@@ -80,7 +80,8 @@ void read_environment(const Option& option, Environment environment,
     if (!set)
       problems.push_back({named_place(name), fmt::format("'{}' is neither yes nor no", value),
                           "say 1 or 0", Trouble::usage});
-    if (!set.value_or(false)) return;
+    if (set.value_or(false)) given[option.name] = {name, {}};
+    return;
   }
   given[option.name] = {name, {value}};
 }
