@@ -22,14 +22,18 @@ struct FrameState {
   unsigned frame = 1;  ///< from 1
   double time = 0;     ///< (frame - 1) / fps seconds
   std::vector<EntityState> entities;
-  Bounds window;          ///< world shown, of the film's aspect
-  Vec2 displaced{0, 0};   ///< added to every world position where the camera moves objects instead of itself
+  Bounds window;  ///< world shown, of the film's aspect
+  /// Added to every world position where the camera moves objects instead of itself.
+  Vec2 displaced{0, 0};
 };
 
-/// State at frame k >= 1.
+/// State at frame k in [1, last frame of the timeline].
 FrameState at(const Timeline& timeline, unsigned frame);
 
-/// Point of an entity's own coordinates in the world of the frame: at + R(angle) * local (+ displaced).
+/// Its entities alone, before the camera displaces anything.
+std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame);
+
+/// Point of an entity's own coordinates in the world of the frame: at + R(angle) * local.
 struct Pose {
   Vec2 at;
   double cos = 1, sin = 0;
@@ -38,7 +42,17 @@ struct Pose {
     return at + Vec2(cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y());
   }
 };
-/// Angles that are multiples of 90 degrees (as radians nearest to them) turn exactly.
+/// Angles that are multiples of 90 degrees turn exactly: those within 1 ulp of k * pi/2, which is
+/// what sums and products of rounded radians leave of them.
 Pose pose(const Vec2& at, double angle);
+
+/// The same with the frame's displacement: of an entity, of a pillar, and of what stands in world
+/// coordinates (chambers, rays). Everything drawn or traced goes through one of these three.
+Pose entity_pose(const FrameState& state, std::size_t entity);
+Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar);
+Pose world_pose(const FrameState& state);
+
+/// Box around a posed shape, without its stroke; empty for a shape without content.
+Bounds shape_bounds(const Shape& shape, const Pose& place);
 
 }  // namespace flatray

@@ -8,18 +8,24 @@ namespace flatray {
 struct SurfaceOwner {
   enum class Kind : std::uint8_t { entity, chamber, pillar } kind;
   std::uint32_t index;   ///< entity; chamber
-  std::uint32_t pillar;  ///< of the chamber
-  std::int32_t edge;     ///< of the shape as given; kNoEdge for a circle
+  std::uint32_t pillar;  ///< of the chamber; 0 for what is no pillar
+  std::int32_t edge;  ///< of the shape as given; the number of a lone segment; kNoEdge for a circle
   Material material;
 };
 
-/// The walls of one frame in world coordinates: outlines of every entity, chamber and pillar (cuts between the
-/// pieces of one shape left out), each with its owner.
+/// The walls of one frame in world coordinates, each with its owner.
 struct World {
   Surfaces surfaces;
   std::vector<SurfaceOwner> owners;  ///< by surface number
 };
 
+/// Outlines of every entity, chamber and pillar. Left out: cuts and shared edges between the pieces
+/// of one shape, crossing rings, and edges whose ends are one point in the world.
+///
+/// Gives   entities, then chambers each with its pillars; of a shape its edges, its lone segments,
+///         its circles. Edges run counter-clockwise. Edges that share a vertex in the shape share
+///         its doubles in the world.
+/// Cost    O(n log n) edges for shapes of several pieces, else O(n).
 World build_world(const Scene& scene, const FrameState& state);
 
 }  // namespace flatray

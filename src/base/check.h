@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "base/float_mode.h"
+
 namespace flatray {
 
 /// Ends the program on a bug of ours: prints the condition, its place and `values` to stderr, then aborts.

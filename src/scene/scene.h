@@ -26,14 +26,16 @@ struct Stroke {
 enum class Coverage { area, centre };
 enum class FillRule { nonzero, even_odd };
 
-/// A shape in its own coordinates, made of primitives that stay what they are. Its pieces combine by union.
+/// A shape in its own coordinates, made of primitives that stay what they are. Its pieces combine
+/// by union.
 ///
-/// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces share
-/// (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's numbers.
+/// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces
+/// share (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's
+/// numbers.
 struct Shape {
   std::vector<Vec2> vertices;
   std::vector<std::uint32_t> begin{0};  ///< piece i is vertices [begin[i], begin[i + 1])
-  std::vector<std::int32_t> edges;      ///< input edge from vertex k to the next of its piece; -1 a cut
+  std::vector<std::int32_t> edges;  ///< input edge from vertex k to the next of its piece; -1 a cut
   std::vector<Circle> circles;
   std::vector<Segment> segments;
   std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
@@ -64,15 +66,20 @@ struct MarkovChain {
   std::string name;
   unsigned hold = 1;  ///< frames between draws
   std::vector<std::string> states;
-  std::vector<std::vector<Transition>> rows;        ///< by StateId; probability 0 is dropped
-  std::vector<std::vector<double>> probabilities;   ///< rows x states, for reports: nearest doubles
+  std::vector<std::vector<Transition>> rows;       ///< by StateId; probability 0 is dropped
+  std::vector<std::vector<double>> probabilities;  ///< rows x states, for reports: nearest doubles
+  /// The same as exact fractions after the repair, "3/5" or "60/91", "0" where dropped: filled by
+  /// the scene builder, so that reports can print closed forms exactly. Empty: not known beyond the
+  /// doubles.
+  std::vector<std::vector<std::string>> fractions;
   StateId start = 0;  ///< where repair = "to-start" sends the missing rest; else the first row
 };
 
 struct MarkovUse {
   std::uint32_t chain = 0;  ///< index into Scene::chains
   StateId start = 0;
-  std::vector<std::vector<Look>> looks;  ///< by StateId: its sub-states in order, one a frame; may be empty
+  std::vector<std::vector<Look>>
+      looks;  ///< by StateId: its sub-states in order, one a frame; may be empty
 };
 
 /// What a ray does on arrival.
@@ -126,22 +133,23 @@ struct RayPath {
   Place where;
 };
 
-/// The paper's Figure 4: the edges of one entity as rays against another, the inside part thick, the entering
-/// and exiting points marked.
+/// The paper's Figure 4: the edges of one entity as rays against another, the inside part thick,
+/// the entering and exiting points marked.
 struct EdgeRays {
   std::uint32_t from = 0, against = 0;  ///< entities
   Stroke stroke;                        ///< of the rays; the inside part is three times as wide
   Colour inside, enter, exit;
   int layer = 0;
+  Place where;
 };
 
-/// How the window moves (the paper's Figure 3). `frame_origin` moves the window; `objects` moves everything else
-/// the other way and must give the same picture.
+/// How the window moves (the paper's Figure 3). `frame_origin` moves the window; `objects` moves
+/// everything else the other way and must give the same picture.
 enum class CameraMotion { frame_origin, objects };
 
 struct Camera {
-  std::optional<Vec2> at;            ///< world position of the window's centre; unset: film.world or content
-  std::optional<double> height;      ///< world units the picture is high
+  std::optional<Vec2> at;  ///< world position of the window's centre; unset: film.world or content
+  std::optional<double> height;         ///< world units the picture is high
   std::optional<std::uint32_t> follow;  ///< entity kept at the window's centre plus `offset`
   Vec2 offset{0, 0};
   Vec2 velocity{0, 0};  ///< of the window's origin, world units a second
@@ -155,7 +163,8 @@ struct Film {
   Coverage coverage = Coverage::area;
 };
 
-/// A validated scene: finite, convex pieces counter-clockwise, chains summing to 1. Never changed once built.
+/// A validated scene: finite, convex pieces counter-clockwise, chains summing to 1. Never changed
+/// once built.
 struct Scene {
   std::string name;  ///< file name without folder and extension
   Film film;

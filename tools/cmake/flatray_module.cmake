@@ -10,6 +10,7 @@ function(flatray_module name)
   target_link_libraries(flatray_${name}
     PUBLIC ${uses} ${arg_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:flatray_options> ${arg_PRIVATE_LIBRARIES})
+  target_compile_features(flatray_${name} PUBLIC cxx_std_20)
   target_precompile_headers(flatray_${name} REUSE_FROM flatray_pch)
   set_property(TARGET flatray_${name} PROPERTY EXPORT_NAME ${name})
 endfunction()

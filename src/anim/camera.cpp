@@ -1,0 +1,104 @@
+#include "anim/camera.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kContentMargin = 0.05;  // of the content's size, on each side
+
+// Adds shapes to a box, each with the outer half of its stroke.
+class ContentBox {
+ public:
+  explicit ContentBox(const Scene& scene) : scene_(scene) {}
+
+  void add(ShapeId id, const Pose& place, double stroke) {
+    const Bounds box = shape_bounds(scene_.shapes[id], place);
+    const Vec2 reach(stroke / 2, stroke / 2);
+    if (!box.empty()) all_.add(Bounds{box.low - reach, box.high + reach});
+  }
+  void add(const Vec2& point) { all_.add(point); }
+  const Bounds& bounds() const { return all_; }
+
+ private:
+  const Scene& scene_;
+  Bounds all_;
+};
+
+double world_width(const std::optional<Stroke>& stroke) {
+  return stroke && !stroke->in_pixels ? stroke->width : 0;
+}
+
+// A box with a margin; what has no size gets one that its position can carry.
+Bounds with_margin(const Bounds& content) {
+  if (content.empty()) return {{0, 0}, {1, 1}};
+  Vec2 reach = kContentMargin * content.size();
+  if (content.size().isZero(0)) {
+    const double half = std::max(0.5, content.low.cwiseAbs().maxCoeff() * 0x1p-20);
+    reach = {half, half};
+  }
+  return {content.low - reach, content.high + reach};
+}
+
+// The smallest box of the film's aspect with the same centre that holds `box`; the side that fits
+// keeps its bits.
+Bounds grown_to_aspect(Bounds box, const Film& film) {
+  const Vec2 size = box.size(), centre = box.centre();
+  const double width = film.width, height = film.height;
+  if (size.x() * height < size.y() * width) {
+    const double reach = 0.5 * (size.y() * width / height);
+    box.low.x() = centre.x() - reach;
+    box.high.x() = centre.x() + reach;
+  } else if (size.x() * height > size.y() * width) {
+    const double reach = 0.5 * (size.x() * height / width);
+    box.low.y() = centre.y() - reach;
+    box.high.y() = centre.y() + reach;
+  }
+  return box;
+}
+
+Bounds centred(const Vec2& centre, const Vec2& size) {
+  const Vec2 low = centre - 0.5 * size;
+  return {low, low + size};
+}
+
+// Before anything moves.
+Bounds still_window(const Timeline& timeline) {
+  const Film& film = timeline.scene().film;
+  const Camera& camera = timeline.scene().camera;
+  const Bounds wanted = film.world ? *film.world : with_margin(timeline.content());
+  const Vec2 centre = camera.at.value_or(wanted.centre());
+  if (camera.height)
+    return centred(centre, {*camera.height * film.width / film.height, *camera.height});
+  const Bounds grown = grown_to_aspect(wanted, film);
+  return camera.at ? centred(centre, grown.size()) : grown;
+}
+
+}  // namespace
+
+Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entities) {
+  ContentBox box(scene);
+  for (std::size_t i = 0; i < entities.size(); ++i) {
+    const EntityState& entity = entities[i];
+    const double stroke =
+        std::max(world_width(entity.stroke), world_width(scene.entities[i].bounding_box));
+    box.add(entity.shape, pose(entity.at, entity.angle), stroke);
+  }
+  for (const Chamber& chamber : scene.chambers) {
+    box.add(chamber.shape, {Vec2(0, 0)}, world_width(chamber.stroke));
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      box.add(pillar.shape, pose(pillar.at, pillar.angle), world_width(pillar.stroke));
+  }
+  for (const RayPath& ray : scene.rays) box.add(ray.at);
+  return box.bounds();
+}
+
+Bounds camera_window(const Timeline& timeline, double time, const Vec2& followed) {
+  const Camera& camera = timeline.scene().camera;
+  const Bounds still = still_window(timeline);
+  const Vec2 size = still.size();
+  Vec2 low = camera.follow ? followed + camera.offset - 0.5 * size : still.low;
+  low += camera.velocity * time;
+  if (low == still.low) return still;
+  return {low, low + size};
+}
+
+}  // namespace flatray

@@ -1,0 +1,122 @@
+#include "anim/frame_state.h"
+
+#include <cmath>
+
+#include "anim/camera.h"
+#include "base/portable_math.h"
+
+namespace flatray {
+namespace {
+
+// pi/2 = kQuarterHigh + kQuarterLow to 107 bits.
+constexpr double kQuarterHigh = 0x1.921fb54442d18p+0, kQuarterLow = 0x1.1a62633145c07p-54;
+
+// Number of quarter turns in `angle` if it is within 1 ulp of a whole number of them.
+std::optional<double> quarter_turns(double angle) {
+  const double turns = std::floor(angle / kQuarterHigh + 0.5);
+  const double high = turns * kQuarterHigh;
+  const double rest = std::fma(turns, kQuarterHigh, -high) + turns * kQuarterLow;
+  const double nearest = high + rest;  // turns * pi/2, rounded
+  if (angle >= std::nextafter(nearest, -kInfinity) && angle <= std::nextafter(nearest, kInfinity))
+    return turns;
+  return std::nullopt;
+}
+
+void apply(const Look& look, EntityState& state) {
+  if (look.shape) state.shape = *look.shape;
+  if (look.fill) state.fill = look.fill;
+  if (look.stroke) state.stroke = look.stroke;
+}
+
+EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned frame,
+                         double time) {
+  const Entity& entity = timeline.scene().entities[index];
+  EntityState state{.at = entity.at,
+                    .angle = entity.angle + entity.angular_velocity * time,
+                    .shape = entity.shape,
+                    .fill = entity.fill,
+                    .stroke = entity.stroke,
+                    .state = std::nullopt};
+  if (!entity.markov) {
+    state.at += entity.velocity * time;
+    return state;
+  }
+  const Timeline::MarkovFrame& walk = timeline.markov(index, frame);
+  state.at += walk.moved;
+  state.state = walk.state;
+  state.sub_state = walk.sub_state;
+  const auto& looks = entity.markov->looks;
+  if (walk.state < looks.size() && walk.sub_state < looks[walk.state].size())
+    apply(looks[walk.state][walk.sub_state], state);
+  return state;
+}
+
+double time_of(const Scene& scene, unsigned frame) { return (frame - 1.0) / scene.fps; }
+
+Bounds window_at(const Timeline& timeline, unsigned frame) {
+  const double time = time_of(timeline.scene(), frame);
+  const std::optional<std::uint32_t> follow = timeline.scene().camera.follow;
+  const Vec2 followed = follow ? entity_state(timeline, *follow, frame, time).at : Vec2(0, 0);
+  return camera_window(timeline, time, followed);
+}
+
+}  // namespace
+
+std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame) {
+  const double time = time_of(timeline.scene(), frame);
+  std::vector<EntityState> states;
+  states.reserve(timeline.scene().entities.size());
+  for (std::uint32_t i = 0; i < timeline.scene().entities.size(); ++i)
+    states.push_back(entity_state(timeline, i, frame, time));
+  return states;
+}
+
+FrameState at(const Timeline& timeline, unsigned frame) {
+  FrameState state{.frame = frame,
+                   .time = time_of(timeline.scene(), frame),
+                   .entities = entity_states(timeline, frame),
+                   .window = window_at(timeline, frame)};
+  if (timeline.scene().camera.motion == CameraMotion::objects) {
+    const Bounds first = window_at(timeline, 1);
+    state.displaced = first.low - state.window.low;
+    state.window = first;
+  }
+  return state;
+}
+
+Pose pose(const Vec2& at, double angle) {
+  if (const std::optional<double> turns = quarter_turns(angle)) {
+    const double quarter = *turns - 4 * std::floor(*turns / 4);  // exact: 0, 1, 2 or 3
+    const double cosine = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
+    const double sine = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
+    return {at, cosine, sine};
+  }
+  return {at, portable::cos(angle), portable::sin(angle)};
+}
+
+Pose entity_pose(const FrameState& state, std::size_t entity) {
+  const EntityState& placed = state.entities[entity];
+  return pose(placed.at + state.displaced, placed.angle);
+}
+
+Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar) {
+  return pose(pillar.at + state.displaced, pillar.angle);
+}
+
+Pose world_pose(const FrameState& state) { return {state.displaced}; }
+
+Bounds shape_bounds(const Shape& shape, const Pose& place) {
+  Bounds box;
+  for (const Vec2& vertex : shape.vertices) box.add(place(vertex));
+  for (const auto& ring : shape.crossing_rings)
+    for (const Vec2& vertex : ring) box.add(place(vertex));
+  for (const Segment& segment : shape.segments)
+    box.add(place(segment.a)), box.add(place(segment.b));
+  for (const Circle& circle : shape.circles) {
+    const Vec2 reach(circle.radius, circle.radius), centre = place(circle.centre);
+    box.add(Bounds{centre - reach, centre + reach});
+  }
+  return box;
+}
+
+}  // namespace flatray

@@ -1,0 +1,133 @@
+#include "render/pass.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "image/srgb.h"
+#include "render/outline.h"
+#include "render/stroke.h"
+
+namespace flatray {
+
+#define FLATRAY_ENTRY(name) extern const Pass name##_pass;
+#include "passes.inc"
+#undef FLATRAY_ENTRY
+
+std::vector<const Pass*> passes() {
+  return {
+#define FLATRAY_ENTRY(name) &name##_pass,
+#include "passes.inc"
+#undef FLATRAY_ENTRY
+  };
+}
+
+namespace {
+
+LinearColour linear(const Colour& colour) {
+  return {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b),
+          static_cast<float>(colour.a) / 255.0F};
+}
+
+// Outlines of all pieces in film coordinates. The film's y points down, so a piece that runs
+// counter-clockwise in the world is walked backwards: its winding stays +1.
+std::vector<Segment> film_edges(const Shape& shape, const Pose& world_from_shape,
+                                const FilmTransform& film_from_world) {
+  std::vector<Vec2> film;
+  film.reserve(shape.vertices.size());
+  for (const Vec2& vertex : shape.vertices)
+    film.push_back(film_from_world(world_from_shape(vertex)));
+  std::vector<Segment> edges;
+  edges.reserve(film.size());
+  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
+    const std::size_t begin = shape.begin[piece], end = shape.begin[piece + 1];
+    for (std::size_t i = begin; i < end; ++i)
+      edges.push_back({film[i + 1 < end ? i + 1 : begin], film[i]});
+  }
+  return shape.piece_count() > 1 ? cancel_edges(std::move(edges)) : edges;
+}
+
+}  // namespace
+
+DrawContext::DrawContext(const Scene& scene_, const FrameState& state_)
+    : scene(scene_), state(state_), film_from_world(scene_.film, state_) {}
+
+const World& DrawContext::world() {
+  if (!world_) world_ = build_world(scene, state);
+  return *world_;
+}
+
+void DrawContext::place(int layer, const Place& where) {
+  layer_ = layer;
+  offset_ = where.offset;
+}
+
+void DrawContext::add(DrawItem item) {
+  items_.push_back({layer_, offset_, items_.size(), std::move(item)});
+}
+
+std::vector<DrawItem> DrawContext::sorted_items() && {
+  std::sort(items_.begin(), items_.end(), [](const Placed& a, const Placed& b) {
+    return std::tie(a.layer, a.offset, a.sequence) < std::tie(b.layer, b.offset, b.sequence);
+  });
+  std::vector<DrawItem> items;
+  items.reserve(items_.size());
+  for (Placed& placed : items_) items.push_back(std::move(placed.item));
+  return items;
+}
+
+double DrawContext::half_width_px(const Stroke& stroke) const {
+  return 0.5 * stroke.width * (stroke.in_pixels ? 1.0 : film_from_world.scale());
+}
+
+void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
+                            const std::optional<Colour>& fill,
+                            const std::optional<Stroke>& stroke) {
+  std::vector<Segment> edges = film_edges(shape, world_from_shape, film_from_world);
+  std::vector<Circle> circles;
+  for (const Circle& circle : shape.circles)
+    circles.push_back({film_from_world(world_from_shape(circle.centre)),
+                       circle.radius * film_from_world.scale()});
+  std::vector<Segment> crossing;
+  for (const std::vector<Vec2>& ring : shape.crossing_rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      crossing.push_back({film_from_world(world_from_shape(ring[i])),
+                          film_from_world(world_from_shape(ring[(i + 1) % ring.size()]))});
+  if (fill) {
+    const LinearColour colour = linear(*fill);
+    if (!edges.empty()) add({FillPath{edges, FillRule::nonzero, shape.piece_count() == 1}, colour});
+    if (!crossing.empty()) add({FillPath{crossing, FillRule::even_odd, false}, colour});
+    for (const Circle& circle : circles) add({FillRing{circle.centre, circle.radius}, colour});
+  }
+  if (stroke) {
+    edges.insert(edges.end(), crossing.begin(), crossing.end());
+    for (const Segment& segment : shape.segments)
+      edges.push_back({film_from_world(world_from_shape(segment.a)),
+                       film_from_world(world_from_shape(segment.b))});
+    add_outline(edges, circles, *stroke);
+  }
+}
+
+void DrawContext::add_outline(const std::vector<Segment>& edges, std::span<const Circle> circles,
+                              const Stroke& stroke) {
+  const double half = half_width_px(stroke);
+  if (!(half > 0)) return;
+  FillPath path;
+  for (const Segment& edge : edges) add_capsule(edge, half, path.edges);
+  if (!path.edges.empty()) add({std::move(path), linear(stroke.colour)});
+  for (const Circle& circle : circles)
+    add({FillRing{circle.centre, circle.radius + half, circle.radius - half},
+         linear(stroke.colour)});
+}
+
+void DrawContext::add_lines(std::span<const Segment> world, const Stroke& stroke) {
+  std::vector<Segment> edges;
+  for (const Segment& line : world)
+    edges.push_back({film_from_world(line.a), film_from_world(line.b)});
+  add_outline(edges, {}, stroke);
+}
+
+void DrawContext::add_mark(const Vec2& world, double radius_px, const Colour& colour) {
+  add({FillRing{film_from_world(world), radius_px}, linear(colour)});
+}
+
+}  // namespace flatray

@@ -1,0 +1,74 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "anim/world.h"
+#include "render/draw_list.h"
+#include "render/film_transform.h"
+
+namespace flatray {
+
+/// Whether a pass runs on a scene, and why: shown by `flatray explain`.
+struct Need {
+  bool needed;
+  std::string reason;
+};
+inline Need run(std::string reason) { return {true, std::move(reason)}; }
+inline Need skip(std::string reason) { return {false, std::move(reason)}; }
+
+/// What a pass draws from and into. Items are ordered by layer, then by their place in the scene
+/// file.
+class DrawContext {
+ public:
+  DrawContext(const Scene& scene, const FrameState& state);
+
+  const Scene& scene;
+  const FrameState& state;
+  const FilmTransform film_from_world;
+
+  /// The frame's walls; built when first asked for.
+  const World& world();
+
+  /// `shape` posed in the world, filled and outlined.
+  void add_shape(const Shape& shape, const Pose& world_from_shape,
+                 const std::optional<Colour>& fill, const std::optional<Stroke>& stroke);
+  /// Lines of one stroke as one region: where they cross, nothing shows twice. World coordinates.
+  void add_lines(std::span<const Segment> world, const Stroke& stroke);
+  /// A round mark; radius in film pixels.
+  void add_mark(const Vec2& world, double radius_px, const Colour& colour);
+
+  /// Half the width of a stroke, film pixels.
+  double half_width_px(const Stroke& stroke) const;
+
+  /// Where the next items belong.
+  void place(int layer, const Place& where);
+  std::vector<DrawItem> sorted_items() &&;
+
+ private:
+  struct Placed {
+    int layer;
+    std::size_t offset, sequence;
+    DrawItem item;
+  };
+  void add(DrawItem item);
+  void add_outline(const std::vector<Segment>& film_edges, std::span<const Circle> film_circles,
+                   const Stroke& stroke);
+
+  std::vector<Placed> items_;
+  std::optional<World> world_;
+  int layer_ = 0;
+  std::size_t offset_ = 0;
+};
+
+/// One kind of thing drawn. `need` decides once a scene; `draw` adds a frame's items.
+struct Pass {
+  const char* name;
+  Need (*need)(const Scene&);
+  void (*draw)(DrawContext&);
+};
+
+/// Registered passes by name.
+std::vector<const Pass*> passes();
+
+}  // namespace flatray

@@ -1,0 +1,40 @@
+#include <algorithm>
+
+#include "render/pass.h"
+
+namespace flatray {
+namespace {
+
+std::ptrdiff_t boxed(const Scene& scene) {
+  return std::count_if(scene.entities.begin(), scene.entities.end(),
+                       [](const Entity& entity) { return entity.bounding_box.has_value(); });
+}
+
+Need need(const Scene& scene) {
+  const std::ptrdiff_t count = boxed(scene);
+  if (count == 0) return skip("no entity asks for its box");
+  return run(std::to_string(count) + " boxes");
+}
+
+void draw(DrawContext& context) {
+  for (std::size_t i = 0; i < context.scene.entities.size(); ++i) {
+    const Entity& entity = context.scene.entities[i];
+    if (!entity.bounding_box) continue;
+    const EntityState& now = context.state.entities[i];
+    const Bounds box =
+        bounds(context.scene.shapes[now.shape], pose(now.at + context.state.displaced, now.angle));
+    if (box.empty()) continue;
+    const Vec2 a = box.low, b(box.high.x(), box.low.y()), c = box.high,
+               d(box.low.x(), box.high.y());
+    context.place(entity.layer, entity.where);
+    context.add_lines(std::array<Segment, 4>{{{a, b}, {b, c}, {c, d}, {d, a}}},
+                      *entity.bounding_box);
+  }
+}
+
+}  // namespace
+
+extern const Pass bounding_boxes_pass;
+const Pass bounding_boxes_pass = {"bounding_boxes", &need, &draw};
+
+}  // namespace flatray

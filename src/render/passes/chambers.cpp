@@ -1,0 +1,30 @@
+#include "render/pass.h"
+
+namespace flatray {
+namespace {
+
+Need need(const Scene& scene) {
+  if (scene.chambers.empty()) return skip("no chamber");
+  return run("a chamber with " + std::to_string(scene.chambers.front().pillars.size()) +
+             " pillars");
+}
+
+void draw(DrawContext& context) {
+  const Scene& scene = context.scene;
+  for (const Chamber& chamber : scene.chambers) {
+    context.place(chamber.layer, chamber.where);
+    context.add_shape(scene.shapes[chamber.shape], pose(context.state.displaced, 0), chamber.fill,
+                      chamber.stroke);
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      context.add_shape(scene.shapes[pillar.shape],
+                        pose(pillar.at + context.state.displaced, pillar.angle), pillar.fill,
+                        pillar.stroke);
+  }
+}
+
+}  // namespace
+
+extern const Pass chambers_pass;
+const Pass chambers_pass = {"chambers", &need, &draw};
+
+}  // namespace flatray

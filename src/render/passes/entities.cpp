@@ -1,0 +1,26 @@
+#include "render/pass.h"
+
+namespace flatray {
+namespace {
+
+Need need(const Scene& scene) {
+  if (scene.entities.empty()) return skip("no entities");
+  return run(std::to_string(scene.entities.size()) + " entities");
+}
+
+void draw(DrawContext& context) {
+  for (std::size_t i = 0; i < context.scene.entities.size(); ++i) {
+    const Entity& entity = context.scene.entities[i];
+    const EntityState& now = context.state.entities[i];
+    context.place(entity.layer, entity.where);
+    context.add_shape(context.scene.shapes[now.shape], entity_pose(context.state, i), now.fill,
+                      now.stroke);
+  }
+}
+
+}  // namespace
+
+extern const Pass entities_pass;
+const Pass entities_pass = {"entities", &need, &draw};
+
+}  // namespace flatray

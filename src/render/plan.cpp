@@ -1,0 +1,41 @@
+#include "render/plan.h"
+
+#include <algorithm>
+
+namespace flatray {
+namespace {
+
+bool moves(const Entity& entity) {
+  return entity.markov || !entity.velocity.isZero(0) || entity.angular_velocity != 0;
+}
+
+// Why the frames differ, or "" when they are all one picture.
+std::string reason_to_move(const Scene& scene) {
+  if (scene.frames == 1) return {};
+  if (!scene.camera.velocity.isZero(0)) return "the camera moves";
+  const auto mover = std::find_if(scene.entities.begin(), scene.entities.end(), moves);
+  return mover == scene.entities.end() ? std::string{} : "'" + mover->name + "' moves";
+}
+
+}  // namespace
+
+RenderPlan make_plan(const Scene& scene, bool keep_all) {
+  RenderPlan plan;
+  for (const Pass* pass : passes()) {
+    const Need need = pass->need(scene);
+    if (need.needed || keep_all) plan.passes.push_back(pass);
+    plan.choices.push_back({std::string("pass ") + pass->name,
+                            need.needed ? "kept" : (keep_all ? "kept (asked)" : "left out"),
+                            need.reason});
+  }
+  const std::string motion = reason_to_move(scene);
+  plan.still = motion.empty() && !keep_all;
+  plan.choices.push_back({"frames", plan.still ? "drawn once" : "each drawn",
+                          !motion.empty()     ? motion
+                          : scene.frames == 1 ? "one frame"
+                          : keep_all          ? "nothing moves (asked)"
+                                              : "nothing moves"});
+  return plan;
+}
+
+}  // namespace flatray

@@ -1,0 +1,156 @@
+#include "anim/world.h"
+
+#include <gtest/gtest.h>
+
+#include "base/philox.h"
+#include "geom/hit_interval.h"
+#include "scenes.h"
+
+namespace flatray {
+namespace {
+
+using namespace flatray::testing;
+
+World world_of(const Scene& scene, unsigned frame = 1) {
+  return build_world(scene, at(Timeline(scene, 0, frame), frame));
+}
+
+TEST(World, OutlinesKeepTheInputsEdgeNumbersAndOwners) {
+  Scene scene = small_scene();
+  add_box(scene, {2, 3});
+  scene.entities[0].material = Material::mirror;
+  const World world = world_of(scene);
+  ASSERT_EQ(world.surfaces.size(), 4U);
+  ASSERT_EQ(world.owners.size(), 4U);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(world.owners[i].edge, static_cast<std::int32_t>(i));
+    EXPECT_EQ(world.owners[i].kind, SurfaceOwner::Kind::entity);
+    EXPECT_EQ(world.owners[i].material, Material::mirror);
+  }
+  EXPECT_EQ(world.surfaces.segments[0].a, Vec2(2, 3));
+  EXPECT_EQ(world.surfaces.segments[0].b, Vec2(3, 3));
+}
+
+TEST(World, CutsBetweenPiecesAreNoWalls) {
+  Scene scene = small_scene();
+  add_box(scene, {0, 0});
+  // The unit square as two triangles, cut from (0, 0) to (1, 1).
+  Shape& cut = scene.shapes[0];
+  cut.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+  cut.begin = {0, 3, 6};
+  cut.edges = {0, 1, -1, -1, 2, 3};
+  const World world = world_of(scene);
+  ASSERT_EQ(world.surfaces.size(), 4U);
+  for (std::uint32_t i = 0; i < 4; ++i)
+    EXPECT_EQ(world.owners[i].edge, static_cast<std::int32_t>(i));
+}
+
+TEST(World, EdgesThatTwoPiecesShareAreNoWalls) {
+  Scene scene = small_scene();
+  add_box(scene, {0, 0});
+  // A row of three squares as an import gives them: every edge has its own number.
+  Shape& row = scene.shapes[0];
+  row = Shape{};
+  for (int i = 0; i < 3; ++i) {
+    const double x = i;
+    for (const Vec2& vertex : {Vec2(x, 0), Vec2(x + 1, 0), Vec2(x + 1, 1), Vec2(x, 1)}) {
+      row.edges.push_back(static_cast<std::int32_t>(row.vertices.size()));
+      row.vertices.push_back(vertex);
+    }
+    row.begin.push_back(static_cast<std::uint32_t>(row.vertices.size()));
+  }
+  const World world = world_of(scene);
+  std::vector<std::int32_t> edges;
+  for (const SurfaceOwner& owner : world.owners) edges.push_back(owner.edge);
+  EXPECT_EQ(edges, (std::vector<std::int32_t>{0, 2, 3, 4, 6, 8, 9, 10}));
+}
+
+TEST(World, EdgesThatPiecesCoverTwiceInOneDirectionStay) {
+  Scene scene = small_scene();
+  add_box(scene, {0, 0});
+  Shape& twice = scene.shapes[0];
+  const Shape once = twice;
+  twice.vertices.insert(twice.vertices.end(), once.vertices.begin(), once.vertices.end());
+  twice.edges.insert(twice.edges.end(), once.edges.begin(), once.edges.end());
+  twice.begin.push_back(8);
+  EXPECT_EQ(world_of(scene).surfaces.size(), 8U);
+}
+
+TEST(World, SegmentsAndCirclesAreTracedAndCrossingRingsAreNot) {
+  Scene scene = small_scene();
+  Shape shape;
+  shape.segments = {{{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}};
+  shape.circles = {{{0, 0}, 2}};
+  shape.crossing_rings = {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
+  scene.shapes = {shape};
+  Entity entity;
+  entity.at = {5, 5};
+  scene.entities = {entity};
+  const World world = world_of(scene);
+  ASSERT_EQ(world.surfaces.size(), 3U);
+  EXPECT_EQ(world.owners[1].edge, 1);
+  EXPECT_EQ(world.owners[2].edge, kNoEdge);
+  EXPECT_EQ(world.surfaces.circles[0].centre, Vec2(5, 5));
+  EXPECT_EQ(world.surfaces.circles[0].radius, 2);
+}
+
+TEST(World, ChambersAndPillarsFollowTheEntities) {
+  Scene scene = small_scene();
+  add_box(scene, {0, 0});
+  scene.shapes.push_back(box({0, 0}, {20, 10}));
+  Chamber room;
+  room.shape = 1;
+  room.pillars.push_back({.name = "a", .shape = 0, .at = {2, 2}, .fill = {}, .stroke = {}});
+  room.pillars.push_back({.name = "b",
+                          .shape = 0,
+                          .at = {9, 9},
+                          .material = Material::absorb,
+                          .fill = {},
+                          .stroke = {}});
+  scene.chambers = {room};
+  const World world = world_of(scene);
+  ASSERT_EQ(world.owners.size(), 16U);
+  EXPECT_EQ(world.owners[4].kind, SurfaceOwner::Kind::chamber);
+  EXPECT_EQ(world.owners[8].kind, SurfaceOwner::Kind::pillar);
+  EXPECT_EQ(world.owners[15].pillar, 1U);
+  EXPECT_EQ(world.owners[15].material, Material::absorb);
+  EXPECT_EQ(world.surfaces.segments[8].a, Vec2(2, 2));
+}
+
+// Wherever a ring is carried and however it is turned, its walls share their ends bit for bit.
+TEST(World, OutlinesAreWatertight) {
+  const auto unit = [](std::uint64_t item, std::uint32_t draw) {
+    return unit_double(random_bits(1, Stream::test, 0, item, draw));
+  };
+  for (std::uint64_t trial = 0; trial < 200; ++trial) {
+    Scene scene = small_scene();
+    const double reach = std::ldexp(1.0, static_cast<int>(trial % 40) - 10);
+    add_box(scene, {reach * unit(trial, 0), -reach * unit(trial, 1)}, {unit(trial, 2), 0.1});
+    scene.shapes[0] = polygon({{0, 0}, {1, 0.1}, {1.3, unit(trial, 3)}, {0.7, 1.9}, {-0.2, 1.1}});
+    scene.entities[0].angle = 10 * unit(trial, 4);
+    scene.camera.velocity = {0.3, 0.7};
+    scene.camera.motion = CameraMotion::objects;
+    const World world = world_of(scene, 4);
+    const auto& walls = world.surfaces.segments;
+    ASSERT_EQ(walls.size(), 5U);
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      EXPECT_EQ(walls[i].b, walls[(i + 1) % walls.size()].a);
+  }
+}
+
+TEST(World, EdgesThatVanishInTheDoublesAreLeftOutAndNothingOpens) {
+  Scene scene = small_scene();
+  add_box(scene, {0x1p53, 0});
+  scene.shapes[0] = polygon({{0, 0}, {8, 0}, {8.25, 4}, {8, 8}, {0, 8}});
+  const World world = world_of(scene);
+  const auto& walls = world.surfaces.segments;
+  EXPECT_EQ(walls.size(), 5U);
+  scene.shapes[0] = polygon({{0, 0}, {8, 0}, {8.25, 0}, {8, 8}, {0, 8}});
+  const World flat = world_of(scene);
+  EXPECT_EQ(flat.surfaces.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(flat.surfaces.segments[i].b, flat.surfaces.segments[(i + 1) % 4].a);
+}
+
+}  // namespace
+}  // namespace flatray

@@ -1,0 +1,2 @@
+#include "geom/down.h"
+#include "trace/up.h"

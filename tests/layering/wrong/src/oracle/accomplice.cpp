@@ -1,0 +1,2 @@
+// The oracle must share nothing with what draws.
+#include "render/pass.h"

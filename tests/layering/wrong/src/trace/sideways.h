@@ -1,0 +1,2 @@
+#include "base/deep.h"
+#include "../geom/up.h"

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# stiff_ids.sh ROOT: every stiff case delivered so far is a test by its number. Prints the missing ones.
+# A test is TEST(Suite, A7...) in a source under tests/, or a number in a file name under tests/cli (e1_empty_scene).
+set -euo pipefail
+cd "$1/tests"
+
+ids=(A{1..16} B{1..13} C1 C2 C7 C8 C9 C31 E1 E2 E3 E4 E7 E8 E10 E11)
+names=$(
+  find . -name '*_test.cpp' -exec cat {} + | tr '\n' ' ' |
+    grep -oE 'TEST(_[PF])?\([A-Za-z0-9_]+,[[:space:]]*[A-Za-z0-9_]+' | sed -E 's/.*,[[:space:]]*//'
+  find . -path './cli/*' -printf '%f\n' | sed 's/^./\U&/'
+)
+missing=()
+for id in "${ids[@]}"; do
+  grep -qE "^$id([^0-9]|\$)" <<<"$names" || missing+=("$id")
+done
+echo "stiff cases: ${#ids[@]} numbers, ${#missing[@]} without a test${missing[*]:+: ${missing[*]}}"
+((${#missing[@]} == 0))
