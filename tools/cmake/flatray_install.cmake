@@ -12,6 +12,7 @@ foreach(module base geom trace image scene anim transport render oracle study ap
     FILES_MATCHING PATTERN "*.h" PATTERN kernels EXCLUDE)
 endforeach()
 if(TARGET flatray)
+  set_property(TARGET flatray PROPERTY RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})  # build/release/flatray
   install(TARGETS flatray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
