@@ -11,12 +11,30 @@ namespace {
 // A line of the source as shown below a message: at most this many bytes, around the value.
 constexpr std::size_t kExcerptWidth = 100;
 
-// Control bytes of a hostile input must not reach a terminal.
+// A byte of UTF-8 that goes on with a character begun before.
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+// Control characters of a hostile input must not reach a terminal: those of ASCII and, in UTF-8 two
+// bytes from C2 80 to C2 9F, those above it.
 std::string printable(std::string_view bytes) {
-  std::string shown(bytes);
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = c == '\t' ? ' ' : '?';
+  std::string shown;
+  shown.reserve(bytes.size());
+  for (const char c : bytes) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f)
+      shown += c == '\t' ? ' ' : '?';
+    else if (code >= 0x80 && code < 0xa0 && !shown.empty() && shown.back() == '\xc2')
+      shown.back() = '?';
+    else
+      shown += c;
+  }
   return shown;
+}
+
+// Columns a terminal gives to well-formed UTF-8 of narrow characters.
+std::size_t shown_width(std::string_view bytes) {
+  return static_cast<std::size_t>(
+      std::count_if(bytes.begin(), bytes.end(), [](char c) { return !continues(c); }));
 }
 
 std::string excerpt(const Place& where, SourceText::Position at, const std::string& hint) {
@@ -24,12 +42,18 @@ std::string excerpt(const Place& where, SourceText::Position at, const std::stri
   std::size_t column = static_cast<std::size_t>(at.column) - 1;
   std::size_t cut = 0;
   if (line.size() > kExcerptWidth && column > kExcerptWidth / 2) cut = column - kExcerptWidth / 2;
-  line = line.substr(std::min(cut, line.size()), kExcerptWidth);
-  column -= cut;
-  const std::size_t room = line.size() > column ? line.size() - column : 1;
-  const std::size_t tildes = std::clamp<std::size_t>(where.length, 1, room) - 1;
-  return fmt::format("    {}\n    {}^{}{}{}\n", printable(line), std::string(column, ' '),
-                     std::string(tildes, '~'), hint.empty() ? "" : "  ", hint);
+  cut = std::min(cut, line.size());
+  while (cut > 0 && cut < line.size() && continues(line[cut])) --cut;
+  line.remove_prefix(cut);
+  std::size_t end = std::min(line.size(), kExcerptWidth);
+  while (end > 0 && end < line.size() && continues(line[end])) --end;
+  line = line.substr(0, end);
+  column = std::min(column - cut, line.size());
+  const std::size_t marked = shown_width(line.substr(column, where.length));
+  return fmt::format("    {}\n    {}^{}{}{}\n", printable(line),
+                     std::string(shown_width(line.substr(0, column)), ' '),
+                     std::string(std::max<std::size_t>(marked, 1) - 1, '~'),
+                     hint.empty() ? "" : "  ", printable(hint));
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -53,12 +77,12 @@ std::string format(const Diagnostic& diagnostic, const char* severity) {
   const auto& [where, message, hint, trouble] = diagnostic;
   if (!where || where.source->text().empty()) {
     const std::string name = where ? printable(where.source->name()) + ": " : "";
-    const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", hint);
-    return fmt::format("{}{}: {}{}\n", name, severity, message, tail);
+    const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", printable(hint));
+    return fmt::format("{}{}: {}{}\n", name, severity, printable(message), tail);
   }
   const SourceText::Position at = where.source->position(where.offset);
   return fmt::format("{}:{}:{}: {}: {}\n{}", printable(where.source->name()), at.line, at.column,
-                     severity, message, excerpt(where, at, hint));
+                     severity, printable(message), excerpt(where, at, hint));
 }
 
 std::string format(const Diagnostics& diagnostics, const char* severity) {

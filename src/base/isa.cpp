@@ -58,8 +58,7 @@ Result<Isa> chosen_isa() {
     if (names.back() != wanted) continue;
     if (runs(isa)) return isa;
     return fail(named_place("FLATRAY_ISA"), fmt::format("this machine cannot run '{}'", wanted),
-                fmt::format("the fastest here is {}", isa_name(have.back())),
-                Trouble::unavailable);
+                fmt::format("the fastest here is {}", isa_name(have.back())), Trouble::unavailable);
   }
   return fail(named_place("FLATRAY_ISA"), fmt::format("'{}' is no instruction-set tier", wanted),
               "say portable, baseline, avx2 or avx512", Trouble::usage);

@@ -1,19 +1,32 @@
 #include "base/number_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace flatray {
 namespace {
 
+// The number after the 'e', as far as an int reaches: beyond that every number is out of range
+// alike.
+std::int64_t exponent_of(std::string_view digits) {
+  if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+  int exponent = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  if (read.ec == std::errc{}) return exponent;
+  return digits.front() == '-' ? std::numeric_limits<int>::min() : std::numeric_limits<int>::max();
+}
+
 // from_chars reports under- and overflow alike; below 1 every out-of-range number has underflowed.
+// Needs a number as from_chars reads it, not 0.
 bool is_below_one(std::string_view text) {
-  const std::size_t e = text.find_first_of("eE");
-  if (e != std::string_view::npos) {
-    const std::size_t sign = e + 1;
-    return sign < text.size() && text[sign] == '-';
-  }
-  return text.substr(0, text.find('.')).find_first_of("123456789") == std::string_view::npos;
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  const std::int64_t exponent = e < text.size() ? exponent_of(text.substr(e + 1)) : 0;
+  const std::string_view mantissa = text.substr(0, e);
+  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), e));
+  const auto first = static_cast<std::int64_t>(mantissa.find_first_of("123456789"));
+  return (first < point ? point - first : point - first + 1) + exponent <= 0;
 }
 
 }  // namespace

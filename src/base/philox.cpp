@@ -21,10 +21,10 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
 
 std::uint64_t random_bits(std::uint64_t seed, Stream stream, std::uint64_t frame,
                           std::uint64_t item, std::uint32_t draw) {
-  const auto word = philox4x32({static_cast<std::uint32_t>(frame), static_cast<std::uint32_t>(item),
-                                static_cast<std::uint32_t>(stream), draw},
-                               {static_cast<std::uint32_t>(seed),
-                                static_cast<std::uint32_t>(seed >> 32)});
+  const auto word =
+      philox4x32({static_cast<std::uint32_t>(frame), static_cast<std::uint32_t>(item),
+                  static_cast<std::uint32_t>(stream), draw},
+                 {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
   return (std::uint64_t{word[0]} << 32) | word[1];
 }
 

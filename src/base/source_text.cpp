@@ -18,8 +18,8 @@ SourceText::Position SourceText::position(std::size_t offset) const {
 }
 
 std::size_t SourceText::offset(int line, int column) const {
-  const std::size_t row = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(line, 1)), 1,
-                                                  line_starts_.size());
+  const std::size_t row =
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::max(line, 1)), 1, line_starts_.size());
   const std::size_t in_line = static_cast<std::size_t>(std::max(column, 1)) - 1;
   return line_starts_[row - 1] + std::min(in_line, this->line(static_cast<int>(row)).size());
 }

@@ -2,7 +2,9 @@
 
 #include <gmp.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <new>
 
@@ -69,6 +71,20 @@ double nearest_positive(const __mpq_struct* q) {
   const int compared = mpz_cmp(rest.z, half.z);
   if (compared > 0 || (compared == 0 && mpz_odd_p(kept.z))) mpz_add_ui(kept.z, kept.z, 1);
   return std::ldexp(mpz_get_d(kept.z), static_cast<int>(last - 2 + drop));
+}
+
+// The double nearest to p + s sqrt(q), given one of its neighbours.
+double nearest_to_root_sum(const Rational& p, int s, const Rational& q, double close) {
+  if (std::isinf(close)) return close;
+  for (const double direction : {-kInfinity, kInfinity}) {
+    const double next = std::nextafter(close, direction);
+    if (std::isinf(next)) continue;
+    const Rational middle = (Rational(close) + next) / 2;
+    const int beyond = static_cast<int>(Rational::root_sign(p - middle, s, q));
+    if (beyond == 0) return (std::bit_cast<std::uint64_t>(close) & 1) == 0 ? close : next;
+    if ((beyond > 0) == (next > close)) return next;
+  }
+  return close;
 }
 
 }  // namespace
@@ -149,12 +165,17 @@ std::string Rational::text() const {
   return digits;
 }
 
+Sign Rational::root_sign(const Rational& p, int s, const Rational& q) {
+  if (s == 0 || q.sign() == Sign::zero) return p.sign();
+  const Sign root = static_cast<Sign>(s);
+  if (p.sign() == Sign::zero || p.sign() == root) return root;
+  const auto larger = p * p <=> q;  // they differ in sign: the larger one decides
+  return larger > 0 ? p.sign() : larger < 0 ? root : Sign::zero;
+}
+
 double Rational::root_sum(const Rational& p, int s, const Rational& q) {
+  if (root_sign(p, s, q) == Sign::zero) return 0;
   if (s == 0 || q.sign() == Sign::zero) return p.nearest();
-  // Where p and the root differ in sign they may cancel: p - r = (p^2 - q) / (p + r).
-  const Rational squares = p * p - q;
-  const bool cancels = static_cast<int>(p.sign()) == -s;
-  if (cancels && squares.sign() == Sign::zero) return 0;
   // 96 bits of the root: floor(sqrt(q) 2^k), relative error 2^-95.
   const long k = 96 - log2_estimate(number(q.storage_)) / 2;
   Integer square, root;
@@ -167,7 +188,10 @@ double Rational::root_sum(const Rational& p, int s, const Rational& q) {
   else
     mpq_mul_2exp(number(r.storage_), number(r.storage_), static_cast<mp_bitcnt_t>(-k));
   if (s < 0) r = -r;
-  return (cancels ? squares / (p - r) : p + r).nearest();
+  // Where p and the root differ in sign they may cancel: p + r = (p^2 - q) / (p - r).
+  const bool cancels = static_cast<int>(p.sign()) == -s;
+  const double close = (cancels ? (p * p - q) / (p - r) : p + r).nearest();
+  return nearest_to_root_sum(p, s, q, close);
 }
 
 }  // namespace flatray

@@ -7,7 +7,8 @@
 
 namespace flatray {
 
-/// Exact rational number, the last resort behind the filters. Holds any finite double without rounding.
+/// Exact rational number, the last resort behind the filters. Holds any finite double without
+/// rounding.
 ///
 /// Cost    a microsecond or so an operation: only where an error bound could not decide.
 /// Source  GMP, which no other file includes.
@@ -41,8 +42,10 @@ class Rational {
   /// "19/72" or "3".
   std::string text() const;
 
-  /// Nearest double to p + s * sqrt(q), s = -1, 0 or 1, within 1 ulp, also where the two cancel.
-  /// Needs q >= 0.
+  /// Sign of p + s * sqrt(q), s = -1, 0 or 1. Exact. Needs q >= 0.
+  static Sign root_sign(const Rational& p, int s, const Rational& q);
+
+  /// Nearest double to p + s * sqrt(q), halves to even, also where the two cancel. Needs q >= 0.
   static double root_sum(const Rational& p, int s, const Rational& q);
 
  private:

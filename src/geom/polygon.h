@@ -11,12 +11,14 @@ namespace flatray {
 /// Twice the signed area's sign: positive where the ring runs counter-clockwise. Exact.
 Sign ring_orientation(std::span<const Vec2> ring);
 
-/// First vertex at which a ring is not convex (turns the wrong way, or winds round twice), in either
-/// orientation; repeated and collinear vertices are passed over. nullopt: convex. Exact. Cost O(n).
+/// First vertex at which a ring is not convex (turns the wrong way, or winds round twice), in
+/// either orientation; repeated and collinear vertices are passed over. nullopt: convex. Exact.
+/// Cost O(n).
 std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring);
 
-/// Two edges of a ring that meet where they should not, or nullopt for a simple ring. Edge i runs from vertex
-/// i to i + 1. Repeated vertices in a row are passed over. Exact. Cost about O(n log n) for usual outlines.
+/// Two edges of a ring that meet where they should not, or nullopt for a simple ring. Edge i runs
+/// from vertex i to i + 1. Repeated vertices in a row are passed over. Exact. Cost about O(n log n)
+/// for usual outlines.
 struct CrossingEdges {
   std::size_t first, second;
 };
@@ -26,7 +28,8 @@ std::optional<CrossingEdges> crossing_edges(std::span<const Vec2> ring);
 struct ConvexPieces {
   std::vector<Vec2> vertices;           ///< piece after piece
   std::vector<std::uint32_t> begin{0};  ///< piece i is [begin[i], begin[i + 1])
-  std::vector<std::int32_t> edges;      ///< the ring's edge from vertex k of the list to the next; -1 a cut
+  std::vector<std::int32_t>
+      edges;  ///< the ring's edge from vertex k of the list to the next; -1 a cut
 };
 /// Needs   a simple ring of non-zero area. A convex ring is one piece.
 ConvexPieces convex_pieces(std::span<const Vec2> ring);

@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <cstdint>
 
 #include "geom/ray.h"
@@ -8,11 +9,19 @@ namespace flatray {
 enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
 inline Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
+inline Sign operator*(Sign a, Sign b) {
+  return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
+}
+inline Sign sign_of(std::strong_ordering order) {
+  return order > 0 ? Sign::positive : order < 0 ? Sign::negative : Sign::zero;
+}
+inline std::strong_ordering order(Sign s) { return static_cast<int>(s) <=> 0; }
 inline Sign sign_of(double x) {
   return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite doubles.
+/// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite
+/// doubles.
 Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// Sign of a x b for given vectors. Exact for all finite doubles.

@@ -5,7 +5,8 @@ namespace flatray {
 
 using Vec2 = Eigen::Vector2d;
 
-/// z component of a x b: twice the signed area of the triangle 0, a, b. Rounded; for signs see predicates.h.
+/// z component of a x b: twice the signed area of the triangle 0, a, b. Rounded; for signs see
+/// predicates.h.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace flatray

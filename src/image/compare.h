@@ -11,9 +11,9 @@ struct Difference {
   int worst = 0;             ///< largest channel difference, levels
   int x = 0, y = 0;          ///< of the first pixel with it, rows top-down
   int channel = 0, actual = 0, expected = 0;
-  double mean = 0;           ///< mean absolute channel difference, levels
-  double rmse = 0;           ///< levels
-  double psnr = 0;           ///< dB; infinity when equal
+  double mean = 0;  ///< mean absolute channel difference, levels
+  double rmse = 0;  ///< levels
+  double psnr = 0;  ///< dB; infinity when equal
 };
 
 /// Error   Trouble::invalid when size or channels differ.

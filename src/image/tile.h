@@ -5,18 +5,22 @@
 
 namespace flatray {
 
-/// Rectangle of the film in linear premultiplied RGBA, 4 floats a pixel, small enough to stay in cache.
+/// Rectangle of the film in linear premultiplied RGBA, 4 floats a pixel, small enough to stay in
+/// cache.
 struct Tile {
   int x = 0, y = 0, width = 0, height = 0;
   std::vector<float> rgba;
 
-  float* row(int y_in_tile) { return rgba.data() + 4 * static_cast<std::size_t>(y_in_tile) * static_cast<std::size_t>(width); }
+  float* row(int y_in_tile) {
+    return rgba.data() + 4 * static_cast<std::size_t>(y_in_tile) * static_cast<std::size_t>(width);
+  }
   const float* row(int y_in_tile) const {
     return rgba.data() + 4 * static_cast<std::size_t>(y_in_tile) * static_cast<std::size_t>(width);
   }
 };
 
-/// Develops a tile into its place of an 8-bit picture (3 channels: over opaque background; 4: straight alpha).
+/// Develops a tile into its place of an 8-bit picture (3 channels: over opaque background; 4:
+/// straight alpha).
 void develop(const Tile& tile, Image& out);
 /// Copies a tile's light into its place of a linear picture.
 void develop(const Tile& tile, LinearImage& out);

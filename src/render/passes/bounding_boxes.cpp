@@ -20,9 +20,8 @@ void draw(DrawContext& context) {
   for (std::size_t i = 0; i < context.scene.entities.size(); ++i) {
     const Entity& entity = context.scene.entities[i];
     if (!entity.bounding_box) continue;
-    const EntityState& now = context.state.entities[i];
-    const Bounds box =
-        bounds(context.scene.shapes[now.shape], pose(now.at + context.state.displaced, now.angle));
+    const Bounds box = shape_bounds(context.scene.shapes[context.state.entities[i].shape],
+                                    entity_pose(context.state, i));
     if (box.empty()) continue;
     const Vec2 a = box.low, b(box.high.x(), box.low.y()), c = box.high,
                d(box.low.x(), box.high.y());

@@ -19,8 +19,8 @@ struct InWorld {
 };
 
 InWorld in_world(const DrawContext& context, std::uint32_t entity) {
-  const EntityState& now = context.state.entities[entity];
-  return {context.scene.shapes[now.shape], pose(now.at + context.state.displaced, now.angle)};
+  return {context.scene.shapes[context.state.entities[entity].shape],
+          entity_pose(context.state, entity)};
 }
 
 // Outline edges, cuts between pieces left out, as rays whose t = 1 is the edge's end.

@@ -37,8 +37,8 @@ void draw(DrawContext& context) {
   std::vector<Material> materials;
   for (const SurfaceOwner& owner : world.owners) materials.push_back(owner.material);
   for (const RayPath& ray : context.scene.rays) {
-    const Orbit orbit = trace_orbit(world.surfaces, materials,
-                                    {ray.at + context.state.displaced, ray.direction}, ray.bounces);
+    const Orbit orbit = trace_orbit(
+        world.surfaces, materials, {world_pose(context.state)(ray.at), ray.direction}, ray.bounces);
     context.place(ray.layer, ray.where);
     context.add_lines(path(orbit, context.state.window), ray.stroke);
     if (!ray.hit_points) continue;

@@ -1,0 +1,25 @@
+#pragma once
+#include "geom/bounded.h"
+#include "geom/exact.h"
+
+namespace flatray {
+
+/// Sign of formula(number), where number turns a double into the arithmetic to use: bounded
+/// double-doubles first, the exact rationals where those leave a doubt. Exact for all finite
+/// doubles.
+///
+///   decide([&](auto number) { return number(a) * number(b) - number(c); })
+template <class Formula>
+Sign decide(const Formula& formula) {
+  if (const auto sign = formula([](double x) { return Bounded(x); }).sign()) return *sign;
+  return formula([](double x) { return Rational(x); }).sign();
+}
+
+/// (b - a) x (d - c) in the arithmetic of `number`.
+template <class Number>
+auto determinant(const Number& number, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return (number(b.x()) - number(a.x())) * (number(d.y()) - number(c.y())) -
+         (number(b.y()) - number(a.y())) * (number(d.x()) - number(c.x()));
+}
+
+}  // namespace flatray

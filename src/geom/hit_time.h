@@ -1,0 +1,87 @@
+#pragma once
+#include <compare>
+#include <optional>
+
+#include "geom/bounded.h"
+#include "geom/exact.h"
+#include "geom/ray.h"
+
+namespace flatray {
+
+/// A double rounded from a number that may lie beyond the doubles: then the largest of its sign.
+struct RoundedTime {
+  double t;
+  bool overflows;
+};
+
+/// When a ray meets a line or a circle: the parameter t as an exact number, kept as the geometry
+/// that defines it.
+///
+/// Gives   comparisons without error, between walls of any kind and rays of any origin, and the
+/// nearest double. Cost    bounded double-doubles first; rationals, compared by squaring, only
+/// where those leave a doubt.
+class HitTime {
+ public:
+  HitTime() = default;  ///< No hit: only to be assigned to.
+  /// The first or second root on a circle; a tangent has both in one.
+  enum class Root { first = -1, second = 1 };
+
+  /// Where `ray` crosses the line through `p` along to - from. Needs a ray that is not parallel to
+  /// it.
+  static HitTime on_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to);
+  /// Where `ray` crosses the line through a segment. Needs a ray that is not parallel to it.
+  static HitTime on_line(const Ray& ray, const Segment& s) { return on_line(ray, s.a, s.a, s.b); }
+  /// Where `ray` crosses a circle. Needs a line that meets it, and a direction that is not zero.
+  static HitTime on_circle(const Ray& ray, const Circle& circle, Root root);
+
+  /// t against `other`, which may be infinite. Exact.
+  std::strong_ordering compare(double other) const;
+  /// Sign of t. Exact.
+  Sign sign() const;
+  /// Nearest double to t, halves to even: 0.5 ulp always. The flag is set where |t| is above the
+  /// largest double.
+  RoundedTime nearest() const;
+
+  /// t = (p + s * sqrt(q)) / a, with a > 0 and q >= 0.
+  struct Exact {
+    Rational p;
+    int s;
+    Rational q, a;
+  };
+  Exact exact() const;
+
+ private:
+  friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
+  Bounded approximate() const;
+
+  Ray ray_;
+  Vec2 p_, from_, to_;  // the line; p_ is also the centre of a circle
+  double radius_ = 0;
+  int root_ = 0;  // 0 for a line
+};
+
+/// Which of two hits comes first. Exact.
+std::strong_ordering compare(const HitTime& a, const HitTime& b);
+
+/// Where a ray's line meets a closed segment (t of any sign).
+struct SegmentHit {
+  enum class Place { inner, at_a, at_b } place;  ///< whether exactly at an end
+  HitTime t;
+};
+
+/// nullopt where the line misses the segment, runs parallel to it (also along it), or the segment
+/// is a point not on the line. A point on the line is met `at_a`. Exact. Needs a direction that is
+/// not zero.
+std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment);
+
+/// Where a ray's line meets a circle, the curve itself (t of any sign); both the same where it is
+/// tangent.
+struct CircleHit {
+  bool tangent;
+  HitTime first, second;
+};
+
+/// nullopt where the line misses the circle. Exact. Needs a direction that is not zero.
+std::optional<CircleHit> hit_circle(const Ray& ray, const Circle& circle);
+
+}  // namespace flatray

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "image/image.h"
+
+namespace flatray {
+
+/// One number from two pictures of one layout. A metric is a file in `metrics/` and a line in
+/// CMake.
+///
+/// Needs   pictures `compare` accepts.
+/// Gives   its value; equal pictures give 0, or infinity where more is better.
+struct Metric {
+  const char* name;
+  const char* summary;
+  double (*value)(const Image& actual, const Image& expected);
+};
+
+/// Registered metrics by name.
+std::vector<const Metric*> metrics();
+
+}  // namespace flatray

@@ -1,0 +1,172 @@
+#include "image/png_chunks.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace flatray {
+namespace {
+
+using Bytes = std::span<const std::byte>;
+
+constexpr std::array<std::uint8_t, 8> kSignature = {137, 'P', 'N', 'G', '\r', '\n', 26, '\n'};
+constexpr std::size_t kChunkFrame = 12;  // length, type, checksum
+
+std::uint32_t number_at(Bytes bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    number = number << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
+  return number;
+}
+
+constexpr std::array<std::uint32_t, 256> crc_table() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    table[i] = i;
+    for (int bit = 0; bit < 8; ++bit)
+      table[i] = (table[i] & 1) != 0 ? 0xedb88320U ^ (table[i] >> 1) : table[i] >> 1;
+  }
+  return table;
+}
+
+std::uint32_t crc32(Bytes bytes) {
+  static constexpr auto kTable = crc_table();
+  std::uint32_t crc = 0xffffffff;
+  for (const std::byte b : bytes)
+    crc = kTable[(crc ^ std::to_integer<std::uint32_t>(b)) & 0xff] ^ (crc >> 8);
+  return ~crc;
+}
+
+struct Chunk {
+  std::string type;
+  Bytes data;
+};
+
+// Takes chunks off the front, each only when whole and with its checksum right.
+class ChunkReader {
+ public:
+  ChunkReader(Bytes bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  bool starts_as_png() {
+    const bool same = bytes_.size() >= kSignature.size() &&
+                      std::equal(kSignature.begin(), kSignature.end(), bytes_.begin(),
+                                 [](std::uint8_t a, std::byte b) { return std::byte{a} == b; });
+    at_ = same ? kSignature.size() : 0;
+    return same;
+  }
+
+  Result<Chunk> next() {
+    begin_ = at_;
+    const std::size_t left = bytes_.size() - at_;
+    if (left < kChunkFrame || number_at(bytes_, at_) > left - kChunkFrame)
+      return wrong("PNG ends in the middle", "the file is cut short: write or copy it again");
+    const std::size_t length = number_at(bytes_, at_);
+    const Bytes checked = bytes_.subspan(at_ + 4, length + 4);
+    if (crc32(checked) != number_at(bytes_, at_ + 8 + length))
+      return wrong("PNG chunk has a wrong checksum", "the file is damaged: write or copy it again");
+    Chunk chunk{{}, checked.subspan(4)};
+    for (const std::byte b : checked.first(4)) chunk.type += std::to_integer<char>(b);
+    at_ += kChunkFrame + length;
+    return chunk;
+  }
+
+  bool at_end() const { return at_ == bytes_.size(); }
+
+  // Of the chunk last taken, or of the one that cannot be.
+  tl::unexpected<Diagnostics> wrong(const std::string& what, std::string hint) const {
+    return fail(named_place(name_), fmt::format("{} (at byte {})", what, begin_), std::move(hint));
+  }
+
+ private:
+  Bytes bytes_;
+  const std::string& name_;
+  std::size_t begin_ = 0, at_ = 0;
+};
+
+int channels(int colour_type) {
+  constexpr std::array<int, 7> kChannels = {1, 0, 3, 1, 2, 0, 4};
+  return colour_type < 7 ? kChannels[static_cast<std::size_t>(colour_type)] : 0;
+}
+
+bool depth_fits(int depth, int colour_type) {
+  const bool power_of_two = depth > 0 && depth <= 16 && (depth & (depth - 1)) == 0;
+  if (colour_type == 0) return power_of_two;
+  return colour_type == 3 ? power_of_two && depth <= 8 : depth == 8 || depth == 16;
+}
+
+Result<PngHeader> header(const ChunkReader& reader, const Chunk& chunk, std::uint64_t max_pixels) {
+  if (chunk.type != "IHDR" || chunk.data.size() != 13)
+    return reader.wrong("PNG does not begin with its header", "it is not a PNG any program writes");
+  const auto field = [&](std::size_t i) { return std::to_integer<int>(chunk.data[i]); };
+  PngHeader png;
+  png.width = number_at(chunk.data, 0), png.height = number_at(chunk.data, 4);
+  png.bit_depth = field(8), png.colour_type = field(9), png.interlaced = field(12) == 1;
+  png.alpha = png.colour_type == 4 || png.colour_type == 6;
+  const bool known = channels(png.colour_type) != 0 && depth_fits(png.bit_depth, png.colour_type) &&
+                     field(10) == 0 && field(11) == 0 && field(12) <= 1;
+  if (!known || png.width == 0 || png.height == 0)
+    return reader.wrong("PNG header has impossible values", "it is not a PNG any program writes");
+  if (std::uint64_t{png.width} * png.height > max_pixels)
+    return reader.wrong(
+        fmt::format("picture of {} x {} pixels is too large", png.width, png.height),
+        fmt::format("at most {} pixels are read", max_pixels));
+  if (png.bit_depth == 16)
+    return reader.wrong("PNG has 16 bits a channel", "8 bits a channel are read: convert it");
+  return png;
+}
+
+bool is_critical(const std::string& type) { return (type[0] & 0x20) == 0; }
+
+std::uint64_t pass_bytes(std::uint64_t width, std::uint64_t height, std::uint64_t bits_a_pixel) {
+  return width == 0 ? 0 : height * (1 + (width * bits_a_pixel + 7) / 8);
+}
+
+}  // namespace
+
+std::uint64_t PngHeader::unpacked_bytes() const {
+  const auto bits = static_cast<std::uint64_t>(channels(colour_type) * bit_depth);
+  if (!interlaced) return pass_bytes(width, height, bits);
+  struct Pass {
+    std::uint32_t x, y, step_x, step_y;
+  };
+  constexpr Pass kAdam7[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                             {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+  std::uint64_t total = 0;
+  for (const auto& [x, y, step_x, step_y] : kAdam7)
+    total += pass_bytes((std::uint64_t{width} + step_x - 1 - x) / step_x,
+                        (std::uint64_t{height} + step_y - 1 - y) / step_y, bits);
+  return total;
+}
+
+Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::string& name,
+                                  std::uint64_t max_pixels) {
+  ChunkReader reader(bytes, name);
+  if (!reader.starts_as_png())
+    return reader.wrong("is no PNG", "PNG pictures are read; convert other formats first");
+  Result<Chunk> chunk = reader.next();
+  if (!chunk) return fail(std::move(chunk));
+  Result<PngHeader> png = header(reader, *chunk, max_pixels);
+  std::string before;
+  while (png && chunk->type != "IEND") {
+    before = chunk->type;
+    chunk = reader.next();
+    if (!chunk) return fail(std::move(chunk));
+    const std::string& type = chunk->type;
+    if (type == "IDAT") {
+      if (before != "IDAT" && !png->deflated.empty())
+        return reader.wrong("PNG has pixels in two places", "it is not a PNG any program writes");
+      const auto* packed = reinterpret_cast<const char*>(chunk->data.data());
+      png->deflated.insert(png->deflated.end(), packed, packed + chunk->data.size());
+    } else if (type == "tRNS") {
+      png->alpha = true;
+    } else if (is_critical(type) && type != "PLTE" && type != "IEND") {
+      return reader.wrong("PNG needs what is not known here", "save it as a plain PNG");
+    }
+  }
+  if (png && !reader.at_end())
+    return reader.wrong("PNG goes on after its end", "the file is damaged: write it again");
+  return png;
+}
+
+}  // namespace flatray

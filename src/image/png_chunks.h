@@ -1,0 +1,34 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace flatray {
+
+/// What a PNG says of itself before its pixels are unpacked.
+struct PngHeader {
+  std::uint32_t width = 0, height = 0;
+  int bit_depth = 0, colour_type = 0;
+  bool interlaced = false;
+  bool alpha = false;          ///< an alpha channel, or a transparent colour
+  std::vector<char> deflated;  ///< all IDAT chunks joined
+
+  /// Bytes the pixels unpack to: rows of samples, each after its filter byte.
+  std::uint64_t unpacked_bytes() const;
+};
+
+/// Walks the chunks of a PNG, as ISO/IEC 15948 has them.
+///
+/// Gives   the header of a file that is whole: signature, IHDR first, IDAT chunks together, IEND
+/// last with nothing
+///         behind it, every CRC-32 right, no unknown critical chunk.
+/// Error   Trouble::invalid, with the byte where the file goes wrong, also above `max_pixels`.
+/// Cost    allocates no more than the file's size.
+Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::string& name,
+                                  std::uint64_t max_pixels);
+
+}  // namespace flatray

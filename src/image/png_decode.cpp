@@ -1,0 +1,68 @@
+#include <fmt/core.h>
+
+#include <limits>
+#include <memory>
+
+#include "base/check.h"
+#include "base/file.h"
+#include "image/png.h"
+#include "image/png_chunks.h"
+
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_NO_FAILURE_STRINGS
+#define STBI_MAX_DIMENSIONS (1 << 30)
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>
+
+namespace flatray {
+namespace {
+
+// Deflate makes of a byte at most so many.
+constexpr std::uint64_t kMostInflation = 1032;
+
+// stb_image lets the packed pixels unpack to any size, and fills what is missing with what lay in
+// memory.
+bool unpacks_exactly(const PngHeader& png) {
+  const std::uint64_t size = png.unpacked_bytes();
+  if (size > kMostInflation * png.deflated.size()) return false;
+  const auto limit = static_cast<std::uint64_t>(std::numeric_limits<int>::max());
+  if (size > limit || png.deflated.size() > limit) return false;
+  const auto unpacked = std::make_unique_for_overwrite<char[]>(size);
+  return stbi_zlib_decode_buffer(unpacked.get(), static_cast<int>(size), png.deflated.data(),
+                                 static_cast<int>(png.deflated.size())) == static_cast<int>(size);
+}
+
+}  // namespace
+
+Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& name,
+                         std::uint64_t max_pixels) {
+  Result<PngHeader> png = read_png_chunks(bytes, name, max_pixels);
+  if (!png) return fail(std::move(png));
+  const auto damaged = [&] {
+    return fail(named_place(name), "PNG pixels cannot be unpacked",
+                "the file is damaged: write it again");
+  };
+  if (!unpacks_exactly(*png) || bytes.size() > std::numeric_limits<int>::max()) return damaged();
+  int width = 0, height = 0, of_file = 0;
+  const int channels = png->alpha ? 4 : 3;
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                            static_cast<int>(bytes.size()), &width, &height, &of_file, channels),
+      &stbi_image_free);
+  if (!pixels) return damaged();
+  Image image(width, height, channels);
+  std::copy_n(pixels.get(), image.pixels.size(), image.pixels.begin());
+  return image;
+}
+
+Result<Image> read_png(const std::string& path) {
+  Result<std::string> content = read_file(path);
+  if (!content) return fail(std::move(content));
+  return decode_png(std::as_bytes(std::span(*content)), path);
+}
+
+}  // namespace flatray

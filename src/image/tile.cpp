@@ -1,0 +1,101 @@
+#include "image/tile.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "base/check.h"
+#include "image/srgb_encoder.h"
+
+namespace flatray {
+namespace {
+
+// Nearest of 256 levels, halves up; exact, as a float times 255 fits a double.
+std::uint8_t level(float share) {
+  const double levels = 255.0 * static_cast<double>(share) + 0.5;
+  return static_cast<std::uint8_t>(levels > 0 ? std::min(levels, 255.0) : 0.0);
+}
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+// Written out: the three hide each other's latency.
+Rgb encode_light(const SrgbEncoder& encode, float r, float g, float b) {
+  return {encode(r), encode(g), encode(b)};
+}
+
+struct Opaque {
+  static constexpr int kChannels = 3;
+  static void pixel(const float* rgba, const SrgbEncoder& encode, std::uint8_t* out) {
+    const Rgb rgb = encode_light(encode, rgba[0], rgba[1], rgba[2]);
+    std::memcpy(out, rgb.data(), rgb.size());
+  }
+};
+
+struct Straight {
+  static constexpr int kChannels = 4;
+  static void pixel(const float* rgba, const SrgbEncoder& encode, std::uint8_t* out) {
+    const float alpha = rgba[3];
+    const std::uint8_t shown = level(alpha);
+    const Rgb rgb = shown == 0
+                        ? Rgb{}
+                        : encode_light(encode, rgba[0] / alpha, rgba[1] / alpha, rgba[2] / alpha);
+    std::memcpy(out, rgb.data(), rgb.size());
+    out[3] = shown;
+  }
+};
+
+bool same_bits(const float* a, const float* b) {
+  std::uint64_t x[2], y[2];
+  std::memcpy(x, a, sizeof x);
+  std::memcpy(y, b, sizeof y);
+  return ((x[0] ^ y[0]) | (x[1] ^ y[1])) == 0;
+}
+
+// Most pixels repeat their left neighbour: compared, not developed again.
+template <class Kind>
+void develop_row(const float* rgba, int count, const SrgbEncoder& encode, std::uint8_t* out) {
+  constexpr int kChannels = Kind::kChannels;
+  Kind::pixel(rgba, encode, out);
+  for (int i = 1; i < count; ++i) {
+    rgba += 4, out += kChannels;
+    if (same_bits(rgba, rgba - 4))
+      std::memcpy(out, out - kChannels, kChannels);
+    else
+      Kind::pixel(rgba, encode, out);
+  }
+}
+
+template <class Kind>
+void develop_rows(const Tile& tile, Image& out) {
+  const SrgbEncoder& encode = SrgbEncoder::get();
+  for (int y = 0; y < tile.height; ++y)
+    develop_row<Kind>(tile.row(y), tile.width, encode, out.at(tile.x, tile.y + y));
+}
+
+void check_inside(const Tile& tile, int width, int height) {
+  FLATRAY_CHECK(tile.x >= 0 && tile.y >= 0 && tile.width >= 0 && tile.height >= 0);
+  FLATRAY_CHECK(tile.width <= width - tile.x && tile.height <= height - tile.y);
+}
+
+}  // namespace
+
+void develop(const Tile& tile, Image& out) {
+  check_inside(tile, out.width, out.height);
+  if (tile.width == 0) return;
+  if (out.channels == 3)
+    develop_rows<Opaque>(tile, out);
+  else
+    develop_rows<Straight>(tile, out);
+}
+
+void develop(const Tile& tile, LinearImage& out) {
+  check_inside(tile, out.width, out.height);
+  for (int y = 0; y < tile.height; ++y) {
+    const float* from = tile.row(y);
+    const auto row = static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(out.width);
+    float* to = out.pixels.data() + 3 * (row + static_cast<std::size_t>(tile.x));
+    for (int x = 0; x < tile.width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
+  }
+}
+
+}  // namespace flatray

@@ -1,0 +1,96 @@
+#include "trace/exact_nearest.h"
+
+#include "trace/on_surface.h"
+
+namespace flatray {
+
+ExactNearest::ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents)
+    : walls_(walls),
+      ray_(ray),
+      left_(left),
+      tangents_(tangents),
+      point_test_(ray.direction == Vec2(0, 0)) {}
+
+void ExactNearest::offer(const NearestHit& hit, const HitTime& time) {
+  if (time.sign() == Sign::negative) return;
+  if (best_time_) {
+    const std::strong_ordering order = compare(time, *best_time_);
+    if (order > 0 || (order == 0 && hit.surface > best_.surface)) return;
+  }
+  best_ = hit;
+  best_time_ = time;
+}
+
+void ExactNearest::offer_point_test(std::uint32_t number, bool on_it, bool at_end) {
+  if (!on_it || number > best_.surface) return;
+  best_ = {number, HitClass::touch, Root::none, at_end, 0};
+}
+
+// When the ray is level with a point: the perpendicular through the point is a line it always crosses.
+HitTime ExactNearest::time_abreast_of(const Vec2& point) const {
+  return HitTime::on_line(ray_, point, {0, 0}, {-ray_.direction.y(), ray_.direction.x()});
+}
+
+void ExactNearest::offer_along(const Segment& segment, std::uint32_t number) {
+  const HitTime a = time_abreast_of(segment.a), b = time_abreast_of(segment.b);
+  const auto [near, far] = compare(a, b) <= 0 ? std::pair(a, b) : std::pair(b, a);
+  if (far.sign() == Sign::negative) return;
+  const bool ends_here = far.sign() == Sign::zero;
+  const bool at_end = ends_here || near.sign() != Sign::negative;
+  const HitClass kind = ends_here || compare(near, far) == 0 ? HitClass::touch : HitClass::along;
+  offer({number, kind, Root::none, at_end, 0}, at_end && !ends_here ? near : time_abreast_of(ray_.origin));
+}
+
+void ExactNearest::offer_segment(std::size_t slot) {
+  const std::uint32_t number = walls_.segment_numbers[slot];
+  if (number == left_.surface) return;
+  const Segment& segment = walls_.segments[slot];
+  if (point_test_)
+    return offer_point_test(number, lies_on(ray_.origin, segment),
+                            ray_.origin == segment.a || ray_.origin == segment.b);
+  if (const auto met = hit_segment(ray_, segment)) {
+    const bool at_end = met->place != SegmentHit::Place::inner;
+    offer({number, HitClass::touch, Root::none, at_end, 0}, met->t);
+  } else if (side_of_ray(ray_, segment.a) == Sign::zero &&
+             side_of_ray(ray_, segment.b) == Sign::zero) {
+    offer_along(segment, number);
+  }
+}
+
+void ExactNearest::offer_circle(std::size_t slot) {
+  const std::uint32_t number = walls_.circle_numbers[slot];
+  const Root stood_on = number == left_.surface ? left_.root : Root::none;
+  if (stood_on == Root::both) return;
+  const Circle& circle = walls_.circles[slot];
+  if (point_test_)
+    return offer_point_test(number, circle_side(ray_.origin, circle) == Sign::zero, false);
+  const auto met = hit_circle(ray_, circle);
+  if (!met) return;
+  if (met->tangent) {
+    if (tangents_ && stood_on == Root::none)
+      offer({number, HitClass::touch, Root::both, false, 0}, met->first);
+    return;
+  }
+  if (stood_on != Root::first && met->first.sign() != Sign::negative)
+    offer({number, HitClass::through, Root::first, false, 0}, met->first);
+  else if (stood_on != Root::second)
+    offer({number, HitClass::through, Root::second, false, 0}, met->second);
+}
+
+void ExactNearest::offer_crossing(std::size_t slot) {
+  offer({walls_.segment_numbers[slot], HitClass::touch, Root::none, false, 0},
+        HitTime::on_line(ray_, walls_.segments[slot]));
+}
+
+void ExactNearest::offer_everything() {
+  for (std::size_t i = 0; i < walls_.segments.size(); ++i) offer_segment(i);
+  for (std::size_t i = 0; i < walls_.circles.size(); ++i) offer_circle(i);
+}
+
+NearestHit ExactNearest::hit() const {
+  NearestHit hit = best_;
+  if (best_time_) hit.t = best_time_->nearest().t;
+  return hit;
+}
+
+}  // namespace flatray

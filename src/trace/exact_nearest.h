@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+
+#include "geom/hit_time.h"
+#include "trace/hits.h"
+
+namespace flatray {
+
+/// The nearest of the walls offered to one ray, decided without rounding; equal times go to the lowest number,
+/// whatever the order of the offers.
+class ExactNearest {
+ public:
+  /// Needs   `walls` and what `left` names to outlive it.
+  ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
+
+  /// Offers the wall in a slot of its kind; what the ray does not meet, or has just left, changes nothing.
+  void offer_segment(std::size_t slot);
+  void offer_circle(std::size_t slot);
+  /// Offers a segment known to be met ahead and between its ends.
+  void offer_crossing(std::size_t slot);
+  void offer_everything();
+
+  NearestHit hit() const;
+
+ private:
+  void offer(const NearestHit& hit, const HitTime& time);
+  void offer_point_test(std::uint32_t number, bool on_it, bool at_end);
+  void offer_along(const Segment& segment, std::uint32_t number);
+  HitTime time_abreast_of(const Vec2& point) const;
+
+  const Surfaces& walls_;
+  Ray ray_;
+  Left left_;
+  bool tangents_, point_test_;
+  NearestHit best_;
+  std::optional<HitTime> best_time_;
+};
+
+}  // namespace flatray

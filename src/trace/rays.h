@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geom/ray.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// Where the line of a ray meets a circle: it enters by the first root and leaves by the second.
+enum class Root : std::uint8_t { none, first, second, both };
+
+/// What a ray has just left and so does not meet again: a segment by its number, a circle by its number and in
+/// the root stood on. No distance is involved.
+struct Left {
+  std::uint32_t surface = kNoSurface;
+  Root root = Root::none;  ///< of a circle; `both` leaves the whole circle out
+};
+
+/// Rays in flat arrays, one entry each.
+struct RayBatch {
+  std::vector<double> ox, oy, dx, dy;
+  std::vector<Left> left;
+  bool tangents = true;  ///< whether a circle touched in one point is hit; orbits pass by it
+
+  std::size_t size() const { return ox.size(); }
+  Ray ray(std::size_t i) const { return {{ox[i], oy[i]}, {dx[i], dy[i]}}; }
+  void add(const Ray& ray, const Left& from = {});
+  /// Puts another ray in the place of ray i.
+  void set(std::size_t i, const Ray& ray, const Left& from);
+  /// Shortens the batch to its first `count` rays.
+  void resize(std::size_t count);
+};
+
+}  // namespace flatray

@@ -1,0 +1,71 @@
+#include "trace/tracers/brute.h"
+
+#include <array>
+
+#include "geom/bounds.h"
+#include "trace/exact_nearest.h"
+#include "trace/kernels/tiers.h"
+#include "trace/ray_block.h"
+#include "trace/tracer.h"
+
+namespace flatray {
+namespace {
+
+lanes::Walls lane_walls(const Surfaces& walls) {
+  static_assert(sizeof(Segment) == 4 * sizeof(double));
+  Bounds box;
+  for (const Segment& segment : walls.segments) {
+    box.add(segment.a);
+    box.add(segment.b);
+  }
+  return {walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
+          static_cast<int>(walls.segments.size()),
+          box.low.x(),
+          box.low.y(),
+          box.high.x(),
+          box.high.y()};
+}
+
+double left_slot(const Surfaces& walls, const Left& left) {
+  if (left.surface == kNoSurface || walls.kinds[left.surface] != SurfaceKind::segment)
+    return lanes::kNothing;
+  return walls.slot[left.surface];
+}
+
+NearestHit decide_ray(const Surfaces& walls, const RayBatch& rays, std::size_t i, double slot) {
+  ExactNearest search(walls, rays.ray(i), rays.left[i], rays.tangents);
+  if (slot == lanes::kDoubtful) {
+    search.offer_everything();
+    return search.hit();
+  }
+  if (slot >= 0) search.offer_crossing(static_cast<std::size_t>(slot));
+  for (std::size_t k = 0; k < walls.circles.size(); ++k) search.offer_circle(k);
+  return search.hit();
+}
+
+void nearest(const Surfaces& walls, const RayBatch& rays, std::span<NearestHit> hits) {
+  brute_nearest(walls, rays, hits, active_isa());
+}
+
+}  // namespace
+
+void brute_nearest(const Surfaces& walls, const RayBatch& rays, std::span<NearestHit> hits,
+                   Isa isa) {
+  const lanes::Kernels& kernels = lane_kernels(isa);
+  const lanes::Walls segments = lane_walls(walls);
+  RayBlock block;
+  std::array<double, kRayBlock> slots, highs;
+  for (std::size_t begin = 0; begin < rays.size(); begin += kRayBlock) {
+    const std::size_t count = block.load(rays, begin);
+    for (std::size_t i = 0; i < count; ++i) block.left[i] = left_slot(walls, rays.left[begin + i]);
+    kernels.nearest(segments, block.lanes(), {slots.data(), highs.data()});
+    for (std::size_t i = 0; i < count; ++i)
+      hits[begin + i] = decide_ray(walls, rays, begin + i, slots[i]);
+  }
+}
+
+extern const Tracer brute_tracer;
+const Tracer brute_tracer = {"brute", "every wall against every ray, culled in vector lanes", true,
+                             &nearest};
+
+}  // namespace flatray
