@@ -155,6 +155,7 @@ void cut_row(const ScanEdge& e, std::uint32_t index, int row, const PixelBox& bo
   }
   if (cut.low == low && cut.high == high) return;
   piece.ghost = true;
+  piece.crosses_top = piece.left_top = piece.left_bottom = false;
   for (double c = std::max(cut.low, left); c <= std::min(cut.high, right); ++c) {
     if (c >= low && c <= high) continue;
     piece.column = static_cast<int>(c);
