@@ -20,10 +20,12 @@ struct Region {
 };
 
 enum class Family { random, sliver, decimal, corner, far, overlap, even_odd };
-inline constexpr std::array kFamilies{Family::random, Family::sliver,  Family::decimal, Family::corner,
-                                      Family::far,    Family::overlap, Family::even_odd};
+inline constexpr std::array kFamilies{Family::random,  Family::sliver, Family::decimal,
+                                      Family::corner,  Family::far,    Family::overlap,
+                                      Family::even_odd};
 inline const char* name(Family family) {
-  constexpr std::array kNames{"random", "sliver", "decimal", "corner", "far", "overlap", "even_odd"};
+  constexpr std::array kNames{"random", "sliver",  "decimal", "corner",
+                              "far",    "overlap", "even_odd"};
   return kNames[static_cast<std::size_t>(family)];
 }
 
@@ -124,8 +126,8 @@ inline Region make_region(Family family, std::uint64_t seed, std::uint64_t item)
   Region region;
   const bool reversed = draws.below(2) == 0;
   const int pieces = family == Family::overlap ? 2 + draws.below(4) : 1;
-  const Family kind = family == Family::overlap ? kFamilies[static_cast<std::size_t>(draws.below(5))]
-                                                : family;
+  const Family kind =
+      family == Family::overlap ? kFamilies[static_cast<std::size_t>(draws.below(5))] : family;
   for (int i = 0; i < pieces; ++i) {
     region.pieces.push_back(convex(kind, draws));
     add_ring(region.pieces.back(), reversed, region.path);
@@ -197,7 +199,8 @@ inline void check_region(const Region& region, const std::string& label, Tally& 
     }
 }
 
-/// `audit_every`: each so manieth region is computed exactly in the engine too, for the bound's worst ratio.
+/// `audit_every`: each so manieth region is computed exactly in the engine too, for the bound's
+/// worst ratio.
 inline Tally run_family(Family family, std::uint64_t seed, std::uint64_t count,
                         std::uint64_t audit_every) {
   Tally tally;
@@ -214,7 +217,8 @@ inline Tally run_family(Family family, std::uint64_t seed, std::uint64_t count,
 
 inline std::string line(Family family, const Tally& t) {
   return fmt::format(
-      "{:9} {:7} polygons {:9} pixels compared {:3} mismatches {:8} edge pixels {:6} exact fallbacks "
+      "{:9} {:7} polygons {:9} pixels compared {:3} mismatches {:8} edge pixels {:6} exact "
+      "fallbacks "
       "worst error / bound {:.3f}",
       name(family), t.polygons, t.pixels, t.mismatches, t.stats.edge_pixels,
       t.stats.exact_fallbacks, t.worst_ratio);
