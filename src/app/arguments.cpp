@@ -43,11 +43,10 @@ Result<std::string> Arguments::one_of(std::string_view name,
   const std::string given = text(name).value_or(words.front());
   if (std::find(words.begin(), words.end(), given) != words.end()) return given;
   const std::string near = nearest_word(given, words);
-  return usage_error(
-      where(name),
-      fmt::format("unknown value '{}'{}", given,
-                  near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
-      fmt::format("say {}", comma_list(words)));
+  return usage_error(where(name),
+                     fmt::format("unknown value '{}'{}", given,
+                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                     fmt::format("say {}", comma_list(words)));
 }
 
 }  // namespace flatray

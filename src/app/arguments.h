@@ -17,7 +17,8 @@ enum class OptionKind : std::uint8_t {
   flag   ///< no value
 };
 
-/// One option of a verb: what is parsed, shown by --help, suggested for a misspelt one and read from the environment
+/// One option of a verb: what is parsed, shown by --help, suggested for a misspelt one and read
+/// from the environment
 /// (`--max-pixels` from FLATRAY_MAX_PIXELS) are all made of this row.
 struct Option {
   const char* name;     ///< long name without dashes: "max-pixels"
@@ -64,11 +65,14 @@ class Arguments {
   std::vector<std::string> operands_;
 };
 
-/// Reads the words after the verb. Options and operands may stand in any order; `--` ends the options.
+/// Reads the words after the verb. Options and operands may stand in any order; `--` ends the
+/// options.
 ///
-/// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a flag is set by 1,
+/// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a
+/// flag is set by 1,
 ///         true, yes or on, and not by 0, false, no, off; empty counts as unset).
-/// Error   Trouble::usage, all mistakes together: unknown options with the nearest known one, missing values,
+/// Error   Trouble::usage, all mistakes together: unknown options with the nearest known one,
+/// missing values,
 ///         options given twice.
 using Environment = const char* (*)(const char* name);
 Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,

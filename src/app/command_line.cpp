@@ -70,9 +70,9 @@ Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {
   if (count < verb.least_operands)
     return usage_error(named_place(verb.name), fmt::format("needs {}", verb.operands), hint);
   if (count > verb.most_operands)
-    return usage_error(
-        named_place(verb.name),
-        fmt::format("does not take '{}'", arguments->operands()[verb.most_operands]), hint);
+    return usage_error(named_place(verb.name),
+                       fmt::format("does not take '{}'", arguments->operands()[verb.most_operands]),
+                       hint);
   return arguments;
 }
 
@@ -98,17 +98,19 @@ std::string help_text() {
   std::string text =
       "flatray renders 2D scenes to pictures, exactly.\n\n"
       "  flatray VERB SCENE... [options]\n\n";
-  for (const Verb* verb : all_verbs()) text += fmt::format("  {:<11} {}\n", verb->name, verb->summary);
+  for (const Verb* verb : all_verbs())
+    text += fmt::format("  {:<11} {}\n", verb->name, verb->summary);
   return text +
          "  help        show the options of a verb: flatray help render\n\n"
-         "flatray --version says what is built in. An option --size can also be set by FLATRAY_SIZE.\n"
+         "flatray --version says what is built in. An option --size can also be set by "
+         "FLATRAY_SIZE.\n"
          "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 input missing, 4 input invalid,\n"
          "5 not in this build, 6 output not written, 70 internal, 130 interrupted.\n";
 }
 
 std::string help_text(const Verb& verb) {
-  std::string text = fmt::format("flatray {} {} [options]\n\n{}.\n\n", verb.name, verb.operands,
-                                 verb.summary);
+  std::string text =
+      fmt::format("flatray {} {} [options]\n\n{}.\n\n", verb.name, verb.operands, verb.summary);
   std::vector<Option> options(verb.options.begin(), verb.options.end());
   options.push_back(kHelp);
   for (const Option& option : options) {

@@ -73,8 +73,7 @@ Result<Shard> parse_shard(std::string_view text, const Place& where) {
   if (!index || !count)
     return usage_error(where, fmt::format("'{}' is not I/N", text), "as 0/3, 1/3 and 2/3");
   if (*count < 1 || *count > kLastFrame || *index >= *count)
-    return usage_error(where, fmt::format("there is no shard {}", text),
-                       "I runs from 0 to N - 1");
+    return usage_error(where, fmt::format("there is no shard {}", text), "I runs from 0 to N - 1");
   return Shard{static_cast<unsigned>(*index), static_cast<unsigned>(*count)};
 }
 

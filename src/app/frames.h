@@ -20,8 +20,8 @@ struct Shard {
 /// "I/N" with 0 <= I < N.
 Result<Shard> parse_shard(std::string_view text, const Place& where);
 
-/// Every N-th frame of the list from the I-th on: neighbours cost alike, so the shards do too. The shards of one
-/// list are disjoint and make up the list.
+/// Every N-th frame of the list from the I-th on: neighbours cost alike, so the shards do too. The
+/// shards of one list are disjoint and make up the list.
 std::vector<unsigned> frames_of(const Shard& shard, const std::vector<unsigned>& frames);
 
 }  // namespace flatray

@@ -11,14 +11,15 @@
 
 namespace flatray {
 
-/// One frame written: a line of `manifest.jsonl`. Nothing in it depends on when, where or by how many threads.
+/// One frame written: a line of `manifest.jsonl`. Nothing in it depends on when, where or by how
+/// many threads.
 struct FrameRecord {
   unsigned frame = 0;
-  std::string file;          ///< name beside the manifest
+  std::string file;  ///< name beside the manifest
   int width = 0, height = 0;
-  std::string pixels;        ///< hash of the pixels: equal for every compiler and compressor
-  std::string bytes;         ///< hash of the file
-  std::string scene;         ///< hash of the scene and every option a pixel depends on
+  std::string pixels;  ///< hash of the pixels: equal for every compiler and compressor
+  std::string bytes;   ///< hash of the file
+  std::string scene;   ///< hash of the scene and every option a pixel depends on
   bool operator==(const FrameRecord&) const = default;
 };
 
@@ -39,9 +40,8 @@ Result<Records> read_manifest(const std::filesystem::path& path);
 /// Replaces a manifest by these records, atomically; sorted by frame.
 Result<void> write_manifest(const std::filesystem::path& path, const Records& records);
 
-/// Whether the file a record speaks of is there, whole, and what the record says: its bytes hash alike, and a PNG
-/// decodes to its pixels.
-bool is_whole(const FrameRecord& record, const std::filesystem::path& folder,
-              PictureFormat format);
+/// Whether the file a record speaks of is there, whole, and what the record says: its bytes hash
+/// alike, and a PNG decodes to its pixels.
+bool is_whole(const FrameRecord& record, const std::filesystem::path& folder, PictureFormat format);
 
 }  // namespace flatray

@@ -62,10 +62,10 @@ Result<FilmSize> parse_size(std::string_view text, const Place& where, std::uint
   const auto height = parse_side(text.substr(x + 1), "height", where, max_pixels);
   if (!height) return tl::unexpected(height.error());
   if (*width > max_pixels / *height)
-    return usage_error(where,
-                       fmt::format("{} is {} pixels, over the limit of {}", text, *width * *height,
-                                   max_pixels),
-                       fmt::format("--max-pixels N raises it up to {}", kMostPixels));
+    return usage_error(
+        where,
+        fmt::format("{} is {} pixels, over the limit of {}", text, *width * *height, max_pixels),
+        fmt::format("--max-pixels N raises it up to {}", kMostPixels));
   return FilmSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
@@ -80,10 +80,9 @@ Result<PixelBox> parse_crop(std::string_view text, const Place& where, const Fil
   const bool fits = parts.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3] &&
                     at[2] <= film.width && at[3] <= film.height;
   if (!fits)
-    return usage_error(where,
-                       fmt::format("'{}' is no part of a {}x{} picture", text, film.width,
-                                   film.height),
-                       "say x0,y0,x1,y1 with 0 <= x0 < x1 <= width, 0 <= y0 < y1 <= height");
+    return usage_error(
+        where, fmt::format("'{}' is no part of a {}x{} picture", text, film.width, film.height),
+        "say x0,y0,x1,y1 with 0 <= x0 < x1 <= width, 0 <= y0 < y1 <= height");
   return PixelBox{at[0], at[1], at[2] - at[0], at[3] - at[1]};
 }
 

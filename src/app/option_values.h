@@ -12,10 +12,12 @@
 
 namespace flatray {
 
-/// Digits only, the whole text. More than 64 bits hold gives the largest number, which every range refuses.
+/// Digits only, the whole text. More than 64 bits hold gives the largest number, which every range
+/// refuses.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
-/// Most pixels --max-pixels may allow: what the 32-bit sizes of the PNG writer hold, four channels, one pixel wide.
+/// Most pixels --max-pixels may allow: what the 32-bit sizes of the PNG writer hold, four channels,
+/// one pixel wide.
 inline constexpr std::uint64_t kMostPixels = 400'000'000;
 
 struct FilmSize {

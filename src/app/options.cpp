@@ -1,5 +1,5 @@
-// The only file that includes CLI11, which takes seconds to compile. It splits words into options and operands;
-// what they mean is ours.
+// The only file that includes CLI11, which takes seconds to compile. It splits words into options
+// and operands; what they mean is ours.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -96,9 +96,9 @@ void check_slot(const Slot& slot, std::span<const Option> options, Diagnostics& 
   const Place where = named_place(long_name(*slot.option));
   for (const std::string& value : slot.values)
     if (is_option(value, options))
-      problems.push_back({where, fmt::format("needs a value {}, not the option {}",
-                                             slot.option->metavar, value),
-                          "", Trouble::usage});
+      problems.push_back(
+          {where, fmt::format("needs a value {}, not the option {}", slot.option->metavar, value),
+           "", Trouble::usage});
   if (slot.option->kind == OptionKind::text && slot.values.size() > 1)
     problems.push_back({where,
                         fmt::format("is given {} times: '{}' and '{}'", slot.values.size(),

@@ -11,7 +11,8 @@
 namespace flatray {
 namespace {
 
-// File systems allow 255 bytes; the temporary name beside the file needs some, the frame number and {scene} more.
+// File systems allow 255 bytes; the temporary name beside the file needs some, the frame number and
+// {scene} more.
 constexpr std::size_t kLongestFileName = 120, kLongestPattern = 3000;
 
 constexpr std::string_view kScene = "{scene}";
@@ -98,8 +99,8 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
   const std::size_t file_bytes = std::filesystem::path(text).filename().string().size();
   if (file_bytes > kLongestFileName || text.size() > kLongestPattern)
     return usage_error(where, fmt::format("the file name has {} bytes", file_bytes),
-                       fmt::format("at most {} in the name, {} with its folders",
-                                   kLongestFileName, kLongestPattern));
+                       fmt::format("at most {} in the name, {} with its folders", kLongestFileName,
+                                   kLongestPattern));
   const auto known = format_of(text, format, where);
   if (!known) return tl::unexpected(known.error());
   return OutputPattern(std::move(text), *known);
@@ -112,8 +113,7 @@ OutputPattern OutputPattern::standard(bool sequence, PictureFormat format) {
 
 std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame) const {
   std::string result = text_;
-  if (has_frame())
-    result.replace(frame_at_, frame_length_, fmt::format("{:0{}}", frame, digits_));
+  if (has_frame()) result.replace(frame_at_, frame_length_, fmt::format("{:0{}}", frame, digits_));
   for (std::size_t at = result.find(kScene); at != std::string::npos;
        at = result.find(kScene, at + scene.size()))
     result.replace(at, kScene.size(), scene);

@@ -9,8 +9,8 @@ namespace flatray {
 /// `always` writes plain lines where there is no terminal; `automatic` writes nothing there.
 enum class ProgressMode { automatic, always, never };
 
-/// How far a render has come, on standard error: a bar with rate and time left on a terminal, else five lines.
-/// `step` may be called by several threads.
+/// How far a render has come, on standard error: a bar with rate and time left on a terminal, else
+/// five lines. `step` may be called by several threads.
 class Progress {
  public:
   Progress(std::size_t total, ProgressMode mode);

@@ -25,8 +25,10 @@ constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
 std::uint64_t bytes_of_frame(const RenderJob& job) {
   const PixelBox box = job.picture();
-  const auto pixels = static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-  // PNG: the picture, its filtered copy, the compressed bytes at worst; HDR: three floats, then four bytes.
+  const auto pixels =
+      static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+  // PNG: the picture, its filtered copy, the compressed bytes at worst; HDR: three floats, then
+  // four bytes.
   return pixels * (job.output.format() == PictureFormat::png ? 3 * 3 : 12 + 4);
 }
 
@@ -90,7 +92,8 @@ class FrameMaker {
       if (record.frame != 0) result.written.push_back(record);
     for (const Diagnostics& problems : problems_)
       result.problems.insert(result.problems.end(), problems.begin(), problems.end());
-    if (!result.problems.empty()) result.problems.resize(1);  // every thread meets the same full disk
+    if (!result.problems.empty())
+      result.problems.resize(1);  // every thread meets the same full disk
     return result;
   }
 
@@ -201,8 +204,9 @@ std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept
   const auto found = kept.find(job.manifest());
   if (!job.output.has_frame() || found == kept.end()) return job.frames;
   std::vector<unsigned> frames;
-  std::copy_if(job.frames.begin(), job.frames.end(), std::back_inserter(frames),
-               [&](unsigned frame) { return found->second.count(job.path(frame).filename()) == 0; });
+  std::copy_if(
+      job.frames.begin(), job.frames.end(), std::back_inserter(frames),
+      [&](unsigned frame) { return found->second.count(job.path(frame).filename()) == 0; });
   return frames;
 }
 
@@ -215,8 +219,7 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
                });
   JobResult result = maker.result();
   if (job.output.has_frame() && result.problems.empty() && !frames.empty())
-    if (auto written = write_file(timings_path(job.folder(), job.shard), maker.timings());
-        !written)
+    if (auto written = write_file(timings_path(job.folder(), job.shard), maker.timings()); !written)
       result.problems = std::move(written).error();
   return result;
 }

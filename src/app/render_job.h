@@ -16,7 +16,7 @@ namespace flatray {
 /// Pictures to make of one scene.
 struct RenderJob {
   Scene scene;
-  std::string name;              ///< plain name of the scene, for {scene}
+  std::string name;  ///< plain name of the scene, for {scene}
   OutputPattern output;
   std::vector<unsigned> frames;  ///< of this shard, sorted
   unsigned last_frame = 1;       ///< of all shards
@@ -31,12 +31,16 @@ struct RenderJob {
   /// Whether a record is of one of these frames.
   bool makes(const FrameRecord& record) const;
   /// Size of the pictures.
-  PixelBox picture() const { return crop.value_or(PixelBox{0, 0, scene.film.width, scene.film.height}); }
-  /// Hash of everything a byte of the pictures depends on but the frame: text, seed, size, crop, format, version.
+  PixelBox picture() const {
+    return crop.value_or(PixelBox{0, 0, scene.film.width, scene.film.height});
+  }
+  /// Hash of everything a byte of the pictures depends on but the frame: text, seed, size, crop,
+  /// format, version.
   std::string fingerprint() const;
 };
 
-/// How frames are spread over threads: many small ones side by side, large ones one after another by tiles.
+/// How frames are spread over threads: many small ones side by side, large ones one after another
+/// by tiles.
 struct Spread {
   unsigned frames_at_once, threads_each;
 };
@@ -45,8 +49,8 @@ Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads);
 /// Bytes a render needs at its peak, as announced by --dry-run and explain.
 std::uint64_t peak_bytes(const RenderJob& job, std::size_t frame_count, unsigned threads);
 
-/// By path of the manifest, the records that stay in it: of frames the jobs make only with `resume`, and only where
-/// record and file agree; of other frames of the same scenes all.
+/// By path of the manifest, the records that stay in it: of frames the jobs make only with
+/// `resume`, and only where record and file agree; of other frames of the same scenes all.
 using Manifests = std::map<std::filesystem::path, Records>;
 Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, unsigned threads);
 
@@ -57,8 +61,9 @@ struct JobResult {
   std::vector<FrameRecord> written;  ///< by frame
   Diagnostics problems;              ///< why writing stopped
 };
-/// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early, whole frames kept,
-/// when interrupted or when a file cannot be written. `done` is told of every frame, by any thread.
+/// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
+/// whole frames kept, when interrupted or when a file cannot be written. `done` is told of every
+/// frame, by any thread.
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
                   const std::function<void()>& done);
 

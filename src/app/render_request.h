@@ -20,8 +20,9 @@ struct RenderRequest {
 /// Error   Trouble::usage: every option that is wrong by itself, before any file is read.
 Result<RenderRequest> read_request(const Arguments& arguments);
 
-/// A job for each scene. All are read before the first picture: one mistake, and nothing is rendered.
-/// Error   all mistakes of all scenes; Trouble::usage where pattern, frames and scenes do not fit together.
+/// A job for each scene. All are read before the first picture: one mistake, and nothing is
+/// rendered. Error   all mistakes of all scenes; Trouble::usage where pattern, frames and scenes do
+/// not fit together.
 Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const RenderRequest& request);
 
 }  // namespace flatray

@@ -31,10 +31,10 @@ Value dry_value(const Work& work, unsigned threads) {
 std::string dry_text(const Work& work, unsigned threads) {
   const PixelBox size = work.job->picture();
   const std::uint64_t bytes = peak_bytes(*work.job, work.frames.size(), threads);
-  std::string text = fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
-                                 work.job->scene.name, counted(work.frames.size(), "frame"),
-                                 size.width, size.height, kept_count(work),
-                                 static_cast<double>(bytes) / 1e6);
+  std::string text =
+      fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
+                  work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
+                  size.height, kept_count(work), static_cast<double>(bytes) / 1e6);
   for (const unsigned frame : work.frames) text += work.job->path(frame).string() + "\n";
   return text;
 }
@@ -90,10 +90,10 @@ class Run {
 
   VerbOutput give_up(const Diagnostics& problems) {
     progress_.finish();
-    const std::string goes_on =
-        written_ == 0 ? "nothing rendered"
-                      : fmt::format("{} of {} written; --resume goes on from there", written_,
-                                    counted(total_, "frame"));
+    const std::string goes_on = written_ == 0
+                                    ? "nothing rendered"
+                                    : fmt::format("{} of {} written; --resume goes on from there",
+                                                  written_, counted(total_, "frame"));
     return {"", report_failure(problems, goes_on)};
   }
 
@@ -141,8 +141,7 @@ VerbOutput describe(const Arguments& arguments, const WorkList& list) {
     values.push_back(dry_value(work, list.threads));
     text += dry_text(work, list.threads);
   }
-  if (arguments.has("json"))
-    return {json_report("render", arguments, std::move(values), 0), 0};
+  if (arguments.has("json")) return {json_report("render", arguments, std::move(values), 0), 0};
   return {std::move(text), 0};
 }
 

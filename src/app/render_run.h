@@ -25,8 +25,8 @@ Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderReque
 /// --dry-run: frames, names and memory, as lines or as the object of --json.
 VerbOutput describe(const Arguments& arguments, const WorkList& list);
 
-/// Renders scene after scene. The first failure or Ctrl-C ends it: whole frames and their records stay, the exit code
-/// is 6 or 130.
+/// Renders scene after scene. The first failure or Ctrl-C ends it: whole frames and their records
+/// stay, the exit code is 6 or 130.
 VerbOutput render_all(const Arguments& arguments, const WorkList& list, ProgressMode mode);
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 #include "app/scene_input.h"
 
+#include "app/frames.h"
 #include "app/option_values.h"
 #include "app/report.h"
 #include "base/parallel.h"
@@ -29,6 +30,15 @@ Result<LoadedScene> load_input(const Arguments& arguments, const std::string& pa
   LoadLimits limits;
   limits.max_pixels = *limit;
   return load_scene(path, *overrides, limits);
+}
+
+Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene) {
+  const auto frame = arguments.whole("frame", 1, 1, kLastFrame);
+  if (!frame) return tl::unexpected(frame.error());
+  const auto seeded = seed(arguments, scene);
+  if (!seeded) return tl::unexpected(seeded.error());
+  const auto number = static_cast<unsigned>(*frame);
+  return at(Timeline(scene, *seeded, number), number);
 }
 
 Result<Scene> load_only_input(const Arguments& arguments) {

@@ -27,7 +27,7 @@ template <class Items, class Write>
 std::string joined(char open, const Items& items, char close, const Write& write) {
   std::string text(1, open);
   for (const auto& item : items) {
-    if (text.size() > 1) text += ", ";
+    if (text.size() > 1) text += ',';
     text += write(item);
   }
   return text + close;
@@ -134,7 +134,7 @@ std::string json_text(const Value& value) {
                  [](const Values& values) { return joined('[', values, ']', json_text); },
                  [](const Fields& fields) {
                    return joined('{', fields, '}', [](const auto& field) {
-                     return quoted(field.first) + ": " + json_text(field.second);
+                     return quoted(field.first) + ":" + json_text(field.second);
                    });
                  }},
       value.data);

@@ -37,8 +37,8 @@ struct Value {
   std::optional<std::uint64_t> as_whole() const;
 };
 
-/// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts "inf" and "-inf";
-/// bytes that are no UTF-8 become U+FFFD.
+/// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts
+/// "inf" and "-inf"; bytes that are no UTF-8 become U+FFFD.
 std::string json_text(const Value& value);
 /// nullopt for what is no JSON.
 std::optional<Value> parse_json(std::string_view text);

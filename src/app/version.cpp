@@ -29,7 +29,7 @@ std::string version_text() {
   return fmt::format(
       "flatray {}\n"
       "built with     {}, {}\n"
-      "instructions   {} running; this machine has {}\n"
+      "isa            {} running; this machine has {}\n"
       "features       {}\n"
       "libraries      {}\n",
       kVersion, kCompiler, FLATRAY_BUILD_TYPE, isa_name(active_isa()), tiers(), FLATRAY_FEATURES,
