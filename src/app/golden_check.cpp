@@ -26,14 +26,20 @@ std::string layout_text(const Image& image) {
 
 }  // namespace
 
+GoldenCheck judge(Image actual, Image expected) {
+  GoldenCheck check{std::move(actual), std::move(expected), std::nullopt, false, {}};
+  if (const auto difference = compare(check.actual, check.expected)) check.difference = *difference;
+  return check;
+}
+
 Result<GoldenCheck> check_golden(const fs::path& root, const GoldenRow& row) {
   Result<Image> expected = read_expected(root, row);
   if (!expected) return fail(std::move(expected));
   const Result<GoldenScene> golden = load_golden_scene(root, row);
   if (!golden) return tl::unexpected(golden.error());
-  GoldenCheck check{render_golden(golden->scene, row, 1), std::move(*expected), std::nullopt,
-                    scene_hash(golden->scene) != row.scene_hash, golden->options};
-  if (const auto difference = compare(check.actual, check.expected)) check.difference = *difference;
+  GoldenCheck check = judge(render_golden(golden->scene, row, 1), std::move(*expected));
+  check.scene_changed = scene_hash(golden->scene) != row.scene_hash;
+  check.options = golden->options;
   return check;
 }
 

@@ -16,6 +16,9 @@ struct GoldenCheck {
   bool passes() const { return difference && difference->pixels == 0; }
 };
 
+/// Two pictures judged; `scene_changed` and `options` stay unset.
+GoldenCheck judge(Image actual, Image expected);
+
 /// Error   of the scene or the committed file; also where that file is not the one the row names by
 /// its hash.
 Result<GoldenCheck> check_golden(const std::filesystem::path& root, const GoldenRow& row);
