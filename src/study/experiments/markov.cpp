@@ -34,9 +34,8 @@ class Study {
     const StepMatrix drawn = drawn_probabilities(chain);
     const std::optional<StepMatrix> given = given_probabilities(chain);
     const StepMatrix& shown = given ? *given : drawn;
-    counts_ = {0, 0, std::vector(drawn.size(), std::vector<std::uint64_t>(drawn.size()))};
-    add_starts(index, drawn, given);
-    add_transitions(chain, drawn, shown);
+    const WalkCounts counts = add_starts(index, drawn, given);
+    add_transitions(chain, counts, drawn, shown);
     result_.files.push_back({file_name(index), svg(graph(chain, shown))});
   }
 
@@ -62,25 +61,33 @@ class Study {
  private:
   using Expected = std::vector<std::optional<Absorption>>;
 
-  void add_starts(std::uint32_t index, const StepMatrix& drawn,
-                  const std::optional<StepMatrix>& given) {
+  // Returns what all its walks took together.
+  WalkCounts add_starts(std::uint32_t index, const StepMatrix& drawn,
+                        const std::optional<StepMatrix>& given) {
+    const MarkovChain& chain = context_.scene.chains[index];
     const std::vector<bool> absorbing = absorbing_states(drawn);
     const Expected truth = steps_to_absorption(drawn);
     const Expected exact = given ? steps_to_absorption(*given) : Expected(drawn.size());
     double longest = 0;
     for (const std::optional<Absorption>& from : truth)
       if (from) longest = std::max(longest, from->expected.nearest());
+    WalkCounts all(chain);
     for (StateId start = 0; start < drawn.size(); ++start) {
       if (absorbing[start]) continue;
-      const WalkPlan plan = {context_.scene.chains[index],
+      const WalkPlan plan = {chain,
                              start,
                              absorbing,
                              walks(longest),
                              static_cast<std::uint64_t>(kMeansUntilGivenUp * longest),
                              context_.seed,
                              (index << 8) | start};
-      add_start(plan, truth[start], exact[start]);
+      const std::string fraction = exact[start] ? exact[start]->expected.text() : "";
+      if (truth[start] && plan.walks > 0)
+        all += add_start(plan, *truth[start], fraction);
+      else
+        add_unobserved(plan, truth[start], fraction);
     }
+    return all;
   }
 
   std::uint64_t walks(double longest) const {
@@ -88,29 +95,24 @@ class Study {
     return std::min(context_.count, kMostSteps / static_cast<std::uint64_t>(longest + 1));
   }
 
-  void add_start(const WalkPlan& plan, const std::optional<Absorption>& truth,
-                 const std::optional<Absorption>& exact) {
-    const std::string &name = plan.chain.name, &start = plan.chain.states[plan.start],
-                      until = absorbing_names(plan);
-    if (!truth || plan.walks == 0) {
-      const char* why = truth ? "too many to observe" : "absorption is not certain";
-      const double expected = truth ? truth->expected.nearest() : kInfinity;
-      if (truth) ++disagreements_;  // nothing is shown
-      starts_.add({name, start, until, exact ? exact->expected.text() : "", expected, "", "", "",
-                   std::uint64_t{0}, why});
-      return;
-    }
-    const WalkCounts counts = walk(plan, context_.threads);
-    for (std::size_t i = 0; i < counts.transitions.size(); ++i)
-      for (std::size_t j = 0; j < counts.transitions.size(); ++j)
-        counts_.transitions[i][j] += counts.transitions[i][j];
+  WalkCounts add_start(const WalkPlan& plan, const Absorption& truth, const std::string& exact) {
+    WalkCounts counts = walk(plan, context_.threads);
     const auto walks = static_cast<double>(plan.walks);
     const double mean = static_cast<double>(counts.steps) / walks;
-    const double expected = truth->expected.nearest();
-    const double error = std::sqrt(truth->variance.nearest() / walks);
-    const double z = z_score(mean - expected, error);
-    starts_.add({name, start, until, exact ? exact->expected.text() : "", expected, mean, error, z,
-                 plan.walks, verdict(z, counts.unfinished)});
+    const double expected = truth.expected.nearest(), difference = mean - expected;
+    const double error = std::sqrt(truth.variance.nearest() / walks);
+    const double z = z_score(difference, error);
+    starts_.add({plan.chain.name, plan.chain.states[plan.start], absorbing_names(plan), exact,
+                 expected, mean, difference, error, z, plan.walks, verdict(z, counts.unfinished)});
+    return counts;
+  }
+
+  void add_unobserved(const WalkPlan& plan, const std::optional<Absorption>& truth,
+                      const std::string& exact) {
+    if (truth) ++disagreements_;  // what was not looked at has not been shown to agree
+    starts_.add({plan.chain.name, plan.chain.states[plan.start], absorbing_names(plan), exact,
+                 truth ? truth->expected.nearest() : kInfinity, "", "", "", "", std::uint64_t{0},
+                 truth ? "too many to observe" : "absorption is not certain"});
   }
 
   static std::string absorbing_names(const WalkPlan& plan) {
@@ -129,13 +131,14 @@ class Study {
                           : "no";
   }
 
-  void add_transitions(const MarkovChain& chain, const StepMatrix& drawn, const StepMatrix& shown) {
+  void add_transitions(const MarkovChain& chain, const WalkCounts& counts, const StepMatrix& drawn,
+                       const StepMatrix& shown) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       std::uint64_t visits = 0;
-      for (const std::uint64_t count : counts_.transitions[i]) visits += count;
+      for (const std::uint64_t count : counts.transitions[i]) visits += count;
       for (std::size_t j = 0; visits > 0 && j < drawn.size(); ++j) {
         const double probability = drawn[i][j].nearest(), n = static_cast<double>(visits);
-        const std::uint64_t count = counts_.transitions[i][j];
+        const std::uint64_t count = counts.transitions[i][j];
         if (probability == 0 && count == 0) continue;
         const double z = z_score(static_cast<double>(count) - n * probability,
                                  std::sqrt(n * probability * (1 - probability)));
@@ -180,11 +183,10 @@ class Study {
   }
 
   const ExperimentContext& context_;
-  Table starts_{{"chain", "start", "until", "exact", "expected", "observed", "standard_error", "z",
-                 "walks", "agrees"}};
+  Table starts_{{"chain", "start", "until", "exact", "expected", "observed", "difference",
+                 "standard_error", "z", "walks", "agrees"}};
   Table transitions_{
       {"chain", "from", "to", "given", "probability", "observed", "visits", "z", "agrees"}};
-  WalkCounts counts_;  // of the chain at work
   double worst_ = 0;
   std::uint64_t disagreements_ = 0;
   ExperimentResult result_;
