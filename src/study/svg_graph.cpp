@@ -15,9 +15,11 @@ namespace {
 constexpr double kFontSize = 14, kLetterWidth = 8.6, kSmallestState = 30, kGap = 5,
                  kTitleHeight = 30;
 constexpr double kLoopHeight = 52,
-                 kLoopSpread = 0.45;  // of a self loop: reach, half angle at the state
-constexpr double kBend = 0.16;        // of an arrow: sideways, as a share of its length
-constexpr double kLabelPlace = 0.42;  // along an arrow: off the middle, where others cross
+                 kLoopSpread = 0.45;   // of a self loop: reach, half angle at the state
+constexpr double kBend = 0.16;         // of an arrow: sideways, as a share of its length
+constexpr double kLabelPlace = 0.42;   // along an arrow: off the middle, where others cross
+constexpr double kSmallestRing = 2.6;  // in radii of a state
+constexpr double kSpacing = 4.8;       // along the ring from state to state, in radii of a state
 constexpr double kHalfTurn = 0x1.921fb54442d18p+1;
 
 std::string escaped(const std::string& text) {
@@ -54,7 +56,7 @@ class Drawing {
     for (const std::string& state : graph.states) longest = std::max(longest, state.size());
     radius_ = std::max(kSmallestState, kLetterWidth * static_cast<double>(longest) / 2 + 6);
     const auto count = static_cast<double>(graph.states.size());
-    ring_ = count < 2 ? 0 : std::max(2.6 * radius_, 1.6 * radius_ * count / kHalfTurn * 1.5);
+    ring_ = count < 2 ? 0 : radius_ * std::max(kSmallestRing, kSpacing * count / (2 * kHalfTurn));
     std::size_t widest = 0;
     for (const StateGraph::Arrow& arrow : graph.arrows)
       widest = std::max(widest, arrow.label.size());
