@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <limits>
+
 #include "geom/bounded.h"
 #include "geom/exact.h"
 
@@ -13,6 +16,15 @@ template <class Formula>
 Sign decide(const Formula& formula) {
   if (const auto sign = formula([](double x) { return Bounded(x); }).sign()) return *sign;
   return formula([](double x) { return Rational(x); }).sign();
+}
+
+/// Nearest double to formula(number), rounded once, halves to even; the largest of its sign beyond
+/// the doubles. Never -0.
+template <class Formula>
+double round_once(const Formula& formula) {
+  if (const auto value = formula([](double x) { return Bounded(x); }).nearest()) return *value;
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::clamp(formula([](double x) { return Rational(x); }).nearest(), -largest, largest);
 }
 
 /// (b - a) x (d - c) in the arithmetic of `number`.

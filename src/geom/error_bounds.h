@@ -15,6 +15,11 @@ inline constexpr double kDetFilter = 0x1p-51;
 /// describe. At it, two such errors of 2^-1075 are under u^2 (|l| + |r|).
 inline constexpr double kDetFilterLeast = 0x1p-960;
 
+/// A sum of n such differences, added up in doubles, is off by at most (4u + n u (1 + n u)) times
+/// the sum of all |l| + |r|, itself off by a factor 1 + n u: 2u for each u of that covers both
+/// while n < 2^50.
+inline constexpr double kSumFilter = 0x1p-52;
+
 /// One operation on double-doubles loses at most 2^-102 of its result, or of its operands where
 /// they cancel: the neglected product of the low parts is u^2, and no operation rounds more than
 /// six terms below 2 u each by u.

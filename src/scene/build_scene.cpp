@@ -16,7 +16,8 @@ constexpr std::int64_t kMaxSeed = 0x7fffffffffffffff;  // what a TOML integer ho
 void read_version(Builder& builder, const Field& field, Scene&) {
   const auto version = builder.in.integer(field, 1, kMaxSeed);
   if (version && *version > kVersion)
-    builder.in.problem(field.value.where, fmt::format("scene version {} is newer than this program", *version),
+    builder.in.problem(field.value.where,
+                       fmt::format("scene version {} is newer than this program", *version),
                        fmt::format("it reads version {}", kVersion));
 }
 
@@ -70,8 +71,8 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables : {&film_tables, &entity_tables, &look_tables, &chamber_tables, &ray_tables,
-                       &markov_tables})
+  for (auto* tables :
+       {&film_tables, &entity_tables, &look_tables, &chamber_tables, &ray_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

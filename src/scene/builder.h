@@ -14,7 +14,7 @@ struct Builder {
   struct Named {
     std::uint32_t index = 0, count = 0;
   };
-  std::map<std::string, Named> entity_names;  ///< of the entities read so far
+  std::map<std::string, Named> entity_names{};  ///< of the entities read so far
 };
 
 /// Most entities, pillars, rays and states of one scene.

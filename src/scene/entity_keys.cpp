@@ -70,7 +70,8 @@ std::vector<Look> read_looks(Builder& builder, const Value& value, const std::st
   const bool is_list = value.kind == Value::Kind::array;
   std::vector<Look> looks(is_list ? value.items.size() : 1);
   for (std::size_t i = 0; i < looks.size(); ++i)
-    read_keys<Look>(builder, is_list ? value.items[i] : value, "state " + state, kLookKeys, looks[i]);
+    read_keys<Look>(builder, is_list ? value.items[i] : value, "state " + state, kLookKeys,
+                    looks[i]);
   return looks;
 }
 
@@ -141,8 +142,7 @@ std::vector<std::string> some_names(const Builder& builder) {
 }  // namespace
 
 void read_entities(Builder& builder, const Field& field, Scene&) {
-  each_table(builder, field, kMaxEntries,
-             [&](const Value& table) { read_entity(builder, table); });
+  each_table(builder, field, kMaxEntries, [&](const Value& table) { read_entity(builder, table); });
 }
 
 std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {

@@ -19,7 +19,8 @@ void read_size(Builder& builder, const Field& field, Film& film) {
       static_cast<std::uint64_t>(*width) * static_cast<std::uint64_t>(*height);
   if (pixels > builder.limits.max_pixels)
     return builder.in.problem(
-        field.value.where, fmt::format("{} {} x {} is {} pixels", field.name, *width, *height, pixels),
+        field.value.where,
+        fmt::format("{} {} x {} is {} pixels", field.name, *width, *height, pixels),
         fmt::format("the limit is {}; --max-pixels raises it", builder.limits.max_pixels));
   film.width = static_cast<int>(*width);
   film.height = static_cast<int>(*height);

@@ -10,7 +10,8 @@ namespace flatray {
 /// The files a scene refers to, each read once.
 class Imports {
  public:
-  /// Needs   `scene` outlives the object: paths are relative to its folder, and its own name gives its text.
+  /// Needs   `scene` outlives the object: paths are relative to its folder, and its own name gives
+  /// its text.
   Imports(SourcePtr scene, std::size_t max_file_bytes);
 
   /// Error   the file's own, at `where`.

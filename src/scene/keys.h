@@ -24,8 +24,8 @@ inline std::string key_path(const std::string& table, const char* key) {
   return table == "scene" ? key : table + "." + key;
 }
 
-/// Reads a table into `target`: unknown keys and missing ones are problems, the others are read in the order of
-/// `keys`, so that a key may build on those before it.
+/// Reads a table into `target`: unknown keys and missing ones are problems, the others are read in
+/// the order of `keys`, so that a key may build on those before it.
 template <class T>
 void read_keys(Builder& builder, const Value& table, const std::string& name,
                std::span<const Key<T>> keys, T& target) {
@@ -55,7 +55,8 @@ struct MemberOf<std::optional<M> T::*> {
 
 /// Reads a number, point, string or colour into a member.
 template <auto Pointer>
-void set(Builder& builder, const Field& field, typename MemberOf<decltype(Pointer)>::Owner& target) {
+void set(Builder& builder, const Field& field,
+         typename MemberOf<decltype(Pointer)>::Owner& target) {
   using Type = typename MemberOf<decltype(Pointer)>::Type;
   if (const auto value = builder.in.as(field, static_cast<const Type*>(nullptr)))
     target.*Pointer = *value;
@@ -90,9 +91,9 @@ template <class Read>
 void each_table(Builder& builder, const Field& field, std::size_t limit, const Read& read) {
   if (!builder.in.is(field, Value::Kind::array, "an array of tables")) return;
   if (field.value.items.size() > limit)
-    return builder.in.problem(field.value.where,
-                              fmt::format("{} has {} entries", field.name, field.value.items.size()),
-                              fmt::format("at most {}", limit));
+    return builder.in.problem(
+        field.value.where, fmt::format("{} has {} entries", field.name, field.value.items.size()),
+        fmt::format("at most {}", limit));
   for (const Value& item : field.value.items) read(item);
 }
 

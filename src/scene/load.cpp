@@ -36,7 +36,8 @@ Result<SceneDesc> describe(const SourcePtr& source, const std::vector<Override>&
   Result<SceneDesc> desc = (*format)->read(source);
   if (!desc) return desc;
   for (const Override& one : overrides)
-    if (Result<void> applied = apply_override(*desc, one); !applied) return fail(std::move(applied));
+    if (Result<void> applied = apply_override(*desc, one); !applied)
+      return fail(std::move(applied));
   return desc;
 }
 

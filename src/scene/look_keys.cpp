@@ -1,5 +1,6 @@
-#include "scene/keys.h"
 #include "scene/look_keys.h"
+
+#include "scene/keys.h"
 
 namespace flatray {
 namespace {

@@ -43,8 +43,7 @@ inline constexpr Key<T> kLayerKey = {{"layer", "whole number", "0"},
                                      &set_integer<&T::layer, -1000000, 1000000>};
 template <class T>
 constexpr Key<T> material_key(const char* fallback) {
-  return {{"material", R"("absorb" or "mirror")", fallback},
-          &set_word<&T::material, kMaterials>};
+  return {{"material", R"("absorb" or "mirror")", fallback}, &set_word<&T::material, kMaterials>};
 }
 template <class T>
 constexpr Key<T> fill_key(const char* fallback) {

@@ -60,7 +60,8 @@ struct ChainReader {
         rows.push_back(&member);
         chain.states.push_back(member.key);
       } else if (std::any_of(member.key.begin(), member.key.end(), is_upper)) {
-        in().problem(member.where, fmt::format("'{}' is no name of a state", member.key.substr(0, 64)),
+        in().problem(member.where,
+                     fmt::format("'{}' is no name of a state", member.key.substr(0, 64)),
                      "states are upper case: " + upper_case(member.key.substr(0, 64)));
       } else {
         lower.members.push_back(member);
@@ -76,9 +77,10 @@ struct ChainReader {
     const bool near = *value >= 0 && *value <= 1;
     Rational exact = decimal && near ? to_rational(*decimal) : Rational(*value);
     if (exact >= Rational(0) && exact <= Rational(1)) return exact;
-    in().problem(field.value.where,
-                 fmt::format("probability {} is {}", field.name, source_text(field.value).substr(0, 40)),
-                 "it must lie between 0 and 1");
+    in().problem(
+        field.value.where,
+        fmt::format("probability {} is {}", field.name, source_text(field.value).substr(0, 40)),
+        "it must lie between 0 and 1");
     return std::nullopt;
   }
 
@@ -103,19 +105,20 @@ struct ChainReader {
     const std::string near = nearest_word(step.key, chain.states);
     std::string message = fmt::format("state '{}' has no row", step.key.substr(0, 64));
     if (!near.empty()) message += fmt::format(" (did you mean '{}'?)", near);
-    in().problem(step.where, std::move(message),
-                 fmt::format("if it ends there, write {0} = {{ {0} = 1 }}", step.key.substr(0, 64)));
+    in().problem(
+        step.where, std::move(message),
+        fmt::format("if it ends there, write {0} = {{ {0} = 1 }}", step.key.substr(0, 64)));
     return std::nullopt;
   }
 
   void check_sum(const Member& member, const ChainRow& steps) {
     const Rational sum = total_probability(steps), rest = Rational(1) - sum;
     const bool missing = rest.sign() == Sign::positive;
-    in().problem(member.where,
-                 fmt::format("transitions out of {} sum to {}", member.key, decimal_text(sum)),
-                 fmt::format("they must sum to 1: {}, or say repair = {}",
-                             missing ? "add " + decimal_text(rest) : "take " + decimal_text(-rest) + " away",
-                             missing ? R"("to-start", "to-self" or "scaled")" : "\"scaled\""));
+    in().problem(
+        member.where, fmt::format("transitions out of {} sum to {}", member.key, decimal_text(sum)),
+        fmt::format("they must sum to 1: {}, or say repair = {}",
+                    missing ? "add " + decimal_text(rest) : "take " + decimal_text(-rest) + " away",
+                    missing ? R"("to-start", "to-self" or "scaled")" : "\"scaled\""));
   }
 
   void add(StateId self, ChainRow steps) {
@@ -127,7 +130,8 @@ struct ChainReader {
       return step.probability.sign() == Sign::positive;
     });
     if (static_cast<std::size_t>(possible) > chain.rows.back().size())
-      in().warning(rows[self]->where, fmt::format("{} has steps that are never taken", rows[self]->key),
+      in().warning(rows[self]->where,
+                   fmt::format("{} has steps that are never taken", rows[self]->key),
                    "draws have 64 bits: probabilities below 2^-64 are lost");
     std::vector<double>& doubles = chain.probabilities.emplace_back(chain.states.size(), 0.0);
     std::vector<std::string>& texts = chain.fractions.emplace_back(chain.states.size(), "0");
@@ -143,7 +147,8 @@ struct ChainReader {
       in().problem(table.where, fmt::format("chain '{}' has no states", chain.name),
                    "write STATE = { STATE = 1 }");
     if (rows.size() > kMaxStates)
-      return in().problem(table.where, fmt::format("chain '{}' has {} states", chain.name, rows.size()),
+      return in().problem(table.where,
+                          fmt::format("chain '{}' has {} states", chain.name, rows.size()),
                           fmt::format("at most {}", kMaxStates));
     chain.hold = settings.hold;
     for (StateId self = 0; self < rows.size(); ++self)
@@ -216,6 +221,8 @@ void read_chains(Builder& builder, const Field& field, Scene& scene) {
   }
 }
 
-std::vector<TableInfo> markov_tables() { return {{"markov.NAME", key_infos<ChainSettings>(kChainKeys)}}; }
+std::vector<TableInfo> markov_tables() {
+  return {{"markov.NAME", key_infos<ChainSettings>(kChainKeys)}};
+}
 
 }  // namespace flatray

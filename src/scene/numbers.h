@@ -7,7 +7,8 @@
 
 namespace flatray {
 
-/// A decimal exactly as written: +-digits * 10^exponent, `digits` without zeros at its ends; zero has none.
+/// A decimal exactly as written: +-digits * 10^exponent, `digits` without zeros at its ends; zero
+/// has none.
 struct Decimal {
   bool negative = false;
   std::string digits;
@@ -20,7 +21,8 @@ struct Decimal {
 std::optional<Decimal> parse_decimal(std::string_view text);
 Rational to_rational(const Decimal& decimal);
 
-/// A rational that is a finite decimal, written out; others, and very long ones, as the nearest double.
+/// A rational that is a finite decimal, written out; others, and very long ones, as the nearest
+/// double.
 std::string decimal_text(const Rational& value);
 
 /// A number read from its source text, and what reading lost.

@@ -31,7 +31,8 @@ class ObjReader {
   }
 
  private:
-  // An index as written, before the number of vertices is known: the place tells it again if it is wrong.
+  // An index as written, before the number of vertices is known: the place tells it again if it is
+  // wrong.
   struct Corner {
     std::int64_t index;
     std::size_t offset;
@@ -107,7 +108,8 @@ class ObjReader {
                        "a vertex reads v x y [z [w]]");
       if (count < 2) xy[count] = *value;
     }
-    if (count < 2) return problem(record, "a vertex has no x and y", "a vertex reads v x y [z [w]]");
+    if (count < 2)
+      return problem(record, "a vertex has no x and y", "a vertex reads v x y [z [w]]");
     obj_.vertices.emplace_back(xy[0], xy[1]);
   }
 

@@ -11,9 +11,9 @@ namespace flatray {
 /// Vertices, faces and lines of a Wavefront OBJ text, z dropped; what else it holds is only named.
 struct ObjText {
   std::vector<Vec2> vertices;
-  struct Chains {                           ///< faces, or polylines
-    std::vector<std::uint32_t> corners;     ///< numbers of vertices, from 0
-    std::vector<std::uint32_t> begin{0};    ///< chain i is corners [begin[i], begin[i + 1])
+  struct Chains {                         ///< faces, or polylines
+    std::vector<std::uint32_t> corners;   ///< numbers of vertices, from 0
+    std::vector<std::uint32_t> begin{0};  ///< chain i is corners [begin[i], begin[i + 1])
     std::size_t size() const { return begin.size() - 1; }
   } faces, lines;
   std::vector<std::string> ignored;  ///< records passed over: "vt", "usemtl", each once, at most 8

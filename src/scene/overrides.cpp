@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view kPrefix = "-D ";
 
-// The value at the end of a dotted key is what was written after "="; the tables before it stand at their keys.
+// The value at the end of a dotted key is what was written after "="; the tables before it stand at
+// their keys.
 bool is_part_of_key(const Value& value) {
   return value.kind == Value::Kind::table && !source_text(value).starts_with('{');
 }
@@ -32,7 +33,8 @@ Result<Value*> entry(Value& array, const Member& step) {
   if (parsed.ec == std::errc{} && parsed.ptr == end) {
     if (index < array.items.size()) return &array.items[index];
     return fail(step.where, fmt::format("there is no entry {}", index),
-                fmt::format("the scene has {}, counted from 0", array.items.size()), Trouble::usage);
+                fmt::format("the scene has {}, counted from 0", array.items.size()),
+                Trouble::usage);
   }
   for (Value& item : array.items)
     if (const Member* name = item.find("name"); name != nullptr && name->value.text == step.key)
@@ -67,8 +69,8 @@ Result<void> put(Value* target, const Member* step) {
 }
 
 bool is_one_key(const Value& table) {
-  return table.members.size() == 1 && (!is_part_of_key(table.members.front().value) ||
-                                       is_one_key(table.members.front().value));
+  return table.members.size() == 1 &&
+         (!is_part_of_key(table.members.front().value) || is_one_key(table.members.front().value));
 }
 
 }  // namespace

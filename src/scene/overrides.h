@@ -4,10 +4,11 @@
 
 namespace flatray {
 
-/// Puts `-D key=value` into a description: keys that are not there are made, array entries are chosen by number from
-/// 0 or by their name.
+/// Puts `-D key=value` into a description: keys that are not there are made, array entries are
+/// chosen by number from 0 or by their name.
 ///
-/// Error   Trouble::usage, at a place called "-D key". Unknown keys are found when the scene is built.
+/// Error   Trouble::usage, at a place called "-D key". Unknown keys are found when the scene is
+/// built.
 Result<void> apply_override(SceneDesc& desc, const Override& override_value);
 
 /// Whether a place lies in an override.

@@ -66,7 +66,7 @@ void read_rays(Builder& builder, const Field& field, Scene& scene) {
 
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
   each_table(builder, field, kMaxEntries, [&](const Value& table) {
-    EdgeRays rays{0, 0, {1.5, true, kGrey}, kBlue, kGreen, kRed, 0};
+    EdgeRays rays{0, 0, {1.5, true, kGrey}, kBlue, kGreen, kRed, 0, table.where};
     read_keys<EdgeRays>(builder, table, "edge_rays", kEdgeRayKeys, rays);
     scene.edge_rays.push_back(rays);
   });

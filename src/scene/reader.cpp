@@ -31,7 +31,8 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   const std::optional<Number> number = parse_literal(text);  // 1e3, 0xff
   if (!number || number->loss != Number::Loss::none) return std::nullopt;
   constexpr double limit = 0x1p63;
-  if (number->value < -limit || number->value >= limit || number->value != std::floor(number->value))
+  if (number->value < -limit || number->value >= limit ||
+      number->value != std::floor(number->value))
     return std::nullopt;
   return static_cast<std::int64_t>(number->value);
 }
@@ -124,7 +125,8 @@ std::optional<Vec2> Reader::point(const Field& field) {
 std::optional<std::string> Reader::string(const Field& field) {
   if (!is(field, Value::Kind::string, "a string")) return std::nullopt;
   if (field.value.text.size() <= kMaxStringBytes) return field.value.text;
-  problem(field.value.where, fmt::format("{} is {} bytes long", field.name, field.value.text.size()),
+  problem(field.value.where,
+          fmt::format("{} is {} bytes long", field.name, field.value.text.size()),
           fmt::format("strings end at {} bytes", kMaxStringBytes));
   return std::nullopt;
 }

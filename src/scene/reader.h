@@ -23,8 +23,9 @@ struct Field {
 template <class E>
 using Word = std::pair<const char*, E>;
 
-/// Turns values into numbers, points, colours, words. What is wrong goes to `problems`, what is only doubtful to
-/// `warnings`; the answer is then nullopt and reading goes on, so that all mistakes are found in one run.
+/// Turns values into numbers, points, colours, words. What is wrong goes to `problems`, what is
+/// only doubtful to `warnings`; the answer is then nullopt and reading goes on, so that all
+/// mistakes are found in one run.
 class Reader {
  public:
   Diagnostics problems, warnings;
@@ -36,7 +37,8 @@ class Reader {
   /// Whether `field` is of a kind; a mismatch is reported.
   bool is(const Field& field, Value::Kind kind, const char* expected);
 
-  /// Nearest double; warned of where an integer or a small number is lost, refused where not finite.
+  /// Nearest double; warned of where an integer or a small number is lost, refused where not
+  /// finite.
   std::optional<double> number(const Field& field);
   /// An integer in [low, high], exact beyond 2^53 too.
   std::optional<std::int64_t> integer(const Field& field, std::int64_t low, std::int64_t high);

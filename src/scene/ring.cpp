@@ -67,11 +67,11 @@ void add_ring(Shape& shape, std::span<const Vec2> ring, std::int32_t first_edge)
   const CleanRing clean = clean_ring(ring);
   const ConvexPieces pieces = convex_pieces(clean.vertices);
   for (std::size_t i = 0; i + 1 < pieces.begin.size(); ++i)
-    append_piece(shape, std::span(pieces.vertices)
-                            .subspan(pieces.begin[i], pieces.begin[i + 1] - pieces.begin[i]));
+    append_piece(
+        shape,
+        std::span(pieces.vertices).subspan(pieces.begin[i], pieces.begin[i + 1] - pieces.begin[i]));
   for (const std::int32_t edge : pieces.edges)
-    shape.edges.push_back(
-        edge < 0 ? -1 : first_edge + clean.edges[static_cast<std::size_t>(edge)]);
+    shape.edges.push_back(edge < 0 ? -1 : first_edge + clean.edges[static_cast<std::size_t>(edge)]);
 }
 
 void add_triangle(Shape& shape, std::span<const Vec2, 3> corners, bool clockwise,

@@ -9,7 +9,8 @@ namespace flatray {
 
 struct Member;
 
-/// One value of a scene as it was written, with its place. Numbers stay text until a key reads them.
+/// One value of a scene as it was written, with its place. Numbers stay text until a key reads
+/// them.
 struct Value {
   enum class Kind { boolean, number, string, array, table, date };
 

@@ -1,7 +1,8 @@
 #pragma once
 #include "scene/builder.h"
 
-/// The parts of a scene, each with its key tables in a file of its own. Every reader adds to `builder.scene`; the
+/// The parts of a scene, each with its key tables in a file of its own. Every reader adds to
+/// `builder.scene`; the
 /// `*_tables` say what keys there are.
 namespace flatray {
 

@@ -62,7 +62,11 @@ void append(Diagnostics& to, Diagnostics&& from) {
 }  // namespace
 
 Args::Args(Field field, std::span<const KeyInfo> keys, Reader& in, Imports& imports)
-    : where(field.value.where), field_(std::move(field)), keys_(keys), in_(&in), imports_(&imports) {
+    : where(field.value.where),
+      field_(std::move(field)),
+      keys_(keys),
+      in_(&in),
+      imports_(&imports) {
   check_keys(field_.value, field_.name, keys, in.problems);
   for (const KeyInfo& key : keys)
     if (key.fallback == kRequired && field_.value.find(key.name) == nullptr)
@@ -73,8 +77,9 @@ Args::Args(Field field, std::span<const KeyInfo> keys, Reader& in, Imports& impo
 std::optional<Field> Args::find(const char* key) const {
   const Member* member = field_.value.find(key);
   if (member == nullptr) return std::nullopt;
-  const auto info = std::find_if(keys_.begin(), keys_.end(),
-                                 [&](const KeyInfo& known) { return std::string_view(known.name) == key; });
+  const auto info = std::find_if(keys_.begin(), keys_.end(), [&](const KeyInfo& known) {
+    return std::string_view(known.name) == key;
+  });
   return Field{field_.name + "." + key, member->value, info == keys_.end() ? "" : info->takes};
 }
 

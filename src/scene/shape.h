@@ -10,8 +10,8 @@
 
 namespace flatray {
 
-/// The arguments of a shape, read by name. A wrong or missing one is noted and stands in as 0 or empty: the shape is
-/// then refused for that alone, whatever `build` says.
+/// The arguments of a shape, read by name. A wrong or missing one is noted and stands in as 0 or
+/// empty: the shape is then refused for that alone, whatever `build` says.
 class Args {
  public:
   Args(Field field, std::span<const KeyInfo> keys, Reader& in, Imports& imports);

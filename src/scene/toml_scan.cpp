@@ -5,7 +5,8 @@
 namespace flatray {
 namespace {
 
-// One past the string that begins at `begin`, of any of the four kinds; unclosed ones end with their line or text.
+// One past the string that begins at `begin`, of any of the four kinds; unclosed ones end with
+// their line or text.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool basic = quote == '"';

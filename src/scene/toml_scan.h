@@ -12,8 +12,8 @@ struct TomlLoad {
 };
 inline constexpr std::size_t kMaxKeyParts = 64;
 
-/// Right for every text up to its first mistake of syntax, and a parser stops there. Strings and comments are
-/// passed over.
+/// Right for every text up to its first mistake of syntax, and a parser stops there. Strings and
+/// comments are passed over.
 TomlLoad scan_toml(std::string_view text);
 
 }  // namespace flatray

@@ -28,7 +28,8 @@ std::vector<TableInfo> vocabulary();
 void check_keys(const Value& table, std::string_view table_name, std::span<const KeyInfo> keys,
                 Diagnostics& problems);
 
-/// "unknown WHAT 'word' (did you mean 'near'?)", with all of `known` as the hint where none is near.
+/// "unknown WHAT 'word' (did you mean 'near'?)", with all of `known` as the hint where none is
+/// near.
 Diagnostic unknown_word(Place where, std::string_view what, std::string_view word,
                         const std::vector<std::string>& known);
 

@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "geom/bounds.h"
-#include "geom/hit_time.h"
+#include "geom/clip_range.h"
 #include "geom/polygon.h"
 #include "trace/kernels/tiers.h"
 #include "trace/ray_block.h"
 
 namespace flatray {
 namespace {
-
-struct Verdicts {
-  std::array<double, kRayBlock> enter, exit, start;
-};
 
 // The ring closed by its first vertex, and its box.
 struct ClosedRing {
@@ -25,41 +21,26 @@ struct ClosedRing {
   }
 };
 
-lanes::Polygon lane_polygon(const ClosedRing& ring, Sign turn, Range within) {
-  return {ring.vertices.front().data(),
-          static_cast<int>(ring.vertices.size() - 1),
-          static_cast<double>(turn),
-          within.low,
-          within.high,
-          ring.box.low.x(),
-          ring.box.low.y(),
-          ring.box.high.x(),
-          ring.box.high.y()};
+lanes::Polygon lane_polygon(const ClosedRing& ring) {
+  return {ring.vertices.front().data(), static_cast<int>(ring.vertices.size() - 1),
+          ring.box.low.x(),             ring.box.low.y(),
+          ring.box.high.x(),            ring.box.high.y()};
 }
 
-// t where the ray crosses an edge, or the end of the range where there is none.
-void finish_end(const Ray& ray, const ClosedRing& ring, double edge, double range_end, int& number,
-                double& t, bool& overflows) {
-  t = range_end;
-  if (edge < 0) return;
-  number = static_cast<int>(edge);
-  const auto from = static_cast<std::size_t>(number);
-  const RoundedTime time =
-      HitTime::on_line(ray, {ring.vertices[from], ring.vertices[from + 1]}).nearest();
-  t = time.t;
-  overflows = time.overflows;
+HitTime time_on_edge(const Ray& ray, const ClosedRing& ring, int edge) {
+  const auto from = static_cast<std::size_t>(edge);
+  return HitTime::on_line(ray, {ring.vertices[from], ring.vertices[from + 1]});
 }
 
-HitInterval finish_through(const Ray& ray, const ClosedRing& ring, Range within,
-                           const Verdicts& verdicts, std::size_t i) {
-  HitInterval hit;
-  hit.kind = HitClass::through;
-  hit.start = verdicts.start[i] > 0 ? StartPlace::inside : StartPlace::outside;
-  finish_end(ray, ring, verdicts.enter[i], within.low, hit.edge_enter, hit.t_enter,
-             hit.enter_overflows);
-  finish_end(ray, ring, verdicts.exit[i], within.high, hit.edge_exit, hit.t_exit,
-             hit.exit_overflows);
-  return hit;
+// A counter-clockwise ring is entered where its vertices change from left to right.
+HitInterval finish(const Ray& ray, const ClosedRing& ring, Sign turn, double down, double up,
+                   Range within) {
+  const bool forward = turn == Sign::positive;
+  const int enter = static_cast<int>(forward ? down : up);
+  const int exit = static_cast<int>(forward ? up : down);
+  return clip_to_range({time_on_edge(ray, ring, enter), time_on_edge(ray, ring, exit), enter, exit,
+                        HitClass::through},
+                       within);
 }
 
 }  // namespace
@@ -67,27 +48,23 @@ HitInterval finish_through(const Ray& ray, const ClosedRing& ring, Range within,
 void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Range within,
                        std::span<HitInterval> intervals, Isa isa) {
   const Sign turn = polygon.empty() ? Sign::zero : ring_orientation(polygon);
-  if (turn == Sign::zero) {
+  if (turn == Sign::zero) {  // a segment or a point
     for (std::size_t i = 0; i < rays.size(); ++i)
       intervals[i] = clip_convex(rays.ray(i), polygon, within);
     return;
   }
   const ClosedRing ring(polygon);
-  const lanes::Polygon lane_ring = lane_polygon(ring, turn, within);
+  const lanes::Polygon lane_ring = lane_polygon(ring);
   RayBlock block;
-  Verdicts verdicts;
+  std::array<double, kRayBlock> down, up;
   for (std::size_t begin = 0; begin < rays.size(); begin += kRayBlock) {
     const std::size_t count = block.load(rays, begin);
-    lane_kernels(isa).clip(lane_ring, block.lanes(),
-                           {verdicts.enter.data(), verdicts.exit.data(), verdicts.start.data()});
+    lane_kernels(isa).clip(lane_ring, block.lanes(), {down.data(), up.data()});
     for (std::size_t i = 0; i < count; ++i) {
       const Ray ray = rays.ray(begin + i);
-      if (verdicts.enter[i] == lanes::kMissed)
-        intervals[begin + i] = {};
-      else if (verdicts.enter[i] == lanes::kUnsure)
-        intervals[begin + i] = clip_convex(ray, polygon, within);
-      else
-        intervals[begin + i] = finish_through(ray, ring, within, verdicts, i);
+      intervals[begin + i] = down[i] == lanes::kMissed   ? HitInterval{}
+                             : down[i] == lanes::kUnsure ? clip_convex(ray, polygon, within)
+                                                         : finish(ray, ring, turn, down[i], up[i], within);
     }
   }
 }

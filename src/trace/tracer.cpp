@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 namespace flatray {
 
 #define FLATRAY_ENTRY(name) extern const Tracer name##_tracer;
@@ -21,6 +23,14 @@ const Tracer* find_tracer(std::string_view name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Tracer* each) { return each->name == name; });
   return found == all.end() ? nullptr : *found;
+}
+
+const Tracer& usual_tracer() {
+  const std::vector<const Tracer*> all = tracers();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const Tracer* each) { return each->exact; });
+  FLATRAY_CHECK(found != all.end(), "no exact tracer is registered in this build");
+  return **found;
 }
 
 }  // namespace flatray

@@ -22,5 +22,7 @@ struct Tracer {
 std::vector<const Tracer*> tracers();
 /// The tracer called `name`, or nullptr.
 const Tracer* find_tracer(std::string_view name);
+/// The exact tracer used unless another is asked for.
+const Tracer& usual_tracer();
 
 }  // namespace flatray

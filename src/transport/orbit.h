@@ -5,6 +5,7 @@
 
 #include "scene/scene.h"
 #include "trace/surfaces.h"
+#include "trace/tracer.h"
 
 namespace flatray {
 
@@ -39,9 +40,20 @@ struct Orbit {
 /// Follows a ray from mirror to mirror in exact decisions and double constructions (design, decision 4): a straight
 /// wall just left is excluded by its number, a circle only in the root stood on. No epsilon.
 ///
-/// Needs   `materials` by surface; a direction that is not zero.
-/// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on the inner side.
+/// Needs   `materials` by surface; a direction that is not zero; an exact tracer.
+/// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end of one, is a corner
+///         without a bounce; a start along its wall, or on the tangent of its circle, ends as `along`. A circle reflects
+///         on both sides; touched in one point it is passed by. A corner whose walls all absorb absorbs. With
+///         0 bounces only the start is looked at.
+/// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on the inner side by at
+///         most 2 more; the length of the direction within 4 ulp of the start's, after any number of bounces.
+/// Cost    a bounce 1 to 2 us, and a box test for every wall.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
-                  std::uint64_t bounces);
+                  std::uint64_t bounces, const Tracer& tracer = usual_tracer());
+
+/// The orbits of many rays, advanced together so that the tracer gets them in batches. Each is what trace_orbit gives.
+std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
+                                std::span<const Ray> starts, std::uint64_t bounces,
+                                const Tracer& tracer = usual_tracer());
 
 }  // namespace flatray

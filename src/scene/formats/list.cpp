@@ -16,8 +16,8 @@ Value pair(double x, double y) { return array_value({}, {built_in_number(x), bui
 Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
 
 Value block() {
-  Value box = table_value({}, {member("min", pair(0, 0)),
-                               member("max", pair(kBlockWidth, kBlockHeight))});
+  Value box =
+      table_value({}, {member("min", pair(0, 0)), member("max", pair(kBlockWidth, kBlockHeight))});
   return table_value({}, {member("box", std::move(box))});
 }
 
@@ -53,7 +53,8 @@ class ListReader {
     const std::string_view whole = line;
     const bool opened = line.starts_with('{'), closed = line.ends_with('}') && line.size() > 1;
     if (opened != closed)
-      return fail(place(whole), opened ? "the closing brace is missing" : "the opening brace is missing",
+      return fail(place(whole),
+                  opened ? "the closing brace is missing" : "the opening brace is missing",
                   kLineHint);
     if (opened) line = line.substr(1, line.size() - 2);
     return read_fields(whole, line);
@@ -108,7 +109,8 @@ constexpr std::string_view kExtensions[] = {"txt", "list"};
 
 }  // namespace
 
-extern const Format list = {"list", "the paper's object list: a line { NAME, x, y } each", kExtensions,
-                            &recognises, &read, nullptr};
+extern const Format list = {"list",      "the paper's object list: a line { NAME, x, y } each",
+                            kExtensions, &recognises,
+                            &read,       nullptr};
 
 }  // namespace flatray::scene_formats

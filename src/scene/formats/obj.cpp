@@ -7,7 +7,8 @@
 namespace flatray::scene_formats {
 namespace {
 
-// Where the vertices go before any decision is made about them, so that decisions are about the final doubles.
+// Where the vertices go before any decision is made about them, so that decisions are about the
+// final doubles.
 bool lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
   Bounds bounds;
   for (const Vec2& vertex : vertices) bounds.add(vertex);
@@ -82,7 +83,8 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const Place& file, Diagno
     warnings.push_back({file, plural(maker.flat, "face") + " without area left out",
                         "z is dropped: faces seen edge-on have none"});
   if (maker.crossing > 0)
-    warnings.push_back({file, plural(maker.crossing, "face") + " that cross themselves left out", ""});
+    warnings.push_back(
+        {file, plural(maker.crossing, "face") + " that cross themselves left out", ""});
   std::string ignored;
   for (const std::string& record : obj.ignored) ignored += (ignored.empty() ? "" : ", ") + record;
   if (!ignored.empty()) warnings.push_back({file, ignored + " ignored", "v, f and l are read"});
@@ -136,7 +138,8 @@ Result<SceneDesc> read(const SourcePtr& source) {
 bool recognises(std::string_view text) {
   const std::string_view line = first_line(text);
   const std::string_view record = line.substr(0, line.find_first_of(" \t"));
-  for (const std::string_view known : {"v", "vn", "vt", "o", "g", "f", "l", "s", "mtllib", "usemtl"})
+  for (const std::string_view known :
+       {"v", "vn", "vt", "o", "g", "f", "l", "s", "mtllib", "usemtl"})
     if (record == known && line.find('=') == std::string_view::npos) return true;
   return false;
 }

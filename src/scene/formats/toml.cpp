@@ -1,4 +1,3 @@
-#define TOML_HEADER_ONLY 0
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
@@ -14,8 +13,8 @@ constexpr std::size_t kMaxValues = 4'000'000;
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// Bytes of toml++'s positions, which count code points. The last line asked for is kept, so that a file of one long
-// line costs no more than one of many.
+// Bytes of toml++'s positions, which count code points. The last line asked for is kept, so that a
+// file of one long line costs no more than one of many.
 class Positions {
  public:
   explicit Positions(SourcePtr source) : source_(std::move(source)) {}
@@ -60,9 +59,8 @@ Value convert_table(const ::toml::table& table, Positions& positions, Place wher
     value.members.push_back(
         {std::string(key.str()), positions.place(key.source()), convert(node, positions)});
   // toml++ sorts by name.
-  std::sort(value.members.begin(), value.members.end(), [](const Member& a, const Member& b) {
-    return a.where.offset < b.where.offset;
-  });
+  std::sort(value.members.begin(), value.members.end(),
+            [](const Member& a, const Member& b) { return a.where.offset < b.where.offset; });
   return value;
 }
 
@@ -84,7 +82,11 @@ Value convert(const ::toml::node& node, Positions& positions) {
     case ::toml::node_type::string:
       return string_value(std::move(where), node.as_string()->get());
     case ::toml::node_type::boolean:
-      return {Value::Kind::boolean, std::move(where), node.as_boolean()->get() ? "true" : "false", {}, {}};
+      return {Value::Kind::boolean,
+              std::move(where),
+              node.as_boolean()->get() ? "true" : "false",
+              {},
+              {}};
     case ::toml::node_type::integer:
     case ::toml::node_type::floating_point:
       return {Value::Kind::number, std::move(where), {}, {}, {}};
@@ -140,8 +142,8 @@ Result<void> check_load(const SourcePtr& source) {
                 fmt::format("TOML scenes end at {} bytes; import outlines instead", kMaxBytes));
   const TomlLoad load = scan_toml(text);
   if (load.deep_key)
-    return fail({source, *load.deep_key, 1}, fmt::format("a key of more than {} parts", kMaxKeyParts),
-                "");
+    return fail({source, *load.deep_key, 1},
+                fmt::format("a key of more than {} parts", kMaxKeyParts), "");
   if (load.values > kMaxValues)
     return fail(named_place(source->name()), fmt::format("the scene holds {} values", load.values),
                 fmt::format("at most {}; import outlines instead", kMaxValues));
@@ -165,8 +167,7 @@ constexpr std::string_view kExtensions[] = {"toml"};
 
 }  // namespace
 
-extern const Format toml = {"toml",       "flatray's own scenes: docs/SCENE_FORMAT.md",
-                            kExtensions,  &recognises,
-                            &read,        nullptr};
+extern const Format toml = {
+    "toml", "flatray's own scenes: docs/SCENE_FORMAT.md", kExtensions, &recognises, &read, nullptr};
 
 }  // namespace flatray::scene_formats

@@ -110,80 +110,29 @@ void nearest(const Walls& walls, const Rays& rays, const Nearest& found) {
   }
 }
 
-// One end of a hit interval: the greatest t seen, in [low, high], its edge, and the most any other edge could have.
-// The far end is kept with its sign turned, so that it too is a greatest.
-struct End {
-  Real low, high, edge = all(kNoEdge), other = all(-kInfinite);
-  explicit End(double range_end) : low(all(range_end)), high(all(range_end)) {}
-  void offer(Mask given, Real new_low, Real new_high, int k) {
-    const Mask beyond = both(given, less(low, new_low));
-    const Real loser = choose(beyond, high, new_high);
-    other = choose(both(given, less(other, loser)), loser, other);
-    edge = choose(beyond, all(k), edge);
-    low = choose(beyond, new_low, low);
-    high = choose(beyond, new_high, high);
-  }
+// The line of a ray crosses a convex ring where its vertices change sides: one edge down, from left to right, and one
+// up. Any vertex not surely beside the line leaves the ray unsure.
+struct Crossings {
+  Real down = all(kMissed), up = all(kMissed);
+  Mask sure = equal(all(0), all(0));
 };
-
-// A clip in progress: how far it is decided, and where the origins lie.
-struct Clipping {
-  End enter, exit;
-  Mask none, unsure, missed, outside;
-  explicit Clipping(const Polygon& p) : enter(p.low), exit(-p.high) {
-    none = less(all(0), all(0));
-    unsure = missed = outside = none;
-  }
-};
-
-// Rays surely parallel to an edge: both along the same axis.
-Mask parallel(const Group& g, const double* a) {
-  const Mask none = less(all(0), all(0));
-  const Mask level = a[1] == a[3] ? equal(g.dy, all(0)) : none;
-  return either(level, a[0] == a[2] ? equal(g.dx, all(0)) : none);
-}
-
-void clip_edge(const Group& g, const Polygon& p, int k, const Seen& a, const Seen& b, Clipping& c) {
-  const Real d = (b.side - a.side) * all(p.turn), n = (a.x * b.y - a.y * b.x) * all(p.turn);
-  const Real width = size(d), height = size(n);
-  const Mask certain = less(g.numerator, height), negative = less(n, all(0));
-  const Mask entering = less(d, all(0)), along = parallel(g, p.vertices + 2 * k);
-  const Real least = (height - g.numerator) / (width + g.denominator);
-  const Real most = (height + g.numerator) / (width - g.denominator);
-  const Mask bounded = both(both(certain, less(g.denominator, width)),
-                            both(less(all(kLeast), least), less(most, all(kInfinite))));
-  const Mask crossing = but_not(bounded, along);
-  // t has the sign of n d; the far end turns it once more, so that both ends have the sign opposite to n.
-  const Real low = choose(negative, least, all(0) - most), high = choose(negative, most, all(0) - least);
-  c.enter.offer(both(crossing, entering), low, high, k);
-  c.exit.offer(but_not(crossing, entering), low, high, k);
-  c.outside = either(c.outside, both(certain, negative));
-  c.missed = either(c.missed, both(along, both(certain, negative)));
-  c.unsure = either(c.unsure, but_not(equal(all(0), all(0)), either(crossing, both(along, certain))));
-}
-
-void store_clip(const Clipping& c, int i, const Clip& result) {
-  // What is missed for sure stays so whatever an unsure edge would add.
-  const Mask missed = either(c.missed, less(all(0) - c.exit.low, c.enter.low));
-  const Mask ends = both(less(c.enter.other, c.enter.low), less(c.exit.other, c.exit.low));
-  const Mask sure = but_not(both(ends, less(c.enter.high, all(0) - c.exit.high)), c.unsure);
-  const Real verdict = choose(sure, c.enter.edge, all(kUnsure));
-  store(result.enter + i, choose(missed, all(kMissed), verdict));
-  store(result.exit + i, c.exit.edge);
-  store(result.start + i, choose(c.outside, all(0), all(1)));
-}
 
 void clip(const Polygon& polygon, const Rays& rays, const Clip& result) {
   for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
     const Group g = load_group(rays, i, polygon);
-    Clipping c(polygon);
-    c.unsure = both(equal(g.dx, all(0)), equal(g.dy, all(0)));
-    Seen a = see(g, polygon.vertices[0], polygon.vertices[1]);
+    const Real left = g.side, right = all(0) - g.side;
+    Crossings c;
+    Real a = see(g, polygon.vertices[0], polygon.vertices[1]).side;
     for (int k = 0; k < polygon.count; ++k) {
-      const Seen b = see(g, polygon.vertices[2 * k + 2], polygon.vertices[2 * k + 3]);
-      clip_edge(g, polygon, k, a, b, c);
+      const Real b = see(g, polygon.vertices[2 * k + 2], polygon.vertices[2 * k + 3]).side;
+      const Mask b_right = less(b, right), b_left = less(left, b);
+      c.sure = both(c.sure, either(b_left, b_right));
+      c.down = choose(both(less(left, a), b_right), all(k), c.down);
+      c.up = choose(both(less(a, right), b_left), all(k), c.up);
       a = b;
     }
-    store_clip(c, i, result);
+    store(result.down + i, choose(c.sure, c.down, all(kUnsure)));
+    store(result.up + i, c.up);
   }
 }
 

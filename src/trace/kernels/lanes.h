@@ -40,17 +40,15 @@ inline constexpr double kNothing = -1, kDoubtful = -2;
 struct Polygon {
   const double* vertices;  ///< x, y of each, `count` of them and the first again
   int count;
-  double turn;         ///< 1 counter-clockwise, -1 clockwise
-  double low, high;    ///< range of t asked for
-  double low_x, low_y, high_x, high_y;
+  double low_x, low_y, high_x, high_y;  ///< box of them
 };
 
-/// By ray. enter >= -1: surely through the inside, by these edges (-1: the end of the range), and the origin surely
-/// inside (start 1) or outside (start 0). enter == kMissed, kUnsure: as they say.
+/// By ray: the edges at which the vertices surely change from the left to the right of its line and back, all
+/// others surely being beside it. kMissed: the line passes beside the polygon. kUnsure in `down`: to be decided.
 struct Clip {
-  double *enter, *exit, *start;
+  double *down, *up;
 };
-inline constexpr double kMissed = -2, kUnsure = -3;
+inline constexpr double kMissed = -1, kUnsure = -2;
 
 struct Kernels {
   void (*nearest)(const Walls&, const Rays&, const Nearest&);

@@ -1,0 +1,99 @@
+#include "geom/clip_range.h"
+#include "geom/cyrus_beck.h"
+#include "geom/decide.h"
+#include "geom/polygon.h"
+#include "geom/polygon_edges.h"
+
+namespace flatray {
+namespace {
+
+// The candidate interval as the paper keeps it: edge after edge.
+class Candidate {
+ public:
+  explicit Candidate(Range within) : within_(within) { line_.kind = HitClass::through; }
+
+  // `inside` is the sign of the numerator, `way` that of the denominator.
+  void add(int edge, Sign inside, Sign way, const HitTime& time) {
+    if (inside == Sign::negative) outside_ = true;
+    if (inside == Sign::zero) boundary_ = true;
+    if (way == Sign::negative && is_beyond(time, line_.enter)) {
+      line_.enter = time;
+      line_.edge_enter = edge;
+    }
+    if (way == Sign::positive && (!line_.exit || compare(time, *line_.exit) < 0)) {
+      line_.exit = time;
+      line_.edge_exit = edge;
+    }
+    if (way == Sign::zero) parallel(inside);
+  }
+
+  HitInterval interval() const {
+    LineHit line = line_;
+    if (line.enter && line.exit && line.kind != HitClass::miss) {
+      const auto order = compare(*line.enter, *line.exit);
+      if (order > 0) line.kind = HitClass::miss;
+      if (order == 0) line.kind = HitClass::touch;
+    }
+    HitInterval hit = clip_to_range(line, within_);
+    hit.start = outside_    ? StartPlace::outside
+                : boundary_ ? StartPlace::boundary
+                            : StartPlace::inside;
+    return hit;
+  }
+
+ private:
+  static bool is_beyond(const HitTime& time, const std::optional<HitTime>& enter) {
+    return !enter || compare(time, *enter) > 0;
+  }
+  void parallel(Sign inside) {
+    if (inside == Sign::negative) line_.kind = HitClass::miss;
+    if (inside == Sign::zero && line_.kind == HitClass::through) line_.kind = HitClass::along;
+  }
+
+  LineHit line_;
+  Range within_;
+  bool outside_ = false, boundary_ = false;
+};
+
+// The row of one edge; `turn` is negative for a clockwise polygon, whose normals it turns outward.
+ClipStep step_of_edge(const Ray& ray, const Segment& edge, Sign turn) {
+  const double way = turn == Sign::negative ? -1 : 1;
+  const Vec2 zero(0, 0);
+  const auto numer = [&](const auto& number) {
+    return determinant(number, ray.origin, edge.a, edge.a, edge.b) * number(way);
+  };
+  const auto denom = [&](const auto& number) {
+    return determinant(number, zero, ray.direction, edge.a, edge.b) * number(way);
+  };
+  ClipStep step{};
+  step.numerator = round_once(numer);
+  step.denominator = round_once(denom);
+  step.kind = static_cast<int>(decide(denom));
+  if (step.kind != 0) step.t = HitTime::on_line(ray, edge).nearest().t;
+  return step;
+}
+
+}  // namespace
+
+std::vector<ClipStep> clip_steps(const Ray& ray, std::span<const Vec2> vertices, Range within) {
+  std::vector<ClipStep> steps;
+  const Sign turn = ring_orientation(vertices);
+  Candidate candidate(within);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Segment edge{vertices[i], edge_end(vertices, i)};
+    if (edge.a == edge.b) continue;
+    const Sign side = orientation(edge.a, edge.b, ray.origin);
+    ClipStep step = step_of_edge(ray, edge, turn);
+    step.edge = static_cast<int>(i);
+    candidate.add(step.edge, turn == Sign::negative ? -side : side, static_cast<Sign>(step.kind),
+                  HitTime::on_line(ray, edge));
+    step.candidate = candidate.interval();
+    steps.push_back(step);
+    if (step.candidate.kind == HitClass::miss) return steps;
+  }
+  // A polygon without area also ends where its edges do, and the last row is always the answer.
+  if (!steps.empty()) steps.back().candidate = clip_convex(ray, vertices, within);
+  return steps;
+}
+
+}  // namespace flatray

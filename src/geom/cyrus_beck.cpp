@@ -1,0 +1,108 @@
+#include "geom/cyrus_beck.h"
+
+#include <array>
+
+#include "geom/clip_range.h"
+#include "geom/polygon_edges.h"
+
+namespace flatray {
+namespace {
+
+using Vertices = std::span<const Vec2>;
+
+// Sides of the vertices seen along a ray. The line crosses a convex polygon where the side changes:
+// down an edge from left to right, where a counter-clockwise polygon is entered (denominator n.d <
+// 0), and up an edge from right to left. Each side is one exact predicate, and no two t need to be
+// compared.
+struct Sides {
+  int down = kNoEdge, up = kNoEdge;  // the lowest edge that does it
+  bool left = false, right = false;  // some vertex is strictly there
+  bool edge_on_line = false;
+};
+
+Sides look_along(const Ray& ray, Vertices vertices) {
+  Sides sides;
+  const Sign first = side_of_ray(ray, vertices[0]);
+  Sign from = first;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const bool last = i + 1 == vertices.size();
+    const Sign to = last ? first : side_of_ray(ray, vertices[i + 1]);
+    if (from > to && sides.down == kNoEdge) sides.down = static_cast<int>(i);
+    if (from < to && sides.up == kNoEdge) sides.up = static_cast<int>(i);
+    sides.left |= from == Sign::positive;
+    sides.right |= from == Sign::negative;
+    sides.edge_on_line |=
+        from == Sign::zero && to == Sign::zero && vertices[i] != edge_end(vertices, i);
+    from = to;
+  }
+  return sides;
+}
+
+// Sense of a convex polygon from two of its edges, the first crossed down a line and the second up,
+// or the other way round; zero without area.
+Sign sense(Vertices vertices, int down, int up) {
+  const auto i = static_cast<std::size_t>(down), k = static_cast<std::size_t>(up);
+  const Vec2 &a = vertices[i], &b = edge_end(vertices, i);
+  const Sign turn = orientation(a, b, vertices[k]);
+  return turn != Sign::zero ? turn : orientation(a, b, edge_end(vertices, k));
+}
+
+HitTime time_on_edge(const Ray& ray, Vertices vertices, int edge) {
+  const auto i = static_cast<std::size_t>(edge);
+  return HitTime::on_line(ray, {vertices[i], edge_end(vertices, i)});
+}
+
+// All vertices lie on the line: the polygon is a segment or a point. An end belongs to the lowest
+// edge that has it.
+LineHit hit_along(const Ray& ray, Vertices vertices) {
+  const int axis = ray.direction.x() != 0 ? 0 : 1;
+  const Vec2 across = axis == 0 ? Vec2(0, 1) : Vec2(1, 0);
+  const bool forward = ray.direction[axis] > 0;
+  const auto before = [&](const Vec2& a, const Vec2& b) {
+    return forward ? a[axis] < b[axis] : b[axis] < a[axis];
+  };
+  std::size_t first = 0, last = 0;
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    if (before(vertices[i], vertices[first])) first = i;
+    if (before(vertices[last], vertices[i])) last = i;
+  }
+  const auto edge_of = [](std::size_t i) { return i == 0 ? 0 : static_cast<int>(i) - 1; };
+  const auto time = [&](std::size_t i) {
+    return HitTime::on_line(ray, vertices[i], Vec2(0, 0), across);
+  };
+  const bool point = vertices[first] == vertices[last];
+  return {time(first), time(last), edge_of(first), edge_of(last),
+          point ? HitClass::touch : HitClass::along};
+}
+
+LineHit hit_line(const Ray& ray, Vertices vertices) {
+  const Sides sides = look_along(ray, vertices);
+  if (!sides.left && !sides.right) return hit_along(ray, vertices);
+  if (sides.down == kNoEdge) return {};
+  const Sign turn = sense(vertices, sides.down, sides.up);
+  const bool clockwise = turn == Sign::negative;
+  const int enter = clockwise ? sides.up : sides.down, exit = clockwise ? sides.down : sides.up;
+  const bool crosses = sides.left && sides.right && turn != Sign::zero;
+  return {time_on_edge(ray, vertices, enter), time_on_edge(ray, vertices, exit), enter, exit,
+          crosses              ? HitClass::through
+          : sides.edge_on_line ? HitClass::along
+                               : HitClass::touch};
+}
+
+}  // namespace
+
+HitInterval clip_convex(const Ray& ray, Vertices vertices, Range within) {
+  if (vertices.empty()) return {};
+  if (is_zero(ray.direction)) return point_test(place_in_convex(ray.origin, vertices), within);
+  return clip_to_range(hit_line(ray, vertices), within);
+}
+
+HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within) {
+  HitInterval hit = clip_convex(ray, std::array{segment.a, segment.b}, within);
+  // There and back again are the one edge of a segment.
+  hit.edge_enter = std::min(hit.edge_enter, 0);
+  hit.edge_exit = std::min(hit.edge_exit, 0);
+  return hit;
+}
+
+}  // namespace flatray

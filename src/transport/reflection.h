@@ -1,0 +1,50 @@
+#pragma once
+#include <optional>
+
+#include "geom/error_free.h"
+#include "geom/predicates.h"
+#include "trace/hits.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// v at length 1, without overflow or underflow on the way. Needs v != 0.
+Vec2 unit(const Vec2& v);
+
+/// Length of a direction, kept over any number of reflections.
+class Speed {
+ public:
+  explicit Speed(const Vec2& start);
+
+  /// `direction` with its length brought back where it is more than 1 ulp off; else untouched.
+  Vec2 restore(const Vec2& direction) const;
+  /// |start|
+  double length() const;
+
+ private:
+  DoubleDouble square(const Vec2& direction) const;
+
+  int exponent_;         // of the larger component: squares are taken of direction / 2^exponent
+  DoubleDouble square_;  // of the start
+};
+
+/// What a mirror does to a ray.
+struct Reflection {
+  Vec2 direction, normal;
+  double incidence;
+};
+
+/// Whether `direction` leads from `point` away from a wall, on the side given: left (positive) of a segment, where along
+/// it will do too, or strictly outward (positive) or inward of a circle. Exact.
+bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
+                const Vec2& direction);
+
+/// Reflects `ray` where it meets the wall of `hit`, seen from `point`, the double kept for the exact hit.
+///
+/// Gives   a direction that does not lead back through the wall: exactly decided, moved by at most kSearchUlps in each
+///         component where rounding had turned it; nullopt where that is not enough (then the ray runs along the wall).
+/// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
+std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
+                                      const Vec2& point, const Speed& speed);
+
+}  // namespace flatray
