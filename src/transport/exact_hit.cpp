@@ -14,14 +14,14 @@ const auto kRational = [](double x) { return Rational(x); };
 template <class Make>
 auto on_line(const Make& number, const Ray& ray, const Segment& wall, int axis) {
   const Vec2 zero(0, 0);
-  return number(ray.origin[axis]) +
-         number(ray.direction[axis]) * determinant(number, ray.origin, wall.a, wall.a, wall.b) /
-             determinant(number, zero, ray.direction, wall.a, wall.b);
+  return number(ray.origin[axis]) + number(ray.direction[axis]) *
+                                        determinant(number, ray.origin, wall.a, wall.a, wall.b) /
+                                        determinant(number, zero, ray.direction, wall.a, wall.b);
 }
 
-// A point of a circle seen from its centre, on one axis: foot + root * sqrt(square). The foot is that of the
-// perpendicular from the centre to the ray, k d' / d.d with d' = (-d_y, d_x) and k = d x w, w = o - c; the root goes
-// along the ray from there, d / d.d times sqrt(r^2 d.d - k^2).
+// A point of a circle seen from its centre, on one axis: foot + root * sqrt(square). The foot is
+// that of the perpendicular from the centre to the ray, k d' / d.d with d' = (-d_y, d_x) and k = d
+// x w, w = o - c; the root goes along the ray from there, d / d.d times sqrt(r^2 d.d - k^2).
 template <class Number>
 struct Chord {
   Number foot, along, square;
@@ -44,7 +44,8 @@ double chord_end(const Ray& ray, const Circle& circle, int root, int axis, doubl
   if (const auto rounded = (Bounded(from) + fast.foot + (root < 0 ? -length : length)).nearest())
     return *rounded;
   const auto exact = chord(kRational, ray, circle, axis);
-  return Rational::root_sum(Rational(from) + exact.foot, root * static_cast<int>(exact.along.sign()),
+  return Rational::root_sum(Rational(from) + exact.foot,
+                            root * static_cast<int>(exact.along.sign()),
                             exact.along * exact.along * exact.square);
 }
 
@@ -68,8 +69,8 @@ ExactHit::ExactHit(const Ray& ray, const Circle& wall, Root root)
       on_circle_(true),
       circle_(wall),
       root_(root == Root::first ? -1 : 1),
-      time_(HitTime::on_circle(ray, wall,
-                               root == Root::first ? HitTime::Root::first : HitTime::Root::second)) {}
+      time_(HitTime::on_circle(
+          ray, wall, root == Root::first ? HitTime::Root::first : HitTime::Root::second)) {}
 
 Vec2 ExactHit::nearest() const {
   if (!on_circle_) return {line_point(ray_, segment_, 0), line_point(ray_, segment_, 1)};
@@ -119,9 +120,9 @@ bool ExactHit::on(const Segment& segment) const {
   // Between the ends, along the segment: (H - a).(b - a) >= 0 and (H - b).(a - b) >= 0.
   const auto ahead = [&](const Vec2& from, const Vec2& to) {
     const Rational ex = Rational(to.x()) - from.x(), ey = Rational(to.y()) - from.y();
-    return sign({(Rational(ray_.origin.x()) - from.x()) * ex +
-                     (Rational(ray_.origin.y()) - from.y()) * ey,
-                 Rational(ray_.direction.x()) * ex + Rational(ray_.direction.y()) * ey});
+    return sign(
+        {(Rational(ray_.origin.x()) - from.x()) * ex + (Rational(ray_.origin.y()) - from.y()) * ey,
+         Rational(ray_.direction.x()) * ex + Rational(ray_.direction.y()) * ey});
   };
   return ahead(segment.a, segment.b) != Sign::negative &&
          ahead(segment.b, segment.a) != Sign::negative;

@@ -4,7 +4,8 @@
 
 namespace flatray {
 
-/// The point at which a ray arrives at a wall, without rounding: origin + t * direction for the exact t.
+/// The point at which a ray arrives at a wall, without rounding: origin + t * direction for the
+/// exact t.
 class ExactHit {
  public:
   /// Needs   `hit` to be of that wall; a ray that crosses a segment, not one that runs along it.
@@ -13,10 +14,12 @@ class ExactHit {
 
   /// Nearest double of each coordinate.
   Vec2 nearest() const;
-  /// Unit-free direction from the centre of the circle it lies on to the point, each component rounded once.
+  /// Unit-free direction from the centre of the circle it lies on to the point, each component
+  /// rounded once.
   Vec2 from_centre() const;
 
-  /// Side of the line through a segment, positive to the left of a -> b. Exact, by rationals: some 20 us.
+  /// Side of the line through a segment, positive to the left of a -> b. Exact, by rationals: some
+  /// 20 us.
   Sign side_of(const Segment& segment) const;
   /// Positive outside the circle, zero on it. Exact, as above.
   Sign side_of(const Circle& circle) const;

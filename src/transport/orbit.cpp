@@ -72,7 +72,8 @@ class OrbitTracer {
                              reflection->normal, reflection->incidence});
     flight.ray.direction = reflection->direction;
     orbit.out = unit(reflection->direction);
-    // Inside a circle the ray goes on from the root it would have entered by, outside from the other.
+    // Inside a circle the ray goes on from the root it would have entered by, outside from the
+    // other.
     flight.left = {hit.surface, hit.root == Root::none     ? Root::none
                                 : hit.root == Root::second ? Root::first
                                                            : Root::second};
@@ -97,14 +98,13 @@ class OrbitTracer {
     return point == wall.a || point == wall.b;
   }
 
-  // From a point on a circle a ray goes inward from the first root, or outward from the second; `both` on the tangent.
+  // From a point on a circle a ray goes inward from the first root, or outward from the second;
+  // `both` on the tangent.
   Root root_stood_on(std::uint32_t surface, const Ray& ray) const {
     if (walls_.kinds[surface] != SurfaceKind::circle) return Root::none;
-    const Circle& circle = walls_.circles[walls_.slot[surface]];
-    return leads_away(walls_, surface, Sign::negative, ray.origin, ray.direction) ? Root::first
-           : leads_away(walls_, surface, Sign::positive, ray.origin, ray.direction)
-               ? Root::second
-               : Root::both;
+    return leads_away(walls_, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
+           : leads_away(walls_, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
+                                                                                    : Root::both;
   }
 
   bool runs_along(const Flight& flight) const {
@@ -131,8 +131,7 @@ void trace_wavefront(const OrbitTracer& orbits, const Surfaces& walls, const Tra
   while (!flights.empty()) {
     rays.resize(flights.size());
     hits.resize(flights.size());
-    for (std::size_t i = 0; i < flights.size(); ++i)
-      rays.set(i, flights[i].ray, flights[i].left);
+    for (std::size_t i = 0; i < flights.size(); ++i) rays.set(i, flights[i].ray, flights[i].left);
     tracer.nearest(walls, rays, hits);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < flights.size(); ++i)

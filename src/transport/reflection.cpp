@@ -12,9 +12,7 @@
 namespace flatray {
 namespace {
 
-int exponent_of(const Vec2& v) {
-  return std::ilogb(std::max(std::fabs(v.x()), std::fabs(v.y())));
-}
+int exponent_of(const Vec2& v) { return std::ilogb(std::max(std::fabs(v.x()), std::fabs(v.y()))); }
 
 Vec2 scaled(const Vec2& v, int exponent) {
   return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)};
