@@ -8,7 +8,8 @@
 
 namespace flatray {
 
-/// `-D key=value`: `key` a dotted path ("film.size", "entity.2.at", "markov.runner.hold"), `value` as TOML.
+/// `-D key=value`: `key` a dotted path ("film.size", "entity.2.at", "markov.runner.hold"), `value`
+/// as TOML.
 struct Override {
   std::string key, value;
 };

@@ -17,7 +17,8 @@ struct ExperimentContext {
   unsigned threads = 1;
 };
 
-/// Named files (CSV, JSON, SVG) and a text for people; `holds` is whether results agree with the closed form.
+/// Named files (CSV, JSON, SVG) and a text for people; `holds` is whether results agree with the
+/// closed form.
 struct ExperimentResult {
   struct File {
     std::string name, content;

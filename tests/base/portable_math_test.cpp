@@ -26,7 +26,7 @@ TEST(PortableMath, SpecialPointsAreExact) {
   EXPECT_EQ(portable::acos(1), 0);
 }
 
-// Bits as first computed, four of them not the nearest to the truth: every machine, tier and
+// Bits as first computed, some of them not the nearest to the truth: every machine, tier and
 // compiler must give these again.
 TEST(PortableMath, BitsAreTheSameEverywhere) {
   EXPECT_EQ(portable::sin(1), 0x1.aed548f090ceep-1);

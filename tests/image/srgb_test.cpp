@@ -1,73 +1,77 @@
 #include "image/srgb.h"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "base/philox.h"
-#ifdef FLATRAY_HAVE_MPFR
-#include <mpfr.h>
-#endif
-
 namespace flatray {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-#ifdef FLATRAY_HAVE_MPFR
-// IEC 61966-2-1 to 200 bits, `value` on the scale of 8 bits.
-class Light {
+// The light of IEC 61966-2-1, `value` on the scale of 8 bits: v / 12.92, or u^(12/5) with u = (v +
+// 0.055) / 1.055. Whether a float lies below it is a question of rationals: f < u^(12/5) where f^5
+// < u^12.
+class ExactLight {
  public:
-  explicit Light(double value) {
-    mpfr_init2(light_, 200);
-    mpfr_set_d(light_, value, MPFR_RNDN);
-    mpfr_div_ui(light_, light_, 255, MPFR_RNDN);
-    if (value <= 10) {  // 0.04045 * 255 = 10.31
-      mpfr_mul_ui(light_, light_, 100, MPFR_RNDN);
-      mpfr_div_ui(light_, light_, 1292, MPFR_RNDN);
-    } else {
-      power();
-    }
+  explicit ExactLight(const mpq_class& value)
+      : linear_(value <= 10),  // 0.04045 * 255 = 10.31
+        base_(linear_ ? mpq_class(value / 255 * 100 / 1292)
+                      : mpq_class((value / 255 * 1000 + 55) / 1055)) {}
+
+  bool above(const mpq_class& light) const {
+    return linear_ ? light < base_ : power(light, 5) < power(base_, 12);
   }
-  Light(const Light&) = delete;
-  Light& operator=(const Light&) = delete;
-  ~Light() { mpfr_clear(light_); }
-  float nearest() const { return mpfr_get_flt(light_, MPFR_RNDN); }
-  float at_or_above() const { return mpfr_get_flt(light_, MPFR_RNDU); }
 
  private:
-  void power() {
-    mpfr_mul_ui(light_, light_, 1000, MPFR_RNDN);
-    mpfr_add_ui(light_, light_, 55, MPFR_RNDN);
-    mpfr_div_ui(light_, light_, 1055, MPFR_RNDN);
-    mpfr_t exponent;
-    mpfr_init2(exponent, 200);
-    mpfr_set_ui(exponent, 12, MPFR_RNDN);
-    mpfr_div_ui(exponent, exponent, 5, MPFR_RNDN);
-    mpfr_pow(light_, light_, exponent, MPFR_RNDN);
-    mpfr_clear(exponent);
+  static mpq_class power(const mpq_class& base, unsigned exponent) {
+    mpq_class result = 1;
+    for (unsigned i = 0; i < exponent; ++i) result *= base;
+    return result;
   }
-  mpfr_t light_;
+  bool linear_;
+  mpq_class base_;
 };
 
+mpq_class exact(float value) { return {static_cast<double>(value)}; }
+float before(float value) { return std::nextafter(value, -kInfinity); }
+float after(float value) { return std::nextafter(value, kInfinity); }
+
 TEST(Srgb, LightIsTheRoundedExactValue) {
-  for (int value = 0; value < 256; ++value)
-    EXPECT_EQ(linear_from_srgb(static_cast<std::uint8_t>(value)), Light(value).nearest()) << value;
+  EXPECT_EQ(linear_from_srgb(0), 0.0F);
+  for (int value = 1; value < 256; ++value) {
+    const float light = linear_from_srgb(static_cast<std::uint8_t>(value));
+    const ExactLight truth{mpq_class(value)};
+    EXPECT_TRUE(truth.above((exact(before(light)) + exact(light)) / 2)) << value;
+    EXPECT_FALSE(truth.above((exact(light) + exact(after(light))) / 2)) << value;
+  }
+}
+
+// By bisection between the lights of both values: the last float that is still `value - 1`.
+float last_below(int value) {
+  auto low = std::bit_cast<std::uint32_t>(linear_from_srgb(static_cast<std::uint8_t>(value - 1)));
+  auto high = std::bit_cast<std::uint32_t>(linear_from_srgb(static_cast<std::uint8_t>(value)));
+  while (high - low > 1) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    (srgb_from_linear(std::bit_cast<float>(middle)) < value ? low : high) = middle;
+  }
+  return std::bit_cast<float>(low);
 }
 
 // Between neighbours the value changes at the float next to their exact midpoint, and nowhere else.
 TEST(Srgb, ValuesChangeExactlyAtTheirMidpoints) {
-  float limit = 0;
-  for (int value = 0; value < 256; ++value) {
-    EXPECT_EQ(srgb_from_linear(limit), value);
-    const float next = value < 255 ? Light(value + 0.5).at_or_above() : kInfinity;
-    EXPECT_EQ(srgb_from_linear(std::nextafter(next, 0.0F)), value);
-    limit = next;
+  EXPECT_EQ(srgb_from_linear(0.0F), 0);
+  for (int value = 1; value < 256; ++value) {
+    const ExactLight midpoint{mpq_class(2 * value - 1, 2)};
+    const float limit = last_below(value);
+    EXPECT_EQ(srgb_from_linear(limit), value - 1);
+    EXPECT_TRUE(midpoint.above(exact(limit))) << value;
+    EXPECT_FALSE(midpoint.above(exact(after(limit)))) << value;
   }
 }
-#endif
 
 TEST(Srgb, ComingBackFromLightIsExact) {
   for (int value = 0; value < 256; ++value)

@@ -65,8 +65,8 @@ rule 'a bare epsilon' code '^src/(geom|trace|image|scene|anim|collide|transport|
   '[0-9.]e-(0?[4-9]|[1-9][0-9])([^0-9]|$)|numeric_limits<(double|float)>::epsilon' \
   'if (std::fabs(d) < 1e-9) return;' 'const double half = 0.5e-3;'
 rule 'libraries neither print nor exit' code "$library" '^src/base/check\.cpp$' \
-  '#include <iostream>|std::(cout|cerr|clog|puts|printf|exit|abort|terminate)|fmt::print|[^a-z_:]f?printf\(|[^a-z_:](exit|abort|_exit)\(' \
-  'std::fprintf(stderr, "x"); std::exit(1);' 'out += fmt::format("{}", x);'
+  '#include <iostream>|std::(cout|cerr|clog|puts|printf|exit|abort|terminate)|fmt::print|[^a-z_:]f?printf\(|(^|[;{}])[[:space:]]*(exit|abort|_exit)\(' \
+  '  if (x) { exit(1); }' ': enter(low), exit(high) { out += fmt::format("{}", x); }'
 rule 'no run-time type information' code "$sources" "$none" \
   'dynamic_cast|typeid\(' 'auto* p = dynamic_cast<A*>(q);' 'static_cast<int>(x)'
 rule 'work that is left open' text "$sources|$build|^tools/|^docs/|^[A-Z]+\\.md$" '^tests/tree/' \

@@ -9,9 +9,10 @@ foreach(module base geom trace image scene anim transport render oracle study ap
   endif()
   install(TARGETS flatray_${module} EXPORT flatray ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${module} DESTINATION include/flatray
-    FILES_MATCHING PATTERN "*.h" PATTERN kernels EXCLUDE)
+    FILES_MATCHING PATTERN "*.h")
 endforeach()
 if(TARGET flatray)
+  set_property(TARGET flatray PROPERTY RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})  # build/release/flatray
   install(TARGETS flatray RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

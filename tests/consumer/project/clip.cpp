@@ -1,4 +1,4 @@
-// Clips one ray against one polygon; exits with 0 where the interval is the one that exact arithmetic gives.
+// Clips one ray against one polygon; exits with 0 where the interval is the exact one.
 #include <cstdio>
 #include <vector>
 

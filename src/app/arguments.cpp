@@ -1,0 +1,52 @@
+#include "app/arguments.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/option_values.h"
+
+namespace flatray {
+
+std::optional<std::string> Arguments::text(std::string_view name) const {
+  const auto found = given_.find(name);
+  if (found == given_.end()) return std::nullopt;
+  return found->second.values.front();
+}
+
+std::vector<std::string> Arguments::list(std::string_view name) const {
+  const auto found = given_.find(name);
+  return found == given_.end() ? std::vector<std::string>{} : found->second.values;
+}
+
+Place Arguments::where(std::string_view name) const {
+  const auto found = given_.find(name);
+  return named_place(found == given_.end() ? fmt::format("--{}", name) : found->second.origin);
+}
+
+Result<std::uint64_t> Arguments::whole(std::string_view name, std::uint64_t otherwise,
+                                       std::uint64_t low, std::uint64_t high) const {
+  const std::optional<std::string> given = text(name);
+  if (!given) return otherwise;
+  const std::optional<std::uint64_t> value = parse_whole(*given);
+  if (!value)
+    return usage_error(where(name), fmt::format("'{}' is not a whole number", *given),
+                       fmt::format("say a number from {} to {}", low, high));
+  if (*value < low || *value > high)
+    return usage_error(where(name), fmt::format("{} is out of range", *given),
+                       fmt::format("say a number from {} to {}", low, high));
+  return *value;
+}
+
+Result<std::string> Arguments::one_of(std::string_view name,
+                                      const std::vector<std::string>& words) const {
+  const std::string given = text(name).value_or(words.front());
+  if (std::find(words.begin(), words.end(), given) != words.end()) return given;
+  const std::string near = nearest_word(given, words);
+  return usage_error(where(name),
+                     fmt::format("unknown value '{}'{}", given,
+                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                     fmt::format("say {}", comma_list(words)));
+}
+
+}  // namespace flatray

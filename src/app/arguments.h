@@ -1,0 +1,87 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace flatray {
+
+enum class OptionKind : std::uint8_t {
+  text,  ///< one value, given once
+  list,  ///< one value each time it is given
+  flag   ///< no value
+};
+
+/// One option of a verb: what is parsed, shown by --help, suggested for a misspelt one and read
+/// from the environment
+/// (`--max-pixels` from FLATRAY_MAX_PIXELS) are all made of this row.
+struct Option {
+  const char* name;     ///< long name without dashes: "max-pixels"
+  char letter;          ///< short name; '\0' for none
+  const char* metavar;  ///< what stands for the value in the help: "N"; "" for a flag
+  const char* help;     ///< one line, no full stop
+  OptionKind kind = OptionKind::text;
+};
+
+/// What the user asked of one verb. Flags of the command line win over the environment.
+class Arguments {
+ public:
+  struct Given {
+    std::string origin;  ///< "--size" or "FLATRAY_SIZE": the place messages name
+    std::vector<std::string> values;
+  };
+
+  Arguments() = default;
+  Arguments(std::map<std::string, Given, std::less<>> given, std::vector<std::string> operands)
+      : given_(std::move(given)), operands_(std::move(operands)) {}
+
+  /// Scenes, files, names: what is no option, in order.
+  const std::vector<std::string>& operands() const { return operands_; }
+  /// Everything given, by option name.
+  const std::map<std::string, Given, std::less<>>& given() const { return given_; }
+
+  bool has(std::string_view name) const { return given_.find(name) != given_.end(); }
+  /// Value of a text option, if given.
+  std::optional<std::string> text(std::string_view name) const;
+  /// Values of a list option in order.
+  std::vector<std::string> list(std::string_view name) const;
+  /// A whole number in [low, high], `otherwise` if not given.
+  /// Error   Trouble::usage naming option and range.
+  Result<std::uint64_t> whole(std::string_view name, std::uint64_t otherwise, std::uint64_t low,
+                              std::uint64_t high) const;
+  /// One of `words`; the first of them if not given.
+  /// Error   Trouble::usage with the nearest word.
+  Result<std::string> one_of(std::string_view name, const std::vector<std::string>& words) const;
+  /// Where an option's value comes from, for messages.
+  Place where(std::string_view name) const;
+
+ private:
+  std::map<std::string, Given, std::less<>> given_;
+  std::vector<std::string> operands_;
+};
+
+/// Reads the words after the verb. Options and operands may stand in any order; `--` ends the
+/// options.
+///
+/// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a
+/// flag is set by 1,
+///         true, yes or on, and not by 0, false, no, off; empty counts as unset).
+/// Error   Trouble::usage, all mistakes together: unknown options with the nearest known one,
+/// missing values,
+///         options given twice.
+using Environment = const char* (*)(const char* name);
+Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,
+                                  Environment environment);
+
+/// A failed Result with Trouble::usage.
+inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,
+                                               std::string hint = {}) {
+  return fail(std::move(where), std::move(message), std::move(hint), Trouble::usage);
+}
+
+}  // namespace flatray

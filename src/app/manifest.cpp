@@ -1,0 +1,107 @@
+#include "app/manifest.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/option_values.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "image/png.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Longer lines are no record of ours; this also bounds how deep a hostile one can nest.
+constexpr std::size_t kLongestLine = 4096;
+
+std::string shard_suffix(const Shard& shard) {
+  return shard.count == 1 ? "" : fmt::format(".{}-of-{}", shard.index, shard.count);
+}
+
+// A field of the wrong kind is as good as none.
+std::string text_of(const Value& record, const char* field) {
+  const Value* value = record.find(field);
+  return value == nullptr ? "" : value->as_text().value_or("");
+}
+unsigned number_of(const Value& record, const char* field) {
+  const Value* value = record.find(field);
+  const std::uint64_t number = value == nullptr ? 0 : value->as_whole().value_or(0);
+  return number > kMostPixels ? 0 : static_cast<unsigned>(number);
+}
+
+}  // namespace
+
+Value as_value(const FrameRecord& record) {
+  return Fields{{"frame", record.frame},   {"file", record.file},     {"width", record.width},
+                {"height", record.height}, {"pixels", record.pixels}, {"bytes", record.bytes},
+                {"scene", record.scene}};
+}
+
+std::string manifest_line(const FrameRecord& record) { return json_text(as_value(record)); }
+
+std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
+  if (line.size() > kLongestLine) return std::nullopt;
+  const std::optional<Value> value = parse_json(line);
+  if (!value) return std::nullopt;
+  FrameRecord record;
+  record.frame = number_of(*value, "frame");
+  record.file = text_of(*value, "file");
+  record.width = static_cast<int>(number_of(*value, "width"));
+  record.height = static_cast<int>(number_of(*value, "height"));
+  record.pixels = text_of(*value, "pixels");
+  record.bytes = text_of(*value, "bytes");
+  record.scene = text_of(*value, "scene");
+  if (record.frame == 0 || record.file.empty() || record.bytes.empty()) return std::nullopt;
+  return record;
+}
+
+fs::path manifest_path(const fs::path& folder, const Shard& shard) {
+  return folder / fmt::format("manifest{}.jsonl", shard_suffix(shard));
+}
+fs::path timings_path(const fs::path& folder, const Shard& shard) {
+  return folder / fmt::format("timings{}.jsonl", shard_suffix(shard));
+}
+
+Result<Records> read_manifest(const fs::path& path) {
+  Records records;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return records;
+  Result<std::string> text = read_file(path);
+  if (!text) {
+    for (Diagnostic& problem : text.error()) problem.trouble = Trouble::output;
+    return fail<std::string>(std::move(text));
+  }
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    if (std::optional<FrameRecord> record = parse_manifest_line(rest.substr(0, end)))
+      records[record->file] = *record;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return records;
+}
+
+Result<void> write_manifest(const fs::path& path, const Records& records) {
+  std::vector<const FrameRecord*> sorted;
+  for (const auto& [file, record] : records) sorted.push_back(&record);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto* a, const auto* b) { return a->frame < b->frame; });
+  std::string text;
+  for (const FrameRecord* record : sorted) text += manifest_line(*record) + "\n";
+  return write_file(path, text);
+}
+
+bool is_whole(const FrameRecord& record, const fs::path& folder, PictureFormat format) {
+  const Result<std::string> bytes = read_file(folder / record.file);
+  if (!bytes) return false;
+  if (Hash().add(std::as_bytes(std::span(*bytes))).hex() != record.bytes) return false;
+  if (format != PictureFormat::png) return true;
+  const Result<Image> image = decode_png(std::as_bytes(std::span(*bytes)), record.file);
+  return image && image->width == record.width && image->height == record.height &&
+         pixel_hash(*image) == record.pixels;
+}
+
+}  // namespace flatray

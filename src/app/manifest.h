@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/frames.h"
+#include "app/output_pattern.h"
+#include "app/value.h"
+
+namespace flatray {
+
+/// One frame written: a line of `manifest.jsonl`. Nothing in it depends on when, where or by how
+/// many threads.
+struct FrameRecord {
+  unsigned frame = 0;
+  std::string file;  ///< name beside the manifest
+  int width = 0, height = 0;
+  std::string pixels;  ///< hash of the pixels: equal for every compiler and compressor
+  std::string bytes;   ///< hash of the file
+  std::string scene;   ///< hash of the scene and every option a pixel depends on
+  bool operator==(const FrameRecord&) const = default;
+};
+
+Value as_value(const FrameRecord& record);
+std::string manifest_line(const FrameRecord& record);
+/// nullopt for a torn line, and for anything else that is no record.
+std::optional<FrameRecord> parse_manifest_line(std::string_view line);
+
+/// manifest.jsonl, or manifest.I-of-N.jsonl for a shard; timings.jsonl likewise.
+std::filesystem::path manifest_path(const std::filesystem::path& folder, const Shard& shard);
+std::filesystem::path timings_path(const std::filesystem::path& folder, const Shard& shard);
+
+/// Records of a manifest by file name, the last line of each; none where there is no manifest.
+/// Error   Trouble::output where there is one that cannot be read.
+using Records = std::map<std::string, FrameRecord>;
+Result<Records> read_manifest(const std::filesystem::path& path);
+
+/// Replaces a manifest by these records, atomically; sorted by frame.
+Result<void> write_manifest(const std::filesystem::path& path, const Records& records);
+
+/// Whether the file a record speaks of is there, whole, and what the record says: its bytes hash
+/// alike, and a PNG decodes to its pixels.
+bool is_whole(const FrameRecord& record, const std::filesystem::path& folder, PictureFormat format);
+
+}  // namespace flatray

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "geom/ray.h"
+#include "render/coverage.h"
+#include "scene/load.h"
+
+namespace flatray {
+
+/// Digits only, the whole text. More than 64 bits hold gives the largest number, which every range
+/// refuses.
+std::optional<std::uint64_t> parse_whole(std::string_view text);
+
+/// Most pixels --max-pixels may allow: what the 32-bit sizes of the PNG writer hold, four channels,
+/// one pixel wide.
+inline constexpr std::uint64_t kMostPixels = 400'000'000;
+
+struct FilmSize {
+  int width, height;
+};
+/// "WxH" in pixels.
+/// Error   Trouble::usage naming width or height and the limit; nothing is allocated.
+Result<FilmSize> parse_size(std::string_view text, const Place& where, std::uint64_t max_pixels);
+
+/// "x0,y0,x1,y1": columns x0 to x1 - 1 and rows y0 to y1 - 1 from the top, inside a film.
+Result<PixelBox> parse_crop(std::string_view text, const Place& where, const FilmSize& film);
+
+/// "x,y,dx,dy".
+Result<Ray> parse_ray(std::string_view text, const Place& where);
+
+/// "key=value".
+Result<std::vector<Override>> parse_overrides(const std::vector<std::string>& texts,
+                                              const Place& where);
+
+/// Pieces of `text` between commas; words with commas between.
+std::vector<std::string_view> split_commas(std::string_view text);
+std::string comma_list(const std::vector<std::string>& words);
+
+}  // namespace flatray

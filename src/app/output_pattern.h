@@ -1,0 +1,50 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace flatray {
+
+enum class PictureFormat { png, hdr };
+const char* name(PictureFormat format);
+
+/// Where pictures go: "out/{scene}/frame_####.png". `####` (any number of #, the last run in the
+/// file name) or `%04d` is the frame number, `{scene}` the scene's name. Nothing else is special,
+/// and no name is ever a format string.
+class OutputPattern {
+ public:
+  /// `format` is --format, if given; else the extension decides (.png or .hdr).
+  /// Error   Trouble::usage: empty, a folder, no known extension, extension against `format`, a
+  /// name too long.
+  static Result<OutputPattern> parse(std::string text, const std::optional<std::string>& format,
+                                     const Place& where);
+  /// out/<scene>/frame_####.png for sequences, out/<scene>.png for one picture.
+  static OutputPattern standard(bool sequence, PictureFormat format);
+
+  bool is_stdout() const { return text_ == "-"; }
+  bool has_frame() const { return frame_length_ > 0; }
+  bool has_scene() const { return text_.find("{scene}") != std::string::npos; }
+  PictureFormat format() const { return format_; }
+
+  /// `scene` is a `plain_name`.
+  std::filesystem::path path(std::string_view scene, unsigned frame) const;
+
+ private:
+  OutputPattern(std::string text, PictureFormat format);
+
+  std::string text_;
+  PictureFormat format_;
+  std::size_t frame_at_ = 0, frame_length_ = 0;  ///< of the frame's place in the text
+  int digits_ = 1;
+};
+
+/// A scene's name as part of a path: letters, digits, '_', '-' and inner '.' stay, any other byte
+/// becomes '_', so it can neither leave the output folder nor hide in it nor be a device. Error
+/// Trouble::usage for more than kLongestName bytes.
+inline constexpr std::size_t kLongestName = 100;
+Result<std::string> plain_name(std::string_view scene);
+
+}  // namespace flatray

@@ -1,0 +1,66 @@
+#include "app/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kBarWidth = 24;
+
+bool is_terminal() {
+  const char* kind = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+}  // namespace
+
+std::string progress_bar(std::size_t done, std::size_t total, double seconds) {
+  const std::size_t filled = total == 0 ? kBarWidth : done * kBarWidth / total;
+  std::string text = fmt::format("[{}{}]  {}/{}", std::string(filled, '#'),
+                                 std::string(kBarWidth - filled, '.'), done, total);
+  if (done == 0 || !(seconds > 0)) return text;
+  const double rate = static_cast<double>(done) / seconds;
+  return text + fmt::format("  {:.1f} frames/s  {:.0f} s left", rate,
+                            static_cast<double>(total - done) / rate);
+}
+
+Progress::Progress(std::size_t total, ProgressMode mode)
+    : total_(total), style_(Style::none), start_(std::chrono::steady_clock::now()) {
+  if (mode == ProgressMode::never || total < 2) return;
+  if (is_terminal())
+    style_ = Style::bar;
+  else if (mode == ProgressMode::always)
+    style_ = Style::lines;
+}
+
+void Progress::draw_bar(std::size_t done, double seconds) const {
+  print("\r" + progress_bar(done, total_, seconds) + "   ");
+}
+
+void Progress::step() {
+  const std::size_t done = done_.fetch_add(1) + 1;
+  if (style_ == Style::none) return;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  const int now = style_ == Style::bar ? static_cast<int>(elapsed.count() * 10)
+                                       : static_cast<int>(done * 4 / total_);
+  int before = shown_.load();
+  // One of the threads that come at the same moment draws.
+  if (now <= before || !shown_.compare_exchange_strong(before, now)) return;
+  if (style_ == Style::bar)
+    draw_bar(done, elapsed.count());
+  else
+    print(fmt::format("flatray: {} %, {} of {} frames\n", now * 25, done, total_));
+}
+
+void Progress::finish() {
+  if (style_ == Style::bar) print("\r" + std::string(kBarWidth + 60, ' ') + "\r");
+}
+
+}  // namespace flatray

@@ -1,0 +1,35 @@
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace flatray {
+
+/// `always` writes plain lines where there is no terminal; `automatic` writes nothing there.
+enum class ProgressMode { automatic, always, never };
+
+/// How far a render has come, on standard error: a bar with rate and time left on a terminal, else
+/// five lines. `step` may be called by several threads.
+class Progress {
+ public:
+  Progress(std::size_t total, ProgressMode mode);
+  void step();
+  /// Clears the bar, so that what follows begins a line.
+  void finish();
+
+ private:
+  enum class Style { none, bar, lines };
+  void draw_bar(std::size_t done, double seconds) const;
+
+  std::size_t total_;
+  Style style_;
+  std::chrono::steady_clock::time_point start_;
+  std::atomic<std::size_t> done_{0};
+  std::atomic<int> shown_{-1};  ///< tenths of a second, or quarters of the work, at the last output
+};
+
+/// Text of the bar: "[#####.....]  60/120  24.1 frames/s  2 s left".
+std::string progress_bar(std::size_t done, std::size_t total, double seconds);
+
+}  // namespace flatray

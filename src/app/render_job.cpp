@@ -1,0 +1,233 @@
+#include "app/render_job.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include "app/interrupt.h"
+#include "app/value.h"
+#include "app/version.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/parallel.h"
+#include "image/hdr.h"
+#include "image/png.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Frames are drawn side by side as long as their pictures together stay under this.
+constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
+
+std::uint64_t bytes_of_frame(const RenderJob& job) {
+  const PixelBox box = job.picture();
+  const auto pixels =
+      static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+  // PNG: the picture, its filtered copy, the compressed bytes at worst; HDR: three floats, then
+  // four bytes.
+  return pixels * (job.output.format() == PictureFormat::png ? 3 * 3 : 12 + 4);
+}
+
+// One drawn picture, encoded, with what its record says of it.
+struct Encoded {
+  std::vector<std::byte> bytes;
+  FrameRecord record;
+};
+
+Encoded encode(const RenderJob& job, const DrawList& list, const FrameOptions& options) {
+  Encoded out;
+  if (job.output.format() == PictureFormat::png) {
+    const Image image = render_image(list, options);
+    out.record.pixels = pixel_hash(image);
+    out.bytes = encode_png(image);
+  } else {
+    const LinearImage image = render_linear(list, options);
+    out.record.pixels = Hash().add(std::as_bytes(std::span(image.pixels))).hex();
+    out.bytes = encode_hdr(image);
+  }
+  out.record.width = job.picture().width;
+  out.record.height = job.picture().height;
+  out.record.bytes = Hash().add(out.bytes).hex();
+  out.record.scene = job.fingerprint();
+  return out;
+}
+
+// Draws and writes the frames of one job; `make` is called by several threads for different i.
+class FrameMaker {
+ public:
+  FrameMaker(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads)
+      : job_(job),
+        frames_(frames),
+        plan_(make_plan(job.scene, job.keep_all)),
+        timeline_(job.scene, job.seed, job.last_frame),
+        options_{job.crop, spread(job, frames.size(), threads).threads_each},
+        manifest_(job.manifest()),
+        records_(frames.size()),
+        problems_(frames.size()),
+        seconds_(frames.size()) {
+    if (plan_.still && !frames.empty()) still_ = draw(frames.front(), {job.crop, threads});
+  }
+
+  /// Whether the frame was written.
+  bool make(std::size_t i) {
+    if (stopped_ || interrupted()) return false;
+    const auto start = std::chrono::steady_clock::now();
+    if (Result<FrameRecord> record = write(frames_[i])) {
+      records_[i] = std::move(*record);
+    } else {
+      problems_[i] = std::move(record).error();
+      stopped_ = true;
+    }
+    seconds_[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return !stopped_;
+  }
+
+  JobResult result() const {
+    JobResult result;
+    for (const FrameRecord& record : records_)
+      if (record.frame != 0) result.written.push_back(record);
+    for (const Diagnostics& problems : problems_)
+      result.problems.insert(result.problems.end(), problems.begin(), problems.end());
+    if (!result.problems.empty())
+      result.problems.resize(1);  // every thread meets the same full disk
+    return result;
+  }
+
+  std::string timings() const {
+    std::string lines;
+    for (std::size_t i = 0; i < frames_.size(); ++i)
+      if (records_[i].frame != 0)
+        lines += json_text(Fields{{"frame", frames_[i]}, {"seconds", seconds_[i]}}) + "\n";
+    return lines;
+  }
+
+ private:
+  Encoded draw(unsigned frame, const FrameOptions& options) const {
+    return encode(job_, draw_list(plan_, timeline_, frame), options);
+  }
+
+  Result<FrameRecord> write(unsigned frame) const {
+    const Encoded made = still_ ? Encoded{} : draw(frame, options_);
+    const Encoded& picture = still_ ? *still_ : made;
+    FrameRecord record = picture.record;
+    record.frame = frame;
+    record.file = job_.path(frame).filename();
+    if (auto written = write_file(job_.path(frame), picture.bytes); !written)
+      return fail(std::move(written));
+    // A single picture with a name of its own needs no list beside it.
+    if (job_.output.has_frame())
+      if (auto added = append_line(manifest_, manifest_line(record)); !added)
+        return fail(std::move(added));
+    return record;
+  }
+
+  const RenderJob& job_;
+  const std::vector<unsigned>& frames_;
+  const RenderPlan plan_;
+  const Timeline timeline_;
+  const FrameOptions options_;
+  const fs::path manifest_;
+  std::vector<FrameRecord> records_;
+  std::vector<Diagnostics> problems_;
+  std::vector<double> seconds_;
+  std::optional<Encoded> still_;
+  std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
+};
+
+Records still_valid(const Records& old, std::span<const RenderJob> jobs, bool resume,
+                    unsigned threads) {
+  std::vector<std::pair<const FrameRecord*, const RenderJob*>> candidates;
+  Records kept;
+  for (const auto& [file, record] : old) {
+    const auto job = std::find_if(jobs.begin(), jobs.end(),
+                                  [&](const RenderJob& one) { return one.makes(record); });
+    const bool same_scene = std::any_of(jobs.begin(), jobs.end(), [&](const RenderJob& one) {
+      return one.fingerprint() == record.scene;
+    });
+    if (job == jobs.end() && same_scene) kept[file] = record;
+    if (job != jobs.end() && resume && record.scene == job->fingerprint())
+      candidates.emplace_back(&record, &*job);
+  }
+  std::vector<char> whole(candidates.size());
+  parallel_for(candidates.size(), threads, [&](std::size_t i) {
+    const auto& [record, job] = candidates[i];
+    whole[i] = is_whole(*record, job->folder(), job->output.format());
+  });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (whole[i] != 0) kept[candidates[i].first->file] = *candidates[i].first;
+  return kept;
+}
+
+}  // namespace
+
+std::string RenderJob::fingerprint() const {
+  const PixelBox box = picture();
+  Hash hash;
+  for (const std::uint64_t part : {scene.hash, seed}) hash.add(part);
+  for (const int part : {scene.film.width, scene.film.height, box.x, box.y, box.width, box.height})
+    hash.add(static_cast<std::uint64_t>(part));
+  return hash.add(flatray::name(output.format())).add(kVersion).hex();
+}
+
+bool RenderJob::makes(const FrameRecord& record) const {
+  return std::binary_search(frames.begin(), frames.end(), record.frame) &&
+         record.file == path(record.frame).filename();
+}
+
+Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
+  const std::uint64_t fit = std::max<std::uint64_t>(kMemoryAtOnce / bytes_of_frame(job), 1);
+  const std::uint64_t at_once =
+      std::min({std::uint64_t{threads}, fit, std::max<std::uint64_t>(frame_count, 1)});
+  return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
+}
+
+std::uint64_t peak_bytes(const RenderJob& job, std::size_t frame_count, unsigned threads) {
+  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job);
+}
+
+Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, unsigned threads) {
+  Manifests manifests;
+  for (const RenderJob& job : jobs) {
+    if (!job.output.has_frame() || manifests.count(job.manifest()) != 0) continue;
+    Result<Records> old = read_manifest(job.manifest());
+    if (!old) return fail(std::move(old));
+    manifests[job.manifest()] = still_valid(*old, jobs, resume, threads);
+  }
+  return manifests;
+}
+
+std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept) {
+  const auto found = kept.find(job.manifest());
+  if (!job.output.has_frame() || found == kept.end()) return job.frames;
+  std::vector<unsigned> frames;
+  std::copy_if(
+      job.frames.begin(), job.frames.end(), std::back_inserter(frames),
+      [&](unsigned frame) { return found->second.count(job.path(frame).filename()) == 0; });
+  return frames;
+}
+
+JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
+                  const std::function<void()>& done) {
+  FrameMaker maker(job, frames, threads);
+  parallel_for(frames.size(), spread(job, frames.size(), threads).frames_at_once,
+               [&](std::size_t i) {
+                 if (maker.make(i)) done();
+               });
+  JobResult result = maker.result();
+  if (job.output.has_frame() && result.problems.empty() && !frames.empty())
+    if (auto written = write_file(timings_path(job.folder(), job.shard), maker.timings()); !written)
+      result.problems = std::move(written).error();
+  return result;
+}
+
+std::vector<std::byte> picture_bytes(const RenderJob& job, unsigned frame, unsigned threads) {
+  const RenderPlan plan = make_plan(job.scene, job.keep_all);
+  const Timeline timeline(job.scene, job.seed, job.last_frame);
+  return encode(job, draw_list(plan, timeline, frame), {job.crop, threads}).bytes;
+}
+
+}  // namespace flatray

@@ -1,0 +1,73 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/frames.h"
+#include "app/manifest.h"
+#include "app/output_pattern.h"
+#include "render/frame.h"
+
+namespace flatray {
+
+/// Pictures to make of one scene.
+struct RenderJob {
+  Scene scene;
+  std::string name;  ///< plain name of the scene, for {scene}
+  OutputPattern output;
+  std::vector<unsigned> frames;  ///< of this shard, sorted
+  unsigned last_frame = 1;       ///< of all shards
+  Shard shard;
+  std::optional<PixelBox> crop;
+  std::uint64_t seed = 0;
+  bool keep_all = false;
+
+  std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }
+  std::filesystem::path folder() const { return path(1).parent_path(); }
+  std::filesystem::path manifest() const { return manifest_path(folder(), shard); }
+  /// Whether a record is of one of these frames.
+  bool makes(const FrameRecord& record) const;
+  /// Size of the pictures.
+  PixelBox picture() const {
+    return crop.value_or(PixelBox{0, 0, scene.film.width, scene.film.height});
+  }
+  /// Hash of everything a byte of the pictures depends on but the frame: text, seed, size, crop,
+  /// format, version.
+  std::string fingerprint() const;
+};
+
+/// How frames are spread over threads: many small ones side by side, large ones one after another
+/// by tiles.
+struct Spread {
+  unsigned frames_at_once, threads_each;
+};
+Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads);
+
+/// Bytes a render needs at its peak, as announced by --dry-run and explain.
+std::uint64_t peak_bytes(const RenderJob& job, std::size_t frame_count, unsigned threads);
+
+/// By path of the manifest, the records that stay in it: of frames the jobs make only with
+/// `resume`, and only where record and file agree; of other frames of the same scenes all.
+using Manifests = std::map<std::filesystem::path, Records>;
+Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, unsigned threads);
+
+/// Frames of the job without a record.
+std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept);
+
+struct JobResult {
+  std::vector<FrameRecord> written;  ///< by frame
+  Diagnostics problems;              ///< why writing stopped
+};
+/// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
+/// whole frames kept, when interrupted or when a file cannot be written. `done` is told of every
+/// frame, by any thread.
+JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
+                  const std::function<void()>& done);
+
+/// One picture as the bytes of its file.
+std::vector<std::byte> picture_bytes(const RenderJob& job, unsigned frame, unsigned threads);
+
+}  // namespace flatray

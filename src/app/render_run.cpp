@@ -1,0 +1,152 @@
+#include "app/render_run.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+
+#include "app/interrupt.h"
+#include "app/report.h"
+
+namespace flatray {
+namespace {
+
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::size_t kept_count(const Work& work) { return work.job->frames.size() - work.frames.size(); }
+
+Value dry_value(const Work& work, unsigned threads) {
+  Values files;
+  for (const unsigned frame : work.frames) files.emplace_back(work.job->path(frame).string());
+  const PixelBox size = work.job->picture();
+  return Fields{{"scene", work.job->scene.name},
+                {"width", size.width},
+                {"height", size.height},
+                {"files", std::move(files)},
+                {"kept", kept_count(work)},
+                {"peak_bytes", peak_bytes(*work.job, work.frames.size(), threads)}};
+}
+
+std::string dry_text(const Work& work, unsigned threads) {
+  const PixelBox size = work.job->picture();
+  const std::uint64_t bytes = peak_bytes(*work.job, work.frames.size(), threads);
+  std::string text =
+      fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
+                  work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
+                  size.height, kept_count(work), static_cast<double>(bytes) / 1e6);
+  for (const unsigned frame : work.frames) text += work.job->path(frame).string() + "\n";
+  return text;
+}
+
+// Records of the job's frames, kept and written, as --json shows them.
+Value job_value(const Work& work, const Manifests& kept, const JobResult& result) {
+  std::map<unsigned, FrameRecord> records;
+  if (const auto found = kept.find(work.job->manifest()); found != kept.end())
+    for (const auto& [file, record] : found->second)
+      if (work.job->makes(record)) records[record.frame] = record;
+  for (const FrameRecord& record : result.written) records[record.frame] = record;
+  Values frames;
+  for (const auto& [frame, record] : records) frames.push_back(as_value(record));
+  return Fields{{"scene", work.job->scene.name},
+                {"folder", work.job->folder().string()},
+                {"written", result.written.size()},
+                {"kept", kept_count(work)},
+                {"frames", std::move(frames)}};
+}
+
+class Run {
+ public:
+  Run(const Arguments& arguments, const WorkList& list, ProgressMode mode)
+      : arguments_(arguments), list_(list), total_(total(list)), progress_(total_, mode) {}
+
+  VerbOutput operator()() {
+    if (const auto begun = begin(); !begun) return give_up(begun.error());
+    for (const Work& work : list_.works) {
+      if (interrupted()) break;
+      JobResult result =
+          run_job(*work.job, work.frames, list_.threads, [this] { progress_.step(); });
+      written_ += result.written.size();
+      kept_ += kept_count(work);
+      results_.push_back(job_value(work, list_.kept, result));
+      if (!result.problems.empty()) return give_up(result.problems);
+    }
+    return finish();
+  }
+
+ private:
+  static std::size_t total(const WorkList& list) {
+    std::size_t count = 0;
+    for (const Work& work : list.works) count += work.frames.size();
+    return count;
+  }
+
+  // Manifests hold from the start only what stays, so that a stop at any moment leaves them true.
+  Result<void> begin() const {
+    for (const auto& [path, records] : list_.kept)
+      if (auto written = write_manifest(path, records); !written) return written;
+    return {};
+  }
+
+  VerbOutput give_up(const Diagnostics& problems) {
+    progress_.finish();
+    const std::string goes_on = written_ == 0
+                                    ? "nothing rendered"
+                                    : fmt::format("{} of {} written; --resume goes on from there",
+                                                  written_, counted(total_, "frame"));
+    return {"", report_failure(problems, goes_on)};
+  }
+
+  VerbOutput finish() {
+    progress_.finish();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
+    const bool stopped = written_ < total_;
+    if (stopped)
+      report_note(fmt::format(
+          "flatray: interrupted, {} of {} written; the same command with --resume goes on",
+          written_, counted(total_, "frame")));
+    else if (!arguments_.has("quiet"))
+      report_note(fmt::format("flatray: {} written{} in {:.2f} s", counted(written_, "frame"),
+                              kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
+    constexpr int kInterrupted = 130;
+    VerbOutput output{"", stopped ? kInterrupted : 0};
+    if (arguments_.has("json"))
+      output.text = json_report("render", arguments_, results_, time.count());
+    return output;
+  }
+
+  const Arguments& arguments_;
+  const WorkList& list_;
+  const std::size_t total_;
+  Progress progress_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::size_t written_ = 0, kept_ = 0;
+  Values results_;
+};
+
+}  // namespace
+
+Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
+  Result<Manifests> kept = kept_records(jobs, request.resume, request.threads);
+  if (!kept) return fail(std::move(kept));
+  WorkList list{{}, std::move(*kept), request.threads};
+  for (const RenderJob& job : jobs) list.works.push_back({&job, frames_to_make(job, list.kept)});
+  return list;
+}
+
+VerbOutput describe(const Arguments& arguments, const WorkList& list) {
+  Values values;
+  std::string text;
+  for (const Work& work : list.works) {
+    values.push_back(dry_value(work, list.threads));
+    text += dry_text(work, list.threads);
+  }
+  if (arguments.has("json")) return {json_report("render", arguments, std::move(values), 0), 0};
+  return {std::move(text), 0};
+}
+
+VerbOutput render_all(const Arguments& arguments, const WorkList& list, ProgressMode mode) {
+  return Run(arguments, list, mode)();
+}
+
+}  // namespace flatray

@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "app/progress.h"
+#include "app/render_job.h"
+#include "app/render_request.h"
+#include "app/verb.h"
+
+namespace flatray {
+
+/// What one scene's part of a render comes to.
+struct Work {
+  const RenderJob* job;
+  std::vector<unsigned> frames;  ///< still to make
+};
+
+/// The jobs of a command, with what --resume keeps taken out.
+struct WorkList {
+  std::vector<Work> works;
+  Manifests kept;
+  unsigned threads = 1;
+};
+Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request);
+
+/// --dry-run: frames, names and memory, as lines or as the object of --json.
+VerbOutput describe(const Arguments& arguments, const WorkList& list);
+
+/// Renders scene after scene. The first failure or Ctrl-C ends it: whole frames and their records
+/// stay, the exit code is 6 or 130.
+VerbOutput render_all(const Arguments& arguments, const WorkList& list, ProgressMode mode);
+
+}  // namespace flatray

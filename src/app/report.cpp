@@ -1,0 +1,78 @@
+#include "app/report.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "app/version.h"
+
+namespace flatray {
+
+int exit_code(const Diagnostics& problems) {
+  if (problems.empty()) return 0;
+  switch (problems.front().trouble) {
+    case Trouble::usage:
+      return 2;
+    case Trouble::missing:
+      return 3;
+    case Trouble::invalid:
+      return 4;
+    case Trouble::unavailable:
+      return 5;
+    case Trouble::output:
+      return 6;
+  }
+  return 70;
+}
+
+int report_failure(const Diagnostics& problems, const std::string& undone) {
+  const std::string closing =
+      fmt::format("flatray: {} error{}{}{}", problems.size(), problems.size() == 1 ? "" : "s",
+                  undone.empty() ? "" : ", ", undone);
+  std::fputs(format(problems).c_str(), stderr);
+  report_note(closing);
+  return exit_code(problems);
+}
+
+void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
+  if (!arguments.has("quiet")) std::fputs(format(warnings, "warning").c_str(), stderr);
+}
+
+void report_note(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
+
+std::string json_report(const char* verb, const Arguments& arguments, Value results,
+                        double seconds) {
+  Fields options;
+  for (const auto& [name, given] : arguments.given()) {
+    Values values(given.values.begin(), given.values.end());
+    options.emplace_back(name, values.empty()       ? Value(true)
+                               : values.size() == 1 ? values.front()
+                                                    : Value(std::move(values)));
+  }
+  const std::vector<std::string>& operands = arguments.operands();
+  return json_text(Fields{{"schema", fmt::format("flatray.{}/1", verb)},
+                          {"version", kVersion},
+                          {"args", Fields{{"operands", Values(operands.begin(), operands.end())},
+                                          {"options", std::move(options)}}},
+                          {"results", std::move(results)},
+                          {"timing", Fields{{"seconds", seconds}}}}) +
+         "\n";
+}
+
+Value as_value(const Diagnostic& diagnostic) {
+  Fields fields;
+  if (diagnostic.where) {
+    const SourceText& source = *diagnostic.where.source;
+    fields.emplace_back("file", source.name());
+    if (!source.text().empty()) {
+      const SourceText::Position at = source.position(diagnostic.where.offset);
+      fields.emplace_back("line", at.line);
+      fields.emplace_back("column", at.column);
+    }
+  }
+  fields.emplace_back("message", diagnostic.message);
+  fields.emplace_back("hint", diagnostic.hint);
+  return fields;
+}
+
+}  // namespace flatray

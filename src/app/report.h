@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "app/arguments.h"
+#include "app/value.h"
+#include "base/result.h"
+
+namespace flatray {
+
+/// Exit code of a failure: that of its first diagnostic (design, section 3).
+int exit_code(const Diagnostics& problems);
+
+/// Mistakes on standard error and the closing line "flatray: 2 errors, nothing rendered".
+/// Gives   the exit code.
+int report_failure(const Diagnostics& problems, const std::string& undone);
+
+/// Warnings on standard error, unless the verb was given --quiet.
+void report_warnings(const Diagnostics& warnings, const Arguments& arguments);
+
+/// One line for people on standard error.
+void report_note(const std::string& line);
+
+/// The one object --json prints: schema "flatray.VERB/1", version, args, results, timing.
+std::string json_report(const char* verb, const Arguments& arguments, Value results,
+                        double seconds);
+
+/// A diagnostic as an object: file, line, column, message, hint.
+Value as_value(const Diagnostic& diagnostic);
+
+}  // namespace flatray

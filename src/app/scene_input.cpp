@@ -1,0 +1,51 @@
+#include "app/scene_input.h"
+
+#include "app/frames.h"
+#include "app/option_values.h"
+#include "app/report.h"
+#include "base/parallel.h"
+
+namespace flatray {
+
+Result<std::uint64_t> max_pixels(const Arguments& arguments) {
+  return arguments.whole("max-pixels", LoadLimits{}.max_pixels, 1, kMostPixels);
+}
+
+Result<std::uint64_t> seed(const Arguments& arguments, const Scene& scene) {
+  return arguments.whole("seed", scene.seed, 0, ~std::uint64_t{0});
+}
+
+Result<unsigned> threads(const Arguments& arguments) {
+  constexpr std::uint64_t kMostThreads = 1024;
+  const auto count = arguments.whole("jobs", hardware_threads(), 1, kMostThreads);
+  if (!count) return tl::unexpected(count.error());
+  return static_cast<unsigned>(*count);
+}
+
+Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path) {
+  const auto overrides = parse_overrides(arguments.list("define"), arguments.where("define"));
+  if (!overrides) return tl::unexpected(overrides.error());
+  const auto limit = max_pixels(arguments);
+  if (!limit) return tl::unexpected(limit.error());
+  LoadLimits limits;
+  limits.max_pixels = *limit;
+  return load_scene(path, *overrides, limits);
+}
+
+Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene) {
+  const auto frame = arguments.whole("frame", 1, 1, kLastFrame);
+  if (!frame) return tl::unexpected(frame.error());
+  const auto seeded = seed(arguments, scene);
+  if (!seeded) return tl::unexpected(seeded.error());
+  const auto number = static_cast<unsigned>(*frame);
+  return at(Timeline(scene, *seeded, number), number);
+}
+
+Result<Scene> load_only_input(const Arguments& arguments) {
+  Result<LoadedScene> loaded = load_input(arguments, arguments.operands().front());
+  if (!loaded) return fail(std::move(loaded));
+  report_warnings(loaded->warnings, arguments);
+  return std::move(loaded->scene);
+}
+
+}  // namespace flatray

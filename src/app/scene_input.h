@@ -1,0 +1,40 @@
+#pragma once
+#include "anim/frame_state.h"
+#include "app/arguments.h"
+#include "scene/load.h"
+
+namespace flatray {
+
+/// Options several verbs have, so that they mean the same everywhere.
+inline constexpr Option kDefineOption = {"define", 'D', "KEY=VALUE",
+                                         "change a key of the scene, as -D film.size=[64,64]",
+                                         OptionKind::list};
+inline constexpr Option kMaxPixelsOption = {"max-pixels", '\0', "N",
+                                            "most pixels a picture may have (default 268435456)"};
+inline constexpr Option kSeedOption = {"seed", '\0', "N",
+                                       "seed of all draws instead of the scene's"};
+inline constexpr Option kThreadsOption = {"jobs", 'j', "N",
+                                          "threads (default: all of the machine)"};
+inline constexpr Option kFrameOption = {"frame", 'f', "K",
+                                        "frame whose positions are used (default 1)"};
+inline constexpr Option kJsonOption = {"json", '\0', "", "print one JSON object", OptionKind::flag};
+inline constexpr Option kCsvOption = {"csv", '\0', "", "print comma-separated values",
+                                      OptionKind::flag};
+inline constexpr Option kQuietOption = {"quiet", 'q', "", "print no warnings and no summary",
+                                        OptionKind::flag};
+
+/// --max-pixels, --seed, -j as given, or their defaults.
+Result<std::uint64_t> max_pixels(const Arguments& arguments);
+Result<std::uint64_t> seed(const Arguments& arguments, const Scene& scene);
+Result<unsigned> threads(const Arguments& arguments);
+
+/// Loads a scene with the -D of the command line. Its warnings are not printed yet.
+Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path);
+
+/// The same for verbs of one scene: the first operand, its warnings printed.
+Result<Scene> load_only_input(const Arguments& arguments);
+
+/// State of the scene at --frame with --seed.
+Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene);
+
+}  // namespace flatray

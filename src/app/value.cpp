@@ -1,0 +1,182 @@
+#include "app/value.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+
+namespace flatray {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+std::string quoted(const std::string& text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+template <class Items, class Write>
+std::string joined(char open, const Items& items, char close, const Write& write) {
+  std::string text(1, open);
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ',';
+    text += write(item);
+  }
+  return text + close;
+}
+
+Value from_json(const Json& json) {
+  switch (json.type()) {
+    case Json::value_t::boolean:
+      return json.get<bool>();
+    case Json::value_t::number_unsigned:
+      return json.get<std::uint64_t>();
+    case Json::value_t::number_integer: {
+      Value value;
+      value.data = json.get<std::int64_t>();
+      return value;
+    }
+    case Json::value_t::number_float:
+      return json.get<double>();
+    case Json::value_t::string:
+      return json.get<std::string>();
+    case Json::value_t::array: {
+      Values values;
+      for (const Json& item : json) values.push_back(from_json(item));
+      return values;
+    }
+    case Json::value_t::object: {
+      Fields fields;
+      for (const auto& [name, item] : json.items()) fields.emplace_back(name, from_json(item));
+      return fields;
+    }
+    default:
+      return {};
+  }
+}
+
+bool is_number(const Value& value) {
+  return std::holds_alternative<double>(value.data) ||
+         std::holds_alternative<std::int64_t>(value.data) ||
+         std::holds_alternative<std::uint64_t>(value.data);
+}
+
+// As people and CSV see it: texts bare, nothing for null.
+std::string cell_text(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
+  if (const auto* number = std::get_if<double>(&value.data)) return number_text(*number);
+  if (std::holds_alternative<std::nullptr_t>(value.data)) return "";
+  return json_text(value);
+}
+
+std::string csv_cell(const Value& value) {
+  std::string text = cell_text(value);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
+    text.insert(at, 1, '"');
+  return '"' + text + '"';
+}
+
+std::string csv_line(const Values& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+  return line + "\n";
+}
+
+std::vector<std::size_t> column_widths(const Table& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& column : table.columns) widths.push_back(column.size());
+  for (const Values& row : table.rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], cell_text(row[i]).size());
+  return widths;
+}
+
+}  // namespace
+
+const Value* Value::find(std::string_view name) const {
+  const auto* fields = std::get_if<Fields>(&data);
+  if (fields == nullptr) return nullptr;
+  const auto found = std::find_if(fields->begin(), fields->end(),
+                                  [&](const auto& field) { return field.first == name; });
+  return found == fields->end() ? nullptr : &found->second;
+}
+
+std::optional<std::string> Value::as_text() const {
+  const auto* text = std::get_if<std::string>(&data);
+  return text == nullptr ? std::nullopt : std::optional(*text);
+}
+
+std::optional<std::uint64_t> Value::as_whole() const {
+  const auto* number = std::get_if<std::uint64_t>(&data);
+  return number == nullptr ? std::nullopt : std::optional(*number);
+}
+
+std::string json_text(const Value& value) {
+  return std::visit(
+      Overloaded{[](std::nullptr_t) -> std::string { return "null"; },
+                 [](bool truth) -> std::string { return truth ? "true" : "false"; },
+                 [](std::int64_t number) { return std::to_string(number); },
+                 [](std::uint64_t number) { return std::to_string(number); },
+                 [](double number) {
+                   const std::string text = number_text(number);
+                   return std::isfinite(number) ? text : quoted(text);
+                 },
+                 [](const std::string& text) { return quoted(text); },
+                 [](const Values& values) { return joined('[', values, ']', json_text); },
+                 [](const Fields& fields) {
+                   return joined('{', fields, '}', [](const auto& field) {
+                     return quoted(field.first) + ":" + json_text(field.second);
+                   });
+                 }},
+      value.data);
+}
+
+std::optional<Value> parse_json(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return std::nullopt;
+  return from_json(json);
+}
+
+std::string aligned_text(const Table& table, const std::string& indent) {
+  const std::vector<std::size_t> widths = column_widths(table);
+  std::string text;
+  const auto add_line = [&](const Values& cells) {
+    std::string line = indent;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string cell = cell_text(cells[i]);
+      const std::string pad(widths[i] - std::min(widths[i], cell.size()), ' ');
+      line += (i == 0 ? "" : "  ") + (is_number(cells[i]) ? pad + cell : cell + pad);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  };
+  add_line(Values(table.columns.begin(), table.columns.end()));
+  for (const Values& row : table.rows) add_line(row);
+  return text;
+}
+
+std::string csv_text(const Table& table) {
+  std::string text = csv_line(Values(table.columns.begin(), table.columns.end()));
+  for (const Values& row : table.rows) text += csv_line(row);
+  return text;
+}
+
+Value as_objects(const Table& table) {
+  Values objects;
+  for (const Values& row : table.rows) {
+    Fields fields;
+    for (std::size_t i = 0; i < row.size(); ++i) fields.emplace_back(table.columns[i], row[i]);
+    objects.emplace_back(std::move(fields));
+  }
+  return objects;
+}
+
+}  // namespace flatray

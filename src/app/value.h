@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace flatray {
+
+/// What a verb reports, before it is JSON, CSV or a table for people.
+struct Value;
+using Values = std::vector<Value>;
+using Fields = std::vector<std::pair<std::string, Value>>;  ///< in the order shown
+
+struct Value {
+  std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Values,
+               Fields>
+      data = nullptr;
+
+  Value() = default;
+  Value(bool value) : data(value) {}
+  Value(int value) : data(std::int64_t{value}) {}
+  Value(unsigned value) : data(std::uint64_t{value}) {}
+  Value(std::uint64_t value) : data(value) {}
+  Value(double value) : data(value) {}
+  Value(std::string value) : data(std::move(value)) {}
+  Value(const char* value) : data(std::string(value)) {}
+  Value(Values value) : data(std::move(value)) {}
+  Value(Fields value) : data(std::move(value)) {}
+
+  /// The field of that name, or nullptr where there is none or this is no object.
+  const Value* find(std::string_view name) const;
+  std::optional<std::string> as_text() const;
+  /// A whole number that is not negative.
+  std::optional<std::uint64_t> as_whole() const;
+};
+
+/// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts
+/// "inf" and "-inf"; bytes that are no UTF-8 become U+FFFD.
+std::string json_text(const Value& value);
+/// nullopt for what is no JSON.
+std::optional<Value> parse_json(std::string_view text);
+
+/// Rows of equal length under column names.
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<Values> rows;
+};
+/// Columns lined up with blanks; numbers to the right. Each line begins with `indent`.
+std::string aligned_text(const Table& table, const std::string& indent = {});
+/// RFC 4180: a header line, quotes where needed.
+std::string csv_text(const Table& table);
+/// One object a row.
+Value as_objects(const Table& table);
+
+}  // namespace flatray

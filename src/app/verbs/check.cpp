@@ -1,0 +1,65 @@
+#include <fmt/core.h>
+
+#include <chrono>
+
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+
+namespace flatray::verbs {
+namespace {
+
+constexpr Option kOptions[] = {kDefineOption, kMaxPixelsOption, kJsonOption, kQuietOption};
+
+Values as_values(const Diagnostics& diagnostics) {
+  Values values;
+  for (const Diagnostic& one : diagnostics) values.push_back(as_value(one));
+  return values;
+}
+
+std::string facts(const Scene& scene) {
+  return fmt::format("{} entities, {} chambers, {} rays, {} frames of {}x{}", scene.entities.size(),
+                     scene.chambers.size(), scene.rays.size(), scene.frames, scene.film.width,
+                     scene.film.height);
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  Values results;
+  Diagnostics problems;
+  std::string text;
+  for (const std::string& path : arguments.operands()) {
+    const Result<LoadedScene> loaded = load_input(arguments, path);
+    const Diagnostics errors = loaded ? Diagnostics{} : loaded.error();
+    const Diagnostics warnings = loaded ? loaded->warnings : Diagnostics{};
+    report_warnings(warnings, arguments);
+    results.push_back(Fields{{"scene", path},
+                             {"valid", errors.empty()},
+                             {"errors", as_values(errors)},
+                             {"warnings", as_values(warnings)}});
+    if (loaded) text += fmt::format("{}: valid, {}\n", path, facts(loaded->scene));
+    problems.insert(problems.end(), errors.begin(), errors.end());
+  }
+  if (arguments.has("json")) {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    text = json_report("check", arguments, std::move(results), time.count());
+  } else if (arguments.has("quiet")) {
+    text.clear();
+  }
+  const int code = problems.empty() ? 0 : report_failure(problems, "");
+  return VerbOutput{std::move(text), code};
+}
+
+}  // namespace
+
+extern const Verb check = {"check",
+                           "SCENE...",
+                           "read scenes and report every mistake, without drawing",
+                           1,
+                           10'000,
+                           kOptions,
+                           "  flatray check scenes/*.toml\n",
+                           "",
+                           &run};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,65 @@
+#include <fmt/core.h>
+
+#include "app/render_request.h"
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/isa.h"
+
+namespace flatray::verbs {
+namespace {
+
+constexpr Option kOptions[] = {
+    {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
+    {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
+    kThreadsOption,
+    kDefineOption,
+    kMaxPixelsOption,
+    kJsonOption,
+    kQuietOption};
+
+Table decisions(const RenderJob& job, unsigned threads) {
+  const RenderPlan plan = make_plan(job.scene, job.keep_all);
+  Table table{{"part", "decision", "reason"}, {}};
+  const auto add = [&](std::string part, std::string decision, std::string reason) {
+    table.rows.push_back({std::move(part), std::move(decision), std::move(reason)});
+  };
+  for (const RenderPlan::Choice& choice : plan.choices)
+    add(choice.part, choice.decision, choice.reason);
+  const std::size_t count = plan.still ? 1 : job.frames.size();
+  const Spread spread = flatray::spread(job, count, threads);
+  add("instructions", isa_name(active_isa()),
+      "the fastest tier of this machine, or FLATRAY_ISA; same bits on all");
+  add("threads",
+      fmt::format("{} frames at once, {} threads each", spread.frames_at_once, spread.threads_each),
+      fmt::format("{} threads, {} to draw", threads, count));
+  add("memory",
+      fmt::format("{:.1f} MB", static_cast<double>(peak_bytes(job, count, threads)) / 1e6),
+      fmt::format("pictures of {}x{} at their peak", job.picture().width, job.picture().height));
+  return table;
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto request = read_request(arguments);
+  if (!request) return tl::unexpected(request.error());
+  const auto jobs = make_jobs(arguments, *request);
+  if (!jobs) return tl::unexpected(jobs.error());
+  const Table table = decisions(jobs->front(), request->threads);
+  if (arguments.has("json"))
+    return VerbOutput{json_report("explain", arguments, as_objects(table), 0)};
+  return VerbOutput{aligned_text(table)};
+}
+
+}  // namespace
+
+extern const Verb explain = {"explain",
+                             "SCENE",
+                             "show what a render of the scene would do and leave out, and why",
+                             1,
+                             1,
+                             kOptions,
+                             "  flatray explain scenes/demo.toml\n",
+                             "",
+                             &run};
+
+}  // namespace flatray::verbs

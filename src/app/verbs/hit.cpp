@@ -1,0 +1,165 @@
+#include <fmt/core.h>
+
+#include "app/hit_report.h"
+#include "app/option_values.h"
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+
+namespace flatray::verbs {
+namespace {
+
+constexpr Option kOptions[] = {
+    {"ray", 'r', "x,y,dx,dy", "this ray, against every entity"},
+    {"from", '\0', "ENTITY", "the edges of this entity as rays"},
+    {"against", '\0', "ENTITY", "against this entity only"},
+    {"domain", '\0', "line|ray|segment", "part of the line that counts (edges: segment)"},
+    kFrameOption,
+    kSeedOption,
+    kDefineOption,
+    kMaxPixelsOption,
+    kJsonOption,
+    kCsvOption,
+    kQuietOption};
+
+// Rays and what they are clipped against.
+struct Question {
+  std::vector<NamedRay> rays;
+  std::vector<std::uint32_t> against;
+  Range within = kRay;
+};
+
+Result<std::uint32_t> find_entity(const Arguments& arguments, const char* option,
+                                  const Scene& scene) {
+  const std::string wanted = *arguments.text(option);
+  std::vector<std::string> known;
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
+    if (scene.entities[i].name == wanted) return i;
+    known.push_back(scene.entities[i].name);
+  }
+  const std::string near = nearest_word(wanted, known);
+  return usage_error(arguments.where(option),
+                     fmt::format("the scene has no entity '{}'{}", wanted,
+                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                     "its entities: " + comma_list(known));
+}
+
+// All entities, or the one of --against; never the one the rays come from.
+Result<std::vector<std::uint32_t>> targets(const Arguments& arguments, const Scene& scene,
+                                           std::optional<std::uint32_t> from) {
+  std::vector<std::uint32_t> entities;
+  if (arguments.has("against")) {
+    const auto entity = find_entity(arguments, "against", scene);
+    if (!entity) return tl::unexpected(entity.error());
+    return std::vector{*entity};
+  }
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (from != i) entities.push_back(i);
+  return entities;
+}
+
+Result<Range> domain(const Arguments& arguments, const char* otherwise) {
+  const std::string wanted = arguments.text("domain").value_or(otherwise);
+  if (wanted == "line") return kLine;
+  if (wanted == "ray") return kRay;
+  if (wanted == "segment") return kSegment;
+  return usage_error(arguments.where("domain"), fmt::format("unknown domain '{}'", wanted),
+                     "say line, ray or segment");
+}
+
+Result<Question> ask(const Arguments& arguments, const Scene& scene, std::vector<NamedRay> rays,
+                     std::optional<std::uint32_t> from) {
+  auto against = targets(arguments, scene, from);
+  if (!against) return fail(std::move(against));
+  const auto within = domain(arguments, from ? "segment" : "ray");
+  if (!within) return tl::unexpected(within.error());
+  return Question{std::move(rays), std::move(*against), *within};
+}
+
+// What the scene itself asks: its edge rays and its rays.
+Result<std::vector<Question>> scene_questions(const Arguments& arguments, const Scene& scene,
+                                              const FrameState& state) {
+  std::vector<Question> questions;
+  for (const EdgeRays& pair : scene.edge_rays) {
+    const auto within = domain(arguments, "segment");
+    if (!within) return tl::unexpected(within.error());
+    questions.push_back({edge_rays(scene, state, pair.from), {pair.against}, *within});
+  }
+  std::vector<NamedRay> rays;
+  for (const RayPath& ray : scene.rays)
+    rays.push_back({ray.name, {world_pose(state)(ray.at), ray.direction}});
+  if (rays.empty()) return questions;
+  auto question = ask(arguments, scene, std::move(rays), std::nullopt);
+  if (!question) return fail(std::move(question));
+  questions.push_back(std::move(*question));
+  return questions;
+}
+
+Result<std::vector<Question>> read_questions(const Arguments& arguments, const Scene& scene,
+                                             const FrameState& state) {
+  std::optional<std::uint32_t> from;
+  std::vector<NamedRay> rays;
+  if (arguments.has("ray") && arguments.has("from"))
+    return usage_error(arguments.where("from"), "does not go with --ray", "say one of them");
+  if (const auto text = arguments.text("ray")) {
+    const auto ray = parse_ray(*text, arguments.where("ray"));
+    if (!ray) return tl::unexpected(ray.error());
+    rays.push_back({"ray", *ray});
+  } else if (arguments.has("from")) {
+    const auto entity = find_entity(arguments, "from", scene);
+    if (!entity) return tl::unexpected(entity.error());
+    from = *entity;
+    rays = edge_rays(scene, state, *from);
+  } else {
+    return scene_questions(arguments, scene, state);
+  }
+  auto question = ask(arguments, scene, std::move(rays), from);
+  if (!question) return fail(std::move(question));
+  return std::vector{std::move(*question)};
+}
+
+VerbOutput show(const Arguments& arguments, const std::vector<HitReport>& reports) {
+  if (arguments.has("csv")) return {csv_text(csv_rows(reports)), 0};
+  Values values;
+  std::string text;
+  for (const HitReport& report : reports) {
+    values.push_back(as_value(report));
+    text += (text.empty() ? "" : "\n") + text_of(report);
+  }
+  if (arguments.has("json")) return {json_report("hit", arguments, std::move(values), 0), 0};
+  return {std::move(text), 0};
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto scene = load_only_input(arguments);
+  if (!scene) return tl::unexpected(scene.error());
+  const auto state = frame_of(arguments, *scene);
+  if (!state) return tl::unexpected(state.error());
+  const auto questions = read_questions(arguments, *scene, *state);
+  if (!questions) return tl::unexpected(questions.error());
+  std::vector<HitReport> reports;
+  for (const Question& question : *questions)
+    for (const NamedRay& ray : question.rays)
+      for (const std::uint32_t entity : question.against)
+        for (HitReport& report : hit_reports(*scene, *state, ray, entity, question.within))
+          reports.push_back(std::move(report));
+  if (reports.empty())
+    return usage_error(named_place("hit"), "there is no ray to ask about",
+                       "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
+  return show(arguments, reports);
+}
+
+}  // namespace
+
+extern const Verb hit = {"hit",
+                         "SCENE",
+                         "show where rays lie inside polygons, edge by edge",
+                         1,
+                         1,
+                         kOptions,
+                         "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
+                         "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n",
+                         "",
+                         &run};
+
+}  // namespace flatray::verbs

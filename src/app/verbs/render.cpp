@@ -1,0 +1,72 @@
+#include "app/interrupt.h"
+#include "app/render_run.h"
+#include "app/scene_input.h"
+
+namespace flatray::verbs {
+namespace {
+
+constexpr Option kOptions[] = {
+    {"output", 'o', "PATTERN", "where to: out/frame_####.png, {scene}, - for standard output"},
+    {"frames", 'f', "LIST", "frames, as 1..240:2,300 (default: all of the scene)"},
+    kThreadsOption,
+    {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
+    {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
+    kSeedOption,
+    kDefineOption,
+    {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
+    {"resume", '\0', "", "keep frames already written whole for this very scene", OptionKind::flag},
+    {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
+    {"keep-all", '\0', "", "leave nothing out that the plan would; same pictures",
+     OptionKind::flag},
+    kMaxPixelsOption,
+    {"format", '\0', "png|hdr", "format where the name does not say it"},
+    {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
+    kJsonOption,
+    kQuietOption,
+};
+
+Result<ProgressMode> progress_mode(const Arguments& arguments) {
+  const auto word = arguments.one_of("progress", {"auto", "always", "never"});
+  if (!word) return tl::unexpected(word.error());
+  if (*word == "never" || arguments.has("quiet")) return ProgressMode::never;
+  return *word == "always" ? ProgressMode::always : ProgressMode::automatic;
+}
+
+Result<VerbOutput> to_stdout(const RenderJob& job, unsigned threads) {
+  const auto bytes = picture_bytes(job, job.frames.front(), threads);
+  return VerbOutput{std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto request = read_request(arguments);
+  if (!request) return tl::unexpected(request.error());
+  const auto mode = progress_mode(arguments);
+  if (!mode) return tl::unexpected(mode.error());
+  const auto jobs = make_jobs(arguments, *request);
+  if (!jobs) return tl::unexpected(jobs.error());
+  const auto list = work_list(*jobs, *request);
+  if (!list) return tl::unexpected(list.error());
+  if (arguments.has("dry-run")) return describe(arguments, *list);
+  const RenderJob& first = jobs->front();
+  if (first.output.is_stdout()) return to_stdout(first, request->threads);
+  catch_interrupts();
+  return render_all(arguments, *list, *mode);
+}
+
+}  // namespace
+
+extern const Verb render = {
+    "render",
+    "SCENE...",
+    "draw frames of scenes into picture files",
+    1,
+    10'000,
+    kOptions,
+    "  flatray render scenes/demo.toml\n"
+    "  flatray render scene.toml -f 3 -o hall.png\n"
+    "  flatray render scene.toml -o 'out/frame_####.png' -j 4 --resume\n"
+    "  flatray render scene.toml --shard 0/3        # and 1/3, 2/3 elsewhere\n",
+    "nothing rendered",
+    &run};
+
+}  // namespace flatray::verbs

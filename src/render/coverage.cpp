@@ -1,0 +1,33 @@
+#include "render/coverage.h"
+
+#include "render/coverage_scan.h"
+
+namespace flatray {
+namespace {
+
+void pass_on(const RunList& list, const RunSink& sink) {
+  for (const Run& run : list.runs()) sink(run.y, run.x_begin, run.x_end, run.steps);
+}
+
+}  // namespace
+
+CoverageStats scan(const FillPath& path, Coverage mode, const PixelBox& box, const RunSink& sink) {
+  RunList list;
+  CoverageStats stats;
+  if (mode == Coverage::area)
+    stats = AreaScan().scan(path, nullptr, box, list);
+  else
+    scan_centres(path, nullptr, box, list, stats);
+  pass_on(list, sink);
+  return stats;
+}
+
+CoverageStats scan(const FillRing& ring, Coverage mode, const PixelBox& box, const RunSink& sink) {
+  RunList list;
+  CoverageStats stats;
+  scan_ring(ring, mode, box, list, stats);
+  pass_on(list, sink);
+  return stats;
+}
+
+}  // namespace flatray

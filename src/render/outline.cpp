@@ -1,0 +1,72 @@
+#include "render/outline.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace flatray {
+namespace {
+
+std::uint64_t bits(double v) { return std::bit_cast<std::uint64_t>(v + 0.0); }  // -0 is 0
+
+bool same(const Vec2& a, const Vec2& b) { return a.x() == b.x() && a.y() == b.y(); }
+
+// The same for both directions of an edge.
+std::uint64_t mixed(const Segment& e) {
+  const auto point = [](const Vec2& p) {
+    std::uint64_t h = bits(p.x()) * 0x9E3779B97F4A7C15U ^ std::rotl(bits(p.y()), 32);
+    h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9U;
+    return h ^ (h >> 32);
+  };
+  std::uint64_t h = (point(e.a) + point(e.b)) * 0x94D049BB133111EBU;
+  return h ^ (h >> 31);
+}
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// Edges still standing, hashed by their ends; those of one line in a chain, the newest first.
+class Standing {
+ public:
+  explicit Standing(std::size_t count)
+      : heads_(std::bit_ceil(count + 1), kNone), next_(count, kNone) {}
+
+  // Takes the newest edge that runs against `edges[index]` out of its chain, or adds the edge to
+  // it.
+  std::uint32_t cancel_or_add(const std::vector<Segment>& edges, std::uint32_t index) {
+    const Segment& edge = edges[index];
+    std::uint32_t* link = &heads_[mixed(edge) & (heads_.size() - 1)];
+    std::uint32_t* const head = link;
+    for (; *link != kNone; link = &next_[*link]) {
+      const Segment& other = edges[*link];
+      if (!same(other.a, edge.b) || !same(other.b, edge.a)) continue;
+      const std::uint32_t partner = *link;
+      *link = next_[partner];
+      return partner;
+    }
+    next_[index] = *head;
+    *head = index;
+    return kNone;
+  }
+
+ private:
+  std::vector<std::uint32_t> heads_, next_;
+};
+
+}  // namespace
+
+std::vector<Segment> cancel_edges(std::vector<Segment> edges) {
+  std::erase_if(edges, [](const Segment& e) { return same(e.a, e.b); });
+  Standing standing(edges.size());
+  std::vector<bool> gone(edges.size(), false);
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const std::uint32_t partner = standing.cancel_or_add(edges, i);
+    if (partner != kNone) gone[i] = gone[partner] = true;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (!gone[i]) edges[kept++] = edges[i];
+  edges.resize(kept);
+  return edges;
+}
+
+}  // namespace flatray

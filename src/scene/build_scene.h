@@ -1,0 +1,17 @@
+#pragma once
+#include "scene/imports.h"
+#include "scene/load.h"
+#include "scene/scene_desc.h"
+#include "scene/vocabulary.h"
+
+namespace flatray {
+
+/// Checks a description and makes the scene of it; `name` and `hash` are left to the caller.
+///
+/// Error   every mistake, in the order of the source; what came from overrides last.
+Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits);
+
+/// The keys of every table but the shapes'.
+std::vector<TableInfo> language_tables();
+
+}  // namespace flatray

@@ -1,0 +1,63 @@
+#include "scene/look_keys.h"
+#include "scene/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+using Pillar = Chamber::Pillar;
+
+constexpr Key<Pillar> kPillarKeys[] = {
+    kNameKey<Pillar>,
+    kShapeKey<Pillar>,
+    kAtKey<Pillar>,
+    kAngleKey<Pillar>,
+    material_key<Pillar>("\"mirror\""),
+    fill_key<Pillar>("\"#999999\" without a stroke, else \"none\""),
+    stroke_key<Pillar>("\"none\""),
+};
+
+void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
+  each_table(builder, field, kMaxEntries, [&](const Value& table) {
+    Pillar pillar;
+    read_keys<Pillar>(builder, table, "pillar", kPillarKeys, pillar);
+    if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
+      pillar.fill = kPillarColour;
+    chamber.pillars.push_back(std::move(pillar));
+  });
+}
+
+constexpr Key<Chamber> kChamberKeys[] = {
+    kNameKey<Chamber>,
+    kShapeKey<Chamber>,
+    material_key<Chamber>("\"mirror\""),
+    fill_key<Chamber>("\"none\""),
+    stroke_key<Chamber>("{ width_px = 1.5, colour = \"#333333\" } without a fill"),
+    kLayerKey<Chamber>,
+    {{"pillars", "[{ shape = ... }, ...]", "[]"}, &read_pillars},
+};
+
+void read_chamber(Builder& builder, const Value& table) {
+  Chamber chamber;
+  chamber.where = table.where;
+  read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
+  if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
+    chamber.stroke = kDefaultStroke;
+  builder.scene.chambers.push_back(std::move(chamber));
+}
+
+}  // namespace
+
+void read_chambers(Builder& builder, const Field& field, Scene&) {
+  if (field.value.kind == Value::Kind::array && field.value.items.size() > 1)
+    builder.in.problem(field.value.items[1].where, "a second chamber",
+                       "a scene holds at most one for now: make the others entities of mirrors");
+  each_table(builder, field, kMaxEntries,
+             [&](const Value& table) { read_chamber(builder, table); });
+}
+
+std::vector<TableInfo> chamber_tables() {
+  return {{"chamber", key_infos<Chamber>(kChamberKeys)},
+          {"chamber.pillars", key_infos<Pillar>(kPillarKeys)}};
+}
+
+}  // namespace flatray

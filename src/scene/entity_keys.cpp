@@ -1,0 +1,169 @@
+#include "scene/look_keys.h"
+#include "scene/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+// A look can hide what the entity shows: "none" is a colour no one sees.
+constexpr Colour kUnseen{0, 0, 0, 0};
+
+void read_look_fill(Builder& builder, const Field& field, Look& look) {
+  read_fill(builder, field, look.fill);
+  if (!look.fill) look.fill = kUnseen;
+}
+
+void read_look_stroke(Builder& builder, const Field& field, Look& look) {
+  read_optional_stroke(builder, field, look.stroke);
+  if (!look.stroke) look.stroke = Stroke{kDefaultStroke.width, true, kUnseen};
+}
+
+constexpr Key<Look> kLookKeys[] = {
+    kNameKey<Look>,
+    {{"shape", "{ KIND = { ... } }", "the entity's"}, &set_shape<Look>},
+    {{"fill", R"("#rrggbb" or "none")", "the entity's"}, &read_look_fill},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" })", "the entity's"}, &read_look_stroke},
+    {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
+};
+
+struct MarkovWords {
+  const MarkovChain* chain = nullptr;
+  MarkovUse use;
+};
+
+void read_chain(Builder& builder, const Field& field, MarkovWords& words) {
+  const auto name = builder.in.string(field);
+  if (!name) return;
+  std::vector<std::string> known;
+  for (std::uint32_t i = 0; i < builder.scene.chains.size(); ++i) {
+    const MarkovChain& chain = builder.scene.chains[i];
+    known.push_back(chain.name);
+    if (chain.name != *name) continue;
+    words.chain = &chain;
+    words.use.chain = i;
+    words.use.start = chain.start;
+    return;
+  }
+  builder.in.problems.push_back(unknown_word(field.value.where, "Markov chain", *name, known));
+}
+
+void read_start(Builder& builder, const Field& field, MarkovWords& words) {
+  const auto name = builder.in.string(field);
+  if (!name || words.chain == nullptr) return;
+  if (const auto state = find_state(builder, *words.chain, field.value.where, *name))
+    words.use.start = *state;
+}
+
+constexpr Key<MarkovWords> kMarkovKeys[] = {
+    {{"chain", "\"CHAIN\"", kRequired}, &read_chain},
+    {{"start", "\"STATE\"", "the chain's first row"}, &read_start},
+};
+
+void read_markov(Builder& builder, const Field& field, Entity& entity) {
+  MarkovWords words;
+  read_keys<MarkovWords>(builder, field.value, "markov", kMarkovKeys, words);
+  if (words.chain == nullptr) return;
+  words.use.looks.resize(words.chain->states.size());
+  entity.markov = std::move(words.use);
+}
+
+std::vector<Look> read_looks(Builder& builder, const Value& value, const std::string& state) {
+  const bool is_list = value.kind == Value::Kind::array;
+  std::vector<Look> looks(is_list ? value.items.size() : 1);
+  for (std::size_t i = 0; i < looks.size(); ++i)
+    read_keys<Look>(builder, is_list ? value.items[i] : value, "state " + state, kLookKeys,
+                    looks[i]);
+  return looks;
+}
+
+void read_states(Builder& builder, const Field& field, Entity& entity) {
+  if (!builder.in.is(field, Value::Kind::table, "a table of states")) return;
+  for (const Member& member : field.value.members) {
+    std::vector<Look> looks = read_looks(builder, member.value, member.key);
+    if (!entity.markov) continue;
+    const MarkovChain& chain = builder.scene.chains[entity.markov->chain];
+    if (const auto state = find_state(builder, chain, member.where, member.key))
+      entity.markov->looks[*state] = std::move(looks);
+  }
+}
+
+constexpr Key<Entity> kEntityKeys[] = {
+    kNameKey<Entity>,
+    kShapeKey<Entity>,
+    kAtKey<Entity>,
+    kAngleKey<Entity>,
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
+    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
+    fill_key<Entity>("\"#333333\" without a stroke, else \"none\""),
+    stroke_key<Entity>("\"none\"; a segment without fill and stroke has one"),
+    {{"bounding_box", R"({ width = w, colour = "#rrggbb" })", "\"none\""},
+     &set_stroke<&Entity::bounding_box>},
+    kLayerKey<Entity>,
+    material_key<Entity>("\"absorb\""),
+    {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
+    {{"states", "{ STATE = { ... } }", "{}"}, &read_states},
+};
+
+bool is_only_lines(const Shape& shape) {
+  return shape.piece_count() == 0 && shape.circles.empty() && shape.crossing_rings.empty();
+}
+
+void dress(const Scene& scene, const Value& table, Entity& entity) {
+  if (table.find("fill") != nullptr || table.find("stroke") != nullptr) return;
+  if (entity.shape < scene.shapes.size() && is_only_lines(scene.shapes[entity.shape]))
+    entity.stroke = kDefaultStroke;
+  else
+    entity.fill = kDefaultColour;
+}
+
+void read_entity(Builder& builder, const Value& table) {
+  Entity entity;
+  entity.where = table.where;
+  read_keys<Entity>(builder, table, "entity", kEntityKeys, entity);
+  const Member* states = table.find("states");
+  if (states != nullptr && table.find("markov") == nullptr)
+    builder.in.problem(states->where, "entity has states but no Markov chain",
+                       R"(add markov = { chain = "CHAIN" })");
+  dress(builder.scene, table, entity);
+  auto& named = builder.entity_names[entity.name];
+  named.index = static_cast<std::uint32_t>(builder.scene.entities.size());
+  ++named.count;
+  builder.scene.entities.push_back(std::move(entity));
+}
+
+// Enough of them to suggest one.
+std::vector<std::string> some_names(const Builder& builder) {
+  constexpr std::size_t kEnough = 1000;
+  std::vector<std::string> names;
+  for (const auto& [name, entity] : builder.entity_names)
+    if (!name.empty() && names.size() < kEnough) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+void read_entities(Builder& builder, const Field& field, Scene&) {
+  each_table(builder, field, kMaxEntries, [&](const Value& table) { read_entity(builder, table); });
+}
+
+std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
+  const auto name = builder.in.string(field);
+  if (!name) return std::nullopt;
+  const auto found = builder.entity_names.find(*name);
+  if (found == builder.entity_names.end()) {
+    builder.in.problems.push_back(
+        unknown_word(field.value.where, "entity", *name, some_names(builder)));
+    return std::nullopt;
+  }
+  if (found->second.count == 1) return found->second.index;
+  builder.in.problem(field.value.where, fmt::format("two entities are named '{}'", *name),
+                     "give each a name of its own");
+  return std::nullopt;
+}
+
+std::vector<TableInfo> entity_tables() {
+  return {{"entity", key_infos<Entity>(kEntityKeys)},
+          {"entity.markov", key_infos<MarkovWords>(kMarkovKeys)},
+          {"entity.states", key_infos<Look>(kLookKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,86 @@
+#include "scene/keys.h"
+#include "scene/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+constexpr Word<Coverage> kCoverages[] = {{"area", Coverage::area}, {"centre", Coverage::centre}};
+constexpr Word<CameraMotion> kMotions[] = {{"frame-origin", CameraMotion::frame_origin},
+                                           {"objects", CameraMotion::objects}};
+constexpr std::int64_t kMaxSide = 2147483647;
+
+void read_size(Builder& builder, const Field& field, Film& film) {
+  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
+    return builder.in.mismatch(field, "two whole numbers");
+  const auto width = builder.in.integer(field.item(0), 1, kMaxSide);
+  const auto height = builder.in.integer(field.item(1), 1, kMaxSide);
+  if (!width || !height) return;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(*width) * static_cast<std::uint64_t>(*height);
+  if (pixels > builder.limits.max_pixels)
+    return builder.in.problem(
+        field.value.where,
+        fmt::format("{} {} x {} is {} pixels", field.name, *width, *height, pixels),
+        fmt::format("the limit is {}; --max-pixels raises it", builder.limits.max_pixels));
+  film.width = static_cast<int>(*width);
+  film.height = static_cast<int>(*height);
+}
+
+void read_world(Builder& builder, const Field& field, Film& film) {
+  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
+    return builder.in.mismatch(field, "two points");
+  const auto low = builder.in.point(field.item(0)), high = builder.in.point(field.item(1));
+  if (!low || !high) return;
+  const Vec2 size = *high - *low;
+  if (!(size.x() > 0 && size.y() > 0))
+    return builder.in.problem(field.value.where, field.name + " has no area",
+                              "the first point must lie below and left of the second");
+  if (!size.allFinite())
+    return builder.in.problem(field.value.where, field.name + " is wider than the doubles", "");
+  film.world = Bounds{*low, *high};
+}
+
+constexpr Key<Film> kFilmKeys[] = {
+    {{"size", "[width, height]", "[640, 360]"}, &read_size},
+    {{"world", "[[x0, y0], [x1, y1]]", "what the scene holds, and 5 %"}, &read_world},
+    {{"background", "\"#rrggbb\"", "\"#ffffff\""}, &set<&Film::background>},
+    {{"coverage", R"("area" or "centre")", "\"area\""}, &set_word<&Film::coverage, kCoverages>},
+};
+
+void read_height(Builder& builder, const Field& field, Camera& camera) {
+  const auto height = builder.in.number(field);
+  if (height && !(*height > 0))
+    return builder.in.problem(field.value.where, field.name + " is not above 0",
+                              "write the world units the picture is high");
+  camera.height = height;
+}
+
+void read_follow(Builder& builder, const Field& field, Camera& camera) {
+  camera.follow = find_entity(builder, field);
+}
+
+constexpr Key<Camera> kCameraKeys[] = {
+    {{"at", "[x, y]", "the middle of film.world"}, &set<&Camera::at>},
+    {{"height", "number", "that of film.world"}, &read_height},
+    {{"follow", "\"ENTITY\"", "none"}, &read_follow},
+    {{"offset", "[dx, dy]", "[0, 0]"}, &set<&Camera::offset>},
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Camera::velocity>},
+    {{"motion", R"("frame-origin" or "objects")", "\"frame-origin\""},
+     &set_word<&Camera::motion, kMotions>},
+};
+
+}  // namespace
+
+void read_film(Builder& builder, const Field& field, Scene& scene) {
+  read_keys<Film>(builder, field.value, "film", kFilmKeys, scene.film);
+}
+
+void read_camera(Builder& builder, const Field& field, Scene& scene) {
+  read_keys<Camera>(builder, field.value, "camera", kCameraKeys, scene.camera);
+}
+
+std::vector<TableInfo> film_tables() {
+  return {{"film", key_infos<Film>(kFilmKeys)}, {"camera", key_infos<Camera>(kCameraKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,116 @@
+#include <fmt/core.h>
+
+#include "scene/builder.h"
+#include "scene/format.h"
+#include "scene/numbers.h"
+
+namespace flatray::scene_formats {
+namespace {
+
+// The paper's block: every object is a box of this size, its lower left corner at the point given.
+constexpr double kBlockWidth = 64, kBlockHeight = 128;
+constexpr const char* kLineHint = "a line reads { NAME, x, y } or NAME, x, y";
+
+Value pair(double x, double y) { return array_value({}, {built_in_number(x), built_in_number(y)}); }
+
+Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
+
+Value block() {
+  Value box =
+      table_value({}, {member("min", pair(0, 0)), member("max", pair(kBlockWidth, kBlockHeight))});
+  return table_value({}, {member("box", std::move(box))});
+}
+
+class ListReader {
+ public:
+  explicit ListReader(SourcePtr source) : source_(std::move(source)) {}
+
+  Result<SceneDesc> read() {
+    std::string_view rest = source_->text();
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      if (Result<void> line = read_line(rest.substr(0, end)); !line) return fail(std::move(line));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    const Place whole{source_, 0, 1};
+    std::vector<Member> root;
+    root.push_back({"flatray", whole, built_in_number(1)});
+    root.push_back({"fps", whole, built_in_number(1)});
+    root.push_back({"entity", whole, array_value(whole, std::move(entities_))});
+    return SceneDesc{table_value(whole, std::move(root)), {}};
+  }
+
+ private:
+  Place place(std::string_view part) const {
+    return {source_, static_cast<std::size_t>(part.data() - source_->text().data()), part.size()};
+  }
+
+  Result<void> read_line(std::string_view line) {
+    line = trimmed(line.substr(0, line.find('#')));
+    if (line.empty()) return {};
+    if (entities_.size() == kMaxEntries)
+      return fail(place(line), fmt::format("more than {} objects", kMaxEntries));
+    const std::string_view whole = line;
+    const bool opened = line.starts_with('{'), closed = line.ends_with('}') && line.size() > 1;
+    if (opened != closed)
+      return fail(place(whole),
+                  opened ? "the closing brace is missing" : "the opening brace is missing",
+                  kLineHint);
+    if (opened) line = line.substr(1, line.size() - 2);
+    return read_fields(whole, line);
+  }
+
+  // The name may hold commas; x and y are the last two parts.
+  Result<void> read_fields(std::string_view whole, std::string_view fields) {
+    const std::size_t second = fields.rfind(',');
+    const std::size_t first =
+        second == 0 || second == std::string_view::npos ? second : fields.rfind(',', second - 1);
+    if (second == 0 || first == std::string_view::npos || second == std::string_view::npos)
+      return fail(place(whole), "a name and two numbers are wanted", kLineHint);
+    const std::string_view name = trimmed(fields.substr(0, first));
+    const std::string_view parts[] = {trimmed(fields.substr(first + 1, second - first - 1)),
+                                      trimmed(fields.substr(second + 1))};
+    if (name.empty()) return fail(place(whole), "the name is missing", kLineHint);
+    std::vector<Value> at;
+    for (const std::string_view part : parts) {
+      if (!parse_literal(part))
+        return fail(place(part.empty() ? whole : part),
+                    fmt::format("'{}' is no finite number", part.substr(0, 40)), kLineHint);
+      at.push_back({Value::Kind::number, place(part), {}, {}, {}});
+    }
+    add(whole, name, std::move(at));
+    return {};
+  }
+
+  void add(std::string_view line, std::string_view name, std::vector<Value> at) {
+    const Place where = place(line);
+    std::vector<Member> entity;
+    entity.push_back(member("name", string_value(place(name), std::string(name))));
+    entity.push_back(member("shape", block_));
+    entity.push_back(member("at", array_value(where, std::move(at))));
+    entities_.push_back(table_value(where, std::move(entity)));
+  }
+
+  SourcePtr source_;
+  const Value block_ = block();
+  std::vector<Value> entities_;
+};
+
+Result<SceneDesc> read(const SourcePtr& source) { return ListReader(source).read(); }
+
+bool recognises(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return line.starts_with('{') ||
+         (line.find(',') != std::string_view::npos && line.find('=') == std::string_view::npos &&
+          !line.starts_with('['));
+}
+
+constexpr std::string_view kExtensions[] = {"txt", "list"};
+
+}  // namespace
+
+extern const Format list = {"list",      "the paper's object list: a line { NAME, x, y } each",
+                            kExtensions, &recognises,
+                            &read,       nullptr};
+
+}  // namespace flatray::scene_formats

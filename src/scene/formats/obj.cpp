@@ -1,0 +1,155 @@
+#include <fmt/core.h>
+
+#include "scene/format.h"
+#include "scene/obj_text.h"
+#include "scene/ring.h"
+
+namespace flatray::scene_formats {
+namespace {
+
+// Where the vertices go before any decision is made about them, so that decisions are about the
+// final doubles.
+bool lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
+  Bounds bounds;
+  for (const Vec2& vertex : vertices) bounds.add(vertex);
+  const Vec2 origin = options.centre && !bounds.empty() ? bounds.centre() : Vec2(0, 0);
+  bool finite = true;
+  for (Vec2& vertex : vertices) {
+    if (options.centre) vertex -= origin;
+    vertex *= options.scale;
+    finite = finite && vertex.allFinite();
+  }
+  return finite;
+}
+
+// Makes a shape of faces and lines, counting what it must leave out.
+struct ShapeMaker {
+  const ObjText& obj;
+  Shape shape{};
+  std::int32_t next_edge = 0;
+  std::size_t flat = 0, crossing = 0;
+
+  void add_face(std::span<const std::uint32_t> corners) {
+    const auto count = static_cast<std::int32_t>(corners.size());
+    if (count == 3)
+      add_three(corners);
+    else
+      add_many(corners);
+    next_edge += count;
+  }
+
+  void add_three(std::span<const std::uint32_t> corners) {
+    const std::array<Vec2, 3> points = {obj.vertices[corners[0]], obj.vertices[corners[1]],
+                                        obj.vertices[corners[2]]};
+    const Sign turn = orientation(points[0], points[1], points[2]);
+    if (turn == Sign::zero)
+      ++flat;
+    else
+      add_triangle(shape, points, turn == Sign::negative, next_edge);
+  }
+
+  void add_many(std::span<const std::uint32_t> corners) {
+    std::vector<Vec2> points;
+    points.reserve(corners.size());
+    for (const std::uint32_t corner : corners) points.push_back(obj.vertices[corner]);
+    if (is_flat(points))
+      ++flat;
+    else if (non_convex_vertex(points) && crossing_edges(points))
+      ++crossing;
+    else
+      add_ring(shape, points, next_edge);
+  }
+
+  void add_line(std::span<const std::uint32_t> corners) {
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+      const Segment segment{obj.vertices[corners[i]], obj.vertices[corners[i + 1]]};
+      if (segment.a != segment.b) shape.segments.push_back(segment);
+    }
+  }
+};
+
+template <class Add>
+void each(const ObjText::Chains& chains, const Add& add) {
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    add(std::span(chains.corners).subspan(chains.begin[i], chains.begin[i + 1] - chains.begin[i]));
+}
+
+std::string plural(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+void warn(const ShapeMaker& maker, const ObjText& obj, const Place& file, Diagnostics& warnings) {
+  if (maker.flat > 0)
+    warnings.push_back({file, plural(maker.flat, "face") + " without area left out",
+                        "z is dropped: faces seen edge-on have none"});
+  if (maker.crossing > 0)
+    warnings.push_back(
+        {file, plural(maker.crossing, "face") + " that cross themselves left out", ""});
+  std::string ignored;
+  for (const std::string& record : obj.ignored) ignored += (ignored.empty() ? "" : ", ") + record;
+  if (!ignored.empty()) warnings.push_back({file, ignored + " ignored", "v, f and l are read"});
+}
+
+Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
+                      Diagnostics& warnings) {
+  Result<ObjText> obj = parse_obj(source);
+  if (!obj) return fail(std::move(obj));
+  const Place file = named_place(source->name());
+  if (!lay(obj->vertices, options))
+    return fail(file, "vertices are beyond the doubles", "choose a smaller scale");
+  ShapeMaker maker{*obj};
+  maker.shape.vertices.reserve(obj->faces.corners.size());
+  each(obj->faces, [&](auto corners) { maker.add_face(corners); });
+  each(obj->lines, [&](auto corners) { maker.add_line(corners); });
+  warn(maker, *obj, file, warnings);
+  if (maker.shape.piece_count() == 0 && maker.shape.segments.empty())
+    return fail(file, "the file holds no face or line with extent", "v, f and l records are read");
+  return std::move(maker.shape);
+}
+
+Member string_member(const Place& where, const char* key, std::string text) {
+  return {key, where, string_value(where, std::move(text))};
+}
+
+Member table_member(const Place& where, const char* key, Member only) {
+  std::vector<Member> members;
+  members.push_back(std::move(only));
+  return {key, where, table_value(where, std::move(members))};
+}
+
+// The whole scene: one entity, imported from the very file.
+Result<SceneDesc> read(const SourcePtr& source) {
+  const Place file{source, 0, 1};
+  Member shape = table_member(
+      file, "shape", table_member(file, "import", string_member(file, "file", source->name())));
+  std::vector<Member>& arguments = shape.value.members.front().value.members;
+  arguments.push_back(string_member(file, "format", "obj"));
+  std::vector<Member> entity;
+  entity.push_back(string_member(file, "name", scene_name(source->name())));
+  entity.push_back(std::move(shape));
+  std::vector<Value> entities;
+  entities.push_back(table_value(file, std::move(entity)));
+  std::vector<Member> root;
+  root.push_back({"flatray", file, built_in_number(1)});
+  root.push_back({"entity", file, array_value(file, std::move(entities))});
+  return SceneDesc{table_value(file, std::move(root)), {}};
+}
+
+bool recognises(std::string_view text) {
+  const std::string_view line = first_line(text);
+  const std::string_view record = line.substr(0, line.find_first_of(" \t"));
+  for (const std::string_view known :
+       {"v", "vn", "vt", "o", "g", "f", "l", "s", "mtllib", "usemtl"})
+    if (record == known && line.find('=') == std::string_view::npos) return true;
+  return false;
+}
+
+constexpr std::string_view kExtensions[] = {"obj", "obj2d"};
+
+}  // namespace
+
+extern const Format obj = {"obj",       "Wavefront OBJ and obj2d: v, f, l; z is dropped",
+                           kExtensions, &recognises,
+                           &read,       &outline};
+
+}  // namespace flatray::scene_formats

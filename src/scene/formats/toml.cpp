@@ -1,0 +1,178 @@
+#include <fmt/core.h>
+#include <toml++/toml.h>
+
+#include "base/number_text.h"
+#include "scene/format.h"
+#include "scene/toml_scan.h"
+
+namespace flatray::scene_formats {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 26;
+constexpr std::size_t kMaxValues = 4'000'000;
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+// Bytes of toml++'s positions, which count code points. The last line asked for is kept, so that a
+// file of one long line costs no more than one of many.
+class Positions {
+ public:
+  explicit Positions(SourcePtr source) : source_(std::move(source)) {}
+
+  std::size_t offset(::toml::source_position at) {
+    const int line = static_cast<int>(at.line);
+    if (line != line_) read_line(line);
+    const std::size_t column = std::max<std::size_t>(at.column, 1) - 1;
+    if (code_points_.empty()) return begin_ + std::min(column, length_);
+    return begin_ + code_points_[std::min(column, code_points_.size() - 1)];
+  }
+  Place place(const ::toml::source_region& region) {
+    const std::size_t begin = offset(region.begin), end = offset(region.end);
+    return {source_, begin, end > begin ? end - begin : 1};
+  }
+  const SourcePtr& source() const { return source_; }
+
+ private:
+  void read_line(int line) {
+    line_ = line;
+    begin_ = source_->offset(line, 1);
+    const std::string_view text = source_->line(line);
+    length_ = text.size();
+    code_points_.clear();
+    if (std::none_of(text.begin(), text.end(), is_continuation)) return;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (!is_continuation(text[i])) code_points_.push_back(i);
+    code_points_.push_back(text.size());
+  }
+
+  SourcePtr source_;
+  int line_ = 0;
+  std::size_t begin_ = 0, length_ = 0;
+  std::vector<std::size_t> code_points_;  // empty for a line of ASCII
+};
+
+Value convert(const ::toml::node& node, Positions& positions);
+
+Value convert_table(const ::toml::table& table, Positions& positions, Place where) {
+  Value value = table_value(std::move(where), {});
+  for (const auto& [key, node] : table)
+    value.members.push_back(
+        {std::string(key.str()), positions.place(key.source()), convert(node, positions)});
+  // toml++ sorts by name.
+  std::sort(value.members.begin(), value.members.end(),
+            [](const Member& a, const Member& b) { return a.where.offset < b.where.offset; });
+  return value;
+}
+
+Value convert_array(const ::toml::array& array, Positions& positions, Place where) {
+  Value value = array_value(std::move(where), {});
+  value.items.reserve(array.size());
+  for (const ::toml::node& item : array) value.items.push_back(convert(item, positions));
+  return value;
+}
+
+// As deep as the text nests: toml++ stops at 256 brackets, scan_toml at 64 parts of a key.
+Value convert(const ::toml::node& node, Positions& positions) {
+  Place where = positions.place(node.source());
+  switch (node.type()) {
+    case ::toml::node_type::table:
+      return convert_table(*node.as_table(), positions, std::move(where));
+    case ::toml::node_type::array:
+      return convert_array(*node.as_array(), positions, std::move(where));
+    case ::toml::node_type::string:
+      return string_value(std::move(where), node.as_string()->get());
+    case ::toml::node_type::boolean:
+      return {Value::Kind::boolean,
+              std::move(where),
+              node.as_boolean()->get() ? "true" : "false",
+              {},
+              {}};
+    case ::toml::node_type::integer:
+    case ::toml::node_type::floating_point:
+      return {Value::Kind::number, std::move(where), {}, {}, {}};
+    default:
+      return {Value::Kind::date, std::move(where), {}, {}, {}};
+  }
+}
+
+// Bytes that a number or bare word may hold.
+bool is_token_byte(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' ||
+         c == '-' || c == '.' || c == '_';
+}
+
+// The word around the byte where toml++ gave up.
+Place token_at(const SourcePtr& source, std::size_t offset) {
+  const std::string_view text = source->text();
+  std::size_t begin = std::min(offset, text.size()), end = begin;
+  while (begin > 0 && is_token_byte(text[begin - 1])) --begin;
+  while (end < text.size() && is_token_byte(text[end])) ++end;
+  return {source, begin, end - begin};
+}
+
+bool is_number_like(std::string_view token) {
+  return !token.empty() && token.find_first_of("0123456789") != std::string_view::npos &&
+         std::string_view("0123456789+-.").find(token.front()) != std::string_view::npos;
+}
+
+// "Error while parsing floating-point: x" -> "floating-point: x".
+std::string own_words(std::string_view description) {
+  constexpr std::string_view kPrefix = "Error while parsing ";
+  if (description.starts_with(kPrefix)) description.remove_prefix(kPrefix.size());
+  return std::string(description);
+}
+
+tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Positions& positions) {
+  const SourcePtr& source = positions.source();
+  const std::size_t offset = positions.offset(error.source().begin);
+  const Place token = token_at(source, offset);
+  const std::string_view text = source->text().substr(token.offset, token.length);
+  const std::string message = own_words(error.description());
+  if (!is_number_like(text)) return fail({source, offset, 1}, message);
+  // What toml++ says of a number names its grammar, not the mistake.
+  for (const char* grammar : {"floating-point: e", "decimal integer: expected"})
+    if (message.starts_with(grammar) && message.find("length") == std::string::npos)
+      return fail(token, fmt::format("'{}' is no number", text.substr(0, 40)),
+                  "numbers are written like 12, -0.5 or 1e-3");
+  if (message.find("could not be interpreted") != std::string::npos)
+    return fail(token, fmt::format("{} is beyond the doubles", text.substr(0, 40)),
+                "write a number between -1.7e308 and 1.7e308");
+  return fail(token, message);
+}
+
+Result<void> check_load(const SourcePtr& source) {
+  const std::string_view text = source->text();
+  if (text.size() > kMaxBytes)
+    return fail(named_place(source->name()), fmt::format("the scene is {} bytes long", text.size()),
+                fmt::format("TOML scenes end at {} bytes; import outlines instead", kMaxBytes));
+  const TomlLoad load = scan_toml(text);
+  if (load.deep_key)
+    return fail({source, *load.deep_key, 1},
+                fmt::format("a key of more than {} parts", kMaxKeyParts), "");
+  if (load.values > kMaxValues)
+    return fail(named_place(source->name()), fmt::format("the scene holds {} values", load.values),
+                fmt::format("at most {}; import outlines instead", kMaxValues));
+  return {};
+}
+
+Result<SceneDesc> read(const SourcePtr& source) {
+  if (Result<void> checked = check_load(source); !checked) return fail(std::move(checked));
+  Positions positions(source);
+  try {
+    const ::toml::table root = ::toml::parse(source->text());
+    return SceneDesc{convert_table(root, positions, {source, 0, 1}), {}};
+  } catch (const ::toml::parse_error& error) {
+    return syntax_error(error, positions);
+  }
+}
+
+bool recognises(std::string_view) { return false; }  // what nothing else recognises is TOML
+
+constexpr std::string_view kExtensions[] = {"toml"};
+
+}  // namespace
+
+extern const Format toml = {
+    "toml", "flatray's own scenes: docs/SCENE_FORMAT.md", kExtensions, &recognises, &read, nullptr};
+
+}  // namespace flatray::scene_formats

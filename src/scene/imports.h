@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <map>
+
+#include "base/hash.h"
+#include "base/result.h"
+
+namespace flatray {
+
+/// The files a scene refers to, each read once.
+class Imports {
+ public:
+  /// Needs   `scene` outlives the object: paths are relative to its folder, and its own name gives
+  /// its text.
+  Imports(SourcePtr scene, std::size_t max_file_bytes);
+
+  /// Error   the file's own, at `where`.
+  Result<SourcePtr> open(const std::string& file, const Place& where);
+  /// Adds the bytes of every file read so far, by name.
+  void add_to(Hash& hash) const;
+
+ private:
+  SourcePtr scene_;
+  std::size_t max_file_bytes_;
+  std::map<std::string, SourcePtr> files_;
+};
+
+}  // namespace flatray

@@ -1,0 +1,81 @@
+#include "scene/load.h"
+
+#include <fmt/core.h>
+
+#include "base/file.h"
+#include "base/hash.h"
+#include "scene/build_scene.h"
+#include "scene/format.h"
+#include "scene/overrides.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+std::string all_extensions() {
+  std::string all;
+  for (const Format* format : formats())
+    for (const std::string_view extension : format->extensions)
+      all += fmt::format("{}.{}", all.empty() ? "" : ", ", extension);
+  return all;
+}
+
+Result<const Format*> choose_format(const SourceText& source) {
+  const bool is_stream = source.name() == "-";
+  const Format* format =
+      is_stream ? format_for_text(source.text()) : format_for_name(source.name());
+  if (format != nullptr) return format;
+  return fail(named_place(source.name()), "no scene format has this extension",
+              "known: " + all_extensions());
+}
+
+Result<SceneDesc> describe(const SourcePtr& source, const std::vector<Override>& overrides) {
+  const Result<const Format*> format = choose_format(*source);
+  if (!format) return tl::unexpected(format.error());
+  Result<SceneDesc> desc = (*format)->read(source);
+  if (!desc) return desc;
+  for (const Override& one : overrides)
+    if (Result<void> applied = apply_override(*desc, one); !applied)
+      return fail(std::move(applied));
+  return desc;
+}
+
+std::uint64_t hash_of(const SourceText& source, const std::vector<Override>& overrides,
+                      const Imports& imports) {
+  Hash hash;
+  hash.add(source.text());
+  for (const auto& [key, value] : overrides) hash.add(key).add(value);
+  imports.add_to(hash);
+  return hash.value();
+}
+
+}  // namespace
+
+Result<LoadedScene> load_scene(const std::filesystem::path& path,
+                               const std::vector<Override>& overrides, const LoadLimits& limits) {
+  Result<std::string> text = read_file(path, limits.max_file_bytes);
+  if (!text) return fail(std::move(text));
+  return load_scene_text(path.string(), std::move(*text), overrides, limits);
+}
+
+Result<LoadedScene> load_scene_text(std::string name, std::string text,
+                                    const std::vector<Override>& overrides,
+                                    const LoadLimits& limits) {
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
+  const Result<SceneDesc> desc = describe(source, overrides);
+  if (!desc) return tl::unexpected(desc.error());
+  Imports imports(source, limits.max_file_bytes);
+  Result<LoadedScene> loaded = build_scene(*desc, imports, limits);
+  if (!loaded) {
+    for (Diagnostic& problem : loaded.error())
+      if (is_override(problem.where)) problem.trouble = Trouble::usage;
+    return loaded;
+  }
+  loaded->scene.name = scene_name(source->name());
+  loaded->scene.hash = hash_of(*source, overrides, imports);
+  return loaded;
+}
+
+}  // namespace flatray

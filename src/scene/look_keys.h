@@ -1,0 +1,59 @@
+#pragma once
+#include "scene/keys.h"
+
+namespace flatray {
+
+inline constexpr Colour kDefaultColour{0x33, 0x33, 0x33, 255};
+inline constexpr Colour kPillarColour{0x99, 0x99, 0x99, 255};
+inline constexpr Stroke kDefaultStroke{1.5, true, kDefaultColour};
+inline constexpr Word<Material> kMaterials[] = {{"absorb", Material::absorb},
+                                                {"mirror", Material::mirror}};
+
+/// `{ width, colour }`; what is not given stays as it is in `stroke`. False where it is wrong.
+bool read_stroke(Builder& builder, const Field& field, Stroke& stroke);
+
+/// Colour or stroke that may be "none"; what is wrong leaves `target` as it is.
+void read_fill(Builder& builder, const Field& field, std::optional<Colour>& target);
+void read_optional_stroke(Builder& builder, const Field& field, std::optional<Stroke>& target);
+
+/// Keys that several tables have alike.
+template <class T>
+void set_shape(Builder& builder, const Field& field, T& target) {
+  if (const auto shape = read_shape(builder, field)) target.shape = *shape;
+}
+template <class T>
+void set_fill(Builder& builder, const Field& field, T& target) {
+  read_fill(builder, field, target.fill);
+}
+template <auto Pointer>
+void set_stroke(Builder& builder, const Field& field,
+                typename MemberOf<decltype(Pointer)>::Owner& target) {
+  read_optional_stroke(builder, field, target.*Pointer);
+}
+template <class T>
+inline constexpr Key<T> kNameKey = {{"name", "\"NAME\"", "\"\""}, &set<&T::name>};
+template <class T>
+inline constexpr Key<T> kShapeKey = {{"shape", "{ KIND = { ... } }", kRequired}, &set_shape<T>};
+template <class T>
+inline constexpr Key<T> kAtKey = {{"at", "[x, y]", "[0, 0]"}, &set<&T::at>};
+template <class T>
+inline constexpr Key<T> kAngleKey = {{"angle", "degrees", "0"}, &set_angle<&T::angle>};
+template <class T>
+inline constexpr Key<T> kLayerKey = {{"layer", "whole number", "0"},
+                                     &set_integer<&T::layer, -1000000, 1000000>};
+template <class T>
+constexpr Key<T> material_key(const char* fallback) {
+  return {{"material", R"("absorb" or "mirror")", fallback}, &set_word<&T::material, kMaterials>};
+}
+template <class T>
+constexpr Key<T> fill_key(const char* fallback) {
+  return {{"fill", R"("#rrggbb" or "none")", fallback}, &set_fill<T>};
+}
+template <class T>
+constexpr Key<T> stroke_key(const char* fallback) {
+  return {{"stroke", "{ width = w, colour = \"#rrggbb\" }", fallback}, &set_stroke<&T::stroke>};
+}
+
+std::vector<TableInfo> look_tables();
+
+}  // namespace flatray

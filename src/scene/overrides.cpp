@@ -1,0 +1,101 @@
+#include "scene/overrides.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+
+#include "scene/format.h"
+#include "scene/vocabulary.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::string_view kPrefix = "-D ";
+
+// The value at the end of a dotted key is what was written after "="; the tables before it stand at
+// their keys.
+bool is_part_of_key(const Value& value) {
+  return value.kind == Value::Kind::table && !source_text(value).starts_with('{');
+}
+
+std::vector<std::string> names_of(const Value& array) {
+  std::vector<std::string> names;
+  for (const Value& item : array.items)
+    if (const Member* name = item.find("name")) names.push_back(name->value.text);
+  return names;
+}
+
+// Entry of an array by number or name.
+Result<Value*> entry(Value& array, const Member& step) {
+  std::size_t index = 0;
+  const char* end = step.key.data() + step.key.size();
+  const auto parsed = std::from_chars(step.key.data(), end, index);
+  if (parsed.ec == std::errc{} && parsed.ptr == end) {
+    if (index < array.items.size()) return &array.items[index];
+    return fail(step.where, fmt::format("there is no entry {}", index),
+                fmt::format("the scene has {}, counted from 0", array.items.size()),
+                Trouble::usage);
+  }
+  for (Value& item : array.items)
+    if (const Member* name = item.find("name"); name != nullptr && name->value.text == step.key)
+      return &item;
+  Diagnostic unknown = unknown_word(step.where, "name", step.key, names_of(array));
+  unknown.trouble = Trouble::usage;
+  return tl::unexpected(Diagnostics{std::move(unknown)});
+}
+
+// Part of a table or array that a step names; a table's is made where it is missing.
+Result<Value*> part(Value& whole, const Member& step) {
+  if (whole.kind == Value::Kind::array) return entry(whole, step);
+  if (whole.kind != Value::Kind::table)
+    return fail(step.where, fmt::format("'{}' stands in {}", step.key, kind_name(whole.kind)),
+                "only tables and arrays have parts", Trouble::usage);
+  if (Member* member = whole.find(step.key)) return &member->value;
+  whole.members.push_back({step.key, step.where, table_value(step.where, {})});
+  return &whole.members.back().value;
+}
+
+// Follows the one chain of keys in `step` down `target` and puts its value there.
+Result<void> put(Value* target, const Member* step) {
+  for (;;) {
+    Result<Value*> next = part(*target, *step);
+    if (!next) return fail(std::move(next));
+    target = *next;
+    if (!is_part_of_key(step->value)) break;
+    step = &step->value.members.front();
+  }
+  *target = step->value;
+  return {};
+}
+
+bool is_one_key(const Value& table) {
+  return table.members.size() == 1 &&
+         (!is_part_of_key(table.members.front().value) || is_one_key(table.members.front().value));
+}
+
+}  // namespace
+
+Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
+  const auto& [key, value] = override_value;
+  const auto source = std::make_shared<const SourceText>(std::string(kPrefix) + key,
+                                                         fmt::format("{} = {}", key, value));
+  const Format* toml = find_format("toml");
+  if (toml == nullptr)
+    return fail(named_place(source->name()), "-D needs TOML, which this build leaves out", "",
+                Trouble::unavailable);
+  Result<SceneDesc> parsed = toml->read(source);
+  if (parsed && !is_one_key(parsed->root))
+    parsed = fail(named_place(source->name()), "this is not one key and one value",
+                  "write -D film.size=[640,360]");
+  if (!parsed) {
+    for (Diagnostic& problem : parsed.error()) problem.trouble = Trouble::usage;
+    return fail(std::move(parsed));
+  }
+  return put(&desc.root, &parsed->root.members.front());
+}
+
+bool is_override(const Place& place) {
+  return place && std::string_view(place.source->name()).starts_with(kPrefix);
+}
+
+}  // namespace flatray

@@ -1,0 +1,79 @@
+#include "scene/look_keys.h"
+#include "scene/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+constexpr Colour kRed{0xd6, 0x27, 0x28, 255}, kGreen{0x2c, 0xa0, 0x2c, 255},
+    kBlue{0x1f, 0x77, 0xb4, 255}, kGrey{0x7f, 0x7f, 0x7f, 255};
+constexpr std::int64_t kMaxBounces = 1'000'000'000;
+
+template <auto Pointer>
+void change_stroke(Builder& builder, const Field& field,
+                   typename MemberOf<decltype(Pointer)>::Owner& target) {
+  read_stroke(builder, field, target.*Pointer);
+}
+
+void read_direction(Builder& builder, const Field& field, RayPath& ray) {
+  const auto direction = builder.in.point(field);
+  if (!direction) return;
+  if (*direction == Vec2(0, 0))
+    return builder.in.problem(field.value.where, field.name + " has no length",
+                              "write where the ray goes, at any length");
+  ray.direction = *direction;
+}
+
+template <auto Pointer>
+void set_entity(Builder& builder, const Field& field, EdgeRays& rays) {
+  if (const auto entity = find_entity(builder, field)) rays.*Pointer = *entity;
+}
+
+constexpr Key<RayPath> kRayKeys[] = {
+    kNameKey<RayPath>,
+    {{"at", "[x, y]", kRequired}, &set<&RayPath::at>},
+    {{"direction", "[dx, dy]", kRequired}, &read_direction},
+    {{"bounces", "whole number", "0"}, &set_integer<&RayPath::bounces, 0, kMaxBounces>},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" })",
+      R"({ width_px = 1.5, colour = "#d62728" })"},
+     &change_stroke<&RayPath::stroke>},
+    {{"hit_points", "\"#rrggbb\"", "none"}, &set<&RayPath::hit_points>},
+    kLayerKey<RayPath>,
+};
+
+constexpr Key<EdgeRays> kEdgeRayKeys[] = {
+    {{"from", "\"ENTITY\"", kRequired}, &set_entity<&EdgeRays::from>},
+    {{"against", "\"ENTITY\"", kRequired}, &set_entity<&EdgeRays::against>},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" })",
+      R"({ width_px = 1.5, colour = "#7f7f7f" })"},
+     &change_stroke<&EdgeRays::stroke>},
+    {{"inside", "\"#rrggbb\"", "\"#1f77b4\""}, &set<&EdgeRays::inside>},
+    {{"enter", "\"#rrggbb\"", "\"#2ca02c\""}, &set<&EdgeRays::enter>},
+    {{"exit", "\"#rrggbb\"", "\"#d62728\""}, &set<&EdgeRays::exit>},
+    kLayerKey<EdgeRays>,
+};
+
+}  // namespace
+
+void read_rays(Builder& builder, const Field& field, Scene& scene) {
+  each_table(builder, field, kMaxEntries, [&](const Value& table) {
+    RayPath ray;
+    ray.stroke = {1.5, true, kRed};
+    ray.where = table.where;
+    read_keys<RayPath>(builder, table, "ray", kRayKeys, ray);
+    scene.rays.push_back(std::move(ray));
+  });
+}
+
+void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
+  each_table(builder, field, kMaxEntries, [&](const Value& table) {
+    EdgeRays rays{0, 0, {1.5, true, kGrey}, kBlue, kGreen, kRed, 0, table.where};
+    read_keys<EdgeRays>(builder, table, "edge_rays", kEdgeRayKeys, rays);
+    scene.edge_rays.push_back(rays);
+  });
+}
+
+std::vector<TableInfo> ray_tables() {
+  return {{"ray", key_infos<RayPath>(kRayKeys)}, {"edge_rays", key_infos<EdgeRays>(kEdgeRayKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace flatray {
+
+struct Member;
+
+/// One value of a scene as it was written, with its place. Numbers stay text until a key reads
+/// them.
+struct Value {
+  enum class Kind { boolean, number, string, array, table, date };
+
+  Kind kind = Kind::table;
+  Place where;                  ///< of the whole value; a number's is its token
+  std::string text;             ///< content of a string; "true" or "false"
+  std::vector<Value> items;     ///< of an array
+  std::vector<Member> members;  ///< of a table, in file order
+
+  /// Member of a table, or nullptr.
+  const Member* find(std::string_view key) const;
+  Member* find(std::string_view key);
+};
+
+struct Member {
+  std::string key;
+  Place where;  ///< of the key
+  Value value;
+};
+
+/// "a number", "a table", ...: for messages.
+const char* kind_name(Value::Kind kind);
+/// The bytes of the source a value was written with.
+std::string_view source_text(const Value& value);
+
+/// Values no one wrote, for importers: their source is called "built in".
+Value built_in_number(double finite);
+Value string_value(Place where, std::string text);
+Value table_value(Place where, std::vector<Member> members);
+Value array_value(Place where, std::vector<Value> items);
+
+/// A scene before its meaning is checked.
+struct SceneDesc {
+  Value root;
+  Diagnostics warnings;  ///< of the importer
+};
+
+}  // namespace flatray

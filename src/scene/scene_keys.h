@@ -1,0 +1,29 @@
+#pragma once
+#include "scene/builder.h"
+
+/// The parts of a scene, each with its key tables in a file of its own. Every reader adds to
+/// `builder.scene`; the
+/// `*_tables` say what keys there are.
+namespace flatray {
+
+void read_film(Builder& builder, const Field& field, Scene& scene);
+void read_camera(Builder& builder, const Field& field, Scene& scene);
+std::vector<TableInfo> film_tables();
+
+void read_entities(Builder& builder, const Field& field, Scene& scene);
+std::vector<TableInfo> entity_tables();
+
+void read_chambers(Builder& builder, const Field& field, Scene& scene);
+std::vector<TableInfo> chamber_tables();
+
+void read_rays(Builder& builder, const Field& field, Scene& scene);
+void read_edge_rays(Builder& builder, const Field& field, Scene& scene);
+std::vector<TableInfo> ray_tables();
+
+void read_chains(Builder& builder, const Field& field, Scene& scene);
+/// The state of a chain by name; an unknown one is a problem.
+std::optional<StateId> find_state(Builder& builder, const MarkovChain& chain, const Place& where,
+                                  const std::string& name);
+std::vector<TableInfo> markov_tables();
+
+}  // namespace flatray

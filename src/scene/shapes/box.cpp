@@ -1,0 +1,24 @@
+#include "scene/ring.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"min", "[x, y]", kRequired}, {"max", "[x, y]", kRequired}};
+
+Result<Shape> build(Args& args) {
+  const Vec2 low = args.point("min"), high = args.point("max");
+  if (!(low.x() < high.x() && low.y() < high.y()))
+    return fail(args.where, "box has no area", "min must lie below and left of max");
+  Shape shape;
+  shape.vertices = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  shape.begin = {0, 4};
+  shape.edges = {0, 1, 2, 3};
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType box = {"box", kKeys, &build};
+
+}  // namespace flatray::shapes

@@ -1,0 +1,26 @@
+#include <fmt/core.h>
+
+#include "base/number_text.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired}, {"centre", "[x, y]", "[0, 0]"}};
+
+Result<Shape> build(Args& args) {
+  const Circle circle{args.point("centre"), args.number("radius")};
+  if (circle.radius < 0)
+    return fail(args.place("radius"),
+                fmt::format("circle has a radius of {}", number_text(circle.radius)),
+                "it must be at least 0; 0 is a point");
+  Shape shape;
+  shape.circles.push_back(circle);
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType circle = {"circle", kKeys, &build};
+
+}  // namespace flatray::shapes

@@ -1,0 +1,45 @@
+#include <fmt/core.h>
+
+#include "scene/format.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"file", "\"outline.obj\"", kRequired},
+                             {"format", "\"obj\"", "by the file's extension"},
+                             {"scale", "number", "1"},
+                             {"centre", "true or false", "false"}};
+
+Result<const Format*> outline_format(Args& args, const std::string& file) {
+  const std::string name = args.string("format");
+  const Format* format = name.empty() ? format_for_name(file) : find_format(name);
+  if (format != nullptr && format->outline != nullptr) return format;
+  std::vector<std::string> known;
+  for (const Format* one : formats())
+    if (one->outline != nullptr) known.emplace_back(one->name);
+  return fail(args.place(name.empty() ? "file" : "format"),
+              fmt::format("'{}' is no outline this program reads", name.empty() ? file : name),
+              "formats of outlines: " + joined(known));
+}
+
+Result<Shape> build(Args& args) {
+  const std::string file = args.string("file");
+  const OutlineOptions options{args.number("scale", 1), args.flag("centre")};
+  if (options.scale == 0)
+    return fail(args.place("scale"), "a scale of 0 leaves nothing", "write another number");
+  const Result<const Format*> format = outline_format(args, file);
+  if (!format) return tl::unexpected(format.error());
+  Result<SourcePtr> source = args.imports().open(file, args.place("file"));
+  if (!source) return fail(std::move(source));
+  Diagnostics warnings;
+  Result<Shape> shape = (*format)->outline(*source, options, warnings);
+  args.warnings(std::move(warnings));
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType import = {"import", kKeys, &build};
+
+}  // namespace flatray::shapes

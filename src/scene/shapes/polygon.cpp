@@ -1,0 +1,41 @@
+#include <fmt/core.h>
+
+#include "scene/ring.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"points", "[[x, y], ...]", kRequired},
+                             {"fill_rule", R"("nonzero" or "even-odd")", R"("nonzero")"}};
+constexpr Word<FillRule> kRules[] = {{"nonzero", FillRule::nonzero},
+                                     {"even-odd", FillRule::even_odd}};
+
+Result<Shape> build(Args& args) {
+  const std::vector<Vec2> points = args.points("points");
+  const auto rule = args.word<FillRule>("fill_rule", FillRule::nonzero, kRules);
+  Shape shape;
+  if (is_flat(points)) {
+    add_flat(shape, points);
+    args.warning(args.place("points"), "polygon has no area",
+                 "it is taken as the segment or point it is");
+    return shape;
+  }
+  if (const std::optional<CrossingEdges> crossing = crossing_edges(points)) {
+    if (rule == FillRule::nonzero)
+      return fail(
+          args.place("points", crossing->first),
+          fmt::format("edges {} and {} of the polygon cross", crossing->first, crossing->second),
+          R"(part them, or say fill_rule = "even-odd" to have it drawn only)");
+    shape.crossing_rings.push_back(points);
+    return shape;
+  }
+  add_ring(shape, points);
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType polygon = {"polygon", kKeys, &build};
+
+}  // namespace flatray::shapes

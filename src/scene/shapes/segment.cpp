@@ -1,0 +1,23 @@
+#include "scene/ring.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"from", "[x, y]", kRequired}, {"to", "[x, y]", kRequired}};
+
+Result<Shape> build(Args& args) {
+  const Segment segment{args.point("from"), args.point("to")};
+  Shape shape;
+  if (segment.a == segment.b)
+    add_flat(shape, std::vector{segment.a});
+  else
+    shape.segments.push_back(segment);
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType segment = {"segment", kKeys, &build};
+
+}  // namespace flatray::shapes

@@ -1,0 +1,53 @@
+#include "scene/vocabulary.h"
+
+#include <fmt/core.h>
+
+#include "scene/build_scene.h"
+#include "scene/shape.h"
+
+namespace flatray {
+namespace {
+
+// More than this of one table are no slips of the pen.
+constexpr std::size_t kMaxUnknownKeys = 20;
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+Diagnostic unknown_word(Place where, std::string_view what, std::string_view word,
+                        const std::vector<std::string>& known) {
+  const std::string near = nearest_word(word, known);
+  const std::string message = fmt::format("unknown {} '{}'", what, word.substr(0, 64));
+  if (near.empty()) return {std::move(where), message, "known: " + joined(known)};
+  return {std::move(where), fmt::format("{} (did you mean '{}'?)", message, near), {}};
+}
+
+void check_keys(const Value& table, std::string_view table_name, std::span<const KeyInfo> keys,
+                Diagnostics& problems) {
+  std::vector<std::string> known;
+  for (const KeyInfo& key : keys) known.emplace_back(key.name);
+  std::size_t unknown = 0;
+  for (const Member& member : table.members) {
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    if (++unknown > kMaxUnknownKeys) return;
+    const std::string near = nearest_word(member.key, known);
+    std::string message =
+        fmt::format("unknown key '{}' of {}", member.key.substr(0, 64), table_name);
+    if (!near.empty()) message += fmt::format(" (did you mean '{}'?)", near);
+    problems.push_back({member.where, message, near.empty() ? "known: " + joined(known) : ""});
+  }
+}
+
+std::vector<TableInfo> vocabulary() {
+  std::vector<TableInfo> all = language_tables();
+  for (const ShapeType* shape : shape_types())
+    all.push_back({shape->name, {shape->keys.begin(), shape->keys.end()}});
+  return all;
+}
+
+}  // namespace flatray

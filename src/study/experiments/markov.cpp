@@ -1,0 +1,224 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "study/absorption.h"
+#include "study/chain_walks.h"
+#include "study/experiment.h"
+#include "study/svg_graph.h"
+#include "study/table.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kSigmas = 4;                  // by which an observation may miss what is expected
+constexpr std::size_t kMostStates = 64;        // solved exactly within seconds
+constexpr std::size_t kLongestFraction = 100;  // shown; longer ones are given as decimals only
+constexpr std::uint64_t kMostSteps = 1ULL << 32;  // walked for one chain and start
+constexpr double kLongestMean = 0x1p24;           // of walks that are observed at all
+// From any state a walk is over within twice the largest mean with odds of at least 1/2 (Markov's
+// inequality), so after 256 means it goes on with odds below 2^-128.
+constexpr double kMeansUntilGivenUp = 256;
+
+double z_score(double difference, double standard_error) {
+  return difference == 0 ? 0 : difference / standard_error;
+}
+
+class Study {
+ public:
+  explicit Study(const ExperimentContext& context) : context_(context) {}
+
+  void add(std::uint32_t index) {
+    const MarkovChain& chain = context_.scene.chains[index];
+    const StepMatrix drawn = drawn_probabilities(chain);
+    const StepMatrix given = given_probabilities(chain).value_or(drawn);
+    add_transitions(chain, add_starts(index, given, drawn), given);
+    result_.files.push_back({file_name(index), svg(graph(chain, given))});
+  }
+
+  ExperimentResult result() && {
+    result_.holds = disagreements_ == 0;
+    const std::vector<std::pair<std::string, Cell>> values = {
+        {"experiment", std::string("markov")},
+        {"scene", context_.scene.name},
+        {"scene_hash", fmt::format("{:016x}", context_.scene.hash)},
+        {"seed", context_.seed},
+        {"count", context_.count},
+        {"largest_z", worst_},
+        {"disagreements", disagreements_}};
+    result_.files.push_back({"markov.csv", starts_.csv()});
+    result_.files.push_back({"markov_transitions.csv", transitions_.csv()});
+    result_.files.push_back(
+        {"markov.json",
+         json_document(values, {{"starts", &starts_}, {"transitions", &transitions_}})});
+    result_.summary = summary();
+    return std::move(result_);
+  }
+
+ private:
+  // What a table of starts is made of: the closed form of the probabilities given, and of those
+  // that 64-bit draws can have.
+  struct Truth {
+    std::optional<Absorption> given, drawn;
+    double expected() const { return given ? given->expected.nearest() : kInfinity; }
+    std::vector<Cell> cells(const WalkPlan& plan) const {
+      return {
+          plan.chain.name,
+          plan.chain.states[plan.start],
+          absorbing_names(plan),
+          given && given->expected.text().size() <= kLongestFraction ? given->expected.text() : "",
+          expected(),
+          drawn ? drawn->expected.nearest() : kInfinity};
+    }
+  };
+
+  // Returns what all its walks took together.
+  WalkCounts add_starts(std::uint32_t index, const StepMatrix& given, const StepMatrix& drawn) {
+    const MarkovChain& chain = context_.scene.chains[index];
+    const std::vector<bool> absorbing = absorbing_states(given);
+    const auto truth = steps_to_absorption(given), table = steps_to_absorption(drawn);
+    double longest = 0;
+    for (const std::optional<Absorption>& from : truth)
+      if (from) longest = std::max(longest, from->expected.nearest());
+    const auto limit =
+        static_cast<std::uint64_t>(kMeansUntilGivenUp * std::min(longest, kLongestMean));
+    WalkCounts all(chain);
+    for (StateId start = 0; start < given.size(); ++start) {
+      if (absorbing[start]) continue;
+      const WalkPlan plan = {chain, start,         absorbing,           walks(longest),
+                             limit, context_.seed, (index << 8) | start};
+      add_start(plan, {truth[start], table[start]}, all);
+    }
+    return all;
+  }
+
+  std::uint64_t walks(double longest) const {
+    if (longest > kLongestMean) return 0;
+    return std::min(context_.count, kMostSteps / static_cast<std::uint64_t>(longest + 1));
+  }
+
+  void add_start(const WalkPlan& plan, const Truth& truth, WalkCounts& all) {
+    std::vector<Cell> row = truth.cells(plan);
+    const auto add_cells = [&row](std::initializer_list<Cell> cells) {
+      row.insert(row.end(), cells);
+    };
+    if (!truth.given || plan.walks == 0) {
+      if (truth.given) ++disagreements_;  // what was not looked at has not been shown to agree
+      add_cells({"", "", "", "", std::uint64_t{0},
+                 truth.given ? "too many to observe" : "absorption is not certain"});
+    } else {
+      const WalkCounts counts = walk(plan, context_.threads);
+      const auto walks = static_cast<double>(plan.walks);
+      const double mean = static_cast<double>(counts.steps) / walks;
+      const double difference = mean - truth.expected();
+      const double error = std::sqrt(truth.given->variance.nearest() / walks);
+      const double z = z_score(difference, error);
+      add_cells({mean, difference, error, z, plan.walks, verdict(z, counts.unfinished)});
+      all += counts;
+    }
+    starts_.add(std::move(row));
+  }
+
+  static std::string absorbing_names(const WalkPlan& plan) {
+    std::string names;
+    for (std::size_t i = 0; i < plan.absorbing.size(); ++i)
+      if (plan.absorbing[i]) names += (names.empty() ? "" : " or ") + plan.chain.states[i];
+    return names.empty() ? "nothing" : names;
+  }
+
+  std::string verdict(double z, std::uint64_t unfinished) {
+    worst_ = std::max(worst_, std::fabs(z));
+    const bool agrees = std::fabs(z) <= kSigmas && unfinished == 0;
+    if (!agrees) ++disagreements_;
+    return unfinished > 0 ? fmt::format("no: {} walks given up", unfinished)
+           : agrees       ? "yes"
+                          : "no";
+  }
+
+  void add_transitions(const MarkovChain& chain, const WalkCounts& counts,
+                       const StepMatrix& given) {
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      std::uint64_t visits = 0;
+      for (const std::uint64_t count : counts.transitions[i]) visits += count;
+      for (std::size_t j = 0; visits > 0 && j < given.size(); ++j) {
+        const double probability = given[i][j].nearest(), n = static_cast<double>(visits);
+        const std::uint64_t count = counts.transitions[i][j];
+        if (probability == 0 && count == 0) continue;
+        const double z = z_score(static_cast<double>(count) - n * probability,
+                                 std::sqrt(n * probability * (1 - probability)));
+        transitions_.add({chain.name, chain.states[i], chain.states[j], label(given[i][j]),
+                          probability, static_cast<double>(count) / n, visits, z, verdict(z, 0)});
+      }
+    }
+  }
+
+  // A short decimal where there is one, else a short fraction, else six digits.
+  static std::string label(const Rational& probability) {
+    const std::string decimal = number_text(probability.nearest()), fraction = probability.text();
+    if (decimal.size() <= 6) return decimal;
+    return fraction.size() <= 11 ? fraction : fmt::format("{:.6g}", probability.nearest());
+  }
+
+  static StateGraph graph(const MarkovChain& chain, const StepMatrix& shown) {
+    StateGraph graph{chain.name, chain.states, {}};
+    for (std::size_t i = 0; i < shown.size(); ++i)
+      for (std::size_t j = 0; j < shown.size(); ++j)
+        if (shown[i][j].sign() != Sign::zero) graph.arrows.push_back({i, j, label(shown[i][j])});
+    return graph;
+  }
+
+  // A chain's name may hold anything: only plain names go into file names as they are.
+  std::string file_name(std::uint32_t index) const {
+    const std::string& name = context_.scene.chains[index].name;
+    const bool plain = name.size() <= 64 && !name.empty() &&
+                       name.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                           "0123456789_-") == std::string::npos;
+    return fmt::format("markov_{}.svg", plain ? name : fmt::format("chain.{}", index + 1));
+  }
+
+  std::string summary() const {
+    return fmt::format(
+        "Steps to an absorbing state, {} walks from each start, seed {}\n\n{}\n"
+        "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {} allowed\n",
+        context_.count, context_.seed, starts_.text(), transitions_.text(),
+        disagreements_ == 0 ? "agrees with the closed form" : "DISAGREES with the closed form",
+        worst_, kSigmas);
+  }
+
+  const ExperimentContext& context_;
+  Table starts_{{"chain", "start", "until", "exact", "expected", "drawn", "observed", "difference",
+                 "standard_error", "z", "walks", "agrees"}};
+  Table transitions_{
+      {"chain", "from", "to", "given", "probability", "observed", "visits", "z", "agrees"}};
+  double worst_ = 0;
+  std::uint64_t disagreements_ = 0;
+  ExperimentResult result_;
+};
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  const Place place = named_place(context.scene.name);
+  if (context.scene.chains.empty())
+    return fail(place, "has no Markov chain", "give it a table [markov.NAME]");
+  if (context.count < 1 || context.count > kMostSteps)
+    return fail(named_place("--count"), fmt::format("{} walks cannot be made", context.count),
+                "say 1 to 4294967296", Trouble::usage);
+  for (const MarkovChain& chain : context.scene.chains)
+    if (chain.rows.size() > kMostStates)
+      return fail(place, fmt::format("chain {} has {} states", chain.name, chain.rows.size()),
+                  fmt::format("up to {} are solved exactly", kMostStates));
+  Study study(context);
+  for (std::uint32_t i = 0; i < context.scene.chains.size(); ++i) study.add(i);
+  return std::move(study).result();
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment markov = {
+    "markov", "How many steps does each chain take to its end, and do its draws keep to it?", &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray
