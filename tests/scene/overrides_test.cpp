@@ -53,7 +53,7 @@ TEST(Overrides, MistakesAreUsageErrorsThatNameTheKey) {
       {"film.size", "[1, 0]", "-D film.size:1:17: error: film.size[1] is 0"},
       {"film.size", "[1,", "-D film.size:1:"},
       {"film.size", "[1, 2]\nframes = 3", "error: this is not one key and one value"},
-      {"", "3", "-D :1:1: error:"},
+      {"", "3", "-D :1:2: error:"},
       {"frames.x", "3", "frames is a table, not a whole number"},
       {"flatray.x", "3", "error: 'x' stands in a number"},
       {"entity.2.at", "[1, 2]", "-D entity.2.at:1:8: error: there is no entry 2"},
