@@ -17,7 +17,10 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' |
 
 class ObjReader {
  public:
-  explicit ObjReader(SourcePtr source) : source_(std::move(source)), text_(source_->text()) {}
+  explicit ObjReader(SourcePtr source)
+      : source_(std::move(source)),
+        text_(source_->text()),
+        base_(source_->name().ends_with(".obj2d") ? 0 : 1) {}
 
   Result<ObjText> read() {
     while (at_ < text_.size() && problems_.size() < kMaxProblems) {
@@ -120,7 +123,7 @@ class ObjReader {
       if (!read_corner(word, corners)) return corners.resize(before);
     if (corners.size() - before < least) {
       problem(record, fmt::format("'{}' needs at least {} vertices", record, least),
-              "write their numbers, from 1");
+              "write the numbers of its vertices");
       return corners.resize(before);
     }
     chains.begin.push_back(static_cast<std::uint32_t>(corners.size()));
@@ -137,13 +140,15 @@ class ObjReader {
       rest.remove_prefix(1);
       if (good && !rest.empty() && rest.front() != '/') good = take_index(rest, unused);
     }
-    if (!good || !rest.empty() || index == 0) {
+    const bool forward = index >= base_, backward = base_ == 1 && index < 0;
+    if (!good || !rest.empty() || !(forward || backward)) {
       problem(word, fmt::format("'{}' is no vertex number", word.substr(0, 40)),
-              "write i, i/t, i/t/n or i//n, counted from 1, or from -1 backwards");
+              base_ == 0 ? "write i, counted from 0"
+                         : "write i, i/t, i/t/n or i//n, counted from 1, or from -1 backwards");
       return false;
     }
-    // Backwards counts from the vertices so far.
-    if (index < 0) index += static_cast<std::int64_t>(obj_.vertices.size()) + 1;
+    // Backwards counts from the vertices so far; what lands before the first is refused later.
+    index = forward ? index - base_ : index + static_cast<std::int64_t>(obj_.vertices.size());
     corners.push_back({index, static_cast<std::size_t>(word.data() - text_.data())});
     return true;
   }
@@ -160,17 +165,18 @@ class ObjReader {
     chains.corners.reserve(corners.size());
     const auto count = static_cast<std::int64_t>(obj_.vertices.size());
     for (const Corner& corner : corners) {
-      const bool good = corner.index >= 1 && corner.index <= count;
+      const bool good = corner.index >= 0 && corner.index < count;
       if (!good && problems_.size() < kMaxProblems) {
         at_ = corner.offset;
         problem(next_word(), "there is no such vertex", fmt::format("the file has {}", count));
       }
-      chains.corners.push_back(good ? static_cast<std::uint32_t>(corner.index - 1) : 0);
+      chains.corners.push_back(good ? static_cast<std::uint32_t>(corner.index) : 0);
     }
   }
 
   SourcePtr source_;
   std::string_view text_;
+  std::int64_t base_;  // the number of the first vertex
   std::size_t at_ = 0;
   ObjText obj_;
   std::vector<Corner> face_corners_, line_corners_;

@@ -9,6 +9,7 @@
 namespace flatray {
 
 /// Vertices, faces and lines of a Wavefront OBJ text, z dropped; what else it holds is only named.
+/// Vertices count from 1, or from 0 in a file called .obj2d.
 struct ObjText {
   std::vector<Vec2> vertices;
   struct Chains {                         ///< faces, or polylines

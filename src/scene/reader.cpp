@@ -20,6 +20,15 @@ std::string last_name(const std::string& name) {
   return key.substr(0, key.find('['));
 }
 
+// "write size = [w, h]", or "write [[entity]]" for what is a table of its own.
+std::string how_to_write(const Field& field) {
+  const std::string key = last_name(field.name);
+  const std::string_view takes = field.takes;
+  if (takes.starts_with("[" + key) || takes.starts_with("[[" + key))
+    return fmt::format("write {}", takes);
+  return fmt::format("write {} = {}", key, takes);
+}
+
 std::optional<std::int64_t> parse_integer(std::string_view text) {
   std::string plain(text);
   std::erase(plain, '_');
@@ -70,7 +79,7 @@ void Reader::warning(const Place& where, std::string message, std::string hint) 
 void Reader::mismatch(const Field& field, const char* expected) {
   problem(field.value.where,
           fmt::format("{} is {}, not {}", field.name, kind_name(field.value.kind), expected),
-          fmt::format("write {} = {}", last_name(field.name), field.takes));
+          how_to_write(field));
 }
 
 bool Reader::is(const Field& field, Value::Kind kind, const char* expected) {
@@ -114,7 +123,7 @@ std::optional<Vec2> Reader::point(const Field& field) {
   if (field.value.items.size() != 2) {
     problem(field.value.where,
             fmt::format("{} has {} numbers, not two", field.name, field.value.items.size()),
-            fmt::format("write {} = {}", last_name(field.name), field.takes));
+            how_to_write(field));
     return std::nullopt;
   }
   const std::optional<double> x = number(field.item(0)), y = number(field.item(1));

@@ -26,7 +26,8 @@ void ExactNearest::offer_point_test(std::uint32_t number, bool on_it, bool at_en
   best_ = {number, HitClass::touch, Root::none, at_end, 0};
 }
 
-// When the ray is level with a point: the perpendicular through the point is a line it always crosses.
+// When the ray is level with a point: the perpendicular through the point is a line it always
+// crosses.
 HitTime ExactNearest::time_abreast_of(const Vec2& point) const {
   return HitTime::on_line(ray_, point, {0, 0}, {-ray_.direction.y(), ray_.direction.x()});
 }
@@ -38,7 +39,8 @@ void ExactNearest::offer_along(const Segment& segment, std::uint32_t number) {
   const bool ends_here = far.sign() == Sign::zero;
   const bool at_end = ends_here || near.sign() != Sign::negative;
   const HitClass kind = ends_here || compare(near, far) == 0 ? HitClass::touch : HitClass::along;
-  offer({number, kind, Root::none, at_end, 0}, at_end && !ends_here ? near : time_abreast_of(ray_.origin));
+  offer({number, kind, Root::none, at_end, 0},
+        at_end && !ends_here ? near : time_abreast_of(ray_.origin));
 }
 
 void ExactNearest::offer_segment(std::size_t slot) {
@@ -77,13 +79,11 @@ void ExactNearest::offer_circle(std::size_t slot) {
     offer({number, HitClass::through, Root::second, false, 0}, met->second);
 }
 
-void ExactNearest::offer_crossing(std::size_t slot) {
-  offer({walls_.segment_numbers[slot], HitClass::touch, Root::none, false, 0},
-        HitTime::on_line(ray_, walls_.segments[slot]));
+void ExactNearest::offer_segments() {
+  for (std::size_t i = 0; i < walls_.segments.size(); ++i) offer_segment(i);
 }
 
-void ExactNearest::offer_everything() {
-  for (std::size_t i = 0; i < walls_.segments.size(); ++i) offer_segment(i);
+void ExactNearest::offer_circles() {
   for (std::size_t i = 0; i < walls_.circles.size(); ++i) offer_circle(i);
 }
 
@@ -91,6 +91,11 @@ NearestHit ExactNearest::hit() const {
   NearestHit hit = best_;
   if (best_time_) hit.t = best_time_->nearest().t;
   return hit;
+}
+
+NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot) {
+  const double t = HitTime::on_line(ray, walls.segments[slot]).nearest().t;
+  return {walls.segment_numbers[slot], HitClass::touch, Root::none, false, t};
 }
 
 }  // namespace flatray

@@ -6,19 +6,19 @@
 
 namespace flatray {
 
-/// The nearest of the walls offered to one ray, decided without rounding; equal times go to the lowest number,
-/// whatever the order of the offers.
+/// The nearest of the walls offered to one ray, decided without rounding; equal times go to the
+/// lowest number, whatever the order of the offers.
 class ExactNearest {
  public:
   /// Needs   `walls` and what `left` names to outlive it.
   ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
 
-  /// Offers the wall in a slot of its kind; what the ray does not meet, or has just left, changes nothing.
+  /// Offers the wall in a slot of its kind; what the ray does not meet, or has just left, changes
+  /// nothing.
   void offer_segment(std::size_t slot);
   void offer_circle(std::size_t slot);
-  /// Offers a segment known to be met ahead and between its ends.
-  void offer_crossing(std::size_t slot);
-  void offer_everything();
+  void offer_segments();
+  void offer_circles();
 
   NearestHit hit() const;
 
@@ -35,5 +35,8 @@ class ExactNearest {
   NearestHit best_;
   std::optional<HitTime> best_time_;
 };
+
+/// The hit of a segment known to be the nearest wall, met ahead and between its ends.
+NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot);
 
 }  // namespace flatray

@@ -22,9 +22,12 @@ struct ClosedRing {
 };
 
 lanes::Polygon lane_polygon(const ClosedRing& ring) {
-  return {ring.vertices.front().data(), static_cast<int>(ring.vertices.size() - 1),
-          ring.box.low.x(),             ring.box.low.y(),
-          ring.box.high.x(),            ring.box.high.y()};
+  return {ring.vertices.front().data(),
+          static_cast<int>(ring.vertices.size() - 1),
+          ring.box.low.x(),
+          ring.box.low.y(),
+          ring.box.high.x(),
+          ring.box.high.y()};
 }
 
 HitTime time_on_edge(const Ray& ray, const ClosedRing& ring, int edge) {
@@ -62,9 +65,10 @@ void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Rang
     lane_kernels(isa).clip(lane_ring, block.lanes(), {down.data(), up.data()});
     for (std::size_t i = 0; i < count; ++i) {
       const Ray ray = rays.ray(begin + i);
-      intervals[begin + i] = down[i] == lanes::kMissed   ? HitInterval{}
-                             : down[i] == lanes::kUnsure ? clip_convex(ray, polygon, within)
-                                                         : finish(ray, ring, turn, down[i], up[i], within);
+      intervals[begin + i] = down[i] == lanes::kMissed ? HitInterval{}
+                             : down[i] == lanes::kUnsure
+                                 ? clip_convex(ray, polygon, within)
+                                 : finish(ray, ring, turn, down[i], up[i], within);
     }
   }
 }

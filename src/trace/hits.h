@@ -10,7 +10,8 @@ namespace flatray {
 /// The first wall a ray meets at t >= 0.
 ///
 /// Units   t counts lengths of the ray's direction.
-/// Gives   kind: touch where the ray crosses a segment or is tangent to a circle, along where it runs on a segment,
+/// Gives   kind: touch where the ray crosses a segment or is tangent to a circle, along where it
+/// runs on a segment,
 ///         through where it crosses a circle. Equal t: the lowest surface number.
 struct NearestHit {
   std::uint32_t surface = kNoSurface;

@@ -11,8 +11,7 @@ bool lies_on(const Vec2& point, const Segment& segment) {
     const auto [low, high] = std::minmax(segment.a[axis], segment.b[axis]);
     return low <= point[axis] && point[axis] <= high;
   };
-  return between(0) && between(1) &&
-         orientation(segment.a, segment.b, point) == Sign::zero;
+  return between(0) && between(1) && orientation(segment.a, segment.b, point) == Sign::zero;
 }
 
 Sign circle_side(const Vec2& point, const Circle& circle) {

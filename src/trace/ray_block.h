@@ -11,12 +11,14 @@ namespace flatray {
 inline constexpr std::size_t kRayBlock = 256;
 static_assert(kRayBlock % lanes::kWidest == 0);
 
-/// Some rays of a batch as a kernel takes them, the last one again up to a multiple of the widest tier's lanes.
+/// Some rays of a batch as a kernel takes them, the last one again up to a multiple of the widest
+/// tier's lanes.
 struct RayBlock {
   std::array<double, kRayBlock> ox, oy, dx, dy, left;
   int padded = 0;
 
-  /// Takes the rays from `begin` on, at most kRayBlock, none of which has left anything. Gives how many.
+  /// Takes the rays from `begin` on, at most kRayBlock, none of which has left anything. Gives how
+  /// many.
   std::size_t load(const RayBatch& rays, std::size_t begin) {
     const auto wide = static_cast<std::size_t>(lanes::kWidest);
     const std::size_t count = std::min(kRayBlock, rays.size() - begin);

@@ -11,7 +11,8 @@ enum class SurfaceKind : std::uint8_t { segment, circle };
 /// No surface: a ray that hits nothing, or has left none.
 inline constexpr std::uint32_t kNoSurface = 0xffffffffU;
 
-/// Walls as flat arrays. Surface i is `kinds[i]`, stored at `slot[i]` of its kind's array; the numbers lead back.
+/// Walls as flat arrays. Surface i is `kinds[i]`, stored at `slot[i]` of its kind's array; the
+/// numbers lead back.
 struct Surfaces {
   std::vector<SurfaceKind> kinds;
   std::vector<std::uint32_t> slot;

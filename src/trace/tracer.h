@@ -14,7 +14,8 @@ struct Tracer {
   const char* name;
   const char* summary;
   bool exact;  ///< decides for the doubles given, without rounding
-  /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies on.
+  /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
+  /// on.
   void (*nearest)(const Surfaces& walls, const RayBatch& rays, std::span<NearestHit> hits);
 };
 

@@ -10,8 +10,8 @@
 namespace flatray {
 namespace {
 
-// The exact hit is within 1 ulp of its nearest double, and the point kept within kSearchUlps of that: what lies beyond
-// 4 plays no part.
+// The exact hit is within 1 ulp of its nearest double, and the point kept within kSearchUlps of
+// that: what lies beyond 4 plays no part.
 constexpr int kReachUlps = 4;
 static_assert(kSearchUlps + 1 < kReachUlps);
 
@@ -30,8 +30,9 @@ Vec2 end_met(const Ray& ray, const Segment& wall) {
   return before(first, ray.origin) ? second : first;
 }
 
-// Whether the line of a segment surely passes outside the box of half sides `reach` about `point`. The determinant
-// changes by |e_x| reach_y + |e_y| reach_x in the box; its own error is kDetFilter's, doubled for the rest.
+// Whether the line of a segment surely passes outside the box of half sides `reach` about `point`.
+// The determinant changes by |e_x| reach_y + |e_y| reach_x in the box; its own error is
+// kDetFilter's, doubled for the rest.
 bool line_passes_far(const Segment& wall, const Vec2& point, const Vec2& reach) {
   const Vec2 edge = wall.b - wall.a, from = point - wall.a;
   const double left = edge.x() * from.y(), right = edge.y() * from.x();
@@ -40,7 +41,8 @@ bool line_passes_far(const Segment& wall, const Vec2& point, const Vec2& reach) 
   return std::fabs(left - right) > bound + kDetFilterLeast;
 }
 
-// The same for a circle: |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares of the reach.
+// The same for a circle: |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares
+// of the reach.
 bool circle_passes_far(const Circle& wall, const Vec2& point, const Vec2& reach) {
   const Vec2 w = point - wall.centre;
   const double size = w.squaredNorm(), square = wall.radius * wall.radius;
@@ -51,7 +53,8 @@ bool circle_passes_far(const Circle& wall, const Vec2& point, const Vec2& reach)
 
 }  // namespace
 
-// A wall that passes by the hit: the point must not lie on it, nor beyond it as seen from the exact hit.
+// A wall that passes by the hit: the point must not lie on it, nor beyond it as seen from the exact
+// hit.
 struct Lander::Fence {
   std::uint32_t surface;
   Sign side;  // of the exact hit; zero where it is on the line of a segment, beyond its ends
@@ -90,8 +93,7 @@ Lander::Fence Lander::fence(std::uint32_t surface, const ExactHit& hit) const {
 
 Sign Lander::side(std::uint32_t surface, const Vec2& point) const {
   const std::uint32_t slot = walls_.slot[surface];
-  if (walls_.kinds[surface] == SurfaceKind::circle)
-    return circle_side(point, walls_.circles[slot]);
+  if (walls_.kinds[surface] == SurfaceKind::circle) return circle_side(point, walls_.circles[slot]);
   return orientation(walls_.segments[slot].a, walls_.segments[slot].b, point);
 }
 

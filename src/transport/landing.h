@@ -9,13 +9,15 @@ namespace flatray {
 
 /// The point of a wall as a rounded hit refers to it, and where it may stand.
 struct Landing {
-  Vec2 point;                         ///< where the ray goes on from; at a corner the nearest double
-  std::vector<std::uint32_t> corner;  ///< the walls that meet there, ascending; empty where it can be reflected
+  Vec2 point;  ///< where the ray goes on from; at a corner the nearest double
+  std::vector<std::uint32_t>
+      corner;  ///< the walls that meet there, ascending; empty where it can be reflected
 };
 
-/// Rounds hits so that nothing leaks: the nearest double, at most 2 ulp off in each coordinate, on the closed inner
-/// side of the wall hit (the one the ray comes from), on no other wall, and on the same side as the exact hit of
-/// every wall that passes there. A hit with no such double, at an end of its wall, or on another wall is a corner.
+/// Rounds hits so that nothing leaks: the nearest double, at most 2 ulp off in each coordinate, on
+/// the closed inner side of the wall hit (the one the ray comes from), on no other wall, and on the
+/// same side as the exact hit of every wall that passes there. A hit with no such double, at an end
+/// of its wall, or on another wall is a corner.
 class Lander {
  public:
   /// Needs   `walls` to outlive it.
@@ -44,7 +46,8 @@ class Lander {
 /// The exact point of a hit.
 ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
 
-/// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a circle.
+/// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a
+/// circle.
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
 
 }  // namespace flatray

@@ -27,9 +27,8 @@ std::array<Candidate, kSide * kSide> doubles_about(const Vec2& centre) {
       const double x = i * (unit.x() / larger), y = j * (unit.y() / larger);
       *next++ = {{step_ulps(centre.x(), i), step_ulps(centre.y(), j)}, x * x + y * y};
     }
-  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-    return a.distance < b.distance;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   return all;
 }
 

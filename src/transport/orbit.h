@@ -13,7 +13,8 @@ enum class OrbitEnd {
   limit,     ///< all bounces asked for were made
   escape,    ///< nothing lies ahead
   absorbed,  ///< arrived at a surface that absorbs
-  corner,    ///< arrived exactly at an end of a wall or where two walls meet: no reflection is defined
+  corner,    ///< arrived exactly at an end of a wall or where two walls meet: no reflection is
+             ///< defined
   along      ///< starts on a wall and runs along it
 };
 const char* name(OrbitEnd end);
@@ -21,37 +22,42 @@ const char* name(OrbitEnd end);
 /// One reflection.
 struct Bounce {
   std::uint32_t surface;
-  Vec2 point;             ///< on the closed inner side of its wall and of every wall that meets it there
-  double t;               ///< since the last bounce, in lengths of the direction then
-  double path_length;     ///< from the start, world units
-  Vec2 normal;            ///< unit, towards the side the ray came from
-  double incidence;       ///< radians between the ray and the normal, [0, pi/2]
+  Vec2 point;  ///< on the closed inner side of its wall and of every wall that meets it there
+  double t;    ///< since the last bounce, in lengths of the direction then
+  double path_length;  ///< from the start, world units
+  Vec2 normal;         ///< unit, towards the side the ray came from
+  double incidence;    ///< radians between the ray and the normal, [0, pi/2]
 };
 
 struct Orbit {
   Vec2 start, direction;
   std::vector<Bounce> bounces;
   OrbitEnd end = OrbitEnd::limit;
-  Vec2 out{0, 0};                       ///< unit direction after the last bounce
-  Vec2 end_point{0, 0};                 ///< where it was absorbed or met the corner
+  Vec2 out{0, 0};                           ///< unit direction after the last bounce
+  Vec2 end_point{0, 0};                     ///< where it was absorbed or met the corner
   std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
 };
 
-/// Follows a ray from mirror to mirror in exact decisions and double constructions (design, decision 4): a straight
-/// wall just left is excluded by its number, a circle only in the root stood on. No epsilon.
+/// Follows a ray from mirror to mirror in exact decisions and double constructions (design,
+/// decision 4): a straight wall just left is excluded by its number, a circle only in the root
+/// stood on. No epsilon.
 ///
 /// Needs   `materials` by surface; a direction that is not zero; an exact tracer.
-/// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end of one, is a corner
-///         without a bounce; a start along its wall, or on the tangent of its circle, ends as `along`. A circle reflects
-///         on both sides; touched in one point it is passed by. A corner whose walls all absorb absorbs. With
-///         0 bounces only the start is looked at.
-/// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on the inner side by at
-///         most 2 more; the length of the direction within 4 ulp of the start's, after any number of bounces.
+/// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
+/// of one, is a corner
+///         without a bounce; a start along its wall, or on the tangent of its circle, ends as
+///         `along`. A circle reflects on both sides; touched in one point it is passed by. A corner
+///         whose walls all absorb absorbs. With 0 bounces only the start is looked at.
+/// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on
+/// the inner side by at
+///         most 2 more; the length of the direction within 4 ulp of the start's, after any number
+///         of bounces.
 /// Cost    a bounce 1 to 2 us, and a box test for every wall.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
                   std::uint64_t bounces, const Tracer& tracer = usual_tracer());
 
-/// The orbits of many rays, advanced together so that the tracer gets them in batches. Each is what trace_orbit gives.
+/// The orbits of many rays, advanced together so that the tracer gets them in batches. Each is what
+/// trace_orbit gives.
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
                                 std::span<const Ray> starts, std::uint64_t bounces,
                                 const Tracer& tracer = usual_tracer());

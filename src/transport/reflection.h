@@ -18,14 +18,18 @@ class Speed {
 
   /// `direction` with its length brought back where it is more than 1 ulp off; else untouched.
   Vec2 restore(const Vec2& direction) const;
+  /// `direction` times the power of two that brings its larger component to [1, 2), or near it
+  /// after reflections.
+  Vec2 near_one(const Vec2& direction) const { return direction * scale_[0] * scale_[1]; }
   /// |start|
   double length() const;
 
  private:
   DoubleDouble square(const Vec2& direction) const;
 
-  int exponent_;         // of the larger component: squares are taken of direction / 2^exponent
-  DoubleDouble square_;  // of the start
+  int exponent_;         // of the larger component
+  double scale_[2];      // 2^-exponent, in two steps because it may be beyond the doubles
+  DoubleDouble square_;  // of the start, near one
 };
 
 /// What a mirror does to a ray.
@@ -34,15 +38,19 @@ struct Reflection {
   double incidence;
 };
 
-/// Whether `direction` leads from `point` away from a wall, on the side given: left (positive) of a segment, where along
-/// it will do too, or strictly outward (positive) or inward of a circle. Exact.
+/// Whether `direction` leads from `point` away from a wall, on the side given: left (positive) of a
+/// segment, where along it will do too, or strictly outward (positive) or inward of a circle.
+/// Exact.
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction);
 
-/// Reflects `ray` where it meets the wall of `hit`, seen from `point`, the double kept for the exact hit.
+/// Reflects `ray` where it meets the wall of `hit`, seen from `point`, the double kept for the
+/// exact hit.
 ///
-/// Gives   a direction that does not lead back through the wall: exactly decided, moved by at most kSearchUlps in each
-///         component where rounding had turned it; nullopt where that is not enough (then the ray runs along the wall).
+/// Gives   a direction that does not lead back through the wall: exactly decided, moved by at most
+/// kSearchUlps in each
+///         component where rounding had turned it; nullopt where that is not enough (then the ray
+///         runs along the wall).
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const Vec2& point, const Speed& speed);

@@ -129,10 +129,15 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
   const std::string_view text = source->text().substr(token.offset, token.length);
   const std::string message = own_words(error.description());
   if (!is_number_like(text)) return fail({source, offset, 1}, message);
+  // What toml++ says of a number names its grammar, not the mistake.
+  for (const char* grammar : {"floating-point: e", "decimal integer: expected"})
+    if (message.starts_with(grammar) && message.find("length") == std::string::npos)
+      return fail(token, fmt::format("'{}' is no number", text.substr(0, 40)),
+                  "numbers are written like 12, -0.5 or 1e-3");
   if (message.find("could not be interpreted") != std::string::npos)
     return fail(token, fmt::format("{} is beyond the doubles", text.substr(0, 40)),
                 "write a number between -1.7e308 and 1.7e308");
-  return fail(token, message, "numbers are written like 12, -0.5 or 1e-3");
+  return fail(token, message);
 }
 
 Result<void> check_load(const SourcePtr& source) {

@@ -1,5 +1,5 @@
-// The kernels themselves, written once over `Real` and `Mask`. Each tier's file includes this with FLATRAY_TIER and
-// FLATRAY_LANES set. Bounds and meaning of the results: lanes.h.
+// The kernels themselves, written once over `Real` and `Mask`. Each tier's file includes this with
+// FLATRAY_TIER and FLATRAY_LANES set. Bounds and meaning of the results: lanes.h.
 #include "trace/kernels/lanes.h"
 
 namespace flatray::lanes::FLATRAY_TIER {
@@ -9,8 +9,9 @@ namespace {
 
 constexpr double kNoEdge = -1;  // the end of the range asked for
 constexpr double kInfinite = __builtin_inf();
-constexpr double kUnderflow = 0x1p-1070;               // more than all underflowing products of a term lose
-constexpr double kLargest = 0x1p1000, kLeast = 0x1p-1000;  // outside, a bound could itself over- or underflow
+constexpr double kUnderflow = 0x1p-1070;  // more than all underflowing products of a term lose
+constexpr double kLargest = 0x1p1000,
+                 kLeast = 0x1p-1000;  // outside, a bound could itself over- or underflow
 
 Real abs_larger(Real a, Real b) { return larger(size(a), size(b)); }
 
@@ -72,8 +73,8 @@ struct Best {
 void keep(const Group& g, const Meeting& m, Mask possible, Mask inside, int k, Best& best) {
   const Real low = (m.ahead - g.numerator) / (m.size + g.denominator);
   const Real high = (m.ahead + g.numerator) / (m.size - g.denominator);
-  const Mask bounded = both(both(possible, m.crossing),
-                            both(less(all(kLeast), low), less(high, all(kInfinite))));
+  const Mask bounded =
+      both(both(possible, m.crossing), both(less(all(kLeast), low), less(high, all(kInfinite))));
   const Mask closer = both(both(bounded, inside), less(high, best.high));
   const Real loser = choose(closer, best.low, choose(bounded, low, all(-1)));
   best.other = choose(both(possible, less(loser, best.other)), loser, best.other);
@@ -91,8 +92,8 @@ void against(const Group& g, Real left, const double* ends, int k, Best& best) {
   const Meeting m = meet(g, a, b);
   const Mask behind = less(m.ahead, all(0) - g.numerator);
   const Mask farther = less(best.high * (m.size + g.denominator), m.ahead - g.numerator);
-  const Mask out = either(either(missed, equal(left, all(k))),
-                          both(m.crossing, either(behind, farther)));
+  const Mask out =
+      either(either(missed, equal(left, all(k))), both(m.crossing, either(behind, farther)));
   if (full(out)) return;
   const Mask inside = both(less(lower, minus_side), less(g.side, upper));
   keep(g, m, but_not(equal(all(0), all(0)), out), inside, k, best);
@@ -110,8 +111,8 @@ void nearest(const Walls& walls, const Rays& rays, const Nearest& found) {
   }
 }
 
-// The line of a ray crosses a convex ring where its vertices change sides: one edge down, from left to right, and one
-// up. Any vertex not surely beside the line leaves the ray unsure.
+// The line of a ray crosses a convex ring where its vertices change sides: one edge down, from left
+// to right, and one up. Any vertex not surely beside the line leaves the ray unsure.
 struct Crossings {
   Real down = all(kMissed), up = all(kMissed);
   Mask sure = equal(all(0), all(0));

@@ -1,19 +1,21 @@
 #pragma once
 
-// What the kernels take and give: plain data only, so that nothing compiled for one instruction-set tier can be
-// picked by the linker for another.
+// What the kernels take and give: plain data only, so that nothing compiled for one instruction-set
+// tier can be picked by the linker for another.
 //
-// The kernels cull. They work in plain doubles with an error bound for the whole ray, and say "sure" only where the
-// bound proves it; every other ray is decided again by the exact code. So every tier gives the same answers.
+// The kernels cull. They work in plain doubles with an error bound for the whole ray, and say
+// "sure" only where the bound proves it; every other ray is decided again by the exact code. So
+// every tier gives the same answers.
 //
-// The bounds, with u = 2^-53, W = A - o and V = B - o for the segment A, B, and X, Y at least the largest |W_x|, |W_y|
-// as computed (rounding is monotone, so the box of all ends gives them). A difference has an error of u of its
-// computed size, a product u of its own and 2^-1075 where it underflows.
+// The bounds, with u = 2^-53, W = A - o and V = B - o for the segment A, B, and X, Y at least the
+// largest |W_x|, |W_y| as computed (rounding is monotone, so the box of all ends gives them). A
+// difference has an error of u of its computed size, a product u of its own and 2^-1075 where it
+// underflows.
 //   side      s_A = d x W      error <= 3 u S, S = |d_x| Y + |d_y| X; E = 4 u S + 2^-1070
 //   denominator D = s_B - s_A  error <= 8 u S (two sides and one difference below 2 S); 4 E
 //   numerator N = W x V        error <= 8 u X Y; F = 16 u X Y + 2^-1070
-// t = N / D. What E and F have beyond the proven error pays for rounding the bounds and the quotients themselves. An
-// infinity or NaN makes every comparison that would be "sure" false.
+// t = N / D. What E and F have beyond the proven error pays for rounding the bounds and the
+// quotients themselves. An infinity or NaN makes every comparison that would be "sure" false.
 namespace flatray::lanes {
 
 inline constexpr int kWidest = 8;  ///< lanes of the widest tier; ray counts are multiples of it
@@ -30,8 +32,9 @@ struct Walls {
   double low_x, low_y, high_x, high_y;  ///< box of all ends
 };
 
-/// By ray. slot >= 0: that segment is surely the first met, inside both ends, and at t > 0; `high` is not below that
-/// t. kNothing: none is met. kDoubtful: to be decided; if a segment is met, then some at t <= high.
+/// By ray. slot >= 0: that segment is surely the first met, inside both ends, and at t > 0; `high`
+/// is not below that t. kNothing: none is met. kDoubtful: to be decided; if a segment is met, then
+/// some at t <= high.
 struct Nearest {
   double *slot, *high;
 };
@@ -43,8 +46,9 @@ struct Polygon {
   double low_x, low_y, high_x, high_y;  ///< box of them
 };
 
-/// By ray: the edges at which the vertices surely change from the left to the right of its line and back, all
-/// others surely being beside it. kMissed: the line passes beside the polygon. kUnsure in `down`: to be decided.
+/// By ray: the edges at which the vertices surely change from the left to the right of its line and
+/// back, all others surely being beside it. kMissed: the line passes beside the polygon. kUnsure in
+/// `down`: to be decided.
 struct Clip {
   double *down, *up;
 };

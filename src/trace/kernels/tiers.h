@@ -4,7 +4,8 @@
 
 namespace flatray {
 
-/// Kernels of one tier. Needs a tier this machine runs; one that this build lacks gives the portable kernels.
+/// Kernels of one tier. Needs a tier this machine runs; one that this build lacks gives the
+/// portable kernels.
 const lanes::Kernels& lane_kernels(Isa isa);
 
 }  // namespace flatray

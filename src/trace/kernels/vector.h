@@ -1,5 +1,5 @@
-// One ray per lane: FLATRAY_LANES doubles in a Real, a yes or no for each in a Mask. Included by the kernel of one
-// tier only, in its own namespace.
+// One ray per lane: FLATRAY_LANES doubles in a Real, a yes or no for each in a Mask. Included by
+// the kernel of one tier only, in its own namespace.
 #if FLATRAY_LANES == 1
 using Real = double;
 using Mask = bool;

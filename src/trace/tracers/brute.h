@@ -7,7 +7,8 @@
 
 namespace flatray {
 
-/// Nearest hits by trying every wall: the kernel of tier `isa` rules out what it can, the rest is decided exactly.
+/// Nearest hits by trying every wall: the kernel of tier `isa` rules out what it can, the rest is
+/// decided exactly.
 ///
 /// Needs   as many hits as rays.
 /// Gives   the same bits from every tier.
