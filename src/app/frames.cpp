@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/arguments.h"
 #include "app/option_values.h"
 
@@ -66,10 +68,9 @@ Result<std::vector<unsigned>> parse_frames(std::string_view text, const Place& w
 }
 
 Result<Shard> parse_shard(std::string_view text, const Place& where) {
-  const std::size_t slash = text.find('/');
+  const std::size_t slash = std::min(text.find('/'), text.size());
   const auto index = parse_whole(text.substr(0, slash));
-  const auto count =
-      slash == std::string_view::npos ? std::nullopt : parse_whole(text.substr(slash + 1));
+  const auto count = parse_whole(text.substr(std::min(slash + 1, text.size())));
   if (!index || !count)
     return usage_error(where, fmt::format("'{}' is not I/N", text), "as 0/3, 1/3 and 2/3");
   if (*count < 1 || *count > kLastFrame || *index >= *count)

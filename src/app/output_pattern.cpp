@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kLongestFileName = 120, kLongestPattern = 3000;
 
 constexpr std::string_view kScene = "{scene}";
+constexpr std::size_t kShownBytes = 40;  // of a name too long
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
@@ -122,7 +123,7 @@ std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame
 
 Result<std::string> plain_name(std::string_view scene) {
   if (scene.size() > kLongestName)
-    return usage_error(named_place(std::string(scene.substr(0, 40)) + "..."),
+    return usage_error(named_place(fmt::format("{}...", scene.substr(0, kShownBytes))),
                        fmt::format("the scene's name has {} bytes", scene.size()),
                        fmt::format("at most {} can name the output; say -o FILE", kLongestName));
   std::string name(scene);
