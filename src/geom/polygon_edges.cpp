@@ -5,6 +5,14 @@
 
 namespace flatray {
 
+std::vector<std::size_t> proper_edges(std::span<const Vec2> ring) {
+  std::vector<std::size_t> edges;
+  edges.reserve(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (ring[i] != edge_end(ring, i)) edges.push_back(i);
+  return edges;
+}
+
 StartPlace place_in_convex(const Vec2& point, std::span<const Vec2> ring) {
   bool left = false, right = false, on_line = false;
   Bounds bounds;

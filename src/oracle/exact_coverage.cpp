@@ -120,8 +120,7 @@ Rational exact_coverage(std::span<const std::vector<Vec2>> pieces, FillRule rule
   const std::vector<Rational> borders = slab_borders(rings);
   Rational area;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
-    const std::vector<Span> spans =
-        spans_at(rings, (borders[i] + borders[i + 1]) * Rational(0.5));
+    const std::vector<Span> spans = spans_at(rings, (borders[i] + borders[i + 1]) * Rational(0.5));
     area += (borders[i + 1] - borders[i]) *
             (rule == FillRule::nonzero ? union_length(spans) : odd_length(spans));
   }

@@ -8,9 +8,9 @@
 
 namespace flatray {
 
-/// Exact area of the union (nonzero) or symmetric difference (even-odd) of convex pieces inside pixel
-/// [x, x+1] x [y, y+1], by clipping every piece to the pixel and cutting what is left into vertical slabs. Shares
-/// nothing with the engine: no windings, no outlines.
+/// Exact area of the union (nonzero) or symmetric difference (even-odd) of convex pieces inside
+/// pixel [x, x+1] x [y, y+1], by clipping every piece to the pixel and cutting what is left into
+/// vertical slabs. Shares nothing with the engine: no windings, no outlines.
 ///
 /// Needs   convex rings in either orientation; without area they count for nothing.
 /// Cost    some 100 us a pixel.

@@ -14,9 +14,9 @@ struct SignedArea {
   int pieces = 0;
 };
 
-// A piece raises the winding right of it; where an edge crosses the left border, the winding along that border
-// changes from there down. Each end of a piece moves the sum by at most half its own error, the clamped corner
-// cuts by as much again; each term is rounded a few times.
+// A piece raises the winding right of it; where an edge crosses the left border, the winding along
+// that border changes from there down. Each end of a piece moves the sum by at most half its own
+// error, the clamped corner cuts by as much again; each term is rounded a few times.
 SignedArea signed_area(std::span<const Piece> pieces) {
   SignedArea sum{0, 0};
   for (const Piece& p : pieces) {

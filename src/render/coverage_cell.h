@@ -31,7 +31,8 @@ struct SlabWork {
   std::vector<Strand> strands;
 };
 
-/// Needs   the pieces of one pixel with the ghosts; `winding` at its upper left corner, just inside.
+/// Needs   the pieces of one pixel with the ghosts; `winding` at its upper left corner, just
+/// inside.
 CellArea simple_area(std::span<const Piece> pieces, int winding);
 CellArea cell_area(std::span<const Piece> pieces, int winding, FillRule rule, SlabWork& work);
 /// The general case: horizontal slabs between the ends and crossings of the pieces.

@@ -6,8 +6,8 @@
 namespace flatray {
 namespace {
 
-// A row of centres is a ray: where an edge crosses it, the winding changes from the first centre on or right of
-// the edge.
+// A row of centres is a ray: where an edge crosses it, the winding changes from the first centre on
+// or right of the edge.
 struct Step {
   int row, column, change;
 };

@@ -9,10 +9,11 @@
 namespace flatray {
 namespace {
 
-constexpr double kUnit = 0x1p-53;   // u: half an ulp of 1
-constexpr double kNear = 0x1p16;    // beyond this many pixels an edge is anchored near the box
-constexpr double kGrid = 0x1p8;     // ends on multiples of 1 / kGrid and slopes of a small power of two
-constexpr double kSteepest = 0x1p4; // give exact cuts: multiples of 2^-12, areas of 2^-29
+constexpr double kUnit = 0x1p-53;  // u: half an ulp of 1
+constexpr double kNear = 0x1p16;   // beyond this many pixels an edge is anchored near the box
+constexpr double kGrid =
+    0x1p8;  // ends on multiples of 1 / kGrid and slopes of a small power of two
+constexpr double kSteepest = 0x1p4;  // give exact cuts: multiples of 2^-12, areas of 2^-29
 
 // Written so that a NaN gives `low`: an infinite slope times nothing.
 double clamp_to(double v, double low, double high) { return v > low ? (v < high ? v : high) : low; }
@@ -28,18 +29,20 @@ bool exact_slope(double dx, double dy, double slope) {
          steep <= kSteepest && steep >= 1 / kSteepest;
 }
 
-// x_at: the difference, the slope (of two rounded differences and a quotient) and the product make a relative
-// error below 5.1 u of a term not larger than |dx|; the sum adds u |x|. y_at likewise.
+// x_at: the difference, the slope (of two rounded differences and a quotient) and the product make
+// a relative error below 5.1 u of a term not larger than |dx|; the sum adds u |x|. y_at likewise.
 void bound_near(ScanEdge& e, double dx, double dy) {
   const double x = std::max(std::abs(e.x_top), std::abs(e.x_bottom));
   const double y = std::max(std::abs(e.y_top), std::abs(e.y_bottom));
-  const bool along_axis = dx == 0 || dy == 0;  // the one coordinate is copied, the other one is a border
+  const bool along_axis =
+      dx == 0 || dy == 0;  // the one coordinate is copied, the other one is a border
   e.error_x = along_axis ? 0 : kUnit * (6 * std::abs(dx) + x);
   e.error = along_axis ? 0 : std::max(e.error_x, kUnit * (6 * std::abs(dy) + y));
 }
 
-// A long edge: a point of it near the box, rounded once from the exact one, so that errors are those of the box
-// and not of the edge. `error` is measured along the axis the edge is steep against.
+// A long edge: a point of it near the box, rounded once from the exact one, so that errors are
+// those of the box and not of the edge. `error` is measured along the axis the edge is steep
+// against.
 void anchor(ScanEdge& e, const PixelBox& box) {
   const Rational dx = Rational(e.x_bottom) - Rational(e.x_top);
   const Rational dy = Rational(e.y_bottom) - Rational(e.y_top);
@@ -75,13 +78,13 @@ ScanEdge scan_edge(const Segment& edge, const PixelBox& box) {
       edge.a.y() < edge.b.y() || (edge.a.y() == edge.b.y() && edge.a.x() < edge.b.x());
   const Vec2& top = down ? edge.a : edge.b;
   const Vec2& bottom = down ? edge.b : edge.a;
-  ScanEdge e{top.x(), top.y(), bottom.x(), bottom.y(), top.x(), top.y(), 0, 0, 0, 0,
-             down ? 1 : -1, false};
+  ScanEdge e{top.x(), top.y(), bottom.x(), bottom.y(), top.x(),       top.y(),
+             0,       0,       0,          0,          down ? 1 : -1, false};
   const double far = std::max(std::max(std::abs(e.x_top), std::abs(e.x_bottom)),
                               std::max(std::abs(e.y_top), std::abs(e.y_bottom)));
   if (far > kNear) {
-    const bool beside = std::max(e.x_top, e.x_bottom) < box.x ||
-                        std::min(e.x_top, e.x_bottom) > box.x + box.width;
+    const bool beside =
+        std::max(e.x_top, e.x_bottom) < box.x || std::min(e.x_top, e.x_bottom) > box.x + box.width;
     if (!beside) anchor(e, box);  // beside the box only its winding counts
     return e;
   }
@@ -94,8 +97,9 @@ ScanEdge scan_edge(const Segment& edge, const PixelBox& box) {
   return e;
 }
 
-// A column border belongs to the pixel right of it: an edge that ends on it inside the row crosses it or not by
-// that. On the row's own borders nothing is lost by staying in the pixel the edge comes through.
+// A column border belongs to the pixel right of it: an edge that ends on it inside the row crosses
+// it or not by that. On the row's own borders nothing is lost by staying in the pixel the edge
+// comes through.
 RowCut row_cut(const ScanEdge& e, int row) {
   const double top = row, bottom = row + 1.0;
   const bool starts = e.y_top >= top, ends = e.y_bottom <= bottom;
@@ -132,8 +136,9 @@ void cut_row(const ScanEdge& e, std::uint32_t index, int row, const PixelBox& bo
   if (cut.crosses_top && cut.first < left) out.winding += e.direction;
   if (cut.high < left) return;
   const double top = row;
-  Piece piece{0, index, 0, 0, 0, 0, e.error, static_cast<std::int8_t>(e.direction),
-              false, false, false, false, false, false, e.exact};
+  Piece piece{
+      0,     index, 0,     0,     0,     0,     e.error, static_cast<std::int8_t>(e.direction),
+      false, false, false, false, false, false, e.exact};
   const bool starts = e.y_top >= top, ends = e.y_bottom <= top + 1;
   const bool rightward = cut.first <= cut.last;
   const double low = std::min(cut.first, cut.last), high = std::max(cut.first, cut.last);
@@ -155,6 +160,7 @@ void cut_row(const ScanEdge& e, std::uint32_t index, int row, const PixelBox& bo
   }
   if (cut.low == low && cut.high == high) return;
   piece.ghost = true;
+  piece.crosses_top = piece.left_top = piece.left_bottom = false;
   for (double c = std::max(cut.low, left); c <= std::min(cut.high, right); ++c) {
     if (c >= low && c <= high) continue;
     piece.column = static_cast<int>(c);

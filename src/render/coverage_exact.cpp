@@ -43,7 +43,8 @@ class ExactPixel {
   }
 
  private:
-  // The edge passes left of the corner at the row's upper border, or through the corner and on to the left.
+  // The edge passes left of the corner at the row's upper border, or through the corner and on to
+  // the left.
   void count_top(const ScanEdge& e, const Rational& x, Sign dx) {
     if (!(e.y_top <= row_ && row_ < e.y_bottom)) return;
     const Sign side = x.sign();

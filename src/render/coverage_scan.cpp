@@ -84,8 +84,8 @@ void AreaScan::scan_row(const FillPath& path, int row, RunList& out) {
 
 std::uint32_t AreaScan::cell_steps(const FillPath& path, std::span<const Piece> cell, int winding,
                                    int row) {
-  const CellArea area = path.simple ? simple_area(cell, winding)
-                                    : cell_area(cell, winding, path.rule, slabs_);
+  const CellArea area =
+      path.simple ? simple_area(cell, winding) : cell_area(cell, winding, path.rule, slabs_);
   ++stats_.edge_pixels;
   if (audit_ != nullptr) audit_->see(area, exact_cell(path, cell, winding, row));
   if (const auto steps = certain_steps(area)) return *steps;

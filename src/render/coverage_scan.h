@@ -7,13 +7,10 @@
 
 namespace flatray {
 
-/// Pixels [x_begin, x_end) of row y with one coverage > 0.
-struct Run {
-  int y, x_begin, x_end;
-  std::uint32_t steps;
-};
+using kernels::Run;
 
-/// Runs of one box: rows from top to bottom, from left to right, neighbours of equal coverage joined.
+/// Runs of one box: rows from top to bottom, from left to right, neighbours of equal coverage
+/// joined.
 class RunList {
  public:
   void clear() { runs_.clear(); }
@@ -44,8 +41,8 @@ class CellAudit {
 /// The area scan of paths, with its room kept from call to call. One for each thread.
 class AreaScan {
  public:
-  /// Adds the runs of the path's edges in `box`; of `chosen` edges only where given (all that meet the box's
-  /// rows must be among them).
+  /// Adds the runs of the path's edges in `box`; of `chosen` edges only where given (all that meet
+  /// the box's rows must be among them).
   CoverageStats scan(const FillPath& path, const std::vector<std::uint32_t>* chosen,
                      const PixelBox& box, RunList& out, CellAudit* audit = nullptr);
 

@@ -17,9 +17,9 @@ double x_of(const Piece& p, double y) {
 
 double middle(const Strand& s) { return s.upper + s.lower; }
 
-// The slabs of one pixel. Besides the area it keeps the lowest and highest winding any point of the pixel may
-// have, whatever the errors do: strands closer than `near_` may stand in another order than computed, unless
-// they part from a common vertex.
+// The slabs of one pixel. Besides the area it keeps the lowest and highest winding any point of the
+// pixel may have, whatever the errors do: strands closer than `near_` may stand in another order
+// than computed, unless they part from a common vertex.
 class Slabs {
  public:
   Slabs(std::span<const Piece> pieces, int winding, FillRule rule, SlabWork& work)
@@ -28,12 +28,12 @@ class Slabs {
   CellArea run() {
     measure_errors();
     collect_cuts();
-    for (std::size_t i = 0; i + 1 < work_.cuts.size(); ++i)
-      slab(work_.cuts[i], work_.cuts[i + 1]);
+    for (std::size_t i = 0; i + 1 < work_.cuts.size(); ++i) slab(work_.cuts[i], work_.cuts[i + 1]);
     CellArea result{std::min(area_, 1.0), 0, false};
     if (exact_) return result;
-    // Each end may move by its error, each pair of strands be taken in the wrong order while they are within
-    // three of them (docs/NUMERICS.md, coverage); each slab rounds its width and adds it.
+    // Each end may move by its error, each pair of strands be taken in the wrong order while they
+    // are within three of them (docs/NUMERICS.md, coverage); each slab rounds its width and adds
+    // it.
     const double n = static_cast<double>(pieces_.size());
     result.bound = n * (16 * error_ + 32 * kUlp) + static_cast<double>(slabs_) * 2 * kUlp;
     result.full = rule_ == FillRule::nonzero && (lowest_ > 0 || highest_ < 0) && jumps_apart();
@@ -161,8 +161,8 @@ class Slabs {
   bool apart(const Strand& a, const Strand& b, double upper, double lower) const {
     const Piece &p = *a.piece, &q = *b.piece;
     const bool above = b.upper - a.upper > near_, below = b.lower - a.lower > near_;
-    const bool part = p.vertex_top && q.vertex_top && p.y_top == upper && q.y_top == upper &&
-                      p.x_top == q.x_top;
+    const bool part =
+        p.vertex_top && q.vertex_top && p.y_top == upper && q.y_top == upper && p.x_top == q.x_top;
     const bool join = p.vertex_bottom && q.vertex_bottom && p.y_bottom == lower &&
                       q.y_bottom == lower && p.x_bottom == q.x_bottom;
     return (above && below) || (part && below) || (above && join);

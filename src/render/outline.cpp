@@ -30,7 +30,8 @@ class Standing {
   explicit Standing(std::size_t count)
       : heads_(std::bit_ceil(count + 1), kNone), next_(count, kNone) {}
 
-  // Takes the newest edge that runs against `edges[index]` out of its chain, or adds the edge to it.
+  // Takes the newest edge that runs against `edges[index]` out of its chain, or adds the edge to
+  // it.
   std::uint32_t cancel_or_add(const std::vector<Segment>& edges, std::uint32_t index) {
     const Segment& edge = edges[index];
     std::uint32_t* link = &heads_[mixed(edge) & (heads_.size() - 1)];

@@ -5,8 +5,8 @@
 
 namespace flatray {
 
-/// Edges left when every pair a -> b, b -> a of bit-equal ends has cancelled: the outline of a mesh. Of n edges
-/// one way and m < n the other way n - m stay; edges without length are dropped.
+/// Edges left when every pair a -> b, b -> a of bit-equal ends has cancelled: the outline of a
+/// mesh. Of n edges one way and m < n the other way n - m stay; edges without length are dropped.
 ///
 /// Gives   what is left in the order it came.
 /// Cost    O(n) expected; some 100 ns an edge.

@@ -12,13 +12,8 @@ namespace {
 // Enough blocks to keep threads busy, few enough that their counts stay small.
 constexpr std::uint64_t kBlocks = 256;
 
-WalkCounts no_counts(const MarkovChain& chain) {
-  const std::size_t states = chain.rows.size();
-  return {0, 0, std::vector(states, std::vector<std::uint64_t>(states))};
-}
-
 WalkCounts walk_block(const WalkPlan& plan, std::uint64_t begin, std::uint64_t end) {
-  WalkCounts counts = no_counts(plan.chain);
+  WalkCounts counts(plan.chain);
   for (std::uint64_t w = begin; w < end; ++w) {
     StateId state = plan.start;
     std::uint64_t s = 0;
@@ -34,25 +29,26 @@ WalkCounts walk_block(const WalkPlan& plan, std::uint64_t begin, std::uint64_t e
   return counts;
 }
 
-void add(const WalkCounts& block, WalkCounts& sum) {
-  sum.steps += block.steps;
-  sum.unfinished += block.unfinished;
-  for (std::size_t i = 0; i < sum.transitions.size(); ++i)
-    std::transform(sum.transitions[i].begin(), sum.transitions[i].end(),
-                   block.transitions[i].begin(), sum.transitions[i].begin(), std::plus<>());
-}
-
 }  // namespace
+
+WalkCounts& WalkCounts::operator+=(const WalkCounts& other) {
+  steps += other.steps;
+  unfinished += other.unfinished;
+  for (std::size_t i = 0; i < transitions.size(); ++i)
+    for (std::size_t j = 0; j < transitions.size(); ++j)
+      transitions[i][j] += other.transitions[i][j];
+  return *this;
+}
 
 WalkCounts walk(const WalkPlan& plan, unsigned threads) {
   const std::uint64_t size = (plan.walks + kBlocks - 1) / kBlocks;
-  std::vector<WalkCounts> blocks(kBlocks);
+  std::vector<WalkCounts> blocks(kBlocks, WalkCounts(plan.chain));
   parallel_for(kBlocks, threads, [&](std::size_t b) {
     blocks[b] =
         walk_block(plan, std::min(b * size, plan.walks), std::min((b + 1) * size, plan.walks));
   });
-  WalkCounts sum = no_counts(plan.chain);
-  for (const WalkCounts& block : blocks) add(block, sum);
+  WalkCounts sum(plan.chain);
+  for (const WalkCounts& block : blocks) sum += block;
   return sum;
 }
 

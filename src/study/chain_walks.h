@@ -18,6 +18,10 @@ struct WalkPlan {
 };
 
 struct WalkCounts {
+  explicit WalkCounts(const MarkovChain& chain)
+      : transitions(chain.rows.size(), std::vector<std::uint64_t>(chain.rows.size())) {}
+  WalkCounts& operator+=(const WalkCounts& other);
+
   std::uint64_t steps = 0;                              ///< of all walks together
   std::uint64_t unfinished = 0;                         ///< walks given up
   std::vector<std::vector<std::uint64_t>> transitions;  ///< taken, from x to

@@ -12,11 +12,14 @@ namespace flatray {
 namespace {
 
 // Lengths in pixels of the picture.
-constexpr double kFontSize = 14, kLetterWidth = 8.6, kSmallestState = 30, kTitleHeight = 30;
+constexpr double kFontSize = 14, kLetterWidth = 8.6, kSmallestState = 30, kGap = 5,
+                 kTitleHeight = 30;
 constexpr double kLoopHeight = 52,
-                 kLoopSpread = 0.45;  // of a self loop: reach, half angle at the state
-constexpr double kBend = 0.16;        // of an arrow: sideways, as a share of its length
-constexpr double kLabelPlace = 0.42;  // along an arrow: off the middle, where others cross
+                 kLoopSpread = 0.45;   // of a self loop: reach, half angle at the state
+constexpr double kBend = 0.16;         // of an arrow: sideways, as a share of its length
+constexpr double kLabelPlace = 0.42;   // along an arrow: off the middle, where others cross
+constexpr double kSmallestRing = 2.6;  // in radii of a state
+constexpr double kSpacing = 4.8;       // along the ring from state to state, in radii of a state
 constexpr double kHalfTurn = 0x1.921fb54442d18p+1;
 
 std::string escaped(const std::string& text) {
@@ -53,8 +56,12 @@ class Drawing {
     for (const std::string& state : graph.states) longest = std::max(longest, state.size());
     radius_ = std::max(kSmallestState, kLetterWidth * static_cast<double>(longest) / 2 + 6);
     const auto count = static_cast<double>(graph.states.size());
-    ring_ = count < 2 ? 0 : std::max(2.6 * radius_, 1.6 * radius_ * count / kHalfTurn * 1.5);
-    const double reach = ring_ + radius_ + kLoopHeight + 2 * kFontSize;
+    ring_ = count < 2 ? 0 : radius_ * std::max(kSmallestRing, kSpacing * count / (2 * kHalfTurn));
+    std::size_t widest = 0;
+    for (const StateGraph::Arrow& arrow : graph.arrows)
+      widest = std::max(widest, arrow.label.size());
+    const double reach =
+        ring_ + radius_ + kLoopHeight + kLetterWidth * static_cast<double>(widest) + kGap;
     size_ = {2 * reach, 2 * reach + kTitleHeight};
     centre_ = {reach, reach + kTitleHeight};
   }
@@ -90,11 +97,15 @@ class Drawing {
   }
 
   void label(const Vec2& at, const std::string& words, const char* style) {
-    text_ += fmt::format("<text x=\"{}\" y=\"{}\" dominant-baseline=\"central\"{}>{}</text>\n",
-                         number(at.x()), number(at.y()), style, escaped(words));
+    text_ += fmt::format("<text x=\"{}\" y=\"{}\" dy=\"0.35em\"{}>{}</text>\n", number(at.x()),
+                         number(at.y()), style, escaped(words));
   }
-  void arrow_label(const Vec2& at, const std::string& words) {
-    label(at, words, " fill=\"#06c\" stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\"");
+  // Beside `at`, far enough to the given side for the words not to touch the arrow.
+  void arrow_label(const Vec2& at, const Vec2& side, const std::string& words) {
+    const double half_width = kLetterWidth * static_cast<double>(words.size()) / 2;
+    const Vec2 away = side.normalized();
+    label(at + Vec2(away.x() * (half_width + kGap), away.y() * (kFontSize / 2 + kGap)), words,
+          " fill=\"#06c\"");
   }
   void path(const std::string& way) {
     text_ += fmt::format(
@@ -111,7 +122,8 @@ class Drawing {
     const Vec2 in = to + radius_ * (middle - to).normalized();
     path(fmt::format("M{}Q{} {}", point(out), point(middle), point(in)));
     const double t = kLabelPlace, s = 1 - t;
-    arrow_label(s * s * out + 2 * s * t * middle + t * t * in, arrow.label);
+    arrow_label(s * s * out + 2 * s * t * middle + t * t * in, Vec2(along.y(), -along.x()),
+                arrow.label);
   }
 
   // Away from the ring's centre.
@@ -122,7 +134,9 @@ class Drawing {
     const double reach = radius_ + kLoopHeight;
     path(fmt::format("M{}C{} {} {}", point(centre + radius_ * left), point(centre + reach * left),
                      point(centre + reach * right), point(centre + radius_ * right)));
-    arrow_label(centre + (radius_ + kLoopHeight) * turned(outward), arrow.label);
+    // A cubic reaches three quarters of the way to its handles.
+    arrow_label(centre + (radius_ + 0.75 * kLoopHeight) * turned(outward), turned(outward),
+                arrow.label);
   }
 
   void state(std::size_t i) {

@@ -79,13 +79,11 @@ void ExactNearest::offer_circle(std::size_t slot) {
     offer({number, HitClass::through, Root::second, false, 0}, met->second);
 }
 
-void ExactNearest::offer_crossing(std::size_t slot) {
-  offer({walls_.segment_numbers[slot], HitClass::touch, Root::none, false, 0},
-        HitTime::on_line(ray_, walls_.segments[slot]));
+void ExactNearest::offer_segments() {
+  for (std::size_t i = 0; i < walls_.segments.size(); ++i) offer_segment(i);
 }
 
-void ExactNearest::offer_everything() {
-  for (std::size_t i = 0; i < walls_.segments.size(); ++i) offer_segment(i);
+void ExactNearest::offer_circles() {
   for (std::size_t i = 0; i < walls_.circles.size(); ++i) offer_circle(i);
 }
 
@@ -93,6 +91,11 @@ NearestHit ExactNearest::hit() const {
   NearestHit hit = best_;
   if (best_time_) hit.t = best_time_->nearest().t;
   return hit;
+}
+
+NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot) {
+  const double t = HitTime::on_line(ray, walls.segments[slot]).nearest().t;
+  return {walls.segment_numbers[slot], HitClass::touch, Root::none, false, t};
 }
 
 }  // namespace flatray

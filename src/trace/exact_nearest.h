@@ -17,9 +17,8 @@ class ExactNearest {
   /// nothing.
   void offer_segment(std::size_t slot);
   void offer_circle(std::size_t slot);
-  /// Offers a segment known to be met ahead and between its ends.
-  void offer_crossing(std::size_t slot);
-  void offer_everything();
+  void offer_segments();
+  void offer_circles();
 
   NearestHit hit() const;
 
@@ -36,5 +35,8 @@ class ExactNearest {
   NearestHit best_;
   std::optional<HitTime> best_time_;
 };
+
+/// The hit of a segment known to be the nearest wall, met ahead and between its ends.
+NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot);
 
 }  // namespace flatray

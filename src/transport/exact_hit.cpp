@@ -1,7 +1,5 @@
 #include "transport/exact_hit.h"
 
-#include <cmath>
-
 #include "geom/decide.h"
 
 namespace flatray {
@@ -10,48 +8,16 @@ namespace {
 const auto kBounded = [](double x) { return Bounded(x); };
 const auto kRational = [](double x) { return Rational(x); };
 
-// o + t d on one axis, with t = numer / denom as in eq. 3 of the paper.
-template <class Make>
-auto on_line(const Make& number, const Ray& ray, const Segment& wall, int axis) {
-  const Vec2 zero(0, 0);
-  return number(ray.origin[axis]) + number(ray.direction[axis]) *
-                                        determinant(number, ray.origin, wall.a, wall.a, wall.b) /
-                                        determinant(number, zero, ray.direction, wall.a, wall.b);
-}
+Rational square(const Rational& x) { return x * x; }
 
-// A point of a circle seen from its centre, on one axis: foot + root * sqrt(square). The foot is
-// that of the perpendicular from the centre to the ray, k d' / d.d with d' = (-d_y, d_x) and k = d
-// x w, w = o - c; the root goes along the ray from there, d / d.d times sqrt(r^2 d.d - k^2).
-template <class Number>
-struct Chord {
-  Number foot, along, square;
-};
-template <class Make>
-auto chord(const Make& number, const Ray& ray, const Circle& circle, int axis) {
-  const auto dx = number(ray.direction.x()), dy = number(ray.direction.y());
-  const auto wx = number(ray.origin.x()) - number(circle.centre.x());
-  const auto wy = number(ray.origin.y()) - number(circle.centre.y());
-  const auto size = dx * dx + dy * dy, k = dx * wy - dy * wx, r = number(circle.radius);
-  using Number = std::remove_const_t<decltype(size)>;
-  return Chord<Number>{k * (axis == 0 ? -dy : dx) / size, (axis == 0 ? dx : dy) / size,
-                       r * r * size - k * k};
+// |o - c|^2 - r^2 of the origin of a ray, and half of what t adds to it: (o - c).d
+Rational power(const Ray& ray, const Vec2& centre, double radius) {
+  return square(Rational(ray.origin.x()) - centre.x()) +
+         square(Rational(ray.origin.y()) - centre.y()) - square(radius);
 }
-
-// `from` + the chord's end, rounded once.
-double chord_end(const Ray& ray, const Circle& circle, int root, int axis, double from) {
-  const auto fast = chord(kBounded, ray, circle, axis);
-  const Bounded length = fast.along * square_root(fast.square);
-  if (const auto rounded = (Bounded(from) + fast.foot + (root < 0 ? -length : length)).nearest())
-    return *rounded;
-  const auto exact = chord(kRational, ray, circle, axis);
-  return Rational::root_sum(Rational(from) + exact.foot,
-                            root * static_cast<int>(exact.along.sign()),
-                            exact.along * exact.along * exact.square);
-}
-
-double line_point(const Ray& ray, const Segment& wall, int axis) {
-  if (const auto rounded = on_line(kBounded, ray, wall, axis).nearest()) return *rounded;
-  return on_line(kRational, ray, wall, axis).nearest();
+Rational approach(const Ray& ray, const Vec2& centre) {
+  return (Rational(ray.origin.x()) - centre.x()) * ray.direction.x() +
+         (Rational(ray.origin.y()) - centre.y()) * ray.direction.y();
 }
 
 }  // namespace
@@ -61,58 +27,83 @@ struct ExactHit::LinearForm {
   Rational constant, slope;
 };
 
+// t = numer / denom as in eq. 3 of the paper. A wall parallel to an axis gives one coordinate
+// without error, where 0 +- an error would need the rationals.
 ExactHit::ExactHit(const Ray& ray, const Segment& wall)
-    : ray_(ray), on_circle_(false), segment_(wall), time_(HitTime::on_line(ray, wall)) {}
+    : ray_(ray), time_(HitTime::on_line(ray, wall)) {
+  const Bounded t = determinant(kBounded, ray.origin, wall.a, wall.a, wall.b) /
+                    determinant(kBounded, Vec2(0, 0), ray.direction, wall.a, wall.b);
+  const auto coordinate = [&](int axis) {
+    if (wall.a[axis] == wall.b[axis]) return Bounded(wall.a[axis]);
+    return Bounded(ray.origin[axis]) + Bounded(ray.direction[axis]) * t;
+  };
+  x_ = coordinate(0);
+  y_ = coordinate(1);
+}
 
+// The foot of the perpendicular from the centre to the ray is k d' / d.d with d' = (-d_y, d_x), k =
+// d x w and w = o - c; from there the point lies along the ray, by d / d.d times the root of r^2
+// d.d - k^2.
 ExactHit::ExactHit(const Ray& ray, const Circle& wall, Root root)
     : ray_(ray),
-      on_circle_(true),
-      circle_(wall),
-      root_(root == Root::first ? -1 : 1),
-      time_(HitTime::on_circle(
-          ray, wall, root == Root::first ? HitTime::Root::first : HitTime::Root::second)) {}
-
-Vec2 ExactHit::nearest() const {
-  if (!on_circle_) return {line_point(ray_, segment_, 0), line_point(ray_, segment_, 1)};
-  return {chord_end(ray_, circle_, root_, 0, circle_.centre.x()),
-          chord_end(ray_, circle_, root_, 1, circle_.centre.y())};
+      time_(HitTime::on_circle(ray, wall,
+                               root == Root::first ? HitTime::Root::first : HitTime::Root::second)),
+      centre_(wall.centre),
+      radius_(wall.radius),
+      root_(root == Root::first ? -1 : 1) {
+  const Bounded dx = ray.direction.x(), dy = ray.direction.y(), r = wall.radius;
+  const Bounded wx = Bounded(ray.origin.x()) - wall.centre.x();
+  const Bounded wy = Bounded(ray.origin.y()) - wall.centre.y();
+  const Bounded size = dx * dx + dy * dy, k = dx * wy - dy * wx;
+  const Bounded length = square_root(r * r * size - k * k), s = root_;
+  x_ = (s * dx * length - k * dy) / size;
+  y_ = (s * dy * length + k * dx) / size;
 }
 
-Vec2 ExactHit::from_centre() const {
-  return {chord_end(ray_, circle_, root_, 0, 0), chord_end(ray_, circle_, root_, 1, 0)};
+// o + t d by t = (p + s sqrt(q)) / a.
+double ExactHit::exactly_rounded(const Vec2& centre, int axis) const {
+  const HitTime::Exact t = time_.exact();
+  const Rational speed = Rational(ray_.direction[axis]) / t.a;
+  const Rational from = Rational(ray_.origin[axis]) - centre_[axis] + centre[axis];
+  return Rational::root_sum(from + speed * t.p, t.s * static_cast<int>(speed.sign()),
+                            speed * speed * t.q);
 }
 
-// t = (p + s sqrt(q)) / a with a > 0.
+Vec2 ExactHit::rounded(const Vec2& centre) const {
+  const auto x = (Bounded(centre.x()) + x_).nearest(), y = (Bounded(centre.y()) + y_).nearest();
+  return {x ? *x : exactly_rounded(centre, 0), y ? *y : exactly_rounded(centre, 1)};
+}
+
 Sign ExactHit::sign(const LinearForm& form) const {
   const HitTime::Exact t = time_.exact();
-  const int s = t.s * static_cast<int>(form.slope.sign());
-  return Rational::root_sign(form.constant * t.a + form.slope * t.p, s,
+  return Rational::root_sign(form.constant * t.a + form.slope * t.p,
+                             t.s * static_cast<int>(form.slope.sign()),
                              form.slope * form.slope * t.q);
 }
 
 Sign ExactHit::side_of(const Segment& segment) const {
-  const Vec2 zero(0, 0);
-  return sign({determinant(kRational, segment.a, segment.b, segment.a, ray_.origin),
-               determinant(kRational, segment.a, segment.b, zero, ray_.direction)});
+  const Bounded ex = Bounded(segment.b.x()) - segment.a.x();
+  const Bounded ey = Bounded(segment.b.y()) - segment.a.y();
+  const Bounded x = Bounded(centre_.x()) - segment.a.x() + x_;
+  const Bounded y = Bounded(centre_.y()) - segment.a.y() + y_;
+  if (const auto sign = (ex * y - ey * x).sign()) return *sign;
+  return this->sign({determinant(kRational, segment.a, segment.b, segment.a, ray_.origin),
+                     determinant(kRational, segment.a, segment.b, Vec2(0, 0), ray_.direction)});
 }
 
 Sign ExactHit::side_of(const Circle& circle) const {
-  const auto square = [](const Rational& x) { return x * x; };
-  const auto power = [&](const Vec2& centre, double radius) {  // of the origin
-    return square(Rational(ray_.origin.x()) - centre.x()) +
-           square(Rational(ray_.origin.y()) - centre.y()) - square(radius);
-  };
-  const auto slope = [&](const Vec2& centre) {
-    return Rational(2) * ((Rational(ray_.origin.x()) - centre.x()) * ray_.direction.x() +
-                          (Rational(ray_.origin.y()) - centre.y()) * ray_.direction.y());
-  };
-  if (on_circle_)  // |H - c|^2 - r^2 less the same of its own circle, which is 0: linear in t
-    return sign({power(circle.centre, circle.radius) - power(circle_.centre, circle_.radius),
-                 slope(circle.centre) - slope(circle_.centre)});
+  const Bounded x = Bounded(centre_.x()) - circle.centre.x() + x_, r = circle.radius;
+  const Bounded y = Bounded(centre_.y()) - circle.centre.y() + y_;
+  if (const auto sign = (x * x + y * y - r * r).sign()) return *sign;
+  const Rational here = power(ray_, circle.centre, circle.radius);
+  const Rational rate = approach(ray_, circle.centre);
+  if (root_ != 0)  // less the same of its own circle, which is 0: linear in t
+    return this->sign(
+        {here - power(ray_, centre_, radius_), Rational(2) * (rate - approach(ray_, centre_))});
   const HitTime::Exact time = time_.exact();
   const Rational t = time.p / time.a;
   const Rational size = square(ray_.direction.x()) + square(ray_.direction.y());
-  return (power(circle.centre, circle.radius) + t * (slope(circle.centre) + t * size)).sign();
+  return (here + t * (Rational(2) * rate + t * size)).sign();
 }
 
 bool ExactHit::on(const Segment& segment) const {
@@ -120,12 +111,12 @@ bool ExactHit::on(const Segment& segment) const {
   // Between the ends, along the segment: (H - a).(b - a) >= 0 and (H - b).(a - b) >= 0.
   const auto ahead = [&](const Vec2& from, const Vec2& to) {
     const Rational ex = Rational(to.x()) - from.x(), ey = Rational(to.y()) - from.y();
-    return sign(
-        {(Rational(ray_.origin.x()) - from.x()) * ex + (Rational(ray_.origin.y()) - from.y()) * ey,
-         Rational(ray_.direction.x()) * ex + Rational(ray_.direction.y()) * ey});
+    return sign({(Rational(ray_.origin.x()) - from.x()) * ex +
+                     (Rational(ray_.origin.y()) - from.y()) * ey,
+                 Rational(ray_.direction.x()) * ex + Rational(ray_.direction.y()) * ey}) !=
+           Sign::negative;
   };
-  return ahead(segment.a, segment.b) != Sign::negative &&
-         ahead(segment.b, segment.a) != Sign::negative;
+  return ahead(segment.a, segment.b) && ahead(segment.b, segment.a);
 }
 
 }  // namespace flatray

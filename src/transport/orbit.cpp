@@ -31,8 +31,6 @@ class OrbitTracer {
 
   // Whether the ray can set off.
   bool start(Flight& flight) const {
-    Orbit& orbit = *flight.orbit;
-    orbit.out = unit(flight.ray.direction);
     const std::vector<std::uint32_t> stood_on = lander_.walls_at(flight.ray.origin);
     if (stood_on.size() == 1) {
       if (is_end(stood_on[0], flight.ray.origin)) return stop(flight, OrbitEnd::corner, stood_on);
@@ -52,11 +50,12 @@ class OrbitTracer {
     }
     Landing landing = lander_.land(flight.ray, hit);
     add(flight.time, hit.t);
-    const bool corner = !landing.corner.empty();
-    if (!corner) landing.corner = {hit.surface};
-    const bool absorbed = absorbs(landing.corner);
-    if (!corner && !absorbed) return bounce(flight, hit, landing.point);
+    if (landing.corner.empty()) {
+      if (materials_[hit.surface] == Material::mirror) return bounce(flight, hit, landing.point);
+      landing.corner = {hit.surface};
+    }
     flight.ray.origin = landing.point;
+    const bool absorbed = absorbs(landing.corner);
     return stop(flight, absorbed ? OrbitEnd::absorbed : OrbitEnd::corner,
                 std::move(landing.corner));
   }
@@ -71,7 +70,6 @@ class OrbitTracer {
                              (flight.time.hi + flight.time.lo) * flight.speed.length(),
                              reflection->normal, reflection->incidence});
     flight.ray.direction = reflection->direction;
-    orbit.out = unit(reflection->direction);
     // Inside a circle the ray goes on from the root it would have entered by, outside from the
     // other.
     flight.left = {hit.surface, hit.root == Root::none     ? Root::none
@@ -124,6 +122,7 @@ class OrbitTracer {
 // Rays still under way, in the order they were given.
 void trace_wavefront(const OrbitTracer& orbits, const Surfaces& walls, const Tracer& tracer,
                      std::vector<Flight>& flights) {
+  for (Flight& flight : flights) flight.orbit->out = unit(flight.ray.direction);
   std::erase_if(flights, [&](Flight& flight) { return !orbits.start(flight); });
   RayBatch rays;
   rays.tangents = false;
@@ -135,7 +134,10 @@ void trace_wavefront(const OrbitTracer& orbits, const Surfaces& walls, const Tra
     tracer.nearest(walls, rays, hits);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < flights.size(); ++i)
-      if (orbits.advance(flights[i], hits[i])) std::swap(flights[kept++], flights[i]);
+      if (orbits.advance(flights[i], hits[i]))
+        std::swap(flights[kept++], flights[i]);
+      else
+        flights[i].orbit->out = unit(flights[i].ray.direction);
     flights.resize(kept, flights.front());
   }
 }

@@ -30,10 +30,13 @@ Vec2 unit(const Vec2& v) {
   return near_one / std::sqrt(near_one.x() * near_one.x() + near_one.y() * near_one.y());
 }
 
-Speed::Speed(const Vec2& start) : exponent_(exponent_of(start)), square_(square(start)) {}
+Speed::Speed(const Vec2& start)
+    : exponent_(exponent_of(start)),
+      scale_{std::ldexp(1, -exponent_ / 2), std::ldexp(1, -exponent_ - -exponent_ / 2)},
+      square_(square(start)) {}
 
 DoubleDouble Speed::square(const Vec2& direction) const {
-  const Vec2 v = scaled(direction, -exponent_);
+  const Vec2 v = near_one(direction);
   return add(two_product(v.x(), v.x()), two_product(v.y(), v.y()));
 }
 
@@ -74,7 +77,7 @@ std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, con
     return leads_away(walls, hit.surface, side, point, candidate);
   });
   if (!direction) return std::nullopt;
-  const Vec2 normal = static_cast<double>(side) * unit(left), in = unit(ray.direction);
+  const Vec2 normal = static_cast<double>(side) * unit(left), in = speed.near_one(ray.direction);
   const double across = std::fabs(cross(normal, in)), against = std::fabs(normal.dot(in));
   return Reflection{*direction, normal, portable::atan2(across, against)};
 }

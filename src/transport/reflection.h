@@ -18,14 +18,18 @@ class Speed {
 
   /// `direction` with its length brought back where it is more than 1 ulp off; else untouched.
   Vec2 restore(const Vec2& direction) const;
+  /// `direction` times the power of two that brings its larger component to [1, 2), or near it
+  /// after reflections.
+  Vec2 near_one(const Vec2& direction) const { return direction * scale_[0] * scale_[1]; }
   /// |start|
   double length() const;
 
  private:
   DoubleDouble square(const Vec2& direction) const;
 
-  int exponent_;         // of the larger component: squares are taken of direction / 2^exponent
-  DoubleDouble square_;  // of the start
+  int exponent_;         // of the larger component
+  double scale_[2];      // 2^-exponent, in two steps because it may be beyond the doubles
+  DoubleDouble square_;  // of the start, near one
 };
 
 /// What a mirror does to a ray.

@@ -13,8 +13,9 @@
 namespace flatray {
 namespace {
 
-constexpr double kSigmas = 4;            // by which an observation may miss what is expected
-constexpr std::size_t kMostStates = 64;  // solved exactly within seconds
+constexpr double kSigmas = 4;                  // by which an observation may miss what is expected
+constexpr std::size_t kMostStates = 64;        // solved exactly within seconds
+constexpr std::size_t kLongestFraction = 100;  // shown; longer ones are given as decimals only
 constexpr std::uint64_t kMostSteps = 1ULL << 32;  // walked for one chain and start
 constexpr double kLongestMean = 0x1p24;           // of walks that are observed at all
 // From any state a walk is over within twice the largest mean with odds of at least 1/2 (Markov's
@@ -32,12 +33,9 @@ class Study {
   void add(std::uint32_t index) {
     const MarkovChain& chain = context_.scene.chains[index];
     const StepMatrix drawn = drawn_probabilities(chain);
-    const std::optional<StepMatrix> given = given_probabilities(chain);
-    const StepMatrix& shown = given ? *given : drawn;
-    counts_ = {0, 0, std::vector(drawn.size(), std::vector<std::uint64_t>(drawn.size()))};
-    add_starts(index, drawn, given);
-    add_transitions(chain, drawn, shown);
-    result_.files.push_back({file_name(index), svg(graph(chain, shown))});
+    const StepMatrix given = given_probabilities(chain).value_or(drawn);
+    add_transitions(chain, add_starts(index, given, drawn), given);
+    result_.files.push_back({file_name(index), svg(graph(chain, given))});
   }
 
   ExperimentResult result() && {
@@ -60,27 +58,40 @@ class Study {
   }
 
  private:
-  using Expected = std::vector<std::optional<Absorption>>;
+  // What a table of starts is made of: the closed form of the probabilities given, and of those
+  // that 64-bit draws can have.
+  struct Truth {
+    std::optional<Absorption> given, drawn;
+    double expected() const { return given ? given->expected.nearest() : kInfinity; }
+    std::vector<Cell> cells(const WalkPlan& plan) const {
+      return {
+          plan.chain.name,
+          plan.chain.states[plan.start],
+          absorbing_names(plan),
+          given && given->expected.text().size() <= kLongestFraction ? given->expected.text() : "",
+          expected(),
+          drawn ? drawn->expected.nearest() : kInfinity};
+    }
+  };
 
-  void add_starts(std::uint32_t index, const StepMatrix& drawn,
-                  const std::optional<StepMatrix>& given) {
-    const std::vector<bool> absorbing = absorbing_states(drawn);
-    const Expected truth = steps_to_absorption(drawn);
-    const Expected exact = given ? steps_to_absorption(*given) : Expected(drawn.size());
+  // Returns what all its walks took together.
+  WalkCounts add_starts(std::uint32_t index, const StepMatrix& given, const StepMatrix& drawn) {
+    const MarkovChain& chain = context_.scene.chains[index];
+    const std::vector<bool> absorbing = absorbing_states(given);
+    const auto truth = steps_to_absorption(given), table = steps_to_absorption(drawn);
     double longest = 0;
     for (const std::optional<Absorption>& from : truth)
       if (from) longest = std::max(longest, from->expected.nearest());
-    for (StateId start = 0; start < drawn.size(); ++start) {
+    const auto limit =
+        static_cast<std::uint64_t>(kMeansUntilGivenUp * std::min(longest, kLongestMean));
+    WalkCounts all(chain);
+    for (StateId start = 0; start < given.size(); ++start) {
       if (absorbing[start]) continue;
-      const WalkPlan plan = {context_.scene.chains[index],
-                             start,
-                             absorbing,
-                             walks(longest),
-                             static_cast<std::uint64_t>(kMeansUntilGivenUp * longest),
-                             context_.seed,
-                             (index << 8) | start};
-      add_start(plan, truth[start], exact[start]);
+      const WalkPlan plan = {chain, start,         absorbing,           walks(longest),
+                             limit, context_.seed, (index << 8) | start};
+      add_start(plan, {truth[start], table[start]}, all);
     }
+    return all;
   }
 
   std::uint64_t walks(double longest) const {
@@ -88,29 +99,26 @@ class Study {
     return std::min(context_.count, kMostSteps / static_cast<std::uint64_t>(longest + 1));
   }
 
-  void add_start(const WalkPlan& plan, const std::optional<Absorption>& truth,
-                 const std::optional<Absorption>& exact) {
-    const std::string &name = plan.chain.name, &start = plan.chain.states[plan.start],
-                      until = absorbing_names(plan);
-    if (!truth || plan.walks == 0) {
-      const char* why = truth ? "too many to observe" : "absorption is not certain";
-      const double expected = truth ? truth->expected.nearest() : kInfinity;
-      if (truth) ++disagreements_;  // nothing is shown
-      starts_.add({name, start, until, exact ? exact->expected.text() : "", expected, "", "", "",
-                   std::uint64_t{0}, why});
-      return;
+  void add_start(const WalkPlan& plan, const Truth& truth, WalkCounts& all) {
+    std::vector<Cell> row = truth.cells(plan);
+    const auto add_cells = [&row](std::initializer_list<Cell> cells) {
+      row.insert(row.end(), cells);
+    };
+    if (!truth.given || plan.walks == 0) {
+      if (truth.given) ++disagreements_;  // what was not looked at has not been shown to agree
+      add_cells({"", "", "", "", std::uint64_t{0},
+                 truth.given ? "too many to observe" : "absorption is not certain"});
+    } else {
+      const WalkCounts counts = walk(plan, context_.threads);
+      const auto walks = static_cast<double>(plan.walks);
+      const double mean = static_cast<double>(counts.steps) / walks;
+      const double difference = mean - truth.expected();
+      const double error = std::sqrt(truth.given->variance.nearest() / walks);
+      const double z = z_score(difference, error);
+      add_cells({mean, difference, error, z, plan.walks, verdict(z, counts.unfinished)});
+      all += counts;
     }
-    const WalkCounts counts = walk(plan, context_.threads);
-    for (std::size_t i = 0; i < counts.transitions.size(); ++i)
-      for (std::size_t j = 0; j < counts.transitions.size(); ++j)
-        counts_.transitions[i][j] += counts.transitions[i][j];
-    const auto walks = static_cast<double>(plan.walks);
-    const double mean = static_cast<double>(counts.steps) / walks;
-    const double expected = truth->expected.nearest();
-    const double error = std::sqrt(truth->variance.nearest() / walks);
-    const double z = z_score(mean - expected, error);
-    starts_.add({name, start, until, exact ? exact->expected.text() : "", expected, mean, error, z,
-                 plan.walks, verdict(z, counts.unfinished)});
+    starts_.add(std::move(row));
   }
 
   static std::string absorbing_names(const WalkPlan& plan) {
@@ -129,17 +137,18 @@ class Study {
                           : "no";
   }
 
-  void add_transitions(const MarkovChain& chain, const StepMatrix& drawn, const StepMatrix& shown) {
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
+  void add_transitions(const MarkovChain& chain, const WalkCounts& counts,
+                       const StepMatrix& given) {
+    for (std::size_t i = 0; i < given.size(); ++i) {
       std::uint64_t visits = 0;
-      for (const std::uint64_t count : counts_.transitions[i]) visits += count;
-      for (std::size_t j = 0; visits > 0 && j < drawn.size(); ++j) {
-        const double probability = drawn[i][j].nearest(), n = static_cast<double>(visits);
-        const std::uint64_t count = counts_.transitions[i][j];
+      for (const std::uint64_t count : counts.transitions[i]) visits += count;
+      for (std::size_t j = 0; visits > 0 && j < given.size(); ++j) {
+        const double probability = given[i][j].nearest(), n = static_cast<double>(visits);
+        const std::uint64_t count = counts.transitions[i][j];
         if (probability == 0 && count == 0) continue;
         const double z = z_score(static_cast<double>(count) - n * probability,
                                  std::sqrt(n * probability * (1 - probability)));
-        transitions_.add({chain.name, chain.states[i], chain.states[j], label(shown[i][j]),
+        transitions_.add({chain.name, chain.states[i], chain.states[j], label(given[i][j]),
                           probability, static_cast<double>(count) / n, visits, z, verdict(z, 0)});
       }
     }
@@ -180,11 +189,10 @@ class Study {
   }
 
   const ExperimentContext& context_;
-  Table starts_{{"chain", "start", "until", "exact", "expected", "observed", "standard_error", "z",
-                 "walks", "agrees"}};
+  Table starts_{{"chain", "start", "until", "exact", "expected", "drawn", "observed", "difference",
+                 "standard_error", "z", "walks", "agrees"}};
   Table transitions_{
       {"chain", "from", "to", "given", "probability", "observed", "visits", "z", "agrees"}};
-  WalkCounts counts_;  // of the chain at work
   double worst_ = 0;
   std::uint64_t disagreements_ = 0;
   ExperimentResult result_;

@@ -33,13 +33,16 @@ double left_slot(const Surfaces& walls, const Left& left) {
 }
 
 NearestHit decide_ray(const Surfaces& walls, const RayBatch& rays, std::size_t i, double slot) {
+  const bool sure = slot != lanes::kDoubtful;
+  if (sure && walls.circles.empty())
+    return slot < 0 ? NearestHit{}
+                    : crossing_hit(walls, rays.ray(i), static_cast<std::size_t>(slot));
   ExactNearest search(walls, rays.ray(i), rays.left[i], rays.tangents);
-  if (slot == lanes::kDoubtful) {
-    search.offer_everything();
-    return search.hit();
-  }
-  if (slot >= 0) search.offer_crossing(static_cast<std::size_t>(slot));
-  for (std::size_t k = 0; k < walls.circles.size(); ++k) search.offer_circle(k);
+  if (slot >= 0)
+    search.offer_segment(static_cast<std::size_t>(slot));
+  else if (!sure)
+    search.offer_segments();
+  search.offer_circles();
   return search.hit();
 }
 

@@ -1,0 +1,234 @@
+#include "app/golden.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/value.h"
+#include "base/file.h"
+#include "render/frame.h"
+#include "scene/load.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "golden_images/manifest.json";
+constexpr const char* kSchema = "flatray.goldens/1";
+constexpr const char* kBackend = "software";
+constexpr const char* kTolerance = "max=0;pixels=0";
+
+Value as_value(const GoldenRow& row) {
+  return Fields{{"file", row.file()},
+                {"scene", row.scene},
+                {"frame", row.frame},
+                {"seed", row.seed},
+                {"size", Values{row.width, row.height}},
+                {"backend", kBackend},
+                {"tolerance", kTolerance},
+                {"drift", row.drift},
+                {"pixels", row.pixels},
+                {"scene_hash", row.scene_hash},
+                {"why", row.why}};
+}
+
+// Takes the fields of one row, and what is wrong with each.
+class RowReader {
+ public:
+  RowReader(const Value& value, const std::string& name, Diagnostics& problems)
+      : value_(value), name_(name), problems_(problems) {}
+
+  GoldenRow read() {
+    GoldenRow row;
+    row.scene = text("scene");
+    if (!is_scene_path(row.scene)) wrong("scene", "is no path below scenes/");
+    row.frame = static_cast<unsigned>(whole("frame", 1, 9'999'999));
+    row.seed = whole("seed", 0, ~std::uint64_t{0});
+    read_size(row);
+    row.drift = text("drift"), row.pixels = text("pixels");
+    row.scene_hash = text("scene_hash"), row.why = text("why");
+    expect("backend", kBackend);
+    expect("tolerance", kTolerance);
+    expect("file", row.file());
+    return row;
+  }
+
+ private:
+  static bool is_scene_path(const std::string& text) {
+    const fs::path path(text);
+    return text.starts_with("scenes/") && path.lexically_normal() == path && path.has_stem();
+  }
+
+  void wrong(const char* key, const std::string& what) {
+    problems_.push_back({named_place(kManifest), fmt::format("'{}' of {} {}", key, name_, what),
+                         "flatray golden update writes the manifest; edit it by hand only to "
+                         "remove rows"});
+  }
+
+  std::string text(const char* key) {
+    const Value* field = value_.find(key);
+    const auto text = field == nullptr ? std::nullopt : field->as_text();
+    if (!text || text->empty()) wrong(key, "is missing");
+    return text.value_or("");
+  }
+
+  std::uint64_t whole(const char* key, std::uint64_t low, std::uint64_t high) {
+    const Value* field = value_.find(key);
+    return in_range(field == nullptr ? Value() : *field, key, low, high);
+  }
+
+  std::uint64_t in_range(const Value& value, const char* key, std::uint64_t low,
+                         std::uint64_t high) {
+    const auto number = value.as_whole();
+    if (number && *number >= low && *number <= high) return *number;
+    wrong(key, fmt::format("is no number from {} to {}", low, high));
+    return low;
+  }
+
+  void read_size(GoldenRow& row) {
+    const Value* field = value_.find("size");
+    const auto* sides = field == nullptr ? nullptr : std::get_if<Values>(&field->data);
+    if (sides == nullptr || sides->size() != 2) return wrong("size", "is no [width, height]");
+    row.width = static_cast<int>(in_range((*sides)[0], "size", 1, kGoldenWidth));
+    row.height = static_cast<int>(in_range((*sides)[1], "size", 1, kGoldenHeight));
+  }
+
+  void expect(const char* key, const std::string& expected) {
+    if (const std::string given = text(key); !given.empty() && given != expected)
+      wrong(key, fmt::format("is '{}', expected '{}'", given, expected));
+  }
+
+  const Value& value_;
+  const std::string& name_;
+  Diagnostics& problems_;
+};
+
+tl::unexpected<Diagnostics> bad_manifest(const std::string& what) {
+  return fail(named_place(kManifest), what, fmt::format("expected {}", kSchema));
+}
+
+bool same_file(const GoldenRow& a, const GoldenRow& b) { return a.file() == b.file(); }
+
+void sort_by_file(std::vector<GoldenRow>& rows) {
+  std::sort(rows.begin(), rows.end(),
+            [](const GoldenRow& a, const GoldenRow& b) { return a.file() < b.file(); });
+}
+
+std::string without_extension(const fs::path& path) {
+  return (path.parent_path() / path.stem()).generic_string();
+}
+
+// Files below `folder` as paths below `root`, sorted; none where there is no folder.
+std::vector<std::string> files_below(const fs::path& root, const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(root / folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->is_regular_file(error))
+      files.push_back(entry->path().lexically_relative(root).generic_string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::string GoldenRow::name() const {
+  return without_extension(fs::path(scene).lexically_relative("scenes"));
+}
+
+std::string GoldenRow::folder() const {
+  std::string folder = name();
+  std::replace(folder.begin(), folder.end(), '/', '_');
+  return folder;
+}
+
+std::string GoldenRow::file() const {
+  return fmt::format("golden_images/{}/frame_{:04}.png", folder(), frame);
+}
+
+std::string GoldenRow::look() const {
+  return fmt::format("out/golden/{}/frame_{:04}", folder(), frame);
+}
+
+Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
+  const Result<std::string> text = read_file(root / kManifest);
+  if (!text) return tl::unexpected(text.error());
+  const std::optional<Value> json = parse_json(*text);
+  if (!json) return bad_manifest("is no JSON");
+  const Value* schema = json->find("schema");
+  const Value* list = json->find("goldens");
+  const auto* values = list == nullptr ? nullptr : std::get_if<Values>(&list->data);
+  if (schema == nullptr || schema->as_text() != kSchema || values == nullptr)
+    return bad_manifest("is no manifest of goldens");
+  std::vector<GoldenRow> rows;
+  Diagnostics problems;
+  for (const Value& value : *values)
+    rows.push_back(RowReader(value, fmt::format("row {}", rows.size() + 1), problems).read());
+  sort_by_file(rows);
+  if (const auto twice = std::adjacent_find(rows.begin(), rows.end(), same_file);
+      twice != rows.end() && problems.empty())
+    return bad_manifest(fmt::format("has two rows of {}", twice->file()));
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return rows;
+}
+
+Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows) {
+  sort_by_file(rows);
+  std::string lines;
+  for (const GoldenRow& row : rows)
+    lines += (lines.empty() ? "" : ",\n") + json_text(as_value(row));
+  return write_file(root / kManifest,
+                    fmt::format("{{\"schema\": \"{}\", \"goldens\": [\n{}\n]}}\n", kSchema, lines));
+}
+
+Result<std::string> find_scene(const fs::path& root, const std::string& name) {
+  const std::string wanted = fs::path(name).lexically_normal().generic_string();
+  std::vector<std::string> found, known;
+  for (const std::string& file : files_below(root, "scenes")) {
+    const std::string below = fs::path(file).lexically_relative("scenes").generic_string();
+    known.push_back(without_extension(below));
+    if (wanted == file || wanted == below) return file;
+    if (wanted == known.back()) found.push_back(file);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1)
+    return fail(named_place(name), fmt::format("may be {} or {}", found[0], found[1]),
+                "name the file", Trouble::usage);
+  const std::string near = nearest_word(wanted, known);
+  return fail(named_place(name), "there is no such scene below scenes/",
+              near.empty() ? "" : fmt::format("did you mean '{}'?", near), Trouble::missing);
+}
+
+std::string scene_hash(const Scene& scene) { return fmt::format("{:016x}", scene.hash); }
+
+Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row) {
+  Result<LoadedScene> loaded = load_scene(root / row.scene);
+  if (!loaded) return fail(std::move(loaded));
+  GoldenScene golden{std::move(loaded->scene), {}};
+  Film& film = golden.scene.film;
+  if (film.width != row.width || film.height != row.height)
+    golden.options += fmt::format(" --size {}x{}", row.width, row.height);
+  if (golden.scene.seed != row.seed) golden.options += fmt::format(" --seed {}", row.seed);
+  film.width = row.width, film.height = row.height;
+  return golden;
+}
+
+Image render_golden(const Scene& scene, const GoldenRow& row, unsigned threads) {
+  const Timeline timeline(scene, row.seed, row.frame);
+  return render_image(draw_list(make_plan(scene, false), timeline, row.frame),
+                      {std::nullopt, threads});
+}
+
+std::vector<std::string> stray_goldens(const fs::path& root, const std::vector<GoldenRow>& rows) {
+  std::set<std::string> known;
+  for (const GoldenRow& row : rows) known.insert(row.file());
+  std::vector<std::string> stray = files_below(root, "golden_images");
+  std::erase_if(stray, [&](const std::string& file) {
+    return known.count(file) != 0 || !file.ends_with(".png");
+  });
+  return stray;
+}
+
+}  // namespace flatray

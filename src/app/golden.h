@@ -1,0 +1,71 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+namespace flatray {
+
+/// What a golden picture may be: small enough to look at and to keep for ever.
+inline constexpr int kGoldenWidth = 320, kGoldenHeight = 200;
+inline constexpr std::size_t kGoldenFrames = 3;            ///< of one scene
+inline constexpr std::uintmax_t kGoldenBytes = 2'000'000;  ///< of all PNG files together
+
+/// A committed picture: a line of golden_images/manifest.json, drawn by the software back end,
+/// which must match it exactly.
+struct GoldenRow {
+  std::string scene;  ///< path below the project's root: "scenes/chamber/hall.toml"
+  unsigned frame = 1;
+  std::uint64_t seed = 0;
+  int width = 0, height = 0;
+  std::string pixels;      ///< pixel_hash of the picture
+  std::string scene_hash;  ///< Scene::hash when it was accepted
+  std::string drift;       ///< measured between renders when it was accepted: "max=0;pixels=0"
+  std::string why;         ///< it was accepted
+
+  /// "chamber/hall": how people name the scene.
+  std::string name() const;
+  /// "chamber_hall": its folder below golden_images.
+  std::string folder() const;
+  /// "golden_images/chamber_hall/frame_0003.png".
+  std::string file() const;
+  /// "out/golden/chamber_hall/frame_0003": where pictures to look at are left.
+  std::string look() const;
+};
+
+/// Rows of `root`/golden_images/manifest.json, sorted by file.
+/// Error   Trouble::missing without a manifest; Trouble::invalid for what is none, all bad rows
+/// together: paths that
+///         leave the project, rows without a value, two rows of one file, a file that is not the
+///         row's own.
+Result<std::vector<GoldenRow>> read_goldens(const std::filesystem::path& root);
+
+/// Replaces the manifest, atomically; a line for each row.
+Result<void> write_goldens(const std::filesystem::path& root, std::vector<GoldenRow> rows);
+
+/// The scene file a user means by "chamber/hall", "chamber/hall.toml" or
+/// "scenes/chamber/hall.toml": its path below `root`. Error   Trouble::missing with the nearest
+/// name; Trouble::usage where two files have that name.
+Result<std::string> find_scene(const std::filesystem::path& root, const std::string& name);
+
+/// Scene::hash as rows hold it.
+std::string scene_hash(const Scene& scene);
+
+/// A row's scene as the row draws it.
+struct GoldenScene {
+  Scene scene;          ///< at the row's size
+  std::string options;  ///< of `flatray render` that draw it alike: " --size 320x180", "" where
+                        ///< none are needed
+};
+Result<GoldenScene> load_golden_scene(const std::filesystem::path& root, const GoldenRow& row);
+
+/// The picture a row asks for. Same bytes for any number of threads.
+Image render_golden(const Scene& scene, const GoldenRow& row, unsigned threads);
+
+/// PNG files below golden_images without a row: paths below `root`, sorted.
+std::vector<std::string> stray_goldens(const std::filesystem::path& root,
+                                       const std::vector<GoldenRow>& rows);
+
+}  // namespace flatray

@@ -1,0 +1,196 @@
+#include "image/compare.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "app/difference_text.h"
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/file.h"
+#include "base/parallel.h"
+#include "image/metric.h"
+#include "image/png.h"
+
+namespace flatray::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Option kOptions[] = {
+    {"metric", '\0', "NAME", "print this number, too: max, mean, psnr, rmse"},
+    {"diff", '\0', "OUT.png", "write the difference x16; of two folders, a folder"},
+    kThreadsOption,
+    kJsonOption,
+};
+
+struct Pair {
+  std::string name;  ///< below both folders; "" for two files
+  fs::path actual, expected;
+};
+
+struct Outcome {
+  Difference difference;
+  std::string text;
+  std::optional<double> metric;
+};
+
+std::vector<std::string> pictures_below(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".png")
+      names.push_back(entry->path().lexically_relative(folder).generic_string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void expect_all(const std::vector<std::string>& names, const std::vector<std::string>& others,
+                const fs::path& other_folder, Diagnostics& problems) {
+  for (const std::string& name : names)
+    if (!std::binary_search(others.begin(), others.end(), name))
+      problems.push_back({named_place((other_folder / name).string()), "is missing",
+                          "both folders must hold the same pictures", Trouble::missing});
+}
+
+Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const bool folder_a = fs::is_directory(a, error), folder_b = fs::is_directory(b, error);
+  if (folder_a != folder_b)
+    return usage_error(named_place(folder_a ? a : b), "is a folder and the other is not",
+                       "compare two pictures or two folders");
+  if (!folder_a) return std::vector<Pair>{{"", a, b}};
+  const std::vector<std::string> names_a = pictures_below(a), names_b = pictures_below(b);
+  Diagnostics problems;
+  if (names_a.empty() && names_b.empty())
+    problems.push_back({named_place(a), "holds no PNG", "", Trouble::missing});
+  expect_all(names_a, names_b, b, problems);
+  expect_all(names_b, names_a, a, problems);
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  std::vector<Pair> all;
+  for (const std::string& name : names_a)
+    all.push_back({name, fs::path(a) / name, fs::path(b) / name});
+  return all;
+}
+
+Result<Outcome> measure(const Pair& pair, const Metric* metric,
+                        const std::optional<fs::path>& diff) {
+  const Result<Image> actual = read_png(pair.actual.string());
+  if (!actual) return tl::unexpected(actual.error());
+  const Result<Image> expected = read_png(pair.expected.string());
+  if (!expected) return tl::unexpected(expected.error());
+  Result<Difference> difference = compare(*actual, *expected);
+  if (!difference) {
+    difference.error().front().where = named_place(pair.actual.string());
+    return fail(std::move(difference));
+  }
+  if (diff) {
+    const fs::path path = pair.name.empty() ? *diff : *diff / pair.name;
+    auto written = write_file(path, encode_png(difference_image(*actual, *expected)));
+    if (!written) return fail(std::move(written));
+  }
+  Outcome outcome{*difference, "equal", std::nullopt};
+  if (difference->pixels != 0) outcome.text = difference_text(*difference, *actual);
+  if (metric != nullptr) outcome.metric = metric->value(*actual, *expected);
+  return outcome;
+}
+
+Result<const Metric*> chosen_metric(const Arguments& arguments) {
+  if (!arguments.has("metric")) return nullptr;
+  std::vector<std::string> names;
+  const std::vector<const Metric*> all = metrics();
+  for (const Metric* metric : all) names.emplace_back(metric->name);
+  const Result<std::string> name = arguments.one_of("metric", names);
+  if (!name) return tl::unexpected(name.error());
+  return all[static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) -
+                                      names.begin())];
+}
+
+Value as_value(const Pair& pair, const Outcome& outcome, const Metric* metric) {
+  const Difference& difference = outcome.difference;
+  Fields fields = {{"actual", pair.actual.string()},
+                   {"expected", pair.expected.string()},
+                   {"equal", difference.pixels == 0},
+                   {"pixels", difference.pixels},
+                   {"worst", difference.worst}};
+  if (difference.pixels != 0)
+    fields.emplace_back("at", Fields{{"x", difference.x},
+                                     {"y", difference.y},
+                                     {"channel", difference.channel},
+                                     {"actual", difference.actual},
+                                     {"expected", difference.expected}});
+  fields.emplace_back("mean", difference.mean);
+  fields.emplace_back("rmse", difference.rmse);
+  fields.emplace_back("psnr", difference.psnr);
+  if (metric != nullptr) fields.emplace_back("metric", Fields{{metric->name, *outcome.metric}});
+  return fields;
+}
+
+std::string as_text(const Pair& pair, const Outcome& outcome, const Metric* metric) {
+  std::string text = pair.name.empty() ? "" : pair.name + ": ";
+  text += outcome.text + "\n";
+  if (metric != nullptr) text += fmt::format("  {} {}\n", metric->name, *outcome.metric);
+  return text;
+}
+
+Result<VerbOutput> report(const Arguments& arguments, const std::vector<Pair>& all,
+                          const std::vector<Result<Outcome>>& outcomes, const Metric* metric,
+                          double seconds) {
+  Diagnostics problems;
+  Values values;
+  std::string text;
+  std::uint64_t differ = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!outcomes[i]) {
+      const Diagnostics& why = outcomes[i].error();
+      problems.insert(problems.end(), why.begin(), why.end());
+      continue;
+    }
+    if (outcomes[i]->difference.pixels != 0) ++differ;
+    values.push_back(as_value(all[i], *outcomes[i], metric));
+    text += as_text(all[i], *outcomes[i], metric);
+  }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  if (arguments.has("json"))
+    text = json_report("compare", arguments,
+                       Fields{{"equal", differ == 0}, {"pictures", std::move(values)}}, seconds);
+  else if (all.size() > 1)
+    text += fmt::format("{} pictures, {} differ\n", all.size(), differ);
+  return VerbOutput{std::move(text), differ == 0 ? 0 : 1};
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const Result<const Metric*> metric = chosen_metric(arguments);
+  if (!metric) return tl::unexpected(metric.error());
+  const Result<unsigned> count = threads(arguments);
+  if (!count) return tl::unexpected(count.error());
+  const auto all = pairs(arguments.operands()[0], arguments.operands()[1]);
+  if (!all) return tl::unexpected(all.error());
+  std::optional<fs::path> diff;
+  if (const auto text = arguments.text("diff")) diff = *text;
+  std::vector<Result<Outcome>> outcomes(all->size());
+  parallel_for(outcomes.size(), *count,
+               [&](std::size_t i) { outcomes[i] = measure((*all)[i], *metric, diff); });
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return report(arguments, *all, outcomes, *metric, time.count());
+}
+
+}  // namespace
+
+extern const Verb compare = {"compare",
+                             "A B",
+                             "say whether two pictures, or two folders of pictures, are equal",
+                             2,
+                             2,
+                             kOptions,
+                             "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
+                             "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",
+                             "nothing compared",
+                             &run};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,86 @@
+#include "geom/polygon.h"
+
+#include "geom/decide.h"
+#include "geom/error_bounds.h"
+#include "geom/polygon_edges.h"
+
+namespace flatray {
+namespace {
+
+bool runs_forward(const Vec2& a, const Vec2& b) {
+  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+// The turns of a ring, walked once round.
+struct Turns {
+  bool left = false, right = false;
+  int changes = 0;               // between running forward and backward, in x, then y
+  std::size_t third_change = 0;  // the vertex where it turns back for the third time
+};
+
+// The turn at the start of proper edge k.
+Sign turn_at(std::span<const Vec2> ring, std::span<const std::size_t> edges, std::size_t k) {
+  const std::size_t before = edges[k == 0 ? edges.size() - 1 : k - 1];
+  return orientation(ring[before], ring[edges[k]], edge_end(ring, edges[k]));
+}
+
+Turns turns_of(std::span<const Vec2> ring, std::span<const std::size_t> edges) {
+  Turns turns;
+  bool forward = runs_forward(ring[edges.back()], ring[edges.front()]);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const Sign turn = turn_at(ring, edges, k);
+    turns.left |= turn == Sign::positive;
+    turns.right |= turn == Sign::negative;
+    const bool now_forward = runs_forward(ring[edges[k]], edge_end(ring, edges[k]));
+    if (now_forward != forward && ++turns.changes == 3) turns.third_change = edges[k];
+    forward = now_forward;
+  }
+  return turns;
+}
+
+}  // namespace
+
+Sign ring_orientation(std::span<const Vec2> ring) {
+  if (ring.size() < 3) return Sign::zero;
+  const Vec2& apex = ring[0];
+  // Twice the area as a fan about vertex 0. Filter: every product is good to kDetFilter, and each
+  // of n additions loses at most u of what has been summed up to then.
+  double area = 0, size = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const double left = (ring[i].x() - apex.x()) * (ring[i + 1].y() - apex.y());
+    const double right = (ring[i].y() - apex.y()) * (ring[i + 1].x() - apex.x());
+    area += left - right;
+    size += std::fabs(left) + std::fabs(right);
+  }
+  const double n = static_cast<double>(ring.size());
+  if (size >= kDetFilterLeast * n && std::fabs(area) > (kDetFilter + kSumFilter * n) * size)
+    return sign_of(area);
+  return decide([&](const auto& number) {
+    auto sum = number(0.0);
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+      sum = sum + determinant(number, apex, ring[i], apex, ring[i + 1]);
+    return sum;
+  });
+}
+
+std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring) {
+  const std::vector<std::size_t> edges = proper_edges(ring);
+  if (edges.size() < 3) return std::nullopt;
+  const Turns turns = turns_of(ring, edges);
+  if (!turns.left && !turns.right) return std::nullopt;  // all in one line
+  if (turns.left != turns.right) {
+    // It turns one way only. Each time round it changes its running twice: in one round it is
+    // convex.
+    if (turns.changes <= 2) return std::nullopt;
+    return turns.third_change;
+  }
+  Sign wanted = ring_orientation(ring);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const Sign turn = turn_at(ring, edges, k);
+    if (wanted == Sign::zero) wanted = turn;  // no area: the first turn sets the sense
+    if (turn != Sign::zero && turn != wanted) return edges[k];
+  }
+  return turns.third_change;
+}
+
+}  // namespace flatray

@@ -1,0 +1,35 @@
+#include "render/kernels/span_kernels.h"
+
+namespace flatray::kernels {
+namespace portable {
+namespace {
+
+void fill(float* rgba, size_t count, const float* colour) {
+  for (size_t i = 0; i < 4 * count; ++i) rgba[i] = colour[i % 4];
+}
+
+void blend(float* rgba, size_t count, const float* colour, float share) {
+  const float keep = 1.0F - colour[3] * share;
+  const float over[4] = {colour[0] * share, colour[1] * share, colour[2] * share,
+                         colour[3] * share};
+  for (size_t i = 0; i < 4 * count; ++i) rgba[i] = over[i % 4] + rgba[i] * keep;
+}
+
+void blend_runs(const Target& target, const Run* runs, size_t count, const float* colour) {
+  for (const Run* run = runs; run != runs + count; ++run) {
+    float* first = target.rgba +
+                   4 * ((ptrdiff_t)(run->y - target.y) * target.width + (run->x_begin - target.x));
+    const size_t pixels = (size_t)(run->x_end - run->x_begin);
+    if (run->steps == kFullSteps && colour[3] == 1.0F)
+      fill(first, pixels, colour);
+    else
+      blend(first, pixels, colour, share(run->steps));
+  }
+}
+
+}  // namespace
+}  // namespace portable
+
+const SpanKernels portable_kernels = {&portable::blend_runs, &portable::fill};
+
+}  // namespace flatray::kernels

@@ -1,0 +1,39 @@
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+/// Row kernels of the software back end, one table for each instruction-set tier. Plain types only:
+/// what a tier compiles must not leave its file. All tiers give the same bits: a lane is one
+/// channel of one pixel or one row of one edge, and products and sums are rounded one by one.
+namespace flatray::kernels {
+
+constexpr uint32_t kFullSteps = 64770;
+
+/// Pixels [x_begin, x_end) of row y with one coverage > 0, in steps of 1 / kFullSteps.
+struct Run {
+  int32_t y, x_begin, x_end;
+  uint32_t steps;
+};
+
+/// Middle of a step as a share of the pixel; exactly 0 and 1 at the ends.
+static inline float share(uint32_t steps) {
+  if (steps == 0 || steps >= kFullSteps) return steps == 0 ? 0.0F : 1.0F;
+  return ((float)steps + 0.5F) / (float)kFullSteps;
+}
+
+/// Premultiplied linear RGBA: rows of `width` pixels, the first at film position (x, y).
+struct Target {
+  float* rgba;
+  int32_t x, y, width;
+};
+
+struct SpanKernels {
+  /// Lays a premultiplied colour over the runs: new = colour * share + old * (1 - alpha * share).
+  void (*blend_runs)(const Target& target, const Run* runs, size_t count, const float* colour);
+  /// Sets `count` pixels.
+  void (*fill)(float* rgba, size_t count, const float* colour);
+};
+
+extern const SpanKernels portable_kernels, baseline_kernels, avx2_kernels, avx512_kernels;
+
+}  // namespace flatray::kernels

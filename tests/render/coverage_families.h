@@ -1,0 +1,227 @@
+#pragma once
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/philox.h"
+#include "geom/predicates.h"
+#include "oracle/exact_coverage.h"
+#include "render/coverage_scan.h"
+
+namespace flatray::coverage_check {
+
+/// A region both as the engine takes it and as the oracle does.
+struct Region {
+  FillPath path;
+  std::vector<std::vector<Vec2>> pieces;
+};
+
+enum class Family { random, sliver, decimal, corner, far, overlap, even_odd };
+inline constexpr std::array kFamilies{Family::random,  Family::sliver, Family::decimal,
+                                      Family::corner,  Family::far,    Family::overlap,
+                                      Family::even_odd};
+inline const char* name(Family family) {
+  constexpr std::array kNames{"random", "sliver",  "decimal", "corner",
+                              "far",    "overlap", "even_odd"};
+  return kNames[static_cast<std::size_t>(family)];
+}
+
+inline constexpr PixelBox kFrame{0, 0, 9, 9};
+
+class Draws {
+ public:
+  Draws(std::uint64_t seed, std::uint64_t item) : seed_(seed), item_(item) {}
+  std::uint64_t bits() { return random_bits(seed_, Stream::test, 0, item_, draw_++); }
+  double unit() { return unit_double(bits()); }
+  int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
+
+ private:
+  std::uint64_t seed_, item_;
+  std::uint32_t draw_ = 0;
+};
+
+// Andrew's monotone chain with exact turns: strictly convex, counter-clockwise by the formula.
+inline std::vector<Vec2> hull(std::vector<Vec2> points) {
+  const auto before = [](const Vec2& a, const Vec2& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<Vec2> out;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = out.size();
+    for (const Vec2& p : points) {
+      while (out.size() >= start + 2 &&
+             orientation(out[out.size() - 2], out.back(), p) != Sign::positive)
+        out.pop_back();
+      out.push_back(p);
+    }
+    out.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return out;
+}
+
+inline Vec2 point(Family family, Draws& draws) {
+  const auto coordinate = [&] {
+    switch (family) {
+      case Family::decimal:
+        return (draws.below(110) - 10) / 10.0;
+      case Family::corner:
+        return draws.below(3) == 0 ? draws.below(44) / 4.0 - 1 : draws.below(11) - 1.0;
+      case Family::far:
+        return draws.below(3) == 0 ? (draws.unit() - 0.5) * 4e6 : draws.unit() * 11 - 1;
+      default:
+        return draws.unit() * 11 - 1;
+    }
+  };
+  const double x = coordinate();
+  return {x, coordinate()};
+}
+
+inline std::vector<Vec2> convex(Family family, Draws& draws) {
+  for (;;) {
+    std::vector<Vec2> points;
+    const int count = 3 + draws.below(5);
+    for (int i = 0; i < count; ++i) points.push_back(point(family, draws));
+    if (family == Family::sliver) {
+      const double width = std::ldexp(1.0, -11 - draws.below(40));
+      const Vec2 a = points[0], along = points[1] - a;
+      for (Vec2& p : points)
+        p = a + draws.unit() * along + width * Vec2(draws.unit() - 0.5, draws.unit() - 0.5);
+    }
+    std::vector<Vec2> ring = hull(std::move(points));
+    if (ring.size() >= 3) return ring;
+  }
+}
+
+inline void add_ring(const std::vector<Vec2>& ring, bool reversed, FillPath& path) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    path.edges.push_back(reversed ? Segment{b, a} : Segment{a, b});
+  }
+}
+
+// A crossing ring by even-odd is the symmetric difference of the triangles from its first vertex.
+inline Region crossing_region(Draws& draws) {
+  constexpr std::array kKinds{Family::random, Family::decimal, Family::corner, Family::far};
+  const Family kind = kKinds[static_cast<std::size_t>(draws.below(4))];
+  Region region;
+  std::vector<Vec2> ring;
+  const int count = 4 + draws.below(5);
+  for (int i = 0; i < count; ++i) ring.push_back(point(kind, draws));
+  add_ring(ring, false, region.path);
+  region.path.rule = FillRule::even_odd;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    region.pieces.push_back({ring[0], ring[i], ring[i + 1]});
+  return region;
+}
+
+inline Region make_region(Family family, std::uint64_t seed, std::uint64_t item) {
+  Draws draws(seed, item * kFamilies.size() + static_cast<std::uint64_t>(family));
+  if (family == Family::even_odd) return crossing_region(draws);
+  Region region;
+  const bool reversed = draws.below(2) == 0;
+  const int pieces = family == Family::overlap ? 2 + draws.below(4) : 1;
+  const Family kind =
+      family == Family::overlap ? kFamilies[static_cast<std::size_t>(draws.below(5))] : family;
+  for (int i = 0; i < pieces; ++i) {
+    region.pieces.push_back(convex(kind, draws));
+    add_ring(region.pieces.back(), reversed, region.path);
+  }
+  region.path.simple = pieces == 1;
+  return region;
+}
+
+inline std::vector<std::uint32_t> steps_of(const FillPath& path, const PixelBox& box,
+                                           Coverage mode = Coverage::area,
+                                           CoverageStats* stats = nullptr) {
+  std::vector<std::uint32_t> steps(static_cast<std::size_t>(box.width * box.height));
+  const CoverageStats counted =
+      scan(path, mode, box, [&](int y, int x_begin, int x_end, std::uint32_t s) {
+        for (int x = x_begin; x < x_end; ++x)
+          steps[static_cast<std::size_t>((y - box.y) * box.width + x - box.x)] = s;
+      });
+  if (stats != nullptr) *stats = counted;
+  return steps;
+}
+
+inline std::uint32_t exact_steps(const Region& region, int x, int y) {
+  Rational steps = exact_coverage(region.pieces, region.path.rule, x, y);
+  steps *= kFullCoverage;
+  return static_cast<std::uint32_t>(steps.floor().nearest());
+}
+
+/// What a run of a family showed.
+struct Tally {
+  std::uint64_t polygons = 0, pixels = 0, mismatches = 0;
+  CoverageStats stats;
+  double worst_ratio = 0;
+  std::string first_mismatch;
+};
+
+class RatioAudit : public CellAudit {
+ public:
+  explicit RatioAudit(Tally& tally) : tally_(tally) {}
+  void see(const CellArea& computed, const Rational& exact) override {
+    const double error = std::abs((Rational(computed.area) - exact).nearest());
+    const bool wrong = computed.full ? exact != 1 : computed.bound == 0 && error != 0;
+    const double ratio = computed.full || error == 0 ? 0 : error / computed.bound;
+    tally_.worst_ratio = std::max(tally_.worst_ratio, wrong ? kInfinity : ratio);
+  }
+
+ private:
+  Tally& tally_;
+};
+
+inline void check_region(const Region& region, const std::string& label, Tally& tally) {
+  CoverageStats stats;
+  const std::vector<std::uint32_t> steps = steps_of(region.path, kFrame, Coverage::area, &stats);
+  FillPath other = region.path;
+  other.simple = false;
+  const bool same = !region.path.simple || steps_of(other, kFrame) == steps;
+  ++tally.polygons;
+  tally.stats.edge_pixels += stats.edge_pixels;
+  tally.stats.exact_fallbacks += stats.exact_fallbacks;
+  for (int y = 0; y < kFrame.height; ++y)
+    for (int x = 0; x < kFrame.width; ++x) {
+      const std::uint32_t expected = exact_steps(region, x, y);
+      const std::uint32_t actual = steps[static_cast<std::size_t>(y * kFrame.width + x)];
+      ++tally.pixels;
+      if (actual == expected && same) continue;
+      ++tally.mismatches;
+      if (tally.first_mismatch.empty())
+        tally.first_mismatch = fmt::format("{} pixel ({}, {}): {} steps, exact {}{}", label, x, y,
+                                           actual, expected, same ? "" : ", simple flag matters");
+    }
+}
+
+/// `audit_every`: each so manieth region is computed exactly in the engine too, for the bound's
+/// worst ratio.
+inline Tally run_family(Family family, std::uint64_t seed, std::uint64_t count,
+                        std::uint64_t audit_every) {
+  Tally tally;
+  for (std::uint64_t item = 0; item < count; ++item) {
+    const Region region = make_region(family, seed, item);
+    check_region(region, fmt::format("{} {} seed {}", name(family), item, seed), tally);
+    if (item % audit_every != 0) continue;
+    RatioAudit audit(tally);
+    RunList runs;
+    AreaScan().scan(region.path, nullptr, kFrame, runs, &audit);
+  }
+  return tally;
+}
+
+inline std::string line(Family family, const Tally& t) {
+  return fmt::format(
+      "{:9} {:7} polygons {:9} pixels compared {:3} mismatches {:8} edge pixels {:6} exact "
+      "fallbacks "
+      "worst error / bound {:.3f}",
+      name(family), t.polygons, t.pixels, t.mismatches, t.stats.edge_pixels,
+      t.stats.exact_fallbacks, t.worst_ratio);
+}
+
+}  // namespace flatray::coverage_check
