@@ -46,7 +46,7 @@ class Arguments {
   const std::map<std::string, Given, std::less<>>& given() const { return given_; }
 
   bool has(std::string_view name) const { return given_.find(name) != given_.end(); }
-  /// JsonValue of a text option, if given.
+  /// Value of a text option, if given.
   std::optional<std::string> text(std::string_view name) const;
   /// Values of a list option in order.
   std::vector<std::string> list(std::string_view name) const;
