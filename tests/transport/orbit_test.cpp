@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/exact.h"
-#include "trace/on_surface.h"
+#include <array>
+#include <numbers>
+
+#include "transport/chambers.h"
 
 namespace flatray {
 namespace {
 
-Surfaces ring(const std::vector<Vec2>& vertices) {
-  Surfaces walls;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    walls.add(Segment{vertices[i], vertices[(i + 1) % vertices.size()]});
-  return walls;
-}
-
 Surfaces unit_square() { return ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
-
-Orbit in_mirrors(const Surfaces& walls, const Ray& start, std::uint64_t bounces) {
-  return trace_orbit(walls, std::vector<Material>(walls.size(), Material::mirror), start, bounces);
-}
 
 TEST(StiffCases, C1Diamond) {
   const Orbit orbit = in_mirrors(unit_square(), {{0.75, 0.25}, {1, 1}}, 1'000'000);
@@ -98,6 +89,116 @@ TEST(StiffCases, C31ParallelMirrors) {
   ASSERT_EQ(orbit.bounces.size(), 1'000'000U);
   for (const Bounce& bounce : orbit.bounces) ASSERT_EQ(bounce.point.x(), 0.3);
   EXPECT_EQ(orbit.bounces.back().path_length, 999'999.5);
+}
+
+// A closed diamond: half a side of it, then eleven sides of 10 sqrt(2).
+TEST(Orbit, OfTheHallEndsWhereTheDiamondSays) {
+  const Surfaces hall = ring({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  const Orbit orbit = in_mirrors(hall, {{15, 5}, {1, 1}}, 12);
+  ASSERT_EQ(orbit.bounces.size(), 12U);
+  const Bounce& last = orbit.bounces.back();
+  EXPECT_EQ(last.point, Vec2(10, 0));
+  EXPECT_EQ(last.path_length, 115 * std::numbers::sqrt2);
+  EXPECT_EQ(last.t, 10);
+  EXPECT_EQ(last.normal, Vec2(0, 1));
+  EXPECT_NEAR(last.incidence, std::numbers::pi / 4, 0x1p-53);
+  EXPECT_EQ(orbit.end, OrbitEnd::limit);
+}
+
+TEST(Orbit, AbsorbedWhereTheWallAbsorbs) {
+  const Surfaces walls = unit_square();
+  std::vector<Material> materials = all_mirrors(walls);
+  materials[2] = Material::absorb;
+  const Orbit orbit = trace_orbit(walls, materials, {{0.75, 0.25}, {1, 1}}, 10);
+  EXPECT_EQ(orbit.end, OrbitEnd::absorbed);
+  EXPECT_EQ(orbit.bounces.size(), 1U);
+  EXPECT_EQ(orbit.end_point, Vec2(0.5, 1));
+  EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{2}));
+}
+
+TEST(Orbit, ACornerAbsorbsOnlyIfAllItsWallsDo) {
+  const Surfaces walls = unit_square();
+  std::vector<Material> materials = all_mirrors(walls);
+  materials[1] = Material::absorb;
+  const Ray ray{{0.25, 0.25}, {1, 1}};
+  EXPECT_EQ(trace_orbit(walls, materials, ray, 10).end, OrbitEnd::corner);
+  materials[2] = Material::absorb;
+  EXPECT_EQ(trace_orbit(walls, materials, ray, 10).end, OrbitEnd::absorbed);
+}
+
+TEST(Orbit, EscapesWhereNothingLiesAhead) {
+  const Orbit orbit = in_mirrors(unit_square(), {{2, 0.5}, {3, 4}}, 10);
+  EXPECT_EQ(orbit.end, OrbitEnd::escape);
+  EXPECT_TRUE(orbit.bounces.empty());
+  EXPECT_NEAR(orbit.out.x(), 0.6, 0x1p-53);
+  EXPECT_NEAR(orbit.out.y(), 0.8, 0x1p-53);
+}
+
+TEST(Orbit, StartingOnAWallHasJustLeftIt) {
+  const Orbit inward = in_mirrors(unit_square(), {{0.5, 0}, {0, 1}}, 3);
+  ASSERT_EQ(inward.bounces.size(), 3U);
+  EXPECT_EQ(inward.bounces[0].surface, 2U);
+  EXPECT_EQ(inward.bounces[1].surface, 0U);
+  EXPECT_EQ(in_mirrors(unit_square(), {{0.5, 0}, {0, -1}}, 3).end, OrbitEnd::escape);
+}
+
+TEST(Orbit, StartingAlongAWallOrInACornerMakesNoBounce) {
+  const Orbit along = in_mirrors(unit_square(), {{0.5, 0}, {1, 0}}, 3);
+  EXPECT_EQ(along.end, OrbitEnd::along);
+  EXPECT_EQ(along.end_surfaces, (std::vector<std::uint32_t>{0}));
+  const Orbit corner = in_mirrors(unit_square(), {{1, 0}, {-1, 1}}, 3);
+  EXPECT_EQ(corner.end, OrbitEnd::corner);
+  EXPECT_EQ(corner.end_point, Vec2(1, 0));
+  EXPECT_EQ(corner.end_surfaces, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_TRUE(along.bounces.empty() && corner.bounces.empty());
+}
+
+TEST(Orbit, StartingOnACircleGoesEitherWay) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  const Orbit inward = in_mirrors(walls, {{-1, 0}, {1, 0}}, 2);
+  ASSERT_EQ(inward.bounces.size(), 2U);
+  EXPECT_EQ(inward.bounces[0].point, Vec2(1, 0));
+  EXPECT_EQ(inward.bounces[0].t, 2);
+  EXPECT_EQ(inward.bounces[1].point, Vec2(-1, 0));
+  EXPECT_EQ(in_mirrors(walls, {{-1, 0}, {-1, 0}}, 2).end, OrbitEnd::escape);
+  EXPECT_EQ(in_mirrors(walls, {{-1, 0}, {0, 1}}, 2).end, OrbitEnd::along);
+}
+
+TEST(Orbit, PassesATangentCircle) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 5});
+  const Orbit orbit = in_mirrors(walls, {{-5, 10}, {4, -3}}, 3);  // touches at (3, 4)
+  EXPECT_EQ(orbit.end, OrbitEnd::escape);
+  EXPECT_TRUE(orbit.bounces.empty());
+}
+
+TEST(Orbit, TwoWallsAtOnceAreACorner) {
+  Surfaces crossing;
+  crossing.add(Segment{{-1, -1}, {1, 1}});
+  crossing.add(Segment{{-1, 1}, {1, -1}});
+  const Orbit orbit = in_mirrors(crossing, {{-2, 0}, {1, 0}}, 3);
+  EXPECT_EQ(orbit.end, OrbitEnd::corner);
+  EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{0, 1}));
+}
+
+// The near face of a wall 2^-40 thick turns the ray back, from either side.
+TEST(StiffCases, C28ThinWall) {
+  Surfaces walls;
+  walls.add(Segment{{1, -1}, {1, 1}});
+  walls.add(Segment{{1 + 0x1p-40, -1}, {1 + 0x1p-40, 1}});
+  for (const double from : {0.0, 2.0}) {
+    const Orbit orbit = in_mirrors(walls, {{from, 0}, {1 - from, 0.25}}, 3);
+    EXPECT_EQ(orbit.end, OrbitEnd::escape);
+    ASSERT_EQ(orbit.bounces.size(), 1U);
+    EXPECT_EQ(orbit.bounces[0].surface, from == 0 ? 0U : 1U);
+  }
+}
+
+TEST(Orbit, WithoutBouncesOnlyLooksAtTheStart) {
+  const Orbit orbit = in_mirrors(unit_square(), {{0.5, 0.5}, {1, 0}}, 0);
+  EXPECT_EQ(orbit.end, OrbitEnd::limit);
+  EXPECT_TRUE(orbit.bounces.empty());
 }
 
 }  // namespace

@@ -1,0 +1,175 @@
+// What holds for every orbit: nothing leaks, the speed stays, batches change nothing.
+#include <gtest/gtest.h>
+
+#include "base/philox.h"
+#include "base/portable_math.h"
+#include "geom/exact.h"
+#include "trace/on_surface.h"
+#include "transport/chambers.h"
+
+namespace flatray {
+namespace {
+
+double draw(std::uint64_t item, std::uint32_t which) {
+  return unit_double(random_bits(7, Stream::test, 0, item, which));
+}
+
+bool inside_closed(const std::vector<Vec2>& convex, const Vec2& point) {
+  for (std::size_t i = 0; i < convex.size(); ++i)
+    if (orientation(convex[i], convex[(i + 1) % convex.size()], point) == Sign::negative)
+      return false;
+  return true;
+}
+
+std::vector<Vec2> placed(std::vector<Vec2> vertices, double scale, const Vec2& offset) {
+  for (Vec2& vertex : vertices) vertex = scale * vertex + offset;
+  return vertices;
+}
+
+// Rays from inside at every vertex, exactly and a few ulps beside it.
+std::vector<Ray> rays_at_vertices(const std::vector<Vec2>& vertices, std::size_t count) {
+  std::vector<Ray> rays;
+  Vec2 middle(0, 0);
+  for (const Vec2& vertex : vertices) middle += vertex / static_cast<double>(vertices.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2& vertex = vertices[i % vertices.size()];
+    const Vec2& other = vertices[(i / vertices.size()) % vertices.size()];
+    const Vec2 origin = middle + 0.5 * draw(i, 0) * (other - middle);
+    const double ulp = std::nextafter(vertex.norm(), kInfinity) - vertex.norm();
+    const Vec2 beside(4 * ulp * (draw(i, 1) - 0.5), 4 * ulp * (draw(i, 2) - 0.5));
+    rays.push_back({origin, vertex - origin + (i % 3 == 0 ? Vec2(0, 0) : beside)});
+  }
+  return rays;
+}
+
+void expect_no_leak(const std::vector<Vec2>& vertices, std::size_t count) {
+  const Surfaces walls = ring(vertices);
+  const std::vector<Ray> rays = rays_at_vertices(vertices, count);
+  const std::vector<Orbit> orbits = trace_orbits(walls, all_mirrors(walls), rays, 50);
+  std::size_t bounces = 0;
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    ASSERT_TRUE(orbits[i].end == OrbitEnd::limit || orbits[i].end == OrbitEnd::corner)
+        << name(orbits[i].end) << " of ray " << i;
+    for (const Bounce& bounce : orbits[i].bounces)
+      ASSERT_TRUE(inside_closed(vertices, bounce.point)) << "ray " << i;
+    bounces += orbits[i].bounces.size();
+  }
+  EXPECT_GT(bounces, 25 * count);
+}
+
+const std::vector<Vec2> kPentagon = {
+    {1, 0}, {0.31, 0.95}, {-0.81, 0.59}, {-0.81, -0.59}, {0.31, -0.95}};
+const std::vector<Vec2> kNeedle = {{0, 0}, {3, 0.001}, {0.7, 0.01}};
+
+struct Placing {
+  double scale;
+  Vec2 offset;
+};
+class Leaks : public testing::TestWithParam<Placing> {};
+
+TEST_P(Leaks, NoneInAPentagon) {
+  expect_no_leak(placed(kPentagon, GetParam().scale, GetParam().offset), 2'500);
+}
+TEST_P(Leaks, NoneInANeedle) {
+  expect_no_leak(placed(kNeedle, GetParam().scale, GetParam().offset), 500);
+}
+INSTANTIATE_TEST_SUITE_P(AtEveryScale, Leaks,
+                         testing::Values(Placing{1, {0, 0}}, Placing{1, {1e6, -1e6}},
+                                         Placing{1e-5, {0, 0}}, Placing{1e15, {0, 0}}));
+
+// C12: the distance of every chord from the centre is that of the first.
+TEST(CircleOrbit, KeepsItsChordAndStaysInside) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  const Orbit orbit = in_mirrors(walls, {{0.5, 0.25}, {-1, 2}}, 10'000);
+  ASSERT_EQ(orbit.bounces.size(), 10'000U);
+  const double caustic = 0.5590169943749474241, chord = 2 * std::sqrt(1 - 0.3125);
+  for (std::size_t i = 0; i + 1 < orbit.bounces.size(); ++i) {
+    const Vec2 &from = orbit.bounces[i].point, &to = orbit.bounces[i + 1].point;
+    const double tolerance = 1e4 * 0x1p-50;
+    ASSERT_NE(circle_side(from, walls.circles[0]), Sign::positive) << i;
+    ASSERT_NEAR((to - from).norm(), chord, tolerance) << i;
+    ASSERT_NEAR(std::fabs(cross(from, (to - from).normalized())), caustic, tolerance) << i;
+  }
+}
+
+TEST(CircleOrbit, WhisperingGalleryNeverLeaks) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  const Orbit orbit = in_mirrors(walls, {{0, 1 - 0x1p-20}, {1, 0}}, 20'000);
+  ASSERT_EQ(orbit.bounces.size(), 20'000U);
+  for (const Bounce& bounce : orbit.bounces) {
+    ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::positive);
+    ASSERT_NEAR(portable::sin(bounce.incidence), 1 - 0x1p-20, 1e-12);
+  }
+}
+
+TEST(CircleOrbit, ReflectsFromOutside) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 5});
+  const Orbit orbit = in_mirrors(walls, {{-10, 3}, {1, 0}}, 10);  // meets (-4, 3)
+  ASSERT_EQ(orbit.bounces.size(), 1U);
+  EXPECT_EQ(orbit.end, OrbitEnd::escape);
+  EXPECT_EQ(orbit.bounces[0].point, Vec2(-4, 3));
+  EXPECT_NEAR(orbit.bounces[0].normal.x(), -0.8, 0x1p-53);
+  EXPECT_NEAR(orbit.bounces[0].normal.y(), 0.6, 0x1p-53);
+  EXPECT_NEAR(orbit.out.x(), -0.28, 0x1p-52);  // d - 2 (d.n) n
+  EXPECT_NEAR(orbit.out.y(), 0.96, 0x1p-52);
+}
+
+// A circle touching the wall of its box: no ray finds a way through the point they share.
+TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
+  Surfaces walls = ring({{-2, -1}, {2, -1}, {2, 3}, {-2, 3}});
+  walls.add(Circle{{0, 0}, 1});
+  std::vector<Ray> rays = {{{0, 2.5}, {0, -1}}, {{-1.5, -1 + 0x1p-30}, {1, 0x1p-40}}};
+  for (std::size_t i = 0; i < 400; ++i)
+    rays.push_back({{-1.5 + 0.25 * draw(i, 3), -1 + 0.25 * draw(i, 4)},
+                    Vec2(0, -1) - Vec2(-1.5, -0.9 + 0.01 * draw(i, 5))});
+  for (const Orbit& orbit : trace_orbits(walls, all_mirrors(walls), rays, 100)) {
+    ASSERT_NE(orbit.end, OrbitEnd::escape);
+    for (const Bounce& bounce : orbit.bounces) {
+      ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::negative);
+      ASSERT_GE(bounce.point.y(), -1);
+    }
+  }
+}
+
+TEST(Orbits, KeepTheirSpeed) {
+  const Surfaces walls = ring(kPentagon);
+  for (const double length : {1.0, 1e200, 1e-200}) {
+    const Vec2 direction = length * Vec2(0.6, 0.35);
+    const Orbit orbit = in_mirrors(walls, {{0.1, 0.2}, direction}, 20'000);
+    ASSERT_EQ(orbit.bounces.size(), 20'000U);
+    Vec2 from = orbit.start;
+    for (const Bounce& bounce : orbit.bounces) {
+      // t counts lengths of the direction: distance over t is the speed, but for the points'
+      // rounding.
+      const double distance = (bounce.point - from).norm();
+      const double speed = distance / (bounce.t * length) / Vec2(0.6, 0.35).norm();
+      ASSERT_NEAR(speed, 1, 0x1p-50 + 0x1p-51 / distance);
+      from = bounce.point;
+    }
+  }
+}
+
+TEST(Orbits, OfABatchAreThoseOfSingleRays) {
+  const Surfaces walls = ring(kPentagon);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < 40; ++i) rays.push_back({{0.1, 0.2}, {draw(i, 6) - 0.5, draw(i, 7)}});
+  rays.push_back({{0.1, 0.2}, kPentagon[1] - Vec2(0.1, 0.2)});
+  rays.push_back({{5, 0}, {1, 0}});
+  const std::vector<Orbit> together = trace_orbits(walls, all_mirrors(walls), rays, 30);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Orbit alone = in_mirrors(walls, rays[i], 30);
+    EXPECT_EQ(together[i].end, alone.end);
+    EXPECT_EQ(together[i].out, alone.out);
+    ASSERT_EQ(together[i].bounces.size(), alone.bounces.size());
+    for (std::size_t k = 0; k < alone.bounces.size(); ++k) {
+      EXPECT_EQ(together[i].bounces[k].point, alone.bounces[k].point);
+      EXPECT_EQ(together[i].bounces[k].path_length, alone.bounces[k].path_length);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flatray
