@@ -3,19 +3,21 @@
 #include "geom/error_bounds.h"
 
 namespace flatray {
+
 Bounded operator/(const Bounded& a, const Bounded& b) {
   const double first = a.value_.hi / b.value_.hi;
   const Bounded rest = Bounded(a.value_, 0) - Bounded(b.value_, 0) * Bounded(first);
   const double second = rest.value_.hi / b.value_.hi;
   const DoubleDouble value = two_sum(first, second);
-  // |a / b - q| <= (|a - b q| + da + |q| db) / (|b| - db), and the rest of the second step is
-  // known.
+  // |a / b - q| <= (|a - b q| + da + |q| db) / (|b| - db), and a - b q is known.
   const Bounded last = rest - Bounded(b.value_, 0) * Bounded(second);
   const double least = std::fabs(b.value_.hi) * (1 - 0x1p-50) - b.error_;
-  const double miss = std::fabs(last.value_.hi) * (1 + 0x1p-50) + last.error_ + a.error_ +
-                      2 * std::fabs(first) * b.error_;
   if (!(least > 0)) return {value, kInfinity};
-  if (miss == 0) return {value, 0};
+  const double known = last.error_ + a.error_ + b.error_;
+  if (last.value_.hi == 0 && known == 0) return {value, 0};
+  // What underflows here would be divided by `least`: it is added before.
+  const double miss = std::fabs(last.value_.hi) * (1 + 0x1p-50) + last.error_ + a.error_ +
+                      2 * std::fabs(first) * b.error_ + kUnderflowError;
   return {value, (miss / least + kUnderflowError) * kRadiusInflation};
 }
 
