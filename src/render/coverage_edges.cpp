@@ -15,9 +15,6 @@ constexpr double kGrid =
     0x1p8;  // ends on multiples of 1 / kGrid and slopes of a small power of two
 constexpr double kSteepest = 0x1p4;  // give exact cuts: multiples of 2^-12, areas of 2^-29
 
-// Written so that a NaN gives `low`: an infinite slope times nothing.
-double clamp_to(double v, double low, double high) { return v > low ? (v < high ? v : high) : low; }
-
 // Needs |v| <= kNear.
 bool on_grid(double v) {
   return v * kGrid == static_cast<double>(static_cast<std::int64_t>(v * kGrid));
