@@ -45,24 +45,26 @@ Result<FrameRange> parse_range(std::string_view text, const Place& where) {
   const std::optional<std::uint64_t> step = parse_whole(text.substr(colon + 1));
   if (!step || *step < 1 || dots == std::string_view::npos)
     return usage_error(where, fmt::format("'{}' has no step of 1 or more", text), kFramesHint);
-  range.step = *step;
+  range.step = std::min<std::uint64_t>(*step, kLastFrame);  // a longer one ends the range as well
   return range;
 }
 
 }  // namespace
 
 Result<std::vector<unsigned>> parse_frames(std::string_view text, const Place& where) {
-  std::vector<bool> wanted(std::size_t{kLastFrame} + 1);
+  std::vector<FrameRange> ranges;
+  std::uint64_t last = 0;
   for (const std::string_view part : split_commas(text)) {
     const auto range = parse_range(part, where);
     if (!range) return tl::unexpected(range.error());
-    for (std::uint64_t k = range->first; k <= range->last; k += range->step) {
-      wanted[k] = true;
-      if (range->step > kLastFrame) break;  // the sum would wrap
-    }
+    ranges.push_back(*range);
+    last = std::max(last, range->last);
   }
+  std::vector<bool> wanted(last + 1);
+  for (const FrameRange& range : ranges)
+    for (std::uint64_t k = range.first; k <= range.last; k += range.step) wanted[k] = true;
   std::vector<unsigned> frames;
-  for (unsigned k = 1; k <= kLastFrame; ++k)
+  for (unsigned k = 1; k <= last; ++k)
     if (wanted[k]) frames.push_back(k);
   return frames;
 }

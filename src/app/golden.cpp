@@ -20,7 +20,7 @@ constexpr const char* kSchema = "flatray.goldens/1";
 constexpr const char* kBackend = "software";
 constexpr const char* kTolerance = "max=0;pixels=0";
 
-Value as_value(const GoldenRow& row) {
+JsonValue as_value(const GoldenRow& row) {
   return Fields{{"file", row.file()},
                 {"scene", row.scene},
                 {"frame", row.frame},
@@ -37,7 +37,7 @@ Value as_value(const GoldenRow& row) {
 // Takes the fields of one row, and what is wrong with each.
 class RowReader {
  public:
-  RowReader(const Value& value, const std::string& name, Diagnostics& problems)
+  RowReader(const JsonValue& value, const std::string& name, Diagnostics& problems)
       : value_(value), name_(name), problems_(problems) {}
 
   GoldenRow read() {
@@ -68,18 +68,18 @@ class RowReader {
   }
 
   std::string text(const char* key) {
-    const Value* field = value_.find(key);
+    const JsonValue* field = value_.find(key);
     const auto text = field == nullptr ? std::nullopt : field->as_text();
     if (!text || text->empty()) wrong(key, "is missing");
     return text.value_or("");
   }
 
   std::uint64_t whole(const char* key, std::uint64_t low, std::uint64_t high) {
-    const Value* field = value_.find(key);
-    return in_range(field == nullptr ? Value() : *field, key, low, high);
+    const JsonValue* field = value_.find(key);
+    return in_range(field == nullptr ? JsonValue() : *field, key, low, high);
   }
 
-  std::uint64_t in_range(const Value& value, const char* key, std::uint64_t low,
+  std::uint64_t in_range(const JsonValue& value, const char* key, std::uint64_t low,
                          std::uint64_t high) {
     const auto number = value.as_whole();
     if (number && *number >= low && *number <= high) return *number;
@@ -88,7 +88,7 @@ class RowReader {
   }
 
   void read_size(GoldenRow& row) {
-    const Value* field = value_.find("size");
+    const JsonValue* field = value_.find("size");
     const auto* sides = field == nullptr ? nullptr : std::get_if<Values>(&field->data);
     if (sides == nullptr || sides->size() != 2) return wrong("size", "is no [width, height]");
     row.width = static_cast<int>(in_range((*sides)[0], "size", 1, kGoldenWidth));
@@ -100,7 +100,7 @@ class RowReader {
       wrong(key, fmt::format("is '{}', expected '{}'", given, expected));
   }
 
-  const Value& value_;
+  const JsonValue& value_;
   const std::string& name_;
   Diagnostics& problems_;
 };
@@ -155,16 +155,16 @@ std::string GoldenRow::look() const {
 Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
   const Result<std::string> text = read_file(root / kManifest);
   if (!text) return tl::unexpected(text.error());
-  const std::optional<Value> json = parse_json(*text);
+  const std::optional<JsonValue> json = parse_json(*text);
   if (!json) return bad_manifest("is no JSON");
-  const Value* schema = json->find("schema");
-  const Value* list = json->find("goldens");
+  const JsonValue* schema = json->find("schema");
+  const JsonValue* list = json->find("goldens");
   const auto* values = list == nullptr ? nullptr : std::get_if<Values>(&list->data);
   if (schema == nullptr || schema->as_text() != kSchema || values == nullptr)
     return bad_manifest("is no manifest of goldens");
   std::vector<GoldenRow> rows;
   Diagnostics problems;
-  for (const Value& value : *values)
+  for (const JsonValue& value : *values)
     rows.push_back(RowReader(value, fmt::format("row {}", rows.size() + 1), problems).read());
   sort_by_file(rows);
   if (const auto twice = std::adjacent_find(rows.begin(), rows.end(), same_file);

@@ -46,6 +46,6 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
 /// As `flatray hit` prints it: for people, as rows, as an object.
 std::string text_of(const HitReport& report);
 Table csv_rows(const std::vector<HitReport>& reports);
-Value as_value(const HitReport& report);
+JsonValue as_value(const HitReport& report);
 
 }  // namespace flatray

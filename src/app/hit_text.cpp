@@ -15,7 +15,7 @@ std::string with_fraction(double value, const std::string& fraction) {
   return fraction.empty() ? number_text(value) : fraction + " = " + number_text(value);
 }
 
-Value edge_value(int edge) { return edge == kNoEdge ? Value() : Value(edge); }
+JsonValue edge_value(int edge) { return edge == kNoEdge ? JsonValue() : JsonValue(edge); }
 
 std::string range_text(const Range& range) {
   return fmt::format("[{}, {}]", number_text(range.low), number_text(range.high));
@@ -24,7 +24,7 @@ std::string range_text(const Range& range) {
 Table step_table(const HitReport& report) {
   Table table{{"edge", "numerator", "denominator", "t", "kind", "candidate"}, {}};
   for (const HitStep& step : report.steps)
-    table.rows.push_back({step.edge ? Value(*step.edge) : Value("cut"), step.numerator,
+    table.rows.push_back({step.edge ? JsonValue(*step.edge) : JsonValue("cut"), step.numerator,
                           step.denominator, step.t ? with_fraction(*step.t, step.exact_t) : "-",
                           step.kind, step.empty ? "empty" : range_text(step.candidate)});
   return table;
@@ -51,22 +51,22 @@ std::string verdict_text(const HitReport& report) {
   return text;
 }
 
-Value step_value(const HitStep& step) {
+JsonValue step_value(const HitStep& step) {
   return Fields{
-      {"edge", step.edge ? Value(*step.edge) : Value()},
+      {"edge", step.edge ? JsonValue(*step.edge) : JsonValue()},
       {"numerator", step.numerator},
       {"denominator", step.denominator},
-      {"t", step.t ? Value(*step.t) : Value()},
+      {"t", step.t ? JsonValue(*step.t) : JsonValue()},
       {"t_exact", step.exact_t},
       {"kind", step.kind},
-      {"candidate", step.empty ? Value() : Values{step.candidate.low, step.candidate.high}}};
+      {"candidate", step.empty ? JsonValue() : Values{step.candidate.low, step.candidate.high}}};
 }
 
 Values verdict_cells(const HitReport& report) {
   const HitInterval& hit = report.hit;
   return {name(hit.kind),
-          hit ? Value(hit.t_enter) : Value(),
-          hit ? Value(hit.t_exit) : Value(),
+          hit ? JsonValue(hit.t_enter) : JsonValue(),
+          hit ? JsonValue(hit.t_exit) : JsonValue(),
           edge_value(hit.edge_enter),
           edge_value(hit.edge_exit),
           name(hit.start)};
@@ -77,13 +77,13 @@ Values csv_row(const HitReport& report, const HitStep* step) {
   if (step == nullptr) {
     row.resize(row.size() + 7);
   } else {
-    const Values cells{step->edge ? Value(*step->edge) : Value("cut"),
+    const Values cells{step->edge ? JsonValue(*step->edge) : JsonValue("cut"),
                        step->numerator,
                        step->denominator,
-                       step->t ? Value(*step->t) : Value(),
+                       step->t ? JsonValue(*step->t) : JsonValue(),
                        step->kind,
-                       step->empty ? Value() : Value(step->candidate.low),
-                       step->empty ? Value() : Value(step->candidate.high)};
+                       step->empty ? JsonValue() : JsonValue(step->candidate.low),
+                       step->empty ? JsonValue() : JsonValue(step->candidate.high)};
     row.insert(row.end(), cells.begin(), cells.end());
   }
   const Values verdict = verdict_cells(report);
@@ -113,7 +113,7 @@ Table csv_rows(const std::vector<HitReport>& reports) {
   return table;
 }
 
-Value as_value(const HitReport& report) {
+JsonValue as_value(const HitReport& report) {
   const Ray& ray = report.ray.ray;
   Values steps;
   for (const HitStep& step : report.steps) steps.push_back(step_value(step));
@@ -125,8 +125,8 @@ Value as_value(const HitReport& report) {
                 {"against", report.against},
                 {"steps", std::move(steps)},
                 {"class", name(hit.kind)},
-                {"t_enter", hit ? Value(hit.t_enter) : Value()},
-                {"t_exit", hit ? Value(hit.t_exit) : Value()},
+                {"t_enter", hit ? JsonValue(hit.t_enter) : JsonValue()},
+                {"t_exit", hit ? JsonValue(hit.t_exit) : JsonValue()},
                 {"t_enter_exact", report.exact_enter},
                 {"t_exit_exact", report.exact_exit},
                 {"edge_enter", edge_value(hit.edge_enter)},

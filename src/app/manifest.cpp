@@ -22,19 +22,19 @@ std::string shard_suffix(const Shard& shard) {
 }
 
 // A field of the wrong kind is as good as none.
-std::string text_of(const Value& record, const char* field) {
-  const Value* value = record.find(field);
+std::string text_of(const JsonValue& record, const char* field) {
+  const JsonValue* value = record.find(field);
   return value == nullptr ? "" : value->as_text().value_or("");
 }
-unsigned number_of(const Value& record, const char* field) {
-  const Value* value = record.find(field);
+unsigned number_of(const JsonValue& record, const char* field) {
+  const JsonValue* value = record.find(field);
   const std::uint64_t number = value == nullptr ? 0 : value->as_whole().value_or(0);
   return number > kMostPixels ? 0 : static_cast<unsigned>(number);
 }
 
 }  // namespace
 
-Value as_value(const FrameRecord& record) {
+JsonValue as_value(const FrameRecord& record) {
   return Fields{{"frame", record.frame},   {"file", record.file},     {"width", record.width},
                 {"height", record.height}, {"pixels", record.pixels}, {"bytes", record.bytes},
                 {"scene", record.scene}};
@@ -44,7 +44,7 @@ std::string manifest_line(const FrameRecord& record) { return json_text(as_value
 
 std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   if (line.size() > kLongestLine) return std::nullopt;
-  const std::optional<Value> value = parse_json(line);
+  const std::optional<JsonValue> value = parse_json(line);
   if (!value) return std::nullopt;
   FrameRecord record;
   record.frame = number_of(*value, "frame");

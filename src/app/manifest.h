@@ -23,7 +23,7 @@ struct FrameRecord {
   bool operator==(const FrameRecord&) const = default;
 };
 
-Value as_value(const FrameRecord& record);
+JsonValue as_value(const FrameRecord& record);
 std::string manifest_line(const FrameRecord& record);
 /// nullopt for a torn line, and for anything else that is no record.
 std::optional<FrameRecord> parse_manifest_line(std::string_view line);

@@ -33,10 +33,11 @@ std::deque<Slot> declare(CLI::App& parser, std::span<const Option> options,
   for (const Option& option : options) {
     Slot& slot = slots.emplace_back(Slot{&option, {}, nullptr});
     if (option.kind == OptionKind::flag)
-      slot.parsed = parser.add_flag(spelling(option));
+      slot.parsed = parser.add_flag(spelling(option))->disable_flag_override();
     else
       slot.parsed = parser.add_option(spelling(option), slot.values)
                         ->expected(1)
+                        ->allow_extra_args(false)
                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   parser.add_option("operands", operands);
@@ -121,7 +122,8 @@ Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<s
   }
   Diagnostics problems;
   for (const std::string& word : parser.remaining())
-    problems.push_back(unknown_option(word, options));
+    if (word != "--")  // CLI11 counts it among what it does not know
+      problems.push_back(unknown_option(word, options));
   std::map<std::string, Given, std::less<>> given;
   for (Slot& slot : slots) {
     check_slot(slot, options, problems);

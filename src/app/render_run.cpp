@@ -16,7 +16,7 @@ std::string counted(std::size_t count, const char* what) {
 
 std::size_t kept_count(const Work& work) { return work.job->frames.size() - work.frames.size(); }
 
-Value dry_value(const Work& work, unsigned threads) {
+JsonValue dry_value(const Work& work, unsigned threads) {
   Values files;
   for (const unsigned frame : work.frames) files.emplace_back(work.job->path(frame).string());
   const PixelBox size = work.job->picture();
@@ -40,7 +40,7 @@ std::string dry_text(const Work& work, unsigned threads) {
 }
 
 // Records of the job's frames, kept and written, as --json shows them.
-Value job_value(const Work& work, const Manifests& kept, const JobResult& result) {
+JsonValue job_value(const Work& work, const Manifests& kept, const JobResult& result) {
   std::map<unsigned, FrameRecord> records;
   if (const auto found = kept.find(work.job->manifest()); found != kept.end())
     for (const auto& [file, record] : found->second)

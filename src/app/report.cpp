@@ -40,14 +40,14 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
 
 void report_note(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
-std::string json_report(const char* verb, const Arguments& arguments, Value results,
+std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
                         double seconds) {
   Fields options;
   for (const auto& [name, given] : arguments.given()) {
     Values values(given.values.begin(), given.values.end());
-    options.emplace_back(name, values.empty()       ? Value(true)
+    options.emplace_back(name, values.empty()       ? JsonValue(true)
                                : values.size() == 1 ? values.front()
-                                                    : Value(std::move(values)));
+                                                    : JsonValue(std::move(values)));
   }
   const std::vector<std::string>& operands = arguments.operands();
   return json_text(Fields{{"schema", fmt::format("flatray.{}/1", verb)},
@@ -59,7 +59,7 @@ std::string json_report(const char* verb, const Arguments& arguments, Value resu
          "\n";
 }
 
-Value as_value(const Diagnostic& diagnostic) {
+JsonValue as_value(const Diagnostic& diagnostic) {
   Fields fields;
   if (diagnostic.where) {
     const SourceText& source = *diagnostic.where.source;

@@ -21,10 +21,10 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments);
 void report_note(const std::string& line);
 
 /// The one object --json prints: schema "flatray.VERB/1", version, args, results, timing.
-std::string json_report(const char* verb, const Arguments& arguments, Value results,
+std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
                         double seconds);
 
 /// A diagnostic as an object: file, line, column, message, hint.
-Value as_value(const Diagnostic& diagnostic);
+JsonValue as_value(const Diagnostic& diagnostic);
 
 }  // namespace flatray

@@ -33,14 +33,14 @@ std::string joined(char open, const Items& items, char close, const Write& write
   return text + close;
 }
 
-Value from_json(const Json& json) {
+JsonValue from_json(const Json& json) {
   switch (json.type()) {
     case Json::value_t::boolean:
       return json.get<bool>();
     case Json::value_t::number_unsigned:
       return json.get<std::uint64_t>();
     case Json::value_t::number_integer: {
-      Value value;
+      JsonValue value;
       value.data = json.get<std::int64_t>();
       return value;
     }
@@ -63,21 +63,21 @@ Value from_json(const Json& json) {
   }
 }
 
-bool is_number(const Value& value) {
+bool is_number(const JsonValue& value) {
   return std::holds_alternative<double>(value.data) ||
          std::holds_alternative<std::int64_t>(value.data) ||
          std::holds_alternative<std::uint64_t>(value.data);
 }
 
 // As people and CSV see it: texts bare, nothing for null.
-std::string cell_text(const Value& value) {
+std::string cell_text(const JsonValue& value) {
   if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
   if (const auto* number = std::get_if<double>(&value.data)) return number_text(*number);
   if (std::holds_alternative<std::nullptr_t>(value.data)) return "";
   return json_text(value);
 }
 
-std::string csv_cell(const Value& value) {
+std::string csv_cell(const JsonValue& value) {
   std::string text = cell_text(value);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
@@ -102,7 +102,7 @@ std::vector<std::size_t> column_widths(const Table& table) {
 
 }  // namespace
 
-const Value* Value::find(std::string_view name) const {
+const JsonValue* JsonValue::find(std::string_view name) const {
   const auto* fields = std::get_if<Fields>(&data);
   if (fields == nullptr) return nullptr;
   const auto found = std::find_if(fields->begin(), fields->end(),
@@ -110,17 +110,17 @@ const Value* Value::find(std::string_view name) const {
   return found == fields->end() ? nullptr : &found->second;
 }
 
-std::optional<std::string> Value::as_text() const {
+std::optional<std::string> JsonValue::as_text() const {
   const auto* text = std::get_if<std::string>(&data);
   return text == nullptr ? std::nullopt : std::optional(*text);
 }
 
-std::optional<std::uint64_t> Value::as_whole() const {
+std::optional<std::uint64_t> JsonValue::as_whole() const {
   const auto* number = std::get_if<std::uint64_t>(&data);
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
-std::string json_text(const Value& value) {
+std::string json_text(const JsonValue& value) {
   return std::visit(
       Overloaded{[](std::nullptr_t) -> std::string { return "null"; },
                  [](bool truth) -> std::string { return truth ? "true" : "false"; },
@@ -140,7 +140,7 @@ std::string json_text(const Value& value) {
       value.data);
 }
 
-std::optional<Value> parse_json(std::string_view text) {
+std::optional<JsonValue> parse_json(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return std::nullopt;
   return from_json(json);
@@ -169,7 +169,7 @@ std::string csv_text(const Table& table) {
   return text;
 }
 
-Value as_objects(const Table& table) {
+JsonValue as_objects(const Table& table) {
   Values objects;
   for (const Values& row : table.rows) {
     Fields fields;

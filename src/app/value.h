@@ -10,28 +10,28 @@
 namespace flatray {
 
 /// What a verb reports, before it is JSON, CSV or a table for people.
-struct Value;
-using Values = std::vector<Value>;
-using Fields = std::vector<std::pair<std::string, Value>>;  ///< in the order shown
+struct JsonValue;
+using Values = std::vector<JsonValue>;
+using Fields = std::vector<std::pair<std::string, JsonValue>>;  ///< in the order shown
 
-struct Value {
+struct JsonValue {
   std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Values,
                Fields>
       data = nullptr;
 
-  Value() = default;
-  Value(bool value) : data(value) {}
-  Value(int value) : data(std::int64_t{value}) {}
-  Value(unsigned value) : data(std::uint64_t{value}) {}
-  Value(std::uint64_t value) : data(value) {}
-  Value(double value) : data(value) {}
-  Value(std::string value) : data(std::move(value)) {}
-  Value(const char* value) : data(std::string(value)) {}
-  Value(Values value) : data(std::move(value)) {}
-  Value(Fields value) : data(std::move(value)) {}
+  JsonValue() = default;
+  JsonValue(bool value) : data(value) {}
+  JsonValue(int value) : data(std::int64_t{value}) {}
+  JsonValue(unsigned value) : data(std::uint64_t{value}) {}
+  JsonValue(std::uint64_t value) : data(value) {}
+  JsonValue(double value) : data(value) {}
+  JsonValue(std::string value) : data(std::move(value)) {}
+  JsonValue(const char* value) : data(std::string(value)) {}
+  JsonValue(Values value) : data(std::move(value)) {}
+  JsonValue(Fields value) : data(std::move(value)) {}
 
   /// The field of that name, or nullptr where there is none or this is no object.
-  const Value* find(std::string_view name) const;
+  const JsonValue* find(std::string_view name) const;
   std::optional<std::string> as_text() const;
   /// A whole number that is not negative.
   std::optional<std::uint64_t> as_whole() const;
@@ -39,9 +39,9 @@ struct Value {
 
 /// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts
 /// "inf" and "-inf"; bytes that are no UTF-8 become U+FFFD.
-std::string json_text(const Value& value);
+std::string json_text(const JsonValue& value);
 /// nullopt for what is no JSON.
-std::optional<Value> parse_json(std::string_view text);
+std::optional<JsonValue> parse_json(std::string_view text);
 
 /// Rows of equal length under column names.
 struct Table {
@@ -53,6 +53,6 @@ std::string aligned_text(const Table& table, const std::string& indent = {});
 /// RFC 4180: a header line, quotes where needed.
 std::string csv_text(const Table& table);
 /// One object a row.
-Value as_objects(const Table& table);
+JsonValue as_objects(const Table& table);
 
 }  // namespace flatray

@@ -1,6 +1,7 @@
 #include "render/pass.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "image/srgb.h"
@@ -61,17 +62,19 @@ void DrawContext::place(int layer, const Place& where) {
   offset_ = where.offset;
 }
 
-void DrawContext::add(DrawItem item) {
-  items_.push_back({layer_, offset_, items_.size(), std::move(item)});
-}
+void DrawContext::add(DrawItem item) { items_.push_back({layer_, offset_, std::move(item)}); }
 
 std::vector<DrawItem> DrawContext::sorted_items() && {
-  std::sort(items_.begin(), items_.end(), [](const Placed& a, const Placed& b) {
-    return std::tie(a.layer, a.offset, a.sequence) < std::tie(b.layer, b.offset, b.sequence);
+  // Numbers are sorted, not items: g++ 12 takes the swap of a variant for a use before set.
+  std::vector<std::size_t> order(items_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return std::tie(items_[a].layer, items_[a].offset) <
+           std::tie(items_[b].layer, items_[b].offset);
   });
   std::vector<DrawItem> items;
   items.reserve(items_.size());
-  for (Placed& placed : items_) items.push_back(std::move(placed.item));
+  for (const std::size_t i : order) items.push_back(std::move(items_[i].item));
   return items;
 }
 

@@ -48,7 +48,7 @@ class DrawContext {
  private:
   struct Placed {
     int layer;
-    std::size_t offset, sequence;
+    std::size_t offset;
     DrawItem item;
   };
   void add(DrawItem item);

@@ -26,9 +26,18 @@ void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
   });
 }
 
+void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
+  const auto shape = read_shape(builder, field);
+  if (!shape) return;
+  if (!builder.scene.shapes[*shape].crossing_rings.empty())
+    builder.in.problem(field.value.where, "the walls of the chamber cross",
+                       "a chamber needs an inside: part the edges that cross");
+  chamber.shape = *shape;
+}
+
 constexpr Key<Chamber> kChamberKeys[] = {
     kNameKey<Chamber>,
-    kShapeKey<Chamber>,
+    {{"shape", "{ KIND = { ... } }", kRequired}, &read_walls},
     material_key<Chamber>("\"mirror\""),
     fill_key<Chamber>("\"none\""),
     stroke_key<Chamber>("{ width_px = 1.5, colour = \"#333333\" } without a fill"),

@@ -102,7 +102,8 @@ struct ChainReader {
   std::optional<StateId> target(const Member& step) {
     const auto found = std::find(chain.states.begin(), chain.states.end(), step.key);
     if (found != chain.states.end()) return static_cast<StateId>(found - chain.states.begin());
-    const std::string near = nearest_word(step.key, chain.states);
+    // Single letters are all near to each other.
+    const std::string near = step.key.size() > 1 ? nearest_word(step.key, chain.states) : "";
     std::string message = fmt::format("state '{}' has no row", step.key.substr(0, 64));
     if (!near.empty()) message += fmt::format(" (did you mean '{}'?)", near);
     in().problem(

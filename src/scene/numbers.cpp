@@ -64,7 +64,7 @@ Rational power_of_ten(long exponent) {
 }
 
 // 0x1f, 0o17, 0b11.
-std::optional<Number> parse_prefixed(std::string_view text) {
+std::optional<std::uint64_t> parse_prefixed(std::string_view text) {
   if (text.size() < 3 || text[0] != '0') return std::nullopt;
   const int base = text[1] == 'x' ? 16 : text[1] == 'o' ? 8 : text[1] == 'b' ? 2 : 0;
   if (base == 0) return std::nullopt;
@@ -72,9 +72,13 @@ std::optional<Number> parse_prefixed(std::string_view text) {
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data() + 2, end, value, base);
   if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
-  const auto nearest = static_cast<double>(value);
-  const bool exact = nearest < 0x1p64 && static_cast<std::uint64_t>(nearest) == value;
-  return Number{nearest, exact ? Number::Loss::none : Number::Loss::integer};
+  return value;
+}
+
+Number nearest_double(std::uint64_t whole) {
+  const auto nearest = static_cast<double>(whole);
+  const bool exact = nearest < 0x1p64 && static_cast<std::uint64_t>(nearest) == whole;
+  return {nearest, exact ? Number::Loss::none : Number::Loss::integer};
 }
 
 Number::Loss loss_of(std::string_view text, double value) {
@@ -138,10 +142,26 @@ std::string decimal_text(const Rational& value) {
 
 std::optional<Number> parse_literal(std::string_view text) {
   const std::string plain = without_underscores(text);
-  if (const std::optional<Number> number = parse_prefixed(plain)) return number;
+  if (const auto whole = parse_prefixed(plain)) return nearest_double(*whole);
   const std::optional<double> value = parse_number(plain);
   if (!value) return std::nullopt;
   return Number{*value, loss_of(plain, *value)};
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  constexpr double kLimit = 0x1p63;
+  const std::string plain = without_underscores(text);
+  if (const auto whole = parse_prefixed(plain))
+    return *whole >> 63 == 0 ? std::optional(static_cast<std::int64_t>(*whole)) : std::nullopt;
+  const char* end = plain.data() + plain.size();
+  std::int64_t value = 0;
+  const auto result = std::from_chars(plain.data() + (plain.starts_with('+') ? 1 : 0), end, value);
+  if (result.ec == std::errc{} && result.ptr == end) return value;
+  const std::optional<Number> number = parse_literal(plain);
+  if (!number || number->loss != Number::Loss::none || std::abs(number->value) >= kLimit ||
+      number->value != std::floor(number->value))
+    return std::nullopt;
+  return static_cast<std::int64_t>(number->value);
 }
 
 }  // namespace flatray

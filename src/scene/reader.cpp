@@ -29,23 +29,6 @@ std::string how_to_write(const Field& field) {
   return fmt::format("write {} = {}", key, takes);
 }
 
-std::optional<std::int64_t> parse_integer(std::string_view text) {
-  std::string plain(text);
-  std::erase(plain, '_');
-  const char* begin = plain.data() + (plain.starts_with('+') ? 1 : 0);
-  const char* end = plain.data() + plain.size();
-  std::int64_t value = 0;
-  const auto result = std::from_chars(begin, end, value);
-  if (result.ec == std::errc{} && result.ptr == end) return value;
-  const std::optional<Number> number = parse_literal(text);  // 1e3, 0xff
-  if (!number || number->loss != Number::Loss::none) return std::nullopt;
-  constexpr double limit = 0x1p63;
-  if (number->value < -limit || number->value >= limit ||
-      number->value != std::floor(number->value))
-    return std::nullopt;
-  return static_cast<std::int64_t>(number->value);
-}
-
 std::optional<std::uint8_t> hex_byte(std::string_view text) {
   std::uint8_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);

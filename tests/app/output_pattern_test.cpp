@@ -47,8 +47,8 @@ TEST(StiffCases, E7NothingElseInANameIsAFormat) {
 TEST(StiffCases, E7NamesThatAreNoFilesAreRefused) {
   EXPECT_TRUE(refused(""));
   EXPECT_TRUE(refused("out/"));
-  EXPECT_TRUE(refused(std::string(300, 'x') + ".png"));
-  EXPECT_TRUE(refused(std::string(5000, '/') + "x.png"));
+  EXPECT_TRUE(refused(fmt::format("{:x>300}.png", "")));
+  EXPECT_TRUE(refused(fmt::format("{:/>5000}x.png", "")));
 }
 
 TEST(OutputPattern, TheExtensionDecidesTheFormatOrMustAgree) {

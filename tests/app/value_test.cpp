@@ -7,30 +7,30 @@
 namespace flatray {
 namespace {
 
-TEST(Value, NumbersAreShortestAndReadBack) {
-  const Value value =
-      Values{0.1, 1e300, 19.0 / 72.0, -3, std::uint64_t{18446744073709551615U}, true, Value()};
+TEST(JsonValue, NumbersAreShortestAndReadBack) {
+  const JsonValue value =
+      Values{0.1, 1e300, 19.0 / 72.0, -3, std::uint64_t{18446744073709551615U}, true, JsonValue()};
   EXPECT_EQ(json_text(value), "[0.1,1e+300,0.2638888888888889,-3,18446744073709551615,true,null]");
   const auto back = parse_json(json_text(value));
   ASSERT_TRUE(back);
   EXPECT_EQ(json_text(*back), json_text(value));
 }
 
-TEST(Value, JsonNeverHoldsABareInfinity) {
-  EXPECT_EQ(json_text(Value(std::numeric_limits<double>::infinity())), "\"inf\"");
+TEST(JsonValue, JsonNeverHoldsABareInfinity) {
+  EXPECT_EQ(json_text(JsonValue(std::numeric_limits<double>::infinity())), "\"inf\"");
 }
 
-TEST(Value, TextIsEscapedAndNeverInvalidUtf8) {
-  EXPECT_EQ(json_text(Value("a\"b\\\n\x01")), R"("a\"b\\\n\u0001")");
-  EXPECT_EQ(json_text(Value("\xff")), "\"\xEF\xBF\xBD\"");
+TEST(JsonValue, TextIsEscapedAndNeverInvalidUtf8) {
+  EXPECT_EQ(json_text(JsonValue("a\"b\\\n\x01")), R"("a\"b\\\n\u0001")");
+  EXPECT_EQ(json_text(JsonValue("\xff")), "\"\xEF\xBF\xBD\"");
 }
 
-TEST(Value, CsvQuotesWhatNeedsIt) {
-  EXPECT_EQ(csv_text({{"a", "b"}, {{"x,y", 1.5}, {"say \"hi\"", Value()}}}),
+TEST(JsonValue, CsvQuotesWhatNeedsIt) {
+  EXPECT_EQ(csv_text({{"a", "b"}, {{"x,y", 1.5}, {"say \"hi\"", JsonValue()}}}),
             "a,b\n\"x,y\",1.5\n\"say \"\"hi\"\"\",\n");
 }
 
-TEST(Value, ColumnsLineUp) {
+TEST(JsonValue, ColumnsLineUp) {
   EXPECT_EQ(aligned_text({{"name", "t"}, {{"a", 10}, {"long name", 5}}}, "  "),
             "  name       t\n"
             "  a          10\n"

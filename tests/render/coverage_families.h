@@ -10,6 +10,7 @@
 #include "geom/predicates.h"
 #include "oracle/exact_coverage.h"
 #include "render/coverage_scan.h"
+#include "render/select_kernels.h"
 
 namespace flatray::coverage_check {
 
@@ -210,7 +211,7 @@ inline Tally run_family(Family family, std::uint64_t seed, std::uint64_t count,
     if (item % audit_every != 0) continue;
     RatioAudit audit(tally);
     RunList runs;
-    AreaScan().scan(region.path, nullptr, kFrame, runs, &audit);
+    AreaScan(span_kernels(active_isa())).scan(region.path, nullptr, kFrame, runs, &audit);
   }
   return tally;
 }

@@ -71,6 +71,7 @@ rule 'no run-time type information' code "$sources" "$none" \
   'dynamic_cast|typeid\(' 'auto* p = dynamic_cast<A*>(q);' 'static_cast<int>(x)'
 rule 'work that is left open' text "$sources|$build|^tools/|^docs/|^[A-Z]+\\.md$" '^tests/tree/' \
   '(^|[^A-Za-z])(TODO|FIXME|XXX|HACK)([^A-Za-z]|$)' '// TODO: later' '// to do this, see below'
+rule 'a merge left half done' text '.' "$none" '^(<<<<<<<|>>>>>>>)( |$)' '<<<<<<< HEAD' 'std::cout << x;'
 rule 'paths of one machine' text '.' '^\.git$' \
   '(^|[^A-Za-z0-9_.}])/(work|root|home|mnt|Users)/[a-z]' \
   'path = "/home/me/scene.toml"' 'see tests/root/a and $prefix/home/x'

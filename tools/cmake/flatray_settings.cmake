@@ -20,6 +20,8 @@ target_compile_options(flatray_options INTERFACE
   -fno-math-errno    # sqrt is one instruction
   -fPIC              # the libraries may go into shared ones; the same for all, for the precompiled header
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
+  # g++ 12 sees both in the standard library's own variant, optional and string.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>
   $<$<BOOL:${FLATRAY_WERROR}>:-Werror>)
 if(FLATRAY_SANITIZE)
   target_compile_options(flatray_options INTERFACE

@@ -110,7 +110,7 @@ Result<const Metric*> chosen_metric(const Arguments& arguments) {
                                       names.begin())];
 }
 
-Value as_value(const Pair& pair, const Outcome& outcome, const Metric* metric) {
+JsonValue as_value(const Pair& pair, const Outcome& outcome, const Metric* metric) {
   const Difference& difference = outcome.difference;
   Fields fields = {{"actual", pair.actual.string()},
                    {"expected", pair.expected.string()},

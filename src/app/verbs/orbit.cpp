@@ -32,7 +32,7 @@ std::string point_text(const Vec2& point) {
 // Name and edge of what stands behind a surface.
 struct Named {
   std::string object;
-  Value edge;
+  JsonValue edge;
 };
 
 Named named(const Scene& scene, const SurfaceOwner& owner) {
@@ -50,7 +50,7 @@ Named named(const Scene& scene, const SurfaceOwner& owner) {
       break;
     }
   }
-  return {std::move(object), owner.edge == kNoEdge ? Value("circle") : Value(owner.edge)};
+  return {std::move(object), owner.edge == kNoEdge ? JsonValue("circle") : JsonValue(owner.edge)};
 }
 
 Table bounce_table(const Scene& scene, const World& world, const std::string& ray,
@@ -111,7 +111,8 @@ Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, cons
                      "its rays: " + comma_list(known));
 }
 
-Value orbit_value(const Scene& scene, const World& world, const RayPath& ray, const Orbit& orbit) {
+JsonValue orbit_value(const Scene& scene, const World& world, const RayPath& ray,
+                      const Orbit& orbit) {
   return Fields{{"ray", ray.name},
                 {"start", Values{orbit.start.x(), orbit.start.y()}},
                 {"direction", Values{orbit.direction.x(), orbit.direction.y()}},

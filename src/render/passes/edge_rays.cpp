@@ -66,8 +66,10 @@ void clip_piece(std::span<const Ray> rays, const InWorld& against, std::size_t p
   const auto is_outline = [&](int edge) {
     return edge != kNoEdge && shape.edges[begin + static_cast<std::size_t>(edge)] != kNoEdge;
   };
+  RayBatch batch;
+  for (const Ray& ray : rays) batch.add(ray);
   std::vector<HitInterval> hits(rays.size());
-  clip_convex_batch(RayBatch(rays), vertices, kSegment, hits);
+  clip_convex_batch(batch, vertices, kSegment, hits);
   for (std::size_t i = 0; i < rays.size(); ++i)
     if (hits[i])
       found.add(rays[i], hits[i], is_outline(hits[i].edge_enter), is_outline(hits[i].edge_exit));

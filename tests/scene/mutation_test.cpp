@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include "base/philox.h"
+#include "scene_text.h"
+
+namespace flatray {
+namespace {
+
+constexpr const char* kToml = R"(flatray = 1
+film = { size = [32, 20], world = [[-1, -2], [30, 40]], background = "#01020304" }
+camera = { follow = "runner", offset = [3, 4] }
+[[entity]]
+name = "runner"
+shape = { polygon = { points = [[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]] } }
+velocity = [12, 0.5]
+stroke = { width = 0.5, colour = "#102030" }
+markov = { chain = "run", start = "RUN" }
+states = { RUN = [{ fill = "#000001" }, { fill = "none" }] }
+[[ray]]
+at = [15, 5]
+direction = [1, -1e-3]
+[markov.run]
+hold = 10
+RUN = { RUN = 0.25, DIE = 0.75 }
+DIE = { DIE = 1 }
+)";
+constexpr const char* kObj =
+    "v 0 0 1\nv 4 0\nv 4 4 # x\nv 2 1\nv 0 4\nvt 0 0\nf 1/1 2/1 3/1 4/1 5/1\nf -1 -2 \\\n-3\nl 1 2 "
+    "3\n";
+constexpr const char* kList = "{ SPIDER MAN, 200,200}\nBAT, 1.5, -2e1\n# end\n";
+
+// What turns up in damaged scenes more often than among all bytes.
+constexpr std::string_view kBytes = "[]{}=,.\"'#\n\r\\-+eE0919_/ aZ\0\x7f\xc3\xa9\xff";
+
+// One to four bytes changed, put in or taken out. The draws are named by the round, so a failure is
+// its number.
+std::string damaged(std::string text, std::uint64_t round) {
+  const auto draw = [&](std::uint64_t item, std::uint64_t below) {
+    return static_cast<std::size_t>(random_bits(2, Stream::test, round, item) % below);
+  };
+  const std::size_t changes = 1 + draw(0, 4);
+  for (std::size_t i = 0; i < changes && !text.empty(); ++i) {
+    const std::size_t at = draw(4 * i + 1, text.size());
+    const char byte = kBytes[draw(4 * i + 2, kBytes.size())];
+    switch (draw(4 * i + 3, 3)) {
+      case 0:
+        text[at] = byte;
+        break;
+      case 1:
+        text.insert(at, 1, byte);
+        break;
+      default:
+        text.erase(at, 1 + draw(4 * i + 4, 5));
+    }
+  }
+  return text;
+}
+
+void expect_answers(const std::string& name, const std::string& text, std::uint64_t rounds) {
+  ASSERT_TRUE(load_scene_text(name, text));
+  std::size_t refused = 0;
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    const auto got = load_scene_text(name, damaged(text, round));
+    if (got) continue;
+    ++refused;
+    for (const Diagnostic& problem : got.error()) {
+      EXPECT_TRUE(problem.where) << round;
+      EXPECT_FALSE(problem.message.empty()) << round;
+    }
+    EXPECT_FALSE(format(got.error()).empty());
+  }
+  EXPECT_GT(refused, rounds / 10);
+  EXPECT_LT(refused, rounds);
+}
+
+TEST(Mutations, OfATomlSceneAreReadOrRefused) { expect_answers("m.toml", kToml, 1000); }
+TEST(Mutations, OfAnObjAreReadOrRefused) { expect_answers("m.obj", kObj, 1000); }
+TEST(Mutations, OfAListAreReadOrRefused) { expect_answers("m.list", kList, 1000); }
+
+TEST(Mutations, TheSameSceneGivesTheSameMessages) {
+  for (std::uint64_t round = 0; round < 50; ++round) {
+    const std::string text = damaged(kToml, round);
+    EXPECT_EQ(refusal(text), refusal(text));
+  }
+}
+
+}  // namespace
+}  // namespace flatray

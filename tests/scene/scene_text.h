@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+#include "base/check.h"
+#include "scene/load.h"
+
+namespace flatray {
+
+inline Result<LoadedScene> load(std::string text, const std::vector<Override>& overrides = {}) {
+  return load_scene_text("t.toml", std::move(text), overrides);
+}
+
+/// The scene, or the end of the program with what is wrong.
+inline LoadedScene loaded(std::string text, const std::vector<Override>& overrides = {}) {
+  Result<LoadedScene> result = load(std::move(text), overrides);
+  FLATRAY_CHECK(result.has_value(), result ? "" : format(result.error()));
+  return std::move(*result);
+}
+
+/// What the user reads of a scene that is refused; "" for one that is not.
+inline std::string refusal(std::string text, const std::vector<Override>& overrides = {}) {
+  const Result<LoadedScene> result = load(std::move(text), overrides);
+  return result ? "" : format(result.error());
+}
+
+/// A scene of one entity of a shape.
+inline std::string with_shape(const std::string& shape) {
+  return "flatray = 1\n[[entity]]\nname = \"e\"\nshape = { " + shape + " }\n";
+}
+
+}  // namespace flatray
