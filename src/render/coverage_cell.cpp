@@ -18,6 +18,9 @@ CellArea parted_area(const Share& sum, int winding, FillRule rule) {
 }  // namespace
 
 CellArea cell_area(std::span<const Piece> pieces, int winding, FillRule rule, SlabWork& work) {
+  constexpr std::size_t kMany = 8;  // from here on the bounds cost less than the slabs
+  if (pieces.size() >= kMany && rule == FillRule::nonzero && certainly_full(pieces, winding))
+    return {1, 0, true};
   if (pieces.size() > 1) return slab_area(pieces, winding, rule, work);
   const Share share = share_of(pieces.front());
   if (pieces.front().ghost) return {covers(rule, winding) ? 1.0 : 0.0, share.bound, false};

@@ -70,6 +70,10 @@ inline CellArea simple_area(const ShareSum& sum, int winding) {
   return {std::min(std::abs(winding + sum.area), 1.0), sum.total_bound(), false};
 }
 CellArea cell_area(std::span<const Piece> pieces, int winding, FillRule rule, SlabWork& work);
+/// Whether nonzero winding certainly covers the whole pixel, by bounds in blocks of it: finds most
+/// pixels many pieces overlap in. Cost O(n).
+bool certainly_full(std::span<const Piece> pieces, int winding);
+
 /// The general case: horizontal slabs between the ends and crossings of the pieces.
 /// Cost    for n pieces O(n^2) where they cross, else O(n log n) a slab.
 CellArea slab_area(std::span<const Piece> pieces, int winding, FillRule rule, SlabWork& work);
