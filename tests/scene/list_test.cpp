@@ -1,3 +1,4 @@
+// needs: formats/list
 #include <gtest/gtest.h>
 
 #include "scene/format.h"

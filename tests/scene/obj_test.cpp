@@ -1,3 +1,4 @@
+// needs: formats/obj shapes/import
 #include <gtest/gtest.h>
 
 #include <chrono>

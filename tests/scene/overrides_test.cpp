@@ -1,3 +1,4 @@
+// needs: shapes/circle
 #include <gtest/gtest.h>
 
 #include "scene_text.h"

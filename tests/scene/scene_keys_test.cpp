@@ -1,3 +1,4 @@
+// needs: shapes/circle shapes/convex shapes/segment
 #include <gtest/gtest.h>
 
 #include <numbers>

@@ -1,3 +1,4 @@
+// needs: shapes/circle shapes/convex shapes/polygon
 #include <gtest/gtest.h>
 
 #include "scene/ring.h"
