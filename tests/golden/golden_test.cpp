@@ -1,3 +1,4 @@
+// needs: shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment formats/obj
 #include "app/golden.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// needs: shapes/polygon shapes/segment
 #include "scene/numbers.h"
 
 #include <gtest/gtest.h>
