@@ -22,9 +22,11 @@ Result<unsigned> threads(const Arguments& arguments) {
   return static_cast<unsigned>(*count);
 }
 
-Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path) {
-  const auto overrides = parse_overrides(arguments.list("define"), arguments.where("define"));
+Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
+                               const std::vector<Override>& more) {
+  auto overrides = parse_overrides(arguments.list("define"), arguments.where("define"));
   if (!overrides) return tl::unexpected(overrides.error());
+  overrides->insert(overrides->end(), more.begin(), more.end());
   const auto limit = max_pixels(arguments);
   if (!limit) return tl::unexpected(limit.error());
   LoadLimits limits;

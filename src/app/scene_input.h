@@ -28,8 +28,9 @@ Result<std::uint64_t> max_pixels(const Arguments& arguments);
 Result<std::uint64_t> seed(const Arguments& arguments, const Scene& scene);
 Result<unsigned> threads(const Arguments& arguments);
 
-/// Loads a scene with the -D of the command line. Its warnings are not printed yet.
-Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path);
+/// Loads a scene with the -D of the command line, then `more`. Its warnings are not printed yet.
+Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
+                               const std::vector<Override>& more = {});
 
 /// The same for verbs of one scene: the first operand, its warnings printed.
 Result<Scene> load_only_input(const Arguments& arguments);
