@@ -73,10 +73,6 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
   if (!output) return tl::unexpected(output.error());
   if (auto fits = check_places(arguments, *output, frames.size()); !fits)
     return fail(std::move(fits));
-  if (request.size) {
-    scene.film.width = request.size->width;
-    scene.film.height = request.size->height;
-  }
   std::string name;
   if (output->has_scene()) {
     Result<std::string> plain = plain_name(scene.name);
@@ -110,7 +106,7 @@ Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const Rende
   Diagnostics problems;
   std::set<std::string> names;
   for (const std::string& path : arguments.operands()) {
-    Result<LoadedScene> loaded = load_input(arguments, path);
+    Result<LoadedScene> loaded = load_input(arguments, path, request.size);
     if (loaded) report_warnings(loaded->warnings, arguments);
     Result<RenderJob> job = loaded ? make_job(arguments, request, std::move(loaded->scene))
                                    : Result<RenderJob>(fail(std::move(loaded)));

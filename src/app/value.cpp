@@ -91,13 +91,21 @@ std::string csv_line(const Values& cells) {
   return line + "\n";
 }
 
-std::vector<std::size_t> column_widths(const Table& table) {
-  std::vector<std::size_t> widths;
-  for (const std::string& column : table.columns) widths.push_back(column.size());
+struct Column {
+  std::size_t width = 0;
+  bool numbers = false;
+};
+
+std::vector<Column> columns_of(const Table& table) {
+  std::vector<Column> columns(table.rows.empty() ? table.columns.size()
+                                                 : table.rows.front().size());
+  for (std::size_t i = 0; i < table.columns.size(); ++i) columns[i].width = table.columns[i].size();
   for (const Values& row : table.rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], cell_text(row[i]).size());
-  return widths;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      columns[i].width = std::max(columns[i].width, cell_text(row[i]).size());
+      columns[i].numbers = columns[i].numbers || is_number(row[i]);
+    }
+  return columns;
 }
 
 }  // namespace
@@ -147,18 +155,18 @@ std::optional<JsonValue> parse_json(std::string_view text) {
 }
 
 std::string aligned_text(const Table& table, const std::string& indent) {
-  const std::vector<std::size_t> widths = column_widths(table);
+  const std::vector<Column> columns = columns_of(table);
   std::string text;
   const auto add_line = [&](const Values& cells) {
     std::string line = indent;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string cell = cell_text(cells[i]);
-      const std::string pad(widths[i] - std::min(widths[i], cell.size()), ' ');
-      line += (i == 0 ? "" : "  ") + (is_number(cells[i]) ? pad + cell : cell + pad);
+      const std::string pad(columns[i].width - cell.size(), ' ');
+      line += (i == 0 ? "" : "  ") + (columns[i].numbers ? pad + cell : cell + pad);
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
-  add_line(Values(table.columns.begin(), table.columns.end()));
+  if (!table.columns.empty()) add_line(Values(table.columns.begin(), table.columns.end()));
   for (const Values& row : table.rows) add_line(row);
   return text;
 }

@@ -48,7 +48,8 @@ struct Table {
   std::vector<std::string> columns;
   std::vector<Values> rows;
 };
-/// Columns lined up with blanks; numbers to the right. Each line begins with `indent`.
+/// Columns lined up with blanks, those with numbers to the right; without names the rows alone.
+/// Each line begins with `indent`.
 std::string aligned_text(const Table& table, const std::string& indent = {});
 /// RFC 4180: a header line, quotes where needed.
 std::string csv_text(const Table& table);

@@ -30,11 +30,17 @@ TEST(JsonValue, CsvQuotesWhatNeedsIt) {
             "a,b\n\"x,y\",1.5\n\"say \"\"hi\"\"\",\n");
 }
 
-TEST(JsonValue, ColumnsLineUp) {
-  EXPECT_EQ(aligned_text({{"name", "t"}, {{"a", 10}, {"long name", 5}}}, "  "),
-            "  name       t\n"
-            "  a          10\n"
-            "  long name   5\n");
+TEST(JsonValue, ColumnsLineUpAndNumbersStandRight) {
+  EXPECT_EQ(aligned_text({{"name", "time"}, {{"a", 10}, {"long name", 5}}}, "  "),
+            "  name       time\n"
+            "  a            10\n"
+            "  long name     5\n");
+}
+
+TEST(JsonValue, ATableWithoutNamesOrRowsIsStillOne) {
+  EXPECT_EQ(aligned_text({{}, {{"a", "b"}, {"long", ""}}}), "a     b\nlong\n");
+  EXPECT_EQ(aligned_text({{"a", "b"}, {}}), "a  b\n");
+  EXPECT_EQ(aligned_text({}), "");
 }
 
 }  // namespace

@@ -5,59 +5,61 @@
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/isa.h"
+#include "image/metric.h"
 #include "render/plan.h"
 #include "study/experiment.h"
+#include "trace/tracer.h"
 
 namespace flatray::verbs {
 namespace {
 
 constexpr Option kOptions[] = {kJsonOption};
 
-Table named(std::vector<Values> rows) { return {{"name", "what"}, std::move(rows)}; }
-
-Table shapes() {
-  std::vector<Values> rows;
-  for (const Listed& one : listed_shapes()) rows.push_back({one.name, one.usage});
-  return named(std::move(rows));
+template <class Entries>
+Table described(const Entries& entries) {
+  Table table{{"name", "what"}, {}};
+  for (const auto* one : entries) table.rows.push_back({one->name, one->summary});
+  return table;
 }
 
-Table formats() {
-  std::vector<Values> rows;
-  for (const Listed& one : listed_formats()) rows.push_back({one.name, one.usage});
-  return named(std::move(rows));
+Table listed(const std::vector<Listed>& entries) {
+  Table table{{"name", "what"}, {}};
+  for (const Listed& one : entries) table.rows.push_back({one.name, one.usage});
+  return table;
 }
 
 Table drawing_passes() {
-  std::vector<Values> rows;
-  for (const Pass* one : flatray::passes()) rows.push_back({one->name, ""});
-  return named(std::move(rows));
+  Table table{{"name"}, {}};
+  for (const Pass* one : flatray::passes()) table.rows.push_back({one->name});
+  return table;
 }
 
 Table studies() {
-  std::vector<Values> rows;
-  for (const Experiment* one : flatray::experiments()) rows.push_back({one->name, one->question});
-  return named(std::move(rows));
-}
-
-Table words() {
-  std::vector<Values> rows;
-  for (const Verb* one : all_verbs()) rows.push_back({one->name, one->summary});
-  return named(std::move(rows));
+  Table table{{"name", "what"}, {}};
+  for (const Experiment* one : flatray::experiments())
+    table.rows.push_back({one->name, one->question});
+  return table;
 }
 
 Table isas() {
-  std::vector<Values> rows;
+  Table table{{"name", "what"}, {}};
   for (const Isa one : available_isas())
-    rows.push_back({isa_name(one), one == active_isa() ? "running" : ""});
-  return named(std::move(rows));
+    table.rows.push_back({isa_name(one), one == active_isa() ? "running" : ""});
+  return table;
 }
 
 struct Kind {
   const char* name;
   Table (*entries)();
 };
-constexpr Kind kKinds[] = {{"experiments", &studies},   {"formats", &formats}, {"isas", &isas},
-                           {"passes", &drawing_passes}, {"shapes", &shapes},   {"verbs", &words}};
+constexpr Kind kKinds[] = {{"experiments", &studies},
+                           {"formats", [] { return listed(listed_formats()); }},
+                           {"isas", &isas},
+                           {"metrics", [] { return described(flatray::metrics()); }},
+                           {"passes", &drawing_passes},
+                           {"shapes", [] { return listed(listed_shapes()); }},
+                           {"tracers", [] { return described(flatray::tracers()); }},
+                           {"verbs", [] { return described(all_verbs()); }}};
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const std::string wanted = arguments.operands().empty() ? "" : arguments.operands().front();
@@ -86,15 +88,14 @@ Result<VerbOutput> run(const Arguments& arguments) {
 
 }  // namespace
 
-extern const Verb list = {
-    "list",
-    "[KIND]",
-    "show what is registered: shapes, formats, passes, experiments, isas, verbs",
-    0,
-    1,
-    kOptions,
-    "  flatray list shapes\n",
-    "",
-    &run};
+extern const Verb list = {"list",
+                          "[KIND]",
+                          "show what is registered, as shapes, formats, tracers and experiments",
+                          0,
+                          1,
+                          kOptions,
+                          "  flatray list shapes\n",
+                          "",
+                          &run};
 
 }  // namespace flatray::verbs
