@@ -89,8 +89,9 @@ World build_world(const Scene& scene, const FrameState& state) {
   using Kind = SurfaceOwner::Kind;
   World world;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    add_shape(world, scene.shapes[state.entities[i].shape], entity_pose(state, i),
-              {Kind::entity, i, 0, kNoEdge, scene.entities[i].material});
+    if (const std::optional<Material> material = scene.entities[i].material)
+      add_shape(world, scene.shapes[state.entities[i].shape], entity_pose(state, i),
+                {Kind::entity, i, 0, kNoEdge, *material});
   for (std::uint32_t i = 0; i < scene.chambers.size(); ++i) {
     const Chamber& chamber = scene.chambers[i];
     add_shape(world, scene.shapes[chamber.shape], world_pose(state),

@@ -19,8 +19,9 @@ struct World {
   std::vector<SurfaceOwner> owners;  ///< by surface number
 };
 
-/// Outlines of every entity, chamber and pillar. Left out: cuts and shared edges between the pieces
-/// of one shape, crossing rings, and edges whose ends are one point in the world.
+/// Outlines of every chamber, pillar and entity with a material. Left out: cuts and shared edges
+/// between the pieces of one shape, crossing rings, and edges whose ends are one point in the
+/// world.
 ///
 /// Gives   entities, then chambers each with its pillars; of a shape its edges, its lone segments,
 ///         its circles. Edges run counter-clockwise. Edges that share a vertex in the shape share

@@ -104,9 +104,13 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
 Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const RenderRequest& request) {
   std::vector<RenderJob> jobs;
   Diagnostics problems;
+  std::vector<Override> size;  // before the scene's own is held against the limit
+  if (request.size)
+    size.push_back(
+        {"film.size", fmt::format("[{}, {}]", request.size->width, request.size->height)});
   std::set<std::string> names;
   for (const std::string& path : arguments.operands()) {
-    Result<LoadedScene> loaded = load_input(arguments, path, request.size);
+    Result<LoadedScene> loaded = load_input(arguments, path, size);
     if (loaded) report_warnings(loaded->warnings, arguments);
     Result<RenderJob> job = loaded ? make_job(arguments, request, std::move(loaded->scene))
                                    : Result<RenderJob>(fail(std::move(loaded)));

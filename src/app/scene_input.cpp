@@ -1,21 +1,11 @@
 #include "app/scene_input.h"
 
-#include <fmt/core.h>
-
 #include "app/frames.h"
 #include "app/option_values.h"
 #include "app/report.h"
 #include "base/parallel.h"
 
 namespace flatray {
-namespace {
-
-// The scene module names an override's text "-D key".
-bool stands_on_command_line(const Diagnostic& problem) {
-  return problem.where && problem.where.source->name().starts_with("-D ");
-}
-
-}  // namespace
 
 Result<std::uint64_t> max_pixels(const Arguments& arguments) {
   return arguments.whole("max-pixels", LoadLimits{}.max_pixels, 1, kMostPixels);
@@ -33,20 +23,15 @@ Result<unsigned> threads(const Arguments& arguments) {
 }
 
 Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
-                               const std::optional<FilmSize>& size) {
+                               const std::vector<Override>& more) {
   auto overrides = parse_overrides(arguments.list("define"), arguments.where("define"));
-  if (!overrides) return fail(std::move(overrides));
-  if (size) overrides->push_back({"film.size", fmt::format("[{}, {}]", size->width, size->height)});
+  if (!overrides) return tl::unexpected(overrides.error());
+  overrides->insert(overrides->end(), more.begin(), more.end());
   const auto limit = max_pixels(arguments);
   if (!limit) return tl::unexpected(limit.error());
   LoadLimits limits;
   limits.max_pixels = *limit;
-  Result<LoadedScene> loaded = load_scene(path, *overrides, limits);
-  if (loaded) return loaded;
-  Diagnostics problems = std::move(loaded).error();
-  for (Diagnostic& problem : problems)
-    if (stands_on_command_line(problem)) problem.trouble = Trouble::usage;
-  return tl::unexpected(std::move(problems));
+  return load_scene(path, *overrides, limits);
 }
 
 Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene) {

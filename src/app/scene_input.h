@@ -1,7 +1,6 @@
 #pragma once
 #include "anim/frame_state.h"
 #include "app/arguments.h"
-#include "app/option_values.h"
 #include "scene/load.h"
 
 namespace flatray {
@@ -29,10 +28,9 @@ Result<std::uint64_t> max_pixels(const Arguments& arguments);
 Result<std::uint64_t> seed(const Arguments& arguments, const Scene& scene);
 Result<unsigned> threads(const Arguments& arguments);
 
-/// Loads a scene with the -D of the command line, and a film of `size` where given, whatever its
-/// own. Its warnings are not printed yet. Error   Trouble::usage for what is wrong in a -D.
+/// Loads a scene with the -D of the command line, then `more`. Its warnings are not printed yet.
 Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
-                               const std::optional<FilmSize>& size = std::nullopt);
+                               const std::vector<Override>& more = {});
 
 /// The same for verbs of one scene: the first operand, its warnings printed.
 Result<Scene> load_only_input(const Arguments& arguments);

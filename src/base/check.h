@@ -5,7 +5,8 @@
 
 namespace flatray {
 
-/// Ends the program on a bug of ours: prints the condition, its place and `values` to stderr, then aborts.
+/// Ends the program on a bug of ours: prints the condition, its place and `values` to stderr, then
+/// aborts.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line,
                                const std::string& values = {});
 
@@ -14,7 +15,8 @@ namespace flatray {
 
 }  // namespace flatray
 
-/// Our own invariants, in every build; never for bad input. Extra arguments are a message with the values.
+/// Our own invariants, in every build; never for bad input. Extra arguments are a message with the
+/// values.
 #define FLATRAY_CHECK(condition, ...) \
   (static_cast<bool>(condition)       \
        ? void()                       \

@@ -24,11 +24,13 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// As the user reads it: `file:line:col: error: message`, the line, a marker under the value with the hint.
+/// As the user reads it: `file:line:col: error: message`, the line, a marker under the value with
+/// the hint.
 std::string format(const Diagnostic& diagnostic, const char* severity = "error");
 std::string format(const Diagnostics& diagnostics, const char* severity = "error");
 
-/// The entry of `known` nearest to `word` by edit distance, or "" when none is near: "did you mean".
+/// The entry of `known` nearest to `word` by edit distance, or "" when none is near: "did you
+/// mean".
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace flatray

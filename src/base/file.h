@@ -13,9 +13,10 @@ namespace flatray {
 Result<std::string> read_file(const std::filesystem::path& path,
                               std::size_t limit = std::size_t{1} << 32);
 
-/// Writes `bytes` so that `path` holds either what it held before or all of them, whenever the program or the
-/// machine stops: temporary name beside it, flush, rename, flush of the folder. Makes missing folders.
-/// Error   Trouble::output with the system's reason; the temporary file is gone.
+/// Writes `bytes` so that `path` holds either what it held before or all of them, whenever the
+/// program or the machine stops: temporary name beside it, flush, rename, flush of the folder.
+/// Makes missing folders. Error   Trouble::output with the system's reason; the temporary file is
+/// gone.
 Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> write_file(const std::filesystem::path& path, const std::string& text);
 

@@ -5,11 +5,13 @@
 
 namespace flatray {
 
-/// Shortest decimal that reads back as the same double, without regard to the locale: "0.1", "1e+300", "-0".
+/// Shortest decimal that reads back as the same double, without regard to the locale: "0.1",
+/// "1e+300", "-0".
 std::string number_text(double value);
 
-/// A decimal number read whole and rounded correctly; nullopt if `text` is anything else or beyond the doubles.
-/// Underflow gives the nearest double, 0 included. Accepts a leading '+', as TOML and OBJ do.
+/// A decimal number read whole and rounded correctly; nullopt if `text` is anything else or beyond
+/// the doubles. Underflow gives the nearest double, 0 included. Accepts a leading '+', as TOML and
+/// OBJ do.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace flatray

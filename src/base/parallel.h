@@ -4,9 +4,11 @@
 
 namespace flatray {
 
-/// Runs `task(i)` for every i in [0, count), in any order, on `threads` threads (the caller is one of them).
+/// Runs `task(i)` for every i in [0, count), in any order, on `threads` threads (the caller is one
+/// of them).
 ///
-/// Needs   tasks that write to disjoint places. Work is cut by what it is, never by `threads`, so results
+/// Needs   tasks that write to disjoint places. Work is cut by what it is, never by `threads`, so
+/// results
 ///         do not depend on it.
 /// Error   the first exception of a task is thrown again here after all threads have stopped.
 /// Cost    the pool is started for the call: about 20 us a thread.

@@ -7,7 +7,8 @@
 
 namespace flatray {
 
-/// One input as read: its name for messages and its bytes. Lines and columns count from 1, columns in bytes.
+/// One input as read: its name for messages and its bytes. Lines and columns count from 1, columns
+/// in bytes.
 class SourceText {
  public:
   struct Position {
@@ -32,8 +33,8 @@ class SourceText {
 
 using SourcePtr = std::shared_ptr<const SourceText>;
 
-/// Where a value stands: `length` bytes at `offset` of `source`. Without a source it is nowhere; a source
-/// without text (a file that cannot be read, a command line) still gives its name.
+/// Where a value stands: `length` bytes at `offset` of `source`. Without a source it is nowhere; a
+/// source without text (a file that cannot be read, a command line) still gives its name.
 struct Place {
   SourcePtr source;
   std::size_t offset = 0, length = 0;

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "geom/error_bounds.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
 
@@ -14,7 +15,6 @@ namespace flatray {
 ///         Where nothing is rounded the error stays 0. Overflow makes the error infinite or NaN,
 ///         underflow is in the error: whatever happens, a sign or a rounding that is given is
 ///         right.
-/// Cost    10 to 40 ns an operation.
 class Bounded {
  public:
   Bounded(double exact) : value_{exact, 0}, error_(0) {}
@@ -43,5 +43,43 @@ class Bounded {
   DoubleDouble value_;
   double error_;
 };
+
+// A product of doubles that two_product gives without error.
+inline bool is_exact_product(double a, double b) {
+  const double size = std::fabs(a * b);
+  return a == 0 || b == 0 || (size >= kExactProductLeast && size <= kExactProductMost);
+}
+
+// A result that one operation rounded, in which `size` is the largest that went in or came out.
+inline Bounded Bounded::rounded(DoubleDouble value, double from_operands, double size) {
+  const double own = kDoubleDoubleError * size + kUnderflowError;
+  return {value, (from_operands + own) * kRadiusInflation};
+}
+
+inline Bounded operator+(const Bounded& a, const Bounded& b) {
+  const DoubleDouble high = two_sum(a.value_.hi, b.value_.hi);
+  const DoubleDouble low = two_sum(a.value_.lo, b.value_.lo);
+  const DoubleDouble middle = two_sum(high.lo, low.hi);
+  const DoubleDouble sum = two_sum(high.hi, middle.hi);
+  const DoubleDouble tail = two_sum(sum.lo, low.lo);
+  const DoubleDouble value = two_sum(sum.hi, tail.hi);
+  const double error = a.error_ + b.error_;
+  // What the two roundings left out is known, so a sum of few bits stays exact.
+  if (middle.lo == 0 && tail.lo == 0) return {value, error * kRadiusInflation};
+  return Bounded::rounded(value, error, std::fabs(a.value_.hi) + std::fabs(b.value_.hi));
+}
+
+inline Bounded operator*(const Bounded& a, const Bounded& b) {
+  const DoubleDouble high = two_product(a.value_.hi, b.value_.hi);
+  const double middle = a.value_.hi * b.value_.lo + a.value_.lo * b.value_.hi;
+  const DoubleDouble value = two_sum(high.hi, high.lo + middle);
+  const bool short_factors = a.value_.lo == 0 && b.value_.lo == 0;
+  if (short_factors && a.error_ == 0 && b.error_ == 0 && is_exact_product(a.value_.hi, b.value_.hi))
+    return {value, 0};
+  // (a + da)(b + db) - ab, with twice the high parts to stand for the whole values
+  const double error = 2 * std::fabs(a.value_.hi) * b.error_ +
+                       2 * std::fabs(b.value_.hi) * a.error_ + a.error_ * b.error_;
+  return Bounded::rounded(value, error, std::fabs(high.hi));
+}
 
 }  // namespace flatray

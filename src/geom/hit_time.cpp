@@ -79,11 +79,12 @@ Sign HitTime::sign() const { return sign_of(compare(0)); }
 std::strong_ordering HitTime::compare(double other) const {
   if (std::isinf(other)) return 0 <=> (other > 0 ? 1 : -1);
   if (root_ == 0) {
+    const Sign denom = -turn_from_edge(from_, to_, ray_.direction);
+    if (other == 0) return order(cross_sign(ray_.origin, p_, from_, to_) * denom);
     const auto ahead = [&](const auto& number) {
       const auto time = line_time(number, ray_, p_, from_, to_);
-      return other == 0 ? time.numer : time.numer - number(other) * time.denom;
+      return time.numer - number(other) * time.denom;
     };
-    const Sign denom = -turn_from_edge(from_, to_, ray_.direction);
     return order(decide(ahead) * denom);
   }
   // Between the roots the point at `other` is inside the circle; outside, the mid-point of the

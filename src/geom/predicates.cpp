@@ -16,8 +16,9 @@ namespace {
   return decide([&](const auto& number) { return determinant(number, a, b, c, d); });
 }
 
-// Sign of (b - a) x (d - c).
-inline Sign sign_of_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+}  // namespace
+
+Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double left = (b.x() - a.x()) * (d.y() - c.y());
   const double right = (b.y() - a.y()) * (d.x() - c.x());
   const double size = std::fabs(left) + std::fabs(right), difference = left - right;
@@ -27,21 +28,19 @@ inline Sign sign_of_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
   return uncertain_sign(a, b, c, d);
 }
 
-}  // namespace
-
-Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c) { return sign_of_cross(a, b, a, c); }
+Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c) { return cross_sign(a, b, a, c); }
 
 Sign cross_sign(const Vec2& a, const Vec2& b) {
   const Vec2 zero(0, 0);
-  return sign_of_cross(zero, a, zero, b);
+  return cross_sign(zero, a, zero, b);
 }
 
 Sign side_of_ray(const Ray& ray, const Vec2& p) {
-  return sign_of_cross(Vec2(0, 0), ray.direction, ray.origin, p);
+  return cross_sign(Vec2(0, 0), ray.direction, ray.origin, p);
 }
 
 Sign turn_from_edge(const Vec2& a, const Vec2& b, const Vec2& d) {
-  return sign_of_cross(a, b, Vec2(0, 0), d);
+  return cross_sign(a, b, Vec2(0, 0), d);
 }
 
 }  // namespace flatray

@@ -20,6 +20,9 @@ inline Sign sign_of(double x) {
   return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
 }
 
+/// Sign of (b - a) x (d - c), which the others are made of. Exact for all finite doubles.
+Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
 /// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite
 /// doubles.
 Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c);

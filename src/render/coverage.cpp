@@ -1,6 +1,7 @@
 #include "render/coverage.h"
 
 #include "render/coverage_scan.h"
+#include "render/select_kernels.h"
 
 namespace flatray {
 namespace {
@@ -13,11 +14,10 @@ void pass_on(const RunList& list, const RunSink& sink) {
 
 CoverageStats scan(const FillPath& path, Coverage mode, const PixelBox& box, const RunSink& sink) {
   RunList list;
-  CoverageStats stats;
-  if (mode == Coverage::area)
-    stats = AreaScan().scan(path, nullptr, box, list);
-  else
-    scan_centres(path, nullptr, box, list, stats);
+  const kernels::SpanKernels& kernels = span_kernels(active_isa());
+  const CoverageStats stats = mode == Coverage::area
+                                  ? AreaScan(kernels).scan(path, nullptr, box, list)
+                                  : CentreScan(kernels).scan(path, nullptr, box, list);
   pass_on(list, sink);
   return stats;
 }

@@ -6,12 +6,6 @@
 namespace flatray {
 namespace {
 
-// A row of centres is a ray: where an edge crosses it, the winding changes from the first centre on
-// or right of the edge.
-struct Step {
-  int row, column, change;
-};
-
 // Whether the centre of a column lies on or right of an edge that spans the row of centres at y.
 bool right_of(const ScanEdge& e, int column, double y) {
   const Rational dx = Rational(e.x_bottom) - Rational(e.x_top);
@@ -40,42 +34,54 @@ int first_right(const ScanEdge& e, double y, const PixelBox& box, CoverageStats&
   return static_cast<int>(low);
 }
 
-void add_steps(const Segment& edge, const PixelBox& box, std::vector<Step>& steps,
-               CoverageStats& stats) {
+}  // namespace
+
+void CentreScan::add_edge(const Segment& edge) {
   const auto [top, bottom] = std::minmax(edge.a.y(), edge.b.y());
-  // Rows with top <= row + 1/2 < bottom. Both sides are compared as they stand: row + 1/2 is exact.
-  if (top >= box.y + box.height || bottom <= box.y) return;
-  const ScanEdge ready = scan_edge(edge, box);
-  int row = static_cast<int>(std::floor(std::max<double>(top, box.y)));
-  if (row + 0.5 < top) ++row;
-  for (; row < box.y + box.height && row + 0.5 < bottom; ++row) {
-    const int column = first_right(ready, row + 0.5, box, stats);
-    if (column < box.x + box.width) steps.push_back({row, column, ready.direction});
+  // Rows with top <= row + 1/2 < bottom; row + 1/2 is exact, the difference need not be.
+  int first = std::max(floor_column(top), box_.y);
+  if (first + 0.5 < top) ++first;
+  int last = std::min(floor_column(bottom), box_.y + box_.height - 1);
+  if (last + 0.5 >= bottom) --last;
+  if (first > last || std::min(edge.a.x(), edge.b.x()) > box_.x + box_.width) return;
+  const ScanEdge ready = scan_edge(edge, box_);
+  kernels_.edge_columns(edge_line(ready), first + 0.5, static_cast<std::size_t>(last - first + 1),
+                        0.5, x_.data(), columns_.data());
+  const int end = box_.x + box_.width;
+  for (int row = first; row <= last; ++row) {
+    const double certain = columns_[static_cast<std::size_t>(row - first)];
+    const int column = certain == kernels::kNoColumn
+                           ? first_right(ready, row + 0.5, box_, stats_)
+                           : static_cast<int>(std::clamp<double>(certain, box_.x, end));
+    if (column < end) steps_.push_back({row, column, ready.direction});
   }
 }
 
-}  // namespace
-
-void scan_centres(const FillPath& path, const std::vector<std::uint32_t>* chosen,
-                  const PixelBox& box, RunList& out, CoverageStats& stats) {
-  std::vector<Step> steps;
+CoverageStats CentreScan::scan(const FillPath& path, const std::vector<std::uint32_t>* chosen,
+                               const PixelBox& box, RunList& out) {
+  box_ = box;
+  stats_ = {};
+  steps_.clear();
+  x_.resize(static_cast<std::size_t>(box.height) + kernels::kSlack);
+  columns_.resize(x_.size());
   if (chosen == nullptr)
-    for (const Segment& edge : path.edges) add_steps(edge, box, steps, stats);
+    for (const Segment& edge : path.edges) add_edge(edge);
   else
-    for (const std::uint32_t index : *chosen) add_steps(path.edges[index], box, steps, stats);
-  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) {
+    for (const std::uint32_t index : *chosen) add_edge(path.edges[index]);
+  std::sort(steps_.begin(), steps_.end(), [](const Step& a, const Step& b) {
     return a.row != b.row ? a.row < b.row : a.column < b.column;
   });
-  stats.edge_pixels += steps.size();
+  stats_.edge_pixels = steps_.size();
   int winding = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    winding += steps[i].change;
-    const bool last = i + 1 == steps.size() || steps[i + 1].row != steps[i].row;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    winding += steps_[i].change;
+    const bool last = i + 1 == steps_.size() || steps_[i + 1].row != steps_[i].row;
     if (covers(path.rule, winding))
-      out.add(steps[i].row, steps[i].column, last ? box.x + box.width : steps[i + 1].column,
+      out.add(steps_[i].row, steps_[i].column, last ? box.x + box.width : steps_[i + 1].column,
               kFullCoverage);
     if (last) winding = 0;
   }
+  return stats_;
 }
 
 }  // namespace flatray

@@ -15,10 +15,10 @@ constexpr double kGrid =
     0x1p8;  // ends on multiples of 1 / kGrid and slopes of a small power of two
 constexpr double kSteepest = 0x1p4;  // give exact cuts: multiples of 2^-12, areas of 2^-29
 
-// Written so that a NaN gives `low`: an infinite slope times nothing.
-double clamp_to(double v, double low, double high) { return v > low ? (v < high ? v : high) : low; }
-
-bool on_grid(double v) { return v * kGrid == std::floor(v * kGrid); }
+// Needs |v| <= kNear.
+bool on_grid(double v) {
+  return v * kGrid == static_cast<double>(static_cast<std::int64_t>(v * kGrid));
+}
 
 // dx / dy is +-2^k with |k| small, or the edge lies along an axis.
 bool exact_slope(double dx, double dy, double slope) {
@@ -68,11 +68,6 @@ void anchor(ScanEdge& e, const PixelBox& box) {
 
 }  // namespace
 
-double ScanEdge::x_at(double y) const {
-  const double x = x_ref + (y - y_ref) * slope;
-  return x_top < x_bottom ? clamp_to(x, x_top, x_bottom) : clamp_to(x, x_bottom, x_top);
-}
-
 ScanEdge scan_edge(const Segment& edge, const PixelBox& box) {
   const bool down =
       edge.a.y() < edge.b.y() || (edge.a.y() == edge.b.y() && edge.a.x() < edge.b.x());
@@ -95,77 +90,6 @@ ScanEdge scan_edge(const Segment& edge, const PixelBox& box) {
             on_grid(e.x_bottom) && on_grid(e.y_bottom);
   if (!e.exact) bound_near(e, dx, dy);
   return e;
-}
-
-// A column border belongs to the pixel right of it: an edge that ends on it inside the row crosses
-// it or not by that. On the row's own borders nothing is lost by staying in the pixel the edge
-// comes through.
-RowCut row_cut(const ScanEdge& e, int row) {
-  const double top = row, bottom = row + 1.0;
-  const bool starts = e.y_top >= top, ends = e.y_bottom <= bottom;
-  RowCut cut;
-  cut.crosses_top = e.y_top <= top;
-  cut.y_in = starts ? e.y_top : top;
-  cut.y_out = ends ? e.y_bottom : bottom;
-  cut.x_in = starts ? e.x_top : e.x_at(top);
-  cut.x_out = ends ? e.x_bottom : e.x_at(bottom);
-  const double error_in = starts ? 0 : e.error_x, error_out = ends ? 0 : e.error_x;
-  if (cut.x_in < cut.x_out) {
-    cut.first = std::floor(cut.x_in);
-    cut.last = cut.y_out < bottom ? std::floor(cut.x_out) : std::ceil(cut.x_out) - 1;
-    cut.low = error_in > 0 ? std::floor(cut.x_in - error_in) : cut.first;
-    cut.high = error_out > 0 ? std::floor(cut.x_out + error_out) : cut.last;
-  } else if (cut.x_out < cut.x_in) {
-    cut.first = cut.y_in > top ? std::floor(cut.x_in) : std::ceil(cut.x_in) - 1;
-    cut.last = std::floor(cut.x_out);
-    cut.low = error_out > 0 ? std::floor(cut.x_out - error_out) : cut.last;
-    cut.high = error_in > 0 ? std::floor(cut.x_in + error_in) : cut.first;
-  } else {
-    cut.first = cut.last = std::floor(cut.x_in);
-    const double error = std::max(error_in, error_out);
-    cut.low = std::floor(cut.x_in - error);
-    cut.high = std::floor(cut.x_in + error);
-  }
-  return cut;
-}
-
-void cut_row(const ScanEdge& e, std::uint32_t index, int row, const PixelBox& box, PieceRow& out) {
-  const RowCut cut = row_cut(e, row);
-  const double left = box.x, right = box.x + box.width - 1.0;
-  if (cut.low > right) return;
-  if (cut.crosses_top && cut.first < left) out.winding += e.direction;
-  if (cut.high < left) return;
-  const double top = row;
-  Piece piece{
-      0,     index, 0,     0,     0,     0,     e.error, static_cast<std::int8_t>(e.direction),
-      false, false, false, false, false, false, e.exact};
-  const bool starts = e.y_top >= top, ends = e.y_bottom <= top + 1;
-  const bool rightward = cut.first <= cut.last;
-  const double low = std::min(cut.first, cut.last), high = std::max(cut.first, cut.last);
-  for (double c = std::max(low, left); c <= std::min(high, right); ++c) {
-    const bool is_first = c == cut.first, is_last = c == cut.last;
-    const double border_in = rightward ? c : c + 1, border_out = rightward ? c + 1 : c;
-    piece.column = static_cast<int>(c);
-    piece.x_top = (is_first ? cut.x_in : border_in) - c;
-    piece.x_bottom = (is_last ? cut.x_out : border_out) - c;
-    piece.y_top = (is_first ? cut.y_in : clamp_to(e.y_at(border_in), cut.y_in, cut.y_out)) - top;
-    piece.y_bottom =
-        (is_last ? cut.y_out : clamp_to(e.y_at(border_out), cut.y_in, cut.y_out)) - top;
-    piece.crosses_top = is_first && cut.crosses_top;
-    piece.left_top = rightward && !is_first;
-    piece.left_bottom = !rightward && !is_last;
-    piece.vertex_top = is_first && starts;
-    piece.vertex_bottom = is_last && ends;
-    out.pieces.push_back(piece);
-  }
-  if (cut.low == low && cut.high == high) return;
-  piece.ghost = true;
-  piece.crosses_top = piece.left_top = piece.left_bottom = false;
-  for (double c = std::max(cut.low, left); c <= std::min(cut.high, right); ++c) {
-    if (c >= low && c <= high) continue;
-    piece.column = static_cast<int>(c);
-    out.pieces.push_back(piece);
-  }
 }
 
 }  // namespace flatray

@@ -38,9 +38,25 @@ class CellAudit {
   virtual void see(const CellArea& computed, const Rational& exact) = 0;
 };
 
+/// What the edges of a simple path add to one pixel.
+struct SimpleCell {
+  int column;
+  int entering;  ///< directions of those that come in by the row's upper border
+  Share share;
+};
+
+/// Entries of one row of a box, and the winding just inside its upper left corner.
+template <class Entry>
+struct ScanRow {
+  std::vector<Entry> entries;
+  int winding = 0;
+};
+
 /// The area scan of paths, with its room kept from call to call. One for each thread.
 class AreaScan {
  public:
+  explicit AreaScan(const kernels::SpanKernels& kernels) : kernels_(kernels) {}
+
   /// Adds the runs of the path's edges in `box`; of `chosen` edges only where given (all that meet
   /// the box's rows must be among them).
   CoverageStats scan(const FillPath& path, const std::vector<std::uint32_t>* chosen,
@@ -48,24 +64,60 @@ class AreaScan {
 
  private:
   void cut_edges(const FillPath& path, const std::vector<std::uint32_t>* chosen);
-  void cut_edge(const Segment& edge);
-  void scan_row(const FillPath& path, int row, RunList& out);
-  std::uint32_t cell_steps(const FillPath& path, std::span<const Piece> cell, int winding, int row);
-  Rational exact_cell(const FillPath& path, std::span<const Piece> cell, int winding, int row);
+  void cut_edge(const Segment& edge, bool simple);
+  template <class Entry>
+  void cut_rows(std::uint32_t index, int first, int last, std::vector<ScanRow<Entry>>& rows);
+  template <class Entry>
+  void cut_row(std::uint32_t index, int row, std::vector<ScanRow<Entry>>& rows);
+  template <class Entry>
+  void cut_whole_rows(std::uint32_t index, int first, int last, std::vector<ScanRow<Entry>>& rows);
+  template <class Entry>
+  void scan_row(const FillPath& path, int row, ScanRow<Entry>& work, RunList& out);
+  std::uint32_t steps(const FillPath& path, std::span<const Piece> cell, int winding, int row);
+  std::uint32_t steps(const FillPath& path, std::span<const SimpleCell> cell, int winding, int row);
+  template <class Touching>
+  std::uint32_t decide(const CellArea& area, const Touching& touching, FillRule rule, int winding,
+                       int column, int row);
+  Rational exact_cell(FillRule rule, int winding, int column, int row);
+  void gather(std::span<const Piece> cell);
+  void gather(int column, int row);
 
+  const kernels::SpanKernels& kernels_;
   PixelBox box_;
+  int first_row_ = 0, last_row_ = -1;  ///< rows with an entry
+  std::vector<double> x_, columns_;
   CellAudit* audit_ = nullptr;
   CoverageStats stats_;
   std::vector<ScanEdge> edges_;
-  std::vector<PieceRow> rows_;
+  std::vector<ScanRow<Piece>> rows_;
+  std::vector<ScanRow<SimpleCell>> simple_rows_;
   std::vector<std::uint32_t> touching_;
   std::vector<ScanEdge> exact_edges_;
   SlabWork slabs_;
 };
 
-/// The runs whose pixel centres lie inside a path: coverage_centre.cpp.
-void scan_centres(const FillPath& path, const std::vector<std::uint32_t>* chosen,
-                  const PixelBox& box, RunList& out, CoverageStats& stats);
+/// The scan of paths by pixel centres, likewise. A row of centres is a ray: where an edge crosses
+/// it, the winding changes from the first centre on or right of the edge.
+class CentreScan {
+ public:
+  explicit CentreScan(const kernels::SpanKernels& kernels) : kernels_(kernels) {}
+
+  CoverageStats scan(const FillPath& path, const std::vector<std::uint32_t>* chosen,
+                     const PixelBox& box, RunList& out);
+
+ private:
+  struct Step {
+    int row, column, change;
+  };
+  void add_edge(const Segment& edge);
+
+  const kernels::SpanKernels& kernels_;
+  PixelBox box_;
+  CoverageStats stats_;
+  std::vector<double> x_, columns_;
+  std::vector<Step> steps_;
+};
+
 /// Discs and rings: coverage_ring.cpp.
 void scan_ring(const FillRing& ring, Coverage mode, const PixelBox& box, RunList& out,
                CoverageStats& stats);

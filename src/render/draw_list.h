@@ -11,8 +11,9 @@ struct LinearColour {
   float r = 0, g = 0, b = 0, a = 1;
 };
 
-/// Region bounded by directed edges in film coordinates (pixels, y down): the winding number at a point counts the
-/// edges it passes. Edges that cancel have been left out. Need not be one ring; every vertex is balanced.
+/// Region bounded by directed edges in film coordinates (pixels, y down): the winding number at a
+/// point counts the edges it passes. Edges that cancel have been left out. Need not be one ring;
+/// every vertex is balanced.
 struct FillPath {
   std::vector<Segment> edges;
   FillRule rule = FillRule::nonzero;

@@ -98,7 +98,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" })", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
     kLayerKey<Entity>,
-    material_key<Entity>("\"absorb\""),
+    material_key<Entity>("none: rays pass"),
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
     {{"states", "{ STATE = { ... } }", "{}"}, &read_states},
 };

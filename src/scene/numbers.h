@@ -40,7 +40,8 @@ struct Number {
 /// Nearest double of a TOML number (underscores, 0x, 0o, 0b). nullopt: not finite, or no number.
 std::optional<Number> parse_literal(std::string_view text);
 
-/// A whole number of TOML, exact also beyond 2^53; "1e3" and "5.0" are whole too. nullopt: no such 64-bit integer.
+/// A whole number of TOML, exact also beyond 2^53; "1e3" and "5.0" are whole too. nullopt: no such
+/// 64-bit integer.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
 }  // namespace flatray

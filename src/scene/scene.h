@@ -96,7 +96,7 @@ struct Entity {
   std::optional<Stroke> stroke;
   std::optional<Stroke> bounding_box;  ///< drawn when set
   int layer = 0;
-  Material material = Material::absorb;
+  std::optional<Material> material;  ///< unset: scenery, which rays pass through
   std::optional<MarkovUse> markov;
   Place where;
 };

@@ -13,7 +13,8 @@ struct KeyInfo {
   const char* takes;     ///< what to write after "=": "[x, y]"
   const char* fallback;  ///< the default as documented; kRequired where there is none
 };
-inline constexpr const char* kRequired = "required";
+/// One array with one address, which is what a key without a default is told by.
+inline constexpr char kRequired[] = "required";
 
 /// The keys of one table, in the order of the documentation.
 struct TableInfo {

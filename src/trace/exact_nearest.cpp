@@ -1,8 +1,30 @@
 #include "trace/exact_nearest.h"
 
+#include <cmath>
+
+#include "geom/error_bounds.h"
 #include "trace/on_surface.h"
 
 namespace flatray {
+namespace {
+
+// Whether a ray surely misses a circle: its line passes the centre at more than the radius, or all
+// of the circle lies behind. Products d x w and d.w, w = centre - origin, are known to kDetFilter
+// of their terms; 2^-48 covers the rounding of |d|, of the products with it and of the comparison.
+// Outside the guarded sizes nothing is sure.
+bool surely_missed(const Ray& ray, const Circle& circle) {
+  const Vec2& d = ray.direction;
+  const Vec2 w = circle.centre - ray.origin;
+  const double square = d.x() * d.x() + d.y() * d.y();
+  const double terms =
+      (std::fabs(d.x()) + std::fabs(d.y())) * (std::fabs(w.x()) + std::fabs(w.y()));
+  if (!(square > kDetFilterLeast && terms > kDetFilterLeast && terms < 1 / kDetFilterLeast))
+    return false;
+  const double reach = circle.radius * std::sqrt(square) * (1 + 0x1p-48) + 2 * kDetFilter * terms;
+  return std::fabs(cross(d, w)) > reach || -d.dot(w) > reach;
+}
+
+}  // namespace
 
 ExactNearest::ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents)
     : walls_(walls),
@@ -66,6 +88,7 @@ void ExactNearest::offer_circle(std::size_t slot) {
   const Circle& circle = walls_.circles[slot];
   if (point_test_)
     return offer_point_test(number, circle_side(ray_.origin, circle) == Sign::zero, false);
+  if (surely_missed(ray_, circle)) return;
   const auto met = hit_circle(ray_, circle);
   if (!met) return;
   if (met->tangent) {

@@ -77,7 +77,9 @@ std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, con
     return leads_away(walls, hit.surface, side, point, candidate);
   });
   if (!direction) return std::nullopt;
-  const Vec2 normal = static_cast<double>(side) * unit(left), in = speed.near_one(ray.direction);
+  // Adding zero turns -0 into 0, which reads better.
+  const Vec2 normal = static_cast<double>(side) * unit(left) + Vec2(0, 0);
+  const Vec2 in = speed.near_one(ray.direction);
   const double across = std::fabs(cross(normal, in)), against = std::fabs(normal.dot(in));
   return Reflection{*direction, normal, portable::atan2(across, against)};
 }

@@ -35,6 +35,7 @@ inline std::uint32_t add_box(Scene& scene, const Vec2& at, const Vec2& velocity 
   entity.shape = static_cast<ShapeId>(scene.shapes.size() - 1);
   entity.at = at;
   entity.velocity = velocity;
+  entity.material = Material::absorb;
   scene.entities.push_back(entity);
   return static_cast<std::uint32_t>(scene.entities.size() - 1);
 }

@@ -31,6 +31,13 @@ TEST(World, OutlinesKeepTheInputsEdgeNumbersAndOwners) {
   EXPECT_EQ(world.surfaces.segments[0].b, Vec2(3, 3));
 }
 
+TEST(World, EntitiesWithoutAMaterialAreSceneryThatRaysPass) {
+  Scene scene = small_scene();
+  add_box(scene, {2, 3});
+  scene.entities[0].material.reset();
+  EXPECT_EQ(world_of(scene).surfaces.size(), 0U);
+}
+
 TEST(World, CutsBetweenPiecesAreNoWalls) {
   Scene scene = small_scene();
   add_box(scene, {0, 0});
@@ -85,6 +92,7 @@ TEST(World, SegmentsAndCirclesAreTracedAndCrossingRingsAreNot) {
   scene.shapes = {shape};
   Entity entity;
   entity.at = {5, 5};
+  entity.material = Material::mirror;
   scene.entities = {entity};
   const World world = world_of(scene);
   ASSERT_EQ(world.surfaces.size(), 3U);

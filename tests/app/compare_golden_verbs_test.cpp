@@ -101,7 +101,7 @@ TEST_F(Verbs, CompareWritesTheDifferenceAndTheMetric) {
   EXPECT_EQ(read_png(path("d.png"))->pixels.front(), 48);
   EXPECT_NE(out_.find("\n  mean 3\n"), std::string::npos) << out_;
   EXPECT_EQ(compare("a.png", "b.png", {"--json"}), 1);
-  for (const char* part : {"\"schema\": \"flatray.compare/1\"", "\"equal\": false", "\"worst\": 3"})
+  for (const char* part : {"\"schema\":\"flatray.compare/1\"", "\"equal\":false", "\"worst\":3"})
     EXPECT_NE(out_.find(part), std::string::npos) << part << " is not in\n" << out_;
 }
 

@@ -49,7 +49,7 @@ struct Worst {
 };
 
 TEST(ErrorBounds, BoundedNumbersHoldWhatTheyClaim) {
-  Worst sum, product, quotient, root;
+  Worst sum, product, quotient;
   for (int item = 0; item < 5000; ++item) {
     Draw draw(71, item);
     // Two numbers of 106 bits with an error of their own.

@@ -112,8 +112,8 @@ bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     return s * sign >= 0 && s * sign <= det * sign && t * sign >= 0 && t * sign <= det * sign;
   }
   if (cross(u, w) != 0) return false;
-  const double low = std::min(0.0, u.dot(u)), c_at = u.dot(w), d_at = u.dot(Vec2(d - a));
-  return std::max(c_at, d_at) >= low && std::min(c_at, d_at) <= u.dot(u);
+  const double c_at = u.dot(w), d_at = u.dot(Vec2(d - a));  // along u, in units of 1 / |u|
+  return std::max(c_at, d_at) >= 0 && std::min(c_at, d_at) <= u.dot(u);
 }
 
 TEST(CrossingEdges, AgreesWithEveryPairOnTheGrid) {

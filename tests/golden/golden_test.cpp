@@ -1,3 +1,4 @@
+// needs: shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment formats/obj
 #include "app/golden.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +45,9 @@ TEST_F(Goldens, AreDrawnAgainExactly) {
 TEST_F(Goldens, EveryOneFailsAgainstEveryOther) {
   for (const Committed& a : goldens_)
     for (const Committed& b : goldens_)
-      if (&a != &b)
+      if (&a != &b) {
         EXPECT_FALSE(judge(a.image, b.image).passes()) << a.row.file() << ' ' << b.row.file();
+      }
 }
 
 TEST_F(Goldens, OneLevelInOneChannelOfOnePixelIsDetected) {

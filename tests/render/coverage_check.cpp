@@ -24,10 +24,10 @@ std::uint64_t option(int argc, char** argv, const char* name, std::uint64_t fall
 int main(int argc, char** argv) {
   const std::uint64_t count = option(argc, argv, "--count", 700);
   const std::uint64_t seed = option(argc, argv, "--seed", 1);
-  const std::uint64_t each = (count + kFamilies.size() - 1) / kFamilies.size();
   std::array<Tally, kFamilies.size()> tallies;
-  parallel_for(kFamilies.size(), hardware_threads(),
-               [&](std::size_t i) { tallies[i] = run_family(kFamilies[i], seed, each, 10); });
+  parallel_for(kFamilies.size(), hardware_threads(), [&](std::size_t i) {
+    tallies[i] = run_family(kFamilies[i], seed, share_of(kFamilies[i], count), 10);
+  });
   bool right = true;
   for (std::size_t i = 0; i < kFamilies.size(); ++i) {
     fmt::print("{}\n", line(kFamilies[i], tallies[i]));

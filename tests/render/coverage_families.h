@@ -10,6 +10,7 @@
 #include "geom/predicates.h"
 #include "oracle/exact_coverage.h"
 #include "render/coverage_scan.h"
+#include "render/select_kernels.h"
 
 namespace flatray::coverage_check {
 
@@ -19,14 +20,20 @@ struct Region {
   std::vector<std::vector<Vec2>> pieces;
 };
 
-enum class Family { random, sliver, decimal, corner, far, overlap, even_odd };
-inline constexpr std::array kFamilies{Family::random,  Family::sliver, Family::decimal,
-                                      Family::corner,  Family::far,    Family::overlap,
-                                      Family::even_odd};
+enum class Family { random, sliver, decimal, corner, far, overlap, even_odd, deep };
+inline constexpr std::array kFamilies{Family::random,   Family::sliver, Family::decimal,
+                                      Family::corner,   Family::far,    Family::overlap,
+                                      Family::even_odd, Family::deep};
 inline const char* name(Family family) {
-  constexpr std::array kNames{"random", "sliver",  "decimal", "corner",
-                              "far",    "overlap", "even_odd"};
+  constexpr std::array kNames{"random", "sliver",  "decimal",  "corner",
+                              "far",    "overlap", "even_odd", "deep"};
   return kNames[static_cast<std::size_t>(family)];
+}
+
+/// Regions of a family among `count` of all: deep ones cost the oracle a hundred times the others.
+inline std::uint64_t share_of(Family family, std::uint64_t count) {
+  const std::uint64_t each = (count + kFamilies.size() - 1) / kFamilies.size();
+  return family == Family::deep ? (each + 99) / 100 : each;
 }
 
 inline constexpr PixelBox kFrame{0, 0, 9, 9};
@@ -125,9 +132,10 @@ inline Region make_region(Family family, std::uint64_t seed, std::uint64_t item)
   if (family == Family::even_odd) return crossing_region(draws);
   Region region;
   const bool reversed = draws.below(2) == 0;
-  const int pieces = family == Family::overlap ? 2 + draws.below(4) : 1;
-  const Family kind =
-      family == Family::overlap ? kFamilies[static_cast<std::size_t>(draws.below(5))] : family;
+  const int pieces = family == Family::overlap ? 2 + draws.below(4)
+                     : family == Family::deep  ? 9 + draws.below(4)
+                                               : 1;
+  const Family kind = pieces > 1 ? kFamilies[static_cast<std::size_t>(draws.below(5))] : family;
   for (int i = 0; i < pieces; ++i) {
     region.pieces.push_back(convex(kind, draws));
     add_ring(region.pieces.back(), reversed, region.path);
@@ -210,7 +218,7 @@ inline Tally run_family(Family family, std::uint64_t seed, std::uint64_t count,
     if (item % audit_every != 0) continue;
     RatioAudit audit(tally);
     RunList runs;
-    AreaScan().scan(region.path, nullptr, kFrame, runs, &audit);
+    AreaScan(span_kernels(active_isa())).scan(region.path, nullptr, kFrame, runs, &audit);
   }
   return tally;
 }

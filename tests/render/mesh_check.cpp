@@ -6,6 +6,8 @@
 //
 // Passes (exit 0) when no pixel inside differs from the fill and every pixel's coverage is within
 // 1/256.
+#include <fmt/core.h>
+
 #include <bitset>
 #include <cmath>
 #include <cstdio>

@@ -136,5 +136,32 @@ TEST(SpanKernels, EveryTierGivesThePortableBits) {
   }
 }
 
+TEST(SpanKernels, ColumnsOfEdgesAreThoseOfEveryTierAndCertain) {
+  for (std::uint64_t round = 0; round < 200; ++round) {
+    Draws draws(37, round);
+    const double x0 = draws.unit() * 40 - 10, x1 = round % 3 ? draws.unit() * 40 - 10 : x0;
+    const double slope = (x1 - x0) / 19, error = round % 2 ? 1e-3 : 0;
+    const kernels::EdgeLine line{x0, 2, slope, std::min(x0, x1), std::max(x0, x1), error};
+    const std::size_t count = 1 + round % 20;
+    const double offset = round % 5 ? 0 : 0.5;
+    const auto columns = [&](Isa isa) {
+      std::vector<double> out(2 * (count + kernels::kSlack));
+      double* const column = out.data() + count + kernels::kSlack;
+      span_kernels(isa).edge_columns(line, 2, count, offset, out.data(), column);
+      std::vector<double> kept(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count));
+      kept.insert(kept.end(), column, column + count);
+      return kept;
+    };
+    const std::vector<double> expected = columns(Isa::portable);
+    for (const Isa isa : available_isas()) ASSERT_EQ(columns(isa), expected) << isa_name(isa);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = expected[i] + offset, column = expected[count + i];
+      ASSERT_EQ(expected[i], std::clamp(x0 + static_cast<double>(i) * slope, line.low, line.high));
+      const bool certain = std::floor(x - error) == std::floor(x + error) && x != std::floor(x);
+      ASSERT_EQ(column, certain ? std::floor(x) : kernels::kNoColumn);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace flatray

@@ -1,3 +1,4 @@
+// needs: shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment
 #include <gtest/gtest.h>
 
 #include "base/file.h"

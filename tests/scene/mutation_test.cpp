@@ -1,3 +1,4 @@
+// needs: shapes/polygon shapes/import formats/list formats/obj
 #include <gtest/gtest.h>
 
 #include "base/philox.h"

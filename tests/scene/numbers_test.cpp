@@ -1,3 +1,4 @@
+// needs: shapes/polygon shapes/segment
 #include "scene/numbers.h"
 
 #include <gtest/gtest.h>
@@ -119,41 +120,6 @@ TEST(StiffCases, E4TheLocaleChangesNothing) {
   std::locale::global(before);
   std::setlocale(LC_ALL, "C");
   RecordProperty("de_DE", german != nullptr ? "set" : "not installed, facet only");
-}
-
-TEST(StiffCases, A5IntegersThatNoDoubleHoldsAreWarnedOf) {
-  const LoadedScene got =
-      loaded(with_shape("segment = { from = [9007199254740992, 0], to = [9007199254740993, 0] }"));
-  ASSERT_EQ(got.warnings.size(), 2u);
-  EXPECT_EQ(got.warnings[1].message, "9007199254740993 reads as 9007199254740992");
-  EXPECT_EQ(got.warnings[0].message,
-            "(9007199254740992, 0) and (9007199254740993, 0) read as the same point");
-  EXPECT_EQ(got.scene.shapes[0].circles.size(), 1u);  // the point it has become
-}
-
-TEST(StiffCases, A5CornersThatReadAsOneAreWarnedOfAndLeaveASegment) {
-  const LoadedScene got =
-      loaded(with_shape("polygon = { points = [[1e16, 0], [10000000000000001.0, 0], [1e16, 4]] }"));
-  bool told = false;
-  for (const Diagnostic& warning : got.warnings)
-    told =
-        told || warning.message == "(1e16, 0) and (10000000000000001.0, 0) read as the same point";
-  EXPECT_TRUE(told) << format(got.warnings, "warning");
-  const Shape& shape = got.scene.shapes[0];
-  EXPECT_EQ(shape.piece_count(), 0u);
-  ASSERT_EQ(shape.segments.size(), 1u);
-  EXPECT_EQ(shape.segments[0].b, Vec2(1e16, 4));
-}
-
-TEST(StiffCases, A5ABoxSoWrittenHasNoArea) {
-  EXPECT_NE(refusal(with_shape("box = { min = [1e16, 0], max = [10000000000000001, 1] }"))
-                .find("t.toml:4:17: error: box has no area"),
-            std::string::npos);
-}
-
-TEST(Numbers, VerticesWrittenAlikeAreNotWarnedOf) {
-  EXPECT_TRUE(loaded(with_shape("polygon = { points = [[0, 0], [1, 0], [1.0, 0e5], [0, 1]] }"))
-                  .warnings.empty());
 }
 
 }  // namespace

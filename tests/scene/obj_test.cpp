@@ -1,3 +1,4 @@
+// needs: shapes/import formats/obj
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -101,10 +102,6 @@ TEST(Obj, TwoDimensionalFilesCountFromZero) {
   EXPECT_FALSE(load_obj("v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "a.obj2d"));
 }
 
-struct Refused {
-  const char *text, *message;
-};
-
 TEST(Obj, MistakesHaveALineAndAColumn) {
   const Refused cases[] = {
       {"v 0 0\nv 1 x 0\n", "dir/part.obj:2:5: error: 'x' is no finite number"},
@@ -125,10 +122,7 @@ TEST(Obj, MistakesHaveALineAndAColumn) {
       {"", "the file holds no face or line"},
       {"v 0 0\n", "the file holds no face or line"},
   };
-  for (const auto& [text, message] : cases) {
-    const std::string shown = obj_refusal(text);
-    EXPECT_NE(shown.find(message), std::string::npos) << text << shown;
-  }
+  expect_refused(cases, obj_refusal);
 }
 
 TEST(Obj, AtMostTwentyMistakesAreTold) {

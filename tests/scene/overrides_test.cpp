@@ -1,3 +1,4 @@
+// needs: shapes/circle formats/list
 #include <gtest/gtest.h>
 
 #include "scene_text.h"
@@ -42,12 +43,12 @@ TEST(Overrides, WorkOnEveryFormat) {
   EXPECT_EQ(list->scene.fps, 5);
 }
 
-struct Refused {
+struct RefusedKey {
   const char *key, *value, *message;
 };
 
 TEST(Overrides, MistakesAreUsageErrorsThatNameTheKey) {
-  const Refused cases[] = {
+  const RefusedKey cases[] = {
       {"film.sise", "[1, 2]",
        "-D film.sise:1:6: error: unknown key 'sise' of film (did you mean 'size'?)"},
       {"film.size", "[1, 0]", "-D film.size:1:17: error: film.size[1] is 0"},

@@ -1,4 +1,7 @@
 #pragma once
+#include <gtest/gtest.h>
+
+#include <span>
 #include <string>
 
 #include "base/check.h"
@@ -26,6 +29,20 @@ inline std::string refusal(std::string text, const std::vector<Override>& overri
 /// A scene of one entity of a shape.
 inline std::string with_shape(const std::string& shape) {
   return "flatray = 1\n[[entity]]\nname = \"e\"\nshape = { " + shape + " }\n";
+}
+
+/// A text and a part of what the user reads when it is refused.
+struct Refused {
+  std::string text, message;
+};
+
+/// Every text is refused so; `show` gives what the user reads of one.
+template <class Show>
+void expect_refused(std::span<const Refused> cases, const Show& show) {
+  for (const auto& [text, message] : cases) {
+    const std::string shown = show(text);
+    EXPECT_NE(shown.find(message), std::string::npos) << text << "\n" << shown;
+  }
 }
 
 }  // namespace flatray

@@ -65,17 +65,44 @@ struct Placing {
   double scale;
   Vec2 offset;
 };
-class Leaks : public testing::TestWithParam<Placing> {};
+class LeaksAt : public testing::TestWithParam<Placing> {};
 
-TEST_P(Leaks, NoneInAPentagon) {
+TEST_P(LeaksAt, NoneInAPentagon) {
   expect_no_leak(placed(kPentagon, GetParam().scale, GetParam().offset), 2'500);
 }
-TEST_P(Leaks, NoneInANeedle) {
+TEST_P(LeaksAt, NoneInANeedle) {
   expect_no_leak(placed(kNeedle, GetParam().scale, GetParam().offset), 500);
 }
-INSTANTIATE_TEST_SUITE_P(AtEveryScale, Leaks,
+INSTANTIATE_TEST_SUITE_P(EveryScale, LeaksAt,
                          testing::Values(Placing{1, {0, 0}}, Placing{1, {1e6, -1e6}},
                                          Placing{1e-5, {0, 0}}, Placing{1e15, {0, 0}}));
+
+// Rays that pass a corner at half an ulp and less: near (1.5, 1.25) doubles lie 2^-52 apart, and
+// the rays reach it, after one length of their direction, a whole number of 2^-53 beside it.
+TEST(Leaks, NoneAtFractionsOfAnUlpFromACorner) {
+  const Vec2 corner(1.5, 1.25);
+  for (const Vec2& next : {Vec2{0.25, 1.5}, Vec2{0.75, 0.875}, Vec2{-1, 1.0625}, Vec2{1.25, 1.5}}) {
+    const std::vector<Vec2> vertices = {corner, next, {-2, -1}, {0.5, -1.5}};
+    const Surfaces walls = ring(vertices);
+    std::vector<Ray> rays;
+    for (const Vec2& way : {Vec2{0.75, 0.875}, Vec2{0.5, 0.625}, Vec2{0.5, 0.5}, Vec2{0.625, 0.75}})
+      for (int i = -7; i <= 7; ++i)
+        for (int j = -7; j <= 7; ++j)
+          if (inside_closed(vertices, corner - way))
+            rays.push_back({corner - way, way + 0x1p-53 * Vec2(i, j)});
+    ASSERT_FALSE(rays.empty());
+    const std::vector<Orbit> orbits = trace_orbits(walls, all_mirrors(walls), rays, 20);
+    int corners = 0, aimed = 0;
+    for (std::size_t i = 0; i < orbits.size(); ++i) {
+      corners += orbits[i].end == OrbitEnd::corner ? 1 : 0;
+      aimed += side_of_ray(rays[i], corner) == Sign::zero ? 1 : 0;
+      ASSERT_NE(orbits[i].end, OrbitEnd::escape) << "ray " << i;
+      for (const Bounce& bounce : orbits[i].bounces)
+        ASSERT_TRUE(inside_closed(vertices, bounce.point)) << "ray " << i;
+    }
+    EXPECT_EQ(corners, aimed);  // no other ray was rounded into the corner
+  }
+}
 
 // C12: the distance of every chord from the centre is that of the first.
 TEST(CircleOrbit, KeepsItsChordAndStaysInside) {

@@ -92,7 +92,11 @@ class Bands {
 // Draws bands one after another; its room is kept from one to the next.
 class BandPainter {
  public:
-  explicit BandPainter(const DrawList& list) : list_(list), kernels_(span_kernels(active_isa())) {}
+  explicit BandPainter(const DrawList& list)
+      : list_(list),
+        kernels_(span_kernels(active_isa())),
+        area_scan_(kernels_),
+        centre_scan_(kernels_) {}
 
   const Tile& paint(const PixelBox& box, const std::vector<BandItem>& items) {
     tile_.width = box.width;
@@ -110,14 +114,14 @@ class BandPainter {
   void draw(const BandItem& band_item, const PixelBox& box) {
     const DrawItem& item = list_.items[band_item.item];
     runs_.clear();
-    CoverageStats stats;
     if (const FillPath* path = std::get_if<FillPath>(&item.region)) {
       const auto* chosen = path->edges.size() > kFewEdges ? &band_item.edges : nullptr;
       if (list_.coverage == Coverage::area)
         area_scan_.scan(*path, chosen, box, runs_);
       else
-        scan_centres(*path, chosen, box, runs_, stats);
+        centre_scan_.scan(*path, chosen, box, runs_);
     } else {
+      CoverageStats stats;
       scan_ring(std::get<FillRing>(item.region), list_.coverage, box, runs_, stats);
     }
     const std::vector<Run>& runs = runs_.runs();
@@ -129,6 +133,7 @@ class BandPainter {
   const kernels::SpanKernels& kernels_;
   Tile tile_;
   AreaScan area_scan_;
+  CentreScan centre_scan_;
   RunList runs_;
 };
 

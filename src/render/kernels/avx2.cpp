@@ -7,11 +7,12 @@ namespace avx2 {
 namespace {
 
 typedef float Lanes __attribute__((vector_size(32)));
+typedef double Rows __attribute__((vector_size(32)));
 #include "render/kernels/span_kernels.inl"
 
 }  // namespace
 }  // namespace avx2
 
-const SpanKernels avx2_kernels = {&avx2::blend_runs, &avx2::fill};
+const SpanKernels avx2_kernels = {&avx2::blend_runs, &avx2::edge_columns, &avx2::fill};
 
 }  // namespace flatray::kernels

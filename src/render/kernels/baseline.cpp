@@ -7,11 +7,13 @@ namespace baseline {
 namespace {
 
 typedef float Lanes __attribute__((vector_size(16)));
+typedef double Rows __attribute__((vector_size(16)));
 #include "render/kernels/span_kernels.inl"
 
 }  // namespace
 }  // namespace baseline
 
-const SpanKernels baseline_kernels = {&baseline::blend_runs, &baseline::fill};
+const SpanKernels baseline_kernels = {&baseline::blend_runs, &baseline::edge_columns,
+                                      &baseline::fill};
 
 }  // namespace flatray::kernels

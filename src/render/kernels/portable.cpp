@@ -27,9 +27,30 @@ void blend_runs(const Target& target, const Run* runs, size_t count, const float
   }
 }
 
+// Rounds to the nearest integer while |v| < 2^51; larger ones are no columns.
+constexpr double kRounder = 0x1.8p52;
+
+double floor_of(double v) {
+  const double nearest = (v + kRounder) - kRounder;
+  return nearest - (nearest > v ? 1.0 : 0.0);
+}
+
+void edge_columns(const EdgeLine& edge, double y, size_t count, double offset, double* x,
+                  double* column) {
+  for (size_t i = 0; i < count; ++i) {
+    const double at = edge.x_ref + (y + (double)i - edge.y_ref) * edge.slope;
+    const double above = at > edge.low ? at : edge.low;
+    x[i] = above < edge.high ? above : edge.high;
+    const double v = x[i] + offset;
+    const double low = floor_of(v - edge.error), high = floor_of(v + edge.error);
+    column[i] = low == high && low != v ? low : kNoColumn;
+  }
+}
+
 }  // namespace
 }  // namespace portable
 
-const SpanKernels portable_kernels = {&portable::blend_runs, &portable::fill};
+const SpanKernels portable_kernels = {&portable::blend_runs, &portable::edge_columns,
+                                      &portable::fill};
 
 }  // namespace flatray::kernels

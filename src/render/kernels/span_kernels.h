@@ -27,9 +27,23 @@ struct Target {
   int32_t x, y, width;
 };
 
+/// Line x = x_ref + (y - y_ref) * slope, kept within [low, high]; x is right to `error`.
+struct EdgeLine {
+  double x_ref, y_ref, slope, low, high, error;
+};
+
+/// Where no column is certain: on a border between two, or within the error of one.
+constexpr double kNoColumn = 0x1p60;
+/// Entries beyond `count` a kernel may write.
+constexpr size_t kSlack = 7;
+
 struct SpanKernels {
   /// Lays a premultiplied colour over the runs: new = colour * share + old * (1 - alpha * share).
   void (*blend_runs)(const Target& target, const Run* runs, size_t count, const float* colour);
+  /// x of an edge at y, y + 1, ... (`count` of them) and floor(x + offset), or kNoColumn.
+  /// Needs room for count + kSlack entries.
+  void (*edge_columns)(const EdgeLine& edge, double y, size_t count, double offset, double* x,
+                       double* column);
   /// Sets `count` pixels.
   void (*fill)(float* rgba, size_t count, const float* colour);
 };

@@ -1,17 +1,18 @@
-// The kernels of one tier, included inside its namespace: `Lanes` is the tier's vector of floats.
+// The kernels of one tier, included inside its namespace: `Lanes` and `Rows` are the tier's vectors
+// of floats and doubles.
 
 typedef float Pixel __attribute__((vector_size(16)));
 constexpr size_t kPixels = sizeof(Lanes) / sizeof(Pixel);
 
 template <class Vector>
-static inline Vector load(const float* from) {
+static inline Vector load(const void* from) {
   Vector v;
   __builtin_memcpy(&v, from, sizeof v);
   return v;
 }
 
 template <class Vector>
-static inline void store(float* to, Vector v) {
+static inline void store(void* to, Vector v) {
   __builtin_memcpy(to, &v, sizeof v);
 }
 
@@ -47,5 +48,32 @@ static void blend_runs(const Target& target, const Run* runs, size_t count, cons
     }
     const float part = share(run->steps);
     blend(first, pixels, pixel * part, 1.0F - colour[3] * part);
+  }
+}
+
+// Rounds to the nearest integer while |v| < 2^51; larger ones are no columns.
+constexpr double kRounder = 0x1.8p52;
+constexpr size_t kRows = sizeof(Rows) / sizeof(double);
+static const double kIndex[] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+static inline Rows floor_of(Rows v) {
+  const Rows nearest = (v + kRounder) - kRounder;
+  return nearest > v ? nearest - 1.0 : nearest;
+}
+
+static void edge_columns(const EdgeLine& edge, double y, size_t count, double offset, double* x,
+                         double* column) {
+  const Rows none = load<Rows>(kIndex) * 0.0;
+  const Rows low_x = none + edge.low, high_x = none + edge.high;
+  for (size_t i = 0; i < count; i += kRows) {
+    const Rows row = load<Rows>(kIndex) + (double)i;
+    const Rows at = edge.x_ref + (y + row - edge.y_ref) * edge.slope;
+    const Rows above = at > low_x ? at : low_x;
+    const Rows inside = above < high_x ? above : high_x;
+    const Rows v = inside + offset;
+    const Rows low = floor_of(v - edge.error), high = floor_of(v + edge.error);
+    const Rows certain = low == high ? low : none + kNoColumn;
+    store(x + i, inside);
+    store(column + i, low == v ? none + kNoColumn : certain);
   }
 }

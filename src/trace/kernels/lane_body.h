@@ -107,7 +107,6 @@ void nearest(const Walls& walls, const Rays& rays, const Nearest& found) {
     for (int k = 0; k < walls.count; ++k) against(g, left, walls.ends + 4 * k, k, best);
     const Real unsure = choose(less(best.other, all(kInfinite)), all(kDoubtful), all(kNothing));
     store(found.slot + i, choose(less(best.high, best.other), best.slot, unsure));
-    store(found.high + i, best.high);
   }
 }
 

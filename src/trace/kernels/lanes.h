@@ -32,11 +32,10 @@ struct Walls {
   double low_x, low_y, high_x, high_y;  ///< box of all ends
 };
 
-/// By ray. slot >= 0: that segment is surely the first met, inside both ends, and at t > 0; `high`
-/// is not below that t. kNothing: none is met. kDoubtful: to be decided; if a segment is met, then
-/// some at t <= high.
+/// By ray: the slot of the segment that surely is the first met, between its ends and at t > 0;
+/// kNothing: surely none; kDoubtful: to be decided.
 struct Nearest {
-  double *slot, *high;
+  double* slot;
 };
 inline constexpr double kNothing = -1, kDoubtful = -2;
 

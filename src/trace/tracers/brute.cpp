@@ -57,11 +57,11 @@ void brute_nearest(const Surfaces& walls, const RayBatch& rays, std::span<Neares
   const lanes::Kernels& kernels = lane_kernels(isa);
   const lanes::Walls segments = lane_walls(walls);
   RayBlock block;
-  std::array<double, kRayBlock> slots, highs;
+  std::array<double, kRayBlock> slots;
   for (std::size_t begin = 0; begin < rays.size(); begin += kRayBlock) {
     const std::size_t count = block.load(rays, begin);
     for (std::size_t i = 0; i < count; ++i) block.left[i] = left_slot(walls, rays.left[begin + i]);
-    kernels.nearest(segments, block.lanes(), {slots.data(), highs.data()});
+    kernels.nearest(segments, block.lanes(), {slots.data()});
     for (std::size_t i = 0; i < count; ++i)
       hits[begin + i] = decide_ray(walls, rays, begin + i, slots[i]);
   }
