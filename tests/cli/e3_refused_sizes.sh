@@ -24,9 +24,9 @@ for size in '0, 5' '-1, 5' '2147483648, 1' '4294967297, 1' '65536, 65536' '1e9, 
   says err "size.toml:2:"
 done
 
-# A size on the command line replaces the scene's, however wrong that is; a -D is read as part of the scene.
+# A size on the command line replaces the scene's, however wrong that is; a -D is the command line, too.
 run 0 render size.toml --size 5x5 -o five.png
-run 4 render box.toml -D 'film.size=[0,5]' -o x.png
+run 2 render box.toml -D 'film.size=[0,5]' -o x.png
 says err "film.size[0] is 0"
 
 # A limit of one's own, lower and higher.
