@@ -23,13 +23,15 @@ namespace fs = std::filesystem;
 // Frames are drawn side by side as long as their pictures together stay under this.
 constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
+// What one picture takes at its peak, for pixels that do not compress.
 std::uint64_t bytes_of_frame(const RenderJob& job) {
+  constexpr std::uint64_t kPngBytes = 3 + 3 + 3;  // picture, filtered, compressed
+  constexpr std::uint64_t kHdrBytes =
+      12 + 12 + 12;  // picture, without what RGBE lacks, growing file
   const PixelBox box = job.picture();
-  const auto pixels =
+  const std::uint64_t pixels =
       static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-  // PNG: the picture, its filtered copy, the compressed bytes at worst; HDR: three floats, then
-  // four bytes.
-  return pixels * (job.output.format() == PictureFormat::png ? 3 * 3 : 12 + 4);
+  return pixels * (job.output.format() == PictureFormat::png ? kPngBytes : kHdrBytes);
 }
 
 // One drawn picture, encoded, with what its record says of it.

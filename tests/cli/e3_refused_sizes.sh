@@ -2,7 +2,7 @@
 # Sizes no picture can have are refused before anything is allocated: exit 2 on the command line, 4 in a scene.
 source "$(dirname "$0")/lib.sh"
 scene box.toml 1
-ulimit -v 4000000 2> /dev/null  # KiB: a picture of these sizes would not fit
+limit_memory 1000000  # a picture of these sizes would not fit
 
 refuse() {  # refuse SIZE TEXT
   run 2 render box.toml --size "$1" -o x.png
@@ -23,6 +23,11 @@ for size in '0, 5' '-1, 5' '2147483648, 1' '4294967297, 1' '65536, 65536' '1e9, 
   run 4 render size.toml -o x.png
   says err "size.toml:2:"
 done
+
+# A size on the command line replaces the scene's, however wrong that is; a -D is the command line, too.
+run 0 render size.toml --size 5x5 -o five.png
+run 2 render box.toml -D 'film.size=[0,5]' -o x.png
+says err "film.size[0] is 0"
 
 # A limit of one's own, lower and higher.
 run 2 render box.toml --size 11x10 --max-pixels 100 -o x.png

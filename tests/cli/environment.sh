@@ -18,7 +18,7 @@ FLATRAY_QUIET=perhaps run 2 render box.toml -o bad.png
 says err "neither yes nor no"
 
 # No decimal comma, whatever the locale; no colours, no bar without a terminal.
-LC_ALL=de_DE.UTF-8 run 0 render box.toml -o de.png
+env LC_ALL=de_DE.UTF-8 "$flatray" render box.toml -o de.png --quiet || fail "another locale"
 cmp -s de.png scene.png || fail "the locale changed the picture"
 scene long.toml 8
 run 0 render long.toml --progress always

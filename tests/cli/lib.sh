@@ -1,8 +1,10 @@
 # Sourced by every test here as: source "$(dirname "$0")/lib.sh"
-# Arguments of the test: the flatray binary and the root of the project. It runs in an empty folder that goes away.
+# Arguments of the test: the flatray binary, the root of the project, the sanitizers of the build. It runs in an empty
+# folder that goes away.
 set -u
 flatray=$1
 root=$2
+sanitizers=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 unset "${!FLATRAY_@}" 2> /dev/null
 work=$(mktemp -d)
@@ -33,6 +35,9 @@ says() {
   sed 's/^/    /' "$work/$1.txt" | head -8
 }
 silent() { [[ ! -s $work/$1.txt ]] || fail "std$1 is not empty: $(head -1 "$work/$1.txt")"; }
+
+# limit_memory KIB: of what is run from here on. Sanitizers map more than any limit allows.
+limit_memory() { [[ -n $sanitizers ]] || ulimit -v "$1"; }
 
 # same A B WHAT: two folders hold the same pictures, byte for byte, and at least one.
 same() {
