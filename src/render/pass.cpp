@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "image/srgb.h"
-#include "render/outline.h"
 #include "render/stroke.h"
+#include "scene/outline.h"
 
 namespace flatray {
 
@@ -29,22 +29,16 @@ LinearColour linear(const Colour& colour) {
           static_cast<float>(colour.a) / 255.0F};
 }
 
-// Outlines of all pieces in film coordinates. The film's y points down, so a piece that runs
-// counter-clockwise in the world is walked backwards: its winding stays +1.
+// The outline in film coordinates. The film's y points down, so what runs counter-clockwise in the
+// world is walked backwards: its winding stays +1.
 std::vector<Segment> film_edges(const Shape& shape, const Pose& world_from_shape,
                                 const FilmTransform& film_from_world) {
-  std::vector<Vec2> film;
-  film.reserve(shape.vertices.size());
-  for (const Vec2& vertex : shape.vertices)
-    film.push_back(film_from_world(world_from_shape(vertex)));
+  const auto film = [&](std::uint32_t vertex) {
+    return film_from_world(world_from_shape(shape.vertices[vertex]));
+  };
   std::vector<Segment> edges;
-  edges.reserve(film.size());
-  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    const std::size_t begin = shape.begin[piece], end = shape.begin[piece + 1];
-    for (std::size_t i = begin; i < end; ++i)
-      edges.push_back({film[i + 1 < end ? i + 1 : begin], film[i]});
-  }
-  return shape.piece_count() > 1 ? cancel_edges(std::move(edges)) : edges;
+  for (const OutlineEdge& edge : outline(shape)) edges.push_back({film(edge.to), film(edge.from)});
+  return edges;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "geom/outline.h"
 #include "render/coverage_families.h"
-#include "render/outline.h"
 
 namespace flatray {
 namespace {
@@ -9,6 +9,12 @@ namespace {
 bool same(const std::vector<Segment>& a, const std::vector<Segment>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Segment& p, const Segment& q) { return p.a == q.a && p.b == q.b; });
+}
+
+std::vector<Segment> cancel_edges(const std::vector<Segment>& edges) {
+  std::vector<Segment> left;
+  for (const std::uint32_t i : outline_edges(edges)) left.push_back(edges[i]);
+  return left;
 }
 
 TEST(Outline, OppositeEdgesCancelAndTheRestKeepsItsOrder) {

@@ -61,10 +61,9 @@ Table bounce_table(const Scene& scene, const World& world, const std::string& ra
   unsigned number = 0;
   for (const Bounce& bounce : orbit.bounces) {
     const Named wall = named(scene, world.owners[bounce.surface]);
-    // Adding 0 takes the sign off a zero.
     table.rows.push_back({ray, ++number, bounce.t, bounce.path_length, bounce.point.x(),
-                          bounce.point.y(), wall.object, wall.edge, bounce.normal.x() + 0.0,
-                          bounce.normal.y() + 0.0, bounce.incidence * kDegreesInRadian});
+                          bounce.point.y(), wall.object, wall.edge, bounce.normal.x(),
+                          bounce.normal.y(), bounce.incidence * kDegreesInRadian});
   }
   return table;
 }

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "geom/cyrus_beck.h"
 #include "render/pass.h"
+#include "scene/outline.h"
 #include "trace/hit_intervals.h"
 
 namespace flatray {
@@ -23,17 +26,14 @@ InWorld in_world(const DrawContext& context, std::uint32_t entity) {
           entity_pose(context.state, entity)};
 }
 
-// Outline edges, cuts between pieces left out, as rays whose t = 1 is the edge's end.
+// Outline edges as rays whose t = 1 is the edge's end.
 std::vector<Ray> outline_rays(const InWorld& thing) {
   std::vector<Ray> rays;
   const Shape& shape = thing.shape;
-  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece)
-    for (std::size_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i) {
-      if (shape.edges[i] == kNoEdge) continue;
-      const std::size_t next = i + 1 < shape.begin[piece + 1] ? i + 1 : shape.begin[piece];
-      const Vec2 a = thing.pose(shape.vertices[i]);
-      rays.push_back({a, thing.pose(shape.vertices[next]) - a});
-    }
+  for (const OutlineEdge& edge : outline(shape)) {
+    const Vec2 a = thing.pose(shape.vertices[edge.from]);
+    rays.push_back({a, thing.pose(shape.vertices[edge.to]) - a});
+  }
   for (const Segment& segment : shape.segments) {
     const Vec2 a = thing.pose(segment.a);
     rays.push_back({a, thing.pose(segment.b) - a});
@@ -46,44 +46,54 @@ struct Found {
   std::vector<Segment> inside;
   std::vector<Vec2> enter, exit;
 
-  void add(const Ray& ray, const HitInterval& hit, bool enters, bool exits) {
-    const Vec2 a = ray.origin + hit.t_enter * ray.direction;
-    const Vec2 b = ray.origin + hit.t_exit * ray.direction;
+  void add(const Ray& ray, const Range& part) {
+    const Vec2 a = ray.origin + part.low * ray.direction,
+               b = ray.origin + part.high * ray.direction;
     inside.push_back({a, b});
-    if (enters) enter.push_back(a);
-    if (exits) exit.push_back(b);
+    if (part.low > 0) enter.push_back(a);
+    if (part.high < 1) exit.push_back(b);
   }
 };
 
-// A ray that crosses a cut between two pieces neither enters nor leaves there.
-void clip_piece(std::span<const Ray> rays, const InWorld& against, std::size_t piece,
-                Found& found) {
-  const Shape& shape = against.shape;
-  const std::size_t begin = shape.begin[piece];
-  std::vector<Vec2> vertices;
-  for (std::size_t i = begin; i < shape.begin[piece + 1]; ++i)
-    vertices.push_back(against.pose(shape.vertices[i]));
-  const auto is_outline = [&](int edge) {
-    return edge != kNoEdge && shape.edges[begin + static_cast<std::size_t>(edge)] != kNoEdge;
-  };
-  RayBatch batch;
-  for (const Ray& ray : rays) batch.add(ray);
-  std::vector<HitInterval> hits(rays.size());
-  clip_convex_batch(batch, vertices, kSegment, hits);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    if (hits[i])
-      found.add(rays[i], hits[i], is_outline(hits[i].edge_enter), is_outline(hits[i].edge_exit));
+// Where pieces meet in an edge, one interval ends at the very t the next begins with: each is the
+// double nearest to the same number.
+std::vector<Range> united(std::vector<Range> parts) {
+  std::sort(parts.begin(), parts.end(),
+            [](const Range& a, const Range& b) { return a.low < b.low; });
+  std::vector<Range> whole;
+  for (const Range& part : parts)
+    if (!whole.empty() && part.low <= whole.back().high)
+      whole.back().high = std::max(whole.back().high, part.high);
+    else
+      whole.push_back(part);
+  return whole;
 }
 
 Found clip_all(std::span<const Ray> rays, const InWorld& against) {
+  RayBatch batch;
+  for (const Ray& ray : rays) batch.add(ray);
+  std::vector<std::vector<Range>> parts(rays.size());
+  std::vector<HitInterval> hits(rays.size());
+  const auto keep = [&] {
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      if (hits[i]) parts[i].push_back({hits[i].t_enter, hits[i].t_exit});
+  };
+  const Shape& shape = against.shape;
+  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
+    std::vector<Vec2> vertices;
+    for (std::size_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i)
+      vertices.push_back(against.pose(shape.vertices[i]));
+    clip_convex_batch(batch, vertices, kSegment, hits);
+    keep();
+  }
+  for (const Circle& circle : shape.circles) {
+    const Circle there{against.pose(circle.centre), circle.radius};
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = clip_circle(rays[i], there, kSegment);
+    keep();
+  }
   Found found;
-  for (std::size_t piece = 0; piece < against.shape.piece_count(); ++piece)
-    clip_piece(rays, against, piece, found);
-  for (const Circle& circle : against.shape.circles)
-    for (const Ray& ray : rays)
-      if (const HitInterval hit =
-              clip_circle(ray, {against.pose(circle.centre), circle.radius}, kSegment))
-        found.add(ray, hit, hit.t_enter > 0, hit.t_exit < 1);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (const Range& part : united(std::move(parts[i]))) found.add(rays[i], part);
   return found;
 }
 

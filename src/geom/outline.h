@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geom/ray.h"
@@ -8,8 +10,8 @@ namespace flatray {
 /// Edges left when every pair a -> b, b -> a of bit-equal ends has cancelled: the outline of a
 /// mesh. Of n edges one way and m < n the other way n - m stay; edges without length are dropped.
 ///
-/// Gives   what is left in the order it came.
+/// Gives   the numbers of those left, ascending.
 /// Cost    O(n) expected; some 100 ns an edge.
-std::vector<Segment> cancel_edges(std::vector<Segment> edges);
+std::vector<std::uint32_t> outline_edges(std::span<const Segment> edges);
 
 }  // namespace flatray

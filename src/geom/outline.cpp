@@ -1,8 +1,7 @@
-#include "render/outline.h"
+#include "geom/outline.h"
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
 
 namespace flatray {
 namespace {
@@ -32,7 +31,7 @@ class Standing {
 
   // Takes the newest edge that runs against `edges[index]` out of its chain, or adds the edge to
   // it.
-  std::uint32_t cancel_or_add(const std::vector<Segment>& edges, std::uint32_t index) {
+  std::uint32_t cancel_or_add(std::span<const Segment> edges, std::uint32_t index) {
     const Segment& edge = edges[index];
     std::uint32_t* link = &heads_[mixed(edge) & (heads_.size() - 1)];
     std::uint32_t* const head = link;
@@ -54,19 +53,19 @@ class Standing {
 
 }  // namespace
 
-std::vector<Segment> cancel_edges(std::vector<Segment> edges) {
-  std::erase_if(edges, [](const Segment& e) { return same(e.a, e.b); });
+std::vector<std::uint32_t> outline_edges(std::span<const Segment> edges) {
   Standing standing(edges.size());
   std::vector<bool> gone(edges.size(), false);
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    gone[i] = same(edges[i].a, edges[i].b);
+    if (gone[i]) continue;
     const std::uint32_t partner = standing.cancel_or_add(edges, i);
     if (partner != kNone) gone[i] = gone[partner] = true;
   }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if (!gone[i]) edges[kept++] = edges[i];
-  edges.resize(kept);
-  return edges;
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t i = 0; i < edges.size(); ++i)
+    if (!gone[i]) left.push_back(i);
+  return left;
 }
 
 }  // namespace flatray
