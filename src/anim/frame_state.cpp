@@ -22,6 +22,14 @@ std::optional<double> quarter_turns(double angle) {
   return std::nullopt;
 }
 
+// Kept where the scene's own coordinates must be; so written that a NaN is, too.
+Vec2 held(const Vec2& point) {
+  const auto within = [](double v) {
+    return v > -kFarthest ? (v < kFarthest ? v : kFarthest) : -kFarthest;
+  };
+  return {within(point.x()), within(point.y())};
+}
+
 void apply(const Look& look, EntityState& state) {
   if (look.shape) state.shape = *look.shape;
   if (look.fill) state.fill = look.fill;
@@ -38,11 +46,11 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
                     .stroke = entity.stroke,
                     .state = std::nullopt};
   if (!entity.markov) {
-    state.at += entity.velocity * time;
+    state.at = held(state.at + entity.velocity * time);
     return state;
   }
   const Timeline::MarkovFrame& walk = timeline.markov(index, frame);
-  state.at += walk.moved;
+  state.at = held(state.at + walk.moved);
   state.state = walk.state;
   state.sub_state = walk.sub_state;
   const auto& looks = entity.markov->looks;

@@ -62,7 +62,9 @@ Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {
   std::vector<Option> options(verb.options.begin(), verb.options.end());
   options.push_back(kHelp);
   Result<Arguments> arguments = parse_arguments(options, std::move(words), [](const char* name) {
-    return static_cast<const char*>(std::getenv(name));
+    // Help in the environment would turn every render into a success that draws nothing.
+    const bool asks_help = std::string_view(name) == "FLATRAY_HELP";
+    return asks_help ? nullptr : static_cast<const char*>(std::getenv(name));
   });
   if (!arguments || arguments->has("help")) return arguments;
   const std::size_t count = arguments->operands().size();
@@ -86,7 +88,7 @@ int run_verb(const Verb& verb, std::vector<std::string> words) {
 }
 
 int run_help(const std::vector<std::string>& words) {
-  if (words.size() < 2) return print(help_text(), 0);
+  if (words.size() < 2 || words[1] == "help") return print(help_text(), 0);
   const Verb* verb = find_verb(words[1]);
   if (verb == nullptr) return report_failure(unknown_verb(words[1]), "");
   return print(help_text(*verb), 0);

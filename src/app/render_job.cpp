@@ -144,13 +144,14 @@ Records still_valid(const Records& old, std::span<const RenderJob> jobs, bool re
                     unsigned threads) {
   std::vector<std::pair<const FrameRecord*, const RenderJob*>> candidates;
   Records kept;
-  for (const auto& [file, record] : old) {
+  for (const auto& entry : old) {  // clang 14 cannot capture structured bindings
+    const FrameRecord& record = entry.second;
     const auto job = std::find_if(jobs.begin(), jobs.end(),
                                   [&](const RenderJob& one) { return one.makes(record); });
     const bool same_scene = std::any_of(jobs.begin(), jobs.end(), [&](const RenderJob& one) {
       return one.fingerprint() == record.scene;
     });
-    if (job == jobs.end() && same_scene) kept[file] = record;
+    if (job == jobs.end() && same_scene) kept[entry.first] = record;
     if (job != jobs.end() && resume && record.scene == job->fingerprint())
       candidates.emplace_back(&record, &*job);
   }

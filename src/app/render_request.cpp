@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <numeric>
 #include <set>
 
 #include "app/option_values.h"
@@ -67,8 +68,9 @@ Result<void> check_places(const Arguments& arguments, const OutputPattern& outpu
 }
 
 Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& request, Scene scene) {
-  const std::vector<unsigned> frames =
-      request.frames ? *request.frames : *parse_frames(fmt::format("1..{}", scene.frames), {});
+  std::vector<unsigned> frames(scene.frames);
+  std::iota(frames.begin(), frames.end(), 1U);
+  if (request.frames) frames = *request.frames;
   const auto output = output_of(arguments, frames.size() > 1);
   if (!output) return tl::unexpected(output.error());
   if (auto fits = check_places(arguments, *output, frames.size()); !fits)

@@ -6,13 +6,18 @@
 #include "base/parallel.h"
 
 namespace flatray {
+namespace {
+
+constexpr std::uint64_t kMostSeed = ~std::uint64_t{0} >> 1;  // what a TOML integer holds
+
+}  // namespace
 
 Result<std::uint64_t> max_pixels(const Arguments& arguments) {
   return arguments.whole("max-pixels", LoadLimits{}.max_pixels, 1, kMostPixels);
 }
 
 Result<std::uint64_t> seed(const Arguments& arguments, const Scene& scene) {
-  return arguments.whole("seed", scene.seed, 0, ~std::uint64_t{0});
+  return arguments.whole("seed", scene.seed, 0, kMostSeed);
 }
 
 Result<unsigned> threads(const Arguments& arguments) {

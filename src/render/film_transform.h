@@ -13,11 +13,18 @@ class FilmTransform {
         scale_(film.width / state.window.size().x()) {}
 
   Vec2 operator()(const Vec2& world) const {
-    return {(world.x() - left_) * scale_, (top_ - world.y()) * scale_};
+    return {finite((world.x() - left_) * scale_), finite((top_ - world.y()) * scale_)};
   }
-  double scale() const { return scale_; }  ///< pixels in a world unit
+  double length(double world) const { return finite(world * scale_); }  ///< in pixels
 
  private:
+  // What lies farther off, up to where a window of 1e-300 puts a world of 1e300, is drawn as if it
+  // lay there; so written that a NaN is, too.
+  static double finite(double px) {
+    constexpr double kFarthest_px = 0x1p500;
+    return px > -kFarthest_px ? (px < kFarthest_px ? px : kFarthest_px) : -kFarthest_px;
+  }
+
   double left_, top_, scale_;
 };
 

@@ -73,7 +73,7 @@ std::vector<DrawItem> DrawContext::sorted_items() && {
 }
 
 double DrawContext::half_width_px(const Stroke& stroke) const {
-  return 0.5 * stroke.width * (stroke.in_pixels ? 1.0 : film_from_world.scale());
+  return 0.5 * (stroke.in_pixels ? stroke.width : film_from_world.length(stroke.width));
 }
 
 void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
@@ -82,8 +82,8 @@ void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
   std::vector<Segment> edges = film_edges(shape, world_from_shape, film_from_world);
   std::vector<Circle> circles;
   for (const Circle& circle : shape.circles)
-    circles.push_back({film_from_world(world_from_shape(circle.centre)),
-                       circle.radius * film_from_world.scale()});
+    circles.push_back(
+        {film_from_world(world_from_shape(circle.centre)), film_from_world.length(circle.radius)});
   std::vector<Segment> crossing;
   for (const std::vector<Vec2>& ring : shape.crossing_rings)
     for (std::size_t i = 0; i < ring.size(); ++i)

@@ -12,7 +12,7 @@ namespace {
 // Chords of a half circle that keep within the sagitta: r (1 - cos(angle / 2)) <= r angle^2 / 8.
 int half_circle_chords(double radius) {
   const double angle = std::sqrt(8 * kCapSagitta_px / radius);
-  return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / angle)), 4, 4096);
+  return static_cast<int>(std::clamp(std::ceil(std::numbers::pi / angle), 4.0, 4096.0));
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 namespace flatray {
 
-/// How far a flattened round cap or join lies inside the true circle, in pixels. Part of the
-/// picture's stated discretisation error; the straight sides of a stroke are exact.
+/// How far a flattened round cap or join lies inside the true circle, in pixels, for strokes up to
+/// 10^5 pixels wide; wider ones keep the chords of those. Part of the picture's stated
+/// discretisation error; the straight sides of a stroke are exact.
 inline constexpr double kCapSagitta_px = 1.0 / 256;
 
 /// Adds the outline of a line of the given half width around a segment, with round ends: one convex

@@ -10,7 +10,7 @@ namespace flatray {
 namespace {
 
 constexpr std::int64_t kVersion = 1;
-constexpr std::int64_t kMaxFrames = 1'000'000'000;
+constexpr std::int64_t kMaxFrames = 9'999'999;
 constexpr std::int64_t kMaxSeed = 0x7fffffffffffffff;  // what a TOML integer holds
 
 void read_version(Builder& builder, const Field& field, Scene&) {

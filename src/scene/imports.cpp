@@ -16,6 +16,10 @@ Result<SourcePtr> Imports::open(const std::string& file, const Place& where) {
     return fail(where, "this is no file name", R"(write file = "outline.obj")");
   if (const auto known = files_.find(file); known != files_.end()) return known->second;
   const fs::path path = fs::path(scene_->name()).parent_path() / file;
+  std::error_code missing;  // a pipe or device could keep the reader for ever
+  if (fs::exists(path, missing) && !fs::is_regular_file(path, missing))
+    return fail(where, fmt::format("'{}' is no regular file", file), "name an OBJ or list file",
+                Trouble::missing);
   // "-" is a file beside the scene here, never standard input.
   Result<std::string> text = read_file(path == "-" ? fs::path("./-") : path, max_file_bytes_);
   if (!text) {

@@ -6,7 +6,7 @@ namespace {
 
 constexpr Colour kRed{0xd6, 0x27, 0x28, 255}, kGreen{0x2c, 0xa0, 0x2c, 255},
     kBlue{0x1f, 0x77, 0xb4, 255}, kGrey{0x7f, 0x7f, 0x7f, 255};
-constexpr std::int64_t kMaxBounces = 1'000'000'000;
+constexpr std::int64_t kMaxBounces = 100'000;
 
 template <auto Pointer>
 void change_stroke(Builder& builder, const Field& field,

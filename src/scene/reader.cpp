@@ -111,7 +111,13 @@ std::optional<Vec2> Reader::point(const Field& field) {
   }
   const std::optional<double> x = number(field.item(0)), y = number(field.item(1));
   if (!x || !y) return std::nullopt;
-  return Vec2(*x, *y);
+  const Vec2 point(*x, *y);
+  if (point.cwiseAbs().maxCoeff() > kFarthest) {
+    problem(field.value.where, fmt::format("{} lies beyond 1e300", field.name),
+            "write numbers between -1e300 and 1e300");
+    return std::nullopt;
+  }
+  return point;
 }
 
 std::optional<std::string> Reader::string(const Field& field) {

@@ -26,6 +26,10 @@ struct Stroke {
 enum class Coverage { area, centre };
 enum class FillRule { nonzero, even_odd };
 
+/// Largest coordinate of a scene, an import or a frame: products and differences of any two stay
+/// finite where they are added, and what moves farther is held there.
+inline constexpr double kFarthest = 1e300;
+
 /// A shape in its own coordinates, made of primitives that stay what they are. Its pieces combine
 /// by union.
 ///

@@ -77,7 +77,7 @@ TEST(Obj, FacesWithoutAreaAndCrossingOnesAreCounted) {
   EXPECT_EQ(scene->scene.shapes[0].piece_count(), 1u);
   ASSERT_EQ(scene->warnings.size(), 2u);
   EXPECT_EQ(scene->warnings[0].message, "3 faces without area left out");
-  EXPECT_EQ(scene->warnings[1].message, "1 face that cross themselves left out");
+  EXPECT_EQ(scene->warnings[1].message, "1 face left out for edges that cross");
 }
 
 TEST(Obj, PolylinesAreSegments) {

@@ -46,7 +46,7 @@ Result<Values> write_files(const ExperimentResult& result, const std::filesystem
 }
 
 Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& experiment) {
-  constexpr std::uint64_t kMostTries = 1'000'000'000'000;
+  constexpr std::uint64_t kMostTries = std::uint64_t{1} << 32;
   const auto seeded = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
   if (!seeded) return tl::unexpected(seeded.error());
   const auto count = arguments.whole("count", 1'000'000, 1, kMostTries);

@@ -143,9 +143,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
       for (const std::uint32_t entity : question.against)
         for (HitReport& report : hit_reports(*scene, *state, ray, entity, question.within))
           reports.push_back(std::move(report));
-  if (reports.empty())
+  if (reports.empty() && !arguments.has("ray") && !arguments.has("from"))
     return usage_error(named_place("hit"), "there is no ray to ask about",
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
+  if (reports.empty())
+    return usage_error(named_place("hit"), "nothing here has a convex piece or a circle to hit",
+                       "segments and even-odd polygons are drawn only");
   return show(arguments, reports);
 }
 

@@ -113,14 +113,17 @@ Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, cons
 
 JsonValue orbit_value(const Scene& scene, const World& world, const RayPath& ray,
                       const Orbit& orbit) {
-  return Fields{{"ray", ray.name},
-                {"start", Values{orbit.start.x(), orbit.start.y()}},
-                {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
-                {"bounces", as_objects(bounce_table(scene, world, ray.name, orbit))},
-                {"end", name(orbit.end)},
-                {"out", Values{orbit.out.x(), orbit.out.y()}},
-                {"end_point", Values{orbit.end_point.x(), orbit.end_point.y()}},
-                {"end_walls", walls_text(scene, world, orbit)}};
+  const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
+  return Fields{
+      {"ray", ray.name},
+      {"start", Values{orbit.start.x(), orbit.start.y()}},
+      {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
+      {"bounces", as_objects(bounce_table(scene, world, ray.name, orbit))},
+      {"end", name(orbit.end)},
+      {"out", Values{orbit.out.x(), orbit.out.y()}},
+      {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
+                                     : JsonValue(nullptr)},
+      {"end_walls", walls_text(scene, world, orbit)}};
 }
 
 // What the three forms of output are made of, ray after ray.
@@ -139,7 +142,7 @@ struct Report {
 };
 
 Result<Report> follow(const Arguments& arguments, const Scene& scene) {
-  constexpr std::uint64_t kMostBounces = 1'000'000'000;
+  constexpr std::uint64_t kMostBounces = 10'000'000;
   const auto rays = chosen_rays(arguments, scene);
   if (!rays) return tl::unexpected(rays.error());
   const auto frame = frame_of(arguments, scene);

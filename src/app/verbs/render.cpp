@@ -32,7 +32,13 @@ Result<ProgressMode> progress_mode(const Arguments& arguments) {
   return *word == "always" ? ProgressMode::always : ProgressMode::automatic;
 }
 
-Result<VerbOutput> to_stdout(const RenderJob& job, unsigned threads) {
+Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, unsigned threads) {
+  if (arguments.has("json"))
+    return usage_error(arguments.where("json"), "standard output is taken by the picture",
+                       "leave out --json, or write to a file");
+  if (job.frames.empty())
+    return usage_error(arguments.where("shard"), "leaves no frame for standard output",
+                       "name a file, or leave out --shard");
   const auto bytes = picture_bytes(job, job.frames.front(), threads);
   return VerbOutput{std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
 }
@@ -48,7 +54,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!list) return tl::unexpected(list.error());
   if (arguments.has("dry-run")) return describe(arguments, *list);
   const RenderJob& first = jobs->front();
-  if (first.output.is_stdout()) return to_stdout(first, request->threads);
+  if (first.output.is_stdout()) return to_stdout(arguments, first, request->threads);
   catch_interrupts();
   return render_all(arguments, *list, *mode);
 }

@@ -17,7 +17,7 @@ bool lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
   for (Vec2& vertex : vertices) {
     if (options.centre) vertex -= origin;
     vertex *= options.scale;
-    finite = finite && vertex.allFinite();
+    finite = finite && vertex.cwiseAbs().maxCoeff() <= kFarthest;
   }
   return finite;
 }
@@ -84,7 +84,7 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const Place& file, Diagno
                         "z is dropped: faces seen edge-on have none"});
   if (maker.crossing > 0)
     warnings.push_back(
-        {file, plural(maker.crossing, "face") + " that cross themselves left out", ""});
+        {file, plural(maker.crossing, "face") + " left out for edges that cross", ""});
   std::string ignored;
   for (const std::string& record : obj.ignored) ignored += (ignored.empty() ? "" : ", ") + record;
   if (!ignored.empty()) warnings.push_back({file, ignored + " ignored", "v, f and l are read"});
@@ -96,7 +96,7 @@ Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
   if (!obj) return fail(std::move(obj));
   const Place file = named_place(source->name());
   if (!lay(obj->vertices, options))
-    return fail(file, "vertices are beyond the doubles", "choose a smaller scale");
+    return fail(file, "vertices lie beyond 1e300", "choose a smaller scale");
   ShapeMaker maker{*obj};
   maker.shape.vertices.reserve(obj->faces.corners.size());
   each(obj->faces, [&](auto corners) { maker.add_face(corners); });
