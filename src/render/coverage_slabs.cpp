@@ -41,13 +41,16 @@ class Slabs {
   }
 
  private:
+  // What lies beyond a piece flatter than its error no slab may see: for the windings it counts as
+  // a ghost. An edge through a corner of the pixel has such a piece.
   void measure_errors() {
     for (const Piece& p : pieces_) {
       error_ = std::max(error_, p.error);
       exact_ = exact_ && p.exact && !p.ghost;
-      ghosts_ += p.ghost ? 1 : 0;
     }
     near_ = 8 * error_ + 16 * kUlp;
+    for (const Piece& p : pieces_)
+      if (p.ghost || (p.error > 0 && p.y_bottom - p.y_top <= near_)) ++ghosts_;
   }
 
   void collect_cuts() {

@@ -205,6 +205,14 @@ TEST(StiffCases, B2TrianglesOnOneEdgeTileTheSquare) {
   }
 }
 
+// Found by coverage_check, seed 11: of two overlapping rings one edge passes 2e-17 from the lower
+// left corner of pixel (2, 8), where nothing else covers. Its piece there is clamped to no height.
+TEST(Coverage, ACornerCutOffByLessThanTheErrorLeavesItNotFull) {
+  FillPath path = ring_path({{-0.6, 2.2}, {-0.3, 2.1}, {6.9, 4.8}, {3.7, 9.1}, {0.3, 8.9}}, false);
+  add_ring({{0.5, 2.8}, {5.6, 4}, {7.9, 5.7}, {8.9, 9.5}, {0.5, 7.6}}, false, path);
+  EXPECT_EQ(steps_of(path, {2, 8, 1, 1}), Steps{kFullCoverage - 1});
+}
+
 TEST(Coverage, AVertexInsideACoveredPixelNeedsNoRationals) {
   // A pentagon's corner within a box: winding 1 and 2, never 0.
   FillPath path = ring_path({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, false);
