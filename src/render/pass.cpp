@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "geom/polygon.h"
 #include "image/srgb.h"
 #include "render/stroke.h"
 #include "scene/outline.h"
@@ -39,6 +40,13 @@ std::vector<Segment> film_edges(const Shape& shape, const Pose& world_from_shape
   std::vector<Segment> edges;
   for (const OutlineEdge& edge : outline(shape)) edges.push_back({film(edge.to), film(edge.from)});
   return edges;
+}
+
+// A convex ring may not be one after its corners were rounded to the film.
+bool still_convex(const std::vector<Segment>& ring) {
+  std::vector<Vec2> corners;
+  for (const Segment& edge : ring) corners.push_back(edge.a);
+  return !non_convex_vertex(corners);
 }
 
 }  // namespace
@@ -91,7 +99,9 @@ void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
                           film_from_world(world_from_shape(ring[(i + 1) % ring.size()]))});
   if (fill) {
     const LinearColour colour = linear(*fill);
-    if (!edges.empty()) add({FillPath{edges, FillRule::nonzero, shape.piece_count() == 1}, colour});
+    if (!edges.empty())
+      add({FillPath{edges, FillRule::nonzero, shape.piece_count() == 1 && still_convex(edges)},
+           colour});
     if (!crossing.empty()) add({FillPath{crossing, FillRule::even_odd, false}, colour});
     for (const Circle& circle : circles) add({FillRing{circle.centre, circle.radius}, colour});
   }

@@ -35,8 +35,6 @@ void read_world(Builder& builder, const Field& field, Film& film) {
   if (!(size.x() > 0 && size.y() > 0))
     return builder.in.problem(field.value.where, field.name + " has no area",
                               "the first point must lie below and left of the second");
-  if (!size.allFinite())
-    return builder.in.problem(field.value.where, field.name + " is wider than the doubles", "");
   film.world = Bounds{*low, *high};
 }
 

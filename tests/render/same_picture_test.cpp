@@ -150,5 +150,57 @@ TEST(StiffCases, E1EmptySceneIsBackgroundOnly) {
   }
 }
 
+// Found by a hostile scene: film coordinates overflowed into the rationals.
+TEST(Film, CoordinatesBeyondTheDoublesAreDrawnAsFarAsDoublesGo) {
+  const Image image = picture(R"(flatray = 1
+film = { size = [8, 8], world = [[0, 0], [1e-300, 1e-300]] }
+[[entity]]
+shape = { convex = { points = [[0, 0], [1e300, 0], [1e300, 1e300], [0, 1e300]] } }
+fill = "#ff0000"
+stroke = { width = 1e300, colour = "#00ff00" }
+[[entity]]
+shape = { circle = { radius = 1e308 } }
+fill = "#0000ff"
+velocity = [1e300, -1e300]
+)");
+  ASSERT_EQ(image.pixels.size(), 8U * 8 * 3);
+  EXPECT_EQ(image.at(4, 4)[2], 0xff);  // the disc lies over the rest
+}
+
+TEST(EdgeRays, PiecesThatShareAnEdgeAreOneInside) {
+  // An arrow of two convex pieces; the level ray passes through both.
+  const std::string text = R"(flatray = 1
+film = { size = [96, 64], world = [[0, 0], [24, 16]] }
+[[entity]]
+name = "arrow"
+shape = { polygon = { points = [[4, 6], [12, 6], [12, 3], [20, 8], [12, 13], [12, 10], [4, 10]] } }
+fill = "#ffffff"
+[[entity]]
+name = "ray"
+shape = { segment = { from = [1, 8], to = [23, 8] } }
+stroke = { width = 0.01, colour = "#ffffff" }
+[[edge_rays]]
+from = "ray"
+against = "arrow"
+stroke = { width = 0.25, colour = "#000000" }
+inside = "#0000ff"
+enter = "#00ff00"
+exit = "#ff0000"
+)";
+  const Image image = picture(text);
+  const auto count = [&](std::uint8_t r, std::uint8_t g, std::uint8_t b) {
+    int pixels = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3)
+      pixels +=
+          image.pixels[i] == r && image.pixels[i + 1] == g && image.pixels[i + 2] == b ? 1 : 0;
+    return pixels;
+  };
+  EXPECT_GT(count(0, 0, 255), 0);
+  // One disc of radius 4 * 0.5 px each: an entering and an exiting one, none where the pieces meet.
+  EXPECT_GT(count(0, 255, 0), 0);
+  EXPECT_LT(count(0, 255, 0), 13);
+  EXPECT_EQ(count(0, 255, 0), count(255, 0, 0));
+}
+
 }  // namespace
 }  // namespace flatray

@@ -246,7 +246,7 @@ TEST(SceneKeys, WrongValuesAreRefused) {
       {"seed = -1", "2:8: error: seed is -1"},
       {"film = 3", "2:8: error: film is a number, not a table"},
       {"film = { world = [[0, 0], [0, 1]] }", "2:18: error: film.world has no area"},
-      {"film = { world = [[-1e308, 0], [1e308, 1]] }", "2:18: error: film.world is wider"},
+      {"film = { world = [[-1e308, 0], [1e308, 1]] }", "2:19: error: film.world[0] lies beyond 1e300"},
       {"film = { background = \"red\" }", "2:23: error: film.background 'red' is no colour"},
       {"film = { background = \"#12345g\" }",
        "2:23: error: film.background '#12345g' is no colour"},

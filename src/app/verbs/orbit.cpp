@@ -122,7 +122,7 @@ JsonValue orbit_value(const Scene& scene, const World& world, const RayPath& ray
       {"end", name(orbit.end)},
       {"out", Values{orbit.out.x(), orbit.out.y()}},
       {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
-                                     : JsonValue(nullptr)},
+                                     : JsonValue()},
       {"end_walls", walls_text(scene, world, orbit)}};
 }
 
