@@ -35,7 +35,7 @@ static unsigned char* deflate_for_stb(unsigned char* data, int size, int* packed
 namespace flatray {
 namespace {
 
-// Every row the difference to the row above: docs/adr/0009-png-writer.md. Set before main, only
+// Every row the difference to the row above: docs/adr/0007-png-writer.md. Set before main, only
 // read later.
 [[maybe_unused]] const int kRowFilter = stbi_write_force_png_filter = 2;
 
