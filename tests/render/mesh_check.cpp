@@ -144,7 +144,7 @@ int check(const std::string& path, const std::string& size) {
                             static_cast<std::size_t>(x);
       const double expected = buckets[i].empty() ? 0.0 : reference(triangles, buckets[i], x, y);
       const std::uint8_t* pixel = image.at(x, y);
-      totals.add(expected, double{share[i]},
+      totals.add(expected, static_cast<double>(share[i]),
                  pixel[0] == fill.r && pixel[1] == fill.g && pixel[2] == fill.b);
     }
   std::printf(
