@@ -93,7 +93,7 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
 
 Bounds camera_window(const Timeline& timeline, double time, const Vec2& followed) {
   const Camera& camera = timeline.scene().camera;
-  const Bounds still = still_window(timeline);
+  Bounds still = still_window(timeline);
   const Vec2 size = still.size();
   Vec2 low = camera.follow ? followed + camera.offset - 0.5 * size : still.low;
   low += camera.velocity * time;

@@ -8,8 +8,7 @@ namespace flatray {
 class Timeline {
  public:
   /// Needs   `scene` to outlive the timeline. `seed` replaces the scene's own where the command
-  /// line
-  ///         gives one.
+  ///         line gives one.
   /// Cost    32 bytes and at most one draw for each frame and entity with a chain.
   Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame);
 

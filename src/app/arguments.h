@@ -69,11 +69,9 @@ class Arguments {
 /// options.
 ///
 /// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a
-/// flag is set by 1,
-///         true, yes or on, and not by 0, false, no, off; empty counts as unset).
+///         flag is set by 1, true, yes or on, and not by 0, false, no, off; empty counts as unset).
 /// Error   Trouble::usage, all mistakes together: unknown options with the nearest known one,
-/// missing values,
-///         options given twice.
+///         missing values, options given twice.
 using Environment = const char* (*)(const char* name);
 Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,
                                   Environment environment);

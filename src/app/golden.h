@@ -37,9 +37,8 @@ struct GoldenRow {
 
 /// Rows of `root`/golden_images/manifest.json, sorted by file.
 /// Error   Trouble::missing without a manifest; Trouble::invalid for what is none, all bad rows
-/// together: paths that
-///         leave the project, rows without a value, two rows of one file, a file that is not the
-///         row's own.
+///         together: paths that leave the project, rows without a value, two rows of one file, a
+///         file that is not the row's own.
 Result<std::vector<GoldenRow>> read_goldens(const std::filesystem::path& root);
 
 /// Replaces the manifest, atomically; a line for each row.
@@ -57,7 +56,7 @@ std::string scene_hash(const Scene& scene);
 struct GoldenScene {
   Scene scene;          ///< at the row's size
   std::string options;  ///< of `flatray render` that draw it alike: " --size 320x180", "" where
-                        ///< none are needed
+                        /// < none are needed
 };
 Result<GoldenScene> load_golden_scene(const std::filesystem::path& root, const GoldenRow& row);
 

@@ -20,7 +20,7 @@ struct GoldenCheck {
 GoldenCheck judge(Image actual, Image expected);
 
 /// Error   of the scene or the committed file; also where that file is not the one the row names by
-/// its hash.
+///         its hash.
 Result<GoldenCheck> check_golden(const std::filesystem::path& root, const GoldenRow& row);
 
 /// What to print of a check that does not pass: the worst pixel, where to look, how to replay and

@@ -35,8 +35,8 @@ struct GoldenUpdate {
 ///
 /// Gives   rows in which pictures that stay the same keep their `why`.
 /// Error   of the scene; Trouble::usage, all together, for pictures above 320 x 200, more than
-/// three frames, more
-///         than 2 MB in all, two scenes of one folder, and for pictures that drift.
+///         three frames, more than 2 MB in all, two scenes of one folder, and for pictures that
+///         drift.
 Result<GoldenUpdate> plan_update(const std::filesystem::path& root,
                                  const std::vector<GoldenRow>& rows, const GoldenRequest& request);
 

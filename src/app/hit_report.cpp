@@ -6,6 +6,7 @@
 
 #include "geom/cyrus_beck.h"
 #include "geom/exact.h"
+#include "scene/outline.h"
 
 namespace flatray {
 namespace {
@@ -97,18 +98,16 @@ HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piec
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity) {
   const Shape& shape = shape_of(scene, state, entity);
   const Pose place = entity_pose(state, entity);
-  std::vector<std::pair<std::int32_t, Segment>> edges;
-  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    const Piece in_world(shape, piece, place);
-    for (std::size_t i = 0; i < in_world.vertices.size(); ++i)
-      if (in_world.edges[i] != kNoEdge) edges.emplace_back(in_world.edges[i], in_world.edge(i));
-  }
+  std::vector<OutlineEdge> edges = outline(shape);
   std::stable_sort(edges.begin(), edges.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+                   [](const OutlineEdge& a, const OutlineEdge& b) { return a.number < b.number; });
   std::vector<NamedRay> rays;
   const std::string name = entity_name(scene, entity);
-  for (const auto& [number, edge] : edges)
-    rays.push_back({fmt::format("{} edge {}", name, number), {edge.a, edge.b - edge.a}});
+  for (const OutlineEdge& edge : edges) {
+    const Vec2 a = place(shape.vertices[edge.from]);
+    rays.push_back(
+        {fmt::format("{} edge {}", name, edge.number), {a, place(shape.vertices[edge.to]) - a}});
+  }
   for (std::size_t i = 0; i < shape.segments.size(); ++i) {
     const Vec2 a = place(shape.segments[i].a);
     rays.push_back({fmt::format("{} segment {}", name, i), {a, place(shape.segments[i].b) - a}});

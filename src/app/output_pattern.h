@@ -18,7 +18,7 @@ class OutputPattern {
  public:
   /// `format` is --format, if given; else the extension decides (.png or .hdr).
   /// Error   Trouble::usage: empty, a folder, no known extension, extension against `format`, a
-  /// name too long.
+  ///         name too long.
   static Result<OutputPattern> parse(std::string text, const std::optional<std::string>& format,
                                      const Place& where);
   /// out/<scene>/frame_####.png for sequences, out/<scene>.png for one picture.

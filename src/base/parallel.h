@@ -8,8 +8,7 @@ namespace flatray {
 /// of them).
 ///
 /// Needs   tasks that write to disjoint places. Work is cut by what it is, never by `threads`, so
-/// results
-///         do not depend on it.
+///         results do not depend on it.
 /// Error   the first exception of a task is thrown again here after all threads have stopped.
 /// Cost    the pool is started for the call: about 20 us a thread.
 void parallel_for(std::size_t count, unsigned threads,

@@ -11,10 +11,9 @@ namespace flatray {
 /// Rational.
 ///
 /// Gives   the same operators as Rational, so that a formula is written once, as a template, and
-/// evaluated in both.
-///         Where nothing is rounded the error stays 0. Overflow makes the error infinite or NaN,
-///         underflow is in the error: whatever happens, a sign or a rounding that is given is
-///         right.
+///         evaluated in both. Where nothing is rounded the error stays 0. Overflow makes the error
+///         infinite or NaN, underflow is in the error: whatever happens, a sign or a rounding that
+///         is given is right.
 class Bounded {
  public:
   Bounded(double exact) : value_{exact, 0}, error_(0) {}

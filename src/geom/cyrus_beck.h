@@ -11,17 +11,14 @@ namespace flatray {
 ///
 /// Units   t counts lengths of `ray.direction`: t = 1 is its tip.
 /// Needs   `vertices` convex, finite, in either orientation; repeated and collinear vertices are
-/// passed over.
-///         A polygon without area is the segment or point it is.
+///         passed over. A polygon without area is the segment or point it is.
 /// Gives   the closed interval clipped to `within`, the edges it enters and leaves by, its class,
-/// and
-///         where the origin lies. A corner touched gives t_enter == t_exit; along an edge is
+///         and where the origin lies. A corner touched gives t_enter == t_exit; along an edge is
 ///         inside. Edges that tie at a vertex: the lower number of the list as given (facts,
 ///         section 7).
 /// Error   verdict, edges and class exact for the doubles given; t_enter and t_exit within 1 ulp.
 /// Cost    two differences of products an edge; exact integers only where the error bound cannot
-/// decide;
-///         one division for each end of the interval.
+///         decide; one division for each end of the interval.
 /// Source  the paper's table 1 and eq. 3, as corrected in docs/DEVIATIONS.md.
 HitInterval clip_convex(const Ray& ray, std::span<const Vec2> vertices, Range within = kRay);
 

@@ -20,8 +20,8 @@ inline constexpr int kNoEdge = -1;
 ///
 /// Units   t counts lengths of the ray's direction.
 /// Gives   t_enter > t_exit exactly when kind is miss. Edge i runs from vertex i to i + 1 of the
-/// shape as given;
-///         kNoEdge where the end of the interval is the end of the range asked for, or a circle.
+///         shape as given; kNoEdge where the end of the interval is the end of the range asked for,
+///         or a circle.
 struct HitInterval {
   double t_enter = 1, t_exit = 0;
   int edge_enter = kNoEdge, edge_exit = kNoEdge;

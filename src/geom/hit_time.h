@@ -18,8 +18,8 @@ struct RoundedTime {
 /// that defines it.
 ///
 /// Gives   comparisons without error, between walls of any kind and rays of any origin, and the
-/// nearest double. Cost    bounded double-doubles first; rationals, compared by squaring, only
-/// where those leave a doubt.
+///         nearest double. Cost    bounded double-doubles first; rationals, compared by squaring,
+///         only where those leave a doubt.
 class HitTime {
  public:
   HitTime() = default;  ///< No hit: only to be assigned to.

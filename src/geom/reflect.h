@@ -8,8 +8,7 @@ namespace flatray {
 ///
 /// Needs   `along` of any length but zero.
 /// Error   each component is the nearest double to the exact one, so the length is kept within 1
-/// ulp; a component
-///         beyond the doubles is the largest of its sign.
+///         ulp; a component beyond the doubles is the largest of its sign.
 Vec2 reflect(const Vec2& direction, const Vec2& along);
 
 }  // namespace flatray

@@ -19,8 +19,8 @@ struct HalfEdge {
 /// Triangles of a simple polygon by cutting off ears. Exact, from its own corners only.
 ///
 /// Needs   `corners`, indices of `points`, counter-clockwise, of a simple polygon, without flat
-/// corners. Gives   3 half-edges a triangle, corners - 2 triangles, each of positive area. Cost
-/// O(corners * reflex corners).
+///         corners. Gives   3 half-edges a triangle, corners - 2 triangles, each of positive area.
+///         Cost O(corners * reflex corners).
 std::vector<HalfEdge> triangulate(std::span<const Vec2> points,
                                   std::span<const std::uint32_t> corners);
 

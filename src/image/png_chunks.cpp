@@ -125,7 +125,8 @@ std::uint64_t pass_bytes(std::uint64_t width, std::uint64_t height, std::uint64_
 }  // namespace
 
 std::uint64_t PngHeader::unpacked_bytes() const {
-  const auto bits = static_cast<std::uint64_t>(channels(colour_type) * bit_depth);
+  const auto bits =
+      static_cast<std::uint64_t>(channels(colour_type)) * static_cast<std::uint64_t>(bit_depth);
   if (!interlaced) return pass_bytes(width, height, bits);
   struct Pass {
     std::uint32_t x, y, step_x, step_y;

@@ -24,8 +24,7 @@ struct PngHeader {
 /// Walks the chunks of a PNG, as ISO/IEC 15948 has them.
 ///
 /// Gives   the header of a file that is whole: signature, IHDR first, IDAT chunks together, IEND
-/// last with nothing
-///         behind it, every CRC-32 right, no unknown critical chunk.
+///         last with nothing behind it, every CRC-32 right, no unknown critical chunk.
 /// Error   Trouble::invalid, with the byte where the file goes wrong, also above `max_pixels`.
 /// Cost    allocates no more than the file's size.
 Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::string& name,

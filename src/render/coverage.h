@@ -38,12 +38,11 @@ using RunSink = std::function<void(int y, int x_begin, int x_end, std::uint32_t 
 ///
 /// Units   film coordinates are pixels, y down; pixel (i, j) is [i, i+1] x [j, j+1].
 /// Gives   Coverage::area: floor(kFullCoverage * area of region inside the pixel), exact for paths
-/// for the doubles
-///         given. Coverage::centre: full where the pixel's centre is inside, exact; a centre on an
-///         outline belongs to the region right of or below it (top-left rule).
+///         for the doubles given. Coverage::centre: full where the pixel's centre is inside, exact;
+///         a centre on an outline belongs to the region right of or below it (top-left rule).
 /// Error   paths exact; rings in area mode within one step (double, <= 1e-9 of a pixel).
 /// Cost    O(edges in the rows + edge pixels); rationals for pixels within the error bound of a
-/// step.
+///         step.
 CoverageStats scan(const FillPath& path, Coverage mode, const PixelBox& box, const RunSink& sink);
 CoverageStats scan(const FillRing& ring, Coverage mode, const PixelBox& box, const RunSink& sink);
 

@@ -65,7 +65,7 @@ struct ShareSum {
 };
 
 /// Needs   the pieces of one pixel with the ghosts; `winding` at its upper left corner, just
-/// inside.
+///         inside.
 inline CellArea simple_area(const ShareSum& sum, int winding) {
   return {std::min(std::abs(winding + sum.area), 1.0), sum.total_bound(), false};
 }

@@ -64,7 +64,7 @@ void DrawContext::place(int layer, const Place& where) {
   offset_ = where.offset;
 }
 
-void DrawContext::add(DrawItem item) { items_.push_back({layer_, offset_, std::move(item)}); }
+void DrawContext::add(DrawItem&& item) { items_.push_back({layer_, offset_, std::move(item)}); }
 
 std::vector<DrawItem> DrawContext::sorted_items() && {
   // Numbers are sorted, not items: g++ 12 takes the swap of a variant for a use before set.

@@ -51,7 +51,7 @@ class DrawContext {
     std::size_t offset;
     DrawItem item;
   };
-  void add(DrawItem item);
+  void add(DrawItem&& item);
   void add_outline(const std::vector<Segment>& film_edges, std::span<const Circle> film_circles,
                    const Stroke& stroke);
 

@@ -11,7 +11,7 @@ namespace flatray {
 class Imports {
  public:
   /// Needs   `scene` outlives the object: paths are relative to its folder, and its own name gives
-  /// its text.
+  ///         its text.
   Imports(SourcePtr scene, std::size_t max_file_bytes);
 
   /// Error   the file's own, at `where`.

@@ -8,7 +8,7 @@ namespace flatray {
 /// chosen by number from 0 or by their name.
 ///
 /// Error   Trouble::usage, at a place called "-D key". Unknown keys are found when the scene is
-/// built.
+///         built.
 Result<void> apply_override(SceneDesc& desc, const Override& override_value);
 
 /// Whether a place lies in an override.

@@ -10,8 +10,8 @@ namespace flatray {
 /// Parts of many rays inside one closed convex polygon.
 ///
 /// Needs   `polygon` as clip_convex does; as many intervals as rays. What the rays have left plays
-/// no part. Gives   for each ray what clip_convex gives, bit for bit, from every tier. Cost under 1
-/// ns an edge where the lanes are sure; else clip_convex.
+///         no part. Gives   for each ray what clip_convex gives, bit for bit, from every tier. Cost
+///         under 1 ns an edge where the lanes are sure; else clip_convex.
 void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Range within,
                        std::span<HitInterval> intervals, Isa isa = active_isa());
 

@@ -11,8 +11,8 @@ namespace flatray {
 ///
 /// Units   t counts lengths of the ray's direction.
 /// Gives   kind: touch where the ray crosses a segment or is tangent to a circle, along where it
-/// runs on a segment,
-///         through where it crosses a circle. Equal t: the lowest surface number.
+///         runs on a segment, through where it crosses a circle. Equal t: the lowest surface
+///         number.
 struct NearestHit {
   std::uint32_t surface = kNoSurface;
   HitClass kind = HitClass::miss;

@@ -15,7 +15,7 @@ struct Tracer {
   const char* summary;
   bool exact;  ///< decides for the doubles given, without rounding
   /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
-  /// on.
+  ///         on.
   void (*nearest)(const Surfaces& walls, const RayBatch& rays, std::span<NearestHit> hits);
 };
 

@@ -9,7 +9,7 @@ namespace flatray {
 /// exact t.
 ///
 /// Cost    bounded double-doubles, well under 1 us; the rationals, some 20 us, where those leave a
-/// doubt.
+///         doubt.
 class ExactHit {
  public:
   /// Needs   a ray that crosses the wall: not along a segment, nor tangent to a circle.

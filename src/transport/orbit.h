@@ -14,7 +14,7 @@ enum class OrbitEnd {
   escape,    ///< nothing lies ahead
   absorbed,  ///< arrived at a surface that absorbs
   corner,    ///< arrived exactly at an end of a wall or where two walls meet: no reflection is
-             ///< defined
+             /// < defined
   along      ///< starts on a wall and runs along it
 };
 const char* name(OrbitEnd end);
@@ -44,14 +44,13 @@ struct Orbit {
 ///
 /// Needs   `materials` by surface; a direction that is not zero; an exact tracer.
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
-/// of one, is a corner
-///         without a bounce; a start along its wall, or on the tangent of its circle, ends as
-///         `along`. A circle reflects on both sides; touched in one point it is passed by. A corner
-///         whose walls all absorb absorbs. With 0 bounces only the start is looked at.
+///         of one, is a corner without a bounce; a start along its wall, or on the tangent of its
+///         circle, ends as `along`. A circle reflects on both sides; touched in one point it is
+///         passed by. A corner whose walls all absorb absorbs. With 0 bounces only the start is
+///         looked at.
 /// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on
-/// the inner side by at
-///         most 2 more; the length of the direction within 4 ulp of the start's, after any number
-///         of bounces.
+///         the inner side by at most 2 more; the length of the direction within 4 ulp of the
+///         start's, after any number of bounces.
 /// Cost    a bounce 1 to 2 us, and a box test for every wall.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
                   std::uint64_t bounces, const Tracer& tracer = usual_tracer());

@@ -48,9 +48,8 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 /// exact hit.
 ///
 /// Gives   a direction that does not lead back through the wall: exactly decided, moved by at most
-/// kSearchUlps in each
-///         component where rounding had turned it; nullopt where that is not enough (then the ray
-///         runs along the wall).
+///         kSearchUlps in each component where rounding had turned it; nullopt where that is not
+///         enough (then the ray runs along the wall).
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const Vec2& point, const Speed& speed);
