@@ -31,6 +31,12 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
 
 }  // namespace
 
+std::vector<Material> World::materials() const {
+  std::vector<Material> all;
+  for (const SurfaceOwner& owner : owners) all.push_back(owner.material);
+  return all;
+}
+
 World build_world(const Scene& scene, const FrameState& state) {
   using Kind = SurfaceOwner::Kind;
   World world;

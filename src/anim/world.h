@@ -17,6 +17,9 @@ struct SurfaceOwner {
 struct World {
   Surfaces surfaces;
   std::vector<SurfaceOwner> owners;  ///< by surface number
+
+  /// By surface number, as orbits take them.
+  std::vector<Material> materials() const;
 };
 
 /// Outlines of every chamber, pillar and entity with a material. Left out: cuts and shared edges

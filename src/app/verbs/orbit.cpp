@@ -148,8 +148,7 @@ Result<Report> follow(const Arguments& arguments, const Scene& scene) {
   const auto frame = frame_of(arguments, scene);
   if (!frame) return tl::unexpected(frame.error());
   const World world = build_world(scene, *frame);
-  std::vector<Material> materials;
-  for (const SurfaceOwner& owner : world.owners) materials.push_back(owner.material);
+  const std::vector<Material> materials = world.materials();
   Report report;
   for (const RayPath* ray : *rays) {
     const auto bounces = arguments.whole("bounces", ray->bounces, 0, kMostBounces);

@@ -34,8 +34,7 @@ std::vector<Segment> path(const Orbit& orbit, const Bounds& window) {
 
 void draw(DrawContext& context) {
   const World& world = context.world();
-  std::vector<Material> materials;
-  for (const SurfaceOwner& owner : world.owners) materials.push_back(owner.material);
+  const std::vector<Material> materials = world.materials();
   for (const RayPath& ray : context.scene.rays) {
     const Orbit orbit = trace_orbit(
         world.surfaces, materials, {world_pose(context.state)(ray.at), ray.direction}, ray.bounces);

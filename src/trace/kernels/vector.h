@@ -7,7 +7,6 @@ inline Real load(const double* from) { return *from; }
 inline void store(double* to, Real value) { *to = value; }
 inline Real all(double value) { return value; }
 inline Mask less(Real a, Real b) { return a < b; }
-inline Mask not_less(Real a, Real b) { return a >= b; }
 inline Mask equal(Real a, Real b) { return a == b; }
 inline Mask both(Mask a, Mask b) { return a && b; }
 inline Mask either(Mask a, Mask b) { return a || b; }
@@ -24,7 +23,6 @@ inline Real load(const double* from) { return _mm_loadu_pd(from); }
 inline void store(double* to, Real value) { _mm_storeu_pd(to, value); }
 inline Real all(double value) { return _mm_set1_pd(value); }
 inline Mask less(Real a, Real b) { return _mm_cmplt_pd(a, b); }
-inline Mask not_less(Real a, Real b) { return _mm_cmpge_pd(a, b); }
 inline Mask equal(Real a, Real b) { return _mm_cmpeq_pd(a, b); }
 inline Mask both(Mask a, Mask b) { return _mm_and_pd(a, b); }
 inline Mask either(Mask a, Mask b) { return _mm_or_pd(a, b); }
@@ -43,7 +41,6 @@ inline Real load(const double* from) { return _mm256_loadu_pd(from); }
 inline void store(double* to, Real value) { _mm256_storeu_pd(to, value); }
 inline Real all(double value) { return _mm256_set1_pd(value); }
 inline Mask less(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
-inline Mask not_less(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
 inline Mask equal(Real a, Real b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); }
 inline Mask both(Mask a, Mask b) { return _mm256_and_pd(a, b); }
 inline Mask either(Mask a, Mask b) { return _mm256_or_pd(a, b); }
@@ -60,7 +57,6 @@ inline Real load(const double* from) { return _mm512_loadu_pd(from); }
 inline void store(double* to, Real value) { _mm512_storeu_pd(to, value); }
 inline Real all(double value) { return _mm512_set1_pd(value); }
 inline Mask less(Real a, Real b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
-inline Mask not_less(Real a, Real b) { return _mm512_cmp_pd_mask(a, b, _CMP_GE_OQ); }
 inline Mask equal(Real a, Real b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
 inline Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
 inline Mask either(Mask a, Mask b) { return static_cast<Mask>(a | b); }
