@@ -45,6 +45,7 @@ std::vector<Segment> film_edges(const Shape& shape, const Pose& world_from_shape
 // A convex ring may not be one after its corners were rounded to the film.
 bool still_convex(const std::vector<Segment>& ring) {
   std::vector<Vec2> corners;
+  corners.reserve(ring.size());
   for (const Segment& edge : ring) corners.push_back(edge.a);
   return !non_convex_vertex(corners);
 }
