@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <memory>
 
 #include "app/interrupt.h"
 #include "app/value.h"
@@ -40,52 +41,73 @@ struct Encoded {
   FrameRecord record;
 };
 
-Encoded encode(const RenderJob& job, const DrawList& list, const FrameOptions& options) {
-  Encoded out;
-  if (job.output.format() == PictureFormat::png) {
-    const Image image = render_image(list, options);
-    out.record.pixels = pixel_hash(image);
-    out.bytes = encode_png(image);
-  } else {
-    const LinearImage image = render_linear(list, options);
-    out.record.pixels = Hash().add(std::as_bytes(std::span(image.pixels))).hex();
-    out.bytes = encode_hdr(image);
-  }
-  out.record.width = job.picture().width;
-  out.record.height = job.picture().height;
-  out.record.bytes = Hash().add(out.bytes).hex();
-  out.record.scene = job.fingerprint();
-  return out;
+std::string hash_of(const Image& image) { return pixel_hash(image); }
+std::string hash_of(const LinearImage& image) {
+  return Hash().add(std::as_bytes(std::span(image.pixels))).hex();
 }
 
-// Draws and writes the frames of one job; `make` is called by several threads for different i.
+// Draws frames one after another and encodes them; a frame that shows what the one before did is
+// not encoded again.
+template <class Picture>
+class Encoder {
+ public:
+  Encoder(const RenderJob& job, const FrameOptions& options) : job_(job), drawer_(options) {}
+
+  const Encoded& operator()(DrawList list) {
+    const Picture& picture = drawer_.draw(std::move(list));
+    if (!drawer_.changed()) return out_;
+    out_.bytes = encode(picture);
+    out_.record.pixels = hash_of(picture);
+    out_.record.width = picture.width;
+    out_.record.height = picture.height;
+    out_.record.bytes = Hash().add(out_.bytes).hex();
+    out_.record.scene = job_.fingerprint();
+    return out_;
+  }
+
+ private:
+  static std::vector<std::byte> encode(const Image& image) { return encode_png(image); }
+  static std::vector<std::byte> encode(const LinearImage& image) { return encode_hdr(image); }
+
+  const RenderJob& job_;
+  FrameDrawer<Picture> drawer_;
+  Encoded out_;
+};
+
+using FrameEncoder = std::function<const Encoded&(DrawList)>;
+
+FrameEncoder frame_encoder(const RenderJob& job, unsigned threads) {
+  const FrameOptions options{job.crop, threads, job.keep_all};
+  if (job.output.format() == PictureFormat::png)
+    return [encoder = std::make_shared<Encoder<Image>>(job, options)](
+               DrawList list) -> const Encoded& { return (*encoder)(std::move(list)); };
+  return [encoder = std::make_shared<Encoder<LinearImage>>(job, options)](
+             DrawList list) -> const Encoded& { return (*encoder)(std::move(list)); };
+}
+
+// Draws and writes the frames of one job in runs of neighbours, which have most in common.
 class FrameMaker {
  public:
-  FrameMaker(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads)
+  FrameMaker(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
+             const std::function<void()>& done)
       : job_(job),
         frames_(frames),
+        spread_(spread(job, frames.size(), threads)),
+        run_(run_length(frames.size(), spread_)),
+        done_(done),
         plan_(make_plan(job.scene, job.keep_all)),
         timeline_(job.scene, job.seed, job.last_frame),
-        options_{job.crop, spread(job, frames.size(), threads).threads_each},
         manifest_(job.manifest()),
         records_(frames.size()),
         problems_(frames.size()),
         seconds_(frames.size()) {
-    if (plan_.still && !frames.empty()) still_ = draw(frames.front(), {job.crop, threads});
+    if (plan_.still && !frames.empty())
+      still_ = frame_encoder(job, threads)(draw_list(plan_, timeline_, frames.front()));
   }
 
-  /// Whether the frame was written.
-  bool make(std::size_t i) {
-    if (stopped_ || interrupted()) return false;
-    const auto start = std::chrono::steady_clock::now();
-    if (Result<FrameRecord> record = write(frames_[i])) {
-      records_[i] = std::move(*record);
-    } else {
-      problems_[i] = std::move(record).error();
-      stopped_ = true;
-    }
-    seconds_[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return !stopped_;
+  void make_all() {
+    parallel_for((frames_.size() + run_ - 1) / run_, spread_.frames_at_once,
+                 [this](std::size_t task) { make_run(task * run_); });
   }
 
   JobResult result() const {
@@ -108,13 +130,31 @@ class FrameMaker {
   }
 
  private:
-  Encoded draw(unsigned frame, const FrameOptions& options) const {
-    return encode(job_, draw_list(plan_, timeline_, frame), options);
+  // Enough runs for each thread to find work to the end.
+  static std::size_t run_length(std::size_t count, const Spread& spread) {
+    constexpr std::size_t kRunsAThread = 4, kLongest = 32;
+    if (spread.frames_at_once == 1) return std::max<std::size_t>(count, 1);
+    return std::clamp<std::size_t>(count / (kRunsAThread * spread.frames_at_once), 1, kLongest);
   }
 
-  Result<FrameRecord> write(unsigned frame) const {
-    const Encoded made = still_ ? Encoded{} : draw(frame, options_);
-    const Encoded& picture = still_ ? *still_ : made;
+  void make_run(std::size_t begin) {
+    const FrameEncoder encode = frame_encoder(job_, spread_.threads_each);
+    const std::size_t end = std::min(begin + run_, frames_.size());
+    for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      if (Result<FrameRecord> record = write(frames_[i], encode)) {
+        records_[i] = std::move(*record);
+        done_();
+      } else {
+        problems_[i] = std::move(record).error();
+        stopped_ = true;
+      }
+      seconds_[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+  }
+
+  Result<FrameRecord> write(unsigned frame, const FrameEncoder& encode) const {
+    const Encoded& picture = still_ ? *still_ : encode(draw_list(plan_, timeline_, frame));
     FrameRecord record = picture.record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
@@ -129,9 +169,11 @@ class FrameMaker {
 
   const RenderJob& job_;
   const std::vector<unsigned>& frames_;
+  const Spread spread_;
+  const std::size_t run_;
+  const std::function<void()>& done_;
   const RenderPlan plan_;
   const Timeline timeline_;
-  const FrameOptions options_;
   const fs::path manifest_;
   std::vector<FrameRecord> records_;
   std::vector<Diagnostics> problems_;
@@ -215,11 +257,8 @@ std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept
 
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
                   const std::function<void()>& done) {
-  FrameMaker maker(job, frames, threads);
-  parallel_for(frames.size(), spread(job, frames.size(), threads).frames_at_once,
-               [&](std::size_t i) {
-                 if (maker.make(i)) done();
-               });
+  FrameMaker maker(job, frames, threads, done);
+  maker.make_all();
   JobResult result = maker.result();
   if (job.output.has_frame() && result.problems.empty() && !frames.empty())
     if (auto written = write_file(timings_path(job.folder(), job.shard), maker.timings()); !written)
@@ -230,7 +269,7 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
 std::vector<std::byte> picture_bytes(const RenderJob& job, unsigned frame, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
-  return encode(job, draw_list(plan, timeline, frame), {job.crop, threads}).bytes;
+  return frame_encoder(job, threads)(draw_list(plan, timeline, frame)).bytes;
 }
 
 }  // namespace flatray

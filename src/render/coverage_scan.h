@@ -13,11 +13,16 @@ using kernels::Run;
 /// joined.
 class RunList {
  public:
-  void clear() { runs_.clear(); }
+  void clear() {
+    runs_.clear();
+    begin_ = 0;
+  }
+  /// Runs added from here on are of another region: not joined to those before. Gives their index.
+  std::size_t start() { return begin_ = runs_.size(); }
   const std::vector<Run>& runs() const { return runs_; }
   void add(int y, int x_begin, int x_end, std::uint32_t steps) {
     if (x_begin >= x_end || steps == 0) return;
-    if (!runs_.empty()) {
+    if (runs_.size() > begin_) {
       Run& last = runs_.back();
       if (last.y == y && last.x_end == x_begin && last.steps == steps) {
         last.x_end = x_end;
@@ -29,6 +34,7 @@ class RunList {
 
  private:
   std::vector<Run> runs_;
+  std::size_t begin_ = 0;
 };
 
 /// For tests: sees every pixel with an edge, its double area and, asked for, the exact one.

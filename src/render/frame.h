@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "image/image.h"
-#include "render/coverage.h"
+#include "render/bands.h"
 #include "render/plan.h"
 
 namespace flatray {
@@ -10,13 +10,50 @@ namespace flatray {
 /// Pixels of the film to draw; the whole film unless a crop is asked for.
 struct FrameOptions {
   std::optional<PixelBox> crop;
-  unsigned threads = 1;  ///< for the tiles of one frame
+  unsigned threads = 1;   ///< for the tiles of one frame
+  bool keep_all = false;  ///< draw what is hidden and what has not changed, too
+};
+
+/// What was drawn and what was not, in bands of rows.
+struct DrawCounts {
+  std::uint64_t bands = 0;         ///< drawn
+  std::uint64_t kept_bands = 0;    ///< not drawn: they show what they showed in the frame before
+  std::uint64_t items = 0;         ///< items of the bands drawn
+  std::uint64_t hidden_items = 0;  ///< of these, left out: one above covers the whole band, opaque
+
+  DrawCounts& operator+=(const DrawCounts& more) {
+    bands += more.bands, kept_bands += more.kept_bands;
+    items += more.items, hidden_items += more.hidden_items;
+    return *this;
+  }
 };
 
 /// What a frame shows, before pixels.
 DrawList draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
 
-/// Pixels of a draw list by the software back end. Same bytes for any thread count and crop.
+/// The software back end for frames drawn one after another: bands in which nothing changed keep
+/// their pixels. Same pixels whatever was drawn before.
+template <class Picture>  // Image or LinearImage
+class FrameDrawer {
+ public:
+  explicit FrameDrawer(const FrameOptions& options) : options_(options) {}
+
+  /// Valid until the next frame is drawn.
+  const Picture& draw(DrawList list);
+  /// Whether the last frame may differ from the one before.
+  bool changed() const { return changed_; }
+  const DrawCounts& counts() const { return counts_; }
+
+ private:
+  FrameOptions options_;
+  bool drawn_ = false, changed_ = true;
+  DrawList list_;
+  Bands bands_;
+  Picture picture_;
+  DrawCounts counts_;
+};
+
+/// Pixels of one draw list by the software back end. Same bytes for any thread count and crop.
 Image render_image(const DrawList& list, const FrameOptions& options);
 LinearImage render_linear(const DrawList& list, const FrameOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "image/tile.h"
+#include "render/bands.h"
 #include "render/coverage_scan.h"
 #include "render/frame.h"
 #include "render/select_kernels.h"
@@ -11,16 +12,7 @@
 namespace flatray {
 namespace {
 
-constexpr int kBandPixels = 1 << 15;    // half a megabyte of floats: stays in the second cache
 constexpr std::size_t kBandsATask = 4;  // which share their room
-constexpr std::size_t kFewEdges =
-    48;  // looking at all of them costs less than sorting them by band
-
-// What of an item lies in a band of rows: all edges, or those listed.
-struct BandItem {
-  std::size_t item;
-  std::vector<std::uint32_t> edges;
-};
 
 using Premultiplied = std::array<float, 4>;
 
@@ -28,72 +20,13 @@ Premultiplied premultiplied(const LinearColour& c) {
   return {c.r * c.a, c.g * c.a, c.b * c.a, c.a};
 }
 
-Bounds region_bounds(const FillPath& path) {
-  Bounds bounds;
-  for (const Segment& edge : path.edges) bounds.add(edge.a), bounds.add(edge.b);
-  return bounds;
-}
-
-Bounds region_bounds(const FillRing& ring) {
-  const Vec2 reach(ring.radius + 1, ring.radius + 1);  // a pixel of margin for rounding
-  return {ring.centre - reach, ring.centre + reach};
-}
-
-// Rows of the crop, cut into bands by its width alone, and what lies in each.
-class Bands {
- public:
-  Bands(const DrawList& list, const PixelBox& crop)
-      : crop_(crop),
-        rows_(std::clamp(kBandPixels / std::max(crop.width, 1), 1, 64)),
-        items_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)) {
-    for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i]);
-  }
-
-  std::size_t count() const { return items_.size(); }
-  const std::vector<BandItem>& items(std::size_t band) const { return items_[band]; }
-  PixelBox box(std::size_t band) const {
-    const int top = static_cast<int>(band) * rows_;
-    return {crop_.x, crop_.y + top, crop_.width, std::min(rows_, crop_.height - top)};
-  }
-
- private:
-  void add(std::size_t index, const DrawItem& item) {
-    const Bounds bounds =
-        std::visit([](const auto& region) { return region_bounds(region); }, item.region);
-    if (item.colour.a == 0 || bounds.empty() || bounds.high.x() <= crop_.x ||
-        bounds.low.x() >= crop_.x + crop_.width || bounds.high.y() <= crop_.y ||
-        bounds.low.y() >= crop_.y + crop_.height)
-      return;
-    const std::size_t first = band_of(bounds.low.y()), last = band_of(bounds.high.y());
-    for (std::size_t band = first; band <= last; ++band) items_[band].push_back({index, {}});
-    const FillPath* path = std::get_if<FillPath>(&item.region);
-    if (path != nullptr && path->edges.size() > kFewEdges) sort_edges(*path);
-  }
-
-  void sort_edges(const FillPath& path) {
-    for (std::uint32_t i = 0; i < path.edges.size(); ++i) {
-      const auto [low, high] = std::minmax(path.edges[i].a.y(), path.edges[i].b.y());
-      if (high < crop_.y || low > crop_.y + crop_.height) continue;
-      for (std::size_t band = band_of(low); band <= band_of(high); ++band)
-        items_[band].back().edges.push_back(i);
-    }
-  }
-
-  std::size_t band_of(double y) const {
-    const double row = std::clamp<double>(std::floor(y) - crop_.y, 0, crop_.height - 1);
-    return static_cast<std::size_t>(row) / static_cast<std::size_t>(rows_);
-  }
-
-  PixelBox crop_;
-  int rows_;
-  std::vector<std::vector<BandItem>> items_;
-};
-
 // Draws bands one after another; its room is kept from one to the next.
 class BandPainter {
  public:
-  explicit BandPainter(const DrawList& list)
+  BandPainter(const DrawList& list, bool hide, DrawCounts& counts)
       : list_(list),
+        hide_(hide),
+        counts_(counts),
         kernels_(span_kernels(active_isa())),
         area_scan_(kernels_),
         centre_scan_(kernels_) {}
@@ -104,18 +37,40 @@ class BandPainter {
     const std::size_t pixels =
         static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
     tile_.rgba.resize(4 * pixels);
-    kernels_.fill(tile_.rgba.data(), pixels, premultiplied(list_.background).data());
-    for (const BandItem& item : items) draw(item, box);
+    ++counts_.bands;
+    counts_.items += items.size();
+    if (!scan(box, items)) kernels_.fill(tile_.rgba.data(), pixels, background().data());
+    for (auto it = scanned_.rbegin(); it != scanned_.rend(); ++it) blend(*it, box);
     return tile_;
   }
   Tile& tile() { return tile_; }
 
  private:
-  void draw(const BandItem& band_item, const PixelBox& box) {
-    const DrawItem& item = list_.items[band_item.item];
+  struct Scanned {
+    const DrawItem* item;
+    std::size_t begin, end;  ///< of its runs
+  };
+
+  // From the uppermost item down, to the one that hides all below it; whether there is one.
+  bool scan(const PixelBox& box, const std::vector<BandItem>& items) {
     runs_.clear();
+    scanned_.clear();
+    for (std::size_t i = items.size(); i-- > 0;) {
+      const DrawItem& item = list_.items[items[i].item];
+      const std::size_t begin = runs_.start();
+      scan(items[i], box);
+      scanned_.push_back({&item, begin, runs_.runs().size()});
+      if (!hide_ || item.colour.a != 1 || !covers_all(begin, box)) continue;
+      counts_.hidden_items += i;
+      return true;
+    }
+    return false;
+  }
+
+  void scan(const BandItem& band_item, const PixelBox& box) {
+    const DrawItem& item = list_.items[band_item.item];
     if (const FillPath* path = std::get_if<FillPath>(&item.region)) {
-      const auto* chosen = path->edges.size() > kFewEdges ? &band_item.edges : nullptr;
+      const auto* chosen = Bands::lists_edges(*path) ? &band_item.edges : nullptr;
       if (list_.coverage == Coverage::area)
         area_scan_.scan(*path, chosen, box, runs_);
       else
@@ -124,55 +79,96 @@ class BandPainter {
       CoverageStats stats;
       scan_ring(std::get<FillRing>(item.region), list_.coverage, box, runs_, stats);
     }
-    const std::vector<Run>& runs = runs_.runs();
-    kernels_.blend_runs({tile_.rgba.data(), box.x, box.y, box.width}, runs.data(), runs.size(),
-                        premultiplied(item.colour).data());
   }
 
+  // Runs of equal coverage are joined, so that a covered band is one run a row.
+  bool covers_all(std::size_t begin, const PixelBox& box) const {
+    const std::vector<Run>& runs = runs_.runs();
+    return runs.size() - begin == static_cast<std::size_t>(box.height) &&
+           std::all_of(runs.begin() + static_cast<std::ptrdiff_t>(begin), runs.end(),
+                       [&](const Run& run) {
+                         return run.steps == kFullCoverage && run.x_begin == box.x &&
+                                run.x_end == box.x + box.width;
+                       });
+  }
+
+  void blend(const Scanned& scanned, const PixelBox& box) {
+    kernels_.blend_runs({tile_.rgba.data(), box.x, box.y, box.width},
+                        runs_.runs().data() + scanned.begin, scanned.end - scanned.begin,
+                        premultiplied(scanned.item->colour).data());
+  }
+
+  Premultiplied background() const { return premultiplied(list_.background); }
+
   const DrawList& list_;
+  const bool hide_;
+  DrawCounts& counts_;
   const kernels::SpanKernels& kernels_;
   Tile tile_;
   AreaScan area_scan_;
   CentreScan centre_scan_;
   RunList runs_;
+  std::vector<Scanned> scanned_;
 };
-
-template <class Picture>
-void render(const DrawList& list, const PixelBox& crop, unsigned threads, Picture& out) {
-  const Bands bands(list, crop);
-  const std::size_t tasks = (bands.count() + kBandsATask - 1) / kBandsATask;
-  parallel_for(tasks, threads, [&](std::size_t task) {
-    BandPainter painter(list);
-    const std::size_t end = std::min(bands.count(), (task + 1) * kBandsATask);
-    for (std::size_t band = task * kBandsATask; band < end; ++band) {
-      const PixelBox box = bands.box(band);
-      painter.tile().x = 0;
-      painter.tile().y = box.y - crop.y;
-      develop(painter.paint(box, bands.items(band)), out);
-    }
-  });
-}
 
 PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
   return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
 }
 
+void shape_picture(const PixelBox& crop, const DrawList& list, Image& image) {
+  const int channels = list.background.a == 1 ? 3 : 4;
+  if (image.width != crop.width || image.height != crop.height || image.channels != channels)
+    image = Image(crop.width, crop.height, channels);
+}
+void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
+  image.width = crop.width;
+  image.height = crop.height;
+  image.pixels.resize(3 * static_cast<std::size_t>(crop.width) *
+                      static_cast<std::size_t>(crop.height));
+}
+
 }  // namespace
 
+template <class Picture>
+const Picture& FrameDrawer<Picture>::draw(DrawList list) {
+  const PixelBox crop = crop_of(list, options_);
+  Bands bands(list, crop);
+  std::vector<bool> keep(bands.count());
+  if (drawn_ && !options_.keep_all) keep = unchanged_bands(list, bands, list_, bands_);
+  list_ = std::move(list);
+  bands_ = std::move(bands);
+  shape_picture(crop, list_, picture_);
+  const std::size_t tasks = (bands_.count() + kBandsATask - 1) / kBandsATask;
+  std::vector<DrawCounts> counts(tasks);
+  parallel_for(tasks, options_.threads, [&](std::size_t task) {
+    BandPainter painter(list_, !options_.keep_all, counts[task]);
+    const std::size_t end = std::min(bands_.count(), (task + 1) * kBandsATask);
+    for (std::size_t band = task * kBandsATask; band < end; ++band) {
+      if (keep[band]) {
+        ++counts[task].kept_bands;
+        continue;
+      }
+      const PixelBox box = bands_.box(band);
+      painter.tile().x = 0;
+      painter.tile().y = box.y - crop.y;
+      develop(painter.paint(box, bands_.items(band)), picture_);
+    }
+  });
+  for (const DrawCounts& one : counts) counts_ += one;
+  changed_ = !drawn_ || std::find(keep.begin(), keep.end(), false) != keep.end();
+  drawn_ = true;
+  return picture_;
+}
+
+template class FrameDrawer<Image>;
+template class FrameDrawer<LinearImage>;
+
 Image render_image(const DrawList& list, const FrameOptions& options) {
-  const PixelBox crop = crop_of(list, options);
-  Image image(crop.width, crop.height, list.background.a == 1 ? 3 : 4);
-  render(list, crop, options.threads, image);
-  return image;
+  return FrameDrawer<Image>(options).draw(list);
 }
 
 LinearImage render_linear(const DrawList& list, const FrameOptions& options) {
-  const PixelBox crop = crop_of(list, options);
-  LinearImage image{crop.width, crop.height, {}};
-  image.pixels.resize(3 * static_cast<std::size_t>(crop.width) *
-                      static_cast<std::size_t>(crop.height));
-  render(list, crop, options.threads, image);
-  return image;
+  return FrameDrawer<LinearImage>(options).draw(list);
 }
 
 }  // namespace flatray

@@ -1,0 +1,135 @@
+#include "render/bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace flatray {
+namespace {
+
+constexpr int kBandPixels = 1 << 15;  // half a megabyte of floats: stays in the second cache
+constexpr std::size_t kFewEdges =
+    48;  // looking at all of them costs less than sorting them by band
+
+Bounds region_bounds(const FillPath& path) {
+  Bounds bounds;
+  for (const Segment& edge : path.edges) bounds.add(edge.a), bounds.add(edge.b);
+  return bounds;
+}
+
+Bounds region_bounds(const FillRing& ring) {
+  const Vec2 reach(ring.radius + 1, ring.radius + 1);  // a pixel of margin for rounding
+  return {ring.centre - reach, ring.centre + reach};
+}
+
+// Equal bits, not equal numbers: -0 is not 0, and nothing needs to be known of either.
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+bool same(const Vec2& a, const Vec2& b) {
+  return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
+}
+bool same(const LinearColour& a, const LinearColour& b) { return same_bits(a, b); }
+bool same(const FillPath& a, const FillPath& b) {
+  return a.rule == b.rule && a.simple == b.simple &&
+         std::equal(
+             a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(),
+             [](const Segment& p, const Segment& q) { return same(p.a, q.a) && same(p.b, q.b); });
+}
+bool same(const FillRing& a, const FillRing& b) {
+  return same(a.centre, b.centre) && same_bits(a.radius, b.radius) &&
+         same_bits(a.inner_radius, b.inner_radius);
+}
+bool same(const DrawItem& a, const DrawItem& b) {
+  if (a.region.index() != b.region.index() || !same(a.colour, b.colour)) return false;
+  return std::visit(
+      [&b](const auto& region) {
+        return same(region, std::get<std::decay_t<decltype(region)>>(b.region));
+      },
+      a.region);
+}
+
+// Compares items of two lists; an item that lies in many bands is compared once.
+class ItemComparison {
+ public:
+  ItemComparison(const DrawList& now, const DrawList& before)
+      : now_(now), before_(before), answers_(now.items.size()) {}
+
+  bool same(std::size_t now, std::size_t before) {
+    Answer& answer = answers_[now];
+    if (!answer.known || answer.before != before)
+      answer = {before, true, flatray::same(now_.items[now], before_.items[before])};
+    return answer.same;
+  }
+
+ private:
+  struct Answer {
+    std::size_t before = 0;
+    bool known = false, same = false;
+  };
+  const DrawList &now_, &before_;
+  std::vector<Answer> answers_;
+};
+
+}  // namespace
+
+Bands::Bands(const DrawList& list, const PixelBox& crop)
+    : crop_(crop),
+      rows_(std::clamp(kBandPixels / std::max(crop.width, 1), 1, 64)),
+      items_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)) {
+  for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i]);
+}
+
+PixelBox Bands::box(std::size_t band) const {
+  const int top = static_cast<int>(band) * rows_;
+  return {crop_.x, crop_.y + top, crop_.width, std::min(rows_, crop_.height - top)};
+}
+
+bool Bands::lists_edges(const FillPath& path) { return path.edges.size() > kFewEdges; }
+
+void Bands::add(std::size_t index, const DrawItem& item) {
+  const Bounds bounds =
+      std::visit([](const auto& region) { return region_bounds(region); }, item.region);
+  if (item.colour.a == 0 || bounds.empty() || bounds.high.x() <= crop_.x ||
+      bounds.low.x() >= crop_.x + crop_.width || bounds.high.y() <= crop_.y ||
+      bounds.low.y() >= crop_.y + crop_.height)
+    return;
+  const std::size_t first = band_of(bounds.low.y()), last = band_of(bounds.high.y());
+  for (std::size_t band = first; band <= last; ++band) items_[band].push_back({index, {}});
+  const FillPath* path = std::get_if<FillPath>(&item.region);
+  if (path != nullptr && lists_edges(*path)) sort_edges(*path);
+}
+
+void Bands::sort_edges(const FillPath& path) {
+  for (std::uint32_t i = 0; i < path.edges.size(); ++i) {
+    const auto [low, high] = std::minmax(path.edges[i].a.y(), path.edges[i].b.y());
+    if (high < crop_.y || low > crop_.y + crop_.height) continue;
+    for (std::size_t band = band_of(low); band <= band_of(high); ++band)
+      items_[band].back().edges.push_back(i);
+  }
+}
+
+std::size_t Bands::band_of(double y) const {
+  const double row = std::clamp<double>(std::floor(y) - crop_.y, 0, crop_.height - 1);
+  return static_cast<std::size_t>(row) / static_cast<std::size_t>(rows_);
+}
+
+std::vector<bool> unchanged_bands(const DrawList& now, const Bands& now_bands,
+                                  const DrawList& before, const Bands& before_bands) {
+  std::vector<bool> unchanged(now_bands.count());
+  if (now.width != before.width || now.height != before.height || now.coverage != before.coverage ||
+      !same(now.background, before.background) || now_bands.count() != before_bands.count())
+    return unchanged;
+  ItemComparison items(now, before);
+  for (std::size_t band = 0; band < unchanged.size(); ++band) {
+    const auto &shown = now_bands.items(band), &kept = before_bands.items(band);
+    unchanged[band] = std::equal(
+        shown.begin(), shown.end(), kept.begin(), kept.end(),
+        [&](const BandItem& a, const BandItem& b) { return items.same(a.item, b.item); });
+  }
+  return unchanged;
+}
+
+}  // namespace flatray

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include "render/coverage_families.h"
+#include "render/frame.h"
+
+namespace flatray {
+namespace {
+
+using coverage_check::add_ring;
+using coverage_check::Draws;
+
+FillPath box_path(double x0, double y0, double x1, double y1) {
+  FillPath path;
+  add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, false, path);
+  path.simple = true;
+  return path;
+}
+
+// Forty boxes and discs that stay, and one of each that moves, over two films and colours.
+DrawList moving_list(int frame) {
+  DrawList list{200, 150, {1, 1, 1, 1}, Coverage::area, {}};
+  for (std::uint64_t item = 0; item < 40; ++item) {
+    Draws draws(3, item);
+    const double x = 200 * draws.unit(), y = 150 * draws.unit(), size = 20 * draws.unit();
+    const float alpha = item % 3 ? 1.0F : 0.4F, shade = static_cast<float>(draws.unit());
+    if (item % 2)
+      list.items.push_back({box_path(x, y, x + size, y + size / 2), {shade, 0, 1, alpha}});
+    else
+      list.items.push_back({FillRing{{x, y}, size}, {0, shade, 0.5F, alpha}});
+  }
+  list.items.insert(list.items.begin() + 11,
+                    {box_path(3 * frame, 40.25, 3 * frame + 7.5, 50), {1, 0, 0, 0.7F}});
+  list.items.push_back({FillRing{{60, 20 + 2.0 * frame}, 9}, {0, 0, 1, 1}});
+  return list;
+}
+
+TEST(FrameDrawer, PicturesDoNotDependOnTheFramesBefore) {
+  for (const PixelBox crop : {PixelBox{0, 0, 200, 150}, PixelBox{31, 17, 90, 101}}) {
+    FrameDrawer<Image> drawer({crop, 1});
+    for (const int frame : {0, 1, 2, 2, 30, 3, 0}) {
+      const DrawList list = moving_list(frame);
+      EXPECT_EQ(drawer.draw(list), render_image(list, {crop, 1})) << frame;
+    }
+  }
+}
+
+TEST(FrameDrawer, WhatMovesAloneIsDrawnAgain) {
+  FrameDrawer<Image> drawer({});
+  DrawList list{1000, 640, {1, 1, 1, 1}, Coverage::area, {}};
+  list.items.push_back({box_path(100, 100, 110, 110), {1, 0, 0, 1}});
+  list.items.push_back({box_path(0, 0, 1000, 20), {0, 1, 0, 1}});
+  drawer.draw(list);
+  EXPECT_EQ(drawer.counts().bands, 20U) << "32 rows each";
+  EXPECT_TRUE(drawer.changed());
+  std::get<FillPath>(list.items[0].region) = box_path(101, 100, 111, 110);
+  drawer.draw(list);
+  EXPECT_EQ(drawer.counts().bands, 21U);
+  EXPECT_EQ(drawer.counts().kept_bands, 19U);
+  EXPECT_TRUE(drawer.changed());
+  drawer.draw(list);
+  EXPECT_EQ(drawer.counts().bands, 21U);
+  EXPECT_FALSE(drawer.changed());
+}
+
+TEST(FrameDrawer, AnotherBackgroundSizeOrCoverageDrawsAll) {
+  FrameDrawer<Image> drawer({});
+  DrawList list = moving_list(0);
+  const auto drawn_as_alone = [&] { return drawer.draw(list) == render_image(list, {}); };
+  EXPECT_TRUE(drawn_as_alone());
+  list.coverage = Coverage::centre;
+  EXPECT_TRUE(drawn_as_alone());
+  list.background = {0, 0, 0, 0};
+  EXPECT_TRUE(drawn_as_alone());
+  list.width = 77;
+  EXPECT_TRUE(drawn_as_alone());
+}
+
+TEST(FrameDrawer, AnOpaqueItemOverABandHidesThoseBelowIt) {
+  DrawList list{1000, 64, {1, 1, 1, 1}, Coverage::area, {}};
+  for (int i = 0; i < 10; ++i)
+    list.items.push_back({FillRing{{100.0 * i, 16}, 12}, {0.1F, 0.2F, 0.3F, 1}});
+  list.items.push_back({box_path(-1, -1, 1001, 32), {0, 0.5F, 0, 1}});  // the first band, no more
+  list.items.push_back({FillRing{{500, 30}, 20}, {1, 0, 0, 0.5F}});
+  const auto hidden = [&list] {
+    FrameDrawer<Image> drawer({});
+    FrameDrawer<Image> all({std::nullopt, 1, true});
+    EXPECT_EQ(drawer.draw(list), all.draw(list));
+    EXPECT_EQ(all.counts().hidden_items, 0U);
+    return drawer.counts().hidden_items;
+  };
+  EXPECT_EQ(hidden(), 10U);
+  list.items[10].colour.a = 0.999F;
+  EXPECT_EQ(hidden(), 0U) << "what is not opaque hides nothing";
+  list.items[10] = {box_path(-1, 0x1p-20, 1001, 32), {0, 0.5F, 0, 1}};
+  EXPECT_EQ(hidden(), 0U) << "a millionth of a pixel is open";
+  list.coverage = Coverage::centre;
+  EXPECT_EQ(hidden(), 10U) << "but no centre is";
+}
+
+}  // namespace
+}  // namespace flatray
