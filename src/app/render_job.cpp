@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <memory>
 
+#include "app/frame_encoder.h"
 #include "app/interrupt.h"
 #include "app/value.h"
 #include "app/version.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/parallel.h"
-#include "image/hdr.h"
-#include "image/png.h"
 
 namespace flatray {
 namespace {
@@ -35,56 +33,6 @@ std::uint64_t bytes_of_frame(const RenderJob& job) {
   return pixels * (job.output.format() == PictureFormat::png ? kPngBytes : kHdrBytes);
 }
 
-// One drawn picture, encoded, with what its record says of it.
-struct Encoded {
-  std::vector<std::byte> bytes;
-  FrameRecord record;
-};
-
-std::string hash_of(const Image& image) { return pixel_hash(image); }
-std::string hash_of(const LinearImage& image) {
-  return Hash().add(std::as_bytes(std::span(image.pixels))).hex();
-}
-
-// Draws frames one after another and encodes them; a frame that shows what the one before did is
-// not encoded again.
-template <class Picture>
-class Encoder {
- public:
-  Encoder(const RenderJob& job, const FrameOptions& options) : job_(job), drawer_(options) {}
-
-  const Encoded& operator()(DrawList list) {
-    const Picture& picture = drawer_.draw(std::move(list));
-    if (!drawer_.changed()) return out_;
-    out_.bytes = encode(picture);
-    out_.record.pixels = hash_of(picture);
-    out_.record.width = picture.width;
-    out_.record.height = picture.height;
-    out_.record.bytes = Hash().add(out_.bytes).hex();
-    out_.record.scene = job_.fingerprint();
-    return out_;
-  }
-
- private:
-  static std::vector<std::byte> encode(const Image& image) { return encode_png(image); }
-  static std::vector<std::byte> encode(const LinearImage& image) { return encode_hdr(image); }
-
-  const RenderJob& job_;
-  FrameDrawer<Picture> drawer_;
-  Encoded out_;
-};
-
-using FrameEncoder = std::function<const Encoded&(DrawList)>;
-
-FrameEncoder frame_encoder(const RenderJob& job, unsigned threads) {
-  const FrameOptions options{job.crop, threads, job.keep_all};
-  if (job.output.format() == PictureFormat::png)
-    return [encoder = std::make_shared<Encoder<Image>>(job, options)](
-               DrawList list) -> const Encoded& { return (*encoder)(std::move(list)); };
-  return [encoder = std::make_shared<Encoder<LinearImage>>(job, options)](
-             DrawList list) -> const Encoded& { return (*encoder)(std::move(list)); };
-}
-
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
 class FrameMaker {
  public:
@@ -102,7 +50,7 @@ class FrameMaker {
         problems_(frames.size()),
         seconds_(frames.size()) {
     if (plan_.still && !frames.empty())
-      still_ = frame_encoder(job, threads)(draw_list(plan_, timeline_, frames.front()));
+      still_ = FrameEncoder(job, threads).encode(draw_list(plan_, timeline_, frames.front()));
   }
 
   void make_all() {
@@ -138,11 +86,11 @@ class FrameMaker {
   }
 
   void make_run(std::size_t begin) {
-    const FrameEncoder encode = frame_encoder(job_, spread_.threads_each);
+    FrameEncoder encoder(job_, spread_.threads_each);
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
       const auto start = std::chrono::steady_clock::now();
-      if (Result<FrameRecord> record = write(frames_[i], encode)) {
+      if (Result<FrameRecord> record = write(frames_[i], encoder)) {
         records_[i] = std::move(*record);
         done_();
       } else {
@@ -153,8 +101,8 @@ class FrameMaker {
     }
   }
 
-  Result<FrameRecord> write(unsigned frame, const FrameEncoder& encode) const {
-    const Encoded& picture = still_ ? *still_ : encode(draw_list(plan_, timeline_, frame));
+  Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
+    const Encoded& picture = still_ ? *still_ : encoder.encode(draw_list(plan_, timeline_, frame));
     FrameRecord record = picture.record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
@@ -269,7 +217,7 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
 std::vector<std::byte> picture_bytes(const RenderJob& job, unsigned frame, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
-  return frame_encoder(job, threads)(draw_list(plan, timeline, frame)).bytes;
+  return FrameEncoder(job, threads).encode(draw_list(plan, timeline, frame)).bytes;
 }
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/measure.h"
 #include "app/render_request.h"
 #include "app/report.h"
 #include "app/scene_input.h"
@@ -9,7 +10,12 @@
 namespace flatray::verbs {
 namespace {
 
+constexpr std::size_t kMeasuredFrames = 24;
+
 constexpr Option kOptions[] = {
+    {"measure", '\0', "", "draw the frames, write nothing, and say what was saved",
+     OptionKind::flag},
+    {"frames", 'f', "LIST", "frames to measure (default: the first 24)"},
     {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
     {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
     kThreadsOption,
@@ -44,7 +50,14 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!request) return tl::unexpected(request.error());
   const auto jobs = make_jobs(arguments, *request);
   if (!jobs) return tl::unexpected(jobs.error());
-  const Table table = decisions(jobs->front(), request->threads);
+  Table table = decisions(jobs->front(), request->threads);
+  if (arguments.has("measure")) {
+    RenderJob job = jobs->front();
+    if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
+    for (Saving& saving : measured_savings(job))
+      table.rows.push_back(
+          {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});
+  }
   if (arguments.has("json"))
     return VerbOutput{json_report("explain", arguments, as_objects(table), 0)};
   return VerbOutput{aligned_text(table)};
@@ -58,7 +71,8 @@ extern const Verb explain = {"explain",
                              1,
                              1,
                              kOptions,
-                             "  flatray explain scenes/demo.toml\n",
+                             "  flatray explain scenes/demo.toml\n"
+                             "  flatray explain --measure -f 1..48 scenes/demo.toml\n",
                              "",
                              &run};
 

@@ -1,0 +1,54 @@
+#include "app/frame_encoder.h"
+
+#include "base/hash.h"
+#include "image/hdr.h"
+#include "image/png.h"
+
+namespace flatray {
+namespace {
+
+std::string hash_of(const Image& image) { return pixel_hash(image); }
+std::string hash_of(const LinearImage& image) {
+  return Hash().add(std::as_bytes(std::span(image.pixels))).hex();
+}
+
+std::vector<std::byte> file_bytes(const Image& image) { return encode_png(image); }
+std::vector<std::byte> file_bytes(const LinearImage& image) { return encode_hdr(image); }
+
+using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
+
+Drawer drawer_for(const RenderJob& job, unsigned threads) {
+  const FrameOptions options{job.crop, threads, job.keep_all};
+  if (job.output.format() == PictureFormat::png) return FrameDrawer<Image>(options);
+  return FrameDrawer<LinearImage>(options);
+}
+
+}  // namespace
+
+FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads)
+    : job_(job), drawer_(drawer_for(job, threads)) {}
+
+const Encoded& FrameEncoder::encode(DrawList list) {
+  std::visit([&](auto& drawer) { encode(drawer, std::move(list)); }, drawer_);
+  return out_;
+}
+
+template <class Picture>
+void FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
+  const Picture& picture = drawer.draw(std::move(list));
+  if (!drawer.changed()) return;
+  out_.bytes = file_bytes(picture);
+  out_.record.pixels = hash_of(picture);
+  out_.record.width = picture.width;
+  out_.record.height = picture.height;
+  out_.record.bytes = Hash().add(out_.bytes).hex();
+  out_.record.scene = job_.fingerprint();
+  ++encoded_;
+}
+
+const DrawCounts& FrameEncoder::counts() const {
+  return std::visit([](const auto& drawer) -> const DrawCounts& { return drawer.counts(); },
+                    drawer_);
+}
+
+}  // namespace flatray

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# explain --measure draws, writes nothing, and counts what was left out; keep-all leaves nothing out.
+source "$(dirname "$0")/lib.sh"
+cat > hold.toml <<'TOML'
+flatray = 1
+frames  = 12
+film    = { size = [256, 512], world = [[0, 0], [256, 512]] }
+
+[[entity]]
+name   = "hidden"
+shape  = { box = { min = [10, 10], max = [20, 500] } }
+
+[[entity]]
+name   = "cover"
+shape  = { box = { min = [0, 0], max = [256, 512] } }
+fill   = "#336699"
+
+[[entity]]
+name   = "runner"
+shape  = { box = { min = [0, 0], max = [4, 4] } }
+at     = [100, 4]
+markov = { chain = "steps" }
+states = { GO = { velocity = [24, 0] }, STOP = { velocity = [0, 0] } }
+
+[markov.steps]
+hold = 6
+GO   = { STOP = 1 }
+STOP = { STOP = 1 }
+TOML
+run 0 explain --measure hold.toml
+says out "12 frames"
+# Frame 1 draws all 8 bands of 64 rows, the six moves after it one band each, and the five frames of STOP none.
+says out "7 of 12"
+says out "82 of 96 bands"
+run 0 explain --measure -f 1..3 hold.toml
+says out "3 frames"
+run 0 explain --measure --keep-all hold.toml
+says out "0 of 96 bands"
+run 0 explain --measure --json hold.toml
+says out '"measured: bands carried"'
+run 2 explain --measure -f 0 hold.toml
+absent out
+run 0 render hold.toml -o plain/f_####.png
+run 0 render hold.toml --keep-all -o all/f_####.png
+run 0 render hold.toml -j 3 -o threads/f_####.png
+same plain all "--keep-all"
+same plain threads "three threads"
+finish
