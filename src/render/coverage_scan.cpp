@@ -186,12 +186,11 @@ std::uint32_t AreaScan::decide(const CellArea& area, const Touching& touching, F
   const std::optional<std::uint32_t> certain = certain_steps(area);
   if (certain && audit_ == nullptr) return *certain;
   touching();
-  Rational exact = exact_cell(rule, winding, column, row);
-  if (audit_ != nullptr) audit_->see(area, exact);
+  winding = without_touching(winding, column, row);
+  if (audit_ != nullptr) audit_->see(area, exact_area(exact_edges_, winding, column, row, rule));
   if (certain) return *certain;
   ++stats_.exact_fallbacks;
-  exact *= kFullCoverage;
-  return static_cast<std::uint32_t>(exact.floor().nearest());
+  return exact_steps(exact_edges_, winding, column, row, rule);
 }
 
 void AreaScan::gather(std::span<const Piece> cell) {
@@ -212,7 +211,7 @@ void AreaScan::gather(int column, int row) {
 }
 
 // The winding as counted has the touching edges in it where they passed left of the pixel.
-Rational AreaScan::exact_cell(FillRule rule, int winding, int column, int row) {
+int AreaScan::without_touching(int winding, int column, int row) {
   exact_edges_.clear();
   for (const std::uint32_t index : touching_) {
     const ScanEdge& edge = edges_[index];
@@ -220,7 +219,7 @@ Rational AreaScan::exact_cell(FillRule rule, int winding, int column, int row) {
     const RowCut cut = row_cut(edge, row);
     if (cut.crosses_top && cut.first < column) winding -= edge.direction;
   }
-  return exact_area(exact_edges_, winding, column, row, rule);
+  return winding;
 }
 
 }  // namespace flatray

@@ -84,7 +84,7 @@ class AreaScan {
   template <class Touching>
   std::uint32_t decide(const CellArea& area, const Touching& touching, FillRule rule, int winding,
                        int column, int row);
-  Rational exact_cell(FillRule rule, int winding, int column, int row);
+  int without_touching(int winding, int column, int row);
   void gather(std::span<const Piece> cell);
   void gather(int column, int row);
 
