@@ -13,6 +13,7 @@ Bounded operator/(const Bounded& a, const Bounded& b) {
   const Bounded last = rest - Bounded(b.value_, 0) * Bounded(second);
   const double least = std::fabs(b.value_.hi) * (1 - 0x1p-50) - b.error_;
   if (!(least > 0)) return {value, kInfinity};
+  if (a.is_exact_zero()) return a;
   const double known = last.error_ + a.error_ + b.error_;
   if (last.value_.hi == 0 && known == 0) return {value, 0};
   // What underflows here would be divided by `least`: it is added before.

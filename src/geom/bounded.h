@@ -37,6 +37,8 @@ class Bounded {
 
  private:
   Bounded(DoubleDouble value, double error) : value_(value), error_(error) {}
+  bool is_exact_zero() const { return value_.hi == 0 && value_.lo == 0 && error_ == 0; }
+  bool is_finite() const { return std::fabs(value_.hi) + error_ < kInfinity; }
   static Bounded rounded(DoubleDouble value, double from_operands, double size);
 
   DoubleDouble value_;
@@ -69,6 +71,7 @@ inline Bounded operator+(const Bounded& a, const Bounded& b) {
 }
 
 inline Bounded operator*(const Bounded& a, const Bounded& b) {
+  if ((a.is_exact_zero() && b.is_finite()) || (b.is_exact_zero() && a.is_finite())) return {0};
   const DoubleDouble high = two_product(a.value_.hi, b.value_.hi);
   const double middle = a.value_.hi * b.value_.lo + a.value_.lo * b.value_.hi;
   const DoubleDouble value = two_sum(high.hi, high.lo + middle);
