@@ -95,6 +95,22 @@ double Args::number(const char* key, double fallback) {
   return field ? in_->number(*field).value_or(fallback) : fallback;
 }
 
+double Args::size(const char* key) {
+  const std::optional<Field> field = find(key);
+  const std::optional<double> size = field ? in_->number(*field) : std::nullopt;
+  if (!size || (*size > 0 && *size <= kFarthest)) return size.value_or(0);
+  in_->problem(field->value.where,
+               fmt::format("{} is {}", field->name, source_text(field->value).substr(0, 40)),
+               "write a number above 0, at most 1e300");
+  return 0;
+}
+
+std::int64_t Args::integer(const char* key, std::int64_t fallback, std::int64_t low,
+                           std::int64_t high) {
+  const std::optional<Field> field = find(key);
+  return field ? in_->integer(*field, low, high).value_or(fallback) : fallback;
+}
+
 std::string Args::string(const char* key, std::string fallback) {
   const std::optional<Field> field = find(key);
   return field ? in_->string(*field).value_or(fallback) : fallback;

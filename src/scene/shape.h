@@ -20,6 +20,9 @@ class Args {
 
   Vec2 point(const char* key);
   double number(const char* key, double fallback = 0);
+  /// Above 0 and at most kFarthest.
+  double size(const char* key);
+  std::int64_t integer(const char* key, std::int64_t fallback, std::int64_t low, std::int64_t high);
   std::string string(const char* key, std::string fallback = {});
   bool flag(const char* key, bool fallback = false);
   std::vector<Vec2> points(const char* key);

@@ -1,4 +1,4 @@
-// needs: shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment
+// needs: shapes/circle shapes/convex shapes/import shapes/ngon shapes/polygon shapes/polyline shapes/segment shapes/star
 #include <gtest/gtest.h>
 
 #include "base/file.h"
@@ -83,6 +83,10 @@ constexpr Table kTables[] = {
     {"polygon",
      "flatray = 1\n[[entity]]\nshape = { polygon = { points = [[0, 0], [1, 0], [0, 1]], @ } }"},
     {"segment", "flatray = 1\n[[entity]]\nshape = { segment = { from = [0, 0], to = [1, 0], @ } }"},
+    {"ngon", "flatray = 1\n[[entity]]\nshape = { ngon = { sides = 5, radius = 1, @ } }"},
+    {"polyline",
+     "flatray = 1\n[[entity]]\nshape = { polyline = { points = [[0, 0], [1, 0]], @ } }"},
+    {"star", "flatray = 1\n[[entity]]\nshape = { star = { points = 5, outer = 2, inner = 1, @ } }"},
     {"import", "flatray = 1\n[[entity]]\nshape = { import = { file = \"a.obj\", @ } }"},
 };
 

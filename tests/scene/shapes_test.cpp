@@ -211,8 +211,9 @@ TEST(Shapes, EveryKindIsListedWithWhatItTakes) {
     names.push_back(shape.name);
     EXPECT_NE(shape.usage.find(" = "), std::string::npos);
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"box", "circle", "convex", "import", "polygon", "segment"}));
+  EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+  for (const char* name : {"box", "circle", "convex", "import", "polygon", "segment"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
   EXPECT_EQ(listed_shapes()[0].usage, "min = [x, y], max = [x, y]");
 }
 

@@ -1,0 +1,34 @@
+#include <fmt/core.h>
+
+#include "scene/corners.h"
+#include "scene/ring.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr std::int64_t kMostSides = 10'000;
+
+constexpr KeyInfo kKeys[] = {{"sides", "whole number", kRequired},
+                             {"radius", "number", kRequired},
+                             {"centre", "[x, y]", "[0, 0]"},
+                             {"angle", "degrees", "90"}};
+
+Result<Shape> build(Args& args) {
+  const auto sides = static_cast<int>(args.integer("sides", 3, 3, kMostSides));
+  const Vec2 centre = args.point("centre");
+  const double radius = args.size("radius");
+  const std::vector<Vec2> points = corners({centre, sides, args.number("angle", 90)}, {radius});
+  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size())
+    return fail(args.place("radius"), "the sides of the ngon are lost in rounding",
+                "write fewer sides, a larger radius, or a centre nearer to 0");
+  Shape shape;
+  add_ring(shape, points);
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType ngon = {"ngon", kKeys, &build};
+
+}  // namespace flatray::shapes

@@ -1,0 +1,25 @@
+#include "scene/ring.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"points", "[[x, y], ...]", kRequired},
+                             {"closed", "true or false", "false"}};
+
+// Segments that follow one another share their ends to the bit: strokes join them.
+Result<Shape> build(Args& args) {
+  std::vector<Vec2> points = args.points("points");
+  if (args.flag("closed") && points.size() > 2) points.push_back(points.front());
+  Shape shape;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    if (points[i] != points[i + 1]) shape.segments.push_back({points[i], points[i + 1]});
+  if (shape.segments.empty()) add_flat(shape, points);
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType polyline = {"polyline", kKeys, &build};
+
+}  // namespace flatray::shapes
