@@ -114,8 +114,9 @@ class LengthCode {
     out.put(kLiteralSymbols - 257, 5);
     out.put(kDistanceSymbols - 1, 5);
     out.put(kLengthSymbols - 4, 4);
-    for (const std::size_t symbol :
-         {16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15}) {
+    constexpr std::array<std::uint8_t, kLengthSymbols> kOrder = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
+                                                                 11, 4,  12, 3, 13, 2, 14, 1, 15};
+    for (const std::uint8_t symbol : kOrder) {
       out.put(code_[symbol].bits, 3);
       out.flush();
     }
