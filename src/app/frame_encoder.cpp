@@ -12,8 +12,10 @@ std::string hash_of(const LinearImage& image) {
   return Hash().add(std::as_bytes(std::span(image.pixels))).hex();
 }
 
-std::vector<std::byte> file_bytes(const Image& image) { return encode_png(image); }
-std::vector<std::byte> file_bytes(const LinearImage& image) { return encode_hdr(image); }
+std::vector<std::byte> file_bytes(const Image& image, unsigned threads) {
+  return encode_png(image, threads);
+}
+std::vector<std::byte> file_bytes(const LinearImage& image, unsigned) { return encode_hdr(image); }
 
 using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
 
@@ -26,7 +28,7 @@ Drawer drawer_for(const RenderJob& job, unsigned threads) {
 }  // namespace
 
 FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads)
-    : job_(job), drawer_(drawer_for(job, threads)) {}
+    : job_(job), threads_(threads), drawer_(drawer_for(job, threads)) {}
 
 const Encoded& FrameEncoder::encode(DrawList list) {
   std::visit([&](auto& drawer) { encode(drawer, std::move(list)); }, drawer_);
@@ -37,7 +39,7 @@ template <class Picture>
 void FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
   const Picture& picture = drawer.draw(std::move(list));
   if (!drawer.changed()) return;
-  out_.bytes = file_bytes(picture);
+  out_.bytes = file_bytes(picture, threads_);
   out_.record.pixels = hash_of(picture);
   out_.record.width = picture.width;
   out_.record.height = picture.height;

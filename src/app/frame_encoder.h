@@ -28,6 +28,7 @@ class FrameEncoder {
   void encode(FrameDrawer<Picture>& drawer, DrawList list);
 
   const RenderJob& job_;
+  const unsigned threads_;
   std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>> drawer_;
   Encoded out_;
   std::size_t encoded_ = 0;

@@ -24,7 +24,7 @@ constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
 // What one picture takes at its peak, for pixels that do not compress.
 std::uint64_t bytes_of_frame(const RenderJob& job) {
-  constexpr std::uint64_t kPngBytes = 3 + 3 + 3;  // picture, filtered, compressed
+  constexpr std::uint64_t kPngBytes = 3 + 3 + 3;  // picture, its bands packed, joined
   constexpr std::uint64_t kHdrBytes =
       12 + 12 + 12;  // picture, without what RGBE lacks, growing file
   const PixelBox box = job.picture();

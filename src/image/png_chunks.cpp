@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "image/checksums.h"
+
 namespace flatray {
 namespace {
 
@@ -18,24 +20,6 @@ std::uint32_t number_at(Bytes bytes, std::size_t at) {
   for (std::size_t i = 0; i < 4; ++i)
     number = number << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
   return number;
-}
-
-constexpr std::array<std::uint32_t, 256> crc_table() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    table[i] = i;
-    for (int bit = 0; bit < 8; ++bit)
-      table[i] = (table[i] & 1) != 0 ? 0xedb88320U ^ (table[i] >> 1) : table[i] >> 1;
-  }
-  return table;
-}
-
-std::uint32_t crc32(Bytes bytes) {
-  static constexpr auto kTable = crc_table();
-  std::uint32_t crc = 0xffffffff;
-  for (const std::byte b : bytes)
-    crc = kTable[(crc ^ std::to_integer<std::uint32_t>(b)) & 0xff] ^ (crc >> 8);
-  return ~crc;
 }
 
 struct Chunk {

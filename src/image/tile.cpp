@@ -79,6 +79,17 @@ void check_inside(const Tile& tile, int width, int height) {
 
 }  // namespace
 
+int tile_rows(int width) {
+  constexpr int kTilePixels = 1 << 15;  // half a megabyte of floats: stays in the second cache
+  return std::clamp(kTilePixels / std::max(width, 1), 1, 64);
+}
+
+int band_rows(int width) {
+  constexpr int kBandPixels = 1 << 17;
+  const int rows = tile_rows(width);
+  return rows * std::max(kBandPixels / std::max(width, 1) / rows, 1);
+}
+
 void develop(const Tile& tile, Image& out) {
   check_inside(tile, out.width, out.height);
   if (tile.width == 0) return;

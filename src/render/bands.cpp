@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "image/tile.h"
+
 namespace flatray {
 namespace {
 
-constexpr int kBandPixels = 1 << 15;  // half a megabyte of floats: stays in the second cache
 constexpr std::size_t kFewEdges =
     48;  // looking at all of them costs less than sorting them by band
 
@@ -77,7 +78,7 @@ class ItemComparison {
 
 Bands::Bands(const DrawList& list, const PixelBox& crop)
     : crop_(crop),
-      rows_(std::clamp(kBandPixels / std::max(crop.width, 1), 1, 64)),
+      rows_(tile_rows(crop.width)),
       items_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)) {
   for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i]);
 }

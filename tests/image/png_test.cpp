@@ -6,6 +6,7 @@
 
 #include "base/file.h"
 #include "base/parallel.h"
+#include "image/tile.h"
 #include "pictures.h"
 
 namespace flatray {
@@ -107,6 +108,58 @@ TEST(Png, SamePictureSameBytesOnAnyThread) {
 TEST(Png, FlatFramesAreSmall) {
   EXPECT_LT(encode_png(flat(1280, 720, 3, 200)).size(),
             40'000U);  // of 2.8 MB of pixels, whichever library packs them
+}
+
+// Repetitions of every length and at every distance the packer knows of, and what lies between.
+TEST(Png, StripesOfEveryWidthComeBackAsTheyWere) {
+  for (int period = 1; period <= 600; period += period < 40 ? 1 : 37)
+    for (const int channels : {3, 4}) {
+      Image image(601, 5, channels);
+      for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] =
+            static_cast<std::uint8_t>(i / static_cast<std::size_t>(period) * 97 % 251);
+      expect_round_trip(image);
+    }
+}
+
+TEST(Png, RunsOfEveryLengthComeBackAsTheyWere) {
+  Image image(1000, 100, 3);
+  std::size_t at = 0;
+  for (std::size_t run = 1; at + run < image.pixels.size(); at += run, ++run)
+    image.pixels[at] = static_cast<std::uint8_t>(run % 255 + 1);
+  expect_round_trip(image);
+}
+
+TEST(Png, NoiseThatCannotBePackedHardlyGrows) {
+  const Image image = noise(500, 400, 3);
+  const std::size_t raw = image.pixels.size() + 400;
+  EXPECT_LT(encode_png(image).size(), raw + raw / 1000 + 200);
+  expect_round_trip(image);
+}
+
+TEST(Png, SamePictureSameBytesWhateverTheThreads) {
+  const Image image = flat(1921, 1083, 3, 9);
+  const Bytes expected = encode_png(image);
+  for (const unsigned threads : {2U, 3U, 7U}) EXPECT_EQ(encode_png(image, threads), expected);
+}
+
+TEST(Png, ABandDependsOnItsOwnRowsAlone) {
+  const int rows = band_rows(640);
+  Image image = noise(640, 3 * rows, 3), other = noise(640, 3 * rows, 3);
+  for (int x = 0; x < 640; ++x)
+    for (int c = 0; c < 3; ++c) {
+      ++image.at(x, rows - 1)[c];
+      ++image.at(x, 2 * rows)[c];
+    }
+  EXPECT_EQ(pack_png_band(image, rows).chunk, pack_png_band(other, rows).chunk);
+  EXPECT_NE(pack_png_band(image, 0).chunk, pack_png_band(other, 0).chunk);
+}
+
+TEST(Png, BandsAreWholeTiles) {
+  for (int width = 1; width < 200'000; width += 1 + width / 3) {
+    EXPECT_EQ(band_rows(width) % tile_rows(width), 0) << width;
+    EXPECT_GT(band_rows(width), 0) << width;
+  }
 }
 
 TEST(Png, EveryTruncationIsRefused) {

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$1"
 
 limit=400
-mapfile -t files < <(find src tests tools -name '*.h' -o -name '*.cpp' -o -name '*.cmake' -o -name '*.sh')
+mapfile -t files < <(find src tests benchmarks tools -name '*.h' -o -name '*.cpp' -o -name '*.cmake' -o -name '*.sh')
 long=$(awk -v limit=$limit 'FNR == limit + 1 { print FILENAME ": longer than " limit " lines, split it" }' "${files[@]}")
 echo "sizes: ${#files[@]} files${long:+
 $long}"
