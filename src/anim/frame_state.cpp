@@ -1,26 +1,10 @@
 #include "anim/frame_state.h"
 
-#include <cmath>
-
 #include "anim/camera.h"
-#include "base/portable_math.h"
+#include "geom/turn.h"
 
 namespace flatray {
 namespace {
-
-// pi/2 = kQuarterHigh + kQuarterLow to 107 bits.
-constexpr double kQuarterHigh = 0x1.921fb54442d18p+0, kQuarterLow = 0x1.1a62633145c07p-54;
-
-// Number of quarter turns in `angle` if it is within 1 ulp of a whole number of them.
-std::optional<double> quarter_turns(double angle) {
-  const double turns = std::floor(angle / kQuarterHigh + 0.5);
-  const double high = turns * kQuarterHigh;
-  const double rest = std::fma(turns, kQuarterHigh, -high) + turns * kQuarterLow;
-  const double nearest = high + rest;  // turns * pi/2, rounded
-  if (angle >= std::nextafter(nearest, -kInfinity) && angle <= std::nextafter(nearest, kInfinity))
-    return turns;
-  return std::nullopt;
-}
 
 // Kept where the scene's own coordinates must be; so written that a NaN is, too.
 Vec2 held(const Vec2& point) {
@@ -93,13 +77,8 @@ FrameState at(const Timeline& timeline, unsigned frame) {
 }
 
 Pose pose(const Vec2& at, double angle) {
-  if (const std::optional<double> turns = quarter_turns(angle)) {
-    const double quarter = *turns - 4 * std::floor(*turns / 4);  // exact: 0, 1, 2 or 3
-    const double cosine = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
-    const double sine = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
-    return {at, cosine, sine};
-  }
-  return {at, portable::cos(angle), portable::sin(angle)};
+  const Turn turned = turn(angle);
+  return {at, turned.cos, turned.sin};
 }
 
 Pose entity_pose(const FrameState& state, std::size_t entity) {

@@ -103,6 +103,7 @@ struct Entity {
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   std::optional<MarkovUse> markov;
   Place where;
+  std::uint64_t order = 0;  ///< of drawing within a layer
 };
 
 /// Convex or simple room with obstacles: rays bounce inside it.
@@ -124,6 +125,7 @@ struct Chamber {
   };
   std::vector<Pillar> pillars;
   Place where;
+  std::uint64_t order = 0;
 };
 
 /// An orbit to trace and draw: starts at `at`, reflected by mirrors, ended by what absorbs.
@@ -135,6 +137,7 @@ struct RayPath {
   std::optional<Colour> hit_points;  ///< marks where it bounces
   int layer = 0;
   Place where;
+  std::uint64_t order = 0;
 };
 
 /// The paper's Figure 4: the edges of one entity as rays against another, the inside part thick,
@@ -145,6 +148,7 @@ struct EdgeRays {
   Colour inside, enter, exit;
   int layer = 0;
   Place where;
+  std::uint64_t order = 0;
 };
 
 /// How the window moves (the paper's Figure 3). `frame_origin` moves the window; `objects` moves

@@ -19,6 +19,7 @@ constexpr Option kOptions[] = {{"output", 'o', "FOLDER", "where its files go (de
                                kThreadsOption,
                                kDefineOption,
                                kMaxPixelsOption,
+                               kMaxEntitiesOption,
                                kJsonOption,
                                kQuietOption};
 

@@ -21,6 +21,7 @@ constexpr Option kOptions[] = {
     kThreadsOption,
     kDefineOption,
     kMaxPixelsOption,
+    kMaxEntitiesOption,
     kJsonOption,
     kQuietOption};
 

@@ -18,6 +18,7 @@ constexpr Option kOptions[] = {
     kSeedOption,
     kDefineOption,
     kMaxPixelsOption,
+    kMaxEntitiesOption,
     kJsonOption,
     kCsvOption,
     kQuietOption};

@@ -19,6 +19,7 @@ constexpr Option kOptions[] = {{"ray", 'r', "NAME", "only this ray of the scene"
                                kSeedOption,
                                kDefineOption,
                                kMaxPixelsOption,
+                               kMaxEntitiesOption,
                                kJsonOption,
                                kCsvOption,
                                kQuietOption};
