@@ -1,18 +1,11 @@
 #include "anim/frame_state.h"
 
 #include "anim/camera.h"
+#include "anim/motion.h"
 #include "geom/turn.h"
 
 namespace flatray {
 namespace {
-
-// Kept where the scene's own coordinates must be; so written that a NaN is, too.
-Vec2 held(const Vec2& point) {
-  const auto within = [](double v) {
-    return v > -kFarthest ? (v < kFarthest ? v : kFarthest) : -kFarthest;
-  };
-  return {within(point.x()), within(point.y())};
-}
 
 void apply(const Look& look, EntityState& state) {
   if (look.shape) state.shape = *look.shape;
@@ -20,8 +13,9 @@ void apply(const Look& look, EntityState& state) {
   if (look.stroke) state.stroke = look.stroke;
 }
 
-EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned frame,
-                         double time) {
+// As seen from its group.
+EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned frame,
+                        double time) {
   const Entity& entity = timeline.scene().entities[index];
   EntityState state{.at = entity.at,
                     .angle = entity.angle + entity.angular_velocity * time,
@@ -43,23 +37,35 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
   return state;
 }
 
+EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned frame, double time,
+                         std::span<const GroupPose> groups) {
+  EntityState state = local_state(timeline, index, frame, time);
+  const std::optional<std::uint32_t> group = timeline.scene().entities[index].group;
+  if (!group) return state;
+  state.at = held(groups[*group].pose(state.at));
+  state.angle += groups[*group].angle;
+  return state;
+}
+
 double time_of(const Scene& scene, unsigned frame) { return (frame - 1.0) / scene.fps; }
 
 Bounds window_at(const Timeline& timeline, unsigned frame) {
   const double time = time_of(timeline.scene(), frame);
   const std::optional<std::uint32_t> follow = timeline.scene().camera.follow;
-  const Vec2 followed = follow ? entity_state(timeline, *follow, frame, time).at : Vec2(0, 0);
-  return camera_window(timeline, time, followed);
+  if (!follow) return camera_window(timeline, time, {0, 0});
+  const std::vector<GroupPose> groups = group_poses(timeline.scene(), time);
+  return camera_window(timeline, time, entity_state(timeline, *follow, frame, time, groups).at);
 }
 
 }  // namespace
 
 std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame) {
   const double time = time_of(timeline.scene(), frame);
+  const std::vector<GroupPose> groups = group_poses(timeline.scene(), time);
   std::vector<EntityState> states;
   states.reserve(timeline.scene().entities.size());
   for (std::uint32_t i = 0; i < timeline.scene().entities.size(); ++i)
-    states.push_back(entity_state(timeline, i, frame, time));
+    states.push_back(entity_state(timeline, i, frame, time, groups));
   return states;
 }
 

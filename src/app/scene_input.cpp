@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMostEntities = std::uint64_t{1}
                                         << 24;  // what the order of drawing tells apart
+constexpr std::uint64_t kMostDepth = 1000;
 constexpr std::uint64_t kMostSeed = ~std::uint64_t{0} >> 1;  // what a TOML integer holds
 
 }  // namespace
@@ -39,7 +40,10 @@ Result<LoadedScene> load_input(const Arguments& arguments, const std::string& pa
   const auto entities =
       arguments.whole("max-entities", LoadLimits{}.max_entities, 1, kMostEntities);
   if (!entities) return tl::unexpected(entities.error());
+  const auto depth = arguments.whole("max-depth", LoadLimits{}.max_depth, 0, kMostDepth);
+  if (!depth) return tl::unexpected(depth.error());
   LoadLimits limits;
+  limits.max_depth = *depth;
   limits.max_pixels = *limit;
   limits.max_entities = *entities;
   std::optional<std::uint64_t> seeded;

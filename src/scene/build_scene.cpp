@@ -43,6 +43,7 @@ constexpr Key<Scene> kSceneKeys[] = {
     {{"fps", "frames a second", "24"}, &read_fps},
     {{"seed", "whole number", "0"}, &read_seed},
     {{"markov", "[markov.NAME]", "{}"}, &read_chains},
+    {{"group", "[[group]]", "[]"}, &read_groups},
     {{"entity", "[[entity]]", "[]"}, &read_entities},
     {{"chamber", "[[chamber]]", "[]"}, &read_chambers},
     {{"ray", "[[ray]]", "[]"}, &read_rays},
@@ -79,8 +80,8 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables : {&film_tables, &entity_tables, &look_tables, &repeat_tables, &chamber_tables,
-                       &ray_tables, &markov_tables})
+  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &repeat_tables,
+                       &chamber_tables, &ray_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

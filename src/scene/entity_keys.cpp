@@ -90,6 +90,7 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
     kShapeKey<Entity>,
+    kGroupKey<Entity>,
     kAtKey<Entity>,
     kAngleKey<Entity>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
@@ -124,40 +125,20 @@ void add_entity(Builder& builder, Entity&& entity) {
   builder.scene.entities.push_back(std::move(entity));
 }
 
-// As the table has it, of the copy that is drawn.
-Entity entity_of(Builder& builder, const Value& table, bool first) {
-  Entity entity;
-  entity.where = table.where;
-  const std::span<const Key<Entity>> keys = kEntityKeys;
-  (first ? &read_keys<Entity> : &read_again<Entity>)(builder, table, "entity", keys, entity);
-  dress(builder.scene, table, entity);
-  return entity;
-}
-
 void read_entity(Builder& builder, const Value& table) {
   const Member* states = table.find("states");
   if (states != nullptr && table.find("markov") == nullptr)
     builder.in.problem(states->where, "entity has states but no Markov chain",
                        R"(add markov = { chain = "CHAIN" })");
-  const std::size_t problems = builder.in.problems.size();
-  const Copies copies =
-      read_copies(builder, table, "entity", builder.scene.entities.size()).value_or(Copies{});
-  Draws draws(builder.scene.seed, builder.entity_tables++, table);
-  builder.in.draws = &draws;
-  const Entity first = entity_of(builder, table, true);
-  const std::size_t warnings = builder.in.warnings.size();
-  const std::size_t after = builder.in.problems.size();
-  // What is wrong is told of one copy.
-  const std::uint64_t total = after == problems ? copies.total : 1;
-  for (std::uint64_t i = 0; i < total && builder.in.problems.size() == after; ++i) {
-    draws.set_copy(i);
-    Entity entity = draws.empty() || i == 0 ? first : entity_of(builder, table, false);
-    entity.order = draw_order(table.where, i);
-    place_copy(copies, i, "", draws, entity);
+  const Scene& scene = builder.scene;
+  const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
+    dress(scene, table, entity);
+    entity.order = draw_order(table.where, copy);
+    if (entity.group) entity.layer += scene.groups[*entity.group].layer;
     add_entity(builder, std::move(entity));
-  }
-  builder.in.warnings.resize(warnings);
-  builder.in.draws = nullptr;
+  };
+  make_copies<Entity>(builder, table, {"entity", builder.entity_tables++, scene.entities.size()},
+                      kEntityKeys, add);
 }
 
 // Enough of them to suggest one.

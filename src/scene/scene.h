@@ -89,9 +89,22 @@ struct MarkovUse {
 /// What a ray does on arrival.
 enum class Material { absorb, mirror };
 
+/// Things that move together. A copy of a group is a group of its own.
+struct Group {
+  std::string name;
+  std::optional<std::uint32_t> group;  ///< it stands in, of a lower number
+  Vec2 at{0, 0};                       ///< of its origin, in the group it stands in
+  double angle = 0;                    ///< radians; what is in it turns about its origin
+  Vec2 velocity{0, 0};
+  double angular_velocity = 0;
+  int layer = 0;  ///< added to those of what is in it; the sum over the groups it stands in
+  Place where;
+};
+
 struct Entity {
   std::string name;
   ShapeId shape = 0;
+  std::optional<std::uint32_t> group;  ///< index into Scene::groups: what `at` is seen from
   Vec2 at{0, 0};
   double angle = 0;             ///< radians, counter-clockwise
   Vec2 velocity{0, 0};          ///< world units a second
@@ -181,6 +194,7 @@ struct Scene {
   double fps = 24;
   std::uint64_t seed = 0;
   std::vector<Shape> shapes;
+  std::vector<Group> groups;
   std::vector<Entity> entities;
   std::vector<Chamber> chambers;
   std::vector<RayPath> rays;

@@ -67,6 +67,7 @@ constexpr Table kTables[] = {
      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\" "
      "}\nstates = { A = { @ } }\n[markov.c]\nA = { A = 1 }"},
     {"stroke", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nstroke = { @ }"},
+    {"group", "flatray = 1\n[[group]]\nname = \"g\"\n@"},
     {"repeat", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { @ }"},
     {"repeat.grid",
      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { grid = { count = "

@@ -20,6 +20,7 @@ constexpr Option kOptions[] = {{"output", 'o', "FOLDER", "where its files go (de
                                kDefineOption,
                                kMaxPixelsOption,
                                kMaxEntitiesOption,
+                               kMaxDepthOption,
                                kJsonOption,
                                kQuietOption};
 

@@ -22,6 +22,7 @@ constexpr Option kOptions[] = {
     kDefineOption,
     kMaxPixelsOption,
     kMaxEntitiesOption,
+    kMaxDepthOption,
     kJsonOption,
     kQuietOption};
 

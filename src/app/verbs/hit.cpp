@@ -19,6 +19,7 @@ constexpr Option kOptions[] = {
     kDefineOption,
     kMaxPixelsOption,
     kMaxEntitiesOption,
+    kMaxDepthOption,
     kJsonOption,
     kCsvOption,
     kQuietOption};

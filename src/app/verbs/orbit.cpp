@@ -20,6 +20,7 @@ constexpr Option kOptions[] = {{"ray", 'r', "NAME", "only this ray of the scene"
                                kDefineOption,
                                kMaxPixelsOption,
                                kMaxEntitiesOption,
+                               kMaxDepthOption,
                                kJsonOption,
                                kCsvOption,
                                kQuietOption};

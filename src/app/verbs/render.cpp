@@ -20,6 +20,7 @@ constexpr Option kOptions[] = {
      OptionKind::flag},
     kMaxPixelsOption,
     kMaxEntitiesOption,
+    kMaxDepthOption,
     {"format", '\0', "png|hdr", "format where the name does not say it"},
     {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
     kJsonOption,
