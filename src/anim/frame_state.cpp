@@ -1,34 +1,11 @@
 #include "anim/frame_state.h"
 
-#include <cmath>
-
 #include "anim/camera.h"
-#include "base/portable_math.h"
+#include "anim/motion.h"
+#include "geom/turn.h"
 
 namespace flatray {
 namespace {
-
-// pi/2 = kQuarterHigh + kQuarterLow to 107 bits.
-constexpr double kQuarterHigh = 0x1.921fb54442d18p+0, kQuarterLow = 0x1.1a62633145c07p-54;
-
-// Number of quarter turns in `angle` if it is within 1 ulp of a whole number of them.
-std::optional<double> quarter_turns(double angle) {
-  const double turns = std::floor(angle / kQuarterHigh + 0.5);
-  const double high = turns * kQuarterHigh;
-  const double rest = std::fma(turns, kQuarterHigh, -high) + turns * kQuarterLow;
-  const double nearest = high + rest;  // turns * pi/2, rounded
-  if (angle >= std::nextafter(nearest, -kInfinity) && angle <= std::nextafter(nearest, kInfinity))
-    return turns;
-  return std::nullopt;
-}
-
-// Kept where the scene's own coordinates must be; so written that a NaN is, too.
-Vec2 held(const Vec2& point) {
-  const auto within = [](double v) {
-    return v > -kFarthest ? (v < kFarthest ? v : kFarthest) : -kFarthest;
-  };
-  return {within(point.x()), within(point.y())};
-}
 
 void apply(const Look& look, EntityState& state) {
   if (look.shape) state.shape = *look.shape;
@@ -36,8 +13,9 @@ void apply(const Look& look, EntityState& state) {
   if (look.stroke) state.stroke = look.stroke;
 }
 
-EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned frame,
-                         double time) {
+// As seen from its group.
+EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned frame,
+                        double time) {
   const Entity& entity = timeline.scene().entities[index];
   EntityState state{.at = entity.at,
                     .angle = entity.angle + entity.angular_velocity * time,
@@ -59,23 +37,35 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
   return state;
 }
 
+EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned frame, double time,
+                         std::span<const GroupPose> groups) {
+  EntityState state = local_state(timeline, index, frame, time);
+  const std::optional<std::uint32_t> group = timeline.scene().entities[index].group;
+  if (!group) return state;
+  state.at = held(groups[*group].pose(state.at));
+  state.angle += groups[*group].angle;
+  return state;
+}
+
 double time_of(const Scene& scene, unsigned frame) { return (frame - 1.0) / scene.fps; }
 
 Bounds window_at(const Timeline& timeline, unsigned frame) {
   const double time = time_of(timeline.scene(), frame);
   const std::optional<std::uint32_t> follow = timeline.scene().camera.follow;
-  const Vec2 followed = follow ? entity_state(timeline, *follow, frame, time).at : Vec2(0, 0);
-  return camera_window(timeline, time, followed);
+  if (!follow) return camera_window(timeline, time, {0, 0});
+  const std::vector<GroupPose> groups = group_poses(timeline.scene(), time);
+  return camera_window(timeline, time, entity_state(timeline, *follow, frame, time, groups).at);
 }
 
 }  // namespace
 
 std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame) {
   const double time = time_of(timeline.scene(), frame);
+  const std::vector<GroupPose> groups = group_poses(timeline.scene(), time);
   std::vector<EntityState> states;
   states.reserve(timeline.scene().entities.size());
   for (std::uint32_t i = 0; i < timeline.scene().entities.size(); ++i)
-    states.push_back(entity_state(timeline, i, frame, time));
+    states.push_back(entity_state(timeline, i, frame, time, groups));
   return states;
 }
 
@@ -93,13 +83,8 @@ FrameState at(const Timeline& timeline, unsigned frame) {
 }
 
 Pose pose(const Vec2& at, double angle) {
-  if (const std::optional<double> turns = quarter_turns(angle)) {
-    const double quarter = *turns - 4 * std::floor(*turns / 4);  // exact: 0, 1, 2 or 3
-    const double cosine = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
-    const double sine = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
-    return {at, cosine, sine};
-  }
-  return {at, portable::cos(angle), portable::sin(angle)};
+  const Turn turned = turn(angle);
+  return {at, turned.cos, turned.sin};
 }
 
 Pose entity_pose(const FrameState& state, std::size_t entity) {

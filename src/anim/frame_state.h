@@ -42,8 +42,7 @@ struct Pose {
     return at + Vec2(cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y());
   }
 };
-/// Angles that are multiples of 90 degrees turn exactly: those within 1 ulp of k * pi/2, which is
-/// what sums and products of rounded radians leave of them.
+/// Multiples of 90 degrees turn exactly, as in geom/turn.h.
 Pose pose(const Vec2& at, double angle);
 
 /// The same with the frame's displacement: of an entity, of a pillar, and of what stands in world

@@ -8,6 +8,9 @@
 namespace flatray {
 namespace {
 
+constexpr std::uint64_t kMostEntities = std::uint64_t{1}
+                                        << 24;  // what the order of drawing tells apart
+constexpr std::uint64_t kMostDepth = 1000;
 constexpr std::uint64_t kMostSeed = ~std::uint64_t{0} >> 1;  // what a TOML integer holds
 
 }  // namespace
@@ -34,9 +37,22 @@ Result<LoadedScene> load_input(const Arguments& arguments, const std::string& pa
   overrides->insert(overrides->end(), more.begin(), more.end());
   const auto limit = max_pixels(arguments);
   if (!limit) return tl::unexpected(limit.error());
+  const auto entities =
+      arguments.whole("max-entities", LoadLimits{}.max_entities, 1, kMostEntities);
+  if (!entities) return tl::unexpected(entities.error());
+  const auto depth = arguments.whole("max-depth", LoadLimits{}.max_depth, 0, kMostDepth);
+  if (!depth) return tl::unexpected(depth.error());
   LoadLimits limits;
+  limits.max_depth = *depth;
   limits.max_pixels = *limit;
-  return load_scene(path, *overrides, limits);
+  limits.max_entities = *entities;
+  std::optional<std::uint64_t> seeded;
+  if (arguments.has("seed")) {
+    const auto given = arguments.whole("seed", 0, 0, ~std::uint64_t{0});
+    if (!given) return tl::unexpected(given.error());
+    seeded = *given;
+  }
+  return load_scene(path, *overrides, limits, seeded);
 }
 
 Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene) {

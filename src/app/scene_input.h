@@ -11,6 +11,10 @@ inline constexpr Option kDefineOption = {"define", 'D', "KEY=VALUE",
                                          OptionKind::list};
 inline constexpr Option kMaxPixelsOption = {"max-pixels", '\0', "N",
                                             "most pixels a picture may have (default 268435456)"};
+inline constexpr Option kMaxEntitiesOption = {
+    "max-entities", '\0', "N", "most entities a scene may have, copies too (default 1000000)"};
+inline constexpr Option kMaxDepthOption = {
+    "max-depth", '\0', "N", "most groups in groups, and files in files (default 64)"};
 inline constexpr Option kSeedOption = {"seed", '\0', "N",
                                        "seed of all draws instead of the scene's"};
 inline constexpr Option kThreadsOption = {"jobs", 'j', "N",

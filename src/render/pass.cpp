@@ -60,20 +60,19 @@ const World& DrawContext::world() {
   return *world_;
 }
 
-void DrawContext::place(int layer, const Place& where) {
+void DrawContext::place(int layer, std::uint64_t order) {
   layer_ = layer;
-  offset_ = where.offset;
+  order_ = order;
 }
 
-void DrawContext::add(DrawItem&& item) { items_.push_back({layer_, offset_, std::move(item)}); }
+void DrawContext::add(DrawItem&& item) { items_.push_back({layer_, order_, std::move(item)}); }
 
 std::vector<DrawItem> DrawContext::sorted_items() && {
   // Numbers are sorted, not items: g++ 12 takes the swap of a variant for a use before set.
   std::vector<std::size_t> order(items_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-    return std::tie(items_[a].layer, items_[a].offset) <
-           std::tie(items_[b].layer, items_[b].offset);
+    return std::tie(items_[a].layer, items_[a].order) < std::tie(items_[b].layer, items_[b].order);
   });
   std::vector<DrawItem> items;
   items.reserve(items_.size());

@@ -42,13 +42,13 @@ class DrawContext {
   double half_width_px(const Stroke& stroke) const;
 
   /// Where the next items belong.
-  void place(int layer, const Place& where);
+  void place(int layer, std::uint64_t order);
   std::vector<DrawItem> sorted_items() &&;
 
  private:
   struct Placed {
     int layer;
-    std::size_t offset;
+    std::uint64_t order;
     DrawItem item;
   };
   void add(DrawItem&& item);
@@ -58,7 +58,7 @@ class DrawContext {
   std::vector<Placed> items_;
   std::optional<World> world_;
   int layer_ = 0;
-  std::size_t offset_ = 0;
+  std::uint64_t order_ = 0;
 };
 
 /// One kind of thing drawn. `need` decides once a scene; `draw` adds a frame's items.

@@ -1,23 +1,8 @@
 #include "render/plan.h"
 
-#include <algorithm>
+#include "anim/motion.h"
 
 namespace flatray {
-namespace {
-
-bool moves(const Entity& entity) {
-  return entity.markov || !entity.velocity.isZero(0) || entity.angular_velocity != 0;
-}
-
-// Why the frames differ, or "" when they are all one picture.
-std::string reason_to_move(const Scene& scene) {
-  if (scene.frames == 1) return {};
-  if (!scene.camera.velocity.isZero(0)) return "the camera moves";
-  const auto mover = std::find_if(scene.entities.begin(), scene.entities.end(), moves);
-  return mover == scene.entities.end() ? std::string{} : "'" + mover->name + "' moves";
-}
-
-}  // namespace
 
 RenderPlan make_plan(const Scene& scene, bool keep_all) {
   RenderPlan plan;

@@ -4,6 +4,7 @@
 
 #include "scene/keys.h"
 #include "scene/look_keys.h"
+#include "scene/repeat.h"
 #include "scene/scene_keys.h"
 
 namespace flatray {
@@ -29,14 +30,20 @@ void read_fps(Builder& builder, const Field& field, Scene& scene) {
   scene.fps = *fps;
 }
 
+void read_seed(Builder& builder, const Field& field, Scene& scene) {
+  const auto seed = builder.in.integer(field, 0, kMaxSeed);
+  if (seed && !builder.seed) scene.seed = static_cast<std::uint64_t>(*seed);
+}
+
 // In the order in which one builds on another, not that of the file.
 constexpr Key<Scene> kSceneKeys[] = {
     {{"flatray", "1", kRequired}, &read_version},
     {{"film", "{ size = [w, h], ... }", "{}"}, &read_film},
     {{"frames", "whole number", "1"}, &set_integer<&Scene::frames, 1, kMaxFrames>},
     {{"fps", "frames a second", "24"}, &read_fps},
-    {{"seed", "whole number", "0"}, &set_integer<&Scene::seed, 0, kMaxSeed>},
+    {{"seed", "whole number", "0"}, &read_seed},
     {{"markov", "[markov.NAME]", "{}"}, &read_chains},
+    {{"group", "[[group]]", "[]"}, &read_groups},
     {{"entity", "[[entity]]", "[]"}, &read_entities},
     {{"chamber", "[[chamber]]", "[]"}, &read_chambers},
     {{"ray", "[[ray]]", "[]"}, &read_rays},
@@ -59,9 +66,11 @@ void append_tables(std::vector<TableInfo>& to, std::vector<TableInfo> from) {
 
 }  // namespace
 
-Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits) {
-  Builder builder{{}, {}, imports, limits};
+Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits,
+                                std::optional<std::uint64_t> seed) {
+  Builder builder{.in = {}, .scene = {}, .imports = imports, .limits = limits, .seed = seed};
   builder.in.warnings = desc.warnings;
+  builder.scene.seed = seed.value_or(0);
   read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
   sort_by_source(builder.in.problems, desc.root.where.source);
   sort_by_source(builder.in.warnings, desc.root.where.source);
@@ -71,8 +80,8 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables :
-       {&film_tables, &entity_tables, &look_tables, &chamber_tables, &ray_tables, &markov_tables})
+  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &repeat_tables,
+                       &chamber_tables, &ray_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

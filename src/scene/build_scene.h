@@ -7,9 +7,11 @@
 namespace flatray {
 
 /// Checks a description and makes the scene of it; `name` and `hash` are left to the caller.
+/// `seed` replaces the scene's.
 ///
 /// Error   every mistake, in the order of the source; what came from overrides last.
-Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits);
+Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits,
+                                std::optional<std::uint64_t> seed);
 
 /// The keys of every table but the shapes'.
 std::vector<TableInfo> language_tables();

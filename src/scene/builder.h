@@ -11,17 +11,24 @@ struct Builder {
   Scene scene;
   Imports& imports;
   const LoadLimits& limits;
+  std::optional<std::uint64_t> seed;                           ///< instead of the scene's
+  std::uint32_t entity_tables = 0;                             ///< read so far
+  std::map<std::string, std::vector<std::uint32_t>> groups{};  ///< copies by the name in the file
+  std::vector<std::string> group_suffixes{};  ///< what copying added to the name of each group
+  /// Shapes in which nothing is drawn, so that copies share them.
+  std::map<const Value*, ShapeId> fixed_shapes{};
   struct Named {
     std::uint32_t index = 0, count = 0;
   };
   std::map<std::string, Named> entity_names{};  ///< of the entities read so far
 };
 
-/// Most entities, pillars, rays and states of one scene.
-inline constexpr std::size_t kMaxEntries = 1'000'000;
-
 /// Builds a shape, `{ KIND = { ... } }`, into the scene; nullopt where it is wrong.
 std::optional<ShapeId> read_shape(Builder& builder, const Field& field);
+
+/// Where copy `number` of what stands there comes in the order of drawing: that of the text, copies
+/// by number.
+std::uint64_t draw_order(const Place& where, std::uint64_t number = 0);
 
 /// Number of the entity of that name; unknown and ambiguous names are problems.
 std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field);

@@ -17,7 +17,7 @@ constexpr Key<Pillar> kPillarKeys[] = {
 };
 
 void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
-  each_table(builder, field, kMaxEntries, [&](const Value& table) {
+  each_table(builder, field, [&](const Value& table) {
     Pillar pillar;
     read_keys<Pillar>(builder, table, "pillar", kPillarKeys, pillar);
     if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
@@ -48,6 +48,7 @@ constexpr Key<Chamber> kChamberKeys[] = {
 void read_chamber(Builder& builder, const Value& table) {
   Chamber chamber;
   chamber.where = table.where;
+  chamber.order = draw_order(table.where);
   read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
   if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
     chamber.stroke = kDefaultStroke;
@@ -60,8 +61,7 @@ void read_chambers(Builder& builder, const Field& field, Scene&) {
   if (field.value.kind == Value::Kind::array && field.value.items.size() > 1)
     builder.in.problem(field.value.items[1].where, "a second chamber",
                        "a scene holds at most one for now: make the others entities of mirrors");
-  each_table(builder, field, kMaxEntries,
-             [&](const Value& table) { read_chamber(builder, table); });
+  each_table(builder, field, [&](const Value& table) { read_chamber(builder, table); });
 }
 
 std::vector<TableInfo> chamber_tables() {

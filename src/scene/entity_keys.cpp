@@ -1,3 +1,4 @@
+#include "scene/copies.h"
 #include "scene/look_keys.h"
 #include "scene/scene_keys.h"
 
@@ -89,6 +90,7 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
     kShapeKey<Entity>,
+    kGroupKey<Entity>,
     kAtKey<Entity>,
     kAngleKey<Entity>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
@@ -101,6 +103,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     material_key<Entity>("none: rays pass"),
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
     {{"states", "{ STATE = { ... } }", "{}"}, &read_states},
+    kRepeatKey<Entity>,
 };
 
 bool is_only_lines(const Shape& shape) {
@@ -115,19 +118,27 @@ void dress(const Scene& scene, const Value& table, Entity& entity) {
     entity.fill = kDefaultColour;
 }
 
-void read_entity(Builder& builder, const Value& table) {
-  Entity entity;
-  entity.where = table.where;
-  read_keys<Entity>(builder, table, "entity", kEntityKeys, entity);
-  const Member* states = table.find("states");
-  if (states != nullptr && table.find("markov") == nullptr)
-    builder.in.problem(states->where, "entity has states but no Markov chain",
-                       R"(add markov = { chain = "CHAIN" })");
-  dress(builder.scene, table, entity);
+void add_entity(Builder& builder, Entity&& entity) {
   auto& named = builder.entity_names[entity.name];
   named.index = static_cast<std::uint32_t>(builder.scene.entities.size());
   ++named.count;
   builder.scene.entities.push_back(std::move(entity));
+}
+
+void read_entity(Builder& builder, const Value& table) {
+  const Member* states = table.find("states");
+  if (states != nullptr && table.find("markov") == nullptr)
+    builder.in.problem(states->where, "entity has states but no Markov chain",
+                       R"(add markov = { chain = "CHAIN" })");
+  const Scene& scene = builder.scene;
+  const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
+    dress(scene, table, entity);
+    entity.order = draw_order(table.where, copy);
+    if (entity.group) entity.layer += scene.groups[*entity.group].layer;
+    add_entity(builder, std::move(entity));
+  };
+  make_copies<Entity>(builder, table, {"entity", builder.entity_tables++, scene.entities.size()},
+                      kEntityKeys, add);
 }
 
 // Enough of them to suggest one.
@@ -142,13 +153,26 @@ std::vector<std::string> some_names(const Builder& builder) {
 }  // namespace
 
 void read_entities(Builder& builder, const Field& field, Scene&) {
-  each_table(builder, field, kMaxEntries, [&](const Value& table) { read_entity(builder, table); });
+  each_table(builder, field, [&](const Value& table) { read_entity(builder, table); });
+}
+
+std::uint64_t draw_order(const Place& where, std::uint64_t number) {
+  constexpr unsigned kCopyBits = 24;
+  constexpr std::uint64_t kLastCopy = (std::uint64_t{1} << kCopyBits) - 1;
+  return std::uint64_t{where.offset} << kCopyBits | std::min(number, kLastCopy);
 }
 
 std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
   const auto name = builder.in.string(field);
   if (!name) return std::nullopt;
   const auto found = builder.entity_names.find(*name);
+  const auto copy = builder.entity_names.lower_bound(*name + ".");
+  if (found == builder.entity_names.end() && copy != builder.entity_names.end() &&
+      copy->first.starts_with(*name + ".")) {
+    builder.in.problem(field.value.where, fmt::format("'{}' has copies", *name),
+                       fmt::format("call one of them: \"{}\"", copy->first));
+    return std::nullopt;
+  }
   if (found == builder.entity_names.end()) {
     builder.in.problems.push_back(
         unknown_word(field.value.where, "entity", *name, some_names(builder)));

@@ -27,15 +27,7 @@ void read_size(Builder& builder, const Field& field, Film& film) {
 }
 
 void read_world(Builder& builder, const Field& field, Film& film) {
-  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
-    return builder.in.mismatch(field, "two points");
-  const auto low = builder.in.point(field.item(0)), high = builder.in.point(field.item(1));
-  if (!low || !high) return;
-  const Vec2 size = *high - *low;
-  if (!(size.x() > 0 && size.y() > 0))
-    return builder.in.problem(field.value.where, field.name + " has no area",
-                              "the first point must lie below and left of the second");
-  film.world = Bounds{*low, *high};
+  if (const auto world = builder.in.box(field)) film.world = world;
 }
 
 constexpr Key<Film> kFilmKeys[] = {

@@ -24,6 +24,15 @@ inline std::string key_path(const std::string& table, const char* key) {
   return table == "scene" ? key : table + "." + key;
 }
 
+/// Reads a table whose keys have been checked, for another copy of it.
+template <class T>
+void read_again(Builder& builder, const Value& table, const std::string& name,
+                std::span<const Key<T>> keys, T& target) {
+  for (const Key<T>& key : keys)
+    if (const Member* member = table.find(key.info.name))
+      key.read(builder, {key_path(name, key.info.name), member->value, key.info.takes}, target);
+}
+
 /// Reads a table into `target`: unknown keys and missing ones are problems, the others are read in
 /// the order of `keys`, so that a key may build on those before it.
 template <class T>
@@ -31,13 +40,11 @@ void read_keys(Builder& builder, const Value& table, const std::string& name,
                std::span<const Key<T>> keys, T& target) {
   if (!builder.in.is({name, table, "{ ... }"}, Value::Kind::table, "a table")) return;
   check_keys(table, name, key_infos(keys), builder.in.problems);
-  for (const Key<T>& key : keys) {
-    if (const Member* member = table.find(key.info.name))
-      key.read(builder, {key_path(name, key.info.name), member->value, key.info.takes}, target);
-    else if (key.info.fallback == kRequired)
+  for (const Key<T>& key : keys)
+    if (key.info.fallback == kRequired && table.find(key.info.name) == nullptr)
       builder.in.problem(table.where, fmt::format("{} needs '{}'", name, key.info.name),
                          fmt::format("write {} = {}", key.info.name, key.info.takes));
-  }
+  read_again(builder, table, name, keys, target);
 }
 
 template <class Pointer>
@@ -86,14 +93,15 @@ void set_word(Builder& builder, const Field& field,
   if (const auto value = builder.in.word<Type>(field, words)) target.*Pointer = *value;
 }
 
-/// Calls `read(field of element i)` for each element of an array of tables.
+/// Calls `read(element i)` for each element of an array of tables.
 template <class Read>
-void each_table(Builder& builder, const Field& field, std::size_t limit, const Read& read) {
+void each_table(Builder& builder, const Field& field, const Read& read) {
+  const std::size_t limit = builder.limits.max_entities;
   if (!builder.in.is(field, Value::Kind::array, "an array of tables")) return;
   if (field.value.items.size() > limit)
     return builder.in.problem(
         field.value.where, fmt::format("{} has {} entries", field.name, field.value.items.size()),
-        fmt::format("at most {}", limit));
+        fmt::format("the limit is {}; --max-entities raises it", limit));
   for (const Value& item : field.value.items) read(item);
 }
 

@@ -53,21 +53,22 @@ std::uint64_t hash_of(const SourceText& source, const std::vector<Override>& ove
 }  // namespace
 
 Result<LoadedScene> load_scene(const std::filesystem::path& path,
-                               const std::vector<Override>& overrides, const LoadLimits& limits) {
+                               const std::vector<Override>& overrides, const LoadLimits& limits,
+                               std::optional<std::uint64_t> seed) {
   Result<std::string> text = read_file(path, limits.max_file_bytes);
   if (!text) return fail(std::move(text));
-  return load_scene_text(path.string(), std::move(*text), overrides, limits);
+  return load_scene_text(path.string(), std::move(*text), overrides, limits, seed);
 }
 
 Result<LoadedScene> load_scene_text(std::string name, std::string text,
                                     const std::vector<Override>& overrides,
-                                    const LoadLimits& limits) {
+                                    const LoadLimits& limits, std::optional<std::uint64_t> seed) {
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
   const Result<SceneDesc> desc = describe(source, overrides);
   if (!desc) return tl::unexpected(desc.error());
   Imports imports(source, limits.max_file_bytes);
-  Result<LoadedScene> loaded = build_scene(*desc, imports, limits);
+  Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
   if (!loaded) {
     for (Diagnostic& problem : loaded.error())
       if (is_override(problem.where)) problem.trouble = Trouble::usage;

@@ -17,6 +17,8 @@ struct Override {
 struct LoadLimits {
   std::uint64_t max_pixels = std::uint64_t{1} << 28;
   std::size_t max_file_bytes = std::size_t{1} << 30;
+  std::size_t max_depth = 64;            ///< groups in groups, files in files
+  std::size_t max_entities = 1'000'000;  ///< also pillars, rays, groups: of each, with all copies
 };
 
 struct LoadedScene {
@@ -25,15 +27,18 @@ struct LoadedScene {
 };
 
 /// Reads, parses (format by extension, or by content for "-") and builds a scene.
+/// `seed` replaces the scene's, of which all is drawn that is random in a scene.
 /// Error   the one syntax error, or every semantic mistake together, each with its place.
 Result<LoadedScene> load_scene(const std::filesystem::path& path,
                                const std::vector<Override>& overrides = {},
-                               const LoadLimits& limits = {});
+                               const LoadLimits& limits = {},
+                               std::optional<std::uint64_t> seed = {});
 
 /// The same from text already read, e.g. in tests: `name` decides the format by its extension.
 Result<LoadedScene> load_scene_text(std::string name, std::string text,
                                     const std::vector<Override>& overrides = {},
-                                    const LoadLimits& limits = {});
+                                    const LoadLimits& limits = {},
+                                    std::optional<std::uint64_t> seed = {});
 
 /// One line each for `flatray list`: registered name and what it takes.
 struct Listed {

@@ -39,10 +39,13 @@ bool read_stroke(Builder& builder, const Field& field, Stroke& stroke) {
 }
 
 void read_fill(Builder& builder, const Field& field, std::optional<Colour>& target) {
-  if (is_none(field.value))
-    target.reset();
-  else if (const auto colour = builder.in.colour(field))
-    target = colour;
+  using Fill = std::optional<Colour>;
+  const auto read = [&](const Field& one) -> std::optional<Fill> {
+    if (is_none(one.value)) return Fill{};
+    const Fill colour = builder.in.colour(one);
+    return colour ? std::optional(colour) : std::nullopt;
+  };
+  if (const std::optional<Fill> fill = builder.in.chosen(field, read)) target = *fill;
 }
 
 void read_optional_stroke(Builder& builder, const Field& field, std::optional<Stroke>& target) {

@@ -55,18 +55,20 @@ constexpr Key<EdgeRays> kEdgeRayKeys[] = {
 }  // namespace
 
 void read_rays(Builder& builder, const Field& field, Scene& scene) {
-  each_table(builder, field, kMaxEntries, [&](const Value& table) {
+  each_table(builder, field, [&](const Value& table) {
     RayPath ray;
     ray.stroke = {1.5, true, kRed};
     ray.where = table.where;
+    ray.order = draw_order(table.where);
     read_keys<RayPath>(builder, table, "ray", kRayKeys, ray);
     scene.rays.push_back(std::move(ray));
   });
 }
 
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
-  each_table(builder, field, kMaxEntries, [&](const Value& table) {
-    EdgeRays rays{0, 0, {1.5, true, kGrey}, kBlue, kGreen, kRed, 0, table.where};
+  each_table(builder, field, [&](const Value& table) {
+    EdgeRays rays{0, 0,           {1.5, true, kGrey},     kBlue, kGreen, kRed,
+                  0, table.where, draw_order(table.where)};
     read_keys<EdgeRays>(builder, table, "edge_rays", kEdgeRayKeys, rays);
     scene.edge_rays.push_back(rays);
   });

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <cmath>
 #include <numbers>
 
 #include "base/number_text.h"
@@ -71,7 +72,60 @@ bool Reader::is(const Field& field, Value::Kind kind, const char* expected) {
   return false;
 }
 
+bool Reader::may_draw(const Field& field) {
+  if (draws != nullptr) return true;
+  problem(field.value.where, fmt::format("{} cannot be drawn at random", field.name),
+          "only entities, groups and their shapes are: " + how_to_write(field));
+  return false;
+}
+
+std::optional<std::size_t> Reader::draw_choice(const Field& field) {
+  const Field list{field.name + ".choice", field.value.members.front().value, "[one, another]"};
+  if (!may_draw(field) || !is(list, Value::Kind::array, "a list")) return std::nullopt;
+  const std::size_t count = list.value.items.size();
+  if (count == 0) {
+    problem(list.value.where, list.name + " is empty", "write at least one value to choose");
+    return std::nullopt;
+  }
+  const double drawn = draws->unit(field.value) * static_cast<double>(count);
+  return std::min(static_cast<std::size_t>(drawn), count - 1);
+}
+
+// One of two numbers: ends, or mean and spread.
+std::optional<double> Reader::draw_number(const Field& field) {
+  const Member& kind = field.value.members.front();
+  const bool is_normal = kind.key == "normal";
+  const Field pair{field.name + "." + kind.key, kind.value, is_normal ? "[mean, sd]" : "[a, b]"};
+  if (!may_draw(field) || !is(pair, Value::Kind::array, "two numbers")) return std::nullopt;
+  if (pair.value.items.size() != 2) {
+    mismatch(pair, "two numbers");
+    return std::nullopt;
+  }
+  const std::optional<double> a = plain_number(pair.item(0)), b = plain_number(pair.item(1));
+  if (!a || !b) return std::nullopt;
+  const double reach = is_normal ? *b : *b - *a;
+  if (!(reach >= 0))
+    problem(pair.value.where,
+            pair.name + (is_normal ? " has a spread below 0" : " ends below its beginning"),
+            is_normal ? "the second number is the standard deviation"
+                      : "write the smaller number first");
+  else if (std::abs(*a) > kFarthest || std::abs(*b) > kFarthest)
+    problem(pair.value.where, pair.name + " reaches beyond 1e300",
+            "write numbers between -1e300 and 1e300");
+  else if (is_normal)
+    return *a + reach * draws->normal(field.value);
+  else
+    return std::min(*a + reach * draws->unit(field.value), *b);
+  return std::nullopt;
+}
+
 std::optional<double> Reader::number(const Field& field) {
+  return chosen(field, [this](const Field& one) {
+    return is_distribution(one.value) ? draw_number(one) : plain_number(one);
+  });
+}
+
+std::optional<double> Reader::plain_number(const Field& field) {
   if (!is(field, Value::Kind::number, "a number")) return std::nullopt;
   const std::string_view text = source_text(field.value);
   const std::optional<Number> number = parse_literal(text);
@@ -102,6 +156,10 @@ std::optional<std::int64_t> Reader::integer(const Field& field, std::int64_t low
 }
 
 std::optional<Vec2> Reader::point(const Field& field) {
+  return chosen(field, [this](const Field& one) { return plain_point(one); });
+}
+
+std::optional<Vec2> Reader::plain_point(const Field& field) {
   if (!is(field, Value::Kind::array, "two numbers")) return std::nullopt;
   if (field.value.items.size() != 2) {
     problem(field.value.where,
@@ -120,6 +178,19 @@ std::optional<Vec2> Reader::point(const Field& field) {
   return point;
 }
 
+std::optional<Bounds> Reader::box(const Field& field) {
+  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2) {
+    mismatch(field, "two points");
+    return std::nullopt;
+  }
+  const std::optional<Vec2> low = point(field.item(0)), high = point(field.item(1));
+  if (!low || !high) return std::nullopt;
+  if (const Vec2 size = *high - *low; size.x() > 0 && size.y() > 0) return Bounds{*low, *high};
+  problem(field.value.where, field.name + " has no area",
+          "the first point must lie below and left of the second");
+  return std::nullopt;
+}
+
 std::optional<std::string> Reader::string(const Field& field) {
   if (!is(field, Value::Kind::string, "a string")) return std::nullopt;
   if (field.value.text.size() <= kMaxStringBytes) return field.value.text;
@@ -135,6 +206,10 @@ std::optional<bool> Reader::flag(const Field& field) {
 }
 
 std::optional<Colour> Reader::colour(const Field& field) {
+  return chosen(field, [this](const Field& one) { return plain_colour(one); });
+}
+
+std::optional<Colour> Reader::plain_colour(const Field& field) {
   const std::optional<std::string> text = string(field);
   if (!text) return std::nullopt;
   const std::optional<Colour> parsed = parse_colour(*text);

@@ -89,9 +89,22 @@ struct MarkovUse {
 /// What a ray does on arrival.
 enum class Material { absorb, mirror };
 
+/// Things that move together. A copy of a group is a group of its own.
+struct Group {
+  std::string name;
+  std::optional<std::uint32_t> group;  ///< it stands in, of a lower number
+  Vec2 at{0, 0};                       ///< of its origin, in the group it stands in
+  double angle = 0;                    ///< radians; what is in it turns about its origin
+  Vec2 velocity{0, 0};
+  double angular_velocity = 0;
+  int layer = 0;  ///< added to those of what is in it; the sum over the groups it stands in
+  Place where;
+};
+
 struct Entity {
   std::string name;
   ShapeId shape = 0;
+  std::optional<std::uint32_t> group;  ///< index into Scene::groups: what `at` is seen from
   Vec2 at{0, 0};
   double angle = 0;             ///< radians, counter-clockwise
   Vec2 velocity{0, 0};          ///< world units a second
@@ -103,6 +116,7 @@ struct Entity {
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   std::optional<MarkovUse> markov;
   Place where;
+  std::uint64_t order = 0;  ///< of drawing within a layer
 };
 
 /// Convex or simple room with obstacles: rays bounce inside it.
@@ -124,6 +138,7 @@ struct Chamber {
   };
   std::vector<Pillar> pillars;
   Place where;
+  std::uint64_t order = 0;
 };
 
 /// An orbit to trace and draw: starts at `at`, reflected by mirrors, ended by what absorbs.
@@ -135,6 +150,7 @@ struct RayPath {
   std::optional<Colour> hit_points;  ///< marks where it bounces
   int layer = 0;
   Place where;
+  std::uint64_t order = 0;
 };
 
 /// The paper's Figure 4: the edges of one entity as rays against another, the inside part thick,
@@ -145,6 +161,7 @@ struct EdgeRays {
   Colour inside, enter, exit;
   int layer = 0;
   Place where;
+  std::uint64_t order = 0;
 };
 
 /// How the window moves (the paper's Figure 3). `frame_origin` moves the window; `objects` moves
@@ -177,6 +194,7 @@ struct Scene {
   double fps = 24;
   std::uint64_t seed = 0;
   std::vector<Shape> shapes;
+  std::vector<Group> groups;
   std::vector<Entity> entities;
   std::vector<Chamber> chambers;
   std::vector<RayPath> rays;

@@ -10,6 +10,9 @@ void read_film(Builder& builder, const Field& field, Scene& scene);
 void read_camera(Builder& builder, const Field& field, Scene& scene);
 std::vector<TableInfo> film_tables();
 
+void read_groups(Builder& builder, const Field& field, Scene& scene);
+std::vector<TableInfo> group_tables();
+
 void read_entities(Builder& builder, const Field& field, Scene& scene);
 std::vector<TableInfo> entity_tables();
 

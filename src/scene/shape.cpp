@@ -86,7 +86,7 @@ std::optional<Field> Args::find(const char* key) const {
 Vec2 Args::point(const char* key) {
   const std::optional<Field> field = find(key);
   const std::optional<Vec2> point = field ? in_->point(*field) : std::nullopt;
-  if (point) read_.push_back({*point, &field->value});
+  if (point && !has_distribution(field->value)) read_.push_back({*point, &field->value});
   return point.value_or(Vec2(0, 0));
 }
 
@@ -130,7 +130,8 @@ std::vector<Vec2> Args::points(const char* key) {
   for (std::size_t i = 0; i < field->value.items.size(); ++i)
     if (const std::optional<Vec2> point = in_->point(field->item(i))) {
       points.push_back(*point);
-      read_.push_back({*point, &field->value.items[i]});
+      if (const Value& item = field->value.items[i]; !has_distribution(item))
+        read_.push_back({*point, &item});
     }
   return points;
 }
@@ -186,7 +187,9 @@ std::vector<Listed> listed_shapes() {
   return all;
 }
 
-std::optional<ShapeId> read_shape(Builder& builder, const Field& field) {
+namespace {
+
+std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
   const std::size_t problems = builder.in.problems.size();
   const ShapeType* type = kind_of(builder.in, field);
   if (type == nullptr) return std::nullopt;
@@ -202,6 +205,21 @@ std::optional<ShapeId> read_shape(Builder& builder, const Field& field) {
   }
   builder.scene.shapes.push_back(std::move(*shape));
   return static_cast<ShapeId>(builder.scene.shapes.size() - 1);
+}
+
+std::optional<ShapeId> one_shape(Builder& builder, const Field& field) {
+  const auto known = builder.fixed_shapes.find(&field.value);
+  if (known != builder.fixed_shapes.end()) return known->second;
+  const std::optional<ShapeId> shape = build_shape(builder, field);
+  if (shape && builder.in.draws != nullptr && !has_distribution(field.value))
+    builder.fixed_shapes.emplace(&field.value, *shape);
+  return shape;
+}
+
+}  // namespace
+
+std::optional<ShapeId> read_shape(Builder& builder, const Field& field) {
+  return builder.in.chosen(field, [&](const Field& one) { return one_shape(builder, one); });
 }
 
 }  // namespace flatray

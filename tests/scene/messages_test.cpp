@@ -67,6 +67,17 @@ constexpr Table kTables[] = {
      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\" "
      "}\nstates = { A = { @ } }\n[markov.c]\nA = { A = 1 }"},
     {"stroke", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nstroke = { @ }"},
+    {"group", "flatray = 1\n[[group]]\nname = \"g\"\n@"},
+    {"repeat", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { @ }"},
+    {"repeat.grid",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { grid = { count = "
+     "[1, 1], step = [1, 1], @ } }"},
+    {"repeat.ring",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { ring = { count = 1, "
+     "radius = 1, @ } }"},
+    {"repeat.scatter",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { scatter = { count = "
+     "1, in = [[0, 0], [1, 1]], @ } }"},
     {"chamber", "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 1 } }\n@"},
     {"pillar",
      "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "

@@ -9,7 +9,8 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {kDefineOption, kMaxPixelsOption, kJsonOption, kQuietOption};
+constexpr Option kOptions[] = {kDefineOption,   kMaxPixelsOption, kMaxEntitiesOption,
+                               kMaxDepthOption, kJsonOption,      kQuietOption};
 
 Values as_values(const Diagnostics& diagnostics) {
   Values values;

@@ -19,6 +19,8 @@ constexpr Option kOptions[] = {{"output", 'o', "FOLDER", "where its files go (de
                                kThreadsOption,
                                kDefineOption,
                                kMaxPixelsOption,
+                               kMaxEntitiesOption,
+                               kMaxDepthOption,
                                kJsonOption,
                                kQuietOption};
 

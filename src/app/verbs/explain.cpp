@@ -21,6 +21,8 @@ constexpr Option kOptions[] = {
     kThreadsOption,
     kDefineOption,
     kMaxPixelsOption,
+    kMaxEntitiesOption,
+    kMaxDepthOption,
     kJsonOption,
     kQuietOption};
 

@@ -18,6 +18,8 @@ constexpr Option kOptions[] = {
     kSeedOption,
     kDefineOption,
     kMaxPixelsOption,
+    kMaxEntitiesOption,
+    kMaxDepthOption,
     kJsonOption,
     kCsvOption,
     kQuietOption};

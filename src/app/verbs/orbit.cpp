@@ -19,6 +19,8 @@ constexpr Option kOptions[] = {{"ray", 'r', "NAME", "only this ray of the scene"
                                kSeedOption,
                                kDefineOption,
                                kMaxPixelsOption,
+                               kMaxEntitiesOption,
+                               kMaxDepthOption,
                                kJsonOption,
                                kCsvOption,
                                kQuietOption};

@@ -19,6 +19,8 @@ constexpr Option kOptions[] = {
     {"keep-all", '\0', "", "leave nothing out that the plan would; same pictures",
      OptionKind::flag},
     kMaxPixelsOption,
+    kMaxEntitiesOption,
+    kMaxDepthOption,
     {"format", '\0', "png|hdr", "format where the name does not say it"},
     {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
     kJsonOption,

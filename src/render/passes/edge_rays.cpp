@@ -103,7 +103,7 @@ void draw(DrawContext& context) {
     const Found found = clip_all(rays, in_world(context, pair.against));
     std::vector<Segment> lines;
     for (const Ray& ray : rays) lines.push_back({ray.origin, ray.origin + ray.direction});
-    context.place(pair.layer, pair.where);
+    context.place(pair.layer, pair.order);
     context.add_lines(lines, pair.stroke);
     Stroke thick = pair.stroke;
     thick.width *= kInsideWidths;

@@ -38,7 +38,7 @@ void draw(DrawContext& context) {
   for (const RayPath& ray : context.scene.rays) {
     const Orbit orbit = trace_orbit(
         world.surfaces, materials, {world_pose(context.state)(ray.at), ray.direction}, ray.bounces);
-    context.place(ray.layer, ray.where);
+    context.place(ray.layer, ray.order);
     context.add_lines(path(orbit, context.state.window), ray.stroke);
     if (!ray.hit_points) continue;
     const double radius_px = kMarkWidths * context.half_width_px(ray.stroke);

@@ -10,6 +10,7 @@ namespace {
 // The paper's block: every object is a box of this size, its lower left corner at the point given.
 constexpr double kBlockWidth = 64, kBlockHeight = 128;
 constexpr const char* kLineHint = "a line reads { NAME, x, y } or NAME, x, y";
+constexpr std::size_t kMaxEntries = 1'000'000;
 
 Value pair(double x, double y) { return array_value({}, {built_in_number(x), built_in_number(y)}); }
 

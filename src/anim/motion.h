@@ -1,0 +1,19 @@
+#pragma once
+#include "anim/frame_state.h"
+
+namespace flatray {
+
+/// Poses of all groups in the world at `time`, by number: what stands in them is seen from there.
+struct GroupPose {
+  Pose pose;
+  double angle = 0;
+};
+std::vector<GroupPose> group_poses(const Scene& scene, double time);
+
+/// Kept where the scene's own coordinates must be, within kFarthest.
+Vec2 held(const Vec2& point);
+
+/// Why the frames of a scene differ, or "" when they are all one picture.
+std::string reason_to_move(const Scene& scene);
+
+}  // namespace flatray
