@@ -19,8 +19,7 @@ std::vector<std::byte> file_bytes(const LinearImage& image, unsigned) { return e
 
 using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
 
-Drawer drawer_for(const RenderJob& job, unsigned threads) {
-  const FrameOptions options{job.crop, threads, job.keep_all};
+Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
   if (job.output.format() == PictureFormat::png) return FrameDrawer<Image>(options);
   return FrameDrawer<LinearImage>(options);
 }
@@ -28,23 +27,37 @@ Drawer drawer_for(const RenderJob& job, unsigned threads) {
 }  // namespace
 
 FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads)
-    : job_(job), threads_(threads), drawer_(drawer_for(job, threads)) {}
+    : job_(job), options_{job.crop, threads, job.keep_all}, drawer_(drawer_for(job, options_)) {}
 
-const Encoded& FrameEncoder::encode(DrawList list) {
-  std::visit([&](auto& drawer) { encode(drawer, std::move(list)); }, drawer_);
-  return out_;
+Result<const Encoded*> FrameEncoder::encode(DrawList list) {
+  Result<void> drawn =
+      std::visit([&](auto& drawer) { return encode(drawer, std::move(list)); }, drawer_);
+  if (!drawn) return fail(std::move(drawn));
+  return &out_;
 }
 
 template <class Picture>
-void FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
+Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
+  if (job_.renderer) {
+    Picture picture;
+    if (auto drawn = job_.renderer->draw(list, options_, picture); !drawn) return drawn;
+    keep(picture);
+    return {};
+  }
   const Picture& picture = drawer.draw(std::move(list));
-  if (!drawer.changed()) return;
-  out_.bytes = file_bytes(picture, threads_);
+  if (drawer.changed()) keep(picture);
+  return {};
+}
+
+template <class Picture>
+void FrameEncoder::keep(const Picture& picture) {
+  out_.bytes = file_bytes(picture, options_.threads);
   out_.record.pixels = hash_of(picture);
   out_.record.width = picture.width;
   out_.record.height = picture.height;
   out_.record.bytes = Hash().add(out_.bytes).hex();
   out_.record.scene = job_.fingerprint();
+  out_.record.backend = job_.backend();
   ++encoded_;
 }
 

@@ -18,17 +18,19 @@ class FrameEncoder {
  public:
   FrameEncoder(const RenderJob& job, unsigned threads);
 
-  /// Valid until the next frame.
-  const Encoded& encode(DrawList list);
+  /// Valid until the next frame. Error   what the job's back end cannot draw.
+  Result<const Encoded*> encode(DrawList list);
   const DrawCounts& counts() const;
   std::size_t encoded() const { return encoded_; }  ///< pictures encoded so far
 
  private:
   template <class Picture>
-  void encode(FrameDrawer<Picture>& drawer, DrawList list);
+  Result<void> encode(FrameDrawer<Picture>& drawer, DrawList list);
+  template <class Picture>
+  void keep(const Picture& picture);
 
   const RenderJob& job_;
-  const unsigned threads_;
+  const FrameOptions options_;
   std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>> drawer_;
   Encoded out_;
   std::size_t encoded_ = 0;

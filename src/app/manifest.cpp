@@ -35,9 +35,9 @@ unsigned number_of(const JsonValue& record, const char* field) {
 }  // namespace
 
 JsonValue as_value(const FrameRecord& record) {
-  return Fields{{"frame", record.frame},   {"file", record.file},     {"width", record.width},
-                {"height", record.height}, {"pixels", record.pixels}, {"bytes", record.bytes},
-                {"scene", record.scene}};
+  return Fields{{"frame", record.frame},   {"file", record.file},      {"width", record.width},
+                {"height", record.height}, {"pixels", record.pixels},  {"bytes", record.bytes},
+                {"scene", record.scene},   {"backend", record.backend}};
 }
 
 std::string manifest_line(const FrameRecord& record) { return json_text(as_value(record)); }
@@ -54,6 +54,8 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   record.pixels = text_of(*value, "pixels");
   record.bytes = text_of(*value, "bytes");
   record.scene = text_of(*value, "scene");
+  // Lines of versions that had one back end only do not name it.
+  if (value->find("backend") != nullptr) record.backend = text_of(*value, "backend");
   if (record.frame == 0 || record.file.empty() || record.bytes.empty()) return std::nullopt;
   return record;
 }

@@ -20,6 +20,7 @@ struct FrameRecord {
   std::string pixels;  ///< hash of the pixels: equal for every compiler and compressor
   std::string bytes;   ///< hash of the file
   std::string scene;   ///< hash of the scene and every option a pixel depends on
+  std::string backend = "software";  ///< what drew it, with all its pixels depend on
   bool operator==(const FrameRecord&) const = default;
 };
 

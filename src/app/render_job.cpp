@@ -49,8 +49,7 @@ class FrameMaker {
         records_(frames.size()),
         problems_(frames.size()),
         seconds_(frames.size()) {
-    if (plan_.still && !frames.empty())
-      still_ = FrameEncoder(job, threads).encode(draw_list(plan_, timeline_, frames.front()));
+    if (plan_.still && !frames.empty()) draw_still(threads);
   }
 
   void make_all() {
@@ -85,6 +84,17 @@ class FrameMaker {
     return std::clamp<std::size_t>(count / (kRunsAThread * spread.frames_at_once), 1, kLongest);
   }
 
+  void draw_still(unsigned threads) {
+    FrameEncoder encoder(job_, threads);
+    Result<const Encoded*> made = encoder.encode(draw_list(plan_, timeline_, frames_.front()));
+    if (made) {
+      still_ = **made;
+    } else {
+      problems_.front() = std::move(made).error();
+      stopped_ = true;
+    }
+  }
+
   void make_run(std::size_t begin) {
     FrameEncoder encoder(job_, spread_.threads_each);
     const std::size_t end = std::min(begin + run_, frames_.size());
@@ -102,7 +112,10 @@ class FrameMaker {
   }
 
   Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
-    const Encoded& picture = still_ ? *still_ : encoder.encode(draw_list(plan_, timeline_, frame));
+    Result<const Encoded*> made =
+        still_ ? &*still_ : encoder.encode(draw_list(plan_, timeline_, frame));
+    if (!made) return fail(std::move(made));
+    const Encoded& picture = **made;
     FrameRecord record = picture.record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
@@ -163,6 +176,7 @@ std::string RenderJob::fingerprint() const {
   for (const std::uint64_t part : {scene.hash, seed}) hash.add(part);
   for (const int part : {scene.film.width, scene.film.height, box.x, box.y, box.width, box.height})
     hash.add(static_cast<std::uint64_t>(part));
+  if (renderer) hash.add(backend());
   return hash.add(flatray::name(output.format())).add(kVersion).hex();
 }
 
@@ -214,10 +228,14 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
   return result;
 }
 
-std::vector<std::byte> picture_bytes(const RenderJob& job, unsigned frame, unsigned threads) {
+Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
+                                             unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
-  return FrameEncoder(job, threads).encode(draw_list(plan, timeline, frame)).bytes;
+  FrameEncoder encoder(job, threads);
+  Result<const Encoded*> made = encoder.encode(draw_list(plan, timeline, frame));
+  if (!made) return fail(std::move(made));
+  return (*made)->bytes;
 }
 
 }  // namespace flatray

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,7 +10,7 @@
 #include "app/frames.h"
 #include "app/manifest.h"
 #include "app/output_pattern.h"
-#include "render/frame.h"
+#include "render/backend.h"
 
 namespace flatray {
 
@@ -24,6 +25,7 @@ struct RenderJob {
   std::optional<PixelBox> crop;
   std::uint64_t seed = 0;
   bool keep_all = false;
+  std::shared_ptr<const Renderer> renderer = nullptr;  ///< null: the software back end
 
   std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }
   std::filesystem::path folder() const { return path(1).parent_path(); }
@@ -34,8 +36,10 @@ struct RenderJob {
   PixelBox picture() const {
     return crop.value_or(PixelBox{0, 0, scene.film.width, scene.film.height});
   }
+  /// Name of the back end, with all that its pixels depend on.
+  std::string backend() const { return renderer ? renderer->description() : "software"; }
   /// Hash of everything a byte of the pictures depends on but the frame: text, seed, size, crop,
-  /// format, version.
+  /// format, back end, version.
   std::string fingerprint() const;
 };
 
@@ -67,7 +71,8 @@ struct JobResult {
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
                   const std::function<void()>& done);
 
-/// One picture as the bytes of its file.
-std::vector<std::byte> picture_bytes(const RenderJob& job, unsigned frame, unsigned threads);
+/// One picture as the bytes of its file. Error   what the job's back end cannot draw.
+Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
+                                             unsigned threads);
 
 }  // namespace flatray

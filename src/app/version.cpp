@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/backend_choice.h"
 #include "base/isa.h"
 
 namespace flatray {
@@ -31,9 +32,10 @@ std::string version_text() {
       "built with     {}, {}\n"
       "isa            {} running; this machine has {}\n"
       "features       {}\n"
-      "libraries      {}\n",
+      "libraries      {}\n"
+      "back ends      {}\n",
       kVersion, kCompiler, FLATRAY_BUILD_TYPE, isa_name(active_isa()), tiers(), FLATRAY_FEATURES,
-      FLATRAY_LIBRARIES);
+      FLATRAY_LIBRARIES, backends_text());
 }
 
 }  // namespace flatray

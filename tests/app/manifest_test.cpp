@@ -21,7 +21,8 @@ FrameRecord record(unsigned frame) {
           30,
           "00000000000000aa",
           "00000000000000bb",
-          "00000000000000cc"};
+          "00000000000000cc",
+          "gl: made for this test"};
 }
 
 class Manifest : public testing::Test {
@@ -47,7 +48,13 @@ TEST_F(Manifest, ALineIsCompactJsonWithItsFrameFirst) {
   EXPECT_EQ(
       manifest_line(record(3)),
       R"({"frame":3,"file":"frame_0003.png","width":40,"height":30,"pixels":"00000000000000aa",)"
-      R"("bytes":"00000000000000bb","scene":"00000000000000cc"})");
+      R"("bytes":"00000000000000bb","scene":"00000000000000cc","backend":"gl: made for this test"})");
+}
+
+TEST_F(Manifest, ALineThatNamesNoBackEndIsOfTheSoftwareOne) {
+  std::string line = manifest_line(record(3));
+  line.replace(line.find(",\"backend\""), std::string::npos, "}");
+  EXPECT_EQ(parse_manifest_line(line).value().backend, "software");
 }
 
 TEST_F(Manifest, NoTornLineIsARecord) {

@@ -11,3 +11,13 @@ function(flatray_feature name found doc)
   message(STATUS "flatray: ${doc}: ${use}")
   set(FLATRAY_HAVE_${name} ${use} PARENT_SCOPE)
 endfunction()
+
+# Headers only: the libraries are found when the module is loaded.
+find_path(GL_INCLUDE_DIR GL/glext.h)
+find_path(OSMESA_INCLUDE_DIR GL/osmesa.h)
+find_path(EGL_INCLUDE_DIR EGL/eglext.h)
+set(gl_found OFF)
+if(GL_INCLUDE_DIR AND (OSMESA_INCLUDE_DIR OR EGL_INCLUDE_DIR))
+  set(gl_found ON)
+endif()
+flatray_feature(GL "${gl_found}" "GL back ends, by OSMesa or EGL")

@@ -1,6 +1,5 @@
 # cmake --install: libraries, headers, the program, and what find_package(flatray) needs.
 # The targets are flatray::geom, flatray::trace and so on, one for each module.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 foreach(module base geom trace image scene anim transport render oracle study app)

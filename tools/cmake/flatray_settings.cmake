@@ -30,6 +30,7 @@ if(FLATRAY_SANITIZE)
   target_link_options(flatray_options INTERFACE -fsanitize=${FLATRAY_SANITIZE})
 endif()
 
+include(GNUInstallDirs)  # where things are installed to
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)

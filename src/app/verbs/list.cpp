@@ -6,7 +6,7 @@
 #include "app/verb.h"
 #include "base/isa.h"
 #include "image/metric.h"
-#include "render/plan.h"
+#include "render/backend.h"
 #include "study/experiment.h"
 #include "trace/tracer.h"
 
@@ -52,7 +52,8 @@ struct Kind {
   const char* name;
   Table (*entries)();
 };
-constexpr Kind kKinds[] = {{"experiments", &studies},
+constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends()); }},
+                           {"experiments", &studies},
                            {"formats", [] { return listed(listed_formats()); }},
                            {"isas", &isas},
                            {"metrics", [] { return described(flatray::metrics()); }},

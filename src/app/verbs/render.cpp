@@ -1,3 +1,4 @@
+#include "app/backend_choice.h"
 #include "app/interrupt.h"
 #include "app/render_run.h"
 #include "app/scene_input.h"
@@ -11,6 +12,8 @@ constexpr Option kOptions[] = {
     kThreadsOption,
     {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
     {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
+    kBackendOption,
+    kSamplesOption,
     kSeedOption,
     kDefineOption,
     {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
@@ -42,7 +45,8 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
     return usage_error(arguments.where("shard"), "leaves no frame for standard output",
                        "name a file, or leave out --shard");
   const auto bytes = picture_bytes(job, job.frames.front(), threads);
-  return VerbOutput{std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
+  if (!bytes) return tl::unexpected(bytes.error());
+  return VerbOutput{std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())};
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -50,8 +54,11 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!request) return tl::unexpected(request.error());
   const auto mode = progress_mode(arguments);
   if (!mode) return tl::unexpected(mode.error());
-  const auto jobs = make_jobs(arguments, *request);
+  auto jobs = make_jobs(arguments, *request);
   if (!jobs) return tl::unexpected(jobs.error());
+  const auto renderer = chosen_renderer(arguments, request->threads);
+  if (!renderer) return tl::unexpected(renderer.error());
+  for (RenderJob& job : *jobs) job.renderer = *renderer;
   const auto list = work_list(*jobs, *request);
   if (!list) return tl::unexpected(list.error());
   if (arguments.has("dry-run")) return describe(arguments, *list);

@@ -4,9 +4,9 @@
 
 #include "base/parallel.h"
 #include "image/tile.h"
+#include "render/backend.h"
 #include "render/bands.h"
 #include "render/coverage_scan.h"
-#include "render/frame.h"
 #include "render/select_kernels.h"
 
 namespace flatray {
@@ -170,5 +170,28 @@ Image render_image(const DrawList& list, const FrameOptions& options) {
 LinearImage render_linear(const DrawList& list, const FrameOptions& options) {
   return FrameDrawer<LinearImage>(options).draw(list);
 }
+
+namespace {
+
+class SoftwareRenderer final : public Renderer {
+ public:
+  Result<void> draw(const DrawList& list, const FrameOptions& options, Image& out) const override {
+    out = render_image(list, options);
+    return {};
+  }
+  Result<void> draw(const DrawList& list, const FrameOptions& options,
+                    LinearImage& out) const override {
+    out = render_linear(list, options);
+    return {};
+  }
+  std::string description() const override { return "software"; }
+};
+
+}  // namespace
+
+extern const Backend software_backend = {
+    "software", "exact coverage; the same bytes on every machine", [](const BackendChoice&) {
+      return Result<std::unique_ptr<Renderer>>(std::make_unique<SoftwareRenderer>());
+    }};
 
 }  // namespace flatray

@@ -1,0 +1,61 @@
+#include "app/backend_choice.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace flatray {
+namespace {
+
+constexpr const char* kSoftware = "software";
+
+const Backend* find_backend(const std::string& name) {
+  for (const Backend* one : backends())
+    if (name == one->name) return one;
+  return nullptr;
+}
+
+std::string module_file() {
+  const char* file = std::getenv("FLATRAY_GL_MODULE");
+  return file == nullptr ? "" : file;
+}
+
+Result<unsigned> samples(const Arguments& arguments, const std::string& backend) {
+  const auto word = arguments.one_of("samples", {"4", "16", "64"});
+  if (!word) return tl::unexpected(word.error());
+  if (arguments.has("samples") && backend == kSoftware)
+    return usage_error(arguments.where("samples"), "the software back end takes no samples",
+                       "its coverage is exact; say --backend gl, or leave out --samples");
+  return static_cast<unsigned>(std::stoul(*word));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
+                                                        unsigned threads) {
+  std::vector<std::string> names = {kSoftware, "auto"};
+  for (const Backend* one : backends())
+    if (one->name != names.front()) names.emplace_back(one->name);
+  const Result<std::string> name = arguments.one_of("backend", names);
+  if (!name) return tl::unexpected(name.error());
+  const Result<unsigned> count = samples(arguments, *name);
+  if (!count) return tl::unexpected(count.error());
+  const Backend* backend = find_backend(*name == "auto" ? "gl" : *name);
+  if (*name == kSoftware || backend == nullptr) return nullptr;
+  Result<std::unique_ptr<Renderer>> opened = backend->open({threads, *count, module_file()});
+  if (opened) return std::shared_ptr<const Renderer>(std::move(*opened));
+  if (*name == "auto") return nullptr;
+  return fail(std::move(opened));
+}
+
+std::string backends_text() {
+  std::string text = kSoftware;
+  if (const Backend* gl = find_backend("gl")) {
+    const auto opened = gl->open({1, 4, module_file()});
+    text += opened ? ", " + (*opened)->description() : std::string("; no gl");
+  }
+  return text;
+}
+
+}  // namespace flatray

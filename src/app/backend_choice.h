@@ -1,0 +1,23 @@
+#pragma once
+#include <memory>
+
+#include "app/arguments.h"
+#include "render/backend.h"
+
+namespace flatray {
+
+inline constexpr Option kBackendOption = {"backend", '\0', "NAME",
+                                          "what draws: software (default), gl, osmesa, egl, auto"};
+inline constexpr Option kSamplesOption = {"samples", '\0', "4|16|64",
+                                          "samples of a pixel, for the GL back ends (default 4)"};
+
+/// The renderer that --backend and --samples name, opened; null for the software back end, which
+/// needs none. `auto`: GL where it is to be had. The module is FLATRAY_GL_MODULE, where that is set.
+/// Error   Trouble::usage; Trouble::unavailable, and what to install.
+Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
+                                                        unsigned threads);
+
+/// What `flatray --version` says of the back ends: "software, gl (OSMesa, Mesa 22.3.6, ...)".
+std::string backends_text();
+
+}  // namespace flatray

@@ -1,0 +1,103 @@
+#include "render/gl/batch_list.h"
+
+#include <algorithm>
+
+namespace flatray::gl {
+namespace {
+
+FlatrayGlVertex vertex(const GridPoint& point, const LinearColour& c) {
+  const auto pixels = [](std::int64_t steps) {
+    return static_cast<float>(static_cast<double>(steps) / kGridSteps);
+  };
+  return {pixels(point.x), pixels(point.y), {c.r * c.a, c.g * c.a, c.b * c.a, c.a}};
+}
+
+}  // namespace
+
+std::uint64_t BatchList::Occupied::columns(const CellBox& box) {
+  const int first = box.x0 >> kCell, last = (box.x1 - 1) >> kCell;
+  return (~std::uint64_t{0} >> (kCells - 1 - last)) & (~std::uint64_t{0} << first);
+}
+
+bool BatchList::Occupied::any(const CellBox& box) const {
+  const std::uint64_t mask = columns(box);
+  const auto first = rows_.begin() + (box.y0 >> kCell),
+             end = rows_.begin() + ((box.y1 - 1) >> kCell) + 1;
+  return std::any_of(first, end, [mask](std::uint64_t row) { return (row & mask) != 0; });
+}
+
+void BatchList::Occupied::add(const CellBox& box) {
+  const std::uint64_t mask = columns(box);
+  for (int row = box.y0 >> kCell; row <= (box.y1 - 1) >> kCell; ++row)
+    rows_[static_cast<std::size_t>(row)] |= mask;
+}
+
+CellBox BatchList::box(std::span<const GridPoint> points) const {
+  constexpr auto kStep = static_cast<std::int64_t>(kGridSteps);
+  std::int64_t x0 = width_ * kStep, x1 = 0, y0 = height_ * kStep, y1 = 0;
+  for (const GridPoint& p : points) {
+    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+  }
+  const auto low = [](std::int64_t steps) {
+    return static_cast<int>(std::max<std::int64_t>((steps >> 8) - 1, 0));
+  };
+  const auto high = [](std::int64_t steps, int limit) {
+    return static_cast<int>(std::min<std::int64_t>((steps >> 8) + 2, limit));
+  };
+  static_assert(kStep == 1 << 8);
+  return {low(x0), low(y0), high(x1, width_), high(y1, height_)};
+}
+
+void BatchList::add_fan(std::span<const GridPoint> corners, const LinearColour& colour,
+                        std::vector<FlatrayGlVertex>& to) {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    if (area(corners[0], corners[i], corners[i + 1]) == 0) continue;
+    to.push_back(vertex(corners[0], colour));
+    to.push_back(vertex(corners[i], colour));
+    to.push_back(vertex(corners[i + 1], colour));
+  }
+}
+
+void BatchList::paint(std::span<const GridPoint> corners, const LinearColour& colour,
+                      const CellBox& box) {
+  if (box.empty()) return;
+  if (marked_.any(box)) flush();
+  any_.add(box);
+  add_fan(corners, colour, waiting_[FLATRAY_GL_PAINT]);
+}
+
+void BatchList::begin_marks(const LinearColour& colour, const CellBox& box) {
+  if (any_.any(box)) flush();
+  any_.add(box);
+  marked_.add(box);
+  const auto corner = [](int x, int y) { return on_grid({x, y}); };
+  const std::array<GridPoint, 4> all = {corner(box.x0, box.y0), corner(box.x1, box.y0),
+                                        corner(box.x1, box.y1), corner(box.x0, box.y1)};
+  add_fan(all, colour, waiting_[FLATRAY_GL_COVER]);
+}
+
+void BatchList::mark(FlatrayGlKind kind, std::span<const GridPoint> corners) {
+  add_fan(corners, {}, waiting_[static_cast<std::size_t>(kind)]);
+}
+
+void BatchList::flush() {
+  for (std::size_t kind = 0; kind < waiting_.size(); ++kind) {
+    std::vector<FlatrayGlVertex>& vertices = waiting_[kind];
+    if (vertices.empty()) continue;
+    all_.batches.push_back({static_cast<std::int32_t>(kind),
+                            static_cast<std::uint32_t>(all_.vertices.size()),
+                            static_cast<std::uint32_t>(vertices.size())});
+    all_.vertices.insert(all_.vertices.end(), vertices.begin(), vertices.end());
+    vertices.clear();
+  }
+  marked_.clear();
+  any_.clear();
+}
+
+Batches BatchList::finish() && {
+  flush();
+  return std::move(all_);
+}
+
+}  // namespace flatray::gl

@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <span>
+
+#include "render/draw_list.h"
+#include "render/gl/batches.h"
+#include "render/gl/grid.h"
+
+namespace flatray::gl {
+
+/// Pixels [x0, x1) x [y0, y1) of a tile.
+struct CellBox {
+  int x0, y0, x1, y1;
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+};
+
+/// Puts items into few batches. Items wait in a group as long as none of those with marks shares a
+/// place with another one: then their order does not matter.
+class BatchList {
+ public:
+  BatchList(int width, int height) : width_(width), height_(height) {}
+
+  /// Pixels a figure can touch, with a pixel around it for the shifts of its samples.
+  CellBox box(std::span<const GridPoint> points) const;
+
+  /// A convex figure that is blended as it is.
+  void paint(std::span<const GridPoint> corners, const LinearColour& colour, const CellBox& box);
+
+  /// Begins an item that is marked first and then covered.
+  void begin_marks(const LinearColour& colour, const CellBox& box);
+  /// Triangles from the first point to every edge, as marks of `kind`.
+  void mark(FlatrayGlKind kind, std::span<const GridPoint> corners);
+
+  Batches finish() &&;
+
+ private:
+  // Cells of 32 x 32 pixels in which something of the group lies.
+  class Occupied {
+   public:
+    bool any(const CellBox& box) const;
+    void add(const CellBox& box);
+    void clear() { rows_ = {}; }
+
+   private:
+    static constexpr int kCell = 5, kCells = FLATRAY_GL_TILE >> kCell;
+    static_assert(kCells == 64, "a row of cells is a word");
+    static std::uint64_t columns(const CellBox& box);
+    std::array<std::uint64_t, kCells> rows_{};
+  };
+
+  void flush();
+  static void add_fan(std::span<const GridPoint> corners, const LinearColour& colour,
+                      std::vector<FlatrayGlVertex>& to);
+
+  int width_, height_;
+  std::array<std::vector<FlatrayGlVertex>, 5> waiting_;  // by kind
+  Occupied marked_, any_;
+  Batches all_;
+};
+
+}  // namespace flatray::gl

@@ -1,0 +1,141 @@
+#include "render/gl/batches.h"
+
+#include <algorithm>
+
+#include "geom/polygon.h"
+#include "render/gl/batch_list.h"
+#include "render/gl/outlines.h"
+
+namespace flatray::gl {
+namespace {
+
+// Beyond the tile nothing is drawn, and corners farther out than the rasterizer takes are cut off.
+constexpr double kGuard = 512;
+// A stencil counts modulo 256.
+constexpr std::size_t kMostWindings = 255;
+
+using Grid = std::vector<GridPoint>;
+
+Grid on_grid(const Ring& ring) {
+  Grid points;
+  points.reserve(ring.size());
+  for (const Vec2& point : ring) points.push_back(gl::on_grid(point));
+  return points;
+}
+
+// How often a ring can wind round a point; a horizontal line meets half its edges on the way in.
+std::size_t most_windings(const Ring& ring) {
+  return ring.size() > 2 * kMostWindings && !crossing_edges(ring) ? 1 : ring.size() / 2;
+}
+
+bool may_overflow(const std::vector<Ring>& rings) {
+  std::size_t edges = 0, windings = 0;
+  for (const Ring& ring : rings) edges += ring.size();
+  if (edges <= 2 * kMostWindings) return false;
+  for (const Ring& ring : rings) windings += most_windings(ring);
+  return windings > kMostWindings;
+}
+
+// All convex and running the same way: a point is in their union where it is in one of them.
+bool convex_alike(const std::vector<Ring>& rings) {
+  std::optional<Sign> first;
+  return std::all_of(rings.begin(), rings.end(), [&](const Ring& ring) {
+    if (non_convex_vertex(ring)) return false;
+    const Sign way = ring_orientation(ring);
+    if (way == Sign::zero) return true;
+    if (!first) first = way;
+    return way == *first;
+  });
+}
+
+class Builder {
+ public:
+  explicit Builder(const PixelBox& tile) : out_(tile.width, tile.height), origin_(tile.x, tile.y) {
+    box_ = {Vec2(0, 0), Vec2(tile.width, tile.height)};
+    guard_ = {box_.low - Vec2(kGuard, kGuard), box_.high + Vec2(kGuard, kGuard)};
+  }
+
+  Result<void> add(const DrawItem& item) {
+    if (item.colour.a == 0) return {};
+    if (const auto* path = std::get_if<FillPath>(&item.region)) return add(*path, item.colour);
+    if (const auto* ring = std::get_if<FillRing>(&item.region)) return add(*ring, item.colour);
+    return fail({}, "the GL back end does not draw this kind of region", "say --backend software",
+                Trouble::unavailable);
+  }
+
+  Batches finish() && { return std::move(out_).finish(); }
+
+ private:
+  Result<void> add(const FillPath& path, const LinearColour& colour) {
+    std::vector<Ring> rings = rings_of(path.edges);
+    Bounds reach;
+    for (Ring& ring : rings)
+      for (Vec2& point : ring) reach.add(point -= origin_);
+    if (!meet(reach, box_)) return {};
+    const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
+    if (one) return paint(rings[0], colour), Result<void>();
+    if (path.rule == FillRule::nonzero && convex_alike(rings)) {
+      if (colour.a == 1)
+        for (const Ring& ring : rings) paint(ring, colour);
+      else
+        cover(rings, FLATRAY_GL_MARK, colour);
+      return {};
+    }
+    if (path.rule == FillRule::nonzero && !path.simple && may_overflow(rings))
+      return fail({}, "the GL back end does not draw a region that may wind more than 255 times",
+                  "say --backend software", Trouble::unavailable);
+    cover(rings, path.rule == FillRule::nonzero ? FLATRAY_GL_COUNT : FLATRAY_GL_FLIP, colour);
+    return {};
+  }
+
+  Result<void> add(const FillRing& ring, const LinearColour& colour) {
+    const Vec2 centre = ring.centre - origin_, reach(ring.radius, ring.radius);
+    if (!(ring.radius > 0) || !meet({centre - reach, centre + reach}, box_)) return {};
+    const Ring outer = circle_ring(centre, ring.radius, guard_);
+    if (ring.inner_radius > 0)
+      cover({outer, circle_ring(centre, ring.inner_radius, guard_)}, FLATRAY_GL_FLIP, colour);
+    else
+      paint(outer, colour);
+    return {};
+  }
+
+  // A convex ring.
+  void paint(const Ring& ring, const LinearColour& colour) {
+    const Grid corners = convex(ring);
+    if (!corners.empty()) out_.paint(corners, colour, out_.box(corners));
+  }
+
+  Grid convex(const Ring& ring) const {
+    return hull(on_grid(contains(guard_, bounds_of(ring)) ? ring : clipped(ring, guard_)));
+  }
+
+  void cover(const std::vector<Ring>& rings, FlatrayGlKind kind, const LinearColour& colour) {
+    std::vector<Grid> figures;
+    Grid all;
+    for (const Ring& ring : rings) {
+      figures.push_back(kind == FLATRAY_GL_MARK             ? convex(ring)
+                        : contains(guard_, bounds_of(ring)) ? on_grid(ring)
+                                                            : on_grid(clamped(ring, guard_)));
+      all.insert(all.end(), figures.back().begin(), figures.back().end());
+    }
+    const CellBox box = out_.box(all);
+    if (box.empty()) return;
+    out_.begin_marks(colour, box);
+    for (const Grid& figure : figures) out_.mark(kind, figure);
+  }
+
+  BatchList out_;
+  Vec2 origin_;
+  Bounds box_, guard_;
+};
+
+}  // namespace
+
+Result<Batches> batches(const DrawList& list, const PixelBox& tile) {
+  Builder builder(tile);
+  for (const DrawItem& item : list.items)
+    if (auto added = builder.add(item); !added) return fail(std::move(added));
+  return std::move(builder).finish();
+}
+
+}  // namespace flatray::gl

@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "base/result.h"
+#include "render/coverage.h"
+#include "render/gl/module.h"
+
+namespace flatray::gl {
+
+/// What the module draws of a draw list in one tile.
+struct Batches {
+  std::vector<FlatrayGlVertex> vertices;
+  std::vector<FlatrayGlBatch> batches;
+};
+
+/// Triangles for the items of `list` in `tile`, corners on the grid (grid.h).
+///
+/// Needs   a tile of at most FLATRAY_GL_TILE pixels each way.
+/// Gives   items in an order that shows the same: convex regions in one batch, as far as nothing
+///         between them lies in the same place; of other regions first their marks, then their
+///         light. Circles as chords within 1/256 of a pixel.
+/// Error   Trouble::unavailable for what no batch can draw: regions that may wind more than 255
+///         times round a point, and kinds of regions this back end does not know.
+/// Cost    O(edges), O(edges log edges) for those not in the order of their rings.
+Result<Batches> batches(const DrawList& list, const PixelBox& tile);
+
+}  // namespace flatray::gl

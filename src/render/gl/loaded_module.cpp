@@ -1,0 +1,107 @@
+#include "render/gl/loaded_module.h"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <filesystem>
+
+namespace flatray::gl {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModuleFile = "flatray_gl.so";
+
+tl::unexpected<Diagnostics> unavailable(std::string message, std::string hint) {
+  return fail(named_place("OpenGL"), std::move(message), std::move(hint), Trouble::unavailable);
+}
+
+// Where a module may be: beside the program as built, and where `cmake --install` puts it.
+std::vector<fs::path> candidates(const std::string& file) {
+  if (!file.empty()) return {file};
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return {folder / kModuleFile, folder / FLATRAY_GL_INSTALLED};
+}
+
+Result<const FlatrayGlModule*> load(const fs::path& file) {
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (handle == nullptr) return unavailable(dlerror(), "");
+  const auto entry = reinterpret_cast<FlatrayGlEntry>(dlsym(handle, FLATRAY_GL_ENTRY));
+  const FlatrayGlModule* module = entry == nullptr ? nullptr : entry();
+  if (module == nullptr || module->abi != FLATRAY_GL_ABI)
+    return unavailable(fmt::format("{} belongs to another version of flatray", file.string()),
+                       "build or install both together");
+  return module;
+}
+
+Result<const FlatrayGlModule*> find_module(const std::string& file) {
+  std::error_code ignored;
+  for (const fs::path& candidate : candidates(file))
+    if (fs::exists(candidate, ignored)) return load(candidate);
+  return unavailable(
+      fmt::format("{} is not there", file.empty() ? "the module flatray_gl.so" : file),
+      "tools/setup --gl installs what it is built from; then build again, or say --backend "
+      "software");
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LoadedModule>> LoadedModule::open(const std::string& file,
+                                                         const std::string& maker,
+                                                         unsigned threads) {
+  const Result<const FlatrayGlModule*> module = find_module(file);
+  if (!module) return tl::unexpected(module.error());
+  std::vector<std::string> makers = {maker};
+  if (maker == "gl") makers = {"osmesa", "egl"};
+  Diagnostics problems;
+  for (const std::string& one : makers) {
+    std::unique_ptr<LoadedModule> loaded(new LoadedModule(**module));
+    const Result<void> started = loaded->start(one, threads);
+    if (started) return loaded;
+    problems.insert(problems.end(), started.error().begin(), started.error().end());
+  }
+  return tl::unexpected(std::move(problems));
+}
+
+Result<void> LoadedModule::start(const std::string& maker, unsigned threads) {
+  FlatrayGlError error{};
+  device_ = module_.open(maker.c_str(), threads, &error);
+  FlatrayGlContext* first = device_ == nullptr ? nullptr : module_.create(device_, &info_, &error);
+  if (first == nullptr) return unavailable(error.text, "or say --backend software");
+  free_.push_back(first);
+  return {};
+}
+
+LoadedModule::~LoadedModule() {
+  for (FlatrayGlContext* context : free_) module_.destroy(context);
+  if (device_ != nullptr) module_.close(device_);
+}
+
+Result<FlatrayGlContext*> LoadedModule::take() {
+  const std::lock_guard lock(mutex_);
+  if (free_.empty()) {
+    FlatrayGlInfo info;
+    FlatrayGlError error{};
+    if (FlatrayGlContext* made = module_.create(device_, &info, &error)) return made;
+    return unavailable(error.text, "");
+  }
+  FlatrayGlContext* context = free_.back();
+  free_.pop_back();
+  return context;
+}
+
+Result<void> LoadedModule::draw(const FlatrayGlTile& tile) {
+  const Result<FlatrayGlContext*> context = take();
+  if (!context) return tl::unexpected(context.error());
+  FlatrayGlError error{};
+  const bool drawn = module_.draw(*context, &tile, &error) != 0;
+  {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(*context);
+  }
+  if (!drawn) return unavailable(error.text, "");
+  return {};
+}
+
+}  // namespace flatray::gl

@@ -1,0 +1,77 @@
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+
+/// What `flatray` and the module flatray_gl.so tell each other: plain structs, nothing else. The
+/// module knows triangles; what they are triangles of is decided on the other side.
+
+/// Grows with every change of what stands below: a module of another number is not used.
+#define FLATRAY_GL_ABI 1
+/// Most pixels of a tile in either direction.
+#define FLATRAY_GL_TILE 2048
+
+extern "C" {
+
+/// Position in pixels of the tile, y down; linear light, premultiplied.
+struct FlatrayGlVertex {
+  float x, y;
+  float rgba[4];
+};
+
+enum FlatrayGlKind {
+  FLATRAY_GL_PAINT,  ///< blends its triangles
+  FLATRAY_GL_MARK,   ///< marks the samples in its triangles
+  FLATRAY_GL_COUNT,  ///< adds the winding of its triangles to the samples in them, modulo 256
+  FLATRAY_GL_FLIP,   ///< flips the mark of the samples in its triangles
+  FLATRAY_GL_COVER   ///< blends its triangles where samples are marked, and takes the marks away
+};
+
+/// Vertices [first, first + count): triangles, drawn in their order.
+struct FlatrayGlBatch {
+  int32_t kind;
+  uint32_t first, count;
+};
+
+/// A rectangle of pixels to draw.
+struct FlatrayGlTile {
+  int32_t width, height;
+  int32_t samples;           ///< of MSAA: 4, or 1 at the pixel's centre
+  const float (*shifts)[2];  ///< it is drawn once for each, the geometry moved by it; then averaged
+  size_t shift_count;
+  float background[4];  ///< premultiplied
+  const FlatrayGlVertex* vertices;
+  size_t vertex_count;
+  const FlatrayGlBatch* batches;
+  size_t batch_count;
+  float* rgba;  ///< out: width * height * 4, rows top-down, premultiplied
+};
+
+struct FlatrayGlInfo {
+  char version[256];      ///< "OSMesa, Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)"
+  int32_t most_samples;   ///< 1 where there is no MSAA
+  float positions[4][2];  ///< of its samples in a pixel, y down; of 4 where most_samples is 4
+};
+
+/// A message for people, filled where a call fails.
+struct FlatrayGlError {
+  char text[256];
+};
+
+struct FlatrayGlDevice;   ///< a loaded Mesa
+struct FlatrayGlContext;  ///< used by one thread at a time
+
+/// Calls that fail return null or 0.
+struct FlatrayGlModule {
+  uint32_t abi;
+  /// `maker`: "osmesa" or "egl". `threads`: of Mesa's own for each picture; 0: the caller's only.
+  FlatrayGlDevice* (*open)(const char* maker, unsigned threads, FlatrayGlError* error);
+  void (*close)(FlatrayGlDevice* device);
+  FlatrayGlContext* (*create)(FlatrayGlDevice* device, FlatrayGlInfo* info, FlatrayGlError* error);
+  void (*destroy)(FlatrayGlContext* context);
+  int (*draw)(FlatrayGlContext* context, const FlatrayGlTile* tile, FlatrayGlError* error);
+};
+
+/// The one entry: `extern "C" const FlatrayGlModule* flatray_gl_module(void)`.
+typedef const FlatrayGlModule* (*FlatrayGlEntry)(void);
+#define FLATRAY_GL_ENTRY "flatray_gl_module"
+}

@@ -1,0 +1,92 @@
+#include "render/gl/module/maker.h"
+
+#ifdef FLATRAY_HAVE_OSMESA
+#include <GL/osmesa.h>
+#endif
+
+namespace flatray::gl {
+
+#ifdef FLATRAY_HAVE_OSMESA
+namespace {
+
+struct Functions {
+  decltype(&OSMesaCreateContextAttribs) create;
+  decltype(&OSMesaDestroyContext) destroy;
+  decltype(&OSMesaMakeCurrent) make_current;
+  decltype(&OSMesaGetProcAddress) function;
+
+  explicit Functions(const Library& library)
+      : create(library.find<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")),
+        destroy(library.find<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")),
+        make_current(library.find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent")),
+        function(library.find<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress")) {}
+  bool complete() const { return create && destroy && make_current && function; }
+};
+
+class OsmesaContext final : public Maker::Context {
+ public:
+  OsmesaContext(const Functions& functions, OSMesaContext context)
+      : functions_(functions), context_(context) {}
+  OsmesaContext(const OsmesaContext&) = delete;
+  OsmesaContext& operator=(const OsmesaContext&) = delete;
+  ~OsmesaContext() override { functions_.destroy(context_); }
+
+  bool enter() override {
+    return functions_.make_current(context_, own_picture_, GL_UNSIGNED_BYTE, 1, 1) == GL_TRUE;
+  }
+  void leave() override { functions_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0); }
+
+ private:
+  const Functions& functions_;
+  OSMesaContext context_;
+  unsigned char own_picture_[4] = {};  // OSMesa wants one; we draw into framebuffer objects
+};
+
+class OsmesaMaker final : public Maker {
+ public:
+  OsmesaMaker(const Library& library, const Functions& functions)
+      : library_(library), functions_(functions) {}
+
+  const char* name() const override { return "OSMesa"; }
+  std::unique_ptr<Context> create(std::string& error) override {
+    constexpr int kWanted[] = {OSMESA_FORMAT,
+                               OSMESA_RGBA,
+                               OSMESA_PROFILE,
+                               OSMESA_CORE_PROFILE,
+                               OSMESA_CONTEXT_MAJOR_VERSION,
+                               3,
+                               OSMESA_CONTEXT_MINOR_VERSION,
+                               3,
+                               0};
+    if (OSMesaContext context = functions_.create(kWanted, nullptr))
+      return std::make_unique<OsmesaContext>(functions_, context);
+    error = "OSMesa makes no context of OpenGL 3.3";
+    return nullptr;
+  }
+  void* function(const char* name) const override {
+    return reinterpret_cast<void*>(functions_.function(name));
+  }
+
+ private:
+  const Library library_;
+  const Functions functions_;
+};
+
+}  // namespace
+
+std::unique_ptr<Maker> open_osmesa(std::string& error) {
+  const Library library("libOSMesa.so.8");
+  if (library)
+    if (const Functions functions(library); functions.complete())
+      return std::make_unique<OsmesaMaker>(library, functions);
+  error = "libOSMesa.so.8 is not on this machine: install libosmesa6";
+  return nullptr;
+}
+#else
+std::unique_ptr<Maker> open_osmesa(std::string& error) {
+  error = "OSMesa is not in this build: install libosmesa6-dev and build again";
+  return nullptr;
+}
+#endif
+
+}  // namespace flatray::gl

@@ -1,0 +1,208 @@
+#include "render/gl/module/painter.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+namespace flatray::gl {
+namespace {
+
+// Powers of two, so that nothing is rounded on the way from the grid to the rasterizer's own.
+constexpr GLsizei kViewport = FLATRAY_GL_TILE;
+constexpr const char* kVertexShader = R"(#version 330 core
+layout(location = 0) in vec2 place;
+layout(location = 1) in vec4 colour;
+uniform vec2 shift;
+flat out vec4 light;
+void main() {
+  light = colour;
+  gl_Position = vec4((place + shift) / 1024.0 - 1.0, 0.0, 1.0);
+}
+)";
+constexpr const char* kFragmentShader = R"(#version 330 core
+flat in vec4 light;
+out vec4 shown;
+void main() { shown = light; }
+)";
+static_assert(FLATRAY_GL_TILE == 2 * 1024);
+
+// "4.5 (Core Profile) Mesa 22.3.6" has what counts at its end.
+std::string mesa_of(const char* version) {
+  const char* mesa = std::strstr(version, "Mesa");
+  return mesa == nullptr ? version : mesa;
+}
+
+}  // namespace
+
+bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) {
+  const auto text = [&](GLenum what) {
+    const GLubyte* found = gl_.get_string(what);
+    return found == nullptr ? "" : reinterpret_cast<const char*>(found);
+  };
+  std::snprintf(info.version, sizeof info.version, "%s, %s, %s", maker,
+                mesa_of(text(GL_VERSION)).c_str(), text(GL_RENDERER));
+  GLint samples = 1;
+  gl_.get_integers(GL_MAX_SAMPLES, &samples);
+  most_samples_ = samples >= 4 ? 4 : 1;
+  info.most_samples = most_samples_;
+  if (!make_program(error)) return false;
+  gl_.gen_vertex_arrays(1, &vertex_array_);
+  gl_.bind_vertex_array(vertex_array_);
+  gl_.gen_buffers(1, &buffer_);
+  gl_.bind_buffer(GL_ARRAY_BUFFER, buffer_);
+  gl_.attribute(0, 2, GL_FLOAT, GL_FALSE, sizeof(FlatrayGlVertex), nullptr);
+  gl_.attribute(1, 4, GL_FLOAT, GL_FALSE, sizeof(FlatrayGlVertex),
+                reinterpret_cast<const void*>(offsetof(FlatrayGlVertex, rgba)));
+  gl_.enable_attribute(0);
+  gl_.enable_attribute(1);
+  gl_.clamp_colour(GL_CLAMP_READ_COLOR, GL_FALSE);
+  if (most_samples_ == 1) return true;
+  // Positions are asked of a framebuffer that has samples.
+  if (!make_pictures({1, 1, most_samples_}, error)) return false;
+  for (GLuint i = 0; i < 4; ++i) gl_.sample_position(GL_SAMPLE_POSITION, i, info.positions[i]);
+  return true;
+}
+
+bool Painter::make_program(std::string& error) {
+  program_ = gl_.create_program();
+  for (const auto& [kind, source] : {std::pair(GL_VERTEX_SHADER, kVertexShader),
+                                     std::pair(GL_FRAGMENT_SHADER, kFragmentShader)}) {
+    const GLuint shader = gl_.create_shader(static_cast<GLenum>(kind));
+    gl_.shader_source(shader, 1, &source, nullptr);
+    gl_.compile_shader(shader);
+    gl_.attach_shader(program_, shader);
+    gl_.delete_shader(shader);
+  }
+  gl_.link_program(program_);
+  GLint linked = GL_FALSE;
+  gl_.program_value(program_, GL_LINK_STATUS, &linked);
+  if (linked != GL_TRUE) error = "the shaders do not compile";
+  gl_.use_program(program_);
+  shift_ = gl_.uniform_place(program_, "shift");
+  return linked == GL_TRUE;
+}
+
+Painter::Picture Painter::make_picture(const Size& size, bool with_marks) {
+  Picture picture;
+  gl_.gen_framebuffers(1, &picture.framebuffer);
+  gl_.bind_framebuffer(GL_FRAMEBUFFER, picture.framebuffer);
+  const auto add = [&](GLuint& part, GLenum format, GLenum place) {
+    gl_.gen_renderbuffers(1, &part);
+    gl_.bind_renderbuffer(GL_RENDERBUFFER, part);
+    gl_.storage(GL_RENDERBUFFER, size.samples == 1 ? 0 : size.samples, format, size.width,
+                size.height);
+    gl_.attach(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, part);
+  };
+  add(picture.light, GL_RGBA32F, GL_COLOR_ATTACHMENT0);
+  if (with_marks) add(picture.marks, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
+  return picture;
+}
+
+void Painter::drop(Picture& picture) {
+  gl_.delete_framebuffers(1, &picture.framebuffer);
+  gl_.delete_renderbuffers(1, &picture.light);
+  gl_.delete_renderbuffers(1, &picture.marks);  // of name 0: passed over
+  picture = {};
+}
+
+bool Painter::make_pictures(const Size& size, std::string& error) {
+  if (size == size_) return true;
+  drop(drawn_);
+  drop(resolved_);
+  size_ = {};
+  if (size.samples > 1) resolved_ = make_picture({size.width, size.height, 1}, false);
+  drawn_ = make_picture(size, true);
+  if (gl_.framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+      gl_.get_error() != GL_NO_ERROR) {
+    error = "this GL has no framebuffer of floats with " + std::to_string(size.samples) +
+            " samples and a stencil";
+    return false;
+  }
+  size_ = size;
+  return true;
+}
+
+bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
+  if (!make_pictures({tile.width, tile.height, tile.samples}, error)) return false;
+  gl_.buffer_data(GL_ARRAY_BUFFER,
+                  static_cast<GLsizeiptr>(tile.vertex_count * sizeof(FlatrayGlVertex)),
+                  tile.vertices, GL_STREAM_DRAW);
+  gl_.viewport(0, 0, kViewport, kViewport);
+  const std::size_t floats =
+      4 * static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+  if (tile.shift_count > 1) again_.resize(floats);
+  for (std::size_t i = 0; i < tile.shift_count; ++i) {
+    gl_.set_uniform(shift_, tile.shifts[i][0], tile.shifts[i][1]);
+    draw_batches(tile);
+    read(tile, i == 0 ? tile.rgba : again_.data());
+    if (i > 0) std::transform(again_.begin(), again_.end(), tile.rgba, tile.rgba, std::plus<>());
+  }
+  if (tile.shift_count > 1) {
+    const auto count = static_cast<float>(tile.shift_count);
+    std::for_each(tile.rgba, tile.rgba + floats, [count](float& value) { value /= count; });
+  }
+  if (const GLenum code = gl_.get_error(); code != GL_NO_ERROR) {
+    error = code == GL_OUT_OF_MEMORY ? "GL has no memory left"
+                                     : "GL reports error " + std::to_string(code);
+    return false;
+  }
+  return true;
+}
+
+void Painter::draw_batches(const FlatrayGlTile& tile) {
+  gl_.bind_framebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
+  gl_.colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.clear_colour(tile.background[0], tile.background[1], tile.background[2], tile.background[3]);
+  gl_.clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  gl_.enable(GL_BLEND);
+  gl_.blend(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (std::size_t i = 0; i < tile.batch_count; ++i) {
+    const FlatrayGlBatch& batch = tile.batches[i];
+    set_up(batch.kind);
+    gl_.draw_arrays(GL_TRIANGLES, static_cast<GLint>(batch.first),
+                    static_cast<GLsizei>(batch.count));
+  }
+}
+
+void Painter::set_up(int32_t kind) {
+  const bool shows = kind == FLATRAY_GL_PAINT || kind == FLATRAY_GL_COVER;
+  const GLboolean mask = shows ? GL_TRUE : GL_FALSE;
+  gl_.colour_mask(mask, mask, mask, mask);
+  if (kind == FLATRAY_GL_PAINT) return gl_.disable(GL_STENCIL_TEST);
+  gl_.enable(GL_STENCIL_TEST);
+  gl_.stencil_func(kind == FLATRAY_GL_COVER ? GL_NOTEQUAL : GL_ALWAYS,
+                   kind == FLATRAY_GL_MARK ? 1 : 0, 0xff);
+  switch (kind) {
+    case FLATRAY_GL_MARK:
+      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
+    case FLATRAY_GL_FLIP:
+      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_INVERT);
+    case FLATRAY_GL_COVER:
+      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_ZERO);
+    default:
+      gl_.stencil_op_of(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+      return gl_.stencil_op_of(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+  }
+}
+
+void Painter::read(const FlatrayGlTile& tile, float* rgba) {
+  if (tile.samples > 1) {
+    gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+    gl_.bind_framebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
+    gl_.blit(0, 0, tile.width, tile.height, 0, 0, tile.width, tile.height, GL_COLOR_BUFFER_BIT,
+             GL_NEAREST);
+    gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, resolved_.framebuffer);
+  }
+  // Row 0 of the framebuffer is the film's top row: y was never turned over.
+  gl_.read_pixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, rgba);
+}
+
+void Painter::stop() {
+  drop(drawn_);
+  drop(resolved_);
+  gl_.delete_buffers(1, &buffer_);
+  gl_.delete_vertex_arrays(1, &vertex_array_);
+  gl_.delete_program(program_);
+}
+
+}  // namespace flatray::gl

@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "geom/bounds.h"
+#include "geom/ray.h"
+
+namespace flatray::gl {
+
+/// A closed line through corners, the last joined to the first. Coordinates are pixels.
+using Ring = std::vector<Vec2>;
+
+/// The rings that balanced edges make up, in any order: each edge once, none where an edge leads
+/// nowhere. Edges in the order of their rings cost nothing; others are sorted.
+std::vector<Ring> rings_of(std::span<const Segment> edges);
+
+/// A circle as a ring: chords within 1/256 of a pixel of it, longer ones where they lie outside
+/// `box`.
+Ring circle_ring(const Vec2& centre, double radius, const Bounds& box);
+
+/// The part of a convex ring inside `box`, convex again.
+Ring clipped(Ring ring, const Bounds& box);
+
+/// The ring with what lies outside `box` moved to its border: winding numbers inside stay.
+Ring clamped(const Ring& ring, const Bounds& box);
+
+Bounds bounds_of(std::span<const Vec2> points);
+/// Whether `inner` lies in `outer`.
+bool contains(const Bounds& outer, const Bounds& inner);
+/// Whether they share a point.
+bool meet(const Bounds& a, const Bounds& b);
+
+}  // namespace flatray::gl

@@ -1,0 +1,113 @@
+#include "render/gl/renderer.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "image/tile.h"
+#include "render/gl/batches.h"
+#include "render/gl/loaded_module.h"
+
+namespace flatray::gl {
+namespace {
+
+// Pixels drawn at a time: their samples, 20 bytes each, stay under 100 MB.
+constexpr int kTilePixels = 1 << 20;
+
+// Samples of a pixel come from drawing it several times, each time moved a little. Both
+// coordinates take every value of a regular row once, as the rooks of chess stand.
+std::vector<std::array<float, 2>> shifts(unsigned times) {
+  std::vector<std::array<float, 2>> all;
+  const auto place = [&](unsigned i) {
+    return (static_cast<float>(i) - 0.5F * static_cast<float>(times - 1)) /
+           static_cast<float>(4 * times);
+  };
+  const unsigned root = times == 16 ? 4 : times == 4 ? 2 : 1;
+  for (unsigned i = 0; i < times; ++i) all.push_back({place(i), place(i % root * root + i / root)});
+  return all;
+}
+
+class GlRenderer final : public Renderer {
+ public:
+  GlRenderer(std::unique_ptr<LoadedModule> module, unsigned samples)
+      : module_(std::move(module)), samples_(samples) {}
+
+  Result<void> draw(const DrawList& list, const FrameOptions& options, Image& out) const override {
+    const PixelBox crop = crop_of(list, options);
+    out = Image(crop.width, crop.height, list.background.a == 1 ? 3 : 4);
+    return render(list, crop, out);
+  }
+
+  Result<void> draw(const DrawList& list, const FrameOptions& options,
+                    LinearImage& out) const override {
+    const PixelBox crop = crop_of(list, options);
+    out = {crop.width, crop.height, {}};
+    out.pixels.resize(3 * static_cast<std::size_t>(crop.width) *
+                      static_cast<std::size_t>(crop.height));
+    return render(list, crop, out);
+  }
+
+  std::string description() const override {
+    return fmt::format("gl: {}, {} samples", module_->info().version, samples_);
+  }
+
+ private:
+  static PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
+    return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
+  }
+
+  // Tiles are cut by the size of the picture alone.
+  template <class Picture>
+  Result<void> render(const DrawList& list, const PixelBox& crop, Picture& out) const {
+    const int width = std::min(crop.width, FLATRAY_GL_TILE);
+    const int rows = std::clamp(kTilePixels / std::max(width, 1), 1, FLATRAY_GL_TILE);
+    Tile tile;
+    for (int y = 0; y < crop.height; y += rows)
+      for (int x = 0; x < crop.width; x += width) {
+        const PixelBox box{crop.x + x, crop.y + y, std::min(width, crop.width - x),
+                           std::min(rows, crop.height - y)};
+        tile.x = x, tile.y = y, tile.width = box.width, tile.height = box.height;
+        if (auto drawn = draw_tile(list, box, tile); !drawn) return drawn;
+        develop(tile, out);
+      }
+    return {};
+  }
+
+  Result<void> draw_tile(const DrawList& list, const PixelBox& box, Tile& tile) const {
+    const Result<Batches> made = batches(list, box);
+    if (!made) return tl::unexpected(made.error());
+    tile.rgba.resize(4 * static_cast<std::size_t>(box.width) *
+                     static_cast<std::size_t>(box.height));
+    const LinearColour& under = list.background;
+    const bool centre = list.coverage == Coverage::centre;
+    const auto moved = centre ? std::vector<std::array<float, 2>>{{0, 0}} : shifts(samples_ / 4);
+    return module_->draw(
+        {.width = box.width,
+         .height = box.height,
+         .samples = centre ? 1 : 4,
+         .shifts = reinterpret_cast<const float(*)[2]>(moved.data()),
+         .shift_count = moved.size(),
+         .background = {under.r * under.a, under.g * under.a, under.b * under.a, under.a},
+         .vertices = made->vertices.data(),
+         .vertex_count = made->vertices.size(),
+         .batches = made->batches.data(),
+         .batch_count = made->batches.size(),
+         .rgba = tile.rgba.data()});
+  }
+
+  std::unique_ptr<LoadedModule> module_;
+  unsigned samples_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> open_renderer(const char* maker, const BackendChoice& choice) {
+  // Several frames at a time keep the cores busy; one at a time leaves the others to Mesa.
+  Result<std::unique_ptr<LoadedModule>> module =
+      LoadedModule::open(choice.module, maker, choice.threads);
+  if (!module) return fail(std::move(module));
+  return std::make_unique<GlRenderer>(std::move(*module), choice.samples);
+}
+
+}  // namespace flatray::gl

@@ -1,0 +1,11 @@
+#pragma once
+#include <memory>
+
+#include "render/backend.h"
+
+namespace flatray::gl {
+
+/// The renderer behind the back ends gl, osmesa and egl. `maker` as in LoadedModule::open.
+Result<std::unique_ptr<Renderer>> open_renderer(const char* maker, const BackendChoice& choice);
+
+}  // namespace flatray::gl
