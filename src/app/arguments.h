@@ -17,15 +17,19 @@ enum class OptionKind : std::uint8_t {
   flag   ///< no value
 };
 
+/// Names known only at run time, for completion: those of the metrics in this build.
+using Words = std::vector<std::string> (*)();
+
 /// One option of a verb: what is parsed, shown by --help, suggested for a misspelt one and read
 /// from the environment
 /// (`--max-pixels` from FLATRAY_MAX_PIXELS) are all made of this row.
 struct Option {
   const char* name;     ///< long name without dashes: "max-pixels"
   char letter;          ///< short name; '\0' for none
-  const char* metavar;  ///< what stands for the value in the help: "N"; "" for a flag
+  const char* metavar;  ///< what stands for the value in the help: "N", "png|hdr"; "" for a flag
   const char* help;     ///< one line, no full stop
   OptionKind kind = OptionKind::text;
+  Words words = nullptr;  ///< its values, where they are names
 };
 
 /// What the user asked of one verb. Flags of the command line win over the environment.

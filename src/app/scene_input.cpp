@@ -30,8 +30,8 @@ Result<unsigned> threads(const Arguments& arguments) {
   return static_cast<unsigned>(*count);
 }
 
-Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
-                               const std::vector<Override>& more) {
+Result<ReadScene> read_input(const Arguments& arguments, const std::string& path,
+                             const std::vector<Override>& more) {
   auto overrides = parse_overrides(arguments.list("define"), arguments.where("define"));
   if (!overrides) return tl::unexpected(overrides.error());
   overrides->insert(overrides->end(), more.begin(), more.end());
@@ -52,7 +52,14 @@ Result<LoadedScene> load_input(const Arguments& arguments, const std::string& pa
     if (!given) return tl::unexpected(given.error());
     seeded = *given;
   }
-  return load_scene(path, *overrides, limits, seeded);
+  return read_scene(path, *overrides, limits, seeded);
+}
+
+Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
+                               const std::vector<Override>& more) {
+  Result<ReadScene> read = read_input(arguments, path, more);
+  if (!read) return fail(std::move(read));
+  return std::move(read->loaded);
 }
 
 Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene) {

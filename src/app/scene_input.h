@@ -36,6 +36,10 @@ Result<unsigned> threads(const Arguments& arguments);
 Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
                                const std::vector<Override>& more = {});
 
+/// The same with the scene's description.
+Result<ReadScene> read_input(const Arguments& arguments, const std::string& path,
+                             const std::vector<Override>& more = {});
+
 /// The same for verbs of one scene: the first operand, its warnings printed.
 Result<Scene> load_only_input(const Arguments& arguments);
 

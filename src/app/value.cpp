@@ -148,6 +148,10 @@ std::string json_text(const JsonValue& value) {
       value.data);
 }
 
+std::string indented_json(const JsonValue& value) {
+  return Json::parse(json_text(value)).dump(2) + "\n";
+}
+
 std::optional<JsonValue> parse_json(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return std::nullopt;

@@ -40,6 +40,8 @@ struct JsonValue {
 /// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts
 /// "inf" and "-inf"; bytes that are no UTF-8 become U+FFFD.
 std::string json_text(const JsonValue& value);
+/// The same over many lines, two blanks a level.
+std::string indented_json(const JsonValue& value);
 /// nullopt for what is no JSON.
 std::optional<JsonValue> parse_json(std::string_view text);
 

@@ -25,15 +25,12 @@ struct Verb {
   const char* examples;  ///< lines of `flatray help VERB`, "" for none
   const char* undone;    ///< what a failure leaves: "nothing rendered", "" for nothing to say
   Result<VerbOutput> (*run)(const Arguments&);
+  Words words = nullptr;  ///< what the first operand may be, where that is a list of names
 };
 
 /// Registered verbs by name: one file each in app/verbs, defining `const Verb <name>` in namespace
 /// flatray::verbs.
 std::vector<const Verb*> all_verbs();
-
-/// Text of `flatray help` and of `flatray help VERB`.
-std::string help_text();
-std::string help_text(const Verb& verb);
 
 /// Runs the command line `words` (without the program's name): finds the verb, parses, runs, prints
 /// data to standard output and mistakes to standard error. Gives   the exit code (design, section

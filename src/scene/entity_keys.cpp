@@ -102,7 +102,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     kLayerKey<Entity>,
     material_key<Entity>("none: rays pass"),
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
-    {{"states", "{ STATE = { ... } }", "{}"}, &read_states},
+    {{"states", "{ STATE = { ... } or [{ ... }, ...] }", "{}"}, &read_states},
     kRepeatKey<Entity>,
 };
 

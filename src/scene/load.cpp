@@ -50,33 +50,49 @@ std::uint64_t hash_of(const SourceText& source, const std::vector<Override>& ove
   return hash.value();
 }
 
-}  // namespace
-
-Result<LoadedScene> load_scene(const std::filesystem::path& path,
-                               const std::vector<Override>& overrides, const LoadLimits& limits,
-                               std::optional<std::uint64_t> seed) {
-  Result<std::string> text = read_file(path, limits.max_file_bytes);
-  if (!text) return fail(std::move(text));
-  return load_scene_text(path.string(), std::move(*text), overrides, limits, seed);
-}
-
-Result<LoadedScene> load_scene_text(std::string name, std::string text,
-                                    const std::vector<Override>& overrides,
-                                    const LoadLimits& limits, std::optional<std::uint64_t> seed) {
+Result<ReadScene> read_text(std::string name, std::string text,
+                            const std::vector<Override>& overrides, const LoadLimits& limits,
+                            std::optional<std::uint64_t> seed) {
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
-  const Result<SceneDesc> desc = describe(source, overrides);
-  if (!desc) return tl::unexpected(desc.error());
+  Result<SceneDesc> desc = describe(source, overrides);
+  if (!desc) return fail(std::move(desc));
   Imports imports(source, limits.max_file_bytes);
   Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
   if (!loaded) {
     for (Diagnostic& problem : loaded.error())
       if (is_override(problem.where)) problem.trouble = Trouble::usage;
-    return loaded;
+    return fail(std::move(loaded));
   }
   loaded->scene.name = scene_name(source->name());
   loaded->scene.hash = hash_of(*source, overrides, imports);
-  return loaded;
+  return ReadScene{std::move(*desc), std::move(*loaded)};
+}
+
+}  // namespace
+
+Result<ReadScene> read_scene(const std::filesystem::path& path,
+                             const std::vector<Override>& overrides, const LoadLimits& limits,
+                             std::optional<std::uint64_t> seed) {
+  Result<std::string> text = read_file(path, limits.max_file_bytes);
+  if (!text) return fail(std::move(text));
+  return read_text(path.string(), std::move(*text), overrides, limits, seed);
+}
+
+Result<LoadedScene> load_scene(const std::filesystem::path& path,
+                               const std::vector<Override>& overrides, const LoadLimits& limits,
+                               std::optional<std::uint64_t> seed) {
+  Result<ReadScene> read = read_scene(path, overrides, limits, seed);
+  if (!read) return fail(std::move(read));
+  return std::move(read->loaded);
+}
+
+Result<LoadedScene> load_scene_text(std::string name, std::string text,
+                                    const std::vector<Override>& overrides,
+                                    const LoadLimits& limits, std::optional<std::uint64_t> seed) {
+  Result<ReadScene> read = read_text(std::move(name), std::move(text), overrides, limits, seed);
+  if (!read) return fail(std::move(read));
+  return std::move(read->loaded);
 }
 
 }  // namespace flatray

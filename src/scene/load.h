@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "scene/scene.h"
+#include "scene/scene_desc.h"
 
 namespace flatray {
 
@@ -39,6 +40,17 @@ Result<LoadedScene> load_scene_text(std::string name, std::string text,
                                     const std::vector<Override>& overrides = {},
                                     const LoadLimits& limits = {},
                                     std::optional<std::uint64_t> seed = {});
+
+/// A scene that was read as it is described: what formats and -D make of it, before its meaning.
+struct ReadScene {
+  SceneDesc desc;
+  LoadedScene loaded;
+};
+/// The same scene and its description, for writing it in another way.
+Result<ReadScene> read_scene(const std::filesystem::path& path,
+                             const std::vector<Override>& overrides = {},
+                             const LoadLimits& limits = {},
+                             std::optional<std::uint64_t> seed = {});
 
 /// One line each for `flatray list`: registered name and what it takes.
 struct Listed {

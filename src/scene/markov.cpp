@@ -223,7 +223,9 @@ void read_chains(Builder& builder, const Field& field, Scene& scene) {
 }
 
 std::vector<TableInfo> markov_tables() {
-  return {{"markov.NAME", key_infos<ChainSettings>(kChainKeys)}};
+  std::vector<KeyInfo> keys = key_infos<ChainSettings>(kChainKeys);
+  keys.push_back({"STATE", "{ STATE = probability, ... }", kRequired});
+  return {{"markov.NAME", std::move(keys)}};
 }
 
 }  // namespace flatray

@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "scene/vocabulary.h"
 #include "scene_text.h"
+#include "table_texts.h"
 
 namespace flatray {
 namespace {
@@ -50,80 +51,14 @@ my/runner.toml:23:1: error: transitions out of RUNNING sum to 0.91
 )");
 }
 
-struct Table {
-  const char *name, *text;  // @ stands where a key may
-};
-
-// Every table of the language.
-constexpr Table kTables[] = {
-    {"scene", "flatray = 1\n@"},
-    {"film", "flatray = 1\nfilm = { @ }"},
-    {"camera", "flatray = 1\n[camera]\n@"},
-    {"entity", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\n@"},
-    {"markov",
-     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\", @ "
-     "}\n[markov.c]\nA = { A = 1 }"},
-    {"state A",
-     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\" "
-     "}\nstates = { A = { @ } }\n[markov.c]\nA = { A = 1 }"},
-    {"stroke", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nstroke = { @ }"},
-    {"group", "flatray = 1\n[[group]]\nname = \"g\"\n@"},
-    {"repeat", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { @ }"},
-    {"repeat.grid",
-     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { grid = { count = "
-     "[1, 1], step = [1, 1], @ } }"},
-    {"repeat.ring",
-     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { ring = { count = 1, "
-     "radius = 1, @ } }"},
-    {"repeat.scatter",
-     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { scatter = { count = "
-     "1, in = [[0, 0], [1, 1]], @ } }"},
-    {"chamber", "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 1 } }\n@"},
-    {"pillar",
-     "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "
-     "{ circle = { radius = 1 } }\n@"},
-    {"ray", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\n@"},
-    {"edge_rays",
-     "flatray = 1\n[[entity]]\nname = \"a\"\nshape = { circle = { radius = 1 } "
-     "}\n[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n@"},
-    {"markov.c", "flatray = 1\n[markov.c]\nA = { A = 1 }\n@"},
-    {"box", "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1], @ } }"},
-    {"circle", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1, @ } }"},
-    {"convex",
-     "flatray = 1\n[[entity]]\nshape = { convex = { points = [[0, 0], [1, 0], [0, 1]], @ } }"},
-    {"polygon",
-     "flatray = 1\n[[entity]]\nshape = { polygon = { points = [[0, 0], [1, 0], [0, 1]], @ } }"},
-    {"segment", "flatray = 1\n[[entity]]\nshape = { segment = { from = [0, 0], to = [1, 0], @ } }"},
-    {"ngon", "flatray = 1\n[[entity]]\nshape = { ngon = { sides = 5, radius = 1, @ } }"},
-    {"polyline",
-     "flatray = 1\n[[entity]]\nshape = { polyline = { points = [[0, 0], [1, 0]], @ } }"},
-    {"star", "flatray = 1\n[[entity]]\nshape = { star = { points = 5, outer = 2, inner = 1, @ } }"},
-    {"import", "flatray = 1\n[[entity]]\nshape = { import = { file = \"a.obj\", @ } }"},
-};
-
-std::string with_key(const Table& table, const std::string& key) {
-  std::string text = table.text;
-  return text.replace(text.find('@'), 1, key + " = 1");
-}
-
-// The name of a table in messages is that in the documents but for states, pillars and chains.
-const TableInfo* documented(const std::vector<TableInfo>& all, const std::string& name) {
-  const std::string known = name == "state A"    ? "entity.states"
-                            : name == "markov"   ? "entity.markov"
-                            : name == "pillar"   ? "chamber.pillars"
-                            : name == "markov.c" ? "markov.NAME"
-                                                 : name;
-  for (const TableInfo& table : all)
-    if (table.table == known) return &table;
-  return nullptr;
-}
-
 TEST(Messages, EveryTableSuggestsTheKeyThatWasMeant) {
   const std::vector<TableInfo> all = vocabulary();
   EXPECT_EQ(all.size(), std::size(kTables));
-  for (const Table& table : kTables) {
-    const TableInfo* info = documented(all, table.name);
-    ASSERT_NE(info, nullptr) << table.name;
+  for (const TableText& table : kTables) {
+    const std::string name = documented_name(table.name);
+    const auto info = std::find_if(all.begin(), all.end(),
+                                   [&](const TableInfo& one) { return one.table == name; });
+    ASSERT_NE(info, all.end()) << table.name;
     const std::string key = info->keys.front().name, slip = key + "x";
     const std::string shown = refusal(with_key(table, slip));
     EXPECT_NE(shown.find("error: unknown key '" + slip + "' of " + table.name + " (did you mean '" +
@@ -134,7 +69,7 @@ TEST(Messages, EveryTableSuggestsTheKeyThatWasMeant) {
 }
 
 TEST(Messages, EveryTableListsItsKeysWhereNoneIsNear) {
-  for (const Table& table : kTables) {
+  for (const TableText& table : kTables) {
     const std::string shown = refusal(with_key(table, "zqzqzqzqzq"));
     EXPECT_NE(shown.find(std::string("error: unknown key 'zqzqzqzqzq' of ") + table.name + "\n"),
               std::string::npos)

@@ -20,8 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const Metric* metric : metrics()) names.emplace_back(metric->name);
+  return names;
+}
+
 constexpr Option kOptions[] = {
-    {"metric", '\0', "NAME", "print this number, too: max, mean, psnr, rmse"},
+    {"metric", '\0', "NAME", "print this number, too: flatray list metrics", OptionKind::text,
+     &metric_names},
     {"diff", '\0', "OUT.png", "write the difference x16; of two folders, a folder"},
     kThreadsOption,
     kJsonOption,
@@ -101,13 +108,11 @@ Result<Outcome> measure(const Pair& pair, const Metric* metric,
 
 Result<const Metric*> chosen_metric(const Arguments& arguments) {
   if (!arguments.has("metric")) return nullptr;
-  std::vector<std::string> names;
-  const std::vector<const Metric*> all = metrics();
-  for (const Metric* metric : all) names.emplace_back(metric->name);
+  const std::vector<std::string> names = metric_names();
   const Result<std::string> name = arguments.one_of("metric", names);
   if (!name) return tl::unexpected(name.error());
-  return all[static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) -
-                                      names.begin())];
+  return metrics()[static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) -
+                                            names.begin())];
 }
 
 JsonValue as_value(const Pair& pair, const Outcome& outcome, const Metric* metric) {
@@ -183,7 +188,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
 }  // namespace
 
 extern const Verb compare = {"compare",
-                             "A B",
+                             "A.png B.png",
                              "say whether two pictures, or two folders of pictures, are equal",
                              2,
                              2,

@@ -24,12 +24,16 @@ constexpr Option kOptions[] = {{"output", 'o', "FOLDER", "where its files go (de
                                kJsonOption,
                                kQuietOption};
 
+std::vector<std::string> experiment_names() {
+  std::vector<std::string> names;
+  for (const Experiment* one : flatray::experiments()) names.emplace_back(one->name);
+  return names;
+}
+
 Result<const Experiment*> find_experiment(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Experiment* one : flatray::experiments()) {
+  for (const Experiment* one : flatray::experiments())
     if (name == one->name) return one;
-    known.emplace_back(one->name);
-  }
+  const std::vector<std::string> known = experiment_names();
   const std::string near = nearest_word(name, known);
   return usage_error(named_place(name),
                      near.empty() ? "there is no experiment of that name"
@@ -93,6 +97,7 @@ extern const Verb experiment = {
     kOptions,
     "  flatray experiment markov scenes/markov/runner.toml --seed 2\n",
     "nothing measured",
-    &run};
+    &run,
+    &experiment_names};
 
 }  // namespace flatray::verbs

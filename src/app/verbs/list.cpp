@@ -62,13 +62,17 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
                            {"tracers", [] { return described(flatray::tracers()); }},
                            {"verbs", [] { return described(all_verbs()); }}};
 
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const std::string wanted = arguments.operands().empty() ? "" : arguments.operands().front();
   Fields all;
   std::string text;
-  std::vector<std::string> known;
   for (const Kind& kind : kKinds) {
-    known.emplace_back(kind.name);
     if (!wanted.empty() && wanted != kind.name) continue;
     Table table = kind.entries();
     all.emplace_back(kind.name, as_objects(table));
@@ -77,6 +81,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     text += aligned_text(table, wanted.empty() ? "  " : "");
   }
   if (all.empty()) {
+    const std::vector<std::string> known = kind_names();
     const std::string near = nearest_word(wanted, known);
     return usage_error(named_place(wanted),
                        near.empty() ? "there is no list of that name"
@@ -97,6 +102,7 @@ extern const Verb list = {"list",
                           kOptions,
                           "  flatray list shapes\n",
                           "",
-                          &run};
+                          &run,
+                          &kind_names};
 
 }  // namespace flatray::verbs

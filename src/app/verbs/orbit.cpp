@@ -13,7 +13,7 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {{"ray", 'r', "NAME", "only this ray of the scene"},
+constexpr Option kOptions[] = {{"ray", 'r', "RAY", "only this ray of the scene"},
                                {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
                                kFrameOption,
                                kSeedOption,

@@ -1,0 +1,106 @@
+#include "app/help.h"
+
+namespace flatray {
+namespace {
+
+constexpr WrittenTopic kTopics[] = {
+    {"camera", "what part of the world is shown",
+     "The window is film.world, or what the scene holds in frame 1 and 5 %, grown to the shape of\n"
+     "the picture. The camera moves it: at and height place it, follow keeps an entity in its\n"
+     "middle, velocity drives it. Frame k shows the time (k - 1) / fps.\n"
+     "  camera = { follow = \"kite\", offset = [2, 0], height = 9 }\n",
+     "camera"},
+    {"colours", "how colours are written and blended",
+     "\"#rrggbb\" or \"#rrggbbaa\": sRGB, straight alpha, ff for opaque. Blending is done on "
+     "linear\n"
+     "light: half of black over white is #bcbcbc, not #808080. fill = \"none\" leaves a fill out.\n"
+     "A PNG holds sRGB; .hdr holds linear light.\n",
+     ""},
+    {"determinism", "what makes two renders equal, byte for byte",
+     "A picture is named by the scene (its text, what it imports, -D), the frame and the seed.\n"
+     "Threads, shards, resuming, the machine and its instruction set (FLATRAY_ISA) change no "
+     "byte.\n"
+     "Random numbers are counted, not drawn in order: frame 17 alone equals frame 17 of the run.\n"
+     "Decisions are exact for the doubles given; there is no tolerance to set.\n"
+     "  flatray compare a.png b.png      # exit code 0: equal, 1: different\n",
+     ""},
+    {"environment", "variables that are read",
+     "FLATRAY_SIZE=320x200 stands for --size 320x200, and so for every option: upper case, _ for "
+     "-.\n"
+     "A flag is set by 1, true, yes or on. The command line wins. FLATRAY_ISA=portable, baseline,\n"
+     "avx2 or avx512 chooses the instruction set. NO_COLOR and CI are honoured.\n",
+     ""},
+    {"exit-codes", "what a script can tell",
+     "  0    done\n"
+     "  1    the answer is no: pictures differ, a law does not hold\n"
+     "  2    usage: an option or operand is wrong\n"
+     "  3    an input is missing or cannot be read\n"
+     "  4    an input is read but wrong; every mistake of a scene is told, also by flatray check\n"
+     "  5    a part is not in this build\n"
+     "  6    an output cannot be written\n"
+     "  70   a bug of flatray: please report it\n"
+     "  130  interrupted; frames written are whole, and --resume goes on\n",
+     ""},
+    {"formats", "files that are read",
+     "The extension says what a file is; from standard input (-) its content does.\n"
+     "  .toml         flatray's own scenes: flatray help scene\n"
+     "  .obj, .obj2d  Wavefront outlines, as a scene or as shape = { import = { file = ... } }\n"
+     "  .txt, .list   the paper's objects, a line { NAME, x, y } each\n"
+     "What an import cannot honour is listed on standard error. flatray list formats: this "
+     "build's.\n",
+     "import"},
+    {"frames", "which frames are drawn",
+     "frames = 48 makes a scene a sequence; frame k shows the time (k - 1) / fps, frame 1 the "
+     "start.\n"
+     "  -f 17            only frame 17\n"
+     "  -f 1..240:2,300  every second one of 1 to 240, and 300\n"
+     "  --shard 0/3      the first third of the work; 1/3 and 2/3 elsewhere\n"
+     "  --resume         keeps the frames that are there, whole and of this very scene\n"
+     "Frames are independent: any order, any machine, the same bytes.\n",
+     ""},
+    {"markov", "chains that choose looks at random, by the seed",
+     "A chain has a row for each state; a row sums to 1. It draws once every hold frames; an "
+     "entity\n"
+     "that uses it shows the look of its state, several looks one a frame. --seed N, another "
+     "walk.\n"
+     "  [markov.paper]\n"
+     "  STANDING = { STANDING = 0.15, RUNNING = 0.85 }\n"
+     "  RUNNING  = { RUNNING = 1 }\n"
+     "flatray experiment markov SCENE compares a million walks with the closed form.\n",
+     "markov.NAME entity.markov entity.states"},
+    {"output", "where pictures go",
+     "Without -o: out/SCENE.png, or out/SCENE/frame_####.png for a sequence.\n"
+     "  -o 'out/frame_####.png'     the number of the frame, as many digits as #\n"
+     "  -o 'out/{scene}/%04d.png'   the same, with the scene's name\n"
+     "  -o picture.hdr              linear light\n"
+     "  -o -                        one picture on standard output\n"
+     "A picture appears under its name when it is whole. manifest.jsonl beside it has a line for\n"
+     "each: frame, file, hash of its pixels, of the scene, the seed.\n",
+     ""},
+    {"overrides", "changing a scene from the command line",
+     "-D KEY=VALUE sets one key: a dotted path and a value in TOML. Entries of a list are chosen "
+     "by\n"
+     "number from 0 or by name.\n"
+     "  -D film.size=[320,180]   -D entity.runner.at=[3,4]   -D 'film.background=\"#000000\"'\n",
+     ""},
+    {"scene", "what a scene file looks like",
+     "TOML: key = value, [table], [[table in a list]], # comment. The smallest scene:\n"
+     "  flatray = 1\n"
+     "  [[entity]]\n"
+     "  shape = { circle = { radius = 1 } }\n"
+     "flatray help TABLE shows the keys of one, as in: flatray help entity. scenes/tutorial "
+     "builds\n"
+     "up from one segment; docs/SCENE_FORMAT.md says all; flatray schema serves editors.\n",
+     "scene"},
+    {"shapes", "what an entity, chamber or pillar can be",
+     "shape = { KIND = { ... } }, exactly one kind; flatray help KIND shows its arguments, and\n"
+     "flatray list shapes all of them. Shapes lie in coordinates of their own: at is where the\n"
+     "origin goes, about which they turn.\n",
+     ""},
+};
+
+}  // namespace
+
+std::vector<WrittenTopic> written_topics() { return {std::begin(kTopics), std::end(kTopics)}; }
+
+}  // namespace flatray

@@ -1,0 +1,63 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/file.h"
+#include "scene/file_names.h"
+#include "scene/write_toml.h"
+
+namespace flatray::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Option kOptions[] = {{"force", '\0', "", "write over a file", OptionKind::flag},
+                               kDefineOption,
+                               kMaxPixelsOption,
+                               kQuietOption};
+
+Result<void> check_output(const Arguments& arguments, const fs::path& output) {
+  if (output == "-") return {};
+  if (output.extension() != ".toml")
+    return usage_error(named_place(output.string()), "scenes are written as TOML",
+                       fmt::format("say {}.toml", output.stem().string()));
+  std::error_code error;
+  if (fs::exists(output, error) && !arguments.has("force"))
+    return fail(named_place(output.string()), "is there already", "--force writes over it",
+                Trouble::output);
+  return {};
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const std::string& input = arguments.operands()[0];
+  const fs::path output = arguments.operands()[1];
+  if (auto checked = check_output(arguments, output); !checked) return fail(std::move(checked));
+  Result<ReadScene> read = read_input(arguments, input);
+  if (!read) return fail(std::move(read));
+  report_warnings(read->loaded.warnings, arguments);
+  const fs::path folder = output == "-" ? fs::path() : output.parent_path();
+  if (auto rebased = rebase_file_names(read->desc, input, folder); !rebased)
+    return fail(std::move(rebased));
+  std::string text = write_toml(read->desc);
+  if (output == "-") return VerbOutput{std::move(text)};
+  if (auto written = write_file(output, text); !written) return fail(std::move(written));
+  return VerbOutput{};
+}
+
+}  // namespace
+
+extern const Verb convert = {"convert",
+                             "SCENE OUT.toml",
+                             "write a scene of any format as TOML; comments are left out",
+                             2,
+                             2,
+                             kOptions,
+                             "  flatray convert scenes/imported/castle.obj castle.toml\n"
+                             "  flatray convert scene.toml - -D film.size=[64,64] > small.toml\n",
+                             "nothing written",
+                             &run};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,28 @@
+#include "app/help.h"
+
+namespace flatray::verbs {
+namespace {
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  if (arguments.operands().empty()) return VerbOutput{help_text()};
+  Result<std::string> page = help_page(arguments.operands().front());
+  if (!page) return fail(std::move(page));
+  return VerbOutput{std::move(*page)};
+}
+
+}  // namespace
+
+extern const Verb help = {"help",
+                          "[TOPIC]",
+                          "explain a verb, a topic, a table or a shape of scenes",
+                          0,
+                          1,
+                          {},
+                          "  flatray help render\n"
+                          "  flatray help frames\n"
+                          "  flatray help entity\n",
+                          "",
+                          &run,
+                          &help_names};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,24 @@
+#include "app/schema.h"
+
+#include "app/verb.h"
+
+namespace flatray::verbs {
+namespace {
+
+Result<VerbOutput> run(const Arguments&) { return VerbOutput{indented_json(scene_schema())}; }
+
+}  // namespace
+
+extern const Verb schema = {"schema",
+                            "",
+                            "print the JSON Schema of scenes, by which editors check and complete",
+                            0,
+                            0,
+                            {},
+                            "  flatray schema > scene.schema.json\n"
+                            "  first line of a scene, for Even Better TOML and taplo:\n"
+                            "  #:schema ./scene.schema.json\n",
+                            "",
+                            &run};
+
+}  // namespace flatray::verbs

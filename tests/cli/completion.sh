@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Completion in bash, and in zsh and fish where they are installed: verbs, options, their values, names, files.
+source "$(dirname "$0")/lib.sh"
+scene first.toml 1
+scene second.toml 1
+mkdir -p folder
+touch other.md picture.png
+PATH=$(dirname "$flatray"):$PATH
+
+# What the scripts ask: `words LINE` completes its last word.
+words() { "$flatray" completion words -- "$@" | cut -f1 | tr '\n' ' '; }
+# expect WANTED GOT WHAT
+expect() { [[ $2 == "$1" ]] || fail "$3: got '$2', wanted '$1'"; }
+expect "check compare completion " "$(words flatray c | sed "s/convert //")" verbs
+expect "--frames --format " "$(words flatray render --f)" options
+expect "png hdr " "$(words flatray render --format '')" "values of an option"
+expect "--progress=always " "$(words flatray render --progress=al)" "values after ="
+expect "always " "$(words flatray render --progress = al)" "values after =, as bash parts words"
+expect "markov " "$(words flatray experiment m)" experiments
+expect "mean " "$(words flatray compare a b --metric me)" metrics
+expect "tracers " "$(words flatray list t)" lists
+expect "bash " "$(words flatray completion b)" shells
+expect "frames " "$(words flatray help fram)" topics
+expect "check update " "$(words flatray golden '')" actions
+expect "box " "$(words flatray hit first.toml --from '')" "entities of the scene"
+expect "" "$(words flatray hit absent.toml --from '')" "entities of no scene"
+expect "film.background= " "$(words flatray render first.toml -D film.b)" "keys of a scene"
+expect ":folders " "$(words flatray golden check --root '')" folders
+expect "" "$(words flatray render --size '')" "values that are free"
+expect "" "$(words nothing at all)" "another program's words"
+[[ $(words flatray render '') == ":files "*toml* ]] || fail "scene files"
+run 2 completion tcsh
+says err "bash, zsh, fish"
+
+# Every verb has every option of its help completed.
+for verb in $(words flatray ''); do
+  for option in $("$flatray" help "$verb" | sed '/^Examples/,$d' | grep -o ' --[a-z-]*'); do
+    [[ " $(words flatray "$verb" --)" == *" $option "* ]] || fail "$verb: $option is not completed"
+  done
+done
+
+# bash: as its readline calls the function.
+source <("$flatray" completion bash)
+in_bash() {
+  COMP_WORDS=("$@")
+  COMP_CWORD=$(($# - 1))
+  _flatray
+  echo "${COMPREPLY[*]}"
+}
+expect render "$(in_bash flatray ren)" "bash, a verb"
+expect --resume "$(in_bash flatray render --resu)" "bash, an option"
+expect never "$(in_bash flatray render --progress = n)" "bash, a value"
+expect "first.toml folder" "$(in_bash flatray render f)" "bash, scenes and folders"
+expect "picture.png" "$(in_bash flatray compare p)" "bash, pictures"
+expect "folder" "$(in_bash flatray golden --root f)" "bash, folders"
+
+if command -v zsh > /dev/null; then
+  "$flatray" completion zsh > zsh.txt
+  in_zsh() {
+    zsh -f -c 'compdef() { :; }; _files() { print -r -- "files $*"; }
+      _describe() { print -rl -- "${(P@)2}"; }
+      source zsh.txt; words=("$@"); CURRENT=$#words; _flatray' zsh "$@" 2>&1 | tr '\n' ' '
+  }
+  expect "render:draw frames of scenes into picture files " "$(in_zsh flatray ren)" "zsh, a verb"
+  expect "always " "$(in_zsh flatray render --progress al)" "zsh, a value"
+  expect "files -g *.(png) " "$(in_zsh flatray compare p)" "zsh, pictures"
+fi
+if command -v fish > /dev/null; then
+  "$flatray" completion fish > fish.txt
+  in_fish() { HOME=$work fish --no-config -c "source fish.txt; complete -C '$1'" 2>&1 | cut -f1 | tr '\n' ' '; }
+  expect "render " "$(in_fish 'flatray ren')" "fish, a verb"
+  expect "always " "$(in_fish 'flatray render --progress al')" "fish, a value"
+  expect "second.toml " "$(in_fish 'flatray render s')" "fish, scenes"
+fi
+finish

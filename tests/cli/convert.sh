@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# flatray convert: what is written draws the same pictures as what was read, and is written again as it is.
+# needs: formats/list formats/obj formats/toml shapes/import
+source "$(dirname "$0")/lib.sh"
+printf '{ SPIDER MAN, 200, 200 }\nBAT, MAN, -1.5, 2e2\n' > objects.list
+
+# drawn SCENE FOLDER: its first and third frame.
+drawn() {
+  for frame in 1 3; do
+    run 0 render "$1" -f "$frame" --size 96x60 --quiet -o "$2/$frame.png"
+  done
+}
+count=0
+for scene in "$root"/scenes/*.toml "$root"/scenes/*/*.{toml,obj} objects.list; do
+  count=$((count + 1))
+  run 0 convert "$scene" "out/$count.toml" --quiet
+  silent out
+  run 0 convert "out/$count.toml" "out/again.toml" --force --quiet
+  cmp -s "out/$count.toml" out/again.toml || fail "$scene: converted again it is another file"
+  drawn "$scene" before
+  drawn "out/$count.toml" after
+  same before after "$scene"
+done
+((count > 15)) || fail "only $count scenes"
+
+# What the folder of the file means is kept, also on standard output, which is written from here.
+scene plain.toml 1
+mkdir -p far/away
+cp plain.toml far/away/plain.toml
+cat > far/away/outline.toml << 'TOML'
+flatray = 1
+[[entity]]
+shape = { import = { file = "outline.obj" } }
+TOML
+printf 'v 0 0\nv 1 0\nv 0 1\nf 1 2 3\nvn 0 0 1\n' > far/away/outline.obj
+run 0 convert far/away/outline.toml -
+says out 'file = "far/away/outline.obj"'
+says err 'vn ignored'  # what the import cannot honour
+run 0 convert far/away/outline.toml near.toml
+run 0 convert far/away/outline.obj -
+says out 'file = "far/away/outline.obj"'
+run 0 render near.toml -o near.png
+run 0 render far/away/outline.toml -o far.png
+cmp -s near.png far.png || fail "an outline from another folder draws another picture"
+
+# Standard input; -D; comments go.
+"$flatray" convert - - < plain.toml > piped.toml || fail "no TOML from standard input"
+run 0 check piped.toml
+run 0 convert plain.toml small.toml -D film.size=[32,24]
+grep -q 'size = \[32, 24\]' small.toml || fail "-D is not in what was written"
+printf 'flatray = 1 # one\n# two\n' > comment.toml
+run 0 convert comment.toml -
+[[ $(< out.txt) == "flatray = 1" ]] || fail "a comment is left: $(< out.txt)"
+
+# What is refused leaves the file that is there.
+run 6 convert plain.toml near.toml
+says err '--force writes over it'
+scene bad.toml 1 'velocty = [1, 2]'
+cp near.toml kept.toml
+run 4 convert bad.toml near.toml --force
+says err "did you mean 'velocity'?"
+cmp -s near.toml kept.toml || fail "a refused scene was written"
+run 2 convert plain.toml out.obj
+says err 'scenes are written as TOML'
+"$flatray" convert - - < far/away/outline.obj > /dev/null 2> err.txt
+[[ $? == 2 ]] || fail "an outline without a name is converted"
+says err 'no name to refer to'
+run 3 convert absent.toml new.toml
+run 6 convert plain.toml plain.toml/x.toml
+finish

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# flatray help: a page for every verb, topic, table and shape; the tables' keys are those that are read.
+source "$(dirname "$0")/lib.sh"
+run 0 help
+says out "exit-codes"
+for name in $("$flatray" completion words -- flatray help '' | cut -f1); do
+  run 0 help "$name"
+  silent err
+  (($(wc -l < out.txt) >= 3)) || fail "help $name says nothing"
+done
+for name in $("$flatray" list verbs | awk '{ print $1 }') $("$flatray" list shapes | awk '{ print $1 }') \
+  frames output scene colours exit-codes markov camera determinism; do
+  run 0 help "$name"
+done
+run 0 help film
+says out '[width, height]'
+says out '[640, 360]'
+run 0 help markov
+says out 'hold'
+says out 'the chain'"'"'s first row'
+run 2 help camra
+says err 'did you mean camera?'
+run 2 help rendr
+says err 'did you mean render?'
+run 2 help zqzqzqzq
+says err 'say one of: '
+
+# Scenes in the pages are scenes.
+"$flatray" help scene | sed -n '/^  flatray = 1/,/radius/p' > smallest.toml
+run 0 check smallest.toml
+{ echo 'flatray = 1'; "$flatray" help markov | sed -n '/^  \[markov.paper\]/,/RUNNING  =/p'; } > chain.toml
+run 0 check chain.toml
+{ echo 'flatray = 1'; "$flatray" help camera | grep '^  camera = '
+  printf '[[entity]]\nname = "kite"\nshape = { circle = { radius = 1 } }\n'; } > camera.toml
+run 0 check camera.toml
+finish

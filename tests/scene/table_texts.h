@@ -1,0 +1,79 @@
+#pragma once
+#include <string>
+
+namespace flatray {
+
+/// A scene with a place for one more key of a table.
+struct TableText {
+  const char *name, *text;  // @ stands where a key may
+};
+
+/// Every table of the language.
+inline constexpr TableText kTables[] = {
+    {"scene", "flatray = 1\n@"},
+    {"film", "flatray = 1\nfilm = { @ }"},
+    {"camera", "flatray = 1\n[camera]\n@"},
+    {"entity", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\n@"},
+    {"markov",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\", @ "
+     "}\n[markov.c]\nA = { A = 1 }"},
+    {"state A",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\" "
+     "}\nstates = { A = { @ } }\n[markov.c]\nA = { A = 1 }"},
+    {"stroke", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nstroke = { @ }"},
+    {"group", "flatray = 1\n[[group]]\nname = \"g\"\n@"},
+    {"repeat", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { @ }"},
+    {"repeat.grid",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { grid = { count = "
+     "[1, 1], step = [1, 1], @ } }"},
+    {"repeat.ring",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { ring = { count = 1, "
+     "radius = 1, @ } }"},
+    {"repeat.scatter",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { scatter = { count = "
+     "1, in = [[0, 0], [1, 1]], @ } }"},
+    {"chamber", "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 1 } }\n@"},
+    {"pillar",
+     "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "
+     "{ circle = { radius = 1 } }\n@"},
+    {"ray", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\n@"},
+    {"edge_rays",
+     "flatray = 1\n[[entity]]\nname = \"a\"\nshape = { circle = { radius = 1 } "
+     "}\n[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n@"},
+    {"markov.c", "flatray = 1\n[markov.c]\nA = { A = 1 }\n@"},
+    {"box", "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1], @ } }"},
+    {"circle", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1, @ } }"},
+    {"convex",
+     "flatray = 1\n[[entity]]\nshape = { convex = { points = [[0, 0], [1, 0], [0, 1]], @ } }"},
+    {"polygon",
+     "flatray = 1\n[[entity]]\nshape = { polygon = { points = [[0, 0], [1, 0], [0, 1]], @ } }"},
+    {"segment", "flatray = 1\n[[entity]]\nshape = { segment = { from = [0, 0], to = [1, 0], @ } }"},
+    {"ngon", "flatray = 1\n[[entity]]\nshape = { ngon = { sides = 5, radius = 1, @ } }"},
+    {"polyline",
+     "flatray = 1\n[[entity]]\nshape = { polyline = { points = [[0, 0], [1, 0]], @ } }"},
+    {"star", "flatray = 1\n[[entity]]\nshape = { star = { points = 5, outer = 2, inner = 1, @ } }"},
+    {"import", "flatray = 1\n[[entity]]\nshape = { import = { file = \"a.obj\", @ } }"},
+};
+
+inline std::string with_key(const TableText& table, const std::string& key,
+                            const std::string& value = "1") {
+  std::string text = table.text;
+  return text.replace(text.find('@'), 1, key + " = " + value);
+}
+
+/// A table's name in the documents: that in messages but for states, pillars and chains.
+inline std::string documented_name(const std::string& name) {
+  if (name == "state A") return "entity.states";
+  if (name == "markov") return "entity.markov";
+  if (name == "pillar") return "chamber.pillars";
+  return name == "markov.c" ? "markov.NAME" : name;
+}
+
+/// The text of the table that the documents call so, or nullptr.
+inline const TableText* text_of(const std::string& documented) {
+  for (const TableText& table : kTables)
+    if (documented_name(table.name) == documented) return &table;
+  return nullptr;
+}
+
+}  // namespace flatray
