@@ -36,6 +36,9 @@ Result<LoadedScene> load_input(const Arguments& arguments, const std::string& pa
   if (!limit) return tl::unexpected(limit.error());
   LoadLimits limits;
   limits.max_pixels = *limit;
+  const auto count = threads(arguments);
+  if (!count) return tl::unexpected(count.error());
+  limits.threads = *count;
   return load_scene(path, *overrides, limits);
 }
 

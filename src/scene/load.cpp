@@ -66,7 +66,7 @@ Result<LoadedScene> load_scene_text(std::string name, std::string text,
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
   const Result<SceneDesc> desc = describe(source, overrides);
   if (!desc) return tl::unexpected(desc.error());
-  Imports imports(source, limits.max_file_bytes);
+  Imports imports(source, limits.max_file_bytes, limits.threads);
   Result<LoadedScene> loaded = build_scene(*desc, imports, limits);
   if (!loaded) {
     for (Diagnostic& problem : loaded.error())

@@ -17,6 +17,7 @@ struct Override {
 struct LoadLimits {
   std::uint64_t max_pixels = std::uint64_t{1} << 28;
   std::size_t max_file_bytes = std::size_t{1} << 30;
+  unsigned threads = 1;  ///< to read large outlines with; what they hold does not depend on it
 };
 
 struct LoadedScene {
