@@ -20,8 +20,9 @@ enum class ByteKind : std::uint8_t { word, blank, stop, backslash };
 
 constexpr std::array<ByteKind, 256> byte_kinds() {
   std::array<ByteKind, 256> kinds{};
-  for (const unsigned char c : {' ', '\t', '\r', '\f', '\v'}) kinds[c] = ByteKind::blank;
-  for (const unsigned char c : {'\n', '#'}) kinds[c] = ByteKind::stop;
+  for (const char c : {' ', '\t', '\r', '\f', '\v'})
+    kinds[static_cast<unsigned char>(c)] = ByteKind::blank;
+  kinds['\n'] = kinds['#'] = ByteKind::stop;
   kinds['\\'] = ByteKind::backslash;
   return kinds;
 }
