@@ -46,6 +46,9 @@ Result<ReadScene> read_input(const Arguments& arguments, const std::string& path
   limits.max_depth = *depth;
   limits.max_pixels = *limit;
   limits.max_entities = *entities;
+  const auto count = threads(arguments);
+  if (!count) return tl::unexpected(count.error());
+  limits.threads = *count;
   std::optional<std::uint64_t> seeded;
   if (arguments.has("seed")) {
     const auto given = arguments.whole("seed", 0, 0, ~std::uint64_t{0});

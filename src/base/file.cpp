@@ -2,8 +2,10 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -45,6 +47,13 @@ tl::unexpected<Diagnostics> cannot(const char* what, const fs::path& path, int e
               "", trouble);
 }
 
+// Of a regular file, and only a hint: it may grow, and pipes have none.
+std::size_t size_now(const Descriptor& file) {
+  struct stat status {};
+  const bool known = ::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
+  return known && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
@@ -55,6 +64,7 @@ Result<std::string> read_file(const fs::path& path, std::size_t limit) {
   const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file) return cannot("read", path, errno, Trouble::missing);
   std::string content;
+  content.reserve(std::min(size_now(file), limit));
   std::array<char, 1 << 16> buffer;
   for (;;) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());

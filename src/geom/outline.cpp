@@ -1,6 +1,7 @@
 #include "geom/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace flatray {
@@ -22,6 +23,7 @@ std::uint64_t mixed(const Segment& e) {
 }
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr std::uint32_t kAhead = 64;  // edges whose chains are asked of the memory at once
 
 // Edges still standing, hashed by their ends; those of one line in a chain, the newest first.
 class Standing {
@@ -29,11 +31,19 @@ class Standing {
   explicit Standing(std::size_t count)
       : heads_(std::bit_ceil(count + 1), kNone), next_(count, kNone) {}
 
+  // Where an edge's chain begins; the memory is on its way when the caller comes back for it.
+  std::size_t chain_of(const Segment& edge) const {
+    const std::size_t chain = mixed(edge) & (heads_.size() - 1);
+    __builtin_prefetch(&heads_[chain], 1);
+    return chain;
+  }
+
   // Takes the newest edge that runs against `edges[index]` out of its chain, or adds the edge to
   // it.
-  std::uint32_t cancel_or_add(std::span<const Segment> edges, std::uint32_t index) {
+  std::uint32_t cancel_or_add(std::span<const Segment> edges, std::uint32_t index,
+                              std::size_t chain) {
     const Segment& edge = edges[index];
-    std::uint32_t* link = &heads_[mixed(edge) & (heads_.size() - 1)];
+    std::uint32_t* link = &heads_[chain];
     std::uint32_t* const head = link;
     for (; *link != kNone; link = &next_[*link]) {
       const Segment& other = edges[*link];
@@ -55,15 +65,21 @@ class Standing {
 
 std::vector<std::uint32_t> outline_edges(std::span<const Segment> edges) {
   Standing standing(edges.size());
+  const auto count = static_cast<std::uint32_t>(edges.size());
   std::vector<bool> gone(edges.size(), false);
-  for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    gone[i] = same(edges[i].a, edges[i].b);
-    if (gone[i]) continue;
-    const std::uint32_t partner = standing.cancel_or_add(edges, i);
-    if (partner != kNone) gone[i] = gone[partner] = true;
+  std::array<std::size_t, kAhead> chains;
+  for (std::uint32_t begin = 0; begin < count; begin += kAhead) {
+    const std::uint32_t end = std::min(begin + kAhead, count);
+    for (std::uint32_t i = begin; i < end; ++i) chains[i - begin] = standing.chain_of(edges[i]);
+    for (std::uint32_t i = begin; i < end; ++i) {
+      gone[i] = same(edges[i].a, edges[i].b);
+      if (gone[i]) continue;
+      const std::uint32_t partner = standing.cancel_or_add(edges, i, chains[i - begin]);
+      if (partner != kNone) gone[i] = gone[partner] = true;
+    }
   }
   std::vector<std::uint32_t> left;
-  for (std::uint32_t i = 0; i < edges.size(); ++i)
+  for (std::uint32_t i = 0; i < count; ++i)
     if (!gone[i]) left.push_back(i);
   return left;
 }

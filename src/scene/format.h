@@ -13,6 +13,7 @@ namespace flatray {
 struct OutlineOptions {
   double scale = 1;
   bool centre = false;  ///< moves the centre of its bounds to the origin first
+  unsigned threads = 1;
 };
 
 /// A way to write scenes: one file in formats/, registered in CMake.

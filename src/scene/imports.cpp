@@ -7,8 +7,8 @@
 namespace flatray {
 namespace fs = std::filesystem;
 
-Imports::Imports(SourcePtr scene, std::size_t max_file_bytes)
-    : scene_(std::move(scene)), max_file_bytes_(max_file_bytes) {}
+Imports::Imports(SourcePtr scene, std::size_t max_file_bytes, unsigned threads)
+    : scene_(std::move(scene)), max_file_bytes_(max_file_bytes), threads_(threads) {}
 
 Result<SourcePtr> Imports::open(const std::string& file, const Place& where) {
   if (file == scene_->name()) return scene_;

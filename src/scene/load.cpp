@@ -57,7 +57,7 @@ Result<ReadScene> read_text(std::string name, std::string text,
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
   Result<SceneDesc> desc = describe(source, overrides);
   if (!desc) return fail(std::move(desc));
-  Imports imports(source, limits.max_file_bytes);
+  Imports imports(source, limits.max_file_bytes, limits.threads);
   Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
   if (!loaded) {
     for (Diagnostic& problem : loaded.error())

@@ -20,8 +20,12 @@ struct ObjText {
   std::vector<std::string> ignored;  ///< records passed over: "vt", "usemtl", each once, at most 8
 };
 
-/// Error   malformed numbers and indices, each with line and column; at most 20 are told.
-/// Cost    one pass, about 100 MB a second.
-Result<ObjText> parse_obj(const SourcePtr& source);
+/// The text is cut at line ends into chunks whose size does not depend on `threads`, nor does the
+/// result.
+/// Needs   less than 2^32 bytes.
+/// Error   malformed numbers and indices, each with line and column; at most 20 are told: first
+///         what is no number, in the order of the text, then what there is no vertex for.
+/// Cost    one pass: docs/measured/obj.md.
+Result<ObjText> parse_obj(const SourcePtr& source, unsigned threads = 1);
 
 }  // namespace flatray

@@ -3,24 +3,39 @@
 #include "geom/outline.h"
 
 namespace flatray {
+namespace {
+
+struct Walk {
+  const Shape& shape;
+  std::size_t piece = 0;
+
+  // Edge i runs from vertex i to the next of its piece. Needs   ascending i.
+  OutlineEdge edge(std::uint32_t i) {
+    while (i >= shape.begin[piece + 1]) ++piece;
+    return {i, i + 1 < shape.begin[piece + 1] ? i + 1 : shape.begin[piece], shape.edges[i]};
+  }
+};
+
+}  // namespace
 
 std::vector<OutlineEdge> outline(const Shape& shape) {
+  const auto count = static_cast<std::uint32_t>(shape.vertices.size());
   std::vector<OutlineEdge> edges;
-  std::vector<Segment> segments;
-  edges.reserve(shape.vertices.size());
-  segments.reserve(shape.vertices.size());
-  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    const std::uint32_t begin = shape.begin[piece], end = shape.begin[piece + 1];
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t next = i + 1 < end ? i + 1 : begin;
-      edges.push_back({i, next, shape.edges[i]});
-      segments.push_back({shape.vertices[i], shape.vertices[next]});
-    }
+  if (shape.piece_count() < 2) {
+    edges.reserve(count);
+    for (Walk walk{shape}; edges.size() < count;)
+      edges.push_back(walk.edge(static_cast<std::uint32_t>(edges.size())));
+    return edges;
   }
-  if (shape.piece_count() < 2) return edges;
-  std::vector<OutlineEdge> left;
-  for (const std::uint32_t i : outline_edges(segments)) left.push_back(edges[i]);
-  return left;
+  std::vector<Segment> segments;
+  segments.reserve(count);
+  for (Walk walk{shape}; segments.size() < count;) {
+    const OutlineEdge edge = walk.edge(static_cast<std::uint32_t>(segments.size()));
+    segments.push_back({shape.vertices[edge.from], shape.vertices[edge.to]});
+  }
+  Walk walk{shape};
+  for (const std::uint32_t i : outline_edges(segments)) edges.push_back(walk.edge(i));
+  return edges;
 }
 
 }  // namespace flatray

@@ -5,6 +5,7 @@ endif()
 option(FLATRAY_TESTS "build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FLATRAY_BENCHMARKS "build the comparisons with other libraries" OFF)
 option(FLATRAY_WERROR "warnings are errors" OFF)
+option(FLATRAY_FUZZ "build the fuzz targets of tests/fuzz with clang's libFuzzer" OFF)
 set(FLATRAY_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize takes them")
 set(FLATRAY_WITHOUT "" CACHE STRING "registered entries to leave out, as folder/name")
 

@@ -92,13 +92,15 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const Place& file, Diagno
 
 Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
                       Diagnostics& warnings) {
-  Result<ObjText> obj = parse_obj(source);
+  Result<ObjText> obj = parse_obj(source, options.threads);
   if (!obj) return fail(std::move(obj));
   const Place file = named_place(source->name());
   if (!lay(obj->vertices, options))
     return fail(file, "vertices lie beyond 1e300", "choose a smaller scale");
   ShapeMaker maker{*obj};
   maker.shape.vertices.reserve(obj->faces.corners.size());
+  maker.shape.edges.reserve(obj->faces.corners.size());
+  maker.shape.begin.reserve(obj->faces.size() + 1);
   each(obj->faces, [&](auto corners) { maker.add_face(corners); });
   each(obj->lines, [&](auto corners) { maker.add_line(corners); });
   warn(maker, *obj, file, warnings);

@@ -25,7 +25,8 @@ Result<const Format*> outline_format(Args& args, const std::string& file) {
 
 Result<Shape> build(Args& args) {
   const std::string file = args.string("file");
-  const OutlineOptions options{args.number("scale", 1), args.flag("centre")};
+  const OutlineOptions options{args.number("scale", 1), args.flag("centre"),
+                               args.imports().threads()};
   if (options.scale == 0)
     return fail(args.place("scale"), "a scale of 0 leaves nothing", "write another number");
   const Result<const Format*> format = outline_format(args, file);
