@@ -109,7 +109,17 @@ Bounds shape_bounds(const Shape& shape, const Pose& place) {
     const Vec2 reach(circle.radius, circle.radius), centre = place(circle.centre);
     box.add(Bounds{centre - reach, centre + reach});
   }
+  for (const ArcPath& path : shape.arc_paths) box.add(path_bounds(posed(path, place)));
   return box;
+}
+
+ArcPath posed(ArcPath path, const Pose& place) {
+  for (EllipseArc& arc : path.arcs) {
+    arc.centre = place(arc.centre);
+    arc.u = place.turned(arc.u);
+    arc.v = place.turned(arc.v);
+  }
+  return path;
 }
 
 }  // namespace flatray

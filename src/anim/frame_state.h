@@ -39,7 +39,11 @@ struct Pose {
   double cos = 1, sin = 0;
   Vec2 operator()(const Vec2& local) const {
     if (sin == 0 && cos == 1) return at + local;  // keeps dyadic positions dyadic
-    return at + Vec2(cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y());
+    return at + turned(local);
+  }
+  /// A difference of points.
+  Vec2 turned(const Vec2& local) const {
+    return {cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y()};
   }
 };
 /// Multiples of 90 degrees turn exactly, as in geom/turn.h.
@@ -50,6 +54,9 @@ Pose pose(const Vec2& at, double angle);
 Pose entity_pose(const FrameState& state, std::size_t entity);
 Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar);
 Pose world_pose(const FrameState& state);
+
+/// Arcs in the world.
+ArcPath posed(ArcPath path, const Pose& place);
 
 /// Box around a posed shape, without its stroke; empty for a shape without content.
 Bounds shape_bounds(const Shape& shape, const Pose& place);

@@ -23,6 +23,12 @@ Bounds region_bounds(const FillRing& ring) {
   return {ring.centre - reach, ring.centre + reach};
 }
 
+Bounds region_bounds(const FillArcs& arcs) {
+  const Bounds bounds = path_bounds(arcs.path);
+  const Vec2 margin(1, 1);
+  return {bounds.low - margin, bounds.high + margin};
+}
+
 // Equal bits, not equal numbers: -0 is not 0, and nothing needs to be known of either.
 template <class T>
 bool same_bits(const T& a, const T& b) {
@@ -42,6 +48,14 @@ bool same(const FillPath& a, const FillPath& b) {
 bool same(const FillRing& a, const FillRing& b) {
   return same(a.centre, b.centre) && same_bits(a.radius, b.radius) &&
          same_bits(a.inner_radius, b.inner_radius);
+}
+bool same(const FillArcs& a, const FillArcs& b) {
+  return a.path.closed == b.path.closed &&
+         std::equal(a.path.arcs.begin(), a.path.arcs.end(), b.path.arcs.begin(), b.path.arcs.end(),
+                    [](const EllipseArc& p, const EllipseArc& q) {
+                      return same(p.centre, q.centre) && same(p.u, q.u) && same(p.v, q.v) &&
+                             same_bits(p.from, q.from) && same_bits(p.sweep, q.sweep);
+                    });
 }
 bool same(const DrawItem& a, const DrawItem& b) {
   if (a.region.index() != b.region.index() || !same(a.colour, b.colour)) return false;

@@ -1,5 +1,6 @@
 #include "render/coverage.h"
 
+#include "render/coverage_arcs.h"
 #include "render/coverage_scan.h"
 #include "render/select_kernels.h"
 
@@ -26,6 +27,13 @@ CoverageStats scan(const FillRing& ring, Coverage mode, const PixelBox& box, con
   RunList list;
   CoverageStats stats;
   scan_ring(ring, mode, box, list, stats);
+  pass_on(list, sink);
+  return stats;
+}
+
+CoverageStats scan(const FillArcs& arcs, Coverage mode, const PixelBox& box, const RunSink& sink) {
+  RunList list;
+  const CoverageStats stats = ArcScan().scan(arcs, mode, box, list);
   pass_on(list, sink);
   return stats;
 }

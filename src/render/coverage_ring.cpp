@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/portable_math.h"
+#include "render/circle_segment.h"
 #include "render/coverage_scan.h"
 
 namespace flatray {
@@ -13,19 +13,6 @@ namespace {
 // Half a chord at distance d from the centre of a circle; 0 outside. (r - d)(r + d) does not
 // cancel.
 double half_chord(double r, double d) { return d < r ? std::sqrt((r - d) * (r + d)) : 0; }
-
-// Area between a chord and its arc, at most half a turn: r^2 (asin s - s sqrt(1 - s^2)), s = chord
-// / 2r.
-double circle_segment(double r, double chord) {
-  const double s = std::min(chord / (2 * r), 1.0), z = s * s;
-  if (s <
-      0x1p-4) {  // the series, where the two terms cancel; what is left out is below 2^-43 of it
-    const double tail =
-        2.0 / 3 + z * (1.0 / 5 + z * (3.0 / 28 + z * (5.0 / 72 + z * (35.0 / 704))));
-    return chord * s * s * 0.5 * r * tail;
-  }
-  return r * r * (portable::asin(s) - s * std::sqrt(1 - z));
-}
 
 // Part of a box in the first quadrant inside the disc, where the arc falls from the left to the
 // right.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "anim/frame_state.h"
+#include "geom/ellipse.h"
 
 namespace flatray {
 
@@ -26,8 +27,14 @@ struct FillRing {
   double radius, inner_radius = -1;
 };
 
+/// Region inside a closed path of arcs and straight lines in film coordinates that crosses itself
+/// nowhere.
+struct FillArcs {
+  ArcPath path;
+};
+
 struct DrawItem {
-  std::variant<FillPath, FillRing> region;
+  std::variant<FillPath, FillRing, FillArcs> region;
   LinearColour colour;
 };
 

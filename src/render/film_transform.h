@@ -15,6 +15,10 @@ class FilmTransform {
   Vec2 operator()(const Vec2& world) const {
     return {finite((world.x() - left_) * scale_), finite((top_ - world.y()) * scale_)};
   }
+  /// A difference of points.
+  Vec2 direction(const Vec2& world) const {
+    return {finite(world.x() * scale_), finite(-world.y() * scale_)};
+  }
   double length(double world) const { return finite(world * scale_); }  ///< in pixels
 
  private:

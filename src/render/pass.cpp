@@ -42,6 +42,17 @@ std::vector<Segment> film_edges(const Shape& shape, const Pose& world_from_shape
   return edges;
 }
 
+ArcPath film_path(const ArcPath& path, const Pose& world_from_shape,
+                  const FilmTransform& film_from_world) {
+  ArcPath there = posed(path, world_from_shape);
+  for (EllipseArc& arc : there.arcs) {
+    arc.centre = film_from_world(arc.centre);
+    arc.u = film_from_world.direction(arc.u);
+    arc.v = film_from_world.direction(arc.v);
+  }
+  return there;
+}
+
 // A convex ring may not be one after its corners were rounded to the film.
 bool still_convex(const std::vector<Segment>& ring) {
   std::vector<Vec2> corners;
@@ -97,6 +108,9 @@ void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
     for (std::size_t i = 0; i < ring.size(); ++i)
       crossing.push_back({film_from_world(world_from_shape(ring[i])),
                           film_from_world(world_from_shape(ring[(i + 1) % ring.size()]))});
+  std::vector<ArcPath> paths;
+  for (const ArcPath& path : shape.arc_paths)
+    paths.push_back(film_path(path, world_from_shape, film_from_world));
   if (fill) {
     const LinearColour colour = linear(*fill);
     if (!edges.empty())
@@ -104,12 +118,19 @@ void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
            colour});
     if (!crossing.empty()) add({FillPath{crossing, FillRule::even_odd, false}, colour});
     for (const Circle& circle : circles) add({FillRing{circle.centre, circle.radius}, colour});
+    for (const ArcPath& path : paths)
+      if (path.closed) add({FillArcs{path}, colour});
   }
   if (stroke) {
     edges.insert(edges.end(), crossing.begin(), crossing.end());
     for (const Segment& segment : shape.segments)
       edges.push_back({film_from_world(world_from_shape(segment.a)),
                        film_from_world(world_from_shape(segment.b))});
+    for (const ArcPath& path : paths) {
+      const std::vector<Vec2> points = flattened(path, kCapSagitta_px);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        edges.push_back({points[i], points[i + 1]});
+    }
     add_outline(edges, circles, *stroke);
   }
 }

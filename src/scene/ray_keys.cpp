@@ -25,7 +25,10 @@ void read_direction(Builder& builder, const Field& field, RayPath& ray) {
 
 template <auto Pointer>
 void set_entity(Builder& builder, const Field& field, EdgeRays& rays) {
-  if (const auto entity = find_entity(builder, field)) rays.*Pointer = *entity;
+  const auto entity = find_entity(builder, field);
+  if (!entity) return;
+  expect_traced(builder, builder.scene.entities[*entity].shape, field.value.where);
+  rays.*Pointer = *entity;
 }
 
 constexpr Key<RayPath> kRayKeys[] = {

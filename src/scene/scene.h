@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "base/source_text.h"
-#include "geom/bounds.h"
-#include "geom/ray.h"
+#include "geom/ellipse.h"
 
 namespace flatray {
 
@@ -43,6 +42,7 @@ struct Shape {
   std::vector<Circle> circles;
   std::vector<Segment> segments;
   std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
+  std::vector<ArcPath> arc_paths;  ///< drawn, never traced; closed ones do not cross themselves
 
   std::size_t piece_count() const { return begin.size() - 1; }
 };

@@ -214,7 +214,8 @@ TEST(Shapes, EveryKindIsListedWithWhatItTakes) {
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
   for (const char* name : {"box", "circle", "convex", "import", "polygon", "segment"})
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
-  EXPECT_EQ(listed_shapes()[0].usage, "min = [x, y], max = [x, y]");
+  const auto box = std::find(names.begin(), names.end(), "box") - names.begin();
+  EXPECT_EQ(listed_shapes()[static_cast<std::size_t>(box)].usage, "min = [x, y], max = [x, y]");
 }
 
 TEST(Rings, CleaningKeepsTheLowestNumberOfAStraightRun) {

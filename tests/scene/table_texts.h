@@ -52,6 +52,12 @@ inline constexpr TableText kTables[] = {
     {"polyline",
      "flatray = 1\n[[entity]]\nshape = { polyline = { points = [[0, 0], [1, 0]], @ } }"},
     {"star", "flatray = 1\n[[entity]]\nshape = { star = { points = 5, outer = 2, inner = 1, @ } }"},
+    {"arc", "flatray = 1\n[[entity]]\nshape = { arc = { radius = 1, from = 0, to = 9, @ } }"},
+    {"capsule",
+     "flatray = 1\n[[entity]]\nshape = { capsule = { from = [0, 0], to = [1, 0], radius = 1, @ } "
+     "}"},
+    {"ellipse", "flatray = 1\n[[entity]]\nshape = { ellipse = { radii = [2, 1], @ } }"},
+    {"sector", "flatray = 1\n[[entity]]\nshape = { sector = { radius = 1, from = 0, to = 9, @ } }"},
     {"import", "flatray = 1\n[[entity]]\nshape = { import = { file = \"a.obj\", @ } }"},
 };
 

@@ -36,6 +36,11 @@ Result<std::uint32_t> find_entity(const Arguments& arguments, const char* option
   const std::string wanted = *arguments.text(option);
   std::vector<std::string> known;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
+    if (scene.entities[i].name == wanted &&
+        !scene.shapes[scene.entities[i].shape].arc_paths.empty())
+      return usage_error(arguments.where(option),
+                         "no ray meets an ellipse, arc, sector or capsule yet",
+                         "they are drawn only: ask for another entity");
     if (scene.entities[i].name == wanted) return i;
     known.push_back(scene.entities[i].name);
   }
@@ -150,7 +155,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
   if (reports.empty())
     return usage_error(named_place("hit"), "nothing here has a convex piece or a circle to hit",
-                       "segments and even-odd polygons are drawn only");
+                       "segments, even-odd polygons and arcs are drawn only");
   return show(arguments, reports);
 }
 

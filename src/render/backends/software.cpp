@@ -6,6 +6,7 @@
 #include "image/tile.h"
 #include "render/backend.h"
 #include "render/bands.h"
+#include "render/coverage_arcs.h"
 #include "render/coverage_scan.h"
 #include "render/select_kernels.h"
 
@@ -75,6 +76,8 @@ class BandPainter {
         area_scan_.scan(*path, chosen, box, runs_);
       else
         centre_scan_.scan(*path, chosen, box, runs_);
+    } else if (const FillArcs* arcs = std::get_if<FillArcs>(&item.region)) {
+      arc_scan_.scan(*arcs, list_.coverage, box, runs_);
     } else {
       CoverageStats stats;
       scan_ring(std::get<FillRing>(item.region), list_.coverage, box, runs_, stats);
@@ -107,6 +110,7 @@ class BandPainter {
   Tile tile_;
   AreaScan area_scan_;
   CentreScan centre_scan_;
+  ArcScan arc_scan_;
   RunList runs_;
   std::vector<Scanned> scanned_;
 };

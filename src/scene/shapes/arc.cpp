@@ -1,0 +1,26 @@
+#include "scene/arcs.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired},
+                             {"from", "degrees", kRequired},
+                             {"to", "degrees", kRequired},
+                             {"centre", "[x, y]", "[0, 0]"},
+                             {"chord", "true or false", "false"}};
+
+Result<Shape> build(Args& args) {
+  const Vec2 centre = args.point("centre");
+  const double radius = args.size("radius");
+  const bool chord = args.flag("chord");
+  const Result<EllipseArc> arc = circular_arc(args, centre, radius);
+  if (!arc) return tl::unexpected(arc.error());
+  return shape_of(ArcPath{{*arc}, chord});
+}
+
+}  // namespace
+
+extern const ShapeType arc = {"arc", kKeys, &build};
+
+}  // namespace flatray::shapes

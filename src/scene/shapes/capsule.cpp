@@ -1,0 +1,32 @@
+#include "scene/arcs.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {
+    {"from", "[x, y]", kRequired}, {"to", "[x, y]", kRequired}, {"radius", "number", kRequired}};
+
+// Two half circles; the sides are the lines that join them.
+Result<Shape> build(Args& args) {
+  const Vec2 from = args.point("from"), to = args.point("to");
+  const double radius = args.size("radius");
+  if (from == to) {
+    Shape disc;
+    disc.circles.push_back({from, radius});
+    return disc;
+  }
+  const Vec2 way = 0.5 * to - 0.5 * from;  // may be longer than its square has room for
+  const Vec2 short_way = way / way.cwiseAbs().maxCoeff();
+  const Vec2 ahead = radius * (short_way / std::sqrt(short_way.squaredNorm()));
+  const Vec2 right(ahead.y(), -ahead.x());
+  const EllipseArc far{to, right, ahead, 0, std::numbers::pi};
+  const EllipseArc near{from, -right, -ahead, 0, std::numbers::pi};
+  return shape_of(ArcPath{{far, near}, true});
+}
+
+}  // namespace
+
+extern const ShapeType capsule = {"capsule", kKeys, &build};
+
+}  // namespace flatray::shapes

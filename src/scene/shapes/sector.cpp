@@ -1,0 +1,34 @@
+#include "scene/arcs.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired},
+                             {"from", "degrees", kRequired},
+                             {"to", "degrees", kRequired},
+                             {"centre", "[x, y]", "[0, 0]"},
+                             {"inner", "number", "0"}};
+
+// The outer arc, and back along the inner one: at radius 0 a corner.
+Result<Shape> build(Args& args) {
+  const Vec2 centre = args.point("centre");
+  const double radius = args.size("radius"), inner = args.number("inner");
+  const Result<EllipseArc> outer = circular_arc(args, centre, radius);
+  if (!outer) return tl::unexpected(outer.error());
+  if (!(inner >= 0 && inner < radius))
+    return fail(args.place("inner"), "sector.inner does not lie between 0 and the radius",
+                "write a smaller radius, or leave it out");
+  EllipseArc back = *outer;
+  const double share = inner / radius;
+  back.u *= share, back.v *= share;
+  back.from = outer->from + outer->sweep;
+  back.sweep = -outer->sweep;
+  return shape_of(ArcPath{{*outer, back}, true});
+}
+
+}  // namespace
+
+extern const ShapeType sector = {"sector", kKeys, &build};
+
+}  // namespace flatray::shapes
