@@ -4,8 +4,11 @@
 
 namespace flatray {
 
-SourceText::SourceText(std::string name, std::string text)
-    : name_(std::move(name)), text_(std::move(text)), line_starts_{0} {
+SourceText::SourceText(std::string name, std::string text, std::shared_ptr<const Place> included)
+    : name_(std::move(name)),
+      text_(std::move(text)),
+      included_(std::move(included)),
+      line_starts_{0} {
   for (std::size_t i = 0; i < text_.size(); ++i)
     if (text_[i] == '\n') line_starts_.push_back(i + 1);
 }
