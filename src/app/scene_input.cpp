@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t kMostEntities = std::uint64_t{1}
                                         << 24;  // what the order of drawing tells apart
 constexpr std::uint64_t kMostDepth = 1000;
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
 constexpr std::uint64_t kMostSeed = ~std::uint64_t{0} >> 1;  // what a TOML integer holds
 
 }  // namespace
@@ -42,7 +43,10 @@ Result<ReadScene> read_input(const Arguments& arguments, const std::string& path
   if (!entities) return tl::unexpected(entities.error());
   const auto depth = arguments.whole("max-depth", LoadLimits{}.max_depth, 0, kMostDepth);
   if (!depth) return tl::unexpected(depth.error());
+  const auto bytes = arguments.whole("max-bytes", LoadLimits{}.max_bytes, 1, kMostBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
   LoadLimits limits;
+  limits.max_bytes = *bytes;
   limits.max_depth = *depth;
   limits.max_pixels = *limit;
   limits.max_entities = *entities;

@@ -13,6 +13,8 @@ inline constexpr Option kMaxPixelsOption = {"max-pixels", '\0', "N",
                                             "most pixels a picture may have (default 268435456)"};
 inline constexpr Option kMaxEntitiesOption = {
     "max-entities", '\0', "N", "most entities a scene may have, copies too (default 1000000)"};
+inline constexpr Option kMaxBytesOption = {
+    "max-bytes", '\0', "N", "most bytes of a scene and all its files (default 1073741824)"};
 inline constexpr Option kMaxDepthOption = {
     "max-depth", '\0', "N", "most groups in groups, and files in files (default 64)"};
 inline constexpr Option kSeedOption = {"seed", '\0', "N",

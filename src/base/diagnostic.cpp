@@ -71,6 +71,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// The way from the file of a mistake to the one the user named: the nearest steps of a long one.
+std::string included_from(const Place& where) {
+  constexpr int kShown = 8;
+  std::string all;
+  const Place* at = where.source->included();
+  for (int i = 0; at != nullptr && at->source && i < kShown; ++i, at = at->source->included()) {
+    const SourceText::Position position = at->source->position(at->offset);
+    all += fmt::format("    included at {}:{}:{}\n", printable(at->source->name()), position.line,
+                       position.column);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string format(const Diagnostic& diagnostic, const char* severity) {
@@ -78,11 +91,12 @@ std::string format(const Diagnostic& diagnostic, const char* severity) {
   if (!where || where.source->text().empty()) {
     const std::string name = where ? printable(where.source->name()) + ": " : "";
     const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", printable(hint));
-    return fmt::format("{}{}: {}{}\n", name, severity, printable(message), tail);
+    return fmt::format("{}{}: {}{}\n{}", name, severity, printable(message), tail,
+                       where ? included_from(where) : "");
   }
   const SourceText::Position at = where.source->position(where.offset);
-  return fmt::format("{}:{}:{}: {}: {}\n{}", printable(where.source->name()), at.line, at.column,
-                     severity, printable(message), excerpt(where, at, hint));
+  return fmt::format("{}:{}:{}: {}: {}\n{}{}", printable(where.source->name()), at.line, at.column,
+                     severity, printable(message), excerpt(where, at, hint), included_from(where));
 }
 
 std::string format(const Diagnostics& diagnostics, const char* severity) {

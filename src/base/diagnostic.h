@@ -25,7 +25,7 @@ struct Diagnostic {
 using Diagnostics = std::vector<Diagnostic>;
 
 /// As the user reads it: `file:line:col: error: message`, the line, a marker under the value with
-/// the hint.
+/// the hint; for a file that another includes, where.
 std::string format(const Diagnostic& diagnostic, const char* severity = "error");
 std::string format(const Diagnostics& diagnostics, const char* severity = "error");
 

@@ -60,7 +60,7 @@ fs::path folder_of(const fs::path& path) {
 
 }  // namespace
 
-Result<std::string> read_file(const fs::path& path, std::size_t limit) {
+Result<std::string> read_file(const fs::path& path, std::size_t limit, std::string raise) {
   const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file) return cannot("read", path, errno, Trouble::missing);
   std::string content;
@@ -72,8 +72,8 @@ Result<std::string> read_file(const fs::path& path, std::size_t limit) {
     if (count < 0) return cannot("read", path, errno, Trouble::missing);
     if (count == 0) return content;
     if (content.size() + static_cast<std::size_t>(count) > limit)
-      return fail(named_place(path.string()), fmt::format("is larger than {} bytes", limit), "",
-                  Trouble::missing);
+      return fail(named_place(path.string()), fmt::format("is larger than {} bytes", limit),
+                  std::move(raise), Trouble::missing);
     content.append(buffer.data(), static_cast<std::size_t>(count));
   }
 }

@@ -9,9 +9,10 @@
 namespace flatray {
 
 /// Whole content of a file, or of standard input for "-".
-/// Error   Trouble::missing, naming the path and the system's reason; also above `limit` bytes.
+/// Error   Trouble::missing, naming the path and the system's reason; also above `limit` bytes,
+///         with `raise` as the hint.
 Result<std::string> read_file(const std::filesystem::path& path,
-                              std::size_t limit = std::size_t{1} << 32);
+                              std::size_t limit = std::size_t{1} << 32, std::string raise = {});
 
 /// Writes `bytes` so that `path` holds either what it held before or all of them, whenever the
 /// program or the machine stops: temporary name beside it, flush, rename, flush of the folder.

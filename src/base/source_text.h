@@ -7,6 +7,8 @@
 
 namespace flatray {
 
+struct Place;
+
 /// One input as read: its name for messages and its bytes. Lines and columns count from 1, columns
 /// in bytes.
 class SourceText {
@@ -15,10 +17,12 @@ class SourceText {
     int line = 0, column = 0;
   };
 
-  SourceText(std::string name, std::string text);
+  /// `included` is where another text asks for this one, if one does.
+  SourceText(std::string name, std::string text, std::shared_ptr<const Place> included = nullptr);
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return text_; }
+  const Place* included() const { return included_.get(); }
   /// Line and column of a byte. `offset` past the end is the end.
   Position position(std::size_t offset) const;
   /// Byte at a line and column, clamped to that line: the inverse of `position`.
@@ -28,6 +32,7 @@ class SourceText {
 
  private:
   std::string name_, text_;
+  std::shared_ptr<const Place> included_;
   std::vector<std::size_t> line_starts_;
 };
 

@@ -14,12 +14,18 @@ constexpr std::int64_t kVersion = 1;
 constexpr std::int64_t kMaxFrames = 9'999'999;
 constexpr std::int64_t kMaxSeed = 0x7fffffffffffffff;  // what a TOML integer holds
 
-void read_version(Builder& builder, const Field& field, Scene&) {
-  const auto version = builder.in.integer(field, 1, kMaxSeed);
+void read_version(Reader& in, const Field& field) {
+  const auto version = in.integer(field, 1, kMaxSeed);
   if (version && *version > kVersion)
-    builder.in.problem(field.value.where,
-                       fmt::format("scene version {} is newer than this program", *version),
-                       fmt::format("it reads version {}", kVersion));
+    in.problem(field.value.where,
+               fmt::format("scene version {} is newer than this program", *version),
+               fmt::format("it reads version {}", kVersion));
+}
+
+// Those of files are gone by now.
+void refuse_include(Builder& builder, const Field& field, Scene&) {
+  builder.in.problem(field.value.where, "include stands only in a file",
+                     "write a file that includes both");
 }
 
 void read_fps(Builder& builder, const Field& field, Scene& scene) {
@@ -37,7 +43,9 @@ void read_seed(Builder& builder, const Field& field, Scene& scene) {
 
 // In the order in which one builds on another, not that of the file.
 constexpr Key<Scene> kSceneKeys[] = {
-    {{"flatray", "1", kRequired}, &read_version},
+    {{"flatray", "1", kRequired},
+     [](Builder& builder, const Field& field, Scene&) { read_version(builder.in, field); }},
+    {{"include", "[\"part.toml\", ...]", "[]"}, &refuse_include},
     {{"film", "{ size = [w, h], ... }", "{}"}, &read_film},
     {{"frames", "whole number", "1"}, &set_integer<&Scene::frames, 1, kMaxFrames>},
     {{"fps", "frames a second", "24"}, &read_fps},
@@ -51,10 +59,12 @@ constexpr Key<Scene> kSceneKeys[] = {
     {{"camera", "{ at = [x, y], ... }", "{}"}, &read_camera},
 };
 
-void sort_by_source(Diagnostics& diagnostics, const SourcePtr& main) {
+// Files in the order of their entries, what is in none of them last.
+void sort_by_source(Diagnostics& diagnostics, const Builder& builder) {
   const auto rank = [&](const Diagnostic& d) {
-    const bool here = d.where.source == main;
-    return std::tuple(!here, here ? d.where.offset : 0);
+    const auto known = builder.text_before.find(d.where.source.get());
+    const bool here = known != builder.text_before.end();
+    return std::tuple(!here, here ? known->second + d.where.offset : 0);
   };
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
@@ -71,11 +81,23 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
   Builder builder{.in = {}, .scene = {}, .imports = imports, .limits = limits, .seed = seed};
   builder.in.warnings = desc.warnings;
   builder.scene.seed = seed.value_or(0);
+  std::uint64_t before = 0;
+  for (const SourcePtr& source : desc.sources) {
+    builder.text_before.emplace(source.get(), before);
+    before += source->text().size() + 1;
+  }
   read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
-  sort_by_source(builder.in.problems, desc.root.where.source);
-  sort_by_source(builder.in.warnings, desc.root.where.source);
+  sort_by_source(builder.in.problems, builder);
+  sort_by_source(builder.in.warnings, builder);
   if (!builder.in.problems.empty()) return tl::unexpected(std::move(builder.in.problems));
   return LoadedScene{std::move(builder.scene), std::move(builder.in.warnings)};
+}
+
+void check_version(Reader& in, const Value& scene) {
+  if (const Member* version = scene.find("flatray"))
+    read_version(in, {"flatray", version->value, "1"});
+  else
+    in.problem(scene.where, "the included scene needs 'flatray'", "write flatray = 1");
 }
 
 std::vector<TableInfo> language_tables() {

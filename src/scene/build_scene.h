@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/imports.h"
 #include "scene/load.h"
+#include "scene/reader.h"
 #include "scene/scene_desc.h"
 #include "scene/vocabulary.h"
 
@@ -12,6 +13,9 @@ namespace flatray {
 /// Error   every mistake, in the order of the source; what came from overrides last.
 Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const LoadLimits& limits,
                                 std::optional<std::uint64_t> seed);
+
+/// Whether a scene that is included is of a version that can be read; if not, a problem.
+void check_version(Reader& in, const Value& scene);
 
 /// The keys of every table but the shapes'.
 std::vector<TableInfo> language_tables();

@@ -12,6 +12,7 @@ struct Builder {
   Imports& imports;
   const LoadLimits& limits;
   std::optional<std::uint64_t> seed;                           ///< instead of the scene's
+  std::map<const SourceText*, std::uint64_t> text_before{};    ///< bytes of the files before each
   std::uint32_t entity_tables = 0;                             ///< read so far
   std::map<std::string, std::vector<std::uint32_t>> groups{};  ///< copies by the name in the file
   std::vector<std::string> group_suffixes{};  ///< what copying added to the name of each group
@@ -26,9 +27,9 @@ struct Builder {
 /// Builds a shape, `{ KIND = { ... } }`, into the scene; nullopt where it is wrong.
 std::optional<ShapeId> read_shape(Builder& builder, const Field& field);
 
-/// Where copy `number` of what stands there comes in the order of drawing: that of the text, copies
-/// by number.
-std::uint64_t draw_order(const Place& where, std::uint64_t number = 0);
+/// Where copy `number` of what stands there comes in the order of drawing: that of the text, files
+/// included first, copies by number.
+std::uint64_t draw_order(const Builder& builder, const Place& where, std::uint64_t number = 0);
 
 /// A problem at `where` if rays cannot meet the shape.
 void expect_traced(Builder& builder, ShapeId shape, const Place& where);

@@ -53,7 +53,7 @@ constexpr Key<Chamber> kChamberKeys[] = {
 void read_chamber(Builder& builder, const Value& table) {
   Chamber chamber;
   chamber.where = table.where;
-  chamber.order = draw_order(table.where);
+  chamber.order = draw_order(builder, table.where);
   read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
   if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
     chamber.stroke = kDefaultStroke;

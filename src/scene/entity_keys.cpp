@@ -147,7 +147,7 @@ void read_entity(Builder& builder, const Value& table) {
     if (entity.material && builder.in.problems.size() == problems)
       expect_traced(builder, entity, table);
     dress(scene, table, entity);
-    entity.order = draw_order(table.where, copy);
+    entity.order = draw_order(builder, table.where, copy);
     if (entity.group) entity.layer += scene.groups[*entity.group].layer;
     add_entity(builder, std::move(entity));
   };
@@ -176,10 +176,12 @@ void read_entities(Builder& builder, const Field& field, Scene&) {
   each_table(builder, field, [&](const Value& table) { read_entity(builder, table); });
 }
 
-std::uint64_t draw_order(const Place& where, std::uint64_t number) {
+std::uint64_t draw_order(const Builder& builder, const Place& where, std::uint64_t number) {
   constexpr unsigned kCopyBits = 24;
   constexpr std::uint64_t kLastCopy = (std::uint64_t{1} << kCopyBits) - 1;
-  return std::uint64_t{where.offset} << kCopyBits | std::min(number, kLastCopy);
+  const auto known = builder.text_before.find(where.source.get());
+  const std::uint64_t before = known == builder.text_before.end() ? 0 : known->second;
+  return (before + where.offset) << kCopyBits | std::min(number, kLastCopy);
 }
 
 std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {

@@ -1,5 +1,7 @@
 #include "scene/format.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -42,6 +44,14 @@ const Format* format_for_text(std::string_view text) {
   for (const Format* format : formats())
     if (format->recognises(text)) return format;
   return find_format("toml");
+}
+
+std::string known_extensions() {
+  std::string all;
+  for (const Format* format : formats())
+    for (const std::string_view extension : format->extensions)
+      all += fmt::format("{}.{}", all.empty() ? "" : ", ", extension);
+  return all;
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -37,6 +37,12 @@ const Format* format_for_name(std::string_view file_name);
 /// By content: for standard input.
 const Format* format_for_text(std::string_view text);
 
+/// Extensions of all formats, for hints: ".toml, .obj".
+std::string known_extensions();
+
+/// What some editors begin a text with; it is passed over.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 /// First line that is neither blank nor a comment ('#'), without blanks at its ends.
 std::string_view first_line(std::string_view text);
 std::string_view trimmed(std::string_view text);

@@ -10,22 +10,38 @@ namespace flatray {
 /// The files a scene refers to, each read once.
 class Imports {
  public:
-  /// Needs   `scene` outlives the object: paths are relative to its folder, and its own name gives
-  ///         its text.
-  Imports(SourcePtr scene, std::size_t max_file_bytes, unsigned threads);
+  /// Needs   `scene` outlives the object: paths in it are relative to its folder. `max_bytes` counts
+  ///         it and all other files together.
+  Imports(SourcePtr scene, std::size_t max_bytes, unsigned threads);
 
+  /// A file by its path from the folder of the file `where` stands in; a scene by its own name.
   /// Error   the file's own, at `where`.
   Result<SourcePtr> open(const std::string& file, const Place& where);
+  /// The same for a scene that is included there: paths in it are relative to its own folder.
+  Result<SourcePtr> include(const std::string& file, const Place& where);
   /// Adds the bytes of every file read so far, by name.
   void add_to(Hash& hash) const;
   /// Threads to read outlines with.
   unsigned threads() const { return threads_; }
 
  private:
+  struct Scene {
+    SourcePtr source;
+    std::filesystem::path folder;  ///< from that of the scene
+  };
+  /// Path from the folder of the scene.
+  std::string path_from_scene(const std::string& file, const Place& where) const;
+  Result<SourcePtr> read(const std::string& file, const std::string& path, const Place& where,
+                         bool included);
+
   SourcePtr scene_;
-  std::size_t max_file_bytes_;
+  std::size_t max_bytes_, bytes_left_;
   unsigned threads_;
-  std::map<std::string, SourcePtr> files_;
+  std::map<std::string, SourcePtr> files_;  ///< by path from the scene
+  std::map<std::string, Scene> scenes_;     ///< by their own names
 };
+
+/// What to do about files too large.
+std::string raise_max_bytes(std::size_t max_bytes);
 
 }  // namespace flatray

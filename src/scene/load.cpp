@@ -6,20 +6,11 @@
 #include "base/hash.h"
 #include "scene/build_scene.h"
 #include "scene/format.h"
+#include "scene/include.h"
 #include "scene/overrides.h"
 
 namespace flatray {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
-std::string all_extensions() {
-  std::string all;
-  for (const Format* format : formats())
-    for (const std::string_view extension : format->extensions)
-      all += fmt::format("{}.{}", all.empty() ? "" : ", ", extension);
-  return all;
-}
 
 Result<const Format*> choose_format(const SourceText& source) {
   const bool is_stream = source.name() == "-";
@@ -27,14 +18,17 @@ Result<const Format*> choose_format(const SourceText& source) {
       is_stream ? format_for_text(source.text()) : format_for_name(source.name());
   if (format != nullptr) return format;
   return fail(named_place(source.name()), "no scene format has this extension",
-              "known: " + all_extensions());
+              "known: " + known_extensions());
 }
 
-Result<SceneDesc> describe(const SourcePtr& source, const std::vector<Override>& overrides) {
+Result<SceneDesc> describe(const SourcePtr& source, const std::vector<Override>& overrides,
+                           Imports& imports, const LoadLimits& limits) {
   const Result<const Format*> format = choose_format(*source);
   if (!format) return tl::unexpected(format.error());
   Result<SceneDesc> desc = (*format)->read(source);
   if (!desc) return desc;
+  if (Result<void> taken = take_includes(*desc, source, imports, limits); !taken)
+    return fail(std::move(taken));
   for (const Override& one : overrides)
     if (Result<void> applied = apply_override(*desc, one); !applied)
       return fail(std::move(applied));
@@ -55,9 +49,9 @@ Result<ReadScene> read_text(std::string name, std::string text,
                             std::optional<std::uint64_t> seed) {
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
-  Result<SceneDesc> desc = describe(source, overrides);
+  Imports imports(source, limits.max_bytes, limits.threads);
+  Result<SceneDesc> desc = describe(source, overrides, imports, limits);
   if (!desc) return fail(std::move(desc));
-  Imports imports(source, limits.max_file_bytes, limits.threads);
   Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
   if (!loaded) {
     for (Diagnostic& problem : loaded.error())
@@ -74,7 +68,7 @@ Result<ReadScene> read_text(std::string name, std::string text,
 Result<ReadScene> read_scene(const std::filesystem::path& path,
                              const std::vector<Override>& overrides, const LoadLimits& limits,
                              std::optional<std::uint64_t> seed) {
-  Result<std::string> text = read_file(path, limits.max_file_bytes);
+  Result<std::string> text = read_file(path, limits.max_bytes, raise_max_bytes(limits.max_bytes));
   if (!text) return fail(std::move(text));
   return read_text(path.string(), std::move(*text), overrides, limits, seed);
 }

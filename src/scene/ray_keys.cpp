@@ -62,7 +62,7 @@ void read_rays(Builder& builder, const Field& field, Scene& scene) {
     RayPath ray;
     ray.stroke = {1.5, true, kRed};
     ray.where = table.where;
-    ray.order = draw_order(table.where);
+    ray.order = draw_order(builder, table.where);
     read_keys<RayPath>(builder, table, "ray", kRayKeys, ray);
     scene.rays.push_back(std::move(ray));
   });
@@ -70,8 +70,9 @@ void read_rays(Builder& builder, const Field& field, Scene& scene) {
 
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
   each_table(builder, field, [&](const Value& table) {
-    EdgeRays rays{0, 0,           {1.5, true, kGrey},     kBlue, kGreen, kRed,
-                  0, table.where, draw_order(table.where)};
+    EdgeRays rays{0,     0,           {1.5, true, kGrey},
+                  kBlue, kGreen,      kRed,
+                  0,     table.where, draw_order(builder, table.where)};
     read_keys<EdgeRays>(builder, table, "edge_rays", kEdgeRayKeys, rays);
     scene.edge_rays.push_back(rays);
   });

@@ -45,7 +45,8 @@ Value array_value(Place where, std::vector<Value> items);
 /// A scene before its meaning is checked.
 struct SceneDesc {
   Value root;
-  Diagnostics warnings;  ///< of the importer
+  Diagnostics warnings{};            ///< of the importer
+  std::vector<SourcePtr> sources{};  ///< the files it is made of, in the order of their entries
 };
 
 }  // namespace flatray

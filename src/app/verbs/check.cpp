@@ -10,7 +10,8 @@ namespace flatray::verbs {
 namespace {
 
 constexpr Option kOptions[] = {kDefineOption,   kMaxPixelsOption, kMaxEntitiesOption,
-                               kMaxDepthOption, kJsonOption,      kQuietOption};
+                               kMaxDepthOption, kMaxBytesOption,  kJsonOption,
+                               kQuietOption};
 
 Values as_values(const Diagnostics& diagnostics) {
   Values values;

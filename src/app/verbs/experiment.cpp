@@ -21,6 +21,7 @@ constexpr Option kOptions[] = {{"output", 'o', "FOLDER", "where its files go (de
                                kMaxPixelsOption,
                                kMaxEntitiesOption,
                                kMaxDepthOption,
+                               kMaxBytesOption,
                                kJsonOption,
                                kQuietOption};
 

@@ -23,6 +23,7 @@ constexpr Option kOptions[] = {
     kMaxPixelsOption,
     kMaxEntitiesOption,
     kMaxDepthOption,
+    kMaxBytesOption,
     kJsonOption,
     kQuietOption};
 

@@ -20,6 +20,7 @@ constexpr Option kOptions[] = {
     kMaxPixelsOption,
     kMaxEntitiesOption,
     kMaxDepthOption,
+    kMaxBytesOption,
     kJsonOption,
     kCsvOption,
     kQuietOption};

@@ -21,6 +21,7 @@ constexpr Option kOptions[] = {{"ray", 'r', "RAY", "only this ray of the scene"}
                                kMaxPixelsOption,
                                kMaxEntitiesOption,
                                kMaxDepthOption,
+                               kMaxBytesOption,
                                kJsonOption,
                                kCsvOption,
                                kQuietOption};

@@ -24,6 +24,7 @@ constexpr Option kOptions[] = {
     kMaxPixelsOption,
     kMaxEntitiesOption,
     kMaxDepthOption,
+    kMaxBytesOption,
     {"format", '\0', "png|hdr", "format where the name does not say it"},
     {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
     kJsonOption,

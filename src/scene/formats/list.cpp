@@ -38,7 +38,7 @@ class ListReader {
     root.push_back({"flatray", whole, built_in_number(1)});
     root.push_back({"fps", whole, built_in_number(1)});
     root.push_back({"entity", whole, array_value(whole, std::move(entities_))});
-    return SceneDesc{table_value(whole, std::move(root)), {}};
+    return SceneDesc{table_value(whole, std::move(root))};
   }
 
  private:

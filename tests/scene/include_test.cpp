@@ -1,0 +1,208 @@
+// needs: shapes/circle shapes/import formats/list formats/obj
+#include <filesystem>
+
+#include "base/file.h"
+#include "scene_text.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kDisc = "[[entity]]\nshape = { circle = { radius = 1 } }\nname = ";
+
+// A folder of scenes that goes when the test does.
+class Includes : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("flatray_includes_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& file, const std::string& text) {
+    ASSERT_TRUE(write_file(folder_ / file, text));
+  }
+  void scene(const std::string& file, const std::string& text) {
+    write(file, "flatray = 1\n" + text);
+  }
+  Result<LoadedScene> read(const std::string& file = "main.toml", const LoadLimits& limits = {}) {
+    return load_scene(folder_ / file, {}, limits);
+  }
+  Scene loaded(const std::string& file = "main.toml") {
+    Result<LoadedScene> result = read(file);
+    FLATRAY_CHECK(result.has_value(), result ? "" : format(result.error()));
+    return std::move(result->scene);
+  }
+  // What is printed, the folder's name left out.
+  std::string refused(const LoadLimits& limits = {}) {
+    const Result<LoadedScene> result = read("main.toml", limits);
+    std::string shown = result ? "" : format(result.error());
+    const std::string here = folder_.string() + "/";
+    for (std::size_t at; (at = shown.find(here)) != std::string::npos;)
+      shown.erase(at, here.size());
+    return shown;
+  }
+  std::vector<std::string> names(const Scene& scene) {
+    std::vector<std::string> all;
+    for (const Entity& one : scene.entities) all.push_back(one.name);
+    return all;
+  }
+
+  fs::path folder_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(Includes, ComeBeforeWhatIncludesThem) {
+  scene("main.toml", "include = [\"a.toml\", \"b.toml\"]\nfps = 5\n" + kDisc + "\"main\"");
+  scene("a.toml", "fps = 7\nframes = 3\nseed = 4\n" + kDisc + "\"a\"");
+  scene("b.toml", "frames = 9\n" + kDisc + "\"b\"");
+  const Scene made = loaded();
+  EXPECT_EQ(names(made), (Names{"a", "b", "main"}));
+  EXPECT_LT(made.entities[0].order, made.entities[1].order);
+  EXPECT_LT(made.entities[1].order, made.entities[2].order);
+  EXPECT_EQ(made.fps, 5);
+  EXPECT_EQ(made.frames, 9u);
+  EXPECT_EQ(made.seed, 4u);
+}
+
+TEST_F(Includes, FilmAndCameraAreMergedKeyByKey) {
+  scene("main.toml", "include = [\"a.toml\"]\nfilm = { size = [10, 20] }");
+  scene("a.toml", "film = { size = [3, 3], background = \"#010203\" }\n[markov.c]\nA = { A = 1 }");
+  const Scene made = loaded();
+  EXPECT_EQ(made.film.width, 10);
+  EXPECT_EQ(made.film.background, (Colour{1, 2, 3, 255}));
+  EXPECT_EQ(made.chains.size(), 1u);
+}
+
+TEST_F(Includes, PathsStartAtTheFileThatHasThem) {
+  scene("main.toml", "include = [\"parts/a.toml\"]\n");
+  scene("parts/a.toml",
+        "include = [\"deep/b.toml\", \"../c.list\"]\n[[entity]]\nname = \"o\"\n"
+        "shape = { import = { file = \"o.obj\" } }\n");
+  scene("parts/deep/b.toml", kDisc + "\"b\"");
+  write("parts/o.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n");
+  write("c.list", "{ BLOCK, 1, 2 }\n");
+  EXPECT_EQ(names(loaded()), (Names{"b", "BLOCK", "o"}));
+}
+
+TEST_F(Includes, AnOutlineMayBeIncluded) {
+  scene("main.toml", "include = [\"o.obj\"]\n");
+  write("o.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n");
+  EXPECT_EQ(names(loaded()), (Names{"o"}));
+}
+
+TEST_F(Includes, AFileCountsOnce) {
+  scene("main.toml", "include = [\"a.toml\", \"b.toml\", \"./sub/../a.toml\"]\n");
+  scene("a.toml", "include = [\"c.toml\"]\n" + kDisc + "\"a\"");
+  scene("b.toml", "include = [\"c.toml\"]\n" + kDisc + "\"b\"");
+  scene("c.toml", kDisc + "\"c\"");
+  fs::create_directories(folder_ / "sub");
+  EXPECT_EQ(names(loaded()), (Names{"c", "a", "b"}));
+}
+
+TEST_F(Includes, TheTextOfEveryFileIsInTheHash) {
+  scene("main.toml", "include = [\"a.toml\"]\n");
+  scene("a.toml", kDisc + "\"a\"");
+  const std::uint64_t before = loaded().hash;
+  EXPECT_EQ(loaded().hash, before);
+  scene("a.toml", kDisc + "\"a\" # changed");
+  EXPECT_NE(loaded().hash, before);
+}
+
+TEST_F(Includes, MistakesNameTheFileAndTheWayToIt) {
+  scene("main.toml", "\ninclude = [\"a.toml\"]\n" + kDisc + "3\n");
+  scene("a.toml", "include = [\"b.toml\"]\n");
+  scene("b.toml", "fps = 0\n");
+  EXPECT_EQ(refused(), R"(b.toml:2:7: error: fps is not above 0
+    fps = 0
+          ^  write frames a second
+    included at a.toml:2:12
+    included at main.toml:3:12
+main.toml:6:8: error: entity.name is a number, not a string
+    name = 3
+           ^  write name = "NAME"
+)");
+}
+
+TEST_F(Includes, RefusalsSayWhatToWrite) {
+  fs::create_directories(folder_ / "folder.toml");
+  write("old.toml", "fps = 1");
+  write("new.toml", "flatray = 2");
+  write("bad.toml", "flatray = = 1");
+  write("kinds.toml", "flatray = 1\nentity = 3");
+  const Refused cases[] = {
+      {"include = \"a.toml\"", "include is a string, not a list of file names"},
+      {"include = [3]", "include[0] is a number, not a string"},
+      {"include = [\"/etc/a.toml\"]", "'/etc/a.toml' is an absolute path"},
+      {"include = [\"a.png\"]", "'a.png' has no extension of a scene\n"},
+      {"include = [\"a.toml\"]", "file 'a.toml': cannot read: No such file"},
+      {"include = [\"folder.toml\"]", "'folder.toml' is no regular file"},
+      {"include = [\"old.toml\"]", "old.toml:1:1: error: the included scene needs 'flatray'"},
+      {"include = [\"new.toml\"]", "scene version 2 is newer than this program"},
+      {"include = [\"bad.toml\"]", "bad.toml:1:11: error"},
+      {"include = [\"kinds.toml\"]\n" + kDisc + "\"e\"",
+       "kinds.toml:2:10: error: entity is a number"},
+      {"include = [\"main.toml\"]", "'main.toml' includes itself"},
+      {"include = [\"../" + folder_.filename().string() + "/main.toml\"]", "includes itself"},
+  };
+  expect_refused(cases, [&](const std::string& text) {
+    scene("main.toml", text);
+    return refused();
+  });
+  EXPECT_NE(
+      refusal("flatray = 1\n", {{"include", "[\"a.toml\"]"}}).find("include stands only in a file"),
+      std::string::npos);
+}
+
+TEST_F(Includes, E6ACircleOfFilesIsRefused) {
+  scene("main.toml", "include = [\"a.toml\"]\n");
+  scene("a.toml", "include = [\"b.toml\"]\n");
+  scene("b.toml", "include = [\"a.toml\"]\n");
+  EXPECT_EQ(refused(), R"(b.toml:2:12: error: 'a.toml' includes itself
+    include = ["a.toml"]
+               ^~~~~~~~  take this include out
+    included at a.toml:2:12
+    included at main.toml:2:12
+)");
+}
+
+TEST_F(Includes, E6FilesThatIncludeTheNextTwiceAreReadOnce) {
+  for (int i = 0; i < 30; ++i)
+    scene("f" + std::to_string(i) + ".toml", "include = [\"f" + std::to_string(i + 1) +
+                                                 ".toml\", \"./f" + std::to_string(i + 1) +
+                                                 ".toml\"]\n");
+  scene("f30.toml", kDisc + "\"e\"");
+  EXPECT_EQ(loaded("f0.toml").entities.size(), 1u);
+}
+
+TEST_F(Includes, LimitsNameTheirOptions) {
+  scene("main.toml", "include = [\"f0.toml\"]\n");
+  for (int i = 0; i < 80; ++i)
+    scene("f" + std::to_string(i) + ".toml",
+          "include = [\"f" + std::to_string(i + 1) + ".toml\"]\n");
+  scene("f80.toml", "");
+  EXPECT_NE(refused().find("f63.toml:2:12: error: files are included more than 64 deep\n"),
+            std::string::npos)
+      << refused();
+  EXPECT_NE(refused().find("--max-depth raises the limit"), std::string::npos);
+  LoadLimits limits;
+  limits.max_depth = 81;
+  EXPECT_EQ(refused(limits), "");
+  limits.max_bytes = 100;
+  EXPECT_NE(
+      refused(limits).find("the limit of a scene and its files is 100; --max-bytes raises it"),
+      std::string::npos)
+      << refused(limits);
+  limits.max_bytes = 10;
+  EXPECT_NE(refused(limits).find("main.toml: error: is larger than 10 bytes\n    the limit of a "
+                                 "scene and its files is 10; --max-bytes raises it"),
+            std::string::npos)
+      << refused(limits);
+}
+
+}  // namespace
+}  // namespace flatray
