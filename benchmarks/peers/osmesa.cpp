@@ -38,7 +38,7 @@ class OsMesa : public Filler {
 
   void fill(const std::vector<Polygon>& polygons) override {
     bind();
-    collect(polygons);
+    if (collected_ != polygons.size()) collect(polygons);
     if (multisampled_) glBindFramebuffer(GL_FRAMEBUFFER, frame_);
     glViewport(0, 0, kWidth, kHeight);
     glMatrixMode(GL_PROJECTION);
@@ -73,6 +73,7 @@ class OsMesa : public Filler {
 
   void collect(const std::vector<Polygon>& polygons) {
     vertices_.clear();
+    collected_ = polygons.size();
     for (const Polygon& polygon : polygons) {
       const auto& [r, g, b] = polygon.colour;
       const auto put = [&](const flatray::Vec2& v) {
@@ -87,6 +88,7 @@ class OsMesa : public Filler {
   const bool multisampled_;
   std::vector<unsigned char> pixels_;
   std::vector<Vertex> vertices_;
+  std::size_t collected_ = 0;
   OSMesaContext context_;
   GLuint frame_ = 0, samples_ = 0;
 };

@@ -1,48 +1,13 @@
 #include "image/tile.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "base/check.h"
-#include "image/srgb_encoder.h"
+#include "image/develop_pixel.h"
 
 namespace flatray {
 namespace {
-
-// Nearest of 256 levels, halves up; exact, as a float times 255 fits a double.
-std::uint8_t level(float share) {
-  const double levels = 255.0 * static_cast<double>(share) + 0.5;
-  return static_cast<std::uint8_t>(levels > 0 ? std::min(levels, 255.0) : 0.0);
-}
-
-using Rgb = std::array<std::uint8_t, 3>;
-
-// Written out: the three hide each other's latency.
-Rgb encode_light(const SrgbEncoder& encode, float r, float g, float b) {
-  return {encode(r), encode(g), encode(b)};
-}
-
-struct Opaque {
-  static constexpr int kChannels = 3;
-  static void pixel(const float* rgba, const SrgbEncoder& encode, std::uint8_t* out) {
-    const Rgb rgb = encode_light(encode, rgba[0], rgba[1], rgba[2]);
-    std::memcpy(out, rgb.data(), rgb.size());
-  }
-};
-
-struct Straight {
-  static constexpr int kChannels = 4;
-  static void pixel(const float* rgba, const SrgbEncoder& encode, std::uint8_t* out) {
-    const float alpha = rgba[3];
-    const std::uint8_t shown = level(alpha);
-    const Rgb rgb = shown == 0
-                        ? Rgb{}
-                        : encode_light(encode, rgba[0] / alpha, rgba[1] / alpha, rgba[2] / alpha);
-    std::memcpy(out, rgb.data(), rgb.size());
-    out[3] = shown;
-  }
-};
 
 bool same_bits(const float* a, const float* b) {
   std::uint64_t x[2], y[2];

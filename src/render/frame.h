@@ -53,6 +53,10 @@ class FrameDrawer {
   DrawCounts counts_;
 };
 
+/// Pixels of one draw list into a picture whose room is used again.
+template <class Picture>  // Image or LinearImage
+void render_into(const DrawList& list, const FrameOptions& options, Picture& picture);
+
 /// Pixels of one draw list by the software back end. Same bytes for any thread count and crop.
 Image render_image(const DrawList& list, const FrameOptions& options);
 LinearImage render_linear(const DrawList& list, const FrameOptions& options);

@@ -6,8 +6,8 @@
 #include "image/tile.h"
 #include "render/backend.h"
 #include "render/bands.h"
-#include "render/coverage_arcs.h"
-#include "render/coverage_scan.h"
+#include "render/flat_painter.h"
+#include "render/item_scan.h"
 #include "render/select_kernels.h"
 
 namespace flatray {
@@ -29,8 +29,7 @@ class BandPainter {
         hide_(hide),
         counts_(counts),
         kernels_(span_kernels(active_isa())),
-        area_scan_(kernels_),
-        centre_scan_(kernels_) {}
+        item_scan_(list) {}
 
   const Tile& paint(const PixelBox& box, const std::vector<BandItem>& items) {
     tile_.width = box.width;
@@ -59,29 +58,13 @@ class BandPainter {
     for (std::size_t i = items.size(); i-- > 0;) {
       const DrawItem& item = list_.items[items[i].item];
       const std::size_t begin = runs_.start();
-      scan(items[i], box);
+      item_scan_.scan(items[i], box, runs_);
       scanned_.push_back({&item, begin, runs_.runs().size()});
       if (!hide_ || item.colour.a != 1 || !covers_all(begin, box)) continue;
       counts_.hidden_items += i;
       return true;
     }
     return false;
-  }
-
-  void scan(const BandItem& band_item, const PixelBox& box) {
-    const DrawItem& item = list_.items[band_item.item];
-    if (const FillPath* path = std::get_if<FillPath>(&item.region)) {
-      const auto* chosen = Bands::lists_edges(*path) ? &band_item.edges : nullptr;
-      if (list_.coverage == Coverage::area)
-        area_scan_.scan(*path, chosen, box, runs_);
-      else
-        centre_scan_.scan(*path, chosen, box, runs_);
-    } else if (const FillArcs* arcs = std::get_if<FillArcs>(&item.region)) {
-      arc_scan_.scan(*arcs, list_.coverage, box, runs_);
-    } else {
-      CoverageStats stats;
-      scan_ring(std::get<FillRing>(item.region), list_.coverage, box, runs_, stats);
-    }
   }
 
   // Runs of equal coverage are joined, so that a covered band is one run a row.
@@ -108,9 +91,7 @@ class BandPainter {
   DrawCounts& counts_;
   const kernels::SpanKernels& kernels_;
   Tile tile_;
-  AreaScan area_scan_;
-  CentreScan centre_scan_;
-  ArcScan arc_scan_;
+  ItemScan item_scan_;
   RunList runs_;
   std::vector<Scanned> scanned_;
 };
@@ -131,6 +112,59 @@ void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
                       static_cast<std::size_t>(crop.height));
 }
 
+// The two ways to draw give the same pixels. Light, and all that shall be drawn even if hidden, goes
+// by blending every item in order.
+class BandsOfTask {
+ public:
+  BandsOfTask(const DrawList& list, const FrameOptions& options, DrawCounts& counts)
+      : flat_(list, counts), blended_(list, !options.keep_all, counts), plain_(!options.keep_all) {}
+
+  void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out) {
+    if (plain_)
+      flat_.paint(box, items, y, out);
+    else
+      draw_blended(box, items, y, out);
+  }
+  void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, LinearImage& out) {
+    draw_blended(box, items, y, out);
+  }
+
+ private:
+  template <class Picture>
+  void draw_blended(const PixelBox& box, const std::vector<BandItem>& items, int y, Picture& out) {
+    blended_.tile().x = 0;
+    blended_.tile().y = y;
+    develop(blended_.paint(box, items), out);
+  }
+
+  FlatPainter flat_;
+  BandPainter blended_;
+  const bool plain_;
+};
+
+template <class Picture>
+DrawCounts draw_bands(const DrawList& list, const Bands& bands, const std::vector<bool>& keep,
+                      const FrameOptions& options, Picture& out) {
+  const std::size_t tasks = (bands.count() + kBandsATask - 1) / kBandsATask;
+  std::vector<DrawCounts> counts(tasks);
+  const int top = crop_of(list, options).y;
+  parallel_for(tasks, options.threads, [&](std::size_t task) {
+    BandsOfTask painter(list, options, counts[task]);
+    const std::size_t end = std::min(bands.count(), (task + 1) * kBandsATask);
+    for (std::size_t band = task * kBandsATask; band < end; ++band) {
+      if (keep[band]) {
+        ++counts[task].kept_bands;
+        continue;
+      }
+      const PixelBox box = bands.box(band);
+      painter.draw(box, bands.items(band), box.y - top, out);
+    }
+  });
+  DrawCounts sum;
+  for (const DrawCounts& one : counts) sum += one;
+  return sum;
+}
+
 }  // namespace
 
 template <class Picture>
@@ -142,23 +176,7 @@ const Picture& FrameDrawer<Picture>::draw(DrawList list) {
   list_ = std::move(list);
   bands_ = std::move(bands);
   shape_picture(crop, list_, picture_);
-  const std::size_t tasks = (bands_.count() + kBandsATask - 1) / kBandsATask;
-  std::vector<DrawCounts> counts(tasks);
-  parallel_for(tasks, options_.threads, [&](std::size_t task) {
-    BandPainter painter(list_, !options_.keep_all, counts[task]);
-    const std::size_t end = std::min(bands_.count(), (task + 1) * kBandsATask);
-    for (std::size_t band = task * kBandsATask; band < end; ++band) {
-      if (keep[band]) {
-        ++counts[task].kept_bands;
-        continue;
-      }
-      const PixelBox box = bands_.box(band);
-      painter.tile().x = 0;
-      painter.tile().y = box.y - crop.y;
-      develop(painter.paint(box, bands_.items(band)), picture_);
-    }
-  });
-  for (const DrawCounts& one : counts) counts_ += one;
+  counts_ += draw_bands(list_, bands_, keep, options_, picture_);
   changed_ = !drawn_ || std::find(keep.begin(), keep.end(), false) != keep.end();
   drawn_ = true;
   return picture_;
@@ -167,12 +185,26 @@ const Picture& FrameDrawer<Picture>::draw(DrawList list) {
 template class FrameDrawer<Image>;
 template class FrameDrawer<LinearImage>;
 
+template <class Picture>
+void render_into(const DrawList& list, const FrameOptions& options, Picture& picture) {
+  const PixelBox crop = crop_of(list, options);
+  const Bands bands(list, crop);
+  shape_picture(crop, list, picture);
+  draw_bands(list, bands, std::vector<bool>(bands.count()), options, picture);
+}
+template void render_into(const DrawList&, const FrameOptions&, Image&);
+template void render_into(const DrawList&, const FrameOptions&, LinearImage&);
+
 Image render_image(const DrawList& list, const FrameOptions& options) {
-  return FrameDrawer<Image>(options).draw(list);
+  Image image;
+  render_into(list, options, image);
+  return image;
 }
 
 LinearImage render_linear(const DrawList& list, const FrameOptions& options) {
-  return FrameDrawer<LinearImage>(options).draw(list);
+  LinearImage image;
+  render_into(list, options, image);
+  return image;
 }
 
 namespace {
