@@ -14,23 +14,21 @@ namespace {
 constexpr double kNear = 0x1p-7;
 constexpr int kLevels = 1;  // that rounding may move a colour by
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
+void move(FillPath& path, const Vec2& shift) {
+  for (Segment& edge : path.edges) edge.a += shift, edge.b += shift;
+}
+void move(FillRing& ring, const Vec2& shift) { ring.centre += shift; }
+void move(FillArcs& region, const Vec2& shift) {
+  for (EllipseArc& arc : region.path.arcs) arc.centre += shift;
+}
 
 // What the pixel centres of the result see is what `place` sees in each pixel of `list`.
 DrawList seen_from(const DrawList& list, const SamplePlace& place) {
   const Vec2 shift(0.5 - place[0], 0.5 - place[1]);
   DrawList moved = list;
   moved.coverage = Coverage::centre;
-  const Overloaded move = {[&](FillPath& path) {
-                             for (Segment& edge : path.edges) edge.a += shift, edge.b += shift;
-                           },
-                           [&](FillRing& ring) { ring.centre += shift; }};
-  for (DrawItem& item : moved.items) std::visit(move, item.region);
+  for (DrawItem& item : moved.items)
+    std::visit([&](auto& region) { move(region, shift); }, item.region);
   return moved;
 }
 
