@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace flatray {
 namespace {
@@ -14,11 +13,6 @@ const Backend* find_backend(const std::string& name) {
   for (const Backend* one : backends())
     if (name == one->name) return one;
   return nullptr;
-}
-
-std::string module_file() {
-  const char* file = std::getenv("FLATRAY_GL_MODULE");
-  return file == nullptr ? "" : file;
 }
 
 Result<unsigned> samples(const Arguments& arguments, const std::string& backend) {
@@ -43,7 +37,7 @@ Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& argumen
   if (!count) return tl::unexpected(count.error());
   const Backend* backend = find_backend(*name == "auto" ? "gl" : *name);
   if (*name == kSoftware || backend == nullptr) return nullptr;
-  Result<std::unique_ptr<Renderer>> opened = backend->open({threads, *count, module_file()});
+  Result<std::unique_ptr<Renderer>> opened = backend->open({threads, *count});
   if (opened) return std::shared_ptr<const Renderer>(std::move(*opened));
   if (*name == "auto") return nullptr;
   return fail(std::move(opened));
@@ -52,7 +46,7 @@ Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& argumen
 std::string backends_text() {
   std::string text = kSoftware;
   if (const Backend* gl = find_backend("gl")) {
-    const auto opened = gl->open({1, 4, module_file()});
+    const auto opened = gl->open({1, 4});
     text += opened ? ", " + (*opened)->description() : std::string("; no gl");
   }
   return text;

@@ -12,7 +12,7 @@ inline constexpr Option kSamplesOption = {"samples", '\0', "4|16|64",
                                           "samples of a pixel, for the GL back ends (default 4)"};
 
 /// The renderer that --backend and --samples name, opened; null for the software back end, which
-/// needs none. `auto`: GL where it is to be had. The module is FLATRAY_GL_MODULE, where that is set.
+/// needs none. `auto`: GL where it is to be had.
 /// Error   Trouble::usage; Trouble::unavailable, and what to install.
 Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
                                                         unsigned threads);

@@ -25,9 +25,8 @@ class Renderer {
 
 /// What the user chose of a back end.
 struct BackendChoice {
-  unsigned threads = 1;     ///< that will draw at the same time
-  unsigned samples = 4;     ///< of a pixel, where the back end takes samples: 4, 16 or 64
-  std::string module = {};  ///< file to load; "": looked for where it is built and installed
+  unsigned threads = 1;  ///< that will draw at the same time
+  unsigned samples = 4;  ///< of a pixel, where the back end takes samples: 4, 16 or 64
 };
 
 /// One way to draw. Nothing of it is loaded or started before `open`.

@@ -57,10 +57,7 @@ class Builder {
 
   Result<void> add(const DrawItem& item) {
     if (item.colour.a == 0) return {};
-    if (const auto* path = std::get_if<FillPath>(&item.region)) return add(*path, item.colour);
-    if (const auto* ring = std::get_if<FillRing>(&item.region)) return add(*ring, item.colour);
-    return fail({}, "the GL back end does not draw this kind of region", "say --backend software",
-                Trouble::unavailable);
+    return std::visit([&](const auto& region) { return add(region, item.colour); }, item.region);
   }
 
   Batches finish() && { return std::move(out_).finish(); }
@@ -96,6 +93,20 @@ class Builder {
       cover({outer, circle_ring(centre, ring.inner_radius, guard_)}, FLATRAY_GL_FLIP, colour);
     else
       paint(outer, colour);
+    return {};
+  }
+
+  // A path of arcs that crosses itself nowhere, as chords.
+  Result<void> add(const FillArcs& region, const LinearColour& colour) {
+    Ring ring = flattened(region.path, 1 / kGridSteps);
+    if (ring.size() < 4) return {};
+    ring.pop_back();  // the first again
+    for (Vec2& point : ring) point -= origin_;
+    if (!meet(bounds_of(ring), box_)) return {};
+    if (non_convex_vertex(ring))
+      cover({ring}, FLATRAY_GL_FLIP, colour);
+    else
+      paint(ring, colour);
     return {};
   }
 

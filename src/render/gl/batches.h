@@ -18,9 +18,9 @@ struct Batches {
 /// Needs   a tile of at most FLATRAY_GL_TILE pixels each way.
 /// Gives   items in an order that shows the same: convex regions in one batch, as far as nothing
 ///         between them lies in the same place; of other regions first their marks, then their
-///         light. Circles as chords within 1/256 of a pixel.
+///         light. Curves as chords within 1/256 of a pixel.
 /// Error   Trouble::unavailable for what no batch can draw: regions that may wind more than 255
-///         times round a point, and kinds of regions this back end does not know.
+///         times round a point.
 /// Cost    O(edges), O(edges log edges) for those not in the order of their rings.
 Result<Batches> batches(const DrawList& list, const PixelBox& tile);
 

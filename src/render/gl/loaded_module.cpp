@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 namespace flatray::gl {
@@ -17,8 +18,9 @@ tl::unexpected<Diagnostics> unavailable(std::string message, std::string hint) {
 }
 
 // Where a module may be: beside the program as built, and where `cmake --install` puts it.
-std::vector<fs::path> candidates(const std::string& file) {
-  if (!file.empty()) return {file};
+std::vector<fs::path> candidates() {
+  const char* file = std::getenv("FLATRAY_GL_MODULE");
+  if (file != nullptr && *file != '\0') return {file};
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
   return {folder / kModuleFile, folder / FLATRAY_GL_INSTALLED};
@@ -35,22 +37,22 @@ Result<const FlatrayGlModule*> load(const fs::path& file) {
   return module;
 }
 
-Result<const FlatrayGlModule*> find_module(const std::string& file) {
+Result<const FlatrayGlModule*> find_module() {
+  const std::vector<fs::path> files = candidates();
   std::error_code ignored;
-  for (const fs::path& candidate : candidates(file))
-    if (fs::exists(candidate, ignored)) return load(candidate);
+  for (const fs::path& file : files)
+    if (fs::exists(file, ignored)) return load(file);
   return unavailable(
-      fmt::format("{} is not there", file.empty() ? "the module flatray_gl.so" : file),
+      fmt::format("the module {} is not there", files.front().string()),
       "tools/setup --gl installs what it is built from; then build again, or say --backend "
       "software");
 }
 
 }  // namespace
 
-Result<std::unique_ptr<LoadedModule>> LoadedModule::open(const std::string& file,
-                                                         const std::string& maker,
+Result<std::unique_ptr<LoadedModule>> LoadedModule::open(const std::string& maker,
                                                          unsigned threads) {
-  const Result<const FlatrayGlModule*> module = find_module(file);
+  const Result<const FlatrayGlModule*> module = find_module();
   if (!module) return tl::unexpected(module.error());
   std::vector<std::string> makers = {maker};
   if (maker == "gl") makers = {"osmesa", "egl"};

@@ -13,11 +13,11 @@ namespace flatray::gl {
 /// for the next tile; any number of threads may draw.
 class LoadedModule {
  public:
-  /// Loads `file`, or where that is "" the module beside the program or where it is installed.
+  /// Loads the file that FLATRAY_GL_MODULE names, or else the module beside the program or where it
+  /// is installed.
   /// `maker`: "osmesa", "egl", or "gl" for the first of these that works.
   /// Error   Trouble::unavailable, and what to install.
-  static Result<std::unique_ptr<LoadedModule>> open(const std::string& file,
-                                                    const std::string& maker, unsigned threads);
+  static Result<std::unique_ptr<LoadedModule>> open(const std::string& maker, unsigned threads);
   ~LoadedModule();
   LoadedModule(const LoadedModule&) = delete;
   LoadedModule& operator=(const LoadedModule&) = delete;

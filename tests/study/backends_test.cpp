@@ -1,0 +1,163 @@
+// needs: gl
+// The GL back ends against exact samples: what they draw, on real Mesa.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "base/philox.h"
+#include "base/portable_math.h"
+#include "render/backend.h"
+#include "study/point_samples.h"
+
+namespace flatray {
+namespace {
+
+constexpr int kWidth = 97, kHeight = 71;
+
+class GlBackends : public testing::Test {
+ protected:
+  static std::unique_ptr<Renderer> opened(const std::string& name, unsigned samples) {
+    setenv("FLATRAY_GL_MODULE", FLATRAY_BINARY_DIR "/flatray_gl.so", 1);
+    for (const Backend* one : backends())
+      if (name == one->name) {
+        auto renderer = one->open({2, samples});
+        EXPECT_TRUE(renderer) << format(renderer.error());
+        return renderer ? std::move(*renderer) : nullptr;
+      }
+    return nullptr;
+  }
+};
+
+// Numbers of one random list.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed) : seed_(seed) {}
+  double operator()(double low, double high) {
+    return low + (high - low) * 0x1p-64 *
+                     static_cast<double>(random_bits(seed_, Stream::test, 0, 0, next_++));
+  }
+
+ private:
+  std::uint64_t seed_;
+  std::uint32_t next_ = 0;
+};
+
+// `corners` on a circle, every `step`-th after another: convex for step 1, a star for more.
+void add_star(Draws& draw, int corners, int step, double reach, std::vector<Segment>& edges) {
+  const Vec2 centre(draw(0, kWidth), draw(0, kHeight));
+  const double radius = draw(1, reach), turn = draw(0, 6);
+  const auto corner = [&](int i) {
+    const double angle = turn + 2 * std::numbers::pi * (i % corners) / corners;
+    return Vec2(centre + radius * Vec2(portable::cos(angle), portable::sin(angle)));
+  };
+  for (int i = 0; i < corners; ++i) edges.push_back({corner(i * step), corner((i + 1) * step)});
+}
+
+DrawItem random_item(Draws& draw) {
+  const auto any = [&](int count) { return static_cast<int>(draw(0, count)); };
+  const auto light = [&] { return static_cast<float>(draw(0, 1)); };
+  const LinearColour colour{light(), light(), light(), any(2) == 0 ? 1.0F : light()};
+  const double reach = any(8) == 0 ? 1e9 : any(4) == 0 ? 3000 : 40;
+  if (any(4) == 0) {
+    const double radius = draw(0.5, reach);
+    return {
+        FillRing{
+            {draw(0, kWidth), draw(0, kHeight)}, radius, any(2) == 0 ? -1 : draw(0, 1) * radius},
+        colour};
+  }
+  FillPath path;
+  path.rule = any(2) == 0 ? FillRule::nonzero : FillRule::even_odd;
+  const int stars = 1 + any(4), step = any(2) == 0 ? 1 : 2 + any(2);
+  for (int i = 0; i < stars; ++i) add_star(draw, 5 + 2 * any(4), step, reach, path.edges);
+  if (any(3) == 0) std::reverse(path.edges.begin(), path.edges.end());  // rings out of order
+  return {std::move(path), colour};
+}
+
+DrawList random_list(std::uint64_t seed) {
+  Draws draw(seed);
+  DrawList list{kWidth, kHeight, {0.2F, 0.4F, 0.1F, 1}, Coverage::area, {}};
+  if (seed % 3 == 0) list.background.a = 0.3F;
+  if (seed % 5 == 0) list.coverage = Coverage::centre;
+  const int items = static_cast<int>(draw(1, 30));
+  for (int i = 0; i < items; ++i) list.items.push_back(random_item(draw));
+  return list;
+}
+
+TEST_F(GlBackends, DrawWhatExactSamplesSee) {
+  for (const unsigned samples : {4U, 16U}) {
+    const auto renderer = opened("gl", samples);
+    ASSERT_TRUE(renderer);
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const DrawList list = random_list(seed);
+      Image drawn;
+      const auto done = renderer->draw(list, {}, drawn);
+      ASSERT_TRUE(done) << format(done.error());
+      const DifferenceCauses why = difference_causes(
+          drawn, render_image(list, {}),
+          point_sampled(list, sample_places(list.coverage, samples), 1), edge_pixels(list));
+      EXPECT_EQ(why.unexplained, 0U) << "seed " << seed << ", samples " << samples;
+      EXPECT_LE(why.flat_worst, 1) << "seed " << seed << ", samples " << samples;
+      EXPECT_LE(50 * why.rounded, why.edge + 100) << "seed " << seed << ", samples " << samples;
+    }
+  }
+}
+
+TEST_F(GlBackends, CentresOnOutlinesGoRightAndDown) {
+  DrawList list{9, 7, {1, 1, 1, 1}, Coverage::centre, {}};
+  const Vec2 a(1.5, 1.5), b(6.5, 1.5), c(6.5, 4.5), d(1.5, 4.5), tip(4.5, 6.5);
+  list.items.push_back(
+      {FillPath{{{a, b}, {b, c}, {c, d}, {d, a}}, FillRule::nonzero, true}, {0, 0, 0, 1}});
+  list.items.push_back(
+      {FillPath{{{d, c}, {c, tip}, {tip, d}}, FillRule::nonzero, true}, {1, 0, 0, 0.5F}});
+  Image drawn;
+  ASSERT_TRUE(opened("gl", 4)->draw(list, {}, drawn));
+  EXPECT_EQ(drawn, render_image(list, {}));
+}
+
+TEST_F(GlBackends, TilesAndCropsShowTheSame) {
+  DrawList list = random_list(7);
+  list.width = 2100;
+  const auto renderer = opened("gl", 4);
+  Image whole, part;
+  ASSERT_TRUE(renderer->draw(list, {}, whole));
+  ASSERT_TRUE(renderer->draw(list, {PixelBox{1990, 3, 100, 40}, 1, false}, part));
+  for (int y = 0; y < part.height; ++y)
+    EXPECT_TRUE(std::equal(part.at(0, y), part.at(0, y) + 3 * part.width, whole.at(1990, y + 3)));
+}
+
+TEST_F(GlBackends, ThreadsDrawSideBySide) {
+  const auto renderer = opened("gl", 4);
+  std::vector<Image> pictures(24);
+  parallel_for(pictures.size(), 4, [&](std::size_t i) {
+    ASSERT_TRUE(renderer->draw(random_list(i % 6), {}, pictures[i]));
+  });
+  for (std::size_t i = 6; i < pictures.size(); ++i) EXPECT_EQ(pictures[i], pictures[i % 6]) << i;
+}
+
+TEST_F(GlBackends, ALinearPictureHasTheLightOfTheOther) {
+  const auto renderer = opened("gl", 4);
+  const DrawList list{3, 2, {0.25F, 0.5F, 4, 1}, Coverage::area, {}};
+  LinearImage light;
+  ASSERT_TRUE(renderer->draw(list, {}, light));
+  for (std::size_t i = 0; i < light.pixels.size(); ++i)
+    EXPECT_EQ(light.pixels[i], (std::array{0.25F, 0.5F, 4.0F}[i % 3]));  // nothing is clamped
+}
+
+TEST_F(GlBackends, ARegionThatMayWindTooOftenIsRefused) {
+  DrawList list{kWidth, kHeight, {1, 1, 1, 1}, Coverage::area, {}};
+  Draws draw(1);
+  FillPath path;
+  for (int i = 0; i < 300; ++i) add_star(draw, 5, 2, 40, path.edges);
+  list.items.push_back({path, {0, 0, 0, 0.5F}});
+  Image drawn;
+  const auto done = opened("gl", 4)->draw(list, {}, drawn);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().front().trouble, Trouble::unavailable);
+  std::get<FillPath>(list.items.front().region).rule = FillRule::even_odd;  // which never counts
+  EXPECT_TRUE(opened("gl", 4)->draw(list, {}, drawn));
+}
+
+}  // namespace
+}  // namespace flatray
