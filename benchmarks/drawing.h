@@ -16,6 +16,7 @@ inline flatray::DrawList draw_list(const std::vector<Polygon>& polygons, int wid
     flatray::FillPath path;
     path.simple = true;
     const auto& corners = polygon.corners;
+    path.edges.reserve(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
       path.edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
     const auto& [r, g, b] = polygon.colour;

@@ -12,7 +12,7 @@ using Shown = std::array<std::uint8_t, 4>;
 constexpr int kGroup = 8;  // pixels looked at together
 
 // Whether the next eight names are the same.
-bool all_same(const std::uint32_t* names) {
+inline bool all_same(const std::uint32_t* names) {
   std::uint64_t pairs[kGroup / 2];
   std::memcpy(pairs, names, sizeof pairs);
   const std::uint64_t first = names[0] | std::uint64_t{names[0]} << 32;
@@ -37,10 +37,12 @@ void show_row(const Shown* shown, const std::uint32_t* names, int count, std::ui
     std::uint64_t group[kGroup * kChannels / 8 + 1];
     put_group<kChannels>(shown, names + i, reinterpret_cast<std::uint8_t*>(group));
     const std::uint32_t name = names[i];
-    do {
+    bool same = true;
+    while (same) {
       std::memcpy(out + kChannels * i, group, kGroup * kChannels);
       i += kGroup;
-    } while (i + kGroup < count && names[i] == name && all_same(names + i));
+      same = i + kGroup < count && names[i] == name && all_same(names + i);
+    }
   }
   for (; i < count; ++i) std::memcpy(out + kChannels * i, &shown[names[i]], kChannels);
 }

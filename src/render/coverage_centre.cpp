@@ -53,7 +53,61 @@ void CentreScan::add_edge(const Segment& edge) {
     const int column = certain == kernels::kNoColumn
                            ? first_right(ready, row + 0.5, box_, stats_)
                            : static_cast<int>(std::clamp<double>(certain, box_.x, end));
-    if (column < end) steps_.push_back({row, column, ready.direction});
+    if (column < end) add_step(row, column, ready.direction);
+  }
+}
+
+void CentreScan::begin_rows() {
+  few_steps_ = true;
+  steps_.clear();
+  first_row_ = box_.y + box_.height;
+  last_row_ = box_.y - 1;
+  rows_.resize(static_cast<std::size_t>(box_.height));
+  for (FewSteps& row : rows_) row.count = 0;
+}
+
+// Rows of convex regions have two steps, which need no sorting.
+void CentreScan::add_step(int row, int column, int change) {
+  ++stats_.edge_pixels;
+  if (!few_steps_) return steps_.push_back({row, column, change});
+  FewSteps& few = rows_[static_cast<std::size_t>(row - box_.y)];
+  first_row_ = std::min(first_row_, row);
+  last_row_ = std::max(last_row_, row);
+  if (few.count < few.steps.size()) {
+    few.steps[few.count++] = {row, column, change};
+    return;
+  }
+  few_steps_ = false;
+  for (const FewSteps& of_row : rows_)
+    steps_.insert(steps_.end(), of_row.steps.begin(), of_row.steps.begin() + of_row.count);
+  steps_.push_back({row, column, change});
+}
+
+void CentreScan::add_runs_of_few(FillRule rule, RunList& out) {
+  const int end = box_.x + box_.width;
+  for (int row = first_row_; row <= last_row_; ++row) {
+    FewSteps& few = rows_[static_cast<std::size_t>(row - box_.y)];
+    if (few.count == 0) continue;
+    auto [first, second] = few.steps;
+    if (few.count == 1) second = {row, end, 0};
+    if (second.column < first.column) std::swap(first, second);
+    if (covers(rule, first.change)) out.add(row, first.column, second.column, kFullCoverage);
+    if (covers(rule, first.change + second.change)) out.add(row, second.column, end, kFullCoverage);
+  }
+}
+
+void CentreScan::add_runs(FillRule rule, RunList& out) {
+  std::sort(steps_.begin(), steps_.end(), [](const Step& a, const Step& b) {
+    return a.row != b.row ? a.row < b.row : a.column < b.column;
+  });
+  int winding = 0;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    winding += steps_[i].change;
+    const bool last = i + 1 == steps_.size() || steps_[i + 1].row != steps_[i].row;
+    if (covers(rule, winding))
+      out.add(steps_[i].row, steps_[i].column, last ? box_.x + box_.width : steps_[i + 1].column,
+              kFullCoverage);
+    if (last) winding = 0;
   }
 }
 
@@ -61,26 +115,17 @@ CoverageStats CentreScan::scan(const FillPath& path, const std::vector<std::uint
                                const PixelBox& box, RunList& out) {
   box_ = box;
   stats_ = {};
-  steps_.clear();
+  begin_rows();
   x_.resize(static_cast<std::size_t>(box.height) + kernels::kSlack);
   columns_.resize(x_.size());
   if (chosen == nullptr)
     for (const Segment& edge : path.edges) add_edge(edge);
   else
     for (const std::uint32_t index : *chosen) add_edge(path.edges[index]);
-  std::sort(steps_.begin(), steps_.end(), [](const Step& a, const Step& b) {
-    return a.row != b.row ? a.row < b.row : a.column < b.column;
-  });
-  stats_.edge_pixels = steps_.size();
-  int winding = 0;
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    winding += steps_[i].change;
-    const bool last = i + 1 == steps_.size() || steps_[i + 1].row != steps_[i].row;
-    if (covers(path.rule, winding))
-      out.add(steps_[i].row, steps_[i].column, last ? box.x + box.width : steps_[i + 1].column,
-              kFullCoverage);
-    if (last) winding = 0;
-  }
+  if (few_steps_)
+    add_runs_of_few(path.rule, out);
+  else
+    add_runs(path.rule, out);
   return stats_;
 }
 

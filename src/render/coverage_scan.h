@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -115,12 +116,24 @@ class CentreScan {
   struct Step {
     int row, column, change;
   };
+  struct FewSteps {
+    std::array<Step, 2> steps;
+    std::uint8_t count = 0;
+  };
+  void begin_rows();
   void add_edge(const Segment& edge);
+  void add_step(int row, int column, int change);
+  void add_runs(FillRule rule, RunList& out);
+  void add_runs_of_few(FillRule rule, RunList& out);
 
   const kernels::SpanKernels& kernels_;
   PixelBox box_;
   CoverageStats stats_;
   std::vector<double> x_, columns_;
+  bool few_steps_ =
+      true;  ///< at most two in each row so far: they are in `rows_`, else in `steps_`
+  int first_row_ = 0, last_row_ = -1;  ///< rows with a step, while there are few
+  std::vector<FewSteps> rows_;
   std::vector<Step> steps_;
 };
 

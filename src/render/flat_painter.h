@@ -27,6 +27,7 @@ class FlatPainter {
 
   void begin(const PixelBox& box);
   void lay(const std::vector<Run>& runs, bool opaque, std::uint32_t name);
+  void add_fragment(int row, int x, std::uint32_t name, std::uint32_t steps);
   void settle_background();
   void blend_fragments();
   std::uint32_t add_colour(const LinearColour& colour);
