@@ -11,7 +11,7 @@ struct EntityState {
   Vec2 at{0, 0};
   double angle = 0;
   ShapeId shape = 0;
-  std::optional<Colour> fill;
+  std::optional<Paint> fill;
   std::optional<Stroke> stroke;
   std::optional<StateId> state;  ///< of its Markov chain
   std::uint32_t sub_state = 0;

@@ -57,8 +57,19 @@ bool same(const FillArcs& a, const FillArcs& b) {
                              same_bits(p.from, q.from) && same_bits(p.sweep, q.sweep);
                     });
 }
+bool same(const FilmGradient& a, const FilmGradient& b) {
+  return a.radial == b.radial && same(a.origin, b.origin) && same(a.axis, b.axis) &&
+         same_bits(a.per_pixel, b.per_pixel) &&
+         std::equal(a.stops.begin(), a.stops.end(), b.stops.begin(), b.stops.end(),
+                    [](const FilmGradient::Stop& p, const FilmGradient::Stop& q) {
+                      return same_bits(p.at, q.at) && same(p.colour, q.colour);
+                    });
+}
 bool same(const DrawItem& a, const DrawItem& b) {
-  if (a.region.index() != b.region.index() || !same(a.colour, b.colour)) return false;
+  if (a.region.index() != b.region.index() || !same(a.colour, b.colour) || a.layer != b.layer ||
+      !same_bits(a.opacity, b.opacity) || a.gradient.has_value() != b.gradient.has_value())
+    return false;
+  if (a.gradient && !same(*a.gradient, *b.gradient)) return false;
   return std::visit(
       [&b](const auto& region) {
         return same(region, std::get<std::decay_t<decltype(region)>>(b.region));

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -33,9 +34,31 @@ struct FillArcs {
   ArcPath path;
 };
 
+using Region = std::variant<FillPath, FillRing, FillArcs>;
+
+/// Colours by a number t of each point p of the film: along a line (p - origin) . axis, round a
+/// point |p - origin| * per_pixel. A pixel has the colour of its centre.
+struct FilmGradient {
+  struct Stop {
+    double at;  ///< rising or equal
+    LinearColour colour;
+  };
+  bool radial = false;
+  Vec2 origin{0, 0}, axis{0, 0};
+  double per_pixel = 0;
+  std::vector<Stop> stops;  ///< at least one
+};
+
 struct DrawItem {
-  std::variant<FillPath, FillRing, FillArcs> region;
+  Region region;
+  /// Of a gradient its first stop's, but a is 1 only where all of it is opaque, and 0 only where
+  /// none is seen.
   LinearColour colour;
+  std::optional<FilmGradient> gradient{};
+  /// Not 0: items of one number, which follow one another, are painted on a clear layer of their
+  /// own, and that is laid over the picture, faded by `opacity`.
+  std::uint32_t layer = 0;
+  float opacity = 1;
 };
 
 /// What every back end draws: items in order, over the background.

@@ -4,10 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "geom/polygon.h"
-#include "image/srgb.h"
-#include "render/stroke.h"
-#include "scene/outline.h"
+#include "render/gradient.h"
 
 namespace flatray {
 
@@ -22,46 +19,6 @@ std::vector<const Pass*> passes() {
 #undef FLATRAY_ENTRY
   };
 }
-
-namespace {
-
-LinearColour linear(const Colour& colour) {
-  return {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b),
-          static_cast<float>(colour.a) / 255.0F};
-}
-
-// The outline in film coordinates. The film's y points down, so what runs counter-clockwise in the
-// world is walked backwards: its winding stays +1.
-std::vector<Segment> film_edges(const Shape& shape, const Pose& world_from_shape,
-                                const FilmTransform& film_from_world) {
-  const auto film = [&](std::uint32_t vertex) {
-    return film_from_world(world_from_shape(shape.vertices[vertex]));
-  };
-  std::vector<Segment> edges;
-  for (const OutlineEdge& edge : outline(shape)) edges.push_back({film(edge.to), film(edge.from)});
-  return edges;
-}
-
-ArcPath film_path(const ArcPath& path, const Pose& world_from_shape,
-                  const FilmTransform& film_from_world) {
-  ArcPath there = posed(path, world_from_shape);
-  for (EllipseArc& arc : there.arcs) {
-    arc.centre = film_from_world(arc.centre);
-    arc.u = film_from_world.direction(arc.u);
-    arc.v = film_from_world.direction(arc.v);
-  }
-  return there;
-}
-
-// A convex ring may not be one after its corners were rounded to the film.
-bool still_convex(const std::vector<Segment>& ring) {
-  std::vector<Vec2> corners;
-  corners.reserve(ring.size());
-  for (const Segment& edge : ring) corners.push_back(edge.a);
-  return !non_convex_vertex(corners);
-}
-
-}  // namespace
 
 DrawContext::DrawContext(const Scene& scene_, const FrameState& state_)
     : scene(scene_), state(state_), film_from_world(scene_.film, state_) {}
@@ -95,67 +52,61 @@ double DrawContext::half_width_px(const Stroke& stroke) const {
   return 0.5 * (stroke.in_pixels ? stroke.width : film_from_world.length(stroke.width));
 }
 
-void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
-                            const std::optional<Colour>& fill,
-                            const std::optional<Stroke>& stroke) {
-  std::vector<Segment> edges = film_edges(shape, world_from_shape, film_from_world);
-  std::vector<Circle> circles;
-  for (const Circle& circle : shape.circles)
-    circles.push_back(
-        {film_from_world(world_from_shape(circle.centre)), film_from_world.length(circle.radius)});
-  std::vector<Segment> crossing;
-  for (const std::vector<Vec2>& ring : shape.crossing_rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      crossing.push_back({film_from_world(world_from_shape(ring[i])),
-                          film_from_world(world_from_shape(ring[(i + 1) % ring.size()]))});
-  std::vector<ArcPath> paths;
-  for (const ArcPath& path : shape.arc_paths)
-    paths.push_back(film_path(path, world_from_shape, film_from_world));
-  if (fill) {
-    const LinearColour colour = linear(*fill);
-    if (!edges.empty())
-      add({FillPath{edges, FillRule::nonzero, shape.piece_count() == 1 && still_convex(edges)},
-           colour});
-    if (!crossing.empty()) add({FillPath{crossing, FillRule::even_odd, false}, colour});
-    for (const Circle& circle : circles) add({FillRing{circle.centre, circle.radius}, colour});
-    for (const ArcPath& path : paths)
-      if (path.closed) add({FillArcs{path}, colour});
+LineLook DrawContext::look_of(const Stroke& stroke) const {
+  LineLook look{{half_width_px(stroke), stroke.joins, stroke.caps, stroke.miter_limit}, {}, 0};
+  if (stroke.dashes == kNoEntry) return look;
+  const auto length = [&](double d) { return stroke.in_pixels ? d : film_from_world.length(d); };
+  for (const double d : scene.dashes[stroke.dashes]) look.dashes.push_back(length(d));
+  look.dash_offset = length(stroke.dash_offset);
+  return look;
+}
+
+void DrawContext::add_regions(std::vector<Region>&& regions, const Paint& paint,
+                              const Pose& place) {
+  DrawItem item;
+  item.colour = linear(paint);
+  if (paint.gradient != kNoEntry) {
+    item.gradient = film_gradient(scene.gradients[paint.gradient], place, film_from_world);
+    item.colour = summary(*item.gradient);
   }
-  if (stroke) {
-    edges.insert(edges.end(), crossing.begin(), crossing.end());
-    for (const Segment& segment : shape.segments)
-      edges.push_back({film_from_world(world_from_shape(segment.a)),
-                       film_from_world(world_from_shape(segment.b))});
-    for (const ArcPath& path : paths) {
-      const std::vector<Vec2> points = flattened(path, kCapSagitta_px);
-      for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        edges.push_back({points[i], points[i + 1]});
-    }
-    add_outline(edges, circles, *stroke);
+  for (Region& region : regions) {
+    item.region = std::move(region);
+    add(DrawItem(item));
   }
 }
 
-void DrawContext::add_outline(const std::vector<Segment>& edges, std::span<const Circle> circles,
-                              const Stroke& stroke) {
-  const double half = half_width_px(stroke);
-  if (!(half > 0)) return;
-  FillPath path;
-  for (const Segment& edge : edges) add_capsule(edge, half, path.edges);
-  if (!path.edges.empty()) add({std::move(path), linear(stroke.colour)});
-  for (const Circle& circle : circles)
-    add({FillRing{circle.centre, circle.radius + half, circle.radius - half},
-         linear(stroke.colour)});
+void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
+                            const std::optional<Paint>& fill, const std::optional<Stroke>& stroke) {
+  const FilmShape there = film_shape(shape, world_from_shape, film_from_world);
+  if (fill) add_regions(fill_regions(there), *fill, world_from_shape);
+  if (stroke) add_regions(line_regions(there, look_of(*stroke)), stroke->colour, world_from_shape);
 }
 
 void DrawContext::add_lines(std::span<const Segment> world, const Stroke& stroke) {
-  std::vector<Segment> edges;
+  FilmShape lines;
   for (const Segment& line : world)
-    edges.push_back({film_from_world(line.a), film_from_world(line.b)});
-  add_outline(edges, {}, stroke);
+    lines.segments.push_back({film_from_world(line.a), film_from_world(line.b)});
+  add_regions(line_regions(lines, look_of(stroke)), stroke.colour, world_pose(state));
 }
 
 void DrawContext::add_mark(const Vec2& world, double radius_px, const Colour& colour) {
   add({FillRing{film_from_world(world), radius_px}, linear(colour)});
+}
+
+// One item fades by its own colours.
+void DrawContext::fade_from(std::size_t first, float opacity) {
+  if (items_.size() == first + 1) {
+    DrawItem& item = items_.back().item;
+    item.colour.a *= opacity;
+    if (item.gradient)
+      for (FilmGradient::Stop& stop : item.gradient->stops) stop.colour.a *= opacity;
+    return;
+  }
+  ++layers_;
+  for (std::size_t i = first; i < items_.size(); ++i) {
+    items_[i].item.layer = layers_;
+    items_[i].item.opacity = opacity;
+  }
 }
 
 }  // namespace flatray

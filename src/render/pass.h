@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "anim/world.h"
-#include "render/draw_list.h"
-#include "render/film_transform.h"
+#include "render/film_shape.h"
 
 namespace flatray {
 
@@ -31,12 +30,20 @@ class DrawContext {
   const World& world();
 
   /// `shape` posed in the world, filled and outlined.
-  void add_shape(const Shape& shape, const Pose& world_from_shape,
-                 const std::optional<Colour>& fill, const std::optional<Stroke>& stroke);
+  void add_shape(const Shape& shape, const Pose& world_from_shape, const std::optional<Paint>& fill,
+                 const std::optional<Stroke>& stroke);
   /// Lines of one stroke as one region: where they cross, nothing shows twice. World coordinates.
   void add_lines(std::span<const Segment> world, const Stroke& stroke);
   /// A round mark; radius in film pixels.
   void add_mark(const Vec2& world, double radius_px, const Colour& colour);
+
+  /// What `draw` adds is one picture, which is then faded.
+  template <class Draw>
+  void fade(double opacity, const Draw& draw) {
+    const std::size_t first = items_.size();
+    draw();
+    if (opacity < 1) fade_from(first, static_cast<float>(opacity));
+  }
 
   /// Half the width of a stroke, film pixels.
   double half_width_px(const Stroke& stroke) const;
@@ -52,13 +59,15 @@ class DrawContext {
     DrawItem item;
   };
   void add(DrawItem&& item);
-  void add_outline(const std::vector<Segment>& film_edges, std::span<const Circle> film_circles,
-                   const Stroke& stroke);
+  void add_regions(std::vector<Region>&& regions, const Paint& paint, const Pose& place);
+  void fade_from(std::size_t first, float opacity);
+  LineLook look_of(const Stroke& stroke) const;
 
   std::vector<Placed> items_;
   std::optional<World> world_;
   int layer_ = 0;
   std::uint64_t order_ = 0;
+  std::uint32_t layers_ = 0;  ///< numbers given to DrawItem::layer
 };
 
 /// One kind of thing drawn. `need` decides once a scene; `draw` adds a frame's items.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geom/ray.h"
+#include "scene/scene.h"
 
 namespace flatray {
 
@@ -11,11 +12,30 @@ namespace flatray {
 /// discretisation error; the straight sides of a stroke are exact.
 inline constexpr double kCapSagitta_px = 1.0 / 256;
 
-/// Adds the outline of a line of the given half width around a segment, with round ends: one convex
-/// ring of directed edges. Rings of neighbouring segments overlap in their round ends, so their
-/// union has round joins.
+/// Points joined by straight lines; those of a closed chain come back to the first. What has no
+/// length is a dot, whose square cap looks `ahead`.
+struct Chain {
+  std::vector<Vec2> points;
+  bool closed = false;
+  Vec2 ahead{1, 0};
+};
+
+/// A line's look in film pixels.
+struct LineStyle {
+  double half_width = 0.5;
+  LineJoin joins = LineJoin::round;
+  LineCap caps = LineCap::round;
+  double miter_limit = 4;
+};
+
+/// Adds the outline of a line along a chain. The rings of several chains may overlap: by nonzero
+/// winding all of them are one region.
 ///
-/// Units   film pixels. Needs half_width > 0. A segment without length is a disc.
-void add_capsule(const Segment& segment, double half_width, std::vector<Segment>& edges);
+/// Units   film pixels. Needs half_width > 0.
+/// Gives   rings that wind 1, 2, ... times round what the line covers. Joins whose miter is more
+///         than miter_limit times the line's width are bevels.
+/// Cost    two edges a leg, and those of its joins; where a chain turns by so little that a bevel
+///         stays within the sagitta, a round join is one edge.
+void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges);
 
 }  // namespace flatray

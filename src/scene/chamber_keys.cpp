@@ -46,6 +46,7 @@ constexpr Key<Chamber> kChamberKeys[] = {
     material_key<Chamber>("\"mirror\""),
     fill_key<Chamber>("\"none\""),
     stroke_key<Chamber>("{ width_px = 1.5, colour = \"#333333\" } without a fill"),
+    kOpacityKey<Chamber>,
     kLayerKey<Chamber>,
     {{"pillars", "[{ shape = ... }, ...]", "[]"}, &read_pillars},
 };

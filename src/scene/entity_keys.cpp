@@ -21,7 +21,8 @@ void read_look_stroke(Builder& builder, const Field& field, Look& look) {
 constexpr Key<Look> kLookKeys[] = {
     kNameKey<Look>,
     {{"shape", "{ KIND = { ... } }", "the entity's"}, &set_shape<Look>},
-    {{"fill", R"("#rrggbb" or "none")", "the entity's"}, &read_look_fill},
+    {{"fill", R"("#rrggbb", "none", { linear = { ... } } or { radial = { ... } })", "the entity's"},
+     &read_look_fill},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })", "the entity's"}, &read_look_stroke},
     {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
 };
@@ -99,6 +100,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     stroke_key<Entity>("\"none\"; a segment without fill and stroke has one"),
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" })", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
+    kOpacityKey<Entity>,
     kLayerKey<Entity>,
     material_key<Entity>("none: rays pass"),
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},

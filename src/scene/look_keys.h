@@ -12,8 +12,11 @@ inline constexpr Word<Material> kMaterials[] = {{"absorb", Material::absorb},
 /// `{ width, colour }`; what is not given stays as it is in `stroke`. False where it is wrong.
 bool read_stroke(Builder& builder, const Field& field, Stroke& stroke);
 
-/// Colour or stroke that may be "none"; what is wrong leaves `target` as it is.
-void read_fill(Builder& builder, const Field& field, std::optional<Colour>& target);
+/// Colour, or `{ linear = { ... } }` or `{ radial = { ... } }`.
+std::optional<Paint> read_paint(Builder& builder, const Field& field);
+
+/// Colour, gradient or stroke that may be "none"; what is wrong leaves `target` as it is.
+void read_fill(Builder& builder, const Field& field, std::optional<Paint>& target);
 void read_optional_stroke(Builder& builder, const Field& field, std::optional<Stroke>& target);
 
 /// Keys that several tables have alike.
@@ -42,12 +45,24 @@ template <class T>
 inline constexpr Key<T> kLayerKey = {{"layer", "whole number", "0"},
                                      &set_integer<&T::layer, -1000000, 1000000>};
 template <class T>
+void set_opacity(Builder& builder, const Field& field, T& target) {
+  const auto opacity = builder.in.number(field);
+  if (!opacity) return;
+  if (!(*opacity >= 0 && *opacity <= 1))
+    return builder.in.problem(field.value.where, field.name + " does not lie between 0 and 1",
+                              "0 is not seen, 1 is opaque");
+  target.opacity = *opacity;
+}
+template <class T>
+inline constexpr Key<T> kOpacityKey = {{"opacity", "number", "1"}, &set_opacity<T>};
+template <class T>
 constexpr Key<T> material_key(const char* fallback) {
   return {{"material", R"("absorb" or "mirror")", fallback}, &set_word<&T::material, kMaterials>};
 }
 template <class T>
 constexpr Key<T> fill_key(const char* fallback) {
-  return {{"fill", R"("#rrggbb" or "none")", fallback}, &set_fill<T>};
+  return {{"fill", R"("#rrggbb", "none", { linear = { ... } } or { radial = { ... } })", fallback},
+          &set_fill<T>};
 }
 template <class T>
 constexpr Key<T> stroke_key(const char* fallback) {
@@ -55,5 +70,6 @@ constexpr Key<T> stroke_key(const char* fallback) {
 }
 
 std::vector<TableInfo> look_tables();
+std::vector<TableInfo> gradient_tables();
 
 }  // namespace flatray

@@ -40,6 +40,7 @@ constexpr Key<RayPath> kRayKeys[] = {
       R"({ width_px = 1.5, colour = "#d62728" })"},
      &change_stroke<&RayPath::stroke>},
     {{"hit_points", "\"#rrggbb\"", "none"}, &set<&RayPath::hit_points>},
+    kOpacityKey<RayPath>,
     kLayerKey<RayPath>,
 };
 

@@ -15,11 +15,41 @@ struct Colour {
   bool operator==(const Colour&) const = default;
 };
 
-/// Line drawn along an outline, centred on it, round joins and caps.
+/// Colours along a line or round a point, interpolated as premultiplied linear light; beyond the
+/// first and the last they go on. In the coordinates of what is painted.
+struct Gradient {
+  struct Stop {
+    double at;  ///< in [0, 1], not falling
+    Colour colour;
+  };
+  bool radial = false;
+  Vec2 from{0, 0}, to{1, 0};  ///< radial: the centre, and a point of its circle
+  std::vector<Stop> stops;
+};
+
+inline constexpr std::uint32_t kNoEntry = ~std::uint32_t{0};
+
+/// A colour, or a gradient.
+struct Paint : Colour {
+  constexpr Paint() = default;
+  constexpr Paint(const Colour& colour, std::uint32_t gradient_ = kNoEntry)
+      : Colour(colour), gradient(gradient_) {}
+  std::uint32_t gradient = kNoEntry;  ///< index into Scene::gradients: it counts, not the colour
+};
+
+enum class LineJoin { round, miter, bevel };
+enum class LineCap { round, butt, square };
+
+/// Line drawn along an outline, centred on it.
 struct Stroke {
   double width = 1;
-  bool in_pixels = false;  ///< width in pixels of the film, else world units
-  Colour colour;
+  bool in_pixels = false;  ///< width and dashes in pixels of the film, else world units
+  Paint colour;
+  LineJoin joins = LineJoin::round;
+  LineCap caps = LineCap::round;
+  double miter_limit = 4;           ///< times the width; longer miters are bevels
+  std::uint32_t dashes = kNoEntry;  ///< index into Scene::dashes
+  double dash_offset = 0;
 };
 
 enum class Coverage { area, centre };
@@ -52,7 +82,7 @@ using ShapeId = std::uint32_t;  ///< index into Scene::shapes
 struct Look {
   std::string name;  ///< of the sub-state, "" if unnamed
   std::optional<ShapeId> shape;
-  std::optional<Colour> fill;
+  std::optional<Paint> fill;
   std::optional<Stroke> stroke;
   std::optional<Vec2> velocity;
 };
@@ -109,8 +139,9 @@ struct Entity {
   double angle = 0;             ///< radians, counter-clockwise
   Vec2 velocity{0, 0};          ///< world units a second
   double angular_velocity = 0;  ///< radians a second
-  std::optional<Colour> fill;
+  std::optional<Paint> fill;
   std::optional<Stroke> stroke;
+  double opacity = 1;                  ///< of fill and stroke together
   std::optional<Stroke> bounding_box;  ///< drawn when set
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
@@ -124,8 +155,9 @@ struct Chamber {
   std::string name;
   ShapeId shape = 0;
   Material material = Material::mirror;
-  std::optional<Colour> fill;
+  std::optional<Paint> fill;
   std::optional<Stroke> stroke;
+  double opacity = 1;  ///< of it and its pillars together
   int layer = 0;
   struct Pillar {
     std::string name;
@@ -133,7 +165,7 @@ struct Chamber {
     Vec2 at{0, 0};
     double angle = 0;
     Material material = Material::mirror;
-    std::optional<Colour> fill;
+    std::optional<Paint> fill;
     std::optional<Stroke> stroke;
   };
   std::vector<Pillar> pillars;
@@ -148,6 +180,7 @@ struct RayPath {
   unsigned bounces = 0;
   Stroke stroke;
   std::optional<Colour> hit_points;  ///< marks where it bounces
+  double opacity = 1;                ///< of the line and its marks together
   int layer = 0;
   Place where;
   std::uint64_t order = 0;
@@ -194,6 +227,8 @@ struct Scene {
   double fps = 24;
   std::uint64_t seed = 0;
   std::vector<Shape> shapes;
+  std::vector<Gradient> gradients;
+  std::vector<std::vector<double>> dashes;  ///< line, gap, ...: an even number, not all 0
   std::vector<Group> groups;
   std::vector<Entity> entities;
   std::vector<Chamber> chambers;

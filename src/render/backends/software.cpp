@@ -7,7 +7,9 @@
 #include "render/backend.h"
 #include "render/bands.h"
 #include "render/flat_painter.h"
+#include "render/gradient.h"
 #include "render/item_scan.h"
+#include "render/layer.h"
 #include "render/select_kernels.h"
 
 namespace flatray {
@@ -40,7 +42,7 @@ class BandPainter {
     ++counts_.bands;
     counts_.items += items.size();
     if (!scan(box, items)) kernels_.fill(tile_.rgba.data(), pixels, background().data());
-    for (auto it = scanned_.rbegin(); it != scanned_.rend(); ++it) blend(*it, box);
+    blend_all({tile_.rgba.data(), box.x, box.y, box.width}, box.height);
     return tile_;
   }
   Tile& tile() { return tile_; }
@@ -60,7 +62,7 @@ class BandPainter {
       const std::size_t begin = runs_.start();
       item_scan_.scan(items[i], box, runs_);
       scanned_.push_back({&item, begin, runs_.runs().size()});
-      if (!hide_ || item.colour.a != 1 || !covers_all(begin, box)) continue;
+      if (!hide_ || item.colour.a != 1 || item.opacity != 1 || !covers_all(begin, box)) continue;
       counts_.hidden_items += i;
       return true;
     }
@@ -78,10 +80,32 @@ class BandPainter {
                        });
   }
 
-  void blend(const Scanned& scanned, const PixelBox& box) {
-    kernels_.blend_runs({tile_.rgba.data(), box.x, box.y, box.width},
-                        runs_.runs().data() + scanned.begin, scanned.end - scanned.begin,
-                        premultiplied(scanned.item->colour).data());
+  void blend_all(const kernels::Target& target, int rows) {
+    for (auto it = scanned_.rbegin(); it != scanned_.rend();) {
+      const std::uint32_t layer = it->item->layer;
+      if (layer == 0) {
+        blend(*it++, target);
+        continue;
+      }
+      const auto end = std::find_if(it, scanned_.rend(),
+                                    [&](const Scanned& next) { return next.item->layer != layer; });
+      const std::size_t begin = (end - 1)->begin;
+      const PixelBox part = box_around(std::span(runs_.runs()).subspan(begin, it->end - begin));
+      layer_.clear(target, part, rows);
+      const float opacity = it->item->opacity;
+      for (; it != end; ++it) blend(*it, layer_.target());
+      layer_.lay_over(target, part, opacity);
+    }
+  }
+
+  void blend(const Scanned& scanned, const kernels::Target& target) {
+    const std::span<const Run> runs =
+        std::span(runs_.runs()).subspan(scanned.begin, scanned.end - scanned.begin);
+    if (scanned.item->gradient)
+      GradientPainter(*scanned.item->gradient).blend_runs(target, runs);
+    else
+      kernels_.blend_runs(target, runs.data(), runs.size(),
+                          premultiplied(scanned.item->colour).data());
   }
 
   Premultiplied background() const { return premultiplied(list_.background); }
@@ -94,6 +118,7 @@ class BandPainter {
   ItemScan item_scan_;
   RunList runs_;
   std::vector<Scanned> scanned_;
+  Layer layer_;
 };
 
 PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
@@ -112,15 +137,18 @@ void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
                       static_cast<std::size_t>(crop.height));
 }
 
-// The two ways to draw give the same pixels. Light, and all that shall be drawn even if hidden, goes
-// by blending every item in order.
+// The two ways to draw give the same pixels. Light, all that shall be drawn even if hidden, and
+// bands with gradients or layers go by blending every item in order.
 class BandsOfTask {
  public:
   BandsOfTask(const DrawList& list, const FrameOptions& options, DrawCounts& counts)
-      : flat_(list, counts), blended_(list, !options.keep_all, counts), plain_(!options.keep_all) {}
+      : list_(list),
+        flat_(list, counts),
+        blended_(list, !options.keep_all, counts),
+        plain_(!options.keep_all) {}
 
   void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out) {
-    if (plain_)
+    if (plain_ && all_flat(items))
       flat_.paint(box, items, y, out);
     else
       draw_blended(box, items, y, out);
@@ -130,6 +158,13 @@ class BandsOfTask {
   }
 
  private:
+  bool all_flat(const std::vector<BandItem>& items) const {
+    return std::all_of(items.begin(), items.end(), [this](const BandItem& one) {
+      const DrawItem& item = list_.items[one.item];
+      return !item.gradient && item.layer == 0;
+    });
+  }
+
   template <class Picture>
   void draw_blended(const PixelBox& box, const std::vector<BandItem>& items, int y, Picture& out) {
     blended_.tile().x = 0;
@@ -137,6 +172,7 @@ class BandsOfTask {
     develop(blended_.paint(box, items), out);
   }
 
+  const DrawList& list_;
   FlatPainter flat_;
   BandPainter blended_;
   const bool plain_;

@@ -57,6 +57,9 @@ class Builder {
 
   Result<void> add(const DrawItem& item) {
     if (item.colour.a == 0) return {};
+    if (item.gradient || item.layer != 0)
+      return fail({}, "the GL back end draws no gradients, and no fill and stroke faded together",
+                  "say --backend software", Trouble::unavailable);
     return std::visit([&](const auto& region) { return add(region, item.colour); }, item.region);
   }
 

@@ -13,11 +13,13 @@ void draw(DrawContext& context) {
   const Scene& scene = context.scene;
   for (const Chamber& chamber : scene.chambers) {
     context.place(chamber.layer, chamber.order);
-    context.add_shape(scene.shapes[chamber.shape], world_pose(context.state), chamber.fill,
-                      chamber.stroke);
-    for (const Chamber::Pillar& pillar : chamber.pillars)
-      context.add_shape(scene.shapes[pillar.shape], pillar_pose(context.state, pillar), pillar.fill,
-                        pillar.stroke);
+    context.fade(chamber.opacity, [&] {
+      context.add_shape(scene.shapes[chamber.shape], world_pose(context.state), chamber.fill,
+                        chamber.stroke);
+      for (const Chamber::Pillar& pillar : chamber.pillars)
+        context.add_shape(scene.shapes[pillar.shape], pillar_pose(context.state, pillar),
+                          pillar.fill, pillar.stroke);
+    });
   }
 }
 

@@ -13,8 +13,10 @@ void draw(DrawContext& context) {
     const Entity& entity = context.scene.entities[i];
     const EntityState& now = context.state.entities[i];
     context.place(entity.layer, entity.order);
-    context.add_shape(context.scene.shapes[now.shape], entity_pose(context.state, i), now.fill,
-                      now.stroke);
+    context.fade(entity.opacity, [&] {
+      context.add_shape(context.scene.shapes[now.shape], entity_pose(context.state, i), now.fill,
+                        now.stroke);
+    });
   }
 }
 

@@ -32,26 +32,30 @@ std::vector<Segment> path(const Orbit& orbit, const Bounds& window) {
   return lines;
 }
 
-void draw(DrawContext& context) {
+void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
+  context.add_lines(path(orbit, context.state.window), ray.stroke);
+  if (!ray.hit_points) return;
+  const double radius_px = kMarkWidths * context.half_width_px(ray.stroke);
+  for (const Bounce& bounce : orbit.bounces)
+    context.add_mark(bounce.point, radius_px, *ray.hit_points);
+  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+    context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
+}
+
+void draw_all(DrawContext& context) {
   const World& world = context.world();
   const std::vector<Material> materials = world.materials();
   for (const RayPath& ray : context.scene.rays) {
     const Orbit orbit = trace_orbit(
         world.surfaces, materials, {world_pose(context.state)(ray.at), ray.direction}, ray.bounces);
     context.place(ray.layer, ray.order);
-    context.add_lines(path(orbit, context.state.window), ray.stroke);
-    if (!ray.hit_points) continue;
-    const double radius_px = kMarkWidths * context.half_width_px(ray.stroke);
-    for (const Bounce& bounce : orbit.bounces)
-      context.add_mark(bounce.point, radius_px, *ray.hit_points);
-    if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
-      context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
+    context.fade(ray.opacity, [&] { draw(context, ray, orbit); });
   }
 }
 
 }  // namespace
 
 extern const Pass orbits_pass;
-const Pass orbits_pass = {"orbits", &need, &draw};
+const Pass orbits_pass = {"orbits", &need, &draw_all};
 
 }  // namespace flatray

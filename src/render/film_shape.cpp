@@ -1,0 +1,99 @@
+#include "render/film_shape.h"
+
+#include "geom/polygon.h"
+#include "scene/outline.h"
+
+namespace flatray {
+namespace {
+
+// A convex ring may not be one after its corners were rounded to the film.
+bool still_convex(const std::vector<Segment>& ring) {
+  std::vector<Vec2> corners;
+  corners.reserve(ring.size());
+  for (const Segment& edge : ring) corners.push_back(edge.a);
+  return !non_convex_vertex(corners);
+}
+
+ArcPath film_path(ArcPath path, const FilmTransform& film_from_world) {
+  for (EllipseArc& arc : path.arcs) {
+    arc.centre = film_from_world(arc.centre);
+    arc.u = film_from_world.direction(arc.u);
+    arc.v = film_from_world.direction(arc.v);
+  }
+  return path;
+}
+
+std::vector<Chain> chains_of(const FilmShape& shape) {
+  std::vector<Chain> chains = rings_of(shape.edges);
+  for (const std::vector<Vec2>& ring : shape.crossing_rings) chains.push_back({ring, true});
+  for (Chain& line : chained(shape.segments)) chains.push_back(std::move(line));
+  for (const ArcPath& path : shape.arc_paths) chains.push_back(chain_of(path));
+  return chains;
+}
+
+}  // namespace
+
+// The film's y points down, so what runs counter-clockwise in the world is walked backwards: its
+// winding stays +1.
+FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
+                     const FilmTransform& film_from_world) {
+  const auto film = [&](const Vec2& point) { return film_from_world(world_from_shape(point)); };
+  FilmShape there;
+  const std::vector<OutlineEdge> edges = outline(shape);
+  for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge)
+    there.edges.push_back({film(shape.vertices[edge->to]), film(shape.vertices[edge->from])});
+  there.simple = shape.piece_count() == 1 && still_convex(there.edges);
+  for (const std::vector<Vec2>& ring : shape.crossing_rings) {
+    std::vector<Vec2>& points = there.crossing_rings.emplace_back();
+    for (const Vec2& point : ring) points.push_back(film(point));
+  }
+  for (const Circle& circle : shape.circles)
+    there.circles.push_back({film(circle.centre), film_from_world.length(circle.radius)});
+  for (const Segment& segment : shape.segments)
+    there.segments.push_back({film(segment.a), film(segment.b)});
+  for (const ArcPath& path : shape.arc_paths)
+    there.arc_paths.push_back(film_path(posed(path, world_from_shape), film_from_world));
+  return there;
+}
+
+std::vector<Region> fill_regions(const FilmShape& shape) {
+  std::vector<Region> regions;
+  if (!shape.edges.empty())
+    regions.push_back(FillPath{shape.edges, FillRule::nonzero, shape.simple});
+  FillPath crossing{{}, FillRule::even_odd, false};
+  for (const std::vector<Vec2>& ring : shape.crossing_rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      crossing.edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  if (!crossing.edges.empty()) regions.push_back(std::move(crossing));
+  for (const Circle& circle : shape.circles)
+    regions.push_back(FillRing{circle.centre, circle.radius});
+  for (const ArcPath& path : shape.arc_paths)
+    if (path.closed) regions.push_back(FillArcs{path});
+  return regions;
+}
+
+std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look) {
+  std::vector<Region> regions;
+  const double half = look.style.half_width;
+  if (!(half > 0)) return regions;
+  std::vector<Chain> chains = chains_of(shape);
+  FillPath path;
+  for (const Circle& circle : shape.circles)
+    if (look.dashes.empty())
+      regions.push_back(FillRing{circle.centre, circle.radius + half, circle.radius - half});
+    else
+      chains.push_back(
+          chain_of({{{circle.centre, {circle.radius, 0}, {0, -circle.radius}}}, true}));
+  for (const Chain& chain : chains) {
+    if (look.dashes.empty()) {
+      add_line(chain, look.style, path.edges);
+      continue;
+    }
+    for (const Chain& dash : dashed(chain, look.dashes, look.dash_offset))
+      add_line(dash, look.style, path.edges);
+  }
+  if (!path.edges.empty()) regions.push_back(std::move(path));
+  return regions;
+}
+
+}  // namespace flatray

@@ -1,0 +1,80 @@
+#include "render/gradient.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/srgb.h"
+
+namespace flatray {
+
+LinearColour linear(const Colour& colour) {
+  return {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b),
+          static_cast<float>(colour.a) / 255.0F};
+}
+
+// What is so short that its square is 0 has no length: all points then have t = 0.
+FilmGradient film_gradient(const Gradient& gradient, const Pose& world_from_shape,
+                           const FilmTransform& film_from_world) {
+  FilmGradient there;
+  there.radial = gradient.radial;
+  there.origin = film_from_world(world_from_shape(gradient.from));
+  const Vec2 along =
+      film_from_world.direction(world_from_shape.turned(gradient.to - gradient.from));
+  const double square = along.squaredNorm();
+  if (square > 0) {
+    there.axis = along / square;
+    there.per_pixel = 1 / std::sqrt(square);
+  }
+  for (const Gradient::Stop& stop : gradient.stops)
+    there.stops.push_back({stop.at, linear(stop.colour)});
+  return there;
+}
+
+LinearColour summary(const FilmGradient& gradient) {
+  LinearColour colour = gradient.stops.front().colour;
+  const auto all = [&](float alpha) {
+    return std::all_of(gradient.stops.begin(), gradient.stops.end(),
+                       [&](const FilmGradient::Stop& stop) { return stop.colour.a == alpha; });
+  };
+  colour.a = all(1) ? 1.0F : all(0) ? 0.0F : 0.5F;
+  return colour;
+}
+
+GradientPainter::GradientPainter(const FilmGradient& gradient) : gradient_(gradient) {
+  for (const FilmGradient::Stop& stop : gradient.stops) {
+    const LinearColour& c = stop.colour;
+    colours_.push_back({c.r * c.a, c.g * c.a, c.b * c.a, c.a});
+  }
+}
+
+std::array<float, 4> GradientPainter::at(const Vec2& point) const {
+  const double dx = point.x() - gradient_.origin.x(), dy = point.y() - gradient_.origin.y();
+  const double t = gradient_.radial ? std::sqrt(dx * dx + dy * dy) * gradient_.per_pixel
+                                    : dx * gradient_.axis.x() + dy * gradient_.axis.y();
+  const auto& stops = gradient_.stops;
+  std::size_t next = 0;
+  while (next < stops.size() && stops[next].at <= t) ++next;
+  if (next == 0) return colours_.front();
+  if (next == stops.size()) return colours_.back();
+  const double from = stops[next - 1].at;
+  const auto share = static_cast<float>((t - from) / (stops[next].at - from));
+  std::array<float, 4> colour = colours_[next - 1];
+  for (std::size_t i = 0; i < 4; ++i) colour[i] += (colours_[next][i] - colour[i]) * share;
+  return colour;
+}
+
+void GradientPainter::blend_runs(const kernels::Target& target,
+                                 std::span<const kernels::Run> runs) const {
+  for (const kernels::Run& run : runs) {
+    const auto row = static_cast<std::ptrdiff_t>(run.y - target.y) * target.width;
+    float* pixel = target.rgba + 4 * (row + (run.x_begin - target.x));
+    const float part = kernels::share(run.steps);
+    for (int x = run.x_begin; x < run.x_end; ++x, pixel += 4) {
+      const std::array<float, 4> colour = at({x + 0.5, run.y + 0.5});
+      const float keep = 1 - colour[3] * part;
+      for (std::size_t i = 0; i < 4; ++i) pixel[i] = colour[i] * part + pixel[i] * keep;
+    }
+  }
+}
+
+}  // namespace flatray

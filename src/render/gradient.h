@@ -1,0 +1,34 @@
+#pragma once
+#include "image/tile.h"
+#include "render/draw_list.h"
+#include "render/film_transform.h"
+#include "render/kernels/span_kernels.h"
+
+namespace flatray {
+
+LinearColour linear(const Colour& colour);
+
+FilmGradient film_gradient(const Gradient& gradient, const Pose& world_from_shape,
+                           const FilmTransform& film_from_world);
+
+/// The colour of an item that has this gradient.
+LinearColour summary(const FilmGradient& gradient);
+
+/// A gradient's colours, for the runs of a region.
+///
+/// Error   t in doubles, colours in floats, rounded step by step: the same bits on every machine.
+class GradientPainter {
+ public:
+  explicit GradientPainter(const FilmGradient& gradient);
+
+  /// Premultiplied, at a point of the film.
+  std::array<float, 4> at(const Vec2& point) const;
+  /// new = colour * share + old * (1 - alpha * share), as of one colour.
+  void blend_runs(const kernels::Target& target, std::span<const kernels::Run> runs) const;
+
+ private:
+  const FilmGradient& gradient_;
+  std::vector<std::array<float, 4>> colours_;
+};
+
+}  // namespace flatray

@@ -1,0 +1,45 @@
+#include "render/layer.h"
+
+#include <algorithm>
+
+namespace flatray {
+namespace {
+
+std::ptrdiff_t index_of(int x, int y, const kernels::Target& target) {
+  return 4 * (static_cast<std::ptrdiff_t>(y - target.y) * target.width + (x - target.x));
+}
+
+}  // namespace
+
+PixelBox box_around(std::span<const kernels::Run> runs) {
+  if (runs.empty()) return {};
+  int left = runs.front().x_begin, right = runs.front().x_end;
+  int top = runs.front().y, bottom = runs.front().y;
+  for (const kernels::Run& run : runs) {
+    left = std::min(left, run.x_begin);
+    right = std::max(right, run.x_end);
+    top = std::min(top, run.y);
+    bottom = std::max(bottom, run.y);
+  }
+  return {left, top, right - left, bottom - top + 1};
+}
+
+void Layer::clear(const kernels::Target& band, const PixelBox& part, int rows) {
+  x_ = band.x, y_ = band.y, width_ = band.width;
+  rgba_.resize(4 * static_cast<std::size_t>(band.width) * static_cast<std::size_t>(rows));
+  for (int y = part.y; y < part.y + part.height; ++y)
+    std::fill_n(rgba_.data() + index_of(part.x, y, target()), 4 * part.width, 0.0F);
+}
+
+void Layer::lay_over(const kernels::Target& band, const PixelBox& part, float opacity) const {
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    const float* from = rgba_.data() + index_of(part.x, y, band);
+    float* to = band.rgba + index_of(part.x, y, band);
+    for (int x = 0; x < part.width; ++x, from += 4, to += 4) {
+      const float keep = 1 - from[3] * opacity;
+      for (int i = 0; i < 4; ++i) to[i] = from[i] * opacity + to[i] * keep;
+    }
+  }
+}
+
+}  // namespace flatray
