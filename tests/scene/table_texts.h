@@ -32,6 +32,14 @@ inline constexpr TableText kTables[] = {
     {"repeat.scatter",
      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { scatter = { count = "
      "1, in = [[0, 0], [1, 1]], @ } }"},
+    {"linear",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nfill = { linear = { from = [0, "
+     "0], "
+     "to = [1, 0], stops = [\"#000000\", \"#ffffff\"], @ } }"},
+    {"radial",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nfill = { radial = { radius = "
+     "1, "
+     "stops = [\"#000000\", \"#ffffff\"], @ } }"},
     {"chamber", "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 1 } }\n@"},
     {"pillar",
      "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "

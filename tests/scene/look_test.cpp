@@ -1,0 +1,67 @@
+// needs: shapes/circle
+#include <gtest/gtest.h>
+
+#include "scene_text.h"
+
+namespace flatray {
+namespace {
+
+std::string with(const std::string& keys) { return with_shape("circle = { radius = 1 }") + keys; }
+
+TEST(Looks, AStrokeSaysHowItJoinsEndsAndBreaks) {
+  const Scene scene =
+      loaded(with("stroke = { width = 2, joins = \"miter\", caps = \"butt\", miter_limit = 10, "
+                  "dashes = [3, 1, 2], dash_offset = -1 }"))
+          .scene;
+  const Stroke& stroke = *scene.entities[0].stroke;
+  EXPECT_EQ(stroke.joins, LineJoin::miter);
+  EXPECT_EQ(stroke.caps, LineCap::butt);
+  EXPECT_EQ(stroke.miter_limit, 10);
+  EXPECT_EQ(stroke.dash_offset, -1);
+  EXPECT_EQ(scene.dashes.at(stroke.dashes), (std::vector<double>{3, 1, 2, 3, 1, 2}));
+}
+
+TEST(Looks, AGradientHasItsStopsEvenlyOrWhereTheyAreWritten) {
+  const Scene scene =
+      loaded(with("fill = { linear = { from = [0, 0], to = [0, 2], stops = [\"#000000\", "
+                  "\"#ff0000\", \"#ffffff00\"] } }\nstroke = { colour = { radial = { centre = [1, "
+                  "1], radius = 3, stops = [[0.25, \"#000000\"], [0.25, \"#ffffff\"]] } } }"))
+          .scene;
+  const Gradient& fill = scene.gradients.at(scene.entities[0].fill->gradient);
+  EXPECT_FALSE(fill.radial);
+  ASSERT_EQ(fill.stops.size(), 3U);
+  EXPECT_EQ(fill.stops[1].at, 0.5);
+  EXPECT_EQ(fill.stops[2].colour.a, 0);
+  const Gradient& stroke = scene.gradients.at(scene.entities[0].stroke->colour.gradient);
+  EXPECT_TRUE(stroke.radial);
+  EXPECT_EQ(stroke.to, Vec2(4, 1));
+  EXPECT_EQ(stroke.stops[0].at, 0.25);
+}
+
+TEST(Looks, WhatCannotBeDrawnIsRefused) {
+  const std::string line = "fill = { linear = { from = [0, 0], to = [1, 0], stops = ";
+  const Refused cases[] = {
+      {"stroke = { joins = \"mitre\" }", "(did you mean 'miter'?)"},
+      {"stroke = { caps = \"flat\" }", "5:19: error: unknown stroke.caps 'flat'"},
+      {"stroke = { miter_limit = 0.5 }", "stroke.miter_limit is below 1"},
+      {"stroke = { dashes = [] }", "stroke.dashes have no length"},
+      {"stroke = { dashes = [0, 0] }", "stroke.dashes have no length"},
+      {"stroke = { dashes = [1, -1] }", "5:25: error: stroke.dashes[1] is no length"},
+      {"stroke = { dash_offset = 1e301 }", "stroke.dash_offset lies beyond 1e300"},
+      {"opacity = 1.5", "5:11: error: entity.opacity does not lie between 0 and 1"},
+      {"opacity = -1", "0 is not seen, 1 is opaque"},
+      {line + "[\"#000000\"] } }", "linear.stops has 1 colours"},
+      {line + "[[0.5, \"#000000\"], [0.2, \"#000000\"]] } }", "comes before the one it follows"},
+      {line + "[[0, \"#000000\"], [2, \"#000000\"]] } }", "does not lie between 0 and 1"},
+      {line + "[[0], \"#000000\"] } }", "linear.stops[0] is not a place and a colour"},
+      {"fill = { linear = { from = [1, 1], to = [1, 1], stops = [\"#000000\", \"#000000\"] } }",
+       "5:19: error: the gradient has no length"},
+      {"fill = { radial = { radius = 0, stops = [\"#000000\", \"#000000\"] } }",
+       "radial.radius is not above 0"},
+      {"fill = { conic = {} }", "entity.fill is a table, not a string"},
+  };
+  expect_refused(cases, [](const std::string& keys) { return refusal(with(keys)); });
+}
+
+}  // namespace
+}  // namespace flatray
