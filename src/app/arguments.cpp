@@ -49,4 +49,13 @@ Result<std::string> Arguments::one_of(std::string_view name,
                      fmt::format("say {}", comma_list(words)));
 }
 
+tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
+                                         const std::vector<std::string>& known) {
+  const std::string near = nearest_word(word, known);
+  return usage_error(std::move(where),
+                     fmt::format("no {} is called '{}'{}", what, word,
+                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                     known.empty() ? "there is none" : "there are: " + comma_list(known));
+}
+
 }  // namespace flatray

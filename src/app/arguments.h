@@ -86,4 +86,8 @@ inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,
   return fail(std::move(where), std::move(message), std::move(hint), Trouble::usage);
 }
 
+/// Trouble::usage: "no WHAT is called 'word' (did you mean 'near'?)", and all of `known`.
+tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
+                                         const std::vector<std::string>& known);
+
 }  // namespace flatray

@@ -26,12 +26,16 @@ Result<unsigned> samples(const Arguments& arguments, const std::string& backend)
 
 }  // namespace
 
-Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
-                                                        unsigned threads) {
+std::vector<std::string> backend_names() {
   std::vector<std::string> names = {kSoftware, "auto"};
   for (const Backend* one : backends())
     if (one->name != names.front()) names.emplace_back(one->name);
-  const Result<std::string> name = arguments.one_of("backend", names);
+  return names;
+}
+
+Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
+                                                        unsigned threads) {
+  const Result<std::string> name = arguments.one_of("backend", backend_names());
   if (!name) return tl::unexpected(name.error());
   const Result<unsigned> count = samples(arguments, *name);
   if (!count) return tl::unexpected(count.error());

@@ -6,8 +6,13 @@
 
 namespace flatray {
 
-inline constexpr Option kBackendOption = {"backend", '\0', "NAME",
-                                          "what draws: software (default), gl, osmesa, egl, auto"};
+/// What --backend may be: the default first.
+std::vector<std::string> backend_names();
+
+inline constexpr Option kBackendOption = {
+    "backend",        '\0',
+    "NAME",           "what draws: software (default), gl, osmesa, egl, auto",
+    OptionKind::text, &backend_names};
 inline constexpr Option kSamplesOption = {"samples", '\0', "4|16|64",
                                           "samples of a pixel, for the GL back ends (default 4)"};
 

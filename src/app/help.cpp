@@ -112,11 +112,7 @@ Result<std::string> help_page(const std::string& name) {
     if (name == topic.name) return topic_text(topic);
   if (const std::vector<TableInfo> tables = tables_named(name); !tables.empty())
     return table_text(tables.front());
-  const std::string near = nearest_word(name, help_names());
-  return usage_error(named_place(name),
-                     near.empty() ? "there is no help of that name"
-                                  : fmt::format("no such topic (did you mean {}?)", near),
-                     "say one of: " + comma_list(help_names()));
+  return unknown_name(named_place("help"), "topic", name, help_names());
 }
 
 }  // namespace flatray

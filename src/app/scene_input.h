@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <array>
+
 #include "anim/frame_state.h"
 #include "app/arguments.h"
 #include "scene/load.h"
@@ -28,6 +31,16 @@ inline constexpr Option kCsvOption = {"csv", '\0', "", "print comma-separated va
                                       OptionKind::flag};
 inline constexpr Option kQuietOption = {"quiet", 'q', "", "print no warnings and no summary",
                                         OptionKind::flag};
+
+/// A verb's own options and those of every verb that reads scenes.
+template <std::size_t count>
+constexpr auto with_scene_options(const Option (&own)[count]) {
+  constexpr std::array kShared = {kDefineOption,   kMaxPixelsOption, kMaxEntitiesOption,
+                                  kMaxDepthOption, kMaxBytesOption,  kQuietOption};
+  std::array<Option, count + kShared.size()> all{};
+  std::copy(kShared.begin(), kShared.end(), std::copy(own, own + count, all.begin()));
+  return all;
+}
 
 /// --max-pixels, --seed, -j as given, or their defaults.
 Result<std::uint64_t> max_pixels(const Arguments& arguments);

@@ -26,6 +26,8 @@ struct Site {
   const std::vector<TableInfo>& tables;
   const std::string& table;
   const char* key;
+  bool drawn;          // whether values may be drawn at random
+  bool curve = false;  // whether numbers may change with time
 };
 
 bool has_keys(const TableInfo& table, const Takes& takes) {
@@ -35,27 +37,54 @@ bool has_keys(const TableInfo& table, const Takes& takes) {
   });
 }
 
-// The table called as the key, below its own or by itself; else the first that has the keys shown.
-std::string table_of(const Site& site, const Takes& takes) {
+// The table called as the key, below its own or by itself.
+std::optional<std::string> table_called(const Site& site) {
   for (const std::string& name : {site.table + "." + site.key, std::string(site.key)})
     for (const TableInfo& table : site.tables)
       if (table.table == name) return name;
+  return std::nullopt;
+}
+
+// The first table that has the keys shown.
+std::optional<std::string> table_with_keys(const Site& site, const Takes& takes) {
   for (const TableInfo& table : site.tables)
     if (!takes.keys.empty() && has_keys(table, takes)) return table.table;
-  FLATRAY_CHECK(false, fmt::format("{}.{} takes a table that is none", site.table, site.key));
-  unreachable();
+  return std::nullopt;
 }
 
 JsonValue any_of(const Site& site, const std::vector<Takes>& all);
 
-// { KIND = ... } is a shape, { STATE = ... } holds what the user names.
-JsonValue table_schema(const Site& site, const Takes& takes) {
-  if (takes.keys.empty() || !is_placeholder(takes.keys.front().first))
-    return reference(table_of(site, takes));
-  if (takes.keys.front().first == "KIND") return reference("KIND");
+Site named_site(const Site& site, const std::string& name) {
+  return {site.tables, site.table, name.c_str(), site.drawn, site.curve};
+}
+
+// { linear = { ... } }: just the keys shown. Nothing shown is anything, which a test finds.
+JsonValue own_table_schema(const Site& site, const Takes& takes) {
+  Fields properties;
+  Values required;
+  for (const auto& [key, values] : takes.keys) {
+    properties.emplace_back(key, any_of(named_site(site, key), values));
+    required.emplace_back(key);
+  }
+  if (properties.empty()) return properties;
   return Fields{{"type", "object"},
-                {"propertyNames", Fields{{"pattern", kStateName}}},
-                {"additionalProperties", any_of(site, takes.keys.front().second)}};
+                {"properties", std::move(properties)},
+                {"required", std::move(required)},
+                {"additionalProperties", false}};
+}
+
+// { KIND = ... } is a shape unless a table is called so, { STATE = ... } holds what the user names.
+JsonValue table_schema(const Site& site, const Takes& takes) {
+  const std::string first = takes.keys.empty() ? "" : takes.keys.front().first;
+  if (is_placeholder(first) && first != "KIND")
+    return Fields{{"type", "object"},
+                  {"propertyNames", Fields{{"pattern", kStateName}}},
+                  {"additionalProperties", any_of(site, takes.keys.front().second)}};
+  if (const auto name = table_called(takes.text.empty() ? site : named_site(site, takes.text)))
+    return reference(*name);
+  if (first == "KIND") return reference(first);
+  if (const auto name = table_with_keys(site, takes)) return reference(*name);
+  return own_table_schema(site, takes);
 }
 
 JsonValue list_schema(const Site& site, const Takes& takes) {
@@ -93,8 +122,51 @@ JsonValue one_schema(const Site& site, const Takes& takes) {
   unreachable();
 }
 
+bool is_number(const Takes& takes) { return takes.kind == Takes::Kind::number; }
+
+// What `{ choice = [...] }` may stand for: numbers, points, colours, shapes.
+bool is_drawable(const Takes& takes) {
+  if (takes.kind == Takes::Kind::table)
+    return !takes.keys.empty() && takes.keys.front().first == "KIND";
+  if (takes.kind == Takes::Kind::list)
+    return !takes.more && takes.items.size() == 2 && is_number(takes.items[0].front());
+  return is_number(takes) || takes.kind == Takes::Kind::colour;
+}
+
+// The alternatives and, instead of one, a random one.
+JsonValue drawn_schema(const Site& site, const std::vector<Takes>& all) {
+  Values values;
+  for (const Takes& one : all) values.push_back(one_schema(site, one));
+  if (std::any_of(all.begin(), all.end(), is_number)) values.push_back(reference("drawn"));
+  Fields choice{{"type", "array"}, {"items", Fields{{"anyOf", values}}}, {"minItems", 1}};
+  values.push_back(Fields{{"type", "object"},
+                          {"properties", Fields{{"choice", std::move(choice)}}},
+                          {"required", Values{"choice"}},
+                          {"additionalProperties", false}});
+  return Fields{{"anyOf", std::move(values)}};
+}
+
+// One number drawn from a distribution.
+JsonValue distribution_schema() {
+  const Fields pair{
+      {"type", "array"}, {"items", of_type("number")}, {"minItems", 2}, {"maxItems", 2}};
+  return Fields{{"type", "object"},
+                {"properties", Fields{{"uniform", pair}, {"normal", pair}}},
+                {"additionalProperties", false},
+                {"minProperties", 1},
+                {"maxProperties", 1}};
+}
+
+bool is_curve(const Takes& takes) {
+  return takes.kind == Takes::Kind::table && takes.text == "curve";
+}
+
 JsonValue any_of(const Site& site, const std::vector<Takes>& all) {
   if (all.empty()) return Fields{};
+  if (site.curve && all.size() == 1 && is_number(all.front()))
+    return any_of(site, {all.front(), Takes{Takes::Kind::table, "curve"}});
+  if (site.drawn && std::any_of(all.begin(), all.end(), is_drawable))
+    return drawn_schema(site, all);
   if (all.size() == 1) return one_schema(site, all.front());
   Values values;
   const bool words = std::all_of(all.begin(), all.end(),
@@ -105,9 +177,10 @@ JsonValue any_of(const Site& site, const std::vector<Takes>& all) {
 }
 
 JsonValue key_schema(const Site& site, const KeyInfo& key) {
-  const auto takes = parse_takes(key.takes);
-  FLATRAY_CHECK(takes.has_value(), fmt::format("{}.{}: {}", site.table, key.name, key.takes));
-  JsonValue schema = any_of(site, *takes);
+  const auto takes = parse_takes(key.takes).value_or(std::vector<Takes>{});
+  Site own = site;
+  own.curve = std::any_of(takes.begin(), takes.end(), is_curve);
+  JsonValue schema = any_of(own, takes);
   auto& fields = std::get<Fields>(schema.data);
   if (schema.find("$ref") != nullptr)  // which hides what stands beside it
     fields = {{"allOf", Values{schema}}};
@@ -121,11 +194,11 @@ JsonValue key_schema(const Site& site, const KeyInfo& key) {
 }
 
 Fields table_fields(const std::vector<TableInfo>& tables, const std::string& name,
-                    std::span<const KeyInfo> keys) {
+                    std::span<const KeyInfo> keys, bool drawn) {
   Fields properties, patterns;
   Values required;
   for (const KeyInfo& key : keys) {
-    const Site site{tables, name, key.name};
+    const Site site{tables, name, key.name, drawn};
     if (is_placeholder(key.name)) {
       patterns.emplace_back(kStateName, key_schema(site, key));
       continue;
@@ -158,11 +231,13 @@ JsonValue scene_schema() {
   const std::vector<TableInfo> tables = language_tables();
   Fields definitions;
   for (const TableInfo& table : tables)
-    definitions.emplace_back(table.table, table_fields(tables, table.table, table.keys));
+    definitions.emplace_back(table.table,
+                             table_fields(tables, table.table, table.keys, table.drawn));
   definitions.emplace_back("KIND", shape_schema());
+  definitions.emplace_back("drawn", distribution_schema());
   for (const ShapeType* shape : shape_types())
     definitions.emplace_back(std::string("shape.") + shape->name,
-                             table_fields(tables, shape->name, shape->keys));
+                             table_fields(tables, shape->name, shape->keys, true));
   Fields schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                 {"title", "flatray scene"},
                 {"description", "flatray = 1: docs/SCENE_FORMAT.md"}};

@@ -209,9 +209,9 @@ std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
 }
 
 std::vector<TableInfo> entity_tables() {
-  return {{"entity", key_infos<Entity>(kEntityKeys)},
+  return {{"entity", key_infos<Entity>(kEntityKeys), true},
           {"entity.markov", key_infos<MarkovWords>(kMarkovKeys)},
-          {"entity.states", key_infos<Look>(kLookKeys)}};
+          {"entity.states", key_infos<Look>(kLookKeys), true}};
 }
 
 }  // namespace flatray

@@ -23,8 +23,8 @@ struct Rebase {
     }
     const fs::path from = name.text == source.string() ? fs::path() : source.parent_path();
     std::error_code error;  // no such folder: as it is
-    const fs::path target = fs::weakly_canonical(from / name.text, error);
-    const fs::path base = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path target = fs::weakly_canonical(fs::absolute(from / name.text), error);
+    const fs::path base = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error);
     const fs::path relative = target.lexically_relative(base);
     name.text = (relative.empty() ? target : relative).generic_string();
   }

@@ -141,6 +141,6 @@ void read_groups(Builder& builder, const Field& field, Scene&) {
     read_group(builder, field.value.items[i], static_cast<std::uint32_t>(i));
 }
 
-std::vector<TableInfo> group_tables() { return {{"group", key_infos<Group>(kGroupKeys)}}; }
+std::vector<TableInfo> group_tables() { return {{"group", key_infos<Group>(kGroupKeys), true}}; }
 
 }  // namespace flatray

@@ -125,7 +125,7 @@ void read_optional_stroke(Builder& builder, const Field& field, std::optional<St
 
 std::vector<TableInfo> look_tables() {
   std::vector<TableInfo> tables = gradient_tables();
-  tables.push_back({"stroke", key_infos<Stroke>(kStrokeKeys)});
+  tables.push_back({"stroke", key_infos<Stroke>(kStrokeKeys), true});
   return tables;
 }
 

@@ -13,11 +13,17 @@ struct Unit {
 };
 // The longer of two that begin alike stands first.
 constexpr Unit kUnits[] = {
-    {"number", Kind::number},           {"whole number", Kind::whole},
-    {"degrees a second", Kind::number}, {"degrees", Kind::number},
-    {"frames a second", Kind::number},  {"frames", Kind::whole},
-    {"world units", Kind::number},      {"pixels", Kind::number},
-    {"true or false", Kind::truth},     {"seconds", Kind::number},
+    {"number from 0 to 1", Kind::number},
+    {"number", Kind::number},
+    {"whole number", Kind::whole},
+    {"degrees a second", Kind::number},
+    {"degrees", Kind::number},
+    {"frames a second", Kind::number},
+    {"frames", Kind::whole},
+    {"world units", Kind::number},
+    {"pixels", Kind::number},
+    {"true or false", Kind::truth},
+    {"seconds", Kind::number},
 };
 
 bool is_name_byte(char c) {
@@ -69,6 +75,7 @@ class Parser {
     if (skip("{ ")) return table();
     for (const auto& [words, kind] : kUnits)
       if (skip(words)) return Takes{kind};
+    if (skip("a ")) return Takes{Kind::table, std::string(name())};
     const std::string_view word = name();
     if (word.empty()) return std::nullopt;
     if (std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }))

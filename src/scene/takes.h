@@ -20,11 +20,13 @@ namespace flatray {
 ///   [[ray]]  [markov.NAME]         tables of that kind; a table that holds them by name
 ///   { key = A, ... }               the table that has such keys; { NAME = A }: any names
 ///   { ... }                        the table called as the key
+///   a curve                        the table called curve; the numbers beside it may be one, too
 struct Takes {
   enum class Kind { number, whole, truth, literal, word, text, colour, list, table, tables, named };
 
   Kind kind = Kind::number;
-  std::string text{};  ///< literal: digits; word: its letters; tables, named: the kind of table
+  std::string
+      text{};  ///< literal: digits; word: its letters; table, tables, named: the kind of table
   std::vector<std::vector<Takes>> items{};  ///< list: the alternatives of each
   bool more = false;                        ///< list: the last item any number of times
   std::vector<std::pair<std::string, std::vector<Takes>>> keys{};  ///< table

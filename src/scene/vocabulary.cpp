@@ -11,6 +11,22 @@ namespace {
 // More than this of one table are no slips of the pen.
 constexpr std::size_t kMaxUnknownKeys = 20;
 
+// Words of other programs for what is a key here.
+constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
+    {"bg", "background"},   {"border", "stroke"},   {"color", "fill"},     {"color", "colour"},
+    {"colour", "fill"},     {"outline", "stroke"},  {"pos", "at"},         {"position", "at"},
+    {"resolution", "size"}, {"rotate", "angle"},    {"rotation", "angle"}, {"speed", "velocity"},
+    {"thickness", "width"}, {"vertices", "points"}, {"z", "layer"},        {"zoom", "height"},
+};
+
+// The key that was meant by another, or "".
+std::string meant(const std::string& key, const std::vector<std::string>& known) {
+  for (const auto& [other, here] : kOtherWords)
+    if (key == other && std::find(known.begin(), known.end(), here) != known.end())
+      return std::string(here);
+  return nearest_word(key, known);
+}
+
 }  // namespace
 
 std::string joined(const std::vector<std::string>& words) {
@@ -35,7 +51,7 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
   for (const Member& member : table.members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     if (++unknown > kMaxUnknownKeys) return;
-    const std::string near = nearest_word(member.key, known);
+    const std::string near = meant(member.key, known);
     std::string message =
         fmt::format("unknown key '{}' of {}", member.key.substr(0, 64), table_name);
     if (!near.empty()) message += fmt::format(" (did you mean '{}'?)", near);
@@ -46,7 +62,7 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
 std::vector<TableInfo> vocabulary() {
   std::vector<TableInfo> all = language_tables();
   for (const ShapeType* shape : shape_types())
-    all.push_back({shape->name, {shape->keys.begin(), shape->keys.end()}});
+    all.push_back({shape->name, {shape->keys.begin(), shape->keys.end()}, true});
   return all;
 }
 

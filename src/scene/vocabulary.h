@@ -20,6 +20,7 @@ inline constexpr char kRequired[] = "required";
 struct TableInfo {
   std::string table;
   std::vector<KeyInfo> keys;
+  bool drawn = false;  ///< its numbers, points, colours and shapes may be drawn at random
 };
 
 /// Every table of the language, shapes included: for documents, completion and tests.

@@ -10,6 +10,7 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kColumns = 100;
+constexpr std::size_t kWhole = 30;  // columns of what is never broken: points, short lists
 
 bool is_bare_key(std::string_view key) {
   return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
@@ -136,13 +137,18 @@ class Writer {
 
   // As `flat` where that ends within the line, else with arrays over many lines.
   static std::string broken(const Value& value, std::size_t column, std::size_t indent) {
-    std::string all = flat(value);
-    if (column + all.size() <= kColumns) return all;
+    std::string one_line = flat(value);
+    if (column + one_line.size() <= kColumns || one_line.size() <= kWhole) return one_line;
     if (value.kind == Value::Kind::array) return broken_array(value, indent);
-    if (value.kind != Value::Kind::table) return all;
-    all = "{ ";
-    for (const Member& member : value.members) {
-      all += (all.size() > 2 ? ", " : "") + key_text(member.key) + " = ";
+    if (value.kind == Value::Kind::table) return broken_table(value, column, indent);
+    return one_line;
+  }
+
+  static std::string broken_table(const Value& table, std::size_t column, std::size_t indent) {
+    std::string all = "{ ";
+    for (const Member& member : table.members) {
+      if (&member != &table.members.front()) all += ", ";
+      all += key_text(member.key) + " = ";
       const std::size_t line = all.rfind('\n');
       const std::size_t at =
           line == std::string::npos ? column + all.size() : all.size() - line - 1;

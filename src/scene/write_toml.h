@@ -10,7 +10,7 @@ namespace flatray {
 /// strings, the same decimals. Numbers are the shortest way to write their decimal, hexadecimal and
 /// underscores gone. Comments are not part of a description.
 ///
-/// Gives   lines of at most 100 columns where the content allows it; written again, the same bytes.
+/// Gives   lines of about 100 columns where the content allows it; written again, the same bytes.
 /// Cost    linear in the values times their nesting.
 std::string write_toml(const SceneDesc& desc);
 

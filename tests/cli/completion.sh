@@ -17,6 +17,7 @@ expect "png hdr " "$(words flatray render --format '')" "values of an option"
 expect "--progress=always " "$(words flatray render --progress=al)" "values after ="
 expect "always " "$(words flatray render --progress = al)" "values after =, as bash parts words"
 expect "markov " "$(words flatray experiment m)" experiments
+expect "software " "$(words flatray render --backend s)" "back ends"
 expect "mean " "$(words flatray compare a b --metric me)" metrics
 expect "tracers " "$(words flatray list t)" lists
 expect "bash " "$(words flatray completion b)" shells

@@ -37,11 +37,11 @@ says err "no place for the names of 2 scenes"
 run 2 render good.toml good.toml
 says err "another scene is named 'good'"
 run 2 list shpes
-says err "did you mean shapes?"
+says err "did you mean 'shapes'?"
 run 2 hit good.toml --from bx
 says err "did you mean 'box'?"
 run 2 experiment markof good.toml
-says err "did you mean markov?"
+says err "did you mean 'markov'?"
 absent out one.png
 
 # 3: missing

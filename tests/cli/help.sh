@@ -19,11 +19,11 @@ run 0 help markov
 says out 'hold'
 says out 'the chain'"'"'s first row'
 run 2 help camra
-says err 'did you mean camera?'
+says err "did you mean 'camera'?"
 run 2 help rendr
-says err 'did you mean render?'
+says err "did you mean 'render'?"
 run 2 help zqzqzqzq
-says err 'say one of: '
+says err 'there are: '
 
 # Scenes in the pages are scenes.
 "$flatray" help scene | sed -n '/^  flatray = 1/,/radius/p' > smallest.toml

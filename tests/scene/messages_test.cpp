@@ -78,6 +78,25 @@ TEST(Messages, EveryTableListsItsKeysWhereNoneIsNear) {
   }
 }
 
+TEST(Messages, WordsOfOtherProgramsLeadToTheKey) {
+  EXPECT_NE(refusal(with_shape("circle = { radius = 1 }") + "color = \"#ff0000\"\n")
+                .find("unknown key 'color' of entity (did you mean 'fill'?)"),
+            std::string::npos);
+  EXPECT_NE(refusal(with_shape("circle = { radius = 1 }") + "stroke = { color = \"#ff0000\" }\n")
+                .find("unknown key 'color' of stroke (did you mean 'colour'?)"),
+            std::string::npos);
+  EXPECT_NE(refusal("flatray = 1\nspeed = 2\n").find("unknown key 'speed' of scene"),
+            std::string::npos);
+}
+
+TEST(Messages, AColourWithoutQuotesIsToldToWantThem) {
+  const std::string shown = refusal("flatray = 1\nfilm = { background = #cfe3f2 }\n");
+  EXPECT_NE(shown.find("t.toml:2:23: error: a value is missing: # begins a comment\n"),
+            std::string::npos)
+      << shown;
+  EXPECT_NE(shown.find("colours are written in quotes"), std::string::npos) << shown;
+}
+
 TEST(Messages, AllMistakesComeTogetherInTheOrderOfTheSource) {
   const std::string shown = refusal(R"(flatray = 1
 [camera]

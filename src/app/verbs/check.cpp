@@ -9,9 +9,7 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {kDefineOption,   kMaxPixelsOption, kMaxEntitiesOption,
-                               kMaxDepthOption, kMaxBytesOption,  kJsonOption,
-                               kQuietOption};
+constexpr auto kOptions = with_scene_options({kJsonOption});
 
 Values as_values(const Diagnostics& diagnostics) {
   Values values;

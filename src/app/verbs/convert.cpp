@@ -14,10 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Option kOptions[] = {{"force", '\0', "", "write over a file", OptionKind::flag},
-                               kDefineOption,
-                               kMaxPixelsOption,
-                               kQuietOption};
+constexpr auto kOptions =
+    with_scene_options({{"force", '\0', "", "write over a file", OptionKind::flag}});
 
 Result<void> check_output(const Arguments& arguments, const fs::path& output) {
   if (output == "-") return {};

@@ -13,17 +13,12 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {{"output", 'o', "FOLDER", "where its files go (default out/NAME)"},
-                               {"count", '\0', "N", "how many to try (default 1000000)"},
-                               {"seed", '\0', "N", "seed of all draws (default 1)"},
-                               kThreadsOption,
-                               kDefineOption,
-                               kMaxPixelsOption,
-                               kMaxEntitiesOption,
-                               kMaxDepthOption,
-                               kMaxBytesOption,
-                               kJsonOption,
-                               kQuietOption};
+constexpr auto kOptions =
+    with_scene_options({{"output", 'o', "FOLDER", "where its files go (default out/NAME)"},
+                        {"count", '\0', "N", "how many to try (default 1000000)"},
+                        {"seed", '\0', "N", "seed of all draws (default 1)"},
+                        kThreadsOption,
+                        kJsonOption});
 
 std::vector<std::string> experiment_names() {
   std::vector<std::string> names;
@@ -34,12 +29,7 @@ std::vector<std::string> experiment_names() {
 Result<const Experiment*> find_experiment(const std::string& name) {
   for (const Experiment* one : flatray::experiments())
     if (name == one->name) return one;
-  const std::vector<std::string> known = experiment_names();
-  const std::string near = nearest_word(name, known);
-  return usage_error(named_place(name),
-                     near.empty() ? "there is no experiment of that name"
-                                  : fmt::format("no such experiment (did you mean {}?)", near),
-                     "say one of: " + comma_list(known));
+  return unknown_name(named_place("experiment"), "experiment", name, experiment_names());
 }
 
 Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder) {

@@ -12,20 +12,14 @@ namespace {
 
 constexpr std::size_t kMeasuredFrames = 24;
 
-constexpr Option kOptions[] = {
-    {"measure", '\0', "", "draw the frames, write nothing, and say what was saved",
-     OptionKind::flag},
-    {"frames", 'f', "LIST", "frames to measure (default: the first 24)"},
-    {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
-    {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
-    kThreadsOption,
-    kDefineOption,
-    kMaxPixelsOption,
-    kMaxEntitiesOption,
-    kMaxDepthOption,
-    kMaxBytesOption,
-    kJsonOption,
-    kQuietOption};
+constexpr auto kOptions = with_scene_options(
+    {{"measure", '\0', "", "draw the frames, write nothing, and say what was saved",
+      OptionKind::flag},
+     {"frames", 'f', "LIST", "frames to measure (default: the first 24)"},
+     {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
+     {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
+     kThreadsOption,
+     kJsonOption});
 
 Table decisions(const RenderJob& job, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);

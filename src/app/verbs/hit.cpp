@@ -9,21 +9,15 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {
-    {"ray", 'r', "x,y,dx,dy", "this ray, against every entity"},
-    {"from", '\0', "ENTITY", "the edges of this entity as rays"},
-    {"against", '\0', "ENTITY", "against this entity only"},
-    {"domain", '\0', "line|ray|segment", "part of the line that counts (edges: segment)"},
-    kFrameOption,
-    kSeedOption,
-    kDefineOption,
-    kMaxPixelsOption,
-    kMaxEntitiesOption,
-    kMaxDepthOption,
-    kMaxBytesOption,
-    kJsonOption,
-    kCsvOption,
-    kQuietOption};
+constexpr auto kOptions = with_scene_options(
+    {{"ray", 'r', "x,y,dx,dy", "this ray, against every entity"},
+     {"from", '\0', "ENTITY", "the edges of this entity as rays"},
+     {"against", '\0', "ENTITY", "against this entity only"},
+     {"domain", '\0', "line|ray|segment", "part of the line that counts (edges: segment)"},
+     kFrameOption,
+     kSeedOption,
+     kJsonOption,
+     kCsvOption});
 
 // Rays and what they are clipped against.
 struct Question {
@@ -45,11 +39,7 @@ Result<std::uint32_t> find_entity(const Arguments& arguments, const char* option
     if (scene.entities[i].name == wanted) return i;
     known.push_back(scene.entities[i].name);
   }
-  const std::string near = nearest_word(wanted, known);
-  return usage_error(arguments.where(option),
-                     fmt::format("the scene has no entity '{}'{}", wanted,
-                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
-                     "its entities: " + comma_list(known));
+  return unknown_name(arguments.where(option), "entity of the scene", wanted, known);
 }
 
 // All entities, or the one of --against; never the one the rays come from.

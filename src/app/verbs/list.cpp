@@ -80,14 +80,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (wanted.empty()) text += fmt::format("{}\n", kind.name);
     text += aligned_text(table, wanted.empty() ? "  " : "");
   }
-  if (all.empty()) {
-    const std::vector<std::string> known = kind_names();
-    const std::string near = nearest_word(wanted, known);
-    return usage_error(named_place(wanted),
-                       near.empty() ? "there is no list of that name"
-                                    : fmt::format("no such list (did you mean {}?)", near),
-                       "say one of: " + comma_list(known));
-  }
+  if (all.empty()) return unknown_name(named_place("list"), "list", wanted, kind_names());
   if (arguments.has("json")) text = json_report("list", arguments, std::move(all), 0);
   return VerbOutput{std::move(text)};
 }

@@ -13,18 +13,13 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {{"ray", 'r', "RAY", "only this ray of the scene"},
-                               {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
-                               kFrameOption,
-                               kSeedOption,
-                               kDefineOption,
-                               kMaxPixelsOption,
-                               kMaxEntitiesOption,
-                               kMaxDepthOption,
-                               kMaxBytesOption,
-                               kJsonOption,
-                               kCsvOption,
-                               kQuietOption};
+constexpr auto kOptions =
+    with_scene_options({{"ray", 'r', "RAY", "only this ray of the scene"},
+                        {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
+                        kFrameOption,
+                        kSeedOption,
+                        kJsonOption,
+                        kCsvOption});
 
 constexpr double kDegreesInRadian = 57.29577951308232;
 
@@ -107,11 +102,7 @@ Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, cons
   if (!wanted)
     return fail(named_place(arguments.operands().front()), "has no ray to follow",
                 "add [[ray]] with at, direction and bounces");
-  const std::string near = nearest_word(*wanted, known);
-  return usage_error(arguments.where("ray"),
-                     fmt::format("the scene has no ray '{}'{}", *wanted,
-                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
-                     "its rays: " + comma_list(known));
+  return unknown_name(arguments.where("ray"), "ray of the scene", *wanted, known);
 }
 
 JsonValue orbit_value(const Scene& scene, const World& world, const RayPath& ray,

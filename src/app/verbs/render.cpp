@@ -6,30 +6,24 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {
-    {"output", 'o', "PATTERN", "where to: out/frame_####.png, {scene}, - for standard output"},
-    {"frames", 'f', "LIST", "frames, as 1..240:2,300 (default: all of the scene)"},
-    kThreadsOption,
-    {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
-    {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
-    kBackendOption,
-    kSamplesOption,
-    kSeedOption,
-    kDefineOption,
-    {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
-    {"resume", '\0', "", "keep frames already written whole for this very scene", OptionKind::flag},
-    {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
-    {"keep-all", '\0', "", "leave nothing out that the plan would; same pictures",
-     OptionKind::flag},
-    kMaxPixelsOption,
-    kMaxEntitiesOption,
-    kMaxDepthOption,
-    kMaxBytesOption,
-    {"format", '\0', "png|hdr", "format where the name does not say it"},
-    {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
-    kJsonOption,
-    kQuietOption,
-};
+constexpr auto kOptions = with_scene_options(
+    {{"output", 'o', "PATTERN", "where to: out/frame_####.png, {scene}, - for standard output"},
+     {"frames", 'f', "LIST", "frames, as 1..240:2,300 (default: all of the scene)"},
+     kThreadsOption,
+     {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
+     {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
+     kBackendOption,
+     kSamplesOption,
+     kSeedOption,
+     {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
+     {"resume", '\0', "", "keep frames already written whole for this very scene",
+      OptionKind::flag},
+     {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
+     {"keep-all", '\0', "", "leave nothing out that the plan would; same pictures",
+      OptionKind::flag},
+     {"format", '\0', "png|hdr", "format where the name does not say it"},
+     {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
+     kJsonOption});
 
 Result<ProgressMode> progress_mode(const Arguments& arguments) {
   const auto word = arguments.one_of("progress", {"auto", "always", "never"});

@@ -128,6 +128,9 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
   const Place token = token_at(source, offset);
   const std::string_view text = source->text().substr(token.offset, token.length);
   const std::string message = own_words(error.description());
+  if (message.ends_with("expected value, saw '#'"))
+    return fail({source, offset, 1}, "a value is missing: # begins a comment",
+                R"(colours are written in quotes: "#rrggbb")");
   if (!is_number_like(text)) return fail({source, offset, 1}, message);
   // What toml++ says of a number names its grammar, not the mistake.
   for (const char* grammar : {"floating-point: e", "decimal integer: expected"})
