@@ -58,19 +58,49 @@ JsonValue table_schema(const Site& site, const Takes& takes) {
                 {"additionalProperties", any_of(site, takes.keys.front().second)}};
 }
 
+// What may stand instead of a value: a distribution, of numbers and points also a curve. Where they
+// may not, the program says so.
+JsonValue or_drawn(JsonValue value, bool or_curve) {
+  Values all{std::move(value), reference("DRAWN")};
+  if (or_curve) all.push_back(reference("curve"));
+  return Fields{{"anyOf", std::move(all)}};
+}
+
+JsonValue drawn_schema() {
+  const Fields pair{{"type", "array"},
+                    {"items", of_type("number")},
+                    {"minItems", std::uint64_t{2}},
+                    {"maxItems", std::uint64_t{2}}};
+  return Fields{
+      {"type", "object"},
+      {"properties", Fields{{"uniform", pair}, {"normal", pair}, {"choice", of_type("array")}}},
+      {"additionalProperties", false},
+      {"minProperties", std::uint64_t{1}},
+      {"maxProperties", std::uint64_t{1}}};
+}
+
+bool is_point(const Takes& takes) {
+  return !takes.more && takes.items.size() == 2 &&
+         std::all_of(takes.items.begin(), takes.items.end(), [](const std::vector<Takes>& item) {
+           return item.size() == 1 && item.front().kind == Takes::Kind::number;
+         });
+}
+
 JsonValue list_schema(const Site& site, const Takes& takes) {
   Values items;
   for (const std::vector<Takes>& item : takes.items) items.push_back(any_of(site, item));
   const auto count = static_cast<std::uint64_t>(items.size());
   if (takes.more) return Fields{{"type", "array"}, {"items", items.back()}};
-  return Fields{{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+  const Fields list{{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+  return is_point(takes) ? or_drawn(list, true) : JsonValue(list);
 }
 
 JsonValue one_schema(const Site& site, const Takes& takes) {
   switch (takes.kind) {
     case Takes::Kind::number:
+      return reference("NUMBER");
     case Takes::Kind::whole:  // 5.0 and 1e3 are whole, too, which editors count as such
-      return of_type(takes.kind == Takes::Kind::number ? "number" : "integer");
+      return of_type("integer");
     case Takes::Kind::truth:
       return of_type("boolean");
     case Takes::Kind::literal:
@@ -80,7 +110,7 @@ JsonValue one_schema(const Site& site, const Takes& takes) {
     case Takes::Kind::text:
       return of_type("string");
     case Takes::Kind::colour:
-      return Fields{{"type", "string"}, {"pattern", kColour}};
+      return or_drawn(Fields{{"type", "string"}, {"pattern", kColour}}, false);
     case Takes::Kind::list:
       return list_schema(site, takes);
     case Takes::Kind::table:
@@ -145,6 +175,7 @@ JsonValue shape_schema() {
   Fields kinds;
   for (const ShapeType* shape : shape_types())
     kinds.emplace_back(shape->name, reference(std::string("shape.") + shape->name));
+  kinds.emplace_back("choice", Fields{{"type", "array"}, {"items", reference("KIND")}});
   return Fields{{"type", "object"},
                 {"properties", std::move(kinds)},
                 {"additionalProperties", false},
@@ -160,6 +191,8 @@ JsonValue scene_schema() {
   for (const TableInfo& table : tables)
     definitions.emplace_back(table.table, table_fields(tables, table.table, table.keys));
   definitions.emplace_back("KIND", shape_schema());
+  definitions.emplace_back("NUMBER", or_drawn(of_type("number"), true));
+  definitions.emplace_back("DRAWN", drawn_schema());
   for (const ShapeType* shape : shape_types())
     definitions.emplace_back(std::string("shape.") + shape->name,
                              table_fields(tables, shape->name, shape->keys));
