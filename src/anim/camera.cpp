@@ -1,5 +1,7 @@
 #include "anim/camera.h"
 
+#include "anim/curve.h"
+
 namespace flatray {
 namespace {
 
@@ -60,16 +62,25 @@ Bounds centred(const Vec2& centre, const Vec2& size) {
   return {low, low + size};
 }
 
-// Before anything moves.
-Bounds still_window(const Timeline& timeline) {
-  const Film& film = timeline.scene().film;
-  const Camera& camera = timeline.scene().camera;
+// Before it follows or drifts.
+Bounds framed(const Timeline& timeline, double time) {
+  const Scene& scene = timeline.scene();
+  const Film& film = scene.film;
+  const Camera& camera = scene.camera;
   const Bounds wanted = film.world ? *film.world : with_margin(timeline.content());
-  const Vec2 centre = camera.at.value_or(wanted.centre());
-  if (camera.height)
-    return centred(centre, {*camera.height * film.width / film.height, *camera.height});
-  const Bounds grown = grown_to_aspect(wanted, film);
-  return camera.at ? centred(centre, grown.size()) : grown;
+  Vec2 centre = wanted.centre();
+  if (camera.at)
+    centre = {plus(scene, camera.at->x(), camera.x_curve, time),
+              plus(scene, camera.at->y(), camera.y_curve, time)};
+  Bounds box = grown_to_aspect(wanted, film);
+  if (camera.height) {
+    const double height = plus(scene, *camera.height, camera.height_curve, time);
+    box = centred(centre, {height * film.width / film.height, height});
+  } else if (camera.at) {
+    box = centred(centre, box.size());
+  }
+  const double zoom = plus(scene, camera.zoom, camera.zoom_curve, time);
+  return zoom == 1 ? box : centred(box.centre(), box.size() / zoom);
 }
 
 }  // namespace
@@ -93,7 +104,7 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
 
 Bounds camera_window(const Timeline& timeline, double time, const Vec2& followed) {
   const Camera& camera = timeline.scene().camera;
-  Bounds still = still_window(timeline);
+  Bounds still = framed(timeline, time);
   const Vec2 size = still.size();
   Vec2 low = camera.follow ? followed + camera.offset - 0.5 * size : still.low;
   low += camera.velocity * time;

@@ -9,9 +9,11 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
 
 /// World shown at `time`, of the film's aspect, where the followed entity stands at `followed`.
 ///
-/// Gives   the size of camera.height, else of film.world, else of the content and 5 % on each side;
+/// Gives   the size of camera.height, else of film.world, else of the content and 5 % on each side,
+///         divided by camera.zoom;
 ///         centred on the followed entity, else on camera.at, else where film.world or the content
-///         is. The size is the same at all times: only `low` moves and `high` goes with it.
+///         is. Without curves the size is the same at all times: only `low` moves and `high` goes
+///         with it.
 Bounds camera_window(const Timeline& timeline, double time, const Vec2& followed);
 
 }  // namespace flatray

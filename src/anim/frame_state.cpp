@@ -1,6 +1,7 @@
 #include "anim/frame_state.h"
 
 #include "anim/camera.h"
+#include "anim/curve.h"
 #include "anim/motion.h"
 #include "geom/turn.h"
 
@@ -16,9 +17,11 @@ void apply(const Look& look, EntityState& state) {
 // As seen from its group.
 EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned frame,
                         double time) {
-  const Entity& entity = timeline.scene().entities[index];
-  EntityState state{.at = entity.at,
-                    .angle = entity.angle + entity.angular_velocity * time,
+  const Scene& scene = timeline.scene();
+  const Entity& entity = scene.entities[index];
+  const Placed now = placed(scene, entity.at, entity.angle, entity.motion, time);
+  EntityState state{.at = now.at,
+                    .angle = now.angle + entity.angular_velocity * time,
                     .shape = entity.shape,
                     .fill = entity.fill,
                     .stroke = entity.stroke,
@@ -40,6 +43,9 @@ EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned 
 EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned frame, double time,
                          std::span<const GroupPose> groups) {
   EntityState state = local_state(timeline, index, frame, time);
+  if (state.stroke)
+    state.stroke->width =
+        plus(timeline.scene(), state.stroke->width, state.stroke->width_curve, time);
   const std::optional<std::uint32_t> group = timeline.scene().entities[index].group;
   if (!group) return state;
   state.at = held(groups[*group].pose(state.at));
@@ -77,7 +83,10 @@ FrameState at(const Timeline& timeline, unsigned frame) {
   if (timeline.scene().camera.motion == CameraMotion::objects) {
     const Bounds first = window_at(timeline, 1);
     state.displaced = first.low - state.window.low;
+    const Camera& camera = timeline.scene().camera;
+    const Vec2 size = state.window.size();
     state.window = first;
+    if (camera.height_curve || camera.zoom_curve) state.window.high = first.low + size;
   }
   return state;
 }

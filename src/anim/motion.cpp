@@ -1,6 +1,7 @@
 #include "anim/motion.h"
 
-#include <algorithm>
+#include "anim/curve.h"
+#include "base/portable_math.h"
 
 namespace flatray {
 namespace {
@@ -8,7 +9,13 @@ namespace {
 bool moves(const Group& group) { return !group.velocity.isZero(0) || group.angular_velocity != 0; }
 
 bool moves(const Entity& entity) {
-  return entity.markov || !entity.velocity.isZero(0) || entity.angular_velocity != 0;
+  return entity.markov || entity.motion.any() || !entity.velocity.isZero(0) ||
+         entity.angular_velocity != 0 || (entity.stroke && entity.stroke->width_curve);
+}
+
+bool moves(const Camera& camera) {
+  return camera.x_curve || camera.y_curve || camera.height_curve || camera.zoom_curve ||
+         !camera.velocity.isZero(0);
 }
 
 }  // namespace
@@ -21,12 +28,24 @@ Vec2 held(const Vec2& point) {
   return {within(point.x()), within(point.y())};
 }
 
+Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time) {
+  Placed now{{plus(scene, at.x(), motion.x, time), plus(scene, at.y(), motion.y, time)},
+             plus(scene, angle, motion.angle, time)};
+  if (!motion.follow) return now;
+  const auto& [path, speed, duration, start, turn] = *motion.follow;
+  const PathPoint point = point_at(scene.paths[path], start + speed * (time / duration));
+  now.at += point.at;
+  if (turn) now.angle += portable::atan2(point.direction.y(), point.direction.x());
+  return now;
+}
+
 std::vector<GroupPose> group_poses(const Scene& scene, double time) {
   std::vector<GroupPose> poses;
   poses.reserve(scene.groups.size());
   for (const Group& group : scene.groups) {
-    Vec2 at = held(group.at + group.velocity * time);
-    double angle = group.angle + group.angular_velocity * time;
+    const Placed now = placed(scene, group.at, group.angle, group.motion, time);
+    Vec2 at = held(now.at + group.velocity * time);
+    double angle = now.angle + group.angular_velocity * time;
     if (group.group) {
       at = held(poses[*group.group].pose(at));
       angle += poses[*group.group].angle;
@@ -38,7 +57,7 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
 
 std::string reason_to_move(const Scene& scene) {
   if (scene.frames == 1) return {};
-  if (!scene.camera.velocity.isZero(0)) return "the camera moves";
+  if (moves(scene.camera)) return "the camera moves";
   for (const Entity& entity : scene.entities) {
     if (moves(entity)) return "'" + entity.name + "' moves";
     for (auto at = entity.group; at; at = scene.groups[*at].group)

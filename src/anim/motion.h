@@ -10,6 +10,13 @@ struct GroupPose {
 };
 std::vector<GroupPose> group_poses(const Scene& scene, double time);
 
+/// Where a thing stands in its group, and at which angle, but for its velocities.
+struct Placed {
+  Vec2 at;
+  double angle;
+};
+Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time);
+
 /// Kept where the scene's own coordinates must be, within kFarthest.
 Vec2 held(const Vec2& point);
 

@@ -6,6 +6,7 @@
 
 #include "app/help.h"
 #include "app/option_values.h"
+#include "app/project_config.h"
 #include "app/report.h"
 #include "app/version.h"
 #include "base/isa.h"
@@ -65,6 +66,8 @@ Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {
     return asks_help ? nullptr : static_cast<const char*>(std::getenv(name));
   });
   if (!arguments || arguments->has("help")) return arguments;
+  arguments = with_project_config(options, std::move(*arguments));
+  if (!arguments) return arguments;
   const std::size_t count = arguments->operands().size();
   const std::string hint = fmt::format("flatray {} {}", verb.name, verb.operands);
   if (count < verb.least_operands)

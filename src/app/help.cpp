@@ -85,7 +85,8 @@ std::string help_text() {
   return text +
          "and every table and shape of scenes, as in: flatray help film\n\n"
          "flatray --version says what is built in. An option --size can also be set by "
-         "FLATRAY_SIZE.\n"
+         "FLATRAY_SIZE,\n"
+         "or for a folder by size = \"640x360\" in its flatray.toml.\n"
          "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 input missing, 4 input invalid,\n"
          "5 not in this build, 6 output not written, 70 internal, 130 interrupted.\n";
 }

@@ -4,6 +4,7 @@
 
 #include "scene/keys.h"
 #include "scene/look_keys.h"
+#include "scene/motion_keys.h"
 #include "scene/repeat.h"
 #include "scene/scene_keys.h"
 
@@ -102,8 +103,8 @@ void check_version(Reader& in, const Value& scene) {
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &repeat_tables,
-                       &chamber_tables, &ray_tables, &markov_tables})
+  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &motion_tables,
+                       &repeat_tables, &chamber_tables, &ray_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

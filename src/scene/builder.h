@@ -18,6 +18,9 @@ struct Builder {
   std::vector<std::string> group_suffixes{};  ///< what copying added to the name of each group
   /// Shapes in which nothing is drawn, so that copies share them.
   std::map<const Value*, ShapeId> fixed_shapes{};
+  std::map<const Value*, CurveId> fixed_curves{};  ///< likewise
+  std::map<const Member*, std::uint32_t> fixed_paths{};
+  bool stroke_may_change = false;  ///< whether the width of the stroke being read may be a curve
   struct Named {
     std::uint32_t index = 0, count = 0;
   };

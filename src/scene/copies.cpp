@@ -31,7 +31,7 @@ std::optional<Copies> read_copies(Builder& builder, const Value& table, const Co
     copies.groups = std::move(*groups);
   }
   if (repeat != nullptr) {
-    copies.repeat = read_repeat(builder, {"repeat", repeat->value, "{ KIND = { ... } }"});
+    copies.repeat = read_repeat(builder, {"repeat", repeat->value, "{ grid = { ... } }"});
     if (!copies.repeat) return std::nullopt;
     copies.each = copy_count(*copies.repeat);
   }

@@ -66,7 +66,8 @@ void make_copies(Builder& builder, const Value& table, const CopiedTable& what,
 template <class T>
 void read_before(Builder&, const Field&, T&) {}
 template <class T>
-inline constexpr Key<T> kRepeatKey = {{"repeat", "{ KIND = { ... } }", "none"}, &read_before<T>};
+inline constexpr Key<T> kRepeatKey = {
+    {"repeat", "{ grid = { count = [nx, ny], step = [dx, dy] } }", "none"}, &read_before<T>};
 template <class T>
 inline constexpr Key<T> kGroupKey = {{"group", "\"GROUP\"", "none"}, &read_before<T>};
 

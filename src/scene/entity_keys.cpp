@@ -1,5 +1,6 @@
 #include "scene/copies.h"
 #include "scene/look_keys.h"
+#include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
 
 namespace flatray {
@@ -14,7 +15,9 @@ void read_look_fill(Builder& builder, const Field& field, Look& look) {
 }
 
 void read_look_stroke(Builder& builder, const Field& field, Look& look) {
+  builder.stroke_may_change = true;
   read_optional_stroke(builder, field, look.stroke);
+  builder.stroke_may_change = false;
   if (!look.stroke) look.stroke = Stroke{kDefaultStroke.width, true, kUnseen};
 }
 
@@ -88,16 +91,26 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
   }
 }
 
+void read_changing_stroke(Builder& builder, const Field& field, Entity& entity) {
+  builder.stroke_may_change = true;
+  read_optional_stroke(builder, field, entity.stroke);
+  builder.stroke_may_change = false;
+}
+
+constexpr Key<Entity> changing_stroke_key(const char* fallback) {
+  return {{"stroke", "{ width = w, colour = \"#rrggbb\" }", fallback}, &read_changing_stroke};
+}
+
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
     kShapeKey<Entity>,
     kGroupKey<Entity>,
-    kAtKey<Entity>,
-    kAngleKey<Entity>,
+    kMovingAtKey<Entity>,
+    kMovingAngleKey<Entity>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
     fill_key<Entity>("\"#333333\" without a stroke, else \"none\""),
-    stroke_key<Entity>("\"none\"; a segment without fill and stroke has one"),
+    changing_stroke_key("\"none\"; a segment without fill and stroke has one"),
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" })", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
     kOpacityKey<Entity>,
@@ -105,6 +118,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     material_key<Entity>("none: rays pass"),
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
     {{"states", "{ STATE = { ... } or [{ ... }, ...] }", "{}"}, &read_states},
+    kFollowKey<Entity>,
     kRepeatKey<Entity>,
 };
 

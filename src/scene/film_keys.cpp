@@ -1,4 +1,5 @@
 #include "scene/keys.h"
+#include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
 
 namespace flatray {
@@ -37,12 +38,35 @@ constexpr Key<Film> kFilmKeys[] = {
     {{"coverage", R"("area" or "centre")", "\"area\""}, &set_word<&Film::coverage, kCoverages>},
 };
 
+void read_camera_at(Builder& builder, const Field& field, Camera& camera) {
+  const auto at = read_moving_point(builder, field);
+  if (!at) return;
+  camera.at = at->value;
+  camera.x_curve = at->x;
+  camera.y_curve = at->y;
+}
+
+std::optional<Moving> read_above_zero(Builder& builder, const Field& field, const char* hint) {
+  const auto number = read_moving(builder, field);
+  if (!number) return std::nullopt;
+  if ((number->curve ? lowest(builder.scene.curves[*number->curve]) : number->value) > 0)
+    return number;
+  builder.in.problem(field.value.where, field.name + " is not above 0", hint);
+  return std::nullopt;
+}
+
 void read_height(Builder& builder, const Field& field, Camera& camera) {
-  const auto height = builder.in.number(field);
-  if (height && !(*height > 0))
-    return builder.in.problem(field.value.where, field.name + " is not above 0",
-                              "write the world units the picture is high");
-  camera.height = height;
+  const auto height = read_above_zero(builder, field, "write the world units the picture is high");
+  if (!height) return;
+  camera.height = height->value;
+  camera.height_curve = height->curve;
+}
+
+void read_zoom(Builder& builder, const Field& field, Camera& camera) {
+  const auto zoom = read_above_zero(builder, field, "write 2 to show everything twice as large");
+  if (!zoom) return;
+  camera.zoom = zoom->value;
+  camera.zoom_curve = zoom->curve;
 }
 
 void read_follow(Builder& builder, const Field& field, Camera& camera) {
@@ -50,8 +74,9 @@ void read_follow(Builder& builder, const Field& field, Camera& camera) {
 }
 
 constexpr Key<Camera> kCameraKeys[] = {
-    {{"at", "[x, y]", "the middle of film.world"}, &set<&Camera::at>},
+    {{"at", "[x, y]", "the middle of film.world"}, &read_camera_at},
     {{"height", "number", "that of film.world"}, &read_height},
+    {{"zoom", "number", "1"}, &read_zoom},
     {{"follow", "\"ENTITY\"", "none"}, &read_follow},
     {{"offset", "[dx, dy]", "[0, 0]"}, &set<&Camera::offset>},
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Camera::velocity>},

@@ -2,6 +2,7 @@
 
 #include "scene/copies.h"
 #include "scene/look_keys.h"
+#include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
 
 namespace flatray {
@@ -10,11 +11,12 @@ namespace {
 constexpr Key<Group> kGroupKeys[] = {
     {{"name", "\"NAME\"", kRequired}, &set<&Group::name>},
     kGroupKey<Group>,
-    kAtKey<Group>,
-    kAngleKey<Group>,
+    kMovingAtKey<Group>,
+    kMovingAngleKey<Group>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Group::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Group::angular_velocity>},
     kLayerKey<Group>,
+    kFollowKey<Group>,
     kRepeatKey<Group>,
 };
 

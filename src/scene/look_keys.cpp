@@ -4,18 +4,28 @@
 #include <cmath>
 
 #include "scene/keys.h"
+#include "scene/motion_keys.h"
 
 namespace flatray {
 namespace {
 
+std::optional<Moving> constant(const std::optional<double>& value) {
+  return value ? std::optional(Moving{*value, {}}) : std::nullopt;
+}
+
 template <bool in_pixels>
 void read_width(Builder& builder, const Field& field, Stroke& stroke) {
-  const auto width = builder.in.number(field);
+  const auto width =
+      builder.stroke_may_change ? read_moving(builder, field) : constant(builder.in.number(field));
   if (!width) return;
-  if (!(*width > 0))
+  if (width->curve && lowest(builder.scene.curves[*width->curve]) < 0)
+    return builder.in.problem(field.value.where, field.name + " goes below 0",
+                              "end the curve at 0: nothing is drawn then");
+  if (!width->curve && !(width->value > 0))
     return builder.in.problem(field.value.where, field.name + " is not above 0",
                               R"(leave the stroke out, or write stroke = "none")");
-  stroke.width = *width;
+  stroke.width = width->value;
+  stroke.width_curve = width->curve;
   stroke.in_pixels = in_pixels;
 }
 

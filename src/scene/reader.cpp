@@ -125,7 +125,17 @@ std::optional<double> Reader::number(const Field& field) {
   });
 }
 
+bool Reader::refuse_curve(const Field& field) {
+  if (!is_curve(field.value)) return false;
+  problem(
+      field.value.where, fmt::format("{} cannot change with time", field.name),
+      "at and angle of entities and groups can, the width of an entity's stroke, and at, height, "
+      "zoom of the camera");
+  return true;
+}
+
 std::optional<double> Reader::plain_number(const Field& field) {
+  if (refuse_curve(field)) return std::nullopt;
   if (!is(field, Value::Kind::number, "a number")) return std::nullopt;
   const std::string_view text = source_text(field.value);
   const std::optional<Number> number = parse_literal(text);
@@ -160,6 +170,7 @@ std::optional<Vec2> Reader::point(const Field& field) {
 }
 
 std::optional<Vec2> Reader::plain_point(const Field& field) {
+  if (refuse_curve(field)) return std::nullopt;
   if (!is(field, Value::Kind::array, "two numbers")) return std::nullopt;
   if (field.value.items.size() != 2) {
     problem(field.value.where,

@@ -93,6 +93,8 @@ class Reader {
   static bool is_choice(const Value& value) {
     return is_distribution(value) && value.members.front().key == "choice";
   }
+  /// Refuses a curve where there may be none; whether it was one.
+  bool refuse_curve(const Field& field);
   /// Whether something may be drawn here.
   bool may_draw(const Field& field);
   std::optional<std::size_t> draw_choice(const Field& field);

@@ -15,6 +15,13 @@ struct Colour {
   bool operator==(const Colour&) const = default;
 };
 
+/// A number over time through its keys, constant before the first and after the last.
+struct Curve {
+  enum class Ease { linear, smooth } ease = Ease::linear;
+  std::vector<double> times, values;  ///< seconds, ascending; one value each
+};
+using CurveId = std::uint32_t;  ///< index into Scene::curves
+
 /// Colours along a line or round a point, interpolated as premultiplied linear light; beyond the
 /// first and the last they go on. In the coordinates of what is painted.
 struct Gradient {
@@ -50,6 +57,7 @@ struct Stroke {
   double miter_limit = 4;           ///< times the width; longer miters are bevels
   std::uint32_t dashes = kNoEntry;  ///< index into Scene::dashes
   double dash_offset = 0;
+  std::optional<CurveId> width_curve{};  ///< instead of `width`: of entities only
 };
 
 enum class Coverage { area, centre };
@@ -119,6 +127,28 @@ struct MarkovUse {
 /// What a ray does on arrival.
 enum class Material { absorb, mirror };
 
+/// A way of straight edges, every one longer than 0. A closed one ends where it begins.
+struct Path {
+  std::vector<Vec2> points;
+  std::vector<double> lengths;  ///< of the way from the first to each
+  bool closed = false;
+};
+
+/// Walks a path: `start` + `speed` * t / `duration` of its length at time t.
+struct Follow {
+  std::uint32_t path = 0;  ///< index into Scene::paths
+  double speed = 0, duration = 1, start = 0;
+  bool turn = false;  ///< whether it turns to look where it goes
+};
+
+/// What is added to `at` (of its group) and `angle` (radians) as time goes by.
+struct Motion {
+  std::optional<CurveId> x, y, angle;
+  std::optional<Follow> follow;
+
+  bool any() const { return x || y || angle || follow; }
+};
+
 /// Things that move together. A copy of a group is a group of its own.
 struct Group {
   std::string name;
@@ -127,6 +157,7 @@ struct Group {
   double angle = 0;                    ///< radians; what is in it turns about its origin
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
+  Motion motion;
   int layer = 0;  ///< added to those of what is in it; the sum over the groups it stands in
   Place where;
 };
@@ -139,6 +170,7 @@ struct Entity {
   double angle = 0;             ///< radians, counter-clockwise
   Vec2 velocity{0, 0};          ///< world units a second
   double angular_velocity = 0;  ///< radians a second
+  Motion motion;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
   double opacity = 1;                  ///< of fill and stroke together
@@ -203,7 +235,10 @@ enum class CameraMotion { frame_origin, objects };
 
 struct Camera {
   std::optional<Vec2> at;  ///< world position of the window's centre; unset: film.world or content
-  std::optional<double> height;         ///< world units the picture is high
+  std::optional<double> height;  ///< world units the picture is high
+  double zoom = 1;               ///< how many times larger than that things are shown
+  /// Added to what is set above.
+  std::optional<CurveId> x_curve, y_curve, height_curve, zoom_curve;
   std::optional<std::uint32_t> follow;  ///< entity kept at the window's centre plus `offset`
   Vec2 offset{0, 0};
   Vec2 velocity{0, 0};  ///< of the window's origin, world units a second
@@ -229,6 +264,8 @@ struct Scene {
   std::vector<Shape> shapes;
   std::vector<Gradient> gradients;
   std::vector<std::vector<double>> dashes;  ///< line, gap, ...: an even number, not all 0
+  std::vector<Curve> curves;
+  std::vector<Path> paths;
   std::vector<Group> groups;
   std::vector<Entity> entities;
   std::vector<Chamber> chambers;

@@ -15,6 +15,10 @@ Member* Value::find(std::string_view key) {
   return const_cast<Member*>(static_cast<const Value*>(this)->find(key));
 }
 
+bool is_curve(const Value& value) {
+  return value.kind == Value::Kind::table && value.find("keys") != nullptr;
+}
+
 const char* kind_name(Value::Kind kind) {
   switch (kind) {
     case Value::Kind::boolean:

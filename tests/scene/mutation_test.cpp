@@ -17,6 +17,15 @@ velocity = [12, 0.5]
 stroke = { width = 0.5, colour = "#102030" }
 markov = { chain = "run", start = "RUN" }
 states = { RUN = [{ fill = "#000001" }, { fill = "none" }] }
+follow = { path = [[0, 0], [3, 4]], speed = 2, turn = true }
+[[group]]
+name = "g"
+at = { keys = [[0, [1, 2]], [1.5, [3, { uniform = [4, 5] }]]], ease = "smooth" }
+repeat = { ring = { count = 3, radius = 2, turn = true } }
+[[entity]]
+group = "g"
+shape = { choice = [{ polygon = { points = [[0, 0], [{ normal = [4, 1] }, 0], [0, 4]] } }] }
+repeat = { scatter = { count = 4, in = [[0, 0], [1, 1]] } }
 [[ray]]
 at = [15, 5]
 direction = [1, -1e-3]

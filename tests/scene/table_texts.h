@@ -21,6 +21,12 @@ inline constexpr TableText kTables[] = {
      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nmarkov = { chain = \"c\" "
      "}\nstates = { A = { @ } }\n[markov.c]\nA = { A = 1 }"},
     {"stroke", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nstroke = { @ }"},
+    {"curve",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nangle = { keys = [[0, 0]], @ "
+     "}"},
+    {"follow",
+     "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nfollow = { path = [[0, 0], [1, "
+     "0]], speed = 1, @ }"},
     {"group", "flatray = 1\n[[group]]\nname = \"g\"\n@"},
     {"repeat", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { @ }"},
     {"repeat.grid",

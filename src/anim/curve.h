@@ -1,0 +1,30 @@
+#pragma once
+#include "scene/scene.h"
+
+namespace flatray {
+
+/// Value of a curve at `time`: that of its first key before it, of its last key after it.
+///
+/// Gives   at a key exactly its value, never more than the keys around or less. Linear: in
+///         proportion to time. Smooth: the cubic between two keys with their values and slopes. The
+///         slope is 0 at the first and the last key and where the values turn; at others, between
+///         slopes d, e of the straight lines over times h before and k after it,
+///         3 (h + k) / ((h + 2 k) / d + (2 h + k) / e).
+/// Source  Fritsch and Butland 1984, "A method for constructing local monotone piecewise cubic
+///         interpolants".
+double value_at(const Curve& curve, double time);
+
+/// `value`, and the curve added to it if there is one.
+inline double plus(const Scene& scene, double value, const std::optional<CurveId>& curve,
+                   double time) {
+  return curve ? value + value_at(scene.curves[*curve], time) : value;
+}
+
+/// Point of a path after `length` from its beginning, and the direction it goes on in (an edge of
+/// the path, of its length). An open path stands at its ends, a closed one goes round.
+struct PathPoint {
+  Vec2 at, direction;
+};
+PathPoint point_at(const Path& path, double length);
+
+}  // namespace flatray

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Options from flatray.toml of the folder: below the command line and the environment, above the scene.
+source "$(dirname "$0")/lib.sh"
+scene box.toml 1
+
+printf 'size = "20x10"\noutput = "set.png"\njobs = 1\nquiet = true\ncount = 3\n' > flatray.toml
+run 0 render box.toml
+silent err
+[[ $(size_of set.png) == 20x10 ]] || fail "size is not that of flatray.toml"
+FLATRAY_SIZE=30x10 run 0 render box.toml
+[[ $(size_of set.png) == 30x10 ]] || fail "the environment does not win"
+FLATRAY_SIZE=30x10 run 0 render box.toml --size 40x10 -o over.png
+[[ $(size_of over.png) == 40x10 ]] || fail "the command line does not win"
+
+printf 'max-entities = 3\n' > flatray.toml
+printf 'flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n%s\n' \
+  'repeat = { grid = { count = [4, 1], step = [2, 2] } }' > four.toml
+run 4 check four.toml
+says err "the limit is 3; --max-entities raises it"
+run 0 check four.toml --max-entities 4
+
+printf 'define = ["film.size=[7,5]", "fps=3"]\n' > flatray.toml
+run 0 render box.toml -o seven.png
+[[ $(size_of seven.png) == 7x5 ]] || fail "-D of flatray.toml is not heard"
+
+printf 'jbos = 2\nquiet = 3\nsize = [1, 2]\n' > flatray.toml
+run 4 render box.toml -o x.png
+says err "flatray.toml:1:1: error: unknown option 'jbos' (did you mean 'jobs'?)"
+says err "flatray.toml:2:9: error: quiet is a number, not true or false"
+says err "flatray.toml:3:8: error: size is an array, not a number or string"
+printf 'jobs = = 2\n' > flatray.toml
+run 4 render box.toml -o x.png
+says err "flatray.toml:1:8: error:"
+printf 'jobs = 0\n' > flatray.toml
+run 2 render box.toml -o x.png
+says err "flatray.toml: error:"
+absent x.png
+finish
