@@ -9,42 +9,51 @@ namespace {
 
 using Shown = std::array<std::uint8_t, 4>;
 
-constexpr int kGroup = 8;  // pixels looked at together
+constexpr int kGroup = 16;  // pixels of a run taken together
 
-// Whether the next eight names are the same.
-inline bool all_same(const std::uint32_t* names) {
-  std::uint64_t pairs[kGroup / 2];
-  std::memcpy(pairs, names, sizeof pairs);
-  const std::uint64_t first = names[0] | std::uint64_t{names[0]} << 32;
-  return ((pairs[0] ^ first) | (pairs[1] ^ first) | (pairs[2] ^ first) | (pairs[3] ^ first)) == 0;
+// The end of the pixels from `i` on that share a name. The compiler does not widen this at -O2.
+int run_end(const std::uint32_t* names, int i, int count) {
+  typedef std::uint32_t Four __attribute__((vector_size(16)));
+  const std::uint32_t name = names[i];
+  const Four same = {name, name, name, name};
+  for (; i + kGroup <= count; i += kGroup) {
+    Four v[kGroup / 4];
+    std::memcpy(v, names + i, sizeof v);
+    const Four other = (v[0] ^ same) | (v[1] ^ same) | (v[2] ^ same) | (v[3] ^ same);
+    std::uint64_t halves[2];
+    std::memcpy(halves, &other, sizeof halves);
+    if ((halves[0] | halves[1]) != 0) break;
+  }
+  while (i < count && names[i] == name) ++i;
+  return i;
 }
 
-// Writes a fourth byte beyond three channels: the next pixel's.
 template <int kChannels>
-void put_group(const Shown* shown, const std::uint32_t* names, std::uint8_t* out) {
-  for (int i = 0; i < kGroup; ++i) std::memcpy(out + kChannels * i, &shown[names[i]], 4);
+std::uint8_t* put_run(const Shown& shown, int count, std::uint8_t* out) {
+  std::uint8_t group[kGroup * kChannels];
+  for (int i = 0; i < kGroup; ++i) std::memcpy(group + kChannels * i, shown.data(), kChannels);
+  for (; count >= kGroup; count -= kGroup, out += sizeof group)
+    std::memcpy(out, group, sizeof group);
+  for (; count > 0; --count, out += kChannels) std::memcpy(out, shown.data(), kChannels);
+  return out;
 }
 
+// A pixel that is not the last of its row may be written with four bytes: the next one follows.
 template <int kChannels>
 void show_row(const Shown* shown, const std::uint32_t* names, int count, std::uint8_t* out) {
   int i = 0;
-  while (i + kGroup < count) {
-    if (!all_same(names + i)) {
-      put_group<kChannels>(shown, names + i, out + kChannels * i);
-      i += kGroup;
+  while (i + 1 < count) {
+    if (names[i] != names[i + 1]) {
+      std::memcpy(out, &shown[names[i]], 4);
+      out += kChannels;
+      ++i;
       continue;
     }
-    std::uint64_t group[kGroup * kChannels / 8 + 1];
-    put_group<kChannels>(shown, names + i, reinterpret_cast<std::uint8_t*>(group));
-    const std::uint32_t name = names[i];
-    bool same = true;
-    while (same) {
-      std::memcpy(out + kChannels * i, group, kGroup * kChannels);
-      i += kGroup;
-      same = i + kGroup < count && names[i] == name && all_same(names + i);
-    }
+    const int end = run_end(names, i, count);
+    out = put_run<kChannels>(shown[names[i]], end - i, out);
+    i = end;
   }
-  for (; i < count; ++i) std::memcpy(out + kChannels * i, &shown[names[i]], kChannels);
+  if (i < count) std::memcpy(out, &shown[names[i]], kChannels);
 }
 
 template <class Kind>

@@ -27,21 +27,6 @@ void fill(std::uint32_t* names, std::size_t count, std::uint32_t name) {
   for (; count > 0; --count) *names++ = name;
 }
 
-// Lists hold items far apart in memory: asked for some turns before they are needed.
-void fetch_ahead(const DrawList& list, const std::vector<BandItem>& items, std::size_t i) {
-  constexpr std::size_t kItem = 24, kEdges = 12, kLine = 64, kLines = 4;
-  if (i >= kItem) {
-    const DrawItem* item = &list.items[items[i - kItem].item];
-    __builtin_prefetch(item);
-    __builtin_prefetch(&item->colour);
-  }
-  if (i < kEdges) return;
-  const FillPath* path = std::get_if<FillPath>(&list.items[items[i - kEdges].item].region);
-  if (path == nullptr) return;
-  const auto* edges = reinterpret_cast<const char*>(path->edges.data());
-  for (std::size_t line = 0; line < kLines; ++line) __builtin_prefetch(edges + kLine * line);
-}
-
 }  // namespace
 
 FlatPainter::FlatPainter(const DrawList& list, DrawCounts& counts)
@@ -54,7 +39,6 @@ void FlatPainter::paint(const PixelBox& box, const std::vector<BandItem>& items,
   counts_.items += items.size();
   for (std::size_t i = items.size(); i-- > 0;) {
     const LinearColour& colour = list_.items[items[i].item].colour;
-    fetch_ahead(list_, items, i);
     runs_.clear();
     scan_.scan(items[i], box, runs_);
     lay(runs_.runs(), colour.a == 1, add_colour(colour));
