@@ -22,6 +22,11 @@ inline constexpr Option kSamplesOption = {"samples", '\0', "4|16|64",
 Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
                                                         unsigned threads);
 
+/// A registered back end by its name, opened.
+/// Error   Trouble::unavailable.
+Result<std::unique_ptr<Renderer>> open_backend(const std::string& name,
+                                               const BackendChoice& choice);
+
 /// What `flatray --version` says of the back ends: "software, gl (OSMesa, Mesa 22.3.6, ...)".
 std::string backends_text();
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <set>
 
+#include "app/backend_choice.h"
+#include "app/option_values.h"
 #include "app/value.h"
 #include "base/file.h"
-#include "render/frame.h"
 #include "scene/load.h"
 
 namespace flatray {
@@ -18,20 +19,22 @@ namespace fs = std::filesystem;
 constexpr const char* kManifest = "golden_images/manifest.json";
 constexpr const char* kSchema = "flatray.goldens/1";
 constexpr const char* kBackend = "software";
-constexpr const char* kTolerance = "max=0;pixels=0";
+constexpr const char* kGlBackend = "gl";
 
 JsonValue as_value(const GoldenRow& row) {
-  return Fields{{"file", row.file()},
+  Fields fields{{"file", row.file()},
                 {"scene", row.scene},
                 {"frame", row.frame},
                 {"seed", row.seed},
                 {"size", Values{row.width, row.height}},
-                {"backend", kBackend},
-                {"tolerance", kTolerance},
-                {"drift", row.drift},
-                {"pixels", row.pixels},
-                {"scene_hash", row.scene_hash},
-                {"why", row.why}};
+                {"backend", row.backend}};
+  if (!row.exact()) fields.emplace_back("renderer", row.renderer);
+  fields.emplace_back("tolerance", row.tolerance.text());
+  fields.emplace_back("drift", row.drift);
+  fields.emplace_back("pixels", row.pixels);
+  fields.emplace_back("scene_hash", row.scene_hash);
+  fields.emplace_back("why", row.why);
+  return fields;
 }
 
 // Takes the fields of one row, and what is wrong with each.
@@ -49,8 +52,7 @@ class RowReader {
     read_size(row);
     row.drift = text("drift"), row.pixels = text("pixels");
     row.scene_hash = text("scene_hash"), row.why = text("why");
-    expect("backend", kBackend);
-    expect("tolerance", kTolerance);
+    read_backend(row);
     expect("file", row.file());
     return row;
   }
@@ -95,6 +97,21 @@ class RowReader {
     row.height = static_cast<int>(in_range((*sides)[1], "size", 1, kGoldenHeight));
   }
 
+  void read_backend(GoldenRow& row) {
+    row.backend = text("backend");
+    if (row.backend != kBackend && row.backend != kGlBackend)
+      wrong("backend",
+            fmt::format("is '{}', expected {} or {}", row.backend, kBackend, kGlBackend));
+    const std::string tolerance = text("tolerance");
+    const std::optional<Tolerance> read = Tolerance::parse(tolerance);
+    if (!read)
+      wrong("tolerance", fmt::format("is '{}', expected '{}'", tolerance, Tolerance().text()));
+    if (!read) return;
+    row.tolerance = *read;
+    if (row.exact()) return expect("tolerance", Tolerance().text());
+    row.renderer = text("renderer");
+  }
+
   void expect(const char* key, const std::string& expected) {
     if (const std::string given = text(key); !given.empty() && given != expected)
       wrong(key, fmt::format("is '{}', expected '{}'", given, expected));
@@ -134,6 +151,18 @@ std::vector<std::string> files_below(const fs::path& root, const std::string& fo
 
 }  // namespace
 
+std::string Tolerance::text() const { return fmt::format("max={};pixels={}", levels, pixels); }
+
+std::optional<Tolerance> Tolerance::parse(std::string_view text) {
+  constexpr std::string_view kLevels = "max=", kPixels = ";pixels=";
+  const std::size_t second = text.find(kPixels);
+  if (!text.starts_with(kLevels) || second == text.npos) return std::nullopt;
+  const auto levels = parse_whole(text.substr(kLevels.size(), second - kLevels.size()));
+  const auto pixels = parse_whole(text.substr(second + kPixels.size()));
+  if (!levels || !pixels || *levels > 255) return std::nullopt;
+  return Tolerance{static_cast<int>(*levels), *pixels};
+}
+
 std::string GoldenRow::name() const {
   return without_extension(fs::path(scene).lexically_relative("scenes"));
 }
@@ -145,11 +174,11 @@ std::string GoldenRow::folder() const {
 }
 
 std::string GoldenRow::file() const {
-  return fmt::format("golden_images/{}/frame_{:04}.png", folder(), frame);
+  return fmt::format("golden_images/{}/{}frame_{:04}.png", folder(), exact() ? "" : "gl_", frame);
 }
 
 std::string GoldenRow::look() const {
-  return fmt::format("out/golden/{}/frame_{:04}", folder(), frame);
+  return fmt::format("out/golden/{}/{}frame_{:04}", folder(), exact() ? "" : "gl_", frame);
 }
 
 Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
@@ -215,10 +244,20 @@ Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row
   return golden;
 }
 
-Image render_golden(const Scene& scene, const GoldenRow& row, unsigned threads) {
+Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row, unsigned threads) {
+  return render_golden(scene, row, row.backend, threads);
+}
+
+Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
+                                    const std::string& backend, unsigned threads) {
+  const auto renderer = open_backend(backend, {threads, 4});
+  if (!renderer) return tl::unexpected(renderer.error());
   const Timeline timeline(scene, row.seed, row.frame);
-  return render_image(draw_list(make_plan(scene, false), timeline, row.frame),
-                      {std::nullopt, threads});
+  GoldenPicture picture{{}, (*renderer)->description()};
+  auto drawn = (*renderer)->draw(draw_list(make_plan(scene, false), timeline, row.frame),
+                                 {std::nullopt, threads}, picture.image);
+  if (!drawn) return fail(std::move(drawn));
+  return picture;
 }
 
 std::vector<std::string> stray_goldens(const fs::path& root, const std::vector<GoldenRow>& rows) {

@@ -27,7 +27,7 @@ std::string layout_text(const Image& image) {
 }  // namespace
 
 GoldenCheck judge(Image actual, Image expected) {
-  GoldenCheck check{std::move(actual), std::move(expected), std::nullopt, false, {}};
+  GoldenCheck check{std::move(actual), std::move(expected), std::nullopt, false, {}, {}, {}};
   if (const auto difference = compare(check.actual, check.expected)) check.difference = *difference;
   return check;
 }
@@ -37,7 +37,11 @@ Result<GoldenCheck> check_golden(const fs::path& root, const GoldenRow& row) {
   if (!expected) return fail(std::move(expected));
   const Result<GoldenScene> golden = load_golden_scene(root, row);
   if (!golden) return tl::unexpected(golden.error());
-  GoldenCheck check = judge(render_golden(golden->scene, row, 1), std::move(*expected));
+  Result<GoldenPicture> drawn = render_golden(golden->scene, row, 1);
+  if (!drawn) return fail(std::move(drawn));
+  GoldenCheck check = judge(std::move(drawn->image), std::move(*expected));
+  check.tolerance = row.tolerance;
+  check.renderer = drawn->renderer;
   check.scene_changed = scene_hash(golden->scene) != row.scene_hash;
   check.options = golden->options;
   return check;
@@ -45,18 +49,25 @@ Result<GoldenCheck> check_golden(const fs::path& root, const GoldenRow& row) {
 
 std::string golden_report(const GoldenRow& row, const GoldenCheck& check) {
   const std::string stem = fs::path(row.scene).stem().string();
-  std::string text = fmt::format("{} frame {}: differs from {} (software: must be equal)\n",
-                                 row.name(), row.frame, row.file());
+  const std::string allowed =
+      row.exact() ? "must be equal" : fmt::format("{} allowed", row.tolerance.text());
+  std::string text = fmt::format("{} frame {}: differs from {} ({}: {})\n", row.name(), row.frame,
+                                 row.file(), row.backend, allowed);
   text += check.difference ? fmt::format("  {}\n", difference_text(*check.difference, check.actual))
                            : fmt::format("  picture of {}, expected {}\n",
                                          layout_text(check.actual), layout_text(check.expected));
   if (check.scene_changed)
     text += fmt::format("  cause:  {} has changed since the picture was accepted\n", row.scene);
+  if (check.renderer != row.renderer && !row.exact())
+    text += fmt::format("  cause:  accepted from {}\n          drawn by {}\n", row.renderer,
+                        check.renderer);
   text += fmt::format("  look:   {}/{{actual,expected{}}}.png\n", row.look(),
                       check.difference ? ",diff_x16" : "");
-  text += fmt::format("  replay: flatray render {} -f {}{} -o {}.png\n", row.scene, row.frame,
-                      check.options, stem);
-  return text + fmt::format("  accept: flatray golden update {} --why \"...\"\n", row.name());
+  const std::string backend = row.exact() ? "" : fmt::format(" --backend {}", row.backend);
+  text += fmt::format("  replay: flatray render {} -f {}{}{} -o {}.png\n", row.scene, row.frame,
+                      check.options, backend, stem);
+  return text +
+         fmt::format("  accept: flatray golden update {}{} --why \"...\"\n", row.name(), backend);
 }
 
 Result<void> write_look(const fs::path& root, const GoldenRow& row, const GoldenCheck& check) {

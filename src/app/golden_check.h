@@ -12,11 +12,13 @@ struct GoldenCheck {
   std::optional<Difference> difference;  ///< unset where size or channels differ
   bool scene_changed = false;            ///< since the picture was accepted
   std::string options;                   ///< as GoldenScene's
+  Tolerance tolerance;                   ///< the row's
+  std::string renderer;                  ///< what drew `actual`
 
-  bool passes() const { return difference && difference->pixels == 0; }
+  bool passes() const { return difference && tolerance.allows(*difference); }
 };
 
-/// Two pictures judged; `scene_changed` and `options` stay unset.
+/// Two pictures judged by equality; what is not of pictures stays unset.
 GoldenCheck judge(Image actual, Image expected);
 
 /// Error   of the scene or the committed file; also where that file is not the one the row names by

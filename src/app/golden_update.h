@@ -14,6 +14,7 @@ struct GoldenRequest {
       frames;  ///< the scene's goldens from now on; unset: those it has, or frame 1
   std::optional<FilmSize>
       size;  ///< unset: the scene's own, or where that is too large that of its goldens
+  std::string backend = "software";  ///< or "gl"
 };
 
 /// What accepting would do. Nothing is written yet.
@@ -31,7 +32,8 @@ struct GoldenUpdate {
   std::vector<GoldenRow> rows;     ///< of the manifest afterwards
 };
 
-/// Draws the scene's goldens, each twice, and measures their drift.
+/// Draws the scene's goldens, each twice, and measures their drift; for a GL back end between
+/// OSMesa and EGL, too, and allows what it measured.
 ///
 /// Gives   rows in which pictures that stay the same keep their `why`.
 /// Error   of the scene; Trouble::usage, all together, for pictures above 320 x 200, more than

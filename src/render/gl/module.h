@@ -49,7 +49,7 @@ struct FlatrayGlTile {
 struct FlatrayGlInfo {
   char version[256];      ///< "OSMesa, Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)"
   int32_t most_samples;   ///< 1 where there is no MSAA
-  float positions[4][2];  ///< of its samples in a pixel, y down; of 4 where most_samples is 4
+  float positions[4][2];  ///< of its samples in a pixel, y down, where there are 4
 };
 
 /// A message for people, filled where a call fails.

@@ -28,6 +28,17 @@ std::vector<std::array<float, 2>> shifts(unsigned times) {
   return all;
 }
 
+// Without MSAA each of its four samples is a picture of its own, moved so that centres see it.
+std::vector<std::array<float, 2>> one_by_one(const std::vector<std::array<float, 2>>& moved) {
+  constexpr std::array<std::array<float, 2>, 4> kPlaces = {
+      {{0.375F, 0.125F}, {0.875F, 0.375F}, {0.125F, 0.625F}, {0.625F, 0.875F}}};
+  std::vector<std::array<float, 2>> all;
+  for (const std::array<float, 2>& shift : moved)
+    for (const std::array<float, 2>& place : kPlaces)
+      all.push_back({shift[0] + 0.5F - place[0], shift[1] + 0.5F - place[1]});
+  return all;
+}
+
 class GlRenderer final : public Renderer {
  public:
   GlRenderer(std::unique_ptr<LoadedModule> module, unsigned samples)
@@ -81,11 +92,14 @@ class GlRenderer final : public Renderer {
                      static_cast<std::size_t>(box.height));
     const LinearColour& under = list.background;
     const bool centre = list.coverage == Coverage::centre;
-    const auto moved = centre ? std::vector<std::array<float, 2>>{{0, 0}} : shifts(samples_ / 4);
+    const FlatrayGlInfo& info = module_->info();
+    std::vector<std::array<float, 2>> moved = {{0, 0}};
+    if (!centre) moved = shifts(samples_ / 4);
+    if (!centre && info.most_samples < 4) moved = one_by_one(moved);
     return module_->draw(
         {.width = box.width,
          .height = box.height,
-         .samples = centre ? 1 : 4,
+         .samples = centre ? 1 : info.most_samples,
          .shifts = reinterpret_cast<const float(*)[2]>(moved.data()),
          .shift_count = moved.size(),
          .background = {under.r * under.a, under.g * under.a, under.b * under.a, under.a},

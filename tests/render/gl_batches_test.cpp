@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "render/gl/batches.h"
+#include "render/gl/grid.h"
+#include "render/gl/outlines.h"
+
+namespace flatray::gl {
+namespace {
+
+constexpr PixelBox kTile{0, 0, 200, 100};
+
+FillPath box_path(double x, double y, double side) {
+  const Vec2 a(x, y), b(x + side, y), c(x + side, y + side), d(x, y + side);
+  return {{{a, b}, {b, c}, {c, d}, {d, a}}, FillRule::nonzero, true};
+}
+
+// Two boxes, one inside the other: not one convex ring.
+FillPath frame_path(double x, double y, double side) {
+  FillPath path = box_path(x, y, side);
+  for (const Segment& edge : box_path(x + 1, y + 1, side - 2).edges)
+    path.edges.push_back({edge.b, edge.a});
+  path.simple = false;
+  return path;
+}
+
+std::vector<int> kinds(const std::vector<DrawItem>& items) {
+  const auto made = batches({200, 100, {}, Coverage::area, items}, kTile);
+  EXPECT_TRUE(made);
+  std::vector<int> found;
+  for (const FlatrayGlBatch& batch : made->batches) found.push_back(batch.kind);
+  return found;
+}
+
+TEST(GlBatches, ConvexItemsAreOneBatchInTheirOrder) {
+  std::vector<DrawItem> items;
+  for (int i = 0; i < 50; ++i)
+    items.push_back({box_path(i, i, 10), {static_cast<float>(i), 0, 0, 1}});
+  EXPECT_EQ(kinds(items), std::vector<int>{FLATRAY_GL_PAINT});
+  const auto made = batches({200, 100, {}, Coverage::area, items}, kTile);
+  ASSERT_EQ(made->vertices.size(), 50U * 6);
+  for (std::size_t i = 0; i < made->vertices.size(); ++i)
+    EXPECT_EQ(made->vertices[i].rgba[0], static_cast<float>(i / 6));
+}
+
+TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {
+  const LinearColour half{0, 0, 0, 0.5F};
+  const std::vector<int> marked = {FLATRAY_GL_COUNT, FLATRAY_GL_COVER};
+  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}}), marked);
+  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {frame_path(100, 50, 20), half}}), marked);
+  EXPECT_EQ(
+      kinds({{frame_path(0, 0, 20), half}, {frame_path(10, 10, 20), half}}),
+      (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER, FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
+  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {box_path(100, 50, 20), half}}),
+            (std::vector<int>{FLATRAY_GL_PAINT, FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
+  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {box_path(10, 10, 20), half}}),
+            (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER, FLATRAY_GL_PAINT}));
+}
+
+TEST(GlBatches, WhatIsNotInTheTileIsNotDrawn) {
+  EXPECT_EQ(kinds({{box_path(-30, 0, 20), {}},
+                   {box_path(0, 101, 20), {}},
+                   {FillRing{{-10, -10}, 9}, {}},
+                   {box_path(10, 10, 20), {0, 0, 0, 0}}}),
+            std::vector<int>{});
+}
+
+TEST(GlBatches, HugeFiguresAreCutToWhatARasterizerTakes) {
+  const auto made = batches({200,
+                             100,
+                             {},
+                             Coverage::area,
+                             {{box_path(-1e12, -1e12, 3e12), {}},
+                              {FillRing{{50, 1e9}, 1e9}, {}},
+                              {frame_path(-1e7, -1e7, 1e8), {}}}},
+                            kTile);
+  ASSERT_TRUE(made);
+  EXPECT_LT(made->vertices.size(), 20'000U);
+  for (const FlatrayGlVertex& v : made->vertices)
+    EXPECT_TRUE(v.x >= -512 && v.x <= 712 && v.y >= -512 && v.y <= 612) << v.x << ' ' << v.y;
+}
+
+TEST(GlGrid, AHullIsConvexAndHoldsItsPoints) {
+  const std::vector<GridPoint> corners =
+      hull({{0, 0}, {4, 0}, {2, 0}, {4, 4}, {0, 4}, {2, 1}, {0, 0}, {4, 2}});
+  EXPECT_EQ(corners.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_GT(area(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]), 0);
+  EXPECT_TRUE(hull({{0, 0}, {1, 1}, {2, 2}}).empty());
+}
+
+TEST(GlOutlines, EdgesInAnyOrderMakeUpTheirRings) {
+  std::vector<Segment> edges = box_path(0, 0, 3).edges;
+  for (const Segment& edge : box_path(3, 3, 2).edges) edges.push_back(edge);  // share a corner
+  std::reverse(edges.begin(), edges.end());
+  double twice_area = 0;
+  std::size_t count = 0;
+  for (const Ring& ring : rings_of(edges)) {
+    count += ring.size();
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      twice_area += cross(ring[i], ring[(i + 1) % ring.size()]);
+  }
+  EXPECT_EQ(count, edges.size());
+  EXPECT_EQ(twice_area, 2 * (9 + 4));
+}
+
+TEST(GlOutlines, ACircleKeepsWithinAStepOfTheGrid) {
+  const Bounds box{{0, 0}, {200, 100}};
+  for (const double radius : {0.5, 30.0, 5000.0, 1e8}) {
+    const Vec2 centre(100, 50 - radius);
+    const Ring ring = circle_ring(centre, radius, box);
+    EXPECT_LT(ring.size(), 3000U);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 middle = 0.5 * (ring[i] + ring[(i + 1) % ring.size()]);
+      if (meet(box, {middle, middle})) {
+        EXPECT_LE(radius - std::sqrt((middle - centre).squaredNorm()), 1.01 / 256) << radius;
+      }
+    }
+  }
+}
+
+TEST(GlOutlines, ClampingKeepsWindingInside) {
+  const Bounds box{{0, 0}, {10, 10}};
+  // A spiral ring that leaves the box on three sides and winds twice round (5, 5).
+  const Ring ring = {{-20, -20}, {30, -20}, {30, 40}, {-9, 40}, {-9, 2}, {8, 2}, {8, 8}, {-15, 8}};
+  const auto winding = [](const Ring& points, const Vec2& at) {
+    int turns = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
+      const double side = cross(b - a, at - a);
+      if (a.y() <= at.y() && b.y() > at.y() && side > 0) ++turns;
+      if (b.y() <= at.y() && a.y() > at.y() && side < 0) --turns;
+    }
+    return turns;
+  };
+  const Ring moved = clamped(ring, box);
+  EXPECT_TRUE(contains(box, bounds_of(moved)));
+  for (const Vec2& at : {Vec2(5, 5), Vec2(9, 9), Vec2(1, 1), Vec2(5, 1.5), Vec2(9.5, 5)})
+    EXPECT_EQ(winding(moved, at), winding(ring, at)) << at.transpose();
+}
+
+}  // namespace
+}  // namespace flatray::gl
