@@ -57,7 +57,8 @@ class Dasher {
   Dasher(std::span<const double> lengths, double offset) : lengths_(lengths) {
     const double period = std::accumulate(lengths.begin(), lengths.end(), 0.0);
     left_ = offset - period * std::floor(offset / period);
-    while (left_ >= lengths_[index_] && index_ + 1 < lengths_.size()) left_ -= lengths_[index_++];
+    while (left_ > 0 && left_ >= lengths_[index_] && index_ + 1 < lengths_.size())
+      left_ -= lengths_[index_++];
     left_ = std::max(lengths_[index_] - left_, 0.0);
   }
 
@@ -69,7 +70,7 @@ class Dasher {
 
   // `joined`: the walk came back to where it began.
   std::vector<Chain> finish(bool joined) {
-    if (dash_.points.empty()) return std::move(dashes_);
+    if (dash_.points.size() < 2) return std::move(dashes_);  // none, or one that begins at the end
     if (joined && dashes_.empty() && started_on_) close_if_back(dash_);
     if (joined && started_on_ && !dashes_.empty()) {
       Chain& first = dashes_.front();
@@ -94,7 +95,7 @@ class Dasher {
       cut(a + at * ahead, ahead);
     }
     left_ -= length - at;
-    if (is_line()) dash_.points.push_back(b);
+    if (is_line() && at < length) dash_.points.push_back(b);
   }
 
   void cut(const Vec2& point, const Vec2& ahead) {

@@ -37,6 +37,8 @@ double length_of(const Chain& chain) {
   return sum;
 }
 
+constexpr double kRound = 0.033;  // a disc of radius 2 by chords: 2/3 sagitta times circumference
+
 const Chain kCorner{{{4, 4}, {14, 4}, {14, 14}}};
 const Chain kSquare{{{4, 4}, {14, 4}, {14, 14}, {4, 14}}, true};
 
@@ -44,14 +46,14 @@ const Chain kSquare{{{4, 4}, {14, 4}, {14, 14}, {4, 14}}, true};
 TEST(Strokes, JoinsFillTheCornerAsTheirNamesSay) {
   EXPECT_EQ(area_of(kCorner, {2, LineJoin::bevel, LineCap::butt}), 80 - 4 + 2);
   EXPECT_EQ(area_of(kCorner, {2, LineJoin::miter, LineCap::butt}), 80 - 4 + 4);
-  EXPECT_NEAR(area_of(kCorner, {2, LineJoin::round, LineCap::butt}), 80 - 4 + 3.14159, 0.02);
+  EXPECT_NEAR(area_of(kCorner, {2, LineJoin::round, LineCap::butt}), 80 - 4 + 3.14159, kRound);
 }
 
 TEST(Strokes, CapsEndALineAsTheirNamesSay) {
   const Chain line{{{4, 10}, {14, 10}}};
   EXPECT_EQ(area_of(line, {2, LineJoin::round, LineCap::butt}), 40);
   EXPECT_EQ(area_of(line, {2, LineJoin::round, LineCap::square}), 56);
-  EXPECT_NEAR(area_of(line, {2, LineJoin::round, LineCap::round}), 40 + 4 * 3.14159, 0.02);
+  EXPECT_NEAR(area_of(line, {2, LineJoin::round, LineCap::round}), 40 + 4 * 3.14159, kRound);
 }
 
 TEST(Strokes, AClosedChainHasAHoleAndNoCaps) {
@@ -74,7 +76,7 @@ TEST(Strokes, ADotHasItsCapsOrNothing) {
   const Chain dot{{{10, 10}, {10, 10}}};
   EXPECT_EQ(area_of(dot, {2, LineJoin::round, LineCap::butt}), 0);
   EXPECT_EQ(area_of(dot, {2, LineJoin::round, LineCap::square}), 16);
-  EXPECT_NEAR(area_of(dot, {2, LineJoin::round, LineCap::round}), 4 * 3.14159, 0.02);
+  EXPECT_NEAR(area_of(dot, {2, LineJoin::round, LineCap::round}), 4 * 3.14159, kRound);
 }
 
 // However a chain turns, short legs or long ones, its outline covers what its legs cover together.
@@ -124,6 +126,14 @@ TEST(Dashes, LinesAndGapsFollowOneAnotherRoundCorners) {
   ASSERT_EQ(dashes.size(), 5U);
   for (const Chain& dash : dashes) EXPECT_DOUBLE_EQ(length_of(dash), 3);
   EXPECT_EQ(dashes[2].points, (std::vector<Vec2>{{12, 4}, {14, 4}, {14, 5}}));
+}
+
+TEST(Dashes, DotsBeginWhereTheLineDoes) {
+  const std::vector<double> lengths = {0, 5};
+  const std::vector<Chain> dots = dashed(kCorner, lengths, 0);
+  ASSERT_EQ(dots.size(), 5U);
+  EXPECT_EQ(dots.front().points.front(), Vec2(4, 4));
+  EXPECT_EQ(dots.back().points.back(), Vec2(14, 14));
 }
 
 TEST(Dashes, AWholePeriodOfOffsetChangesNothing) {

@@ -72,6 +72,7 @@ inline constexpr TableText kTables[] = {
      "}"},
     {"ellipse", "flatray = 1\n[[entity]]\nshape = { ellipse = { radii = [2, 1], @ } }"},
     {"sector", "flatray = 1\n[[entity]]\nshape = { sector = { radius = 1, from = 0, to = 9, @ } }"},
+    {"text", "flatray = 1\n[[entity]]\nshape = { text = { string = \"a\", size = 1, @ } }"},
     {"import", "flatray = 1\n[[entity]]\nshape = { import = { file = \"a.obj\", @ } }"},
 };
 

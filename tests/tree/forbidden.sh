@@ -88,7 +88,7 @@ rule 'SLEEF belongs to base/portable_math' code "$sources" '^src/base/portable_m
   '#include <sleef' '#include <sleef.h>' '#include <Eigen/Core>'
 rule 'MPFR is a second opinion, for tests' code "$sources" '^tests/.*\.cpp$' \
   '#include <mpfr' '#include <mpfr.h>' '#include <Eigen/Core>'
-rule 'stb belongs to the image module' code "$sources" '^(src/image|benchmarks|benchmarks/peers)/[a-z_]+\.cpp$' \
+rule 'stb belongs to the image module, its font to one source' code "$sources" '^(src/image|benchmarks(/peers)?)/[a-z_]+\.cpp$|^src/scene/easy_font\.cpp$' \
   '#include ["<](stb/|stb_)' '#include <stb_image.h>' '#include <Eigen/Core>'
 rule 'of Eigen, headers take the core' code '\.h$' "$none" \
   '#include <Eigen/(Dense|LU|QR|SVD|Geometry|Eigenvalues)>' '#include <Eigen/Dense>' '#include <Eigen/Core>'

@@ -1,0 +1,78 @@
+#include <fmt/core.h>
+
+#include "scene/easy_font.h"
+#include "scene/shape.h"
+
+namespace flatray::shapes {
+namespace {
+
+enum class Align { left, centre, right };
+constexpr Word<Align> kAligns[] = {
+    {"left", Align::left}, {"centre", Align::centre}, {"right", Align::right}};
+
+constexpr KeyInfo kKeys[] = {{"string", "\"TEXT\"", kRequired},
+                             {"size", "number", kRequired},
+                             {"align", R"("left", "centre" or "right")", R"("left")"}};
+
+// What the font lacks becomes a question mark; one character of several bytes is one of those.
+std::string printable(Args& args, const std::string& text) {
+  std::string shown;
+  std::size_t lacking = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n' || (byte >= ' ' && byte <= '~')) {
+      shown += c;
+    } else if ((byte & 0xC0U) != 0x80U) {
+      shown += '?';
+      ++lacking;
+    }
+  }
+  if (lacking > 0)
+    args.warning(args.place("string"), fmt::format("the font lacks {} of the characters", lacking),
+                 "it has those of ASCII; a question mark stands for each of the others");
+  return shown;
+}
+
+// A pixel is a square; neighbours share their corners to the bit, so that the outline of the shape
+// is that of their union.
+void add_line(Shape& shape, const FontLine& line, double left, int baseline, double scale) {
+  const auto corner = [&](int x, int y) {
+    return Vec2((left + x) * scale, (baseline + y) * scale);
+  };
+  for (const FontPixel& pixel : line.pixels) {
+    const int x = pixel.x, y = pixel.y;
+    for (const Vec2& at :
+         {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)}) {
+      shape.edges.push_back(static_cast<std::int32_t>(shape.vertices.size()));
+      shape.vertices.push_back(at);
+    }
+    shape.begin.push_back(static_cast<std::uint32_t>(shape.vertices.size()));
+  }
+}
+
+Result<Shape> build(Args& args) {
+  const std::string text = printable(args, args.string("string"));
+  const double scale = args.size("size") / kFontCapitals;
+  const double before = 0.5 * static_cast<int>(args.word<Align>("align", Align::left, kAligns));
+  Shape shape;
+  int baseline = 0;
+  for (std::size_t begin = 0; begin <= text.size(); baseline -= kFontLineStep) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const FontLine line = font_line(std::string_view(text).substr(begin, end - begin));
+    add_line(shape, line, -before * line.width, baseline, scale);
+    begin = end + 1;
+  }
+  if (shape.piece_count() == 0)
+    return fail(args.place("string"), "the text shows nothing", "write some letters");
+  const Vec2 one = shape.vertices[1] - shape.vertices[0];
+  if (!(one.x() > 0) || !(shape.vertices.back().cwiseAbs().maxCoeff() <= kFarthest))
+    return fail(args.place("size"), "letters of this size are lost in rounding",
+                "write a size between 1e-290 and 1e290");
+  return shape;
+}
+
+}  // namespace
+
+extern const ShapeType text = {"text", kKeys, &build};
+
+}  // namespace flatray::shapes
