@@ -23,9 +23,9 @@ printf 'define = ["film.size=[7,5]", "fps=3"]\n' > flatray.toml
 run 0 render box.toml -o seven.png
 [[ $(size_of seven.png) == 7x5 ]] || fail "-D of flatray.toml is not heard"
 
-printf 'jbos = 2\nquiet = 3\nsize = [1, 2]\n' > flatray.toml
+printf 'jobz = 2\nquiet = 3\nsize = [1, 2]\n' > flatray.toml
 run 4 render box.toml -o x.png
-says err "flatray.toml:1:1: error: unknown option 'jbos' (did you mean 'jobs'?)"
+says err "flatray.toml:1:1: error: unknown option 'jobz' (did you mean 'jobs'?)"
 says err "flatray.toml:2:9: error: quiet is a number, not true or false"
 says err "flatray.toml:3:8: error: size is an array, not a number or string"
 printf 'jobs = = 2\n' > flatray.toml
