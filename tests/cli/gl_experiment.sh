@@ -2,7 +2,7 @@
 # needs: gl shapes/circle shapes/convex shapes/polygon shapes/segment
 # The GL back end against exact areas on scenes of the project: samples explain every difference.
 source "$(dirname "$0")/lib.sh"
-for name in tutorial/02_shapes tutorial/05_chamber paper/case_two; do
+for name in tutorial/02_shapes tutorial/09_chamber paper/case_two; do
   run 0 experiment backends "$root/scenes/$name.toml" -o files
   says out "all differences are those between exact areas and samples"
   says out "Mesa"

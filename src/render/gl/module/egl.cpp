@@ -13,7 +13,6 @@ namespace {
 struct Functions {
   decltype(&eglGetProcAddress) function;
   decltype(&eglInitialize) initialise;
-  decltype(&eglTerminate) terminate;
   decltype(&eglBindAPI) bind_api;
   decltype(&eglChooseConfig) choose_config;
   decltype(&eglCreateContext) create;
@@ -25,7 +24,6 @@ struct Functions {
   explicit Functions(const Library& library)
       : function(library.find<decltype(eglGetProcAddress)>("eglGetProcAddress")),
         initialise(library.find<decltype(eglInitialize)>("eglInitialize")),
-        terminate(library.find<decltype(eglTerminate)>("eglTerminate")),
         bind_api(library.find<decltype(eglBindAPI)>("eglBindAPI")),
         choose_config(library.find<decltype(eglChooseConfig)>("eglChooseConfig")),
         create(library.find<decltype(eglCreateContext)>("eglCreateContext")),
@@ -37,7 +35,7 @@ struct Functions {
           reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(function("eglGetPlatformDisplayEXT"));
   }
   bool complete() const {
-    return function && initialise && terminate && bind_api && choose_config && create && destroy &&
+    return function && initialise && bind_api && choose_config && create && destroy &&
            make_current && release_thread && platform_display;
   }
 };
@@ -65,13 +63,12 @@ class EglContext final : public Maker::Context {
   EGLContext context_;
 };
 
+// The display is one for the whole process, and others may have contexts of it: it is never
+// terminated.
 class EglMaker final : public Maker {
  public:
   EglMaker(const Library& library, const Functions& functions, EGLDisplay display)
       : library_(library), functions_(functions), display_(display) {}
-  EglMaker(const EglMaker&) = delete;
-  EglMaker& operator=(const EglMaker&) = delete;
-  ~EglMaker() override { functions_.terminate(display_); }
 
   const char* name() const override { return "EGL"; }
   std::unique_ptr<Context> create(std::string& error) override {
