@@ -74,9 +74,9 @@ void read_follow(Builder& builder, const Field& field, Camera& camera) {
 }
 
 constexpr Key<Camera> kCameraKeys[] = {
-    {{"at", "[x, y]", "the middle of film.world"}, &read_camera_at},
-    {{"height", "number", "that of film.world"}, &read_height},
-    {{"zoom", "number", "1"}, &read_zoom},
+    {{"at", "[x, y] or a curve", "the middle of film.world"}, &read_camera_at},
+    {{"height", "number or a curve", "that of film.world"}, &read_height},
+    {{"zoom", "number or a curve", "1"}, &read_zoom},
     {{"follow", "\"ENTITY\"", "none"}, &read_follow},
     {{"offset", "[dx, dy]", "[0, 0]"}, &set<&Camera::offset>},
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Camera::velocity>},

@@ -88,8 +88,8 @@ constexpr Word<LineCap> kCaps[] = {
     {"round", LineCap::round}, {"butt", LineCap::butt}, {"square", LineCap::square}};
 
 constexpr Key<Stroke> kStrokeKeys[] = {
-    {{"width", "world units", "none"}, &read_width<false>},
-    {{"width_px", "pixels", "1.5"}, &read_width<true>},
+    {{"width", "world units or a curve", "none"}, &read_width<false>},
+    {{"width_px", "pixels or a curve", "1.5"}, &read_width<true>},
     {{"colour", R"("#rrggbb", { linear = { ... } } or { radial = { ... } })", "as the table says"},
      &read_stroke_colour},
     {{"joins", R"("round", "miter" or "bevel")", R"("round")"}, &set_word<&Stroke::joins, kJoins>},

@@ -45,9 +45,10 @@ void set_follow(Builder& builder, const Field& field, T& thing) {
   read_follow_path(builder, field, thing.motion);
 }
 template <class T>
-inline constexpr Key<T> kMovingAtKey = {{"at", "[x, y]", "[0, 0]"}, &set_moving_at<T>};
+inline constexpr Key<T> kMovingAtKey = {{"at", "[x, y] or a curve", "[0, 0]"}, &set_moving_at<T>};
 template <class T>
-inline constexpr Key<T> kMovingAngleKey = {{"angle", "degrees", "0"}, &set_moving_angle<T>};
+inline constexpr Key<T> kMovingAngleKey = {{"angle", "degrees or a curve", "0"},
+                                           &set_moving_angle<T>};
 template <class T>
 inline constexpr Key<T> kFollowKey = {{"follow", "{ path = [[x, y], ...], speed = v }", "none"},
                                       &set_follow<T>};
