@@ -108,7 +108,7 @@ TEST(Motion, AStrokeMayGrow) {
   scene.frames = 2;
   scene.curves = {{Ease::linear, {0, 4}, {1, 5}}};
   Entity& box = scene.entities[add_box(scene, {0, 0})];
-  box.stroke = Stroke{};
+  box.stroke = Stroke{0, false, {}};
   box.stroke->width_curve = 0;
   EXPECT_EQ(at(Timeline(scene, 0, 3), 3).entities[0].stroke->width, 3);
   EXPECT_NE(reason_to_move(scene), "");
