@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/help.h"
+#include "app/json_failure.h"
 #include "app/option_values.h"
 #include "app/project_config.h"
 #include "app/report.h"
@@ -84,7 +85,9 @@ int run_verb(const Verb& verb, std::vector<std::string> words) {
   if (!arguments) return report_failure(arguments.error(), verb.undone);
   if (arguments->has("help")) return print(help_text(verb), 0);
   const Result<VerbOutput> output = verb.run(*arguments);
-  if (!output) return report_failure(output.error(), verb.undone);
+  if (!output)
+    return print(json_failure(verb.name, *arguments, output.error()),
+                 report_failure(output.error(), verb.undone));
   return print(output->text, output->exit_code);
 }
 

@@ -50,6 +50,13 @@ FramePlace find_percent(std::string_view text, std::size_t file_name) {
   return {};
 }
 
+std::string with_scene(std::string text, std::string_view scene) {
+  for (std::size_t at = text.find(kScene); at != std::string::npos;
+       at = text.find(kScene, at + scene.size()))
+    text.replace(at, kScene.size(), scene);
+  return text;
+}
+
 std::string lower_case(std::string text) {
   for (char& c : text) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return text;
@@ -115,10 +122,18 @@ OutputPattern OutputPattern::standard(bool sequence, PictureFormat format) {
 std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame) const {
   std::string result = text_;
   if (has_frame()) result.replace(frame_at_, frame_length_, fmt::format("{:0{}}", frame, digits_));
-  for (std::size_t at = result.find(kScene); at != std::string::npos;
-       at = result.find(kScene, at + scene.size()))
-    result.replace(at, kScene.size(), scene);
-  return result;
+  return with_scene(std::move(result), scene);
+}
+
+std::optional<std::filesystem::path> OutputPattern::link_chosen_by(std::string_view scene) const {
+  std::filesystem::path folder;
+  for (const std::filesystem::path& part : std::filesystem::path(text_).parent_path()) {
+    folder /= with_scene(part.string(), scene);
+    std::error_code ignored;
+    const bool chosen = part.string().find(kScene) != std::string::npos;
+    if (chosen && std::filesystem::is_symlink(folder, ignored)) return folder;
+  }
+  return std::nullopt;
 }
 
 Result<std::string> plain_name(std::string_view scene) {

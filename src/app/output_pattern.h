@@ -31,6 +31,9 @@ class OutputPattern {
 
   /// `scene` is a `plain_name`.
   std::filesystem::path path(std::string_view scene, unsigned frame) const;
+  /// The first folder of the path that the scene's name chose and that is a symbolic link: through
+  /// it the name would choose a place elsewhere. Links the user wrote out are the user's word.
+  std::optional<std::filesystem::path> link_chosen_by(std::string_view scene) const;
 
  private:
   OutputPattern(std::string text, PictureFormat format);

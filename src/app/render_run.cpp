@@ -5,7 +5,9 @@
 #include <chrono>
 
 #include "app/interrupt.h"
+#include "app/json_failure.h"
 #include "app/report.h"
+#include "base/file.h"
 
 namespace flatray {
 namespace {
@@ -82,7 +84,15 @@ class Run {
   }
 
   // Manifests hold from the start only what stays, so that a stop at any moment leaves them true.
+  // Files of runs that were killed go first.
   Result<void> begin() const {
+    for (const Work& work : list_.works) {
+      if (work.job->output.is_stdout()) continue;
+      if (const auto link = work.job->output.link_chosen_by(work.job->name))
+        return fail(named_place(link->string()), "is a link, and a scene's name led to it",
+                    "remove it, or write the folder out in -o", Trouble::output);
+      remove_leftovers(work.job->folder());
+    }
     for (const auto& [path, records] : list_.kept)
       if (auto written = write_manifest(path, records); !written) return written;
     return {};
@@ -94,7 +104,7 @@ class Run {
                                     ? "nothing rendered"
                                     : fmt::format("{} of {} written; --resume goes on from there",
                                                   written_, counted(total_, "frame"));
-    return {"", report_failure(problems, goes_on)};
+    return {json_failure("render", arguments_, problems), report_failure(problems, goes_on)};
   }
 
   VerbOutput finish() {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/utf8.h"
+
 namespace flatray {
 namespace {
 
@@ -14,27 +16,47 @@ constexpr std::size_t kExcerptWidth = 100;
 // A byte of UTF-8 that goes on with a character begun before.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// Control characters of a hostile input must not reach a terminal: those of ASCII and, in UTF-8 two
-// bytes from C2 80 to C2 9F, those above it.
+// What must not reach a terminal from a hostile input: bytes that are no UTF-8, control characters
+// (those of ASCII, and C2 80 to C2 9F), and those that turn the direction of what follows (U+202A to
+// U+202E, U+2066 to U+2069).
+bool is_shown(std::string_view character) {
+  const auto last = static_cast<unsigned char>(character.back());
+  if (character.size() == 1) return last >= 0x20 && last != 0x7f;
+  const std::string_view lead = character.substr(0, character.size() - 1);
+  return !(lead == "\xc2" && last < 0xa0) &&
+         !(lead == "\xe2\x80" && last >= 0xaa && last <= 0xae) &&
+         !(lead == "\xe2\x81" && last >= 0xa6 && last <= 0xa9);
+}
+
 std::string printable(std::string_view bytes) {
   std::string shown;
   shown.reserve(bytes.size());
-  for (const char c : bytes) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7f)
-      shown += c == '\t' ? ' ' : '?';
-    else if (code >= 0x80 && code < 0xa0 && !shown.empty() && shown.back() == '\xc2')
-      shown.back() = '?';
+  while (!bytes.empty()) {
+    const std::size_t length = utf8_length(bytes);
+    const std::string_view character = bytes.substr(0, std::max<std::size_t>(length, 1));
+    if (character == "\t")
+      shown += ' ';
+    else if (length == 0 || !is_shown(character))
+      shown += '?';
     else
-      shown += c;
+      shown += character;
+    bytes.remove_prefix(character.size());
   }
   return shown;
 }
 
-// Columns a terminal gives to well-formed UTF-8 of narrow characters.
+// Columns a terminal gives to what is printed of the bytes, narrow characters as they mostly are.
 std::size_t shown_width(std::string_view bytes) {
+  const std::string shown = printable(bytes);
   return static_cast<std::size_t>(
-      std::count_if(bytes.begin(), bytes.end(), [](char c) { return !continues(c); }));
+      std::count_if(shown.begin(), shown.end(), [](char c) { return !continues(c); }));
+}
+
+// The start of the character `at` lies in: at most three bytes before it.
+std::size_t character_start(std::string_view line, std::size_t at) {
+  for (std::size_t back = 0; back < 4 && back <= at && at < line.size(); ++back)
+    if (!continues(line[at - back])) return at - back;
+  return at;
 }
 
 std::string excerpt(const Place& where, SourceText::Position at, const std::string& hint) {
@@ -42,12 +64,9 @@ std::string excerpt(const Place& where, SourceText::Position at, const std::stri
   std::size_t column = static_cast<std::size_t>(at.column) - 1;
   std::size_t cut = 0;
   if (line.size() > kExcerptWidth && column > kExcerptWidth / 2) cut = column - kExcerptWidth / 2;
-  cut = std::min(cut, line.size());
-  while (cut > 0 && cut < line.size() && continues(line[cut])) --cut;
+  cut = character_start(line, std::min(cut, line.size()));
   line.remove_prefix(cut);
-  std::size_t end = std::min(line.size(), kExcerptWidth);
-  while (end > 0 && end < line.size() && continues(line[end])) --end;
-  line = line.substr(0, end);
+  line = line.substr(0, character_start(line, std::min(line.size(), kExcerptWidth)));
   column = std::min(column - cut, line.size());
   const std::size_t marked = shown_width(line.substr(column, where.length));
   return fmt::format("    {}\n    {}^{}{}{}\n", printable(line),

@@ -2,13 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
+#include <optional>
 
 namespace flatray {
 namespace {
@@ -58,6 +62,19 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+// The process number in a name of `write_file`'s, ".NAME.1234.part".
+std::optional<pid_t> writer_of(std::string_view name) {
+  constexpr std::string_view kEnd = ".part";
+  if (!name.starts_with('.') || !name.ends_with(kEnd)) return std::nullopt;
+  name.remove_suffix(kEnd.size());
+  const std::string_view digits = name.substr(name.rfind('.') + 1);
+  pid_t number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc{} || end != digits.data() + digits.size() || number <= 0)
+    return std::nullopt;
+  return number;
+}
+
 }  // namespace
 
 Result<std::string> read_file(const fs::path& path, std::size_t limit, std::string raise) {
@@ -94,6 +111,7 @@ Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) 
     const Descriptor file(
         ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
     if (!file) return cannot("write", path, errno, Trouble::output);
+    ::flock(file.get(), LOCK_EX | LOCK_NB);  // tells processes that do not see ours that it lives
     if (!write_all(file.get(), bytes) || ::fsync(file.get()) != 0) return give_up(errno);
   }
   if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up(errno);
@@ -104,6 +122,18 @@ Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) 
 
 Result<void> write_file(const fs::path& path, const std::string& text) {
   return write_file(path, std::as_bytes(std::span(text)));
+}
+
+void remove_leftovers(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path path = entry->path();
+    const std::optional<pid_t> writer = writer_of(path.filename().string());
+    if (!writer || ::kill(*writer, 0) == 0 || errno != ESRCH) continue;
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (file && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+  }
 }
 
 Result<void> append_line(const fs::path& path, const std::string& line) {

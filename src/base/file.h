@@ -21,6 +21,10 @@ Result<std::string> read_file(const std::filesystem::path& path,
 Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> write_file(const std::filesystem::path& path, const std::string& text);
 
+/// Removes from a folder what `write_file` left there when its process was killed: temporary files
+/// whose process is gone and that nobody holds locked. What cannot be removed stays.
+void remove_leftovers(const std::filesystem::path& folder);
+
 /// Adds one line to a file and flushes it: one write, so that lines of two writers do not mix.
 Result<void> append_line(const std::filesystem::path& path, const std::string& line);
 

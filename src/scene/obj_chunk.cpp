@@ -13,7 +13,8 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kMaxWord = 24;
-constexpr std::size_t kMaxCoordinates = 7;  // x y z and a weight or a colour
+constexpr std::size_t kMaxCorners = 1'000'000;  // of one face or line: bounds what its pieces need
+constexpr std::size_t kMaxCoordinates = 7;      // x y z and a weight or a colour
 
 // What a byte does to a word: most are part of it.
 enum class ByteKind : std::uint8_t { word, blank, stop, backslash };
@@ -130,8 +131,14 @@ class ChunkReader {
 
   void read_chain(std::string_view record, ObjChunk::Chains& chains, std::size_t least) {
     const std::size_t before = chains.corners.size();
-    for (std::string_view word; !(word = next_word()).empty();)
+    for (std::string_view word; !(word = next_word()).empty();) {
+      if (chains.corners.size() - before == kMaxCorners) {
+        problem(record, fmt::format("'{}' has more than {} vertices", record, kMaxCorners),
+                "cut it into several");
+        return take_back(chains, before);
+      }
       if (!read_corner(word, chains)) return take_back(chains, before);
+    }
     if (chains.corners.size() - before < least) {
       problem(record, fmt::format("'{}' needs at least {} vertices", record, least),
               "write the numbers of its vertices");

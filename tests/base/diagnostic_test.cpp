@@ -52,6 +52,27 @@ TEST(Diagnostic, ControlCharactersNeverReachTheTerminal) {
   EXPECT_EQ(named, "?[31m???: error: ?[31m???\n    ?[31m???\n");
 }
 
+TEST(Diagnostic, WhatIsNoUtf8NeverReachesTheTerminal) {
+  for (const std::string bad :
+       {"\xff", "\xc0\x80", "\x80", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\xc3"}) {
+    const std::string questions(bad.size(), '?');
+    EXPECT_EQ(format(Diagnostic{place_of("a = " + bad + "; VALUE", "VALUE"), "'" + bad + "'", bad}),
+              "my/runner.toml:1:" + std::to_string(7 + bad.size()) + ": error: '" + questions +
+                  "'\n    a = " + questions + "; VALUE\n" + std::string(10 + bad.size(), ' ') +
+                  "^~~~~  " + questions + "\n");
+  }
+  EXPECT_EQ(format(Diagnostic{{}, "left\xe2\x80\xaeright\xe2\x81\xa9", ""}),
+            "error: left?right?\n");
+}
+
+TEST(Diagnostic, ALineOfStrayBytesIsCutLikeAnyOther) {
+  std::string text(5000, '\x80');
+  text.append("VALUE").append(5000, '\x80');
+  const std::string shown = format(Diagnostic{place_of(text, "VALUE"), "wrong", ""});
+  EXPECT_LT(shown.size(), 300U);
+  EXPECT_NE(shown.find("?VALUE?"), std::string::npos);
+}
+
 TEST(Diagnostic, TheMarkerStandsUnderItsValueInUtf8Too) {
   const Diagnostic diagnostic{place_of("né = 'über'", "'über'"), "wrong", ""};
   EXPECT_EQ(format(diagnostic),

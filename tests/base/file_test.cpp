@@ -1,6 +1,7 @@
 #include "base/file.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace flatray {
@@ -91,6 +92,27 @@ TEST_F(File, AnInputBeyondTheLimitIsRefused) {
   const Result<std::string> read = read_file(folder_ / "a.txt", 99'999);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error()[0].trouble, Trouble::missing);
+}
+
+TEST_F(File, LeftoversOfDeadProcessesAreRemovedAndNothingElse) {
+  const pid_t dead = ::fork();
+  ASSERT_GE(dead, 0);
+  if (dead == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
+  const std::string gone = "." + std::to_string(dead) + ".part";
+  const std::string alive = ".g.png." + std::to_string(::getpid()) + ".part";
+  for (const std::string& name :
+       {".f.png" + gone, ".manifest.jsonl" + gone, alive, "f.png" + gone, std::string(".f.part"),
+        std::string(".f.x1.part"), std::string(".f.99999999999999.part"), std::string("f.png")})
+    ASSERT_TRUE(write_file(folder_ / name, "x")) << name;
+  fs::create_symlink("f.png", folder_ / (".link" + gone));
+  remove_leftovers(folder_);
+  remove_leftovers(folder_ / "none");
+  EXPECT_FALSE(fs::exists(folder_ / (".f.png" + gone)));
+  EXPECT_FALSE(fs::exists(folder_ / (".manifest.jsonl" + gone)));
+  EXPECT_TRUE(fs::exists(folder_ / alive));
+  EXPECT_TRUE(fs::exists(folder_ / "f.png"));
+  EXPECT_EQ(entries(), 7U);
 }
 
 TEST_F(File, LinesAreAddedAtTheEnd) {

@@ -8,7 +8,7 @@ sanitizers=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
 unset "${!FLATRAY_@}" 2> /dev/null
 work=$(mktemp -d)
-trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+trap 'umount "$work/disk" 2> /dev/null; chmod -R u+w "$work"; rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failures=0
 

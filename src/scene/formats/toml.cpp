@@ -2,6 +2,7 @@
 #include <toml++/toml.h>
 
 #include "base/number_text.h"
+#include "base/utf8.h"
 #include "scene/format.h"
 #include "scene/toml_scan.h"
 
@@ -148,6 +149,8 @@ Result<void> check_load(const SourcePtr& source) {
   if (text.size() > kMaxBytes)
     return fail(named_place(source->name()), fmt::format("the scene is {} bytes long", text.size()),
                 fmt::format("TOML scenes end at {} bytes; import outlines instead", kMaxBytes));
+  if (const std::size_t stray = utf8_prefix(text); stray < text.size())
+    return fail({source, stray, 1}, "this byte is no UTF-8", "save the file as UTF-8");
   const TomlLoad load = scan_toml(text);
   if (load.deep_key)
     return fail({source, *load.deep_key, 1},

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Whatever the texts of a scene hold and whatever was planted in the output folder, nothing outside of it is written.
+source "$(dirname "$0")/lib.sh"
+mkdir -p in/deep outside work/run
+echo precious > outside/victim
+echo precious > outside/manifest.jsonl
+
+# Every text of the language is a path out; the file names try as well.
+hostile() {  # hostile NAME
+  printf 'flatray = 1\nframes = 2\nfilm = { size = [16, 12] }\n'
+  printf '[[entity]]\nname = "%s"\nshape = { box = { min = [0, 0], max = [4, 3] } }\nfill = "#102030"\n' "$1"
+  printf 'markov = { chain = "%s", start = "A" }\n' "$1"
+  printf '[[chamber]]\nname = "%s"\nshape = { box = { min = [0, 0], max = [9, 9] } }\n' "$1"
+  printf '[[ray]]\nname = "%s"\nat = [5, 5]\ndirection = [1, 2]\nbounces = 2\n' "$1"
+  printf '[markov."%s"]\nA = { A = 1 }\n' "$1"
+}
+i=0
+for name in '../outside/victim' '/etc/flatray_f3' '../../../../tmp/flatray_f3' '{scene}' '####' '%s%n' 'CON' '-rf' '.' '..' \
+  '~/flatray_f3' '$(touch outside/pwned)' 'a/../../outside/b'; do
+  i=$((i + 1))
+  hostile "$name" > "in/deep/h$i.toml"
+done
+cp in/deep/h1.toml 'in/deep/...toml'
+cp in/deep/h1.toml 'in/deep/..%2foutside.toml'
+cp in/deep/h1.toml "in/deep/$(printf 'a\nb').toml"
+cp in/deep/h1.toml 'in/deep/{scene}{scene}.toml'
+
+# Links planted where files will be: each is replaced, never followed.
+cd work/run || exit 1
+mkdir -p here
+for file in f_1.png f_2.png manifest.jsonl timings.jsonl; do ln -s "$work/outside/victim" "here/$file"; done
+ln -s "$work/outside/manifest.jsonl" here/.f_1.png.1.part
+
+tree() { (cd "$work" && find . -mindepth 1 -path ./work/run -prune -o -not -name out.txt -not -name err.txt -printf '%p %s %l %T@\n' | sort); }
+before=$(tree)
+for file in "$work"/in/deep/*; do
+  run 0 render "$file" --quiet
+  run 0 render "$file" -o 'here/f_#.png' --quiet
+  run 0 render "$file" -o 'all/{scene}/x{scene}_#.png' --quiet
+  run 0 render "$file" -o 'all/{scene}/x{scene}_#.png' --quiet --resume
+done
+[[ $(tree) == "$before" ]] || fail "outside changed: $(diff <(echo "$before") <(tree))"
+[[ -z $(find . -type l -not -name '.f_1.png.1.part') ]] || fail "a link stayed where a file was written"
+
+# A folder that the scene's name chooses and that is a link leads elsewhere.
+cp "$work/in/deep/h1.toml" planted.toml
+ln -s "$work/outside" all/planted
+ln -s "$work/outside" out/planted
+before=$(tree)
+run 6 render planted.toml -o 'all/{scene}/f_#.png'
+says err "is a link, and a scene's name led to it"
+run 6 render planted.toml
+[[ $(tree) == "$before" ]] || fail "a link of the scene's name was followed"
+run 0 render planted.toml -o 'all/planted/f_#.png' --quiet  # the user's own word
+exists "$work/outside/f_1.png"
+run 0 render planted.toml -o '../side/{scene}_#.png' --quiet
+exists "$work/work/side/planted_2.png"
+finish

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# make_seeds.sh: writes tests/fuzz/seeds/<target>/ again: stiff texts and headers, small. What the project's scenes and
+# goldens hold is not copied: tools/fuzz gives their folders to the targets as well.
+set -euo pipefail
+cd "$(dirname "$0")"
+rm -rf seeds
+mkdir -p seeds/{toml,obj,list,png,override}
+
+repeat() { printf "%.0s$1" $(seq "$2"); }
+seed() { cat > "seeds/$1"; }
+entity='flatray = 1\n[[entity]]\nname = "a"\n'
+
+printf '' | seed toml/empty
+printf 'flatray = 1' | seed toml/no_final_newline
+printf '\xef\xbb\xbfflatray = 1\r\n[[ray]]\r\nat = [0, 0]\r\ndirection = [1, 1]\r\n' | seed toml/bom_crlf
+printf 'flatray = 1\n# \x00 NUL\nseed = \x000' | seed toml/nul
+printf "$entity"'fill = "\xff\xfe\xc0\x80"\n' | seed toml/invalid_utf8
+printf "$entity"'label = "\xc2\x9b31m"\n' | seed toml/control
+{ printf 'a = '; repeat '[' 300; } | seed toml/brackets
+{ printf 'a = '; repeat '{a=' 300; } | seed toml/braces
+{ repeat 'a.' 100; printf 'a = 1'; } | seed toml/dots
+{ printf "$entity"'shape = { polygon = { points = ['; repeat '[0, 1e300], [5e-324, -1], ' 4; printf ']}}\n'; } | seed toml/points
+printf "$entity"'shape = { box = { min = [1e16, 0], max = [10000000000000001, 1] } }\n' | seed toml/lost_feature
+printf "$entity"'shape = { circle = { radius = -0.0 } }\nstroke = { width = 1e300, colour = "#00000000" }\n' | seed toml/stroke
+printf 'flatray = 1\nfilm = { size = [4294967297, 0] }\nframes = -1\nfps = inf\nseed = 1e400\n' | seed toml/numbers
+printf 'flatray = 1\n[markov.a]\nA = { A = 0.3, B = 0.3 }\nB = { B = 1 }\n' | seed toml/chain
+printf "$entity"'shape = { import = { file = "f.toml" } }\n' | seed toml/self_import
+
+square='v 0 0\nv 4 0\nv 4 4\nv 0 4\n'
+printf "${square}f 1 2 3 4\n" | seed obj/square
+printf "${square}f -4/1/1 -3//2 -2/3 \\\\\r\n -1\nl 1 2 3" | seed obj/backwards
+printf 'v 0 0\nv 4 0\nv 4 4\nv 2 1\nv 0 4\nvt 0 0\nf 1/1 2/1 3/1 4/1 5/1\n' | seed obj/not_convex
+printf "${square}f 1 3 2 4\nf 1 1 2\nf 1 2 99999999999999999999\n" | seed obj/wrong
+printf 'v 1e308 -1e308\nv 5e-324 1e-400\nv 1e16 10000000000000001\nf 1 2 3\nf 3 2 1' | seed obj/stiff
+printf '\xef\xbb\xbfv 0 0\x00\r\nv \xff\xfe 1\r\n' | seed obj/bytes
+printf 'SPIDER, 200,200\nBAT, 1.5, -2e1\n# end\n' | seed list/two
+printf '{ SPIDER MAN, 200,200}\r\n\xff\xc2\x9b, 1e308, 5e-324' | seed list/bytes
+{ repeat 'A, 0, 0\n' 20; } | seed list/many
+
+head='\x89PNG\r\n\x1a\n\x00\x00\x00\x0dIHDR'
+printf "$head"'\x00\x00\x00\x01\x00\x00\x00\x01\x08\x02\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x0cIDAT\x78\x9c\x63\x60\x60\x60\x00\x00\x00\x04\x00\x01\x00\x00\x00\x00\x00\x00\x00\x00IEND\x00\x00\x00\x00' | seed png/one_pixel
+printf "$head"'\x7f\xff\xff\xff\x7f\xff\xff\xff\x10\x06\x00\x00\x01\x00\x00\x00\x00' | seed png/huge
+printf "$head"'\x00\x00\x00\x02\x00\x00\x00\x02\x01\x03\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x06PLTE\x00\x00\x00\xff\xff\xff\x00\x00\x00\x00\x00\x00\x00\x0cIDAT\x78\x9c\x63\x60\x60\x60\x00\x00\x00\x04\x00\x01\x00\x00\x00\x00\x00\x00\x00\x00IEND\x00\x00\x00\x00' | seed png/palette
+printf 'film.size=[3,4]\nentity.0.at=[1,2]\nentity.runner.fill="none"\n' | seed override/three
+printf 'markov.run.RUN.DIE=0.7\na.b.c.d={e=[1,{f=2}]}\n=\n..=1\nentity.999999999999.at=1' | seed override/odd
+{ repeat 'a.' 200; printf '=1\nfilm='; repeat '[' 300; } | seed override/deep
+du -sb seeds
