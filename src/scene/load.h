@@ -50,8 +50,7 @@ struct ReadScene {
 /// The same scene and its description, for writing it in another way.
 Result<ReadScene> read_scene(const std::filesystem::path& path,
                              const std::vector<Override>& overrides = {},
-                             const LoadLimits& limits = {},
-                             std::optional<std::uint64_t> seed = {});
+                             const LoadLimits& limits = {}, std::optional<std::uint64_t> seed = {});
 
 /// One line each for `flatray list`: registered name and what it takes.
 struct Listed {

@@ -42,11 +42,12 @@ std::string number_of(const Decimal& decimal) {
   const long point = static_cast<long>(digits.size()) + decimal.exponent;  // digits before it
   const std::string tail = digits.size() > 1 ? "." + digits.substr(1) : "";
   const std::string power = fmt::format("{}{}e{}", digits[0], tail, point - 1);
-  const long zeros = decimal.exponent >= 0 ? decimal.exponent : point > 0 ? 0 : 1 - point;
-  if (digits.size() + static_cast<std::size_t>(zeros) > power.size()) return sign + power;
+  // What stands beside the digits when they are written out: zeros, or the point, or "0." and zeros.
+  const long more = decimal.exponent >= 0 ? decimal.exponent : point > 0 ? 1 : 2 - point;
+  if (digits.size() + static_cast<std::size_t>(more) > power.size()) return sign + power;
   const auto before = static_cast<std::size_t>(std::max(point, 0L));
   if (decimal.exponent >= 0) {
-    const std::string whole = sign + digits + std::string(static_cast<std::size_t>(zeros), '0');
+    const std::string whole = sign + digits + std::string(static_cast<std::size_t>(more), '0');
     return whole + (parse_integer(whole) ? "" : ".0");  // TOML's integers have 64 bits
   }
   if (point > 0) return sign + digits.substr(0, before) + "." + digits.substr(before);

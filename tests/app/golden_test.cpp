@@ -234,7 +234,7 @@ TEST_F(Golden, EveryBadRowOfAManifestIsNamed) {
   accept(kThird);
   const std::string manifest = "golden_images/manifest.json";
   edit(manifest, "scenes/part/dot.toml", "scenes/../dot.toml");
-  edit(manifest, "\"software\"", "\"gl\"");
+  edit(manifest, "\"software\"", "\"vulkan\"");
   edit(manifest, "[16,10]", "[16,1000]");
   edit(manifest, "\"first\"", "\"\"");
   const auto refused = read_goldens(root_);
