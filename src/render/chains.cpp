@@ -35,8 +35,9 @@ class Beginnings {
   void sort() {
     order_.resize(edges_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::sort(order_.begin(), order_.end(),
-              [this](std::size_t i, std::size_t k) { return before(edges_[i].a, edges_[k].a); });
+    std::sort(order_.begin(), order_.end(), [this](std::size_t i, std::size_t k) {
+      return before(edges_[i].a, edges_[k].a) || (edges_[i].a == edges_[k].a && i < k);
+    });
   }
 
   std::span<const Segment> edges_;

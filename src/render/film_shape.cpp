@@ -72,6 +72,22 @@ std::vector<Region> fill_regions(const FilmShape& shape) {
   return regions;
 }
 
+namespace {
+
+// A line whose dashes would have too many corners is drawn whole.
+void add_dashes(const Chain& chain, const LineLook& look, std::vector<Segment>& edges) {
+  constexpr std::size_t kMostEdges = 2'000'000;
+  const std::size_t begin = edges.size();
+  for (const Chain& dash : dashed(chain, look.dashes, look.dash_offset)) {
+    add_line(dash, look.style, edges);
+    if (edges.size() - begin <= kMostEdges) continue;
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.end());
+    return add_line(chain, look.style, edges);
+  }
+}
+
+}  // namespace
+
 std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look) {
   std::vector<Region> regions;
   const double half = look.style.half_width;
@@ -89,8 +105,7 @@ std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look) {
       add_line(chain, look.style, path.edges);
       continue;
     }
-    for (const Chain& dash : dashed(chain, look.dashes, look.dash_offset))
-      add_line(dash, look.style, path.edges);
+    add_dashes(chain, look, path.edges);
   }
   if (!path.edges.empty()) regions.push_back(std::move(path));
   return regions;

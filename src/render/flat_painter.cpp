@@ -32,24 +32,30 @@ void fill(std::uint32_t* names, std::size_t count, std::uint32_t name) {
 FlatPainter::FlatPainter(const DrawList& list, DrawCounts& counts)
     : list_(list), counts_(counts), scan_(list) {}
 
-void FlatPainter::paint(const PixelBox& box, const std::vector<BandItem>& items, int y,
+bool FlatPainter::paint(const PixelBox& box, const std::vector<BandItem>& items, int y,
                         Image& out) {
+  constexpr std::size_t kMostAPixel = 8;
   begin(box);
-  ++counts_.bands;
-  counts_.items += items.size();
+  const std::size_t most = kMostAPixel * open_;
+  std::size_t hidden = 0;
   for (std::size_t i = items.size(); i-- > 0;) {
     const LinearColour& colour = list_.items[items[i].item].colour;
     runs_.clear();
     scan_.scan(items[i], box, runs_);
     lay(runs_.runs(), colour.a == 1, add_colour(colour));
+    if (fragments_.size() > most) return false;
     if (open_ > 0) continue;
-    counts_.hidden_items += i;
+    hidden = i;
     break;
   }
+  ++counts_.bands;
+  counts_.items += items.size();
+  counts_.hidden_items += hidden;
   settle_background();
   blend_fragments();
   tile_.y = y;
   develop(tile_, out);
+  return true;
 }
 
 void FlatPainter::begin(const PixelBox& box) {

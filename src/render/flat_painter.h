@@ -16,8 +16,9 @@ class FlatPainter {
  public:
   FlatPainter(const DrawList& list, DrawCounts& counts);
 
-  /// Draws the items of a band into the rows of `out` from `y` on.
-  void paint(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out);
+  /// Draws the items of a band into the rows of `out` from `y` on. False, and nothing drawn, where
+  /// so many items lie over one another in part that blending them in order costs less.
+  bool paint(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out);
 
  private:
   /// A share of a pixel in the colour of an item.

@@ -61,6 +61,25 @@ TEST(Groups, AVelocityTurnsWithTheGroup) {
   EXPECT_EQ(at(Timeline(scene, 0, 3), 3).entities[0].at, Vec2(0, 4));
 }
 
+// Found by a reader: such a group was drawn once for all frames.
+TEST(Groups, MoveByCurvesAndPathsToo) {
+  for (std::optional<CurveId> Motion::*curve : {&Motion::x, &Motion::y, &Motion::angle}) {
+    Scene scene = small_scene();
+    scene.frames = 2;
+    scene.curves = {{Curve::Ease::linear, {0, 4}, {1, 5}}};
+    Group group;
+    group.motion.*curve = 0;
+    scene.entities[add_box(scene, {0, 0})].group = add_group(scene, group);
+    EXPECT_NE(reason_to_move(scene), "");
+  }
+  Scene scene = small_scene();
+  scene.frames = 2;
+  Group group;
+  group.motion.follow = Follow{};
+  scene.entities[add_box(scene, {0, 0})].group = add_group(scene, group);
+  EXPECT_NE(reason_to_move(scene), "");
+}
+
 TEST(Groups, CarryWallsCameraAndContent) {
   Scene scene = small_scene();
   scene.film.world.reset();

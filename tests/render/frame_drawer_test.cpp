@@ -97,5 +97,15 @@ TEST(FrameDrawer, AnOpaqueItemOverABandHidesThoseBelowIt) {
   EXPECT_EQ(hidden(), 10U) << "but no centre is";
 }
 
+// Found by a reader: what waits to be blended grew with every veil.
+TEST(FrameDrawer, VeilsOverVeilsAreBlendedInOrder) {
+  DrawList list{120, 90, {1, 1, 1, 1}, Coverage::area, {}};
+  for (int i = 0; i < 300; ++i)
+    list.items.push_back(
+        {box_path(-1, -1, 121 - i % 7, 91), {0.1F, 0.003F * static_cast<float>(i), 0.5F, 0.02F}});
+  EXPECT_EQ(FrameDrawer<Image>({}).draw(list),
+            FrameDrawer<Image>({std::nullopt, 1, true}).draw(list));
+}
+
 }  // namespace
 }  // namespace flatray

@@ -148,9 +148,7 @@ class BandsOfTask {
         plain_(!options.keep_all) {}
 
   void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out) {
-    if (plain_ && all_flat(items))
-      flat_.paint(box, items, y, out);
-    else
+    if (!plain_ || !all_flat(items) || !flat_.paint(box, items, y, out))
       draw_blended(box, items, y, out);
   }
   void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, LinearImage& out) {

@@ -38,8 +38,9 @@ class Starts {
   void sort() {
     if (sorted_) return;
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::sort(order_.begin(), order_.end(),
-              [&](std::size_t i, std::size_t k) { return before(edges_[i].a, edges_[k].a); });
+    std::sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t k) {
+      return before(edges_[i].a, edges_[k].a) || (edges_[i].a == edges_[k].a && i < k);
+    });
     sorted_ = true;
   }
 
