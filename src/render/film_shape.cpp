@@ -1,5 +1,7 @@
 #include "render/film_shape.h"
 
+#include <numeric>
+
 #include "geom/polygon.h"
 #include "scene/outline.h"
 
@@ -74,9 +76,12 @@ std::vector<Region> fill_regions(const FilmShape& shape) {
 
 namespace {
 
-// A line whose dashes would have too many corners is drawn whole.
+// A line whose dashes are too fine to see, or would have too many corners, is drawn whole.
 void add_dashes(const Chain& chain, const LineLook& look, std::vector<Segment>& edges) {
+  constexpr double kFinest_px = 0.25;
   constexpr std::size_t kMostEdges = 2'000'000;
+  if (std::accumulate(look.dashes.begin(), look.dashes.end(), 0.0) < kFinest_px)
+    return add_line(chain, look.style, edges);
   const std::size_t begin = edges.size();
   for (const Chain& dash : dashed(chain, look.dashes, look.dash_offset)) {
     add_line(dash, look.style, edges);
