@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/circle
 # flatray help: a page for every verb, topic, table and shape; the tables' keys are those that are read.
 source "$(dirname "$0")/lib.sh"
 run 0 help
