@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/check.h"
 #include "base/parallel.h"
 #include "image/checksums.h"
 #include "image/deflate.h"

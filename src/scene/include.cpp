@@ -81,12 +81,12 @@ class Includer {
 
   Reader in;
 
-  void take(SceneDesc& desc, const SourcePtr& source, const std::string& folder) {
+  void take(SceneDesc& desc, const SourcePtr& source) {
     open_.push_back(identity(source));
     known_.insert(open_.back());
     Value under = table_value(desc.root.where, {});
     if (const Member* include = desc.root.find("include"))
-      for (SceneDesc& one : all_of({"include", include->value, "[\"part.toml\", ...]"}, folder)) {
+      for (SceneDesc& one : all_of({"include", include->value, "[\"part.toml\", ...]"})) {
         append(desc.warnings, std::move(one.warnings));
         append(desc.sources, std::move(one.sources));
         Merge(in).scenes(std::move(under), one.root);
@@ -104,17 +104,16 @@ class Includer {
     std::move(from.begin(), from.end(), std::back_inserter(to));
   }
 
-  std::vector<SceneDesc> all_of(const Field& files, const std::string& folder) {
+  std::vector<SceneDesc> all_of(const Field& files) {
     std::vector<SceneDesc> all;
     if (!in.is(files, Value::Kind::array, "a list of file names")) return all;
     for (std::size_t i = 0; i < files.value.items.size(); ++i)
-      if (std::optional<SceneDesc> one = read(files.item(i), folder))
-        all.push_back(std::move(*one));
+      if (std::optional<SceneDesc> one = read(files.item(i))) all.push_back(std::move(*one));
     return all;
   }
 
   // nullopt where it is wrong, and where it is known already.
-  std::optional<SceneDesc> read(const Field& field, const std::string& folder) {
+  std::optional<SceneDesc> read(const Field& field) {
     const auto file = in.string(field);
     if (!file) return std::nullopt;
     const Place& where = field.value.where;
@@ -136,7 +135,7 @@ class Includer {
     Result<SceneDesc> desc = format->read(*source);
     if (!desc) return refuse(desc.error());
     check_version(in, desc->root);
-    take(*desc, *source, (fs::path(folder) / *file).parent_path().generic_string());
+    take(*desc, *source);
     return std::move(*desc);
   }
 
@@ -160,7 +159,7 @@ class Includer {
 Result<void> take_includes(SceneDesc& desc, const SourcePtr& source, Imports& imports,
                            const LoadLimits& limits) {
   Includer includer(imports, limits);
-  includer.take(desc, source, "");
+  includer.take(desc, source);
   if (!includer.in.problems.empty()) return tl::unexpected(std::move(includer.in.problems));
   return {};
 }
