@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -12,6 +13,10 @@ namespace flatray {
 struct LinearColour {
   float r = 0, g = 0, b = 0, a = 1;
 };
+
+inline std::array<float, 4> premultiplied(const LinearColour& c) {
+  return {c.r * c.a, c.g * c.a, c.b * c.a, c.a};
+}
 
 /// Region bounded by directed edges in film coordinates (pixels, y down): the winding number at a
 /// point counts the edges it passes. Edges that cancel have been left out. Need not be one ring;

@@ -72,7 +72,7 @@ void FlatPainter::begin(const PixelBox& box) {
 }
 
 std::uint32_t FlatPainter::add_colour(const LinearColour& c) {
-  tile_.colours.push_back({c.r * c.a, c.g * c.a, c.b * c.a, c.a});
+  tile_.colours.push_back(premultiplied(c));
   return static_cast<std::uint32_t>(tile_.colours.size() - 1);
 }
 

@@ -13,6 +13,9 @@ struct FrameOptions {
   unsigned threads = 1;   ///< for the tiles of one frame
   bool keep_all = false;  ///< draw what is hidden and what has not changed, too
 };
+inline PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
+  return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
+}
 
 /// What was drawn and what was not, in bands of rows.
 struct DrawCounts {

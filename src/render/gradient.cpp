@@ -41,10 +41,8 @@ LinearColour summary(const FilmGradient& gradient) {
 }
 
 GradientPainter::GradientPainter(const FilmGradient& gradient) : gradient_(gradient) {
-  for (const FilmGradient::Stop& stop : gradient.stops) {
-    const LinearColour& c = stop.colour;
-    colours_.push_back({c.r * c.a, c.g * c.a, c.b * c.a, c.a});
-  }
+  for (const FilmGradient::Stop& stop : gradient.stops)
+    colours_.push_back(premultiplied(stop.colour));
 }
 
 std::array<float, 4> GradientPainter::at(const Vec2& point) const {

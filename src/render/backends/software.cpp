@@ -17,12 +17,6 @@ namespace {
 
 constexpr std::size_t kBandsATask = 4;  // which share their room
 
-using Premultiplied = std::array<float, 4>;
-
-Premultiplied premultiplied(const LinearColour& c) {
-  return {c.r * c.a, c.g * c.a, c.b * c.a, c.a};
-}
-
 // Draws bands one after another; its room is kept from one to the next.
 class BandPainter {
  public:
@@ -108,7 +102,7 @@ class BandPainter {
                           premultiplied(scanned.item->colour).data());
   }
 
-  Premultiplied background() const { return premultiplied(list_.background); }
+  std::array<float, 4> background() const { return premultiplied(list_.background); }
 
   const DrawList& list_;
   const bool hide_;
@@ -120,10 +114,6 @@ class BandPainter {
   std::vector<Scanned> scanned_;
   Layer layer_;
 };
-
-PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
-  return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
-}
 
 void shape_picture(const PixelBox& crop, const DrawList& list, Image& image) {
   const int channels = list.background.a == 1 ? 3 : 4;

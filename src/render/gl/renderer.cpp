@@ -64,10 +64,6 @@ class GlRenderer final : public Renderer {
   }
 
  private:
-  static PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
-    return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
-  }
-
   // Tiles are cut by the size of the picture alone.
   template <class Picture>
   Result<void> render(const DrawList& list, const PixelBox& crop, Picture& out) const {
