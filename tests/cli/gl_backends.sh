@@ -2,7 +2,7 @@
 # needs: gl
 # The GL back ends as users run them.
 source "$(dirname "$0")/lib.sh"
-# LeakSanitizer stops at the threads of Mesa, which it cannot always read; tests/support/mesa.supp names what leaks there.
+# Mesa keeps memory and threads that LeakSanitizer cannot always read.
 [[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0
 scene moving.toml 6 'stroke = { width = 0.5, colour = "#2040ff80" }'
 

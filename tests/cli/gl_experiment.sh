@@ -2,7 +2,7 @@
 # needs: gl shapes/circle shapes/convex shapes/polygon shapes/segment
 # The GL back end against exact areas on scenes of the project: samples explain every difference.
 source "$(dirname "$0")/lib.sh"
-# LeakSanitizer stops at the threads of Mesa, which it cannot always read; tests/support/mesa.supp names what leaks there.
+# Mesa keeps memory and threads that LeakSanitizer cannot always read.
 [[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0
 for name in tutorial/02_shapes tutorial/09_chamber paper/case_two; do
   run 0 experiment backends "$root/scenes/$name.toml" -o files
