@@ -63,6 +63,22 @@ TEST(Query, ARayAlongAWallMeetsItsFirstEndAhead) {
             R"({"wall":0,"t":2,"point":[2,0],"class":"along"})");
 }
 
+TEST(Query, AnOrbitNamesItsWallsItsEndAndHowManyBouncesAreProven) {
+  const std::string room =
+      R"("walls":[{"segment":[[0,0],[2,0]]},{"segment":[[2,0],[2,2]]},{"segment":[[2,2],[0,2]]}])";
+  EXPECT_EQ(
+      answer(R"({"op":"orbit",)" + room + R"(,"origin":[1,1],"direction":[1,1],"bounces":5})"),
+      R"({"walls":[],"points":[],"end":"corner","out":null,"corner":[2,2],)"
+      R"("corner_walls":[1,2],"certain":0})");
+  EXPECT_EQ(
+      answer(R"({"op":"orbit",)" + room + R"(,"origin":[1,0.5],"direction":[1,1],"bounces":5})"),
+      R"({"walls":[1,2],"points":[[2,1.5],[1.5,2]],"end":"escape",)"
+      R"("out":[-0.7071067811865475,-0.7071067811865475],"certain":2})");
+  EXPECT_EQ(
+      answer(R"({"op":"orbit",)" + room + R"(,"origin":[1,0.5],"direction":[0,0],"bounces":1})"),
+      R"({"error":"direction: is zero: an orbit needs somewhere to go"})");
+}
+
 TEST(Query, AllMistakesOfAQuestionAreNamedWithTheirPlaces) {
   const Answer said =
       answer_line(R"({"id":7,"op":"clip","polygon":[[0,0],[2,0],[1,0.1],[2,2],[0,2]],)"

@@ -56,6 +56,14 @@ std::string Question::word(std::string_view name) {
   return text.value_or("");
 }
 
+std::uint64_t Question::whole(std::string_view name) {
+  const JsonValue* value = find(name);
+  if (value == nullptr) return 0;
+  const auto number = value->as_whole();
+  if (!number) mistake(name, "is no whole number of 0 or more");
+  return number.value_or(0);
+}
+
 Ray Question::ray() { return {point("origin"), point("direction")}; }
 
 Range Question::domain() {

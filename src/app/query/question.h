@@ -18,6 +18,8 @@ class Question {
   bool has(std::string_view name) const;
   Vec2 point(std::string_view name);
   std::string word(std::string_view name);
+  /// A whole number that is not negative.
+  std::uint64_t whole(std::string_view name);
   /// origin, direction.
   Ray ray();
   /// "line", "ray" or "segment" of `domain`; a ray where it is absent.
