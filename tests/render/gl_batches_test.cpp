@@ -88,21 +88,6 @@ TEST(GlGrid, AHullIsConvexAndHoldsItsPoints) {
   EXPECT_TRUE(hull({{0, 0}, {1, 1}, {2, 2}}).empty());
 }
 
-TEST(GlOutlines, EdgesInAnyOrderMakeUpTheirRings) {
-  std::vector<Segment> edges = box_path(0, 0, 3).edges;
-  for (const Segment& edge : box_path(3, 3, 2).edges) edges.push_back(edge);  // share a corner
-  std::reverse(edges.begin(), edges.end());
-  double twice_area = 0;
-  std::size_t count = 0;
-  for (const Ring& ring : rings_of(edges)) {
-    count += ring.size();
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      twice_area += cross(ring[i], ring[(i + 1) % ring.size()]);
-  }
-  EXPECT_EQ(count, edges.size());
-  EXPECT_EQ(twice_area, 2 * (9 + 4));
-}
-
 TEST(GlOutlines, ACircleKeepsWithinAStepOfTheGrid) {
   const Bounds box{{0, 0}, {200, 100}};
   for (const double radius : {0.5, 30.0, 5000.0, 1e8}) {

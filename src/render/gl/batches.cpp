@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/polygon.h"
+#include "render/chains.h"
 #include "render/gl/batch_list.h"
 #include "render/gl/outlines.h"
 
@@ -67,10 +68,12 @@ class Builder {
 
  private:
   Result<void> add(const FillPath& path, const LinearColour& colour) {
-    std::vector<Ring> rings = rings_of(path.edges);
+    std::vector<Ring> rings;
     Bounds reach;
-    for (Ring& ring : rings)
-      for (Vec2& point : ring) reach.add(point -= origin_);
+    for (Chain& chain : rings_of(path.edges)) {
+      for (Vec2& point : chain.points) reach.add(point -= origin_);
+      rings.push_back(std::move(chain.points));
+    }
     if (!meet(reach, box_)) return {};
     const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
     if (one) return paint(rings[0], colour), Result<void>();

@@ -6,7 +6,7 @@
 /// module knows triangles; what they are triangles of is decided on the other side.
 
 /// Grows with every change of what stands below: a module of another number is not used.
-#define FLATRAY_GL_ABI 1
+#define FLATRAY_GL_ABI 2
 /// Most pixels of a tile in either direction.
 #define FLATRAY_GL_TILE 2048
 
@@ -47,9 +47,8 @@ struct FlatrayGlTile {
 };
 
 struct FlatrayGlInfo {
-  char version[256];      ///< "OSMesa, Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)"
-  int32_t most_samples;   ///< 1 where there is no MSAA
-  float positions[4][2];  ///< of its samples in a pixel, y down, where there are 4
+  char version[256];     ///< "OSMesa, Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)"
+  int32_t most_samples;  ///< 1 where there is no MSAA
 };
 
 /// A message for people, filled where a call fails.

@@ -26,7 +26,6 @@ struct Functions {
   X(read_pixels, decltype(&::glReadPixels), "glReadPixels")                               \
   X(clamp_colour, PFNGLCLAMPCOLORPROC, "glClampColor")                                    \
   X(stencil_op_of, PFNGLSTENCILOPSEPARATEPROC, "glStencilOpSeparate")                     \
-  X(sample_position, PFNGLGETMULTISAMPLEFVPROC, "glGetMultisamplefv")                     \
   X(gen_framebuffers, PFNGLGENFRAMEBUFFERSPROC, "glGenFramebuffers")                      \
   X(bind_framebuffer, PFNGLBINDFRAMEBUFFERPROC, "glBindFramebuffer")                      \
   X(delete_framebuffers, PFNGLDELETEFRAMEBUFFERSPROC, "glDeleteFramebuffers")             \

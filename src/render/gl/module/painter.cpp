@@ -43,8 +43,7 @@ bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) 
                 mesa_of(text(GL_VERSION)).c_str(), text(GL_RENDERER));
   GLint samples = 1;
   gl_.get_integers(GL_MAX_SAMPLES, &samples);
-  most_samples_ = samples >= 4 ? 4 : 1;
-  info.most_samples = most_samples_;
+  info.most_samples = samples >= 4 ? 4 : 1;
   if (!make_program(error)) return false;
   gl_.gen_vertex_arrays(1, &vertex_array_);
   gl_.bind_vertex_array(vertex_array_);
@@ -56,11 +55,7 @@ bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) 
   gl_.enable_attribute(0);
   gl_.enable_attribute(1);
   gl_.clamp_colour(GL_CLAMP_READ_COLOR, GL_FALSE);
-  if (most_samples_ == 1) return true;
-  // Positions are asked of a framebuffer that has samples.
-  if (!make_pictures({1, 1, most_samples_}, error)) return false;
-  for (GLuint i = 0; i < 4; ++i) gl_.sample_position(GL_SAMPLE_POSITION, i, info.positions[i]);
-  return true;
+  return make_pictures({1, 1, info.most_samples}, error);
 }
 
 bool Painter::make_program(std::string& error) {

@@ -33,7 +33,6 @@ class Painter {
   bool make_pictures(const Size& size, std::string& error);
   Picture make_picture(const Size& size, bool with_marks);
   void drop(Picture& picture);
-  void upload(const FlatrayGlTile& tile);
   void draw_batches(const FlatrayGlTile& tile);
   void set_up(int32_t kind);
   void read(const FlatrayGlTile& tile, float* rgba);
@@ -41,7 +40,6 @@ class Painter {
   const Functions& gl_;
   GLuint program_ = 0, vertex_array_ = 0, buffer_ = 0;
   GLint shift_ = -1;
-  int32_t most_samples_ = 1;
   Picture drawn_, resolved_;
   Size size_;
   std::vector<float> again_;  // a further picture of the same tile
