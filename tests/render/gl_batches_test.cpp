@@ -39,7 +39,7 @@ TEST(GlBatches, ConvexItemsAreOneBatchInTheirOrder) {
   const auto made = batches({200, 100, {}, Coverage::area, items}, kTile);
   ASSERT_EQ(made->vertices.size(), 50U * 6);
   for (std::size_t i = 0; i < made->vertices.size(); ++i)
-    EXPECT_EQ(made->vertices[i].rgba[0], static_cast<float>(i / 6));
+    EXPECT_EQ(made->vertices[i].paint[0], static_cast<float>(i / 6));
 }
 
 TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {

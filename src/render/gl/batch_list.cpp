@@ -5,11 +5,12 @@
 namespace flatray::gl {
 namespace {
 
-FlatrayGlVertex vertex(const GridPoint& point, const LinearColour& c) {
+FlatrayGlVertex vertex(const GridPoint& point, const VertexPaint& paint) {
   const auto pixels = [](std::int64_t steps) {
     return static_cast<float>(static_cast<double>(steps) / kGridSteps);
   };
-  return {pixels(point.x), pixels(point.y), {c.r * c.a, c.g * c.a, c.b * c.a, c.a}};
+  const auto& [a, b, c, d] = paint.words;
+  return {pixels(point.x), pixels(point.y), {a, b, c, d}};
 }
 
 }  // namespace
@@ -49,32 +50,58 @@ CellBox BatchList::box(std::span<const GridPoint> points) const {
   return {low(x0), low(y0), high(x1, width_), high(y1, height_)};
 }
 
-void BatchList::add_fan(std::span<const GridPoint> corners, const LinearColour& colour,
+VertexPaint BatchList::paint_of(const LinearColour& colour) const {
+  return {premultiplied(colour)};
+}
+
+VertexPaint BatchList::paint_of(const FilmGradient& gradient) {
+  const auto number = static_cast<float>(all_.gradients.size());  // exact below 2^24
+  const auto first = static_cast<std::uint32_t>(all_.stops.size());
+  for (const FilmGradient::Stop& stop : gradient.stops) {
+    const auto [r, g, b, a] = premultiplied(stop.colour);
+    all_.stops.push_back({stop.at, 0, {r, g, b, a}});
+  }
+  const Vec2 axis = gradient.radial ? Vec2(gradient.per_pixel, 0) : gradient.axis;
+  all_.gradients.push_back({gradient.radial ? 1U : 0U,
+                            first,
+                            static_cast<std::uint32_t>(gradient.stops.size()),
+                            0,
+                            {gradient.origin.x(), gradient.origin.y()},
+                            {axis.x(), axis.y()}});
+  return {{number, 0, 0, 0}, true};
+}
+
+void BatchList::add_fan(std::span<const GridPoint> corners, const VertexPaint& paint,
                         std::vector<FlatrayGlVertex>& to) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     if (area(corners[0], corners[i], corners[i + 1]) == 0) continue;
-    to.push_back(vertex(corners[0], colour));
-    to.push_back(vertex(corners[i], colour));
-    to.push_back(vertex(corners[i + 1], colour));
+    to.push_back(vertex(corners[0], paint));
+    to.push_back(vertex(corners[i], paint));
+    to.push_back(vertex(corners[i + 1], paint));
   }
 }
 
-void BatchList::paint(std::span<const GridPoint> corners, const LinearColour& colour,
-                      const CellBox& box) {
-  if (box.empty()) return;
-  if (marked_.any(box)) flush();
+// `others`: what of the group must not lie where the item does.
+void BatchList::begin_item(const VertexPaint& paint, const Occupied& others, const CellBox& box) {
+  if (others.any(box) || paint.gradient != gradients_) flush();
+  gradients_ = paint.gradient;
   any_.add(box);
-  add_fan(corners, colour, waiting_[FLATRAY_GL_PAINT]);
 }
 
-void BatchList::begin_marks(const LinearColour& colour, const CellBox& box) {
-  if (any_.any(box)) flush();
-  any_.add(box);
+void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& paint,
+                      const CellBox& box) {
+  if (box.empty()) return;
+  begin_item(paint, marked_, box);
+  add_fan(corners, paint, waiting_[FLATRAY_GL_PAINT]);
+}
+
+void BatchList::begin_marks(const VertexPaint& paint, const CellBox& box) {
+  begin_item(paint, any_, box);
   marked_.add(box);
   const auto corner = [](int x, int y) { return on_grid({x, y}); };
   const std::array<GridPoint, 4> all = {corner(box.x0, box.y0), corner(box.x1, box.y0),
                                         corner(box.x1, box.y1), corner(box.x0, box.y1)};
-  add_fan(all, colour, waiting_[FLATRAY_GL_COVER]);
+  add_fan(all, paint, waiting_[FLATRAY_GL_COVER]);
 }
 
 void BatchList::mark(FlatrayGlKind kind, std::span<const GridPoint> corners) {
@@ -85,7 +112,7 @@ void BatchList::flush() {
   for (std::size_t kind = 0; kind < waiting_.size(); ++kind) {
     std::vector<FlatrayGlVertex>& vertices = waiting_[kind];
     if (vertices.empty()) continue;
-    all_.batches.push_back({static_cast<std::int32_t>(kind),
+    all_.batches.push_back({static_cast<std::int32_t>(kind), gradients_ ? 1 : 0,
                             static_cast<std::uint32_t>(all_.vertices.size()),
                             static_cast<std::uint32_t>(vertices.size())});
     all_.vertices.insert(all_.vertices.end(), vertices.begin(), vertices.end());

@@ -14,8 +14,14 @@ struct CellBox {
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
+/// What a vertex has besides its place: FlatrayGlVertex::paint.
+struct VertexPaint {
+  std::array<float, 4> words;
+  bool gradient = false;
+};
+
 /// Puts items into few batches. Items wait in a group as long as none of those with marks shares a
-/// place with another one: then their order does not matter.
+/// place with another one, and all have gradients or none: then their order does not matter.
 class BatchList {
  public:
   BatchList(int width, int height) : width_(width), height_(height) {}
@@ -23,11 +29,14 @@ class BatchList {
   /// Pixels a figure can touch, with a pixel around it for the shifts of its samples.
   CellBox box(std::span<const GridPoint> points) const;
 
+  VertexPaint paint_of(const LinearColour& colour) const;
+  VertexPaint paint_of(const FilmGradient& gradient);
+
   /// A convex figure that is blended as it is.
-  void paint(std::span<const GridPoint> corners, const LinearColour& colour, const CellBox& box);
+  void paint(std::span<const GridPoint> corners, const VertexPaint& paint, const CellBox& box);
 
   /// Begins an item that is marked first and then covered.
-  void begin_marks(const LinearColour& colour, const CellBox& box);
+  void begin_marks(const VertexPaint& paint, const CellBox& box);
   /// Triangles from the first point to every edge, as marks of `kind`.
   void mark(FlatrayGlKind kind, std::span<const GridPoint> corners);
 
@@ -49,12 +58,14 @@ class BatchList {
   };
 
   void flush();
-  static void add_fan(std::span<const GridPoint> corners, const LinearColour& colour,
+  void begin_item(const VertexPaint& paint, const Occupied& others, const CellBox& box);
+  static void add_fan(std::span<const GridPoint> corners, const VertexPaint& paint,
                       std::vector<FlatrayGlVertex>& to);
 
   int width_, height_;
   std::array<std::vector<FlatrayGlVertex>, 5> waiting_;  // by kind
   Occupied marked_, any_;
+  bool gradients_ = false;  // of the group
   Batches all_;
 };
 

@@ -58,16 +58,18 @@ class Builder {
 
   Result<void> add(const DrawItem& item) {
     if (item.colour.a == 0) return {};
-    if (item.gradient || item.layer != 0)
-      return fail({}, "the GL back end draws no gradients, and no fill and stroke faded together",
+    if (item.layer != 0)
+      return fail({}, "the GL back end draws no fill and stroke faded together",
                   "say --backend software", Trouble::unavailable);
-    return std::visit([&](const auto& region) { return add(region, item.colour); }, item.region);
+    paint_ = item.gradient ? out_.paint_of(*item.gradient) : out_.paint_of(item.colour);
+    opaque_ = item.colour.a == 1;
+    return std::visit([&](const auto& region) { return add(region); }, item.region);
   }
 
   Batches finish() && { return std::move(out_).finish(); }
 
  private:
-  Result<void> add(const FillPath& path, const LinearColour& colour) {
+  Result<void> add(const FillPath& path) {
     std::vector<Ring> rings;
     Bounds reach;
     for (Chain& chain : rings_of(path.edges)) {
@@ -76,57 +78,57 @@ class Builder {
     }
     if (!meet(reach, box_)) return {};
     const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
-    if (one) return paint(rings[0], colour), Result<void>();
+    if (one) return paint(rings[0]), Result<void>();
     if (path.rule == FillRule::nonzero && convex_alike(rings)) {
-      if (colour.a == 1)
-        for (const Ring& ring : rings) paint(ring, colour);
+      if (opaque_)
+        for (const Ring& ring : rings) paint(ring);
       else
-        cover(rings, FLATRAY_GL_MARK, colour);
+        cover(rings, FLATRAY_GL_MARK);
       return {};
     }
     if (path.rule == FillRule::nonzero && !path.simple && may_overflow(rings))
       return fail({}, "the GL back end does not draw a region that may wind more than 255 times",
                   "say --backend software", Trouble::unavailable);
-    cover(rings, path.rule == FillRule::nonzero ? FLATRAY_GL_COUNT : FLATRAY_GL_FLIP, colour);
+    cover(rings, path.rule == FillRule::nonzero ? FLATRAY_GL_COUNT : FLATRAY_GL_FLIP);
     return {};
   }
 
-  Result<void> add(const FillRing& ring, const LinearColour& colour) {
+  Result<void> add(const FillRing& ring) {
     const Vec2 centre = ring.centre - origin_, reach(ring.radius, ring.radius);
     if (!(ring.radius > 0) || !meet({centre - reach, centre + reach}, box_)) return {};
     const Ring outer = circle_ring(centre, ring.radius, guard_);
     if (ring.inner_radius > 0)
-      cover({outer, circle_ring(centre, ring.inner_radius, guard_)}, FLATRAY_GL_FLIP, colour);
+      cover({outer, circle_ring(centre, ring.inner_radius, guard_)}, FLATRAY_GL_FLIP);
     else
-      paint(outer, colour);
+      paint(outer);
     return {};
   }
 
   // A path of arcs that crosses itself nowhere, as chords.
-  Result<void> add(const FillArcs& region, const LinearColour& colour) {
+  Result<void> add(const FillArcs& region) {
     Ring ring = flattened(region.path, 1 / kGridSteps);
     if (ring.size() < 4) return {};
     ring.pop_back();  // the first again
     for (Vec2& point : ring) point -= origin_;
     if (!meet(bounds_of(ring), box_)) return {};
     if (non_convex_vertex(ring))
-      cover({ring}, FLATRAY_GL_FLIP, colour);
+      cover({ring}, FLATRAY_GL_FLIP);
     else
-      paint(ring, colour);
+      paint(ring);
     return {};
   }
 
   // A convex ring.
-  void paint(const Ring& ring, const LinearColour& colour) {
+  void paint(const Ring& ring) {
     const Grid corners = convex(ring);
-    if (!corners.empty()) out_.paint(corners, colour, out_.box(corners));
+    if (!corners.empty()) out_.paint(corners, paint_, out_.box(corners));
   }
 
   Grid convex(const Ring& ring) const {
     return hull(on_grid(contains(guard_, bounds_of(ring)) ? ring : clipped(ring, guard_)));
   }
 
-  void cover(const std::vector<Ring>& rings, FlatrayGlKind kind, const LinearColour& colour) {
+  void cover(const std::vector<Ring>& rings, FlatrayGlKind kind) {
     std::vector<Grid> figures;
     Grid all;
     for (const Ring& ring : rings) {
@@ -137,13 +139,15 @@ class Builder {
     }
     const CellBox box = out_.box(all);
     if (box.empty()) return;
-    out_.begin_marks(colour, box);
+    out_.begin_marks(paint_, box);
     for (const Grid& figure : figures) out_.mark(kind, figure);
   }
 
   BatchList out_;
   Vec2 origin_;
   Bounds box_, guard_;
+  VertexPaint paint_;  // of the item
+  bool opaque_ = false;
 };
 
 }  // namespace

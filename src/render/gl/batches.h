@@ -11,6 +11,8 @@ namespace flatray::gl {
 struct Batches {
   std::vector<FlatrayGlVertex> vertices;
   std::vector<FlatrayGlBatch> batches;
+  std::vector<FlatrayGlGradient> gradients;
+  std::vector<FlatrayGlStop> stops;
 };
 
 /// Triangles for the items of `list` in `tile`, corners on the grid (grid.h).

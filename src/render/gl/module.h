@@ -12,10 +12,27 @@
 
 extern "C" {
 
-/// Position in pixels of the tile, y down; linear light, premultiplied.
+/// Position in pixels of the tile, y down; linear light, premultiplied, or in a batch of gradients
+/// the number of the gradient and nothing more.
 struct FlatrayGlVertex {
   float x, y;
-  float rgba[4];
+  float paint[4];
+};
+
+/// Colours by a number t of each pixel's centre p in the film: (p - origin) . axis, or |p - origin|
+/// * axis[0] of a radial one. Read by a shader as it stands here.
+struct FlatrayGlGradient {
+  uint32_t radial;
+  uint32_t first_stop, stop_count;  ///< at least one
+  uint32_t unused;
+  double origin[2], axis[2];
+};
+
+/// Light is that of the last stop at or before t, moved towards the next one's.
+struct FlatrayGlStop {
+  double at;  ///< of one gradient, rising or equal
+  double unused;
+  float rgba[4];  ///< premultiplied
 };
 
 enum FlatrayGlKind {
@@ -29,11 +46,13 @@ enum FlatrayGlKind {
 /// Vertices [first, first + count): triangles, drawn in their order.
 struct FlatrayGlBatch {
   int32_t kind;
+  int32_t gradients;  ///< whether the vertices that are blended name gradients
   uint32_t first, count;
 };
 
 /// A rectangle of pixels to draw.
 struct FlatrayGlTile {
+  int32_t x, y;  ///< in the film
   int32_t width, height;
   int32_t samples;           ///< of MSAA: 4, or 1 at the pixel's centre
   const float (*shifts)[2];  ///< it is drawn once for each, the geometry moved by it; then averaged
@@ -43,6 +62,10 @@ struct FlatrayGlTile {
   size_t vertex_count;
   const FlatrayGlBatch* batches;
   size_t batch_count;
+  const FlatrayGlGradient* gradients;
+  size_t gradient_count;
+  const FlatrayGlStop* stops;
+  size_t stop_count;
   float* rgba;  ///< out: width * height * 4, rows top-down, premultiplied
 };
 

@@ -93,7 +93,9 @@ class GlRenderer final : public Renderer {
     if (!centre) moved = shifts(samples_ / 4);
     if (!centre && info.most_samples < 4) moved = one_by_one(moved);
     return module_->draw(
-        {.width = box.width,
+        {.x = box.x,
+         .y = box.y,
+         .width = box.width,
          .height = box.height,
          .samples = centre ? 1 : info.most_samples,
          .shifts = reinterpret_cast<const float(*)[2]>(moved.data()),
@@ -103,6 +105,10 @@ class GlRenderer final : public Renderer {
          .vertex_count = made->vertices.size(),
          .batches = made->batches.data(),
          .batch_count = made->batches.size(),
+         .gradients = made->gradients.data(),
+         .gradient_count = made->gradients.size(),
+         .stops = made->stops.data(),
+         .stop_count = made->stops.size(),
          .rgba = tile.rgba.data()});
   }
 

@@ -56,7 +56,14 @@ struct Functions {
   X(use_program, PFNGLUSEPROGRAMPROC, "glUseProgram")                                     \
   X(delete_program, PFNGLDELETEPROGRAMPROC, "glDeleteProgram")                            \
   X(uniform_place, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                   \
-  X(set_uniform, PFNGLUNIFORM2FPROC, "glUniform2f")
+  X(set_floats, PFNGLUNIFORM2FPROC, "glUniform2f")                                        \
+  X(set_integers, PFNGLUNIFORM2IPROC, "glUniform2i")                                      \
+  X(set_integer, PFNGLUNIFORM1IPROC, "glUniform1i")                                       \
+  X(active_texture, PFNGLACTIVETEXTUREPROC, "glActiveTexture")                            \
+  X(gen_textures, decltype(&::glGenTextures), "glGenTextures")                            \
+  X(bind_texture, decltype(&::glBindTexture), "glBindTexture")                            \
+  X(delete_textures, decltype(&::glDeleteTextures), "glDeleteTextures")                   \
+  X(texture_buffer, PFNGLTEXBUFFERPROC, "glTexBuffer")
 #define FLATRAY_GL_MEMBER(member, type, name) type member = nullptr;
   FLATRAY_GL_FUNCTIONS(FLATRAY_GL_MEMBER)
 #undef FLATRAY_GL_MEMBER

@@ -7,24 +7,9 @@
 namespace flatray::gl {
 namespace {
 
-// Powers of two, so that nothing is rounded on the way from the grid to the rasterizer's own.
-constexpr GLsizei kViewport = FLATRAY_GL_TILE;
-constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 place;
-layout(location = 1) in vec4 colour;
-uniform vec2 shift;
-flat out vec4 light;
-void main() {
-  light = colour;
-  gl_Position = vec4((place + shift) / 1024.0 - 1.0, 0.0, 1.0);
-}
-)";
-constexpr const char* kFragmentShader = R"(#version 330 core
-flat in vec4 light;
-out vec4 shown;
-void main() { shown = light; }
-)";
-static_assert(FLATRAY_GL_TILE == 2 * 1024);
+constexpr GLsizei kViewport = FLATRAY_GL_TILE;  // as the vertex shader has it
+constexpr std::size_t kTexel = 16;              // bytes of what a table is read in
+static_assert(sizeof(FlatrayGlGradient) == 3 * kTexel && sizeof(FlatrayGlStop) == 2 * kTexel);
 
 // "4.5 (Core Profile) Mesa 22.3.6" has what counts at its end.
 std::string mesa_of(const char* version) {
@@ -44,37 +29,17 @@ bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) 
   GLint samples = 1;
   gl_.get_integers(GL_MAX_SAMPLES, &samples);
   info.most_samples = samples >= 4 ? 4 : 1;
-  if (!make_program(error)) return false;
   gl_.gen_vertex_arrays(1, &vertex_array_);
   gl_.bind_vertex_array(vertex_array_);
   gl_.gen_buffers(1, &buffer_);
   gl_.bind_buffer(GL_ARRAY_BUFFER, buffer_);
   gl_.attribute(0, 2, GL_FLOAT, GL_FALSE, sizeof(FlatrayGlVertex), nullptr);
   gl_.attribute(1, 4, GL_FLOAT, GL_FALSE, sizeof(FlatrayGlVertex),
-                reinterpret_cast<const void*>(offsetof(FlatrayGlVertex, rgba)));
+                reinterpret_cast<const void*>(offsetof(FlatrayGlVertex, paint)));
   gl_.enable_attribute(0);
   gl_.enable_attribute(1);
   gl_.clamp_colour(GL_CLAMP_READ_COLOR, GL_FALSE);
   return make_pictures({1, 1, info.most_samples}, error);
-}
-
-bool Painter::make_program(std::string& error) {
-  program_ = gl_.create_program();
-  for (const auto& [kind, source] : {std::pair(GL_VERTEX_SHADER, kVertexShader),
-                                     std::pair(GL_FRAGMENT_SHADER, kFragmentShader)}) {
-    const GLuint shader = gl_.create_shader(static_cast<GLenum>(kind));
-    gl_.shader_source(shader, 1, &source, nullptr);
-    gl_.compile_shader(shader);
-    gl_.attach_shader(program_, shader);
-    gl_.delete_shader(shader);
-  }
-  gl_.link_program(program_);
-  GLint linked = GL_FALSE;
-  gl_.program_value(program_, GL_LINK_STATUS, &linked);
-  if (linked != GL_TRUE) error = "the shaders do not compile";
-  gl_.use_program(program_);
-  shift_ = gl_.uniform_place(program_, "shift");
-  return linked == GL_TRUE;
 }
 
 Painter::Picture Painter::make_picture(const Size& size, bool with_marks) {
@@ -117,8 +82,34 @@ bool Painter::make_pictures(const Size& size, std::string& error) {
   return true;
 }
 
+// What a shader reads by number.
+bool Painter::fill_table(Unit unit, const void* data, std::size_t bytes, std::string& error) {
+  if (bytes == 0) return true;
+  GLint most = 0;
+  gl_.get_integers(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (bytes / kTexel > static_cast<std::size_t>(most)) {
+    error = "this GL has no room for so many gradients";
+    return false;
+  }
+  Table& table = tables_[static_cast<std::size_t>(unit)];
+  if (table.buffer == 0) {
+    gl_.gen_buffers(1, &table.buffer);
+    gl_.gen_textures(1, &table.texture);
+  }
+  gl_.bind_buffer(GL_TEXTURE_BUFFER, table.buffer);
+  gl_.buffer_data(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+  gl_.active_texture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  gl_.bind_texture(GL_TEXTURE_BUFFER, table.texture);
+  gl_.texture_buffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, table.buffer);
+  return true;
+}
+
 bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
-  if (!make_pictures({tile.width, tile.height, tile.samples}, error)) return false;
+  if (!make_pictures({tile.width, tile.height, tile.samples}, error) ||
+      !fill_table(Unit::gradients, tile.gradients, tile.gradient_count * sizeof *tile.gradients,
+                  error) ||
+      !fill_table(Unit::stops, tile.stops, tile.stop_count * sizeof *tile.stops, error))
+    return false;
   gl_.buffer_data(GL_ARRAY_BUFFER,
                   static_cast<GLsizeiptr>(tile.vertex_count * sizeof(FlatrayGlVertex)),
                   tile.vertices, GL_STREAM_DRAW);
@@ -127,8 +118,8 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
       4 * static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
   if (tile.shift_count > 1) again_.resize(floats);
   for (std::size_t i = 0; i < tile.shift_count; ++i) {
-    gl_.set_uniform(shift_, tile.shifts[i][0], tile.shifts[i][1]);
-    draw_batches(tile);
+    programs_.set({{tile.shifts[i][0], tile.shifts[i][1]}, {tile.x, tile.y}});
+    if (!draw_batches(tile, error)) return false;
     read(tile, i == 0 ? tile.rgba : again_.data());
     if (i > 0) std::transform(again_.begin(), again_.end(), tile.rgba, tile.rgba, std::plus<>());
   }
@@ -144,7 +135,7 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
   return true;
 }
 
-void Painter::draw_batches(const FlatrayGlTile& tile) {
+bool Painter::draw_batches(const FlatrayGlTile& tile, std::string& error) {
   gl_.bind_framebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
   gl_.colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_.clear_colour(tile.background[0], tile.background[1], tile.background[2], tile.background[3]);
@@ -153,16 +144,24 @@ void Painter::draw_batches(const FlatrayGlTile& tile) {
   gl_.blend(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   for (std::size_t i = 0; i < tile.batch_count; ++i) {
     const FlatrayGlBatch& batch = tile.batches[i];
-    set_up(batch.kind);
+    if (!set_up(batch, error)) return false;
     gl_.draw_arrays(GL_TRIANGLES, static_cast<GLint>(batch.first),
                     static_cast<GLsizei>(batch.count));
   }
+  return true;
 }
 
-void Painter::set_up(int32_t kind) {
-  const bool shows = kind == FLATRAY_GL_PAINT || kind == FLATRAY_GL_COVER;
+bool Painter::set_up(const FlatrayGlBatch& batch, std::string& error) {
+  const bool shows = batch.kind == FLATRAY_GL_PAINT || batch.kind == FLATRAY_GL_COVER;
+  const bool gradients = shows && batch.gradients != 0;
+  if (!programs_.use(gradients ? Task::gradient : Task::paint, error)) return false;
+  set_marks(batch.kind);
   const GLboolean mask = shows ? GL_TRUE : GL_FALSE;
   gl_.colour_mask(mask, mask, mask, mask);
+  return true;
+}
+
+void Painter::set_marks(int32_t kind) {
   if (kind == FLATRAY_GL_PAINT) return gl_.disable(GL_STENCIL_TEST);
   gl_.enable(GL_STENCIL_TEST);
   gl_.stencil_func(kind == FLATRAY_GL_COVER ? GL_NOTEQUAL : GL_ALWAYS,
@@ -197,7 +196,11 @@ void Painter::stop() {
   drop(resolved_);
   gl_.delete_buffers(1, &buffer_);
   gl_.delete_vertex_arrays(1, &vertex_array_);
-  gl_.delete_program(program_);
+  for (const Table& table : tables_) {
+    gl_.delete_textures(1, &table.texture);
+    gl_.delete_buffers(1, &table.buffer);
+  }
+  programs_.stop();
 }
 
 }  // namespace flatray::gl

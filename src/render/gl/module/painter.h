@@ -4,6 +4,7 @@
 
 #include "render/gl/module.h"
 #include "render/gl/module/functions.h"
+#include "render/gl/module/programs.h"
 
 namespace flatray::gl {
 
@@ -11,7 +12,7 @@ namespace flatray::gl {
 /// buffers and pictures from one tile to the next.
 class Painter {
  public:
-  explicit Painter(const Functions& gl) : gl_(gl) {}
+  explicit Painter(const Functions& gl) : gl_(gl), programs_(gl) {}
 
   /// False where this GL cannot do what is needed; `error` says what.
   bool start(FlatrayGlInfo& info, const char* maker, std::string& error);
@@ -24,7 +25,9 @@ class Painter {
     GLuint framebuffer = 0, light = 0, marks = 0;
   };
 
-  bool make_program(std::string& error);
+  struct Table {
+    GLuint buffer = 0, texture = 0;
+  };
   struct Size {
     int32_t width = 0, height = 0, samples = 0;
     bool operator==(const Size&) const = default;
@@ -33,13 +36,16 @@ class Painter {
   bool make_pictures(const Size& size, std::string& error);
   Picture make_picture(const Size& size, bool with_marks);
   void drop(Picture& picture);
-  void draw_batches(const FlatrayGlTile& tile);
-  void set_up(int32_t kind);
+  bool fill_table(Unit unit, const void* data, std::size_t bytes, std::string& error);
+  bool draw_batches(const FlatrayGlTile& tile, std::string& error);
+  bool set_up(const FlatrayGlBatch& batch, std::string& error);
+  void set_marks(int32_t kind);
   void read(const FlatrayGlTile& tile, float* rgba);
 
   const Functions& gl_;
-  GLuint program_ = 0, vertex_array_ = 0, buffer_ = 0;
-  GLint shift_ = -1;
+  Programs programs_;
+  GLuint vertex_array_ = 0, buffer_ = 0;
+  std::array<Table, 2> tables_;  // by unit
   Picture drawn_, resolved_;
   Size size_;
   std::vector<float> again_;  // a further picture of the same tile
