@@ -56,6 +56,42 @@ TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {
             (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER, FLATRAY_GL_PAINT}));
 }
 
+DrawItem on_layer(std::uint32_t layer, double x, double y) {
+  DrawItem item{box_path(x, y, 20), {0, 0, 0, 1}};
+  item.layer = layer, item.opacity = 0.5F;
+  return item;
+}
+
+TEST(GlBatches, LayersFarApartShareASheetAndNeighboursDoNot) {
+  constexpr auto kPaint = FLATRAY_GL_PAINT, kBegin = FLATRAY_GL_LAYER, kLay = FLATRAY_GL_LAY;
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(1, 10, 0)}),
+            (std::vector<int>{kBegin, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(2, 100, 50)}),
+            (std::vector<int>{kBegin, kPaint, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(2, 10, 0)}),
+            (std::vector<int>{kBegin, kPaint, kLay, kBegin, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), {box_path(100, 50, 20), {}}}),
+            (std::vector<int>{kPaint, kBegin, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), {box_path(10, 0, 20), {}}}),
+            (std::vector<int>{kBegin, kPaint, kLay, kPaint}));
+  EXPECT_EQ(kinds({on_layer(1, -100, 0)}), std::vector<int>{});
+}
+
+TEST(GlBatches, GradientsAreBatchesOfTheirOwn) {
+  DrawItem graded{box_path(0, 0, 20), {0, 0, 0, 1}};
+  graded.gradient = {.stops = {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 0.5F}}}};
+  const auto made =
+      batches({200, 100, {}, Coverage::area, {{box_path(50, 0, 20), {}}, graded, graded}}, kTile);
+  ASSERT_TRUE(made);
+  ASSERT_EQ(made->batches.size(), 2U);
+  EXPECT_EQ(made->batches[0].gradients, 0);
+  EXPECT_EQ(made->batches[1].gradients, 1);
+  EXPECT_EQ(made->vertices.back().paint[0], 1);
+  ASSERT_EQ(made->gradients.size(), 2U);
+  EXPECT_EQ(made->gradients[1].first_stop, 2U);
+  EXPECT_EQ(made->stops[3].rgba[2], 0.5F);  // premultiplied
+}
+
 TEST(GlBatches, WhatIsNotInTheTileIsNotDrawn) {
   EXPECT_EQ(kinds({{box_path(-30, 0, 20), {}},
                    {box_path(0, 101, 20), {}},

@@ -103,6 +103,19 @@ DrawItem random_item(Draws& draw) {
   return {std::move(path), colour};
 }
 
+// Neighbours are faded as one, now and then.
+void add_layers(Draws& draw, std::vector<DrawItem>& items) {
+  std::uint32_t layer = 0;
+  for (std::size_t i = 0; i < items.size();) {
+    const std::size_t end = std::min(i + 1 + static_cast<std::size_t>(draw(0, 4)), items.size());
+    const bool layered = draw(0, 2) < 1;
+    const auto opacity = static_cast<float>(draw(0, 1));
+    if (layered) ++layer;
+    for (; i < end; ++i)
+      if (layered) items[i].layer = layer, items[i].opacity = opacity;
+  }
+}
+
 DrawList random_list(std::uint64_t seed) {
   Draws draw(seed);
   DrawList list{kWidth, kHeight, {0.2F, 0.4F, 0.1F, 1}, Coverage::area, {}};
@@ -113,6 +126,7 @@ DrawList random_list(std::uint64_t seed) {
     list.items.push_back(random_item(draw));
     if (draw(0, 4) < 1) give_gradient(random_gradient(draw), list.items.back());
   }
+  if (seed % 4 < 2) add_layers(draw, list.items);
   return list;
 }
 
@@ -128,6 +142,7 @@ DrawList random_boxes(std::uint64_t seed) {
         {FillPath{{{a, b}, {b, c}, {c, d}, {d, a}}, FillRule::nonzero, true}, random_colour(draw)});
     if (any(2) == 0) give_gradient(random_gradient(draw), list.items.back());
   }
+  if (seed % 2 == 0) add_layers(draw, list.items);
   return list;
 }
 

@@ -1,6 +1,7 @@
 #include "render/gl/batch_list.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace flatray::gl {
 namespace {
@@ -13,7 +14,21 @@ FlatrayGlVertex vertex(const GridPoint& point, const VertexPaint& paint) {
   return {pixels(point.x), pixels(point.y), {a, b, c, d}};
 }
 
+void append(const Batches& more, Batches& to) {
+  const auto first = static_cast<std::uint32_t>(to.vertices.size());
+  for (FlatrayGlBatch batch : more.batches) {
+    batch.first += first;
+    to.batches.push_back(batch);
+  }
+  to.vertices.insert(to.vertices.end(), more.vertices.begin(), more.vertices.end());
+}
+
 }  // namespace
+
+void CellBox::add(const CellBox& more) {
+  x0 = std::min(x0, more.x0), y0 = std::min(y0, more.y0);
+  x1 = std::max(x1, more.x1), y1 = std::max(y1, more.y1);
+}
 
 std::uint64_t BatchList::Occupied::columns(const CellBox& box) {
   const int first = box.x0 >> kCell, last = (box.x1 - 1) >> kCell;
@@ -50,27 +65,6 @@ CellBox BatchList::box(std::span<const GridPoint> points) const {
   return {low(x0), low(y0), high(x1, width_), high(y1, height_)};
 }
 
-VertexPaint BatchList::paint_of(const LinearColour& colour) const {
-  return {premultiplied(colour)};
-}
-
-VertexPaint BatchList::paint_of(const FilmGradient& gradient) {
-  const auto number = static_cast<float>(all_.gradients.size());  // exact below 2^24
-  const auto first = static_cast<std::uint32_t>(all_.stops.size());
-  for (const FilmGradient::Stop& stop : gradient.stops) {
-    const auto [r, g, b, a] = premultiplied(stop.colour);
-    all_.stops.push_back({stop.at, 0, {r, g, b, a}});
-  }
-  const Vec2 axis = gradient.radial ? Vec2(gradient.per_pixel, 0) : gradient.axis;
-  all_.gradients.push_back({gradient.radial ? 1U : 0U,
-                            first,
-                            static_cast<std::uint32_t>(gradient.stops.size()),
-                            0,
-                            {gradient.origin.x(), gradient.origin.y()},
-                            {axis.x(), axis.y()}});
-  return {{number, 0, 0, 0}, true};
-}
-
 void BatchList::add_fan(std::span<const GridPoint> corners, const VertexPaint& paint,
                         std::vector<FlatrayGlVertex>& to) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -81,11 +75,20 @@ void BatchList::add_fan(std::span<const GridPoint> corners, const VertexPaint& p
   }
 }
 
+void BatchList::add_box(const CellBox& box, const VertexPaint& paint,
+                        std::vector<FlatrayGlVertex>& to) {
+  const auto corner = [](int x, int y) { return on_grid({x, y}); };
+  const std::array<GridPoint, 4> all = {corner(box.x0, box.y0), corner(box.x1, box.y0),
+                                        corner(box.x1, box.y1), corner(box.x0, box.y1)};
+  add_fan(all, paint, to);
+}
+
 // `others`: what of the group must not lie where the item does.
 void BatchList::begin_item(const VertexPaint& paint, const Occupied& others, const CellBox& box) {
-  if (others.any(box) || paint.gradient != gradients_) flush();
+  if (others.any(box) || layered_.any(box) || paint.gradient != gradients_) flush();
   gradients_ = paint.gradient;
   any_.add(box);
+  reach_.add(box);
 }
 
 void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& paint,
@@ -98,28 +101,38 @@ void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& pai
 void BatchList::begin_marks(const VertexPaint& paint, const CellBox& box) {
   begin_item(paint, any_, box);
   marked_.add(box);
-  const auto corner = [](int x, int y) { return on_grid({x, y}); };
-  const std::array<GridPoint, 4> all = {corner(box.x0, box.y0), corner(box.x1, box.y0),
-                                        corner(box.x1, box.y1), corner(box.x0, box.y1)};
-  add_fan(all, paint, waiting_[FLATRAY_GL_COVER]);
+  add_box(box, paint, waiting_[FLATRAY_GL_COVER]);
 }
 
 void BatchList::mark(FlatrayGlKind kind, std::span<const GridPoint> corners) {
   add_fan(corners, {}, waiting_[static_cast<std::size_t>(kind)]);
 }
 
+void BatchList::lay(BatchList&& layer, float opacity) {
+  const CellBox box = layer.reach_;
+  if (box.empty()) return;
+  if (layered_.any(box)) flush();
+  layered_.add(box);
+  reach_.add(box);
+  add_box(box, {}, waiting_[FLATRAY_GL_LAYER]);
+  add_box(box, {{opacity}}, waiting_[FLATRAY_GL_LAY]);
+  append(std::move(layer).finish(), layers_);
+}
+
+void BatchList::push(FlatrayGlKind kind) {
+  std::vector<FlatrayGlVertex>& vertices = waiting_[kind];
+  if (vertices.empty()) return;
+  const auto count = static_cast<std::uint32_t>(vertices.size());
+  append({std::exchange(vertices, {}), {{kind, gradients_ ? 1 : 0, 0, count}}, {}, {}}, all_);
+}
+
 void BatchList::flush() {
-  for (std::size_t kind = 0; kind < waiting_.size(); ++kind) {
-    std::vector<FlatrayGlVertex>& vertices = waiting_[kind];
-    if (vertices.empty()) continue;
-    all_.batches.push_back({static_cast<std::int32_t>(kind), gradients_ ? 1 : 0,
-                            static_cast<std::uint32_t>(all_.vertices.size()),
-                            static_cast<std::uint32_t>(vertices.size())});
-    all_.vertices.insert(all_.vertices.end(), vertices.begin(), vertices.end());
-    vertices.clear();
-  }
-  marked_.clear();
-  any_.clear();
+  for (const FlatrayGlKind kind : {FLATRAY_GL_PAINT, FLATRAY_GL_MARK, FLATRAY_GL_COUNT,
+                                   FLATRAY_GL_FLIP, FLATRAY_GL_COVER, FLATRAY_GL_LAYER})
+    push(kind);
+  append(std::exchange(layers_, {}), all_);
+  push(FLATRAY_GL_LAY);
+  for (Occupied* cells : {&marked_, &any_, &layered_}) cells->clear();
 }
 
 Batches BatchList::finish() && {

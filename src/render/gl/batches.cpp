@@ -51,24 +51,55 @@ bool convex_alike(const std::vector<Ring>& rings) {
 
 class Builder {
  public:
-  explicit Builder(const PixelBox& tile) : out_(tile.width, tile.height), origin_(tile.x, tile.y) {
+  explicit Builder(const PixelBox& tile)
+      : tile_(tile), out_(tile.width, tile.height), origin_(tile.x, tile.y) {
     box_ = {Vec2(0, 0), Vec2(tile.width, tile.height)};
     guard_ = {box_.low - Vec2(kGuard, kGuard), box_.high + Vec2(kGuard, kGuard)};
   }
 
   Result<void> add(const DrawItem& item) {
     if (item.colour.a == 0) return {};
-    if (item.layer != 0)
-      return fail({}, "the GL back end draws no fill and stroke faded together",
-                  "say --backend software", Trouble::unavailable);
-    paint_ = item.gradient ? out_.paint_of(*item.gradient) : out_.paint_of(item.colour);
+    paint_ = item.gradient ? paint_of(*item.gradient) : VertexPaint{premultiplied(item.colour)};
     opaque_ = item.colour.a == 1;
     return std::visit([&](const auto& region) { return add(region); }, item.region);
   }
 
-  Batches finish() && { return std::move(out_).finish(); }
+  /// Items that are faded as one.
+  Result<void> add_layer(std::span<const DrawItem> items) {
+    BatchList layer(tile_.width, tile_.height);
+    std::swap(layer, out_);
+    for (const DrawItem& item : items)
+      if (auto added = add(item); !added) return added;
+    std::swap(layer, out_);
+    out_.lay(std::move(layer), items.front().opacity);
+    return {};
+  }
+
+  Batches finish() && {
+    Batches all = std::move(out_).finish();
+    all.gradients = std::move(gradients_);
+    all.stops = std::move(stops_);
+    return all;
+  }
 
  private:
+  VertexPaint paint_of(const FilmGradient& gradient) {
+    const auto number = static_cast<float>(gradients_.size());  // exact below 2^24
+    const auto first = static_cast<std::uint32_t>(stops_.size());
+    for (const FilmGradient::Stop& stop : gradient.stops) {
+      const auto [r, g, b, a] = premultiplied(stop.colour);
+      stops_.push_back({stop.at, 0, {r, g, b, a}});
+    }
+    const Vec2 axis = gradient.radial ? Vec2(gradient.per_pixel, 0) : gradient.axis;
+    gradients_.push_back({gradient.radial ? 1U : 0U,
+                          first,
+                          static_cast<std::uint32_t>(gradient.stops.size()),
+                          0,
+                          {gradient.origin.x(), gradient.origin.y()},
+                          {axis.x(), axis.y()}});
+    return {{number}, true};
+  }
+
   Result<void> add(const FillPath& path) {
     std::vector<Ring> rings;
     Bounds reach;
@@ -143,19 +174,28 @@ class Builder {
     for (const Grid& figure : figures) out_.mark(kind, figure);
   }
 
+  const PixelBox tile_;
   BatchList out_;
   Vec2 origin_;
   Bounds box_, guard_;
   VertexPaint paint_;  // of the item
   bool opaque_ = false;
+  std::vector<FlatrayGlGradient> gradients_;
+  std::vector<FlatrayGlStop> stops_;
 };
 
 }  // namespace
 
 Result<Batches> batches(const DrawList& list, const PixelBox& tile) {
   Builder builder(tile);
-  for (const DrawItem& item : list.items)
-    if (auto added = builder.add(item); !added) return fail(std::move(added));
+  const std::span<const DrawItem> items = list.items;
+  for (std::size_t i = 0, end; i < items.size(); i = end) {
+    end = i + 1;
+    const std::uint32_t layer = items[i].layer;
+    while (layer != 0 && end < items.size() && items[end].layer == layer) ++end;
+    auto added = layer == 0 ? builder.add(items[i]) : builder.add_layer(items.subspan(i, end - i));
+    if (!added) return fail(std::move(added));
+  }
   return std::move(builder).finish();
 }
 

@@ -12,8 +12,8 @@
 
 extern "C" {
 
-/// Position in pixels of the tile, y down; linear light, premultiplied, or in a batch of gradients
-/// the number of the gradient and nothing more.
+/// Position in pixels of the tile, y down; linear light, premultiplied, or one number: in a batch
+/// of gradients which it is, where a layer is laid how much of it shows.
 struct FlatrayGlVertex {
   float x, y;
   float paint[4];
@@ -40,7 +40,9 @@ enum FlatrayGlKind {
   FLATRAY_GL_MARK,   ///< marks the samples in its triangles
   FLATRAY_GL_COUNT,  ///< adds the winding of its triangles to the samples in them, modulo 256
   FLATRAY_GL_FLIP,   ///< flips the mark of the samples in its triangles
-  FLATRAY_GL_COVER   ///< blends its triangles where samples are marked, and takes the marks away
+  FLATRAY_GL_COVER,  ///< blends its triangles where samples are marked, and takes the marks away
+  FLATRAY_GL_LAYER,  ///< makes its triangles clear on the layer, where what follows is drawn
+  FLATRAY_GL_LAY     ///< lays the layer over the picture, where what follows is drawn again
 };
 
 /// Vertices [first, first + count): triangles, drawn in their order.

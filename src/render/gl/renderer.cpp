@@ -12,7 +12,8 @@
 namespace flatray::gl {
 namespace {
 
-// Pixels drawn at a time: their samples, 20 bytes each, stay under 100 MB.
+// Pixels drawn at a time: their samples, 20 bytes each, stay under 100 MB; 36 where something is
+// faded as one.
 constexpr int kTilePixels = 1 << 20;
 
 // Samples of a pixel come from drawing it several times, each time moved a little. Both

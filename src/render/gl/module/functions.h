@@ -63,7 +63,12 @@ struct Functions {
   X(gen_textures, decltype(&::glGenTextures), "glGenTextures")                            \
   X(bind_texture, decltype(&::glBindTexture), "glBindTexture")                            \
   X(delete_textures, decltype(&::glDeleteTextures), "glDeleteTextures")                   \
-  X(texture_buffer, PFNGLTEXBUFFERPROC, "glTexBuffer")
+  X(texture_buffer, PFNGLTEXBUFFERPROC, "glTexBuffer")                                    \
+  X(image, decltype(&::glTexImage2D), "glTexImage2D")                                     \
+  X(parameter, decltype(&::glTexParameteri), "glTexParameteri")                           \
+  X(image_of_samples, PFNGLTEXIMAGE2DMULTISAMPLEPROC, "glTexImage2DMultisample")          \
+  X(attach_texture, PFNGLFRAMEBUFFERTEXTURE2DPROC, "glFramebufferTexture2D")              \
+  X(sample_mask, PFNGLSAMPLEMASKIPROC, "glSampleMaski")
 #define FLATRAY_GL_MEMBER(member, type, name) type member = nullptr;
   FLATRAY_GL_FUNCTIONS(FLATRAY_GL_MEMBER)
 #undef FLATRAY_GL_MEMBER

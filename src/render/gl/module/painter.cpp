@@ -39,47 +39,7 @@ bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) 
   gl_.enable_attribute(0);
   gl_.enable_attribute(1);
   gl_.clamp_colour(GL_CLAMP_READ_COLOR, GL_FALSE);
-  return make_pictures({1, 1, info.most_samples}, error);
-}
-
-Painter::Picture Painter::make_picture(const Size& size, bool with_marks) {
-  Picture picture;
-  gl_.gen_framebuffers(1, &picture.framebuffer);
-  gl_.bind_framebuffer(GL_FRAMEBUFFER, picture.framebuffer);
-  const auto add = [&](GLuint& part, GLenum format, GLenum place) {
-    gl_.gen_renderbuffers(1, &part);
-    gl_.bind_renderbuffer(GL_RENDERBUFFER, part);
-    gl_.storage(GL_RENDERBUFFER, size.samples == 1 ? 0 : size.samples, format, size.width,
-                size.height);
-    gl_.attach(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, part);
-  };
-  add(picture.light, GL_RGBA32F, GL_COLOR_ATTACHMENT0);
-  if (with_marks) add(picture.marks, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
-  return picture;
-}
-
-void Painter::drop(Picture& picture) {
-  gl_.delete_framebuffers(1, &picture.framebuffer);
-  gl_.delete_renderbuffers(1, &picture.light);
-  gl_.delete_renderbuffers(1, &picture.marks);  // of name 0: passed over
-  picture = {};
-}
-
-bool Painter::make_pictures(const Size& size, std::string& error) {
-  if (size == size_) return true;
-  drop(drawn_);
-  drop(resolved_);
-  size_ = {};
-  if (size.samples > 1) resolved_ = make_picture({size.width, size.height, 1}, false);
-  drawn_ = make_picture(size, true);
-  if (gl_.framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
-      gl_.get_error() != GL_NO_ERROR) {
-    error = "this GL has no framebuffer of floats with " + std::to_string(size.samples) +
-            " samples and a stencil";
-    return false;
-  }
-  size_ = size;
-  return true;
+  return sheets_.resize({1, 1, info.most_samples}, error);
 }
 
 // What a shader reads by number.
@@ -105,7 +65,7 @@ bool Painter::fill_table(Unit unit, const void* data, std::size_t bytes, std::st
 }
 
 bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
-  if (!make_pictures({tile.width, tile.height, tile.samples}, error) ||
+  if (!sheets_.resize({tile.width, tile.height, tile.samples}, error) ||
       !fill_table(Unit::gradients, tile.gradients, tile.gradient_count * sizeof *tile.gradients,
                   error) ||
       !fill_table(Unit::stops, tile.stops, tile.stop_count * sizeof *tile.stops, error))
@@ -120,7 +80,7 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
   for (std::size_t i = 0; i < tile.shift_count; ++i) {
     programs_.set({{tile.shifts[i][0], tile.shifts[i][1]}, {tile.x, tile.y}});
     if (!draw_batches(tile, error)) return false;
-    read(tile, i == 0 ? tile.rgba : again_.data());
+    sheets_.read(i == 0 ? tile.rgba : again_.data());
     if (i > 0) std::transform(again_.begin(), again_.end(), tile.rgba, tile.rgba, std::plus<>());
   }
   if (tile.shift_count > 1) {
@@ -136,33 +96,53 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
 }
 
 bool Painter::draw_batches(const FlatrayGlTile& tile, std::string& error) {
-  gl_.bind_framebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
+  if (!sheets_.draw_on(Sheets::picture, error)) return false;
   gl_.colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_.clear_colour(tile.background[0], tile.background[1], tile.background[2], tile.background[3]);
   gl_.clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  gl_.enable(GL_BLEND);
   gl_.blend(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  for (std::size_t i = 0; i < tile.batch_count; ++i) {
-    const FlatrayGlBatch& batch = tile.batches[i];
-    if (!set_up(batch, error)) return false;
-    gl_.draw_arrays(GL_TRIANGLES, static_cast<GLint>(batch.first),
-                    static_cast<GLsizei>(batch.count));
-  }
+  for (std::size_t i = 0; i < tile.batch_count; ++i)
+    if (!draw_batch(tile.batches[i], error)) return false;
   return true;
 }
 
-bool Painter::set_up(const FlatrayGlBatch& batch, std::string& error) {
-  const bool shows = batch.kind == FLATRAY_GL_PAINT || batch.kind == FLATRAY_GL_COVER;
-  const bool gradients = shows && batch.gradients != 0;
-  if (!programs_.use(gradients ? Task::gradient : Task::paint, error)) return false;
-  set_marks(batch.kind);
-  const GLboolean mask = shows ? GL_TRUE : GL_FALSE;
+bool Painter::draw_batch(const FlatrayGlBatch& batch, std::string& error) {
+  const bool begins = batch.kind == FLATRAY_GL_LAYER, lays = batch.kind == FLATRAY_GL_LAY;
+  const bool blends = batch.kind == FLATRAY_GL_PAINT || batch.kind == FLATRAY_GL_COVER;
+  if (begins && !sheets_.draw_on(Sheets::layer, error)) return false;
+  if (lays && !sheets_.draw_on(Sheets::picture, error)) return false;
+  const Task task = lays                             ? Task::lay
+                    : blends && batch.gradients != 0 ? Task::gradient
+                                                     : Task::paint;
+  if (!programs_.use(task, sheets_.multisampled(), error)) return false;
+  const GLboolean mask = begins || lays || blends ? GL_TRUE : GL_FALSE;
   gl_.colour_mask(mask, mask, mask, mask);
+  begins ? gl_.disable(GL_BLEND) : gl_.enable(GL_BLEND);
+  set_marks(batch.kind);
+  if (!lays) return draw_triangles(batch), true;
+  sheets_.show(Sheets::layer);
+  draw_samples(batch);
   return true;
+}
+
+void Painter::draw_triangles(const FlatrayGlBatch& batch) {
+  gl_.draw_arrays(GL_TRIANGLES, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
+}
+
+// Each sample shows the sample of the sheet that it lies on.
+void Painter::draw_samples(const FlatrayGlBatch& batch) {
+  gl_.enable(GL_SAMPLE_MASK);
+  for (int sample = 0; sample < sheets_.samples(); ++sample) {
+    programs_.read_sample(sample);
+    gl_.sample_mask(0, GLbitfield{1} << sample);
+    draw_triangles(batch);
+  }
+  gl_.disable(GL_SAMPLE_MASK);
 }
 
 void Painter::set_marks(int32_t kind) {
-  if (kind == FLATRAY_GL_PAINT) return gl_.disable(GL_STENCIL_TEST);
+  if (kind == FLATRAY_GL_PAINT || kind == FLATRAY_GL_LAYER || kind == FLATRAY_GL_LAY)
+    return gl_.disable(GL_STENCIL_TEST);
   gl_.enable(GL_STENCIL_TEST);
   gl_.stencil_func(kind == FLATRAY_GL_COVER ? GL_NOTEQUAL : GL_ALWAYS,
                    kind == FLATRAY_GL_MARK ? 1 : 0, 0xff);
@@ -179,21 +159,8 @@ void Painter::set_marks(int32_t kind) {
   }
 }
 
-void Painter::read(const FlatrayGlTile& tile, float* rgba) {
-  if (tile.samples > 1) {
-    gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
-    gl_.bind_framebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
-    gl_.blit(0, 0, tile.width, tile.height, 0, 0, tile.width, tile.height, GL_COLOR_BUFFER_BIT,
-             GL_NEAREST);
-    gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, resolved_.framebuffer);
-  }
-  // Row 0 of the framebuffer is the film's top row: y was never turned over.
-  gl_.read_pixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, rgba);
-}
-
 void Painter::stop() {
-  drop(drawn_);
-  drop(resolved_);
+  sheets_.stop();
   gl_.delete_buffers(1, &buffer_);
   gl_.delete_vertex_arrays(1, &vertex_array_);
   for (const Table& table : tables_) {

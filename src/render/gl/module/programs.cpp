@@ -8,6 +8,8 @@ namespace flatray::gl {
 namespace {
 
 constexpr const char* kVersion = "#version 330 core\n";
+constexpr const char* kSamples = "#define SHEET sampler2DMS\n";
+constexpr const char* kPixels = "#define SHEET sampler2D\n";  // level 0 is called like sample 0
 
 // Powers of two, so that nothing is rounded on the way from the grid to the rasterizer's own.
 constexpr const char* kVertex = R"(
@@ -63,31 +65,41 @@ void main() {
 }
 )";
 
-constexpr std::array<const char*, 2> kFragments = {kPaint, kGradient};
+constexpr const char* kLay = R"(
+flat in vec4 given;
+uniform SHEET sheet;
+uniform int seen;
+out vec4 shown;
+void main() { shown = texelFetch(sheet, ivec2(gl_FragCoord.xy), seen) * given.x; }
+)";
+
+constexpr std::array<const char*, 3> kFragments = {kPaint, kGradient, kLay};
 
 }  // namespace
 
-bool Programs::use(Task task, std::string& error) {
-  Program& program = programs_[static_cast<std::size_t>(task)];
-  if (program.name == 0 && !make(task, program)) {
+bool Programs::use(Task task, bool multisampled, std::string& error) {
+  multisampled = multisampled && task == Task::lay;
+  Program& program = programs_[2 * static_cast<std::size_t>(task) + (multisampled ? 1 : 0)];
+  if (program.name == 0 && !make(task, multisampled, program)) {
     error = task == Task::gradient ? "this GL has no doubles in its shaders, which gradients need"
                                    : "the shaders do not compile";
     return false;
   }
+  used_ = &program;
   gl_.use_program(program.name);
   gl_.set_floats(program.shift, place_.shift[0], place_.shift[1]);
   gl_.set_integers(program.corner, place_.corner[0], place_.corner[1]);
   return true;
 }
 
-bool Programs::make(Task task, Program& program) {
+bool Programs::make(Task task, bool multisampled, Program& program) {
   const GLuint name = gl_.create_program();
   for (const auto& [kind, source] :
        {std::pair(GL_VERTEX_SHADER, kVertex),
         std::pair(GL_FRAGMENT_SHADER, kFragments[static_cast<std::size_t>(task)])}) {
     const GLuint shader = gl_.create_shader(static_cast<GLenum>(kind));
-    const char* const parts[] = {kVersion, source};
-    gl_.shader_source(shader, 2, parts, nullptr);
+    const char* const parts[] = {kVersion, multisampled ? kSamples : kPixels, source};
+    gl_.shader_source(shader, 3, parts, nullptr);
     gl_.compile_shader(shader);
     gl_.attach_shader(name, shader);
     gl_.delete_shader(shader);
@@ -100,7 +112,8 @@ bool Programs::make(Task task, Program& program) {
   gl_.use_program(name);  // what it lacks has place -1, which is passed over
   gl_.set_integer(place("gradients"), static_cast<GLint>(Unit::gradients));
   gl_.set_integer(place("stops"), static_cast<GLint>(Unit::stops));
-  program = {name, place("shift"), place("corner")};
+  gl_.set_integer(place("sheet"), static_cast<GLint>(Unit::sheet));
+  program = {name, place("shift"), place("corner"), place("seen")};
   return true;
 }
 

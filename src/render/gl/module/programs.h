@@ -8,12 +8,13 @@ namespace flatray::gl {
 
 /// What the shaders do, each made when it is first used.
 enum class Task {
-  paint,    ///< shows the light of the vertices
-  gradient  ///< shows the gradients that the vertices name
+  paint,     ///< shows the light of the vertices
+  gradient,  ///< shows the gradients that the vertices name
+  lay        ///< shows a sheet at one sample, faded by the vertices' first number
 };
 
 /// Texture units.
-enum class Unit { gradients, stops };
+enum class Unit { gradients, stops, sheet };
 
 class Programs {
  public:
@@ -26,20 +27,23 @@ class Programs {
   };
   void set(const Place& place) { place_ = place; }
 
-  /// False where this GL does not compile it.
-  bool use(Task task, std::string& error);
+  /// False where this GL does not compile it. `multisampled`: the sheets are.
+  bool use(Task task, bool multisampled, std::string& error);
+  /// Which sample of the sheet the task in use shows.
+  void read_sample(int sample) { gl_.set_integer(used_->sample, sample); }
   void stop();
 
  private:
   struct Program {
     GLuint name = 0;
-    GLint shift = -1, corner = -1;
+    GLint shift = -1, corner = -1, sample = -1;
   };
-  bool make(Task task, Program& program);
+  bool make(Task task, bool multisampled, Program& program);
 
   const Functions& gl_;
   Place place_{};
-  std::array<Program, 2> programs_;  // by task
+  std::array<Program, 6> programs_;  // by task, for sheets of pixels and of samples
+  const Program* used_ = nullptr;
 };
 
 }  // namespace flatray::gl
