@@ -98,14 +98,15 @@ void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& pai
   add_fan(corners, paint, waiting_[FLATRAY_GL_PAINT]);
 }
 
-void BatchList::begin_marks(const VertexPaint& paint, const CellBox& box) {
+void BatchList::mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
+                     const VertexPaint& paint, const CellBox& box) {
+  if (box.empty()) return;
   begin_item(paint, any_, box);
   marked_.add(box);
+  for (const std::vector<GridPoint>& figure : figures)
+    add_fan(figure, {}, waiting_[static_cast<std::size_t>(kind)]);
+  if (kind == FLATRAY_GL_SUM) add_box(box, {}, waiting_[FLATRAY_GL_FIND]);
   add_box(box, paint, waiting_[FLATRAY_GL_COVER]);
-}
-
-void BatchList::mark(FlatrayGlKind kind, std::span<const GridPoint> corners) {
-  add_fan(corners, {}, waiting_[static_cast<std::size_t>(kind)]);
 }
 
 void BatchList::lay(BatchList&& layer, float opacity) {
@@ -119,17 +120,15 @@ void BatchList::lay(BatchList&& layer, float opacity) {
   append(std::move(layer).finish(), layers_);
 }
 
-void BatchList::push(FlatrayGlKind kind) {
-  std::vector<FlatrayGlVertex>& vertices = waiting_[kind];
+void BatchList::push(int kind) {
+  std::vector<FlatrayGlVertex>& vertices = waiting_[static_cast<std::size_t>(kind)];
   if (vertices.empty()) return;
   const auto count = static_cast<std::uint32_t>(vertices.size());
   append({std::exchange(vertices, {}), {{kind, gradients_ ? 1 : 0, 0, count}}, {}, {}}, all_);
 }
 
 void BatchList::flush() {
-  for (const FlatrayGlKind kind : {FLATRAY_GL_PAINT, FLATRAY_GL_MARK, FLATRAY_GL_COUNT,
-                                   FLATRAY_GL_FLIP, FLATRAY_GL_COVER, FLATRAY_GL_LAYER})
-    push(kind);
+  for (int kind = FLATRAY_GL_PAINT; kind <= FLATRAY_GL_LAYER; ++kind) push(kind);
   append(std::exchange(layers_, {}), all_);
   push(FLATRAY_GL_LAY);
   for (Occupied* cells : {&marked_, &any_, &layered_}) cells->clear();

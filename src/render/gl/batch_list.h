@@ -35,10 +35,10 @@ class BatchList {
   /// A convex figure that is blended as it is.
   void paint(std::span<const GridPoint> corners, const VertexPaint& paint, const CellBox& box);
 
-  /// Begins an item that is marked first and then covered.
-  void begin_marks(const VertexPaint& paint, const CellBox& box);
-  /// Triangles from the first point to every edge, as marks of `kind`.
-  void mark(FlatrayGlKind kind, std::span<const GridPoint> corners);
+  /// An item that is marked first and then covered: triangles from the first point of each figure
+  /// to every edge of it, as marks of `kind`.
+  void mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
+            const VertexPaint& paint, const CellBox& box);
 
   /// What another list drew of the tile, as one picture, faded.
   void lay(BatchList&& layer, float opacity);
@@ -62,7 +62,7 @@ class BatchList {
   static constexpr int kBeyond = FLATRAY_GL_TILE;
 
   void flush();
-  void push(FlatrayGlKind kind);
+  void push(int kind);
   void begin_item(const VertexPaint& paint, const Occupied& others, const CellBox& box);
   static void add_fan(std::span<const GridPoint> corners, const VertexPaint& paint,
                       std::vector<FlatrayGlVertex>& to);
@@ -70,7 +70,7 @@ class BatchList {
                       std::vector<FlatrayGlVertex>& to);
 
   int width_, height_;
-  std::array<std::vector<FlatrayGlVertex>, 7> waiting_;  // by kind
+  std::array<std::vector<FlatrayGlVertex>, 9> waiting_;  // by kind
   Batches layers_;                                       // that wait, none where another is
   Occupied marked_, any_, layered_;
   bool gradients_ = false;                 // of the group

@@ -35,11 +35,14 @@ struct FlatrayGlStop {
   float rgba[4];  ///< premultiplied
 };
 
+/// In the order in which those of items that share no place are drawn.
 enum FlatrayGlKind {
   FLATRAY_GL_PAINT,  ///< blends its triangles
   FLATRAY_GL_MARK,   ///< marks the samples in its triangles
   FLATRAY_GL_COUNT,  ///< adds the winding of its triangles to the samples in them, modulo 256
   FLATRAY_GL_FLIP,   ///< flips the mark of the samples in its triangles
+  FLATRAY_GL_SUM,    ///< adds the winding of its triangles to sums that begin at 0 and may be large
+  FLATRAY_GL_FIND,   ///< marks the samples in its triangles whose sum is not 0
   FLATRAY_GL_COVER,  ///< blends its triangles where samples are marked, and takes the marks away
   FLATRAY_GL_LAYER,  ///< makes its triangles clear on the layer, where what follows is drawn
   FLATRAY_GL_LAY     ///< lays the layer over the picture, where what follows is drawn again

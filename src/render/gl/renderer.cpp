@@ -83,8 +83,7 @@ class GlRenderer final : public Renderer {
   }
 
   Result<void> draw_tile(const DrawList& list, const PixelBox& box, Tile& tile) const {
-    const Result<Batches> made = batches(list, box);
-    if (!made) return tl::unexpected(made.error());
+    const Batches made = batches(list, box);
     tile.rgba.resize(4 * static_cast<std::size_t>(box.width) *
                      static_cast<std::size_t>(box.height));
     const LinearColour& under = list.background;
@@ -102,14 +101,14 @@ class GlRenderer final : public Renderer {
          .shifts = reinterpret_cast<const float(*)[2]>(moved.data()),
          .shift_count = moved.size(),
          .background = {under.r * under.a, under.g * under.a, under.b * under.a, under.a},
-         .vertices = made->vertices.data(),
-         .vertex_count = made->vertices.size(),
-         .batches = made->batches.data(),
-         .batch_count = made->batches.size(),
-         .gradients = made->gradients.data(),
-         .gradient_count = made->gradients.size(),
-         .stops = made->stops.data(),
-         .stop_count = made->stops.size(),
+         .vertices = made.vertices.data(),
+         .vertex_count = made.vertices.size(),
+         .batches = made.batches.data(),
+         .batch_count = made.batches.size(),
+         .gradients = made.gradients.data(),
+         .gradient_count = made.gradients.size(),
+         .stops = made.stops.data(),
+         .stop_count = made.stops.size(),
          .rgba = tile.rgba.data()});
   }
 

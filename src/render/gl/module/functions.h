@@ -21,7 +21,6 @@ struct Functions {
   X(blend, decltype(&::glBlendFunc), "glBlendFunc")                                       \
   X(viewport, decltype(&::glViewport), "glViewport")                                      \
   X(stencil_func, decltype(&::glStencilFunc), "glStencilFunc")                            \
-  X(stencil_op, decltype(&::glStencilOp), "glStencilOp")                                  \
   X(draw_arrays, decltype(&::glDrawArrays), "glDrawArrays")                               \
   X(read_pixels, decltype(&::glReadPixels), "glReadPixels")                               \
   X(clamp_colour, PFNGLCLAMPCOLORPROC, "glClampColor")                                    \

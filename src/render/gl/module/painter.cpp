@@ -11,6 +11,45 @@ constexpr GLsizei kViewport = FLATRAY_GL_TILE;  // as the vertex shader has it
 constexpr std::size_t kTexel = 16;              // bytes of what a table is read in
 static_assert(sizeof(FlatrayGlGradient) == 3 * kTexel && sizeof(FlatrayGlStop) == 2 * kTexel);
 
+enum class Ink { none, over, add, replace };
+
+// How the batches of a kind are drawn: what becomes of the light, and of the marks.
+struct Manner {
+  Task task;
+  Ink ink;
+  GLenum test = GL_ALWAYS;  // of `reference` against the marks
+  GLint reference = 0;
+  GLenum front = GL_KEEP, back = GL_KEEP;
+};
+constexpr Manner kManners[] = {
+    {Task::paint, Ink::over},                                            // paint
+    {Task::paint, Ink::none, GL_ALWAYS, 1, GL_REPLACE, GL_REPLACE},      // mark
+    {Task::paint, Ink::none, GL_ALWAYS, 0, GL_INCR_WRAP, GL_DECR_WRAP},  // count
+    {Task::paint, Ink::none, GL_ALWAYS, 0, GL_INVERT, GL_INVERT},        // flip
+    {Task::sum, Ink::add},                                               // sum
+    {Task::find, Ink::none, GL_ALWAYS, 1, GL_REPLACE, GL_REPLACE},       // find
+    {Task::paint, Ink::over, GL_NOTEQUAL, 0, GL_ZERO, GL_ZERO},          // cover
+    {Task::paint, Ink::replace},                                         // layer
+    {Task::lay, Ink::over}                                               // lay
+};
+static_assert(FLATRAY_GL_COVER == 6 && FLATRAY_GL_LAY + 1 == std::size(kManners));
+
+void set_ink(const Functions& gl, Ink ink) {
+  const GLboolean mask = ink == Ink::none ? GL_FALSE : GL_TRUE;
+  gl.colour_mask(mask, mask, mask, mask);
+  if (ink == Ink::replace) return gl.disable(GL_BLEND);
+  gl.enable(GL_BLEND);
+  gl.blend(GL_ONE, ink == Ink::add ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void set_marks(const Functions& gl, const Manner& manner) {
+  if (manner.front == GL_KEEP) return gl.disable(GL_STENCIL_TEST);
+  gl.enable(GL_STENCIL_TEST);
+  gl.stencil_func(manner.test, manner.reference, 0xff);
+  gl.stencil_op_of(GL_FRONT, GL_KEEP, GL_KEEP, manner.front);
+  gl.stencil_op_of(GL_BACK, GL_KEEP, GL_KEEP, manner.back);
+}
+
 // "4.5 (Core Profile) Mesa 22.3.6" has what counts at its end.
 std::string mesa_of(const char* version) {
   const char* mesa = std::strstr(version, "Mesa");
@@ -96,32 +135,41 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
 }
 
 bool Painter::draw_batches(const FlatrayGlTile& tile, std::string& error) {
-  if (!sheets_.draw_on(Sheets::picture, error)) return false;
-  gl_.colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  target_ = Sheets::picture;
+  if (!sheets_.draw_on(target_, error)) return false;
+  set_ink(gl_, Ink::over);
   gl_.clear_colour(tile.background[0], tile.background[1], tile.background[2], tile.background[3]);
   gl_.clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  gl_.blend(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   for (std::size_t i = 0; i < tile.batch_count; ++i)
     if (!draw_batch(tile.batches[i], error)) return false;
   return true;
 }
 
 bool Painter::draw_batch(const FlatrayGlBatch& batch, std::string& error) {
-  const bool begins = batch.kind == FLATRAY_GL_LAYER, lays = batch.kind == FLATRAY_GL_LAY;
-  const bool blends = batch.kind == FLATRAY_GL_PAINT || batch.kind == FLATRAY_GL_COVER;
-  if (begins && !sheets_.draw_on(Sheets::layer, error)) return false;
-  if (lays && !sheets_.draw_on(Sheets::picture, error)) return false;
-  const Task task = lays                             ? Task::lay
-                    : blends && batch.gradients != 0 ? Task::gradient
-                                                     : Task::paint;
-  if (!programs_.use(task, sheets_.multisampled(), error)) return false;
-  const GLboolean mask = begins || lays || blends ? GL_TRUE : GL_FALSE;
-  gl_.colour_mask(mask, mask, mask, mask);
-  begins ? gl_.disable(GL_BLEND) : gl_.enable(GL_BLEND);
-  set_marks(batch.kind);
-  if (!lays) return draw_triangles(batch), true;
-  sheets_.show(Sheets::layer);
+  const Manner& manner = kManners[batch.kind];
+  if (!choose_sheet(batch.kind, error)) return false;
+  const bool gradients =
+      batch.gradients != 0 && manner.task == Task::paint && manner.ink == Ink::over;
+  if (!programs_.use(gradients ? Task::gradient : manner.task, sheets_.multisampled(), error))
+    return false;
+  set_ink(gl_, manner.ink);
+  set_marks(gl_, manner);
+  if (manner.task != Task::find && manner.task != Task::lay) return draw_triangles(batch), true;
+  sheets_.show(manner.task == Task::find ? Sheets::sums : Sheets::layer);
   draw_samples(batch);
+  return true;
+}
+
+bool Painter::choose_sheet(int32_t kind, std::string& error) {
+  if (kind == FLATRAY_GL_LAYER) target_ = Sheets::layer;
+  if (kind == FLATRAY_GL_LAY) target_ = Sheets::picture;
+  if (kind == FLATRAY_GL_LAYER || kind == FLATRAY_GL_LAY || kind == FLATRAY_GL_FIND)
+    return sheets_.draw_on(target_, error);
+  if (kind != FLATRAY_GL_SUM) return true;
+  if (!sheets_.draw_on(Sheets::sums, error)) return false;
+  set_ink(gl_, Ink::add);
+  gl_.clear_colour(0, 0, 0, 0);
+  gl_.clear(GL_COLOR_BUFFER_BIT);
   return true;
 }
 
@@ -138,25 +186,6 @@ void Painter::draw_samples(const FlatrayGlBatch& batch) {
     draw_triangles(batch);
   }
   gl_.disable(GL_SAMPLE_MASK);
-}
-
-void Painter::set_marks(int32_t kind) {
-  if (kind == FLATRAY_GL_PAINT || kind == FLATRAY_GL_LAYER || kind == FLATRAY_GL_LAY)
-    return gl_.disable(GL_STENCIL_TEST);
-  gl_.enable(GL_STENCIL_TEST);
-  gl_.stencil_func(kind == FLATRAY_GL_COVER ? GL_NOTEQUAL : GL_ALWAYS,
-                   kind == FLATRAY_GL_MARK ? 1 : 0, 0xff);
-  switch (kind) {
-    case FLATRAY_GL_MARK:
-      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
-    case FLATRAY_GL_FLIP:
-      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_INVERT);
-    case FLATRAY_GL_COVER:
-      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_ZERO);
-    default:
-      gl_.stencil_op_of(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-      return gl_.stencil_op_of(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-  }
 }
 
 void Painter::stop() {

@@ -30,11 +30,12 @@ class Painter {
   bool draw_batch(const FlatrayGlBatch& batch, std::string& error);
   void draw_triangles(const FlatrayGlBatch& batch);
   void draw_samples(const FlatrayGlBatch& batch);
-  void set_marks(int32_t kind);
+  bool choose_sheet(int32_t kind, std::string& error);
 
   const Functions& gl_;
   Programs programs_;
   Sheets sheets_;
+  Sheets::Name target_ = Sheets::picture;  // of what is blended
   GLuint vertex_array_ = 0, buffer_ = 0;
   std::array<Table, 2> tables_;  // by unit
   std::vector<float> again_;     // a further picture of the same tile

@@ -65,6 +65,21 @@ void main() {
 }
 )";
 
+constexpr const char* kSum = R"(
+out vec4 shown;
+void main() { shown = vec4(gl_FrontFacing ? 1.0 : -1.0); }
+)";
+
+constexpr const char* kFind = R"(
+uniform SHEET sheet;
+uniform int seen;
+out vec4 shown;
+void main() {
+  shown = texelFetch(sheet, ivec2(gl_FragCoord.xy), seen);
+  if (shown.r == 0.0) discard;
+}
+)";
+
 constexpr const char* kLay = R"(
 flat in vec4 given;
 uniform SHEET sheet;
@@ -73,12 +88,12 @@ out vec4 shown;
 void main() { shown = texelFetch(sheet, ivec2(gl_FragCoord.xy), seen) * given.x; }
 )";
 
-constexpr std::array<const char*, 3> kFragments = {kPaint, kGradient, kLay};
+constexpr std::array<const char*, 5> kFragments = {kPaint, kGradient, kSum, kFind, kLay};
 
 }  // namespace
 
 bool Programs::use(Task task, bool multisampled, std::string& error) {
-  multisampled = multisampled && task == Task::lay;
+  multisampled = multisampled && (task == Task::find || task == Task::lay);
   Program& program = programs_[2 * static_cast<std::size_t>(task) + (multisampled ? 1 : 0)];
   if (program.name == 0 && !make(task, multisampled, program)) {
     error = task == Task::gradient ? "this GL has no doubles in its shaders, which gradients need"

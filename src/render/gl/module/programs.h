@@ -10,6 +10,8 @@ namespace flatray::gl {
 enum class Task {
   paint,     ///< shows the light of the vertices
   gradient,  ///< shows the gradients that the vertices name
+  sum,       ///< 1 where triangles run one way, -1 where they run the other
+  find,      ///< what a sheet has at one sample: nothing where that is 0
   lay        ///< shows a sheet at one sample, faded by the vertices' first number
 };
 
@@ -42,7 +44,7 @@ class Programs {
 
   const Functions& gl_;
   Place place_{};
-  std::array<Program, 6> programs_;  // by task, for sheets of pixels and of samples
+  std::array<Program, 10> programs_;  // by task, for sheets of pixels and of samples
   const Program* used_ = nullptr;
 };
 

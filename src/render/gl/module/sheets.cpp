@@ -20,13 +20,14 @@ bool Sheets::draw_on(Name name, std::string& error) {
   return true;
 }
 
-void Sheets::make_texture(int32_t samples) {
+void Sheets::make_texture(GLint format, int32_t samples) {
   const GLenum target = samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
   if (samples > 1) {
-    gl_.image_of_samples(target, samples, GL_RGBA32F, size_.width, size_.height, GL_TRUE);
+    gl_.image_of_samples(target, samples, static_cast<GLenum>(format), size_.width, size_.height,
+                         GL_TRUE);
     return;
   }
-  gl_.image(target, 0, GL_RGBA32F, size_.width, size_.height, 0, GL_RGBA, GL_FLOAT, nullptr);
+  gl_.image(target, 0, format, size_.width, size_.height, 0, GL_RGBA, GL_FLOAT, nullptr);
   gl_.parameter(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // one level is all there is
 }
 
@@ -35,11 +36,11 @@ bool Sheets::make(Name name, int32_t samples, std::string& error) {
   Sheet& sheet = sheets_[name];
   gl_.gen_textures(1, &sheet.texture);
   show(name);
-  make_texture(samples);
+  make_texture(name == sums ? GL_R32F : GL_RGBA32F, samples);
   gl_.gen_framebuffers(1, &sheet.framebuffer);
   gl_.bind_framebuffer(GL_FRAMEBUFFER, sheet.framebuffer);
   gl_.attach_texture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, sheet.texture, 0);
-  if (name != resolved)
+  if (name != resolved && name != sums)
     gl_.attach(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, marks_);
   if (gl_.framebuffer_status(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
       gl_.get_error() == GL_NO_ERROR)

@@ -11,7 +11,7 @@ namespace flatray::gl {
 /// stencil of marks for all.
 class Sheets {
  public:
-  enum Name { picture, layer, resolved };
+  enum Name { picture, layer, sums, resolved };
   struct Size {
     int32_t width = 0, height = 0, samples = 0;
     bool operator==(const Size&) const = default;
@@ -35,11 +35,11 @@ class Sheets {
     GLuint framebuffer = 0, texture = 0;
   };
   bool make(Name name, int32_t samples, std::string& error);
-  void make_texture(int32_t samples);
+  void make_texture(GLint format, int32_t samples);
 
   const Functions& gl_;
   Size size_;
-  std::array<Sheet, 3> sheets_;  // by name
+  std::array<Sheet, 4> sheets_;  // by name
   GLuint marks_ = 0;
 };
 
