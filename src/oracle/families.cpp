@@ -69,15 +69,6 @@ AimedScene edge(Draw& draw) {
   });
 }
 
-double nudge(double x, Draw& draw) {
-  const double way = draw.below(3);
-  return way == 0 ? x : std::nextafter(x, way == 1 ? -kInfinity : kInfinity);
-}
-Vec2 nudge(const Vec2& v, Draw& draw) {
-  const double x = nudge(v.x(), draw);
-  return {x, nudge(v.y(), draw)};
-}
-
 AimedScene one_ulp(Draw& draw) {
   return aimed(grid_walls(draw), [&](const AimedScene& scene) {
     const Ray ray = at_vertex(scene, draw);
@@ -234,6 +225,15 @@ constexpr Family kFamilies[] = {
 };
 
 }  // namespace
+
+double nudge(double x, Draw& draw) {
+  const double way = draw.below(3);
+  return way == 0 ? x : std::nextafter(x, way == 1 ? -kInfinity : kInfinity);
+}
+Vec2 nudge(const Vec2& v, Draw& draw) {
+  const double x = nudge(v.x(), draw);
+  return {x, nudge(v.y(), draw)};
+}
 
 std::span<const Family> families() { return kFamilies; }
 

@@ -26,6 +26,10 @@ class Draw {
   std::uint32_t draw_ = 0;
 };
 
+/// The double itself, the one below or the one above, each as likely.
+double nudge(double x, Draw& draw);
+Vec2 nudge(const Vec2& v, Draw& draw);
+
 /// Walls, and rays aimed at what is hard about them.
 struct AimedScene {
   std::vector<Segment> walls;
