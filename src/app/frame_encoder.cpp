@@ -36,6 +36,13 @@ Result<const Encoded*> FrameEncoder::encode(DrawList list) {
   return &out_;
 }
 
+Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
+                                            unsigned frame) {
+  if (!job_.view) return encode(draw_list(plan, timeline, frame));
+  keep(draw_view(*job_.view, timeline.scene(), at(timeline, frame), options_));
+  return &out_;
+}
+
 template <class Picture>
 Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
   if (job_.renderer) {

@@ -20,6 +20,8 @@ class FrameEncoder {
 
   /// Valid until the next frame. Error   what the job's back end cannot draw.
   Result<const Encoded*> encode(DrawList list);
+  /// A frame of the job: its view where it has one, else what the plan draws.
+  Result<const Encoded*> encode(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
   const DrawCounts& counts() const;
   std::size_t encoded() const { return encoded_; }  ///< pictures encoded so far
 

@@ -7,6 +7,7 @@
 #include "base/isa.h"
 #include "image/metric.h"
 #include "render/backend.h"
+#include "render/view.h"
 #include "study/experiment.h"
 #include "trace/tracer.h"
 
@@ -60,6 +61,7 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
                            {"passes", &drawing_passes},
                            {"shapes", [] { return listed(listed_shapes()); }},
                            {"tracers", [] { return described(flatray::tracers()); }},
+                           {"views", [] { return described(flatray::views()); }},
                            {"verbs", [] { return described(all_verbs()); }}};
 
 std::vector<std::string> kind_names() {
