@@ -190,7 +190,7 @@ TEST_F(GlBackends, CentresOnOutlinesGoRightAndDown) {
 }
 
 TEST_F(GlBackends, TilesAndCropsShowTheSame) {
-  DrawList list = random_list(7);
+  DrawList list = random_list(13);
   list.width = 2100;
   const auto renderer = opened("gl", 4);
   Image whole, part;
