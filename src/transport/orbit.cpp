@@ -120,7 +120,7 @@ class OrbitTracer {
 };
 
 // Rays still under way, in the order they were given.
-void trace_wavefront(const OrbitTracer& orbits, const Surfaces& walls, const Tracer& tracer,
+void trace_wavefront(const OrbitTracer& orbits, const Accelerator& walls,
                      std::vector<Flight>& flights) {
   for (Flight& flight : flights) flight.orbit->out = unit(flight.ray.direction);
   std::erase_if(flights, [&](Flight& flight) { return !orbits.start(flight); });
@@ -131,7 +131,7 @@ void trace_wavefront(const OrbitTracer& orbits, const Surfaces& walls, const Tra
     rays.resize(flights.size());
     hits.resize(flights.size());
     for (std::size_t i = 0; i < flights.size(); ++i) rays.set(i, flights[i].ray, flights[i].left);
-    tracer.nearest(walls, rays, hits);
+    walls.nearest(rays, hits);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < flights.size(); ++i)
       if (orbits.advance(flights[i], hits[i]))
@@ -170,7 +170,7 @@ std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material>
     orbits[i].direction = starts[i].direction;
     flights.push_back({starts[i], {}, Speed(starts[i].direction), {0, 0}, &orbits[i]});
   }
-  trace_wavefront(OrbitTracer(walls, materials, bounces), walls, tracer, flights);
+  trace_wavefront(OrbitTracer(walls, materials, bounces), *tracer.build(walls), flights);
   return orbits;
 }
 

@@ -16,7 +16,7 @@ NearestHit nearest(const Surfaces& walls, const Ray& ray, const Left& left = {},
   rays.tangents = tangents;
   rays.add(ray, left);
   NearestHit hit;
-  usual_tracer().nearest(walls, rays, {&hit, 1});
+  usual_tracer().build(walls)->nearest(rays, {&hit, 1});
   return hit;
 }
 

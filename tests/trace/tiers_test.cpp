@@ -5,33 +5,11 @@
 
 #include <limits>
 
-#include "trace/exact_nearest.h"
-#include "trace/random_rays.h"
+#include "trace/all_tracers.h"
 #include "trace/ray_block.h"
-#include "trace/tracers/brute.h"
 
 namespace flatray {
 namespace {
-
-struct Case {
-  Surfaces walls;
-  RayBatch rays;
-};
-
-void expect_all_tiers_exact(const Case& c) {
-  std::vector<NearestHit> truth, hits(c.rays.size());
-  for (std::size_t i = 0; i < c.rays.size(); ++i) {
-    ExactNearest search(c.walls, c.rays.ray(i), c.rays.left[i], c.rays.tangents);
-    search.offer_segments();
-    search.offer_circles();
-    truth.push_back(search.hit());
-  }
-  for (const Isa isa : available_isas()) {
-    brute_nearest(c.walls, c.rays, hits, isa);
-    for (std::size_t i = 0; i < hits.size(); ++i)
-      ASSERT_EQ(hits[i], truth[i]) << isa_name(isa) << ", ray " << i;
-  }
-}
 
 void add_rays_between(Draws& draw, const std::vector<Vec2>& from, const std::vector<Vec2>& to,
                       int count, Case& c) {

@@ -136,9 +136,15 @@ void clip(const Polygon& polygon, const Rays& rays, const Clip& result) {
   }
 }
 
+#include "trace/kernels/grid_body.h"
+
+namespace single {
+#include "trace/kernels/walk_body.h"
+}  // namespace single
+
 }  // namespace
 
 extern const Kernels kKernels;
-const Kernels kKernels = {&nearest, &clip};
+const Kernels kKernels = {&nearest, &clip, {&prepare, &single::walk, &finish}};
 
 }  // namespace flatray::lanes::FLATRAY_TIER

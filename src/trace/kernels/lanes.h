@@ -1,4 +1,5 @@
 #pragma once
+#include "trace/kernels/walk.h"
 
 // What the kernels take and give: plain data only, so that nothing compiled for one instruction-set
 // tier can be picked by the linker for another.
@@ -56,6 +57,7 @@ inline constexpr double kMissed = -1, kUnsure = -2;
 struct Kernels {
   void (*nearest)(const Walls&, const Rays&, const Nearest&);
   void (*clip)(const Polygon&, const Rays&, const Clip&);
+  GridKernels grid;
 };
 
 namespace portable {

@@ -3,6 +3,9 @@
 #if FLATRAY_LANES == 1
 using Real = double;
 using Mask = bool;
+struct Ends {
+  Real ax, ay, bx, by;
+};
 inline Real load(const double* from) { return *from; }
 inline void store(double* to, Real value) { *to = value; }
 inline Real all(double value) { return value; }
@@ -16,9 +19,19 @@ inline Real choose(Mask m, Real yes, Real no) { return m ? yes : no; }
 inline Real smaller(Real a, Real b) { return a < b ? a : b; }
 inline Real larger(Real a, Real b) { return a > b ? a : b; }
 inline Real size(Real a) { return __builtin_fabs(a); }
+inline Real with_sign_of(Real size, Real sign) { return __builtin_copysign(size, sign); }
+inline Real root(Real a) { return __builtin_sqrt(a); }
+inline void store_single(float* to, Real value) { *to = static_cast<float>(value); }
+inline Ends fetch_ends(const double* ends, const unsigned* slot) {
+  const double* e = ends + 4 * static_cast<long>(*slot);
+  return {e[0], e[1], e[2], e[3]};
+}
 #elif FLATRAY_LANES == 2
 using Real = __m128d;
 using Mask = __m128d;
+struct Ends {
+  Real ax, ay, bx, by;
+};
 inline Real load(const double* from) { return _mm_loadu_pd(from); }
 inline void store(double* to, Real value) { _mm_storeu_pd(to, value); }
 inline Real all(double value) { return _mm_set1_pd(value); }
@@ -34,9 +47,26 @@ inline Real choose(Mask m, Real yes, Real no) {
 inline Real smaller(Real a, Real b) { return _mm_min_pd(a, b); }
 inline Real larger(Real a, Real b) { return _mm_max_pd(a, b); }
 inline Real size(Real a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
+inline Real with_sign_of(Real size, Real sign) {
+  return _mm_or_pd(size, _mm_and_pd(_mm_set1_pd(-0.0), sign));
+}
+inline Real root(Real a) { return _mm_sqrt_pd(a); }
+inline void store_single(float* to, Real value) {
+  _mm_storel_pi(reinterpret_cast<__m64*>(to), _mm_cvtpd_ps(value));
+}
+inline Ends fetch_ends(const double* ends, const unsigned* slot) {
+  const double *e0 = ends + 4 * static_cast<long>(slot[0]),
+               *e1 = ends + 4 * static_cast<long>(slot[1]);
+  const Real a0 = load(e0), a1 = load(e1), b0 = load(e0 + 2), b1 = load(e1 + 2);
+  return {_mm_unpacklo_pd(a0, a1), _mm_unpackhi_pd(a0, a1), _mm_unpacklo_pd(b0, b1),
+          _mm_unpackhi_pd(b0, b1)};
+}
 #elif FLATRAY_LANES == 4
 using Real = __m256d;
 using Mask = __m256d;
+struct Ends {
+  Real ax, ay, bx, by;
+};
 inline Real load(const double* from) { return _mm256_loadu_pd(from); }
 inline void store(double* to, Real value) { _mm256_storeu_pd(to, value); }
 inline Real all(double value) { return _mm256_set1_pd(value); }
@@ -50,9 +80,25 @@ inline Real choose(Mask m, Real yes, Real no) { return _mm256_blendv_pd(no, yes,
 inline Real smaller(Real a, Real b) { return _mm256_min_pd(a, b); }
 inline Real larger(Real a, Real b) { return _mm256_max_pd(a, b); }
 inline Real size(Real a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
+inline Real with_sign_of(Real size, Real sign) {
+  return _mm256_or_pd(size, _mm256_and_pd(_mm256_set1_pd(-0.0), sign));
+}
+inline Real root(Real a) { return _mm256_sqrt_pd(a); }
+inline void store_single(float* to, Real value) { _mm_storeu_ps(to, _mm256_cvtpd_ps(value)); }
+inline Ends fetch_ends(const double* ends, const unsigned* slot) {
+  const auto row = [&](int lane) { return load(ends + 4 * static_cast<long>(slot[lane])); };
+  const Real r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+  const Real x01 = _mm256_unpacklo_pd(r0, r1), y01 = _mm256_unpackhi_pd(r0, r1);
+  const Real x23 = _mm256_unpacklo_pd(r2, r3), y23 = _mm256_unpackhi_pd(r2, r3);
+  return {_mm256_permute2f128_pd(x01, x23, 0x20), _mm256_permute2f128_pd(y01, y23, 0x20),
+          _mm256_permute2f128_pd(x01, x23, 0x31), _mm256_permute2f128_pd(y01, y23, 0x31)};
+}
 #else
 using Real = __m512d;
 using Mask = __mmask8;
+struct Ends {
+  Real ax, ay, bx, by;
+};
 inline Real load(const double* from) { return _mm512_loadu_pd(from); }
 inline void store(double* to, Real value) { _mm512_storeu_pd(to, value); }
 inline Real all(double value) { return _mm512_set1_pd(value); }
@@ -66,4 +112,19 @@ inline Real choose(Mask m, Real yes, Real no) { return _mm512_mask_blend_pd(m, n
 inline Real smaller(Real a, Real b) { return _mm512_maskz_min_pd(255, a, b); }
 inline Real larger(Real a, Real b) { return _mm512_maskz_max_pd(255, a, b); }
 inline Real size(Real a) { return _mm512_abs_pd(a); }
+inline Real with_sign_of(Real size, Real sign) {
+  return _mm512_or_pd(size, _mm512_and_pd(_mm512_set1_pd(-0.0), sign));
+}
+inline Real root(Real a) { return _mm512_maskz_sqrt_pd(255, a); }
+inline void store_single(float* to, Real value) {
+  _mm256_storeu_ps(to, _mm512_maskz_cvtpd_ps(255, value));
+}
+inline Ends fetch_ends(const double* ends, const unsigned* slot) {
+  const auto column = [&](int which) {
+    const __m256i at =
+        _mm256_slli_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(slot)), 2);
+    return _mm512_mask_i32gather_pd(all(0), 255, at, ends + which, 8);
+  };
+  return {column(0), column(1), column(2), column(3)};
+}
 #endif

@@ -46,9 +46,19 @@ NearestHit decide_ray(const Surfaces& walls, const RayBatch& rays, std::size_t i
   return search.hit();
 }
 
-void nearest(const Surfaces& walls, const RayBatch& rays, std::span<NearestHit> hits) {
-  brute_nearest(walls, rays, hits, active_isa());
-}
+class Brute : public Accelerator {
+ public:
+  explicit Brute(const Surfaces& walls) : walls_(walls) {}
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    brute_nearest(walls_, rays, hits, active_isa());
+  }
+  std::size_t bytes() const override { return 0; }
+
+ private:
+  const Surfaces& walls_;
+};
+
+std::unique_ptr<Accelerator> build(const Surfaces& walls) { return std::make_unique<Brute>(walls); }
 
 }  // namespace
 
@@ -69,6 +79,6 @@ void brute_nearest(const Surfaces& walls, const RayBatch& rays, std::span<Neares
 
 extern const Tracer brute_tracer;
 const Tracer brute_tracer = {"brute", "every wall against every ray, culled in vector lanes", true,
-                             &nearest};
+                             &build};
 
 }  // namespace flatray

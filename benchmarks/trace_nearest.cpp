@@ -1,0 +1,207 @@
+// Goals S1, S2, S4, S5: what rays meet first, by every exact tracer and by Embree as far as it is
+// built in, in million rays a second of one thread; then the memory and the time to build (S15).
+//   trace_nearest [--cells RAYS,SCENE] [--most N]     e.g. --cells random,uniform --most 4096
+#include <fmt/core.h>
+
+#include <cstring>
+
+#include "measure.h"
+#include "trace/tracer.h"
+#include "trace_scenes.h"
+#include "tracing.h"
+
+namespace {
+
+using flatray::NearestHit;
+using flatray::RayBatch;
+using flatray::Surfaces;
+using flatray::Vec2;
+
+class Flatray : public bench::Tracing {
+ public:
+  Flatray(const flatray::Tracer& tracer, const Surfaces& walls) : name_(tracer.name) {
+    const double start = bench::seconds(CLOCK_THREAD_CPUTIME_ID);
+    walls_ = tracer.build(walls);
+    const double spent = bench::seconds(CLOCK_THREAD_CPUTIME_ID) - start;
+    remark_ = fmt::format("{:.1f} bytes a segment, built in {:.2f} ms",
+                          static_cast<double>(walls_->bytes()) / static_cast<double>(walls.size()),
+                          1e3 * spent);
+  }
+  std::string name() const override { return "flatray, " + name_; }
+  std::string remark() const override { return remark_; }
+  void take(const RayBatch& rays) override {
+    rays_ = rays;
+    hits_.resize(rays.size());
+  }
+  void trace() override { walls_->nearest(rays_, hits_); }
+  bench::Met met(std::size_t ray) const override { return {hits_[ray].surface, hits_[ray].t}; }
+  void turn(std::size_t ray, const Vec2& origin, const Vec2& direction,
+            std::uint32_t left) override {
+    rays_.set(ray, {origin, direction}, {left, flatray::Root::none});
+  }
+
+ private:
+  std::string name_, remark_;
+  std::unique_ptr<flatray::Accelerator> walls_;
+  RayBatch rays_;
+  std::vector<NearestHit> hits_;
+};
+
+// Every wall a mirror: rays in blocks, all one bounce on, then all again.
+class Chamber {
+ public:
+  static constexpr std::size_t kBlock = 1024;
+  static constexpr int kBounces = 200;
+
+  Chamber(bench::Tracing& tracing, const bench::Room& room)
+      : tracing_(tracing), room_(room), start_(bench::random_rays(kBlock, room.side, 7)) {}
+  void run() {
+    RayBatch rays = start_;
+    tracing_.take(rays);
+    for (int bounce = 0; bounce < kBounces; ++bounce) {
+      tracing_.trace();
+      for (std::size_t i = 0; i < kBlock; ++i) bounce_ray(rays, i);
+    }
+  }
+
+ private:
+  void bounce_ray(RayBatch& rays, std::size_t i) {
+    const bench::Met met = tracing_.met(i);
+    if (met.surface == flatray::kNoSurface) {  // a leak of floats: begin anew
+      rays.set(i, start_.ray(i), {});
+      return tracing_.turn(i, start_.ray(i).origin, start_.ray(i).direction, met.surface);
+    }
+    const flatray::Segment& wall = room_.walls.segments[met.surface];
+    const Vec2 along = wall.b - wall.a, normal(along.y(), -along.x());
+    const flatray::Ray ray = rays.ray(i);
+    const Vec2 out =
+        ray.direction - (2 * ray.direction.dot(normal) / normal.squaredNorm()) * normal;
+    rays.set(i, {ray.origin + met.t * ray.direction, out / std::sqrt(out.squaredNorm())}, {});
+    tracing_.turn(i, rays.ray(i).origin, rays.ray(i).direction, met.surface);
+  }
+  bench::Tracing& tracing_;
+  const bench::Room& room_;
+  RayBatch start_;
+};
+
+// Answers of all against the first's: what differs by more than float can tell, by ray.
+std::size_t differing(bench::Tracing& a, bench::Tracing& b, const RayBatch& rays) {
+  a.take(rays);
+  b.take(rays);
+  a.trace();
+  b.trace();
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const bench::Met x = a.met(i), y = b.met(i);
+    const bool missed = (x.surface == flatray::kNoSurface) != (y.surface == flatray::kNoSurface);
+    if (missed || std::fabs(x.t - y.t) > 1e-3 * (1 + std::fabs(x.t))) ++differ;
+  }
+  return differ;
+}
+
+struct Options {
+  std::string cells;
+  std::size_t most = 1 << 20;
+  bool wants(const std::string& rays, const bench::Layout& layout) const {
+    return cells.empty() || cells == rays + "," + layout.name;
+  }
+};
+
+std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
+                                                        std::size_t segments) {
+  bench::Tracings all;
+  for (const flatray::Tracer* tracer : flatray::tracers())
+    if (tracer->exact && (segments <= 4096 || std::strcmp(tracer->name, "brute") != 0))
+      all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
+#ifdef BENCH_EMBREE
+  bench::add_embree(room.walls, 0.5, all);
+#endif
+  return all;
+}
+
+void print_row(const std::string& rays, const bench::Layout& layout, std::size_t segments,
+               const bench::Tracings& all, const std::vector<double>& mrays,
+               const std::vector<double>& differ) {
+  double best_peer = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i]->name().starts_with("Embree")) best_peer = std::max(best_peer, mrays[i]);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool own = all[i]->name().starts_with("flatray");
+    fmt::print("| {:7} | {:7} | {:7} | {:20} | {:8.3f} | {:>5} | {:7.1e} |\n", rays, layout.name,
+               segments, all[i]->name(), mrays[i],
+               own && best_peer > 0 ? fmt::format("{:.2f}", mrays[i] / best_peer) : "", differ[i]);
+  }
+  std::fflush(stdout);
+}
+
+void compare_rays(const std::string& name, const RayBatch& rays, const bench::Layout& layout,
+                  std::size_t segments, bench::Tracings& all) {
+  std::vector<bench::Contender> turns;
+  std::vector<double> differ, mrays;
+  for (const auto& one : all) {
+    differ.push_back(static_cast<double>(differing(*all.front(), *one, rays)) /
+                     static_cast<double>(rays.size()));
+    turns.push_back({one->name(), [&] { one->trace(); }});
+  }
+  for (const double seconds : bench::compare(turns, 9, 0.01))
+    mrays.push_back(1e-6 * static_cast<double>(rays.size()) / seconds);
+  print_row(name, layout, segments, all, mrays, differ);
+}
+
+void compare_chambers(const bench::Room& room, const bench::Layout& layout, bench::Tracings& all) {
+  std::vector<bench::Contender> turns;
+  std::vector<Chamber> chambers;
+  bench::Tracings able;
+  for (auto& one : all)
+    if (one->for_chambers()) able.push_back(std::move(one));
+  for (const auto& one : able) chambers.emplace_back(*one, room);
+  for (std::size_t i = 0; i < able.size(); ++i)
+    turns.push_back({able[i]->name(), [&chambers, i] { chambers[i].run(); }});
+  std::vector<double> mrays;
+  for (const double seconds : bench::compare(turns, 7, 0.01))
+    mrays.push_back(1e-6 * Chamber::kBlock * Chamber::kBounces / seconds);
+  print_row("chamber", layout, room.walls.size(), able, mrays, std::vector<double>(able.size()));
+}
+
+void compare_scene(std::size_t segments, const bench::Layout& layout, const Options& options) {
+  const bool plain = layout.name == bench::kUniform.name;
+  const bench::Room room = bench::room(segments, layout);
+  bench::Tracings all = contenders(room, segments);
+  const std::size_t count = segments >= 65536 ? 65536 : 16384;
+  const auto try_rays = [&](const std::string& name, const RayBatch& rays) {
+    if (options.wants(name, layout)) compare_rays(name, rays, layout, segments, all);
+  };
+  try_rays("random", bench::random_rays(count, room.side, 3));
+  if (plain) try_rays("fan", bench::fan(count, room.side));
+  if (plain) try_rays("grid", bench::pixel_grid(count, room.side));
+  for (const auto& one : all)
+    if (!one->remark().empty()) fmt::print("{}: {}\n", one->name(), one->remark());
+  if (options.wants("chamber", layout)) compare_chambers(room, layout, all);
+}
+
+Options read_options(int count, char** arguments) {
+  Options options;
+  for (int i = 1; i + 1 < count; i += 2) {
+    if (std::string(arguments[i]) == "--cells") options.cells = arguments[i + 1];
+    if (std::string(arguments[i]) == "--most") options.most = std::stoul(arguments[i + 1]);
+  }
+  return options;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const Options options = read_options(count, arguments);
+  fmt::print(
+      "\nS1, S2, S4, S5: million rays a second, medians of rounds in turn, CPU time of one "
+      "thread;\n"
+      "ratio: to the best of Embree in that row; differ: share of rays whose t is not the first\n"
+      "row's to 0.1 % (floats tie, and miss).\n"
+      "| rays    | scene   |       N | who                  |   Mrays/s | ratio | differ |\n"
+      "|---|---|---|---|---|---|---|\n");
+  for (const std::size_t segments : {16UL, 256UL, 4096UL, 65536UL, 1048576UL})
+    if (segments <= options.most) compare_scene(segments, bench::kUniform, options);
+  for (const bench::Layout& layout : {bench::kPower2, bench::kSparse, bench::kPower6})
+    for (const std::size_t segments : {4096UL, 65536UL})
+      if (segments <= options.most) compare_scene(segments, layout, options);
+}

@@ -1,0 +1,78 @@
+#include "trace/cell_search.h"
+
+#include "trace/cell_walk.h"
+#include "trace/exact_nearest.h"
+#include "trace/segment_filter.h"
+
+namespace flatray {
+namespace {
+
+// The nearest segment as far as bounds can say, and all that may come before it.
+class Rivals {
+ public:
+  Rivals(const Surfaces& walls, const Ray& ray, const Left& left)
+      : walls_(walls), left_(left), filter_(ray) {}
+
+  /// Takes a segment that need not be counted where it is surely met later than `limit`.
+  void offer(std::uint32_t slot, double limit = kInfinity) {
+    if (walls_.segment_numbers[slot] == left_.surface) return;
+    const FilteredHit hit = filter_(walls_.segments[slot]);
+    if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
+    if (std::find_if(open_.begin(), open_.end(),
+                     [&](const Rival& other) { return other.slot == slot; }) != open_.end())
+      return;
+    open_.push_back({slot, hit.low});
+    if (hit.verdict == FilteredHit::Verdict::sure && hit.high < high_) {
+      high_ = hit.high;
+      std::erase_if(open_, [&](const Rival& other) { return other.low > high_; });
+    }
+  }
+  /// Whether nothing met later than t can be the nearest.
+  bool settled(double t) const { return high_ < t; }
+
+  NearestHit decide(const Ray& ray, bool tangents) const {
+    const bool alone = open_.size() == 1 && high_ < kInfinity;
+    if (walls_.circles.empty() && open_.empty()) return {};
+    if (walls_.circles.empty() && alone) return crossing_hit(walls_, ray, open_.front().slot);
+    ExactNearest search(walls_, ray, left_, tangents);
+    for (const Rival& rival : open_) search.offer_segment(rival.slot);
+    search.offer_circles();
+    return search.hit();
+  }
+
+ private:
+  struct Rival {
+    std::uint32_t slot;
+    double low;
+  };
+  const Surfaces& walls_;
+  const Left& left_;
+  SegmentFilter filter_;
+  std::vector<Rival> open_;
+  double high_ = kInfinity;
+};
+
+}  // namespace
+
+NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) const {
+  Rivals rivals(walls_, ray, left);
+  if (ray.direction == Vec2(0, 0)) {
+    ExactNearest search(walls_, ray, left, tangents);
+    search.offer_segments();
+    search.offer_circles();
+    return search.hit();
+  }
+  CellWalk walk(grid_, ray);
+  if (walk.start() == CellWalk::Start::uncertain)
+    for (std::uint32_t slot = 0; slot < walls_.segments.size(); ++slot) rivals.offer(slot);
+  while (walk.next()) {
+    for (std::size_t record = walk.record();; ++record) {
+      rivals.offer(grid_.slot(record), walk.limit());
+      if (grid_.last(record)) break;
+    }
+    if (rivals.settled(walk.limit())) break;
+  }
+  return rivals.decide(ray, tangents);
+}
+
+}  // namespace flatray

@@ -1,0 +1,39 @@
+#pragma once
+#include "trace/cells.h"
+
+namespace flatray {
+
+/// The cells with walls that a ray comes through, in order, in double precision: the walk of
+/// kernels/walk_body.h for one ray.
+class CellWalk {
+ public:
+  enum class Start {
+    walks,
+    misses,    ///< passes the grid by, or leaves it behind
+    uncertain  ///< too far away, or of a direction beyond sound arithmetic: any wall may be met
+  };
+  /// Needs   `grid` to outlive it; a direction that is not zero.
+  CellWalk(const CellGrid& grid, const Ray& ray);
+  Start start() const { return start_; }
+
+  /// Goes on to the next cell with walls; false beyond the last.
+  bool next();
+  /// The first record of the cell.
+  std::size_t record() const { return record_; }
+  /// Hits surely later than this, in lengths of the ray's direction, are in cells to come as well.
+  double limit() const { return limit_; }
+
+ private:
+  void enter();
+
+  const CellGrid& grid_;
+  Start start_ = Start::walks;
+  Vec2 origin_, direction_, inverse_;  // in cells, direction of unit length
+  Vec2 corner_, exit_;                 // of the cell; planes by which its box is left
+  double begin_ = 0;  // t of origin_, which is on the border of the grid for rays from beyond it
+  double exit_t_ = 0, length_ = 1, limit_ = 0;
+  std::size_t record_ = 0;
+  bool entered_ = false, outside_ = false, empty_ = false;
+};
+
+}  // namespace flatray

@@ -1,0 +1,76 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/bounds.h"
+#include "trace/kernels/walk.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// The segments of a scene by the cells of a grid they come near to: what the kernels walk through
+/// (kernels/walk.h).
+///
+/// Gives   lists that hold every segment within lanes::kMargin units of a cell; a segment in several
+///         cells has a record in each.
+/// Cost    O(n) to build; some 40 bytes a segment at one cell each, 64 at four.
+class CellGrid {
+ public:
+  /// Nothing where the coordinates leave no room for sound arithmetic: over 2^900 or all within
+  /// 2^-900 of each other; or where there are no segments.
+  static std::optional<CellGrid> build(const Surfaces& walls);
+
+  lanes::Grid view() const;
+  /// A point in cells, the middle of the grid being 0.
+  Vec2 place(const Vec2& point) const { return (point - centre_).cwiseProduct(scale_); }
+  const Vec2& scale() const { return scale_; }
+  /// Half the sides of the box that holds all segments with room to spare.
+  Vec2 half() const;
+  /// u M of the bounds: what a coordinate may be off by.
+  double unit() const { return unit_; }
+
+  /// Word of the cell with lower corner (x, y), in place() coordinates; `Needs` one in the grid or
+  /// its ring.
+  std::uint32_t word(double x, double y) const {
+    return words_[static_cast<std::size_t>(first_ + stride_ * y + x)];
+  }
+  /// Slot of the segment of a record.
+  std::uint32_t slot(std::size_t record) const { return slots_[record]; }
+  /// Whether it is the last of its cell.
+  bool last(std::size_t record) const;
+
+  /// What tells a segment's records from others', as the kernels compare it.
+  struct Mark {
+    float ax, ay, bx;
+    bool operator==(const Mark&) const = default;
+  };
+  Mark mark(const Segment& segment) const;
+  /// Whether another segment has the mark of this one.
+  bool is_twin(std::size_t slot) const { return !twins_.empty() && twins_[slot]; }
+
+  std::size_t bytes() const;
+
+ private:
+  struct Ends {
+    Vec2 a, b;
+  };
+  bool size_for(const Surfaces& walls);
+  Ends ends(const Segment& segment) const;
+  template <class Visit>
+  void visit_cells(const Segment& segment, const Visit& visit) const;
+  void fill(const Surfaces& walls);
+  void write_record(const Ends& ends, bool is_last, std::size_t record);
+  void mark_empty();
+  void find_twins(const Surfaces& walls);
+
+  Vec2 centre_, scale_;
+  std::int32_t columns_ = 0, rows_ = 0;  // without the ring
+  double stride_ = 0, first_ = 0, unit_ = 0;
+  std::vector<std::uint32_t> words_, slots_;
+  std::vector<float> records_;
+  std::vector<bool> twins_;
+};
+
+}  // namespace flatray

@@ -1,0 +1,79 @@
+#pragma once
+
+// What the kernels of the grid tracer take and give: plain data only, as in lanes.h.
+//
+// Rays walk through a grid of square cells, one ray in each single-precision lane, and test the
+// walls of each cell they cross. Coordinates are in cells, the middle of the grid being 0, so that
+// none is above M (`reach`) in size: X = (x - centre) * scale, rounded to float. Directions are
+// made unit length in these coordinates before they are rounded, so t counts cells.
+//
+// Bounds, with u = 2^-24, the walk being right where a wall is in the list of every cell it comes
+// within kMargin u M of:
+//   input       A, B, o are off by u M a coordinate, B_y by 2 u M for its last bit, d by a factor
+//               1 + u; the double arithmetic before that by less than u M / 100.
+//   side        s_A = d x (A - o), and length t_A = d . (A - o): differences are off by 4 u M, in
+//               B_y by 5, which gives 6.41 u M; d gives 2.83 u M, the products 2.83 u M, their sum
+//               2.83 u M, together below e = 15 u M. kSide = 16.
+//   hit         with s_A, s_B of opposite sign beyond that, t = t_A + s_A r, r = (t_B - t_A) /
+//               (s_A - s_B), is off by e (1 + |r|), as its weights s_A / (s_A - s_B) are off by
+//               e / |s_A - s_B|; by 14.2 u M for its own roundings, and t +- error by 2.9 u M more.
+//               kTime = 33, and kSide for the slope.
+//   no hit      a wall that is not surely crossed meets the ray, if at all, between t_A and t_B.
+//   place       the ray leaves a box of cells at the least t of its two exit planes as computed; up
+//               to there it is within 10 u M of the box, and the next cell is rounded from a place
+//               as near: 20 u M in all.
+// A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
+// kNear + 20 <= kMargin. So a wall listed in two cells is not its own rival.
+namespace flatray::lanes {
+
+inline constexpr int kSide = 16, kTime = 33, kNear = 64, kMargin = 128;
+
+/// Cells row by row, with a ring of empty ones around.
+///
+/// A cell of walls is the number of its first record; they go on to the one with an odd last word.
+/// An empty cell has the sign bit and four times seven bits: the side of the square of empty cells
+/// that grows from it towards +x +y, -x +y, +x -y, -x -y. In the ring the sides are 0.
+struct Grid {
+  const unsigned* cells;
+  const float* records;  ///< ax, ay, bx, by of a wall in a cell
+  double centre_x, centre_y, scale_x, scale_y;
+  double half_x, half_y;  ///< rays from farther out start where they enter this box
+  double ring_x, ring_y;  ///< a place in the ring
+  double far;             ///< of origins whose place is not certain enough
+  float stride, first;    ///< cell of corner (x, y): first + stride * y + x
+  float unit;             ///< u M
+};
+
+/// Rays as they walk, in columns with room for a whole vector beyond the last.
+struct Walking {
+  float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;
+  float *left_ax, *left_ay, *left_bx;  ///< of the wall just left, NaN where none; null: of no ray
+  int count;
+};
+
+/// By ray: the record of the wall that surely is the first met, at t > 0 and between its ends, or
+/// kNoRecord (surely none), or kDoubt.
+inline constexpr int kNoRecord = -1, kDoubt = -2;
+
+/// Rays as given.
+struct GivenRays {
+  const double *ox, *oy, *dx, *dy;
+  int count;  ///< a multiple of kWidest may be read
+};
+
+/// Segments with the wall each ray meets, to give its t.
+struct Finish {
+  const double* ends;     ///< as in Walls
+  const unsigned* slots;  ///< by ray; any valid one where it does not matter
+  double* t;              ///< the nearest double, or NaN where that is not certain
+};
+
+struct GridKernels {
+  /// Fills `walking` but for the walls left; `fate` of rays that cannot walk is kDoubt, else 0. Rays
+  /// that miss the grid start in the ring.
+  void (*prepare)(const Grid&, const GivenRays&, const Walking&, int* fate);
+  void (*walk)(const Grid&, const Walking&, int* found);
+  void (*finish)(const GivenRays&, const Finish&);
+};
+
+}  // namespace flatray::lanes

@@ -1,0 +1,172 @@
+#include "trace/tracers/grid.h"
+
+#include <cmath>
+
+#include "trace/cell_search.h"
+#include "trace/exact_nearest.h"
+#include "trace/kernels/tiers.h"
+#include "trace/tracers/brute.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kBlock = 4096;
+constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
+constexpr std::size_t kVector = 16;  // floats of the widest tier
+
+std::size_t whole_vectors(std::size_t count) { return (count + kWide - 1) / kWide * kWide; }
+
+// Some rays of a batch on their way through the kernels.
+class Block {
+ public:
+  explicit Block(std::size_t most)
+      : room_(whole_vectors(most) + kVector),
+        columns_(9 * room_),
+        fate_(room_),
+        found_(room_),
+        slots_(room_),
+        t_(room_) {}
+
+  void load(const RayBatch& rays, std::size_t begin, std::size_t count) {
+    rays_ = &rays;
+    begin_ = begin;
+    count_ = count;
+    given_ = {&rays.ox[begin], &rays.oy[begin], &rays.dx[begin], &rays.dy[begin],
+              static_cast<int>(count)};
+    if (count % kWide == 0) return;
+    padded_.resize(0);  // the kernels read whole vectors: the last ray again
+    for (std::size_t i = 0; i < whole_vectors(count); ++i)
+      padded_.add(rays.ray(begin + std::min(i, count - 1)));
+    given_ = {padded_.ox.data(), padded_.oy.data(), padded_.dx.data(), padded_.dy.data(),
+              static_cast<int>(padded_.size())};
+  }
+
+  // Walls that may be the first of each ray: the record, or what is not certain.
+  void walk(const Surfaces& walls, const CellGrid& grid, const lanes::GridKernels& kernels) {
+    float* column = columns_.data();
+    lanes::Walking w{};
+    for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
+                         &w.left_ay, &w.left_bx})
+      *each = std::exchange(column, column + room_);
+    w.count = static_cast<int>(count_);
+    kernels.prepare(grid.view(), given_, w, fate_.data());
+    if (!mark_left(walls, grid, w)) w.left_ax = nullptr;
+    kernels.walk(grid.view(), w, found_.data());
+  }
+
+  void finish(const Surfaces& walls, const CellGrid& grid, const lanes::GridKernels& kernels) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (fate_[i] != 0) found_[i] = lanes::kDoubt;
+      slots_[i] = found_[i] < 0 ? 0 : grid.slot(static_cast<std::size_t>(found_[i]));
+    }
+    std::fill(slots_.begin() + static_cast<std::ptrdiff_t>(count_), slots_.end(), 0U);
+    kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
+  }
+
+  // The answer, where the lanes are certain of it.
+  std::optional<NearestHit> certain(const Surfaces& walls, std::size_t i) const {
+    if (found_[i] == lanes::kNoRecord) return NearestHit{};
+    if (found_[i] == lanes::kDoubt) return std::nullopt;
+    if (std::isnan(t_[i])) return crossing_hit(walls, rays_->ray(begin_ + i), slots_[i]);
+    return NearestHit{walls.segment_numbers[slots_[i]], HitClass::touch, Root::none, false, t_[i]};
+  }
+
+ private:
+  // What tells the lanes which wall each ray has just left; false where none has left any.
+  bool mark_left(const Surfaces& walls, const CellGrid& grid, const lanes::Walking& to) {
+    bool any = false;
+    for (std::size_t i = 0; i < count_; ++i) {
+      CellGrid::Mark mark{NAN, NAN, NAN};
+      const std::uint32_t left = rays_->left[begin_ + i].surface;
+      if (left != kNoSurface && walls.kinds[left] == SurfaceKind::segment) {
+        any = true;
+        mark = grid.mark(walls.segments[walls.slot[left]]);
+        if (grid.is_twin(walls.slot[left])) fate_[i] = lanes::kDoubt;
+      }
+      to.left_ax[i] = mark.ax;
+      to.left_ay[i] = mark.ay;
+      to.left_bx[i] = mark.bx;
+    }
+    return any;
+  }
+
+  std::size_t room_;
+  std::vector<float> columns_;
+  std::vector<int> fate_, found_;
+  std::vector<std::uint32_t> slots_;
+  std::vector<double> t_;
+  const RayBatch* rays_ = nullptr;
+  std::size_t begin_ = 0, count_ = 0;
+  lanes::GivenRays given_{};
+  RayBatch padded_;
+};
+
+class Grid : public Accelerator {
+ public:
+  Grid(const Surfaces& walls, CellGrid cells, Isa isa)
+      : walls_(walls),
+        cells_(std::move(cells)),
+        search_(walls, cells_),
+        kernels_(lane_kernels(isa).grid) {}
+
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    Block block(std::min(kBlock, rays.size()));
+    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
+      const std::size_t count = std::min(kBlock, rays.size() - begin);
+      block.load(rays, begin, count);
+      block.walk(walls_, cells_, kernels_);
+      block.finish(walls_, cells_, kernels_);
+      for (std::size_t i = 0; i < count; ++i) hits[begin + i] = decide(block, rays, begin, i);
+    }
+  }
+  std::size_t bytes() const override { return cells_.bytes(); }
+
+ private:
+  NearestHit decide(const Block& block, const RayBatch& rays, std::size_t begin,
+                    std::size_t i) const {
+    const auto certain = block.certain(walls_, i);
+    if (certain && walls_.circles.empty()) return *certain;
+    const Ray ray = rays.ray(begin + i);
+    const Left& left = rays.left[begin + i];
+    if (!certain) return search_.nearest(ray, left, rays.tangents);
+    ExactNearest with_circles(walls_, ray, left, rays.tangents);
+    if (*certain) with_circles.offer_segment(walls_.slot[certain->surface]);
+    with_circles.offer_circles();
+    return with_circles.hit();
+  }
+
+  const Surfaces& walls_;
+  const CellGrid cells_;
+  const CellSearch search_;
+  const lanes::GridKernels& kernels_;
+};
+
+// Where there is no grid.
+class Everything : public Accelerator {
+ public:
+  Everything(const Surfaces& walls, Isa isa) : walls_(walls), isa_(isa) {}
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    brute_nearest(walls_, rays, hits, isa_);
+  }
+  std::size_t bytes() const override { return 0; }
+
+ private:
+  const Surfaces& walls_;
+  const Isa isa_;
+};
+
+std::unique_ptr<Accelerator> build(const Surfaces& walls) { return build_grid(walls); }
+
+}  // namespace
+
+std::unique_ptr<Accelerator> build_grid(const Surfaces& walls, Isa isa) {
+  auto cells = CellGrid::build(walls);
+  if (!cells) return std::make_unique<Everything>(walls, isa);
+  return std::make_unique<Grid>(walls, std::move(*cells), isa);
+}
+
+extern const Tracer grid_tracer;
+const Tracer grid_tracer = {"grid", "walls in cells, a ray to a vector lane, walked in float", true,
+                            &build};
+
+}  // namespace flatray

@@ -1,0 +1,46 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include "trace/exact_nearest.h"
+#include "trace/random_rays.h"
+#include "trace/tracers/brute.h"
+#include "trace/tracers/grid.h"
+
+namespace flatray {
+
+struct Case {
+  Surfaces walls;
+  RayBatch rays;
+};
+
+inline NearestHit exact_hit_of(const Case& c, std::size_t ray) {
+  ExactNearest search(c.walls, c.rays.ray(ray), c.rays.left[ray], c.rays.tangents);
+  search.offer_segments();
+  search.offer_circles();
+  return search.hit();
+}
+
+inline void expect_hits(const std::vector<NearestHit>& truth, const std::vector<NearestHit>& hits,
+                        const Case& c, const std::string& by) {
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const Ray ray = c.rays.ray(i);
+    ASSERT_EQ(hits[i], truth[i]) << by << ", ray " << i << " from " << ray.origin.transpose()
+                                 << " along " << ray.direction.transpose() << ": wall "
+                                 << hits[i].surface << " at " << hits[i].t << ", exactly "
+                                 << truth[i].surface << " at " << truth[i].t;
+  }
+}
+
+/// Every tracer in every tier against the exact code for every wall, bit for bit.
+inline void expect_all_tiers_exact(const Case& c) {
+  std::vector<NearestHit> truth, hits(c.rays.size());
+  for (std::size_t i = 0; i < c.rays.size(); ++i) truth.push_back(exact_hit_of(c, i));
+  for (const Isa isa : available_isas()) {
+    brute_nearest(c.walls, c.rays, hits, isa);
+    expect_hits(truth, hits, c, std::string("brute, ") + isa_name(isa));
+    build_grid(c.walls, isa)->nearest(c.rays, hits);
+    expect_hits(truth, hits, c, std::string("grid, ") + isa_name(isa));
+  }
+}
+
+}  // namespace flatray

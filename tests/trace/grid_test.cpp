@@ -1,0 +1,231 @@
+// The grid tracer against the exact code for every wall, bit for bit, on scenes large enough that
+// rays walk through many cells.
+#include "trace/tracers/grid.h"
+
+#include <gtest/gtest.h>
+
+#include "trace/all_tracers.h"
+#include "trace/cells.h"
+
+namespace flatray {
+namespace {
+
+// Triangles and squares of all sizes, some thin, with duplicates, points and a room around them.
+Surfaces crowd(Draws& draw, int shapes, double size) {
+  Surfaces walls;
+  const auto ring = [&](const std::vector<Vec2>& at) {
+    for (std::size_t i = 0; i < at.size(); ++i) walls.add(Segment{at[i], at[(i + 1) % at.size()]});
+  };
+  ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  for (int i = 0; i < shapes; ++i) {
+    const Vec2 at = draw.point();
+    const double width = size * draw.unit() * draw.unit();
+    ring({at, at + width * draw.point(), at - width * draw.point()});
+    if (i % 16 == 0) walls.add(walls.segments[draw.bits() % walls.segments.size()]);
+    if (i % 16 == 1) walls.add(Segment{at, at});
+  }
+  return walls;
+}
+
+Vec2 any_end(Draws& draw, const Surfaces& walls) {
+  const Segment& s = walls.segments[draw.bits() % walls.segments.size()];
+  return draw.bits() % 2 == 0 ? s.a : s.b;
+}
+
+void transform(Case& c, double scale, const Vec2& offset) {
+  const auto move = [&](Vec2& p) { p = scale * p + offset; };
+  for (Segment& s : c.walls.segments) {
+    move(s.a);
+    move(s.b);
+  }
+  for (std::size_t i = 0; i < c.rays.size(); ++i) {
+    Ray ray = c.rays.ray(i);
+    move(ray.origin);
+    ray.direction *= scale;
+    c.rays.set(i, ray, c.rays.left[i]);
+  }
+}
+
+Case random_case(std::uint64_t seed, int shapes, double size, int rays) {
+  Draws draw(seed);
+  Case c;
+  c.walls = crowd(draw, shapes, size);
+  for (int i = 0; i < rays; ++i) {
+    const Left left{
+        i % 4 == 0 ? static_cast<std::uint32_t>(draw.bits() % c.walls.size()) : kNoSurface,
+        Root::none};
+    const Vec2 origin = draw.point();
+    c.rays.add({origin, draw.point() - Vec2(0.5, 0.5)}, left);
+  }
+  return c;
+}
+
+TEST(Grid, AgreesOnRandomRays) {
+  for (const double size : {0.01, 0.1, 1.0})
+    expect_all_tiers_exact(random_case(1, 100, size, 1'500));
+}
+
+// From vertex to vertex, through others and past them.
+TEST(Grid, AgreesOnRaysFromVertexToVertex) {
+  Draws draw(2);
+  Case c;
+  c.walls = crowd(draw, 80, 0.1);
+  for (int i = 0; i < 600; ++i) {
+    const Vec2 from = i % 2 == 0 ? any_end(draw, c.walls) : draw.point();
+    c.rays.add({from, any_end(draw, c.walls) - from});
+  }
+  expect_all_tiers_exact(c);
+}
+
+// The wall left is where the ray starts, as after a bounce.
+TEST(Grid, AgreesOnRaysThatLeaveWalls) {
+  Draws draw(3);
+  Case c;
+  c.walls = crowd(draw, 100, 0.1);
+  for (int i = 0; i < 1'000; ++i) {
+    const auto from = static_cast<std::uint32_t>(draw.bits() % c.walls.size());
+    const Segment& s = c.walls.segments[from];
+    c.rays.add({s.a + draw.unit() * (s.b - s.a), draw.point() - Vec2(0.5, 0.5)},
+               {from, Root::none});
+  }
+  expect_all_tiers_exact(c);
+}
+
+// Axis-parallel rays along the borders of cells, on a lattice of walls.
+TEST(Grid, AgreesOnALattice) {
+  Draws draw(4);
+  Case c;
+  for (int x = 0; x <= 12; ++x)
+    for (int y = 0; y < 12; ++y) {
+      if (draw.bits() % 3 == 0) c.walls.add(Segment{Vec2(x, y), Vec2(x, y + 1)});
+      if (draw.bits() % 3 == 0) c.walls.add(Segment{Vec2(y, x), Vec2(y + 1, x)});
+    }
+  for (int i = 0; i < 600; ++i) c.rays.add({0.5 * draw.grid_point(0, 24), draw.grid_point(-2, 2)});
+  expect_all_tiers_exact(c);
+}
+
+TEST(Grid, AgreesOnRaysFromOutside) {
+  Draws draw(5);
+  for (const double away : {2.0, 100.0, 1e5, 1e12, 1e200}) {
+    Case c;
+    c.walls = crowd(draw, 30, 0.1);
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 from = away * (draw.point() - Vec2(0.5, 0.5));
+      const Vec2 to = i % 2 == 0 ? draw.point() : any_end(draw, c.walls);
+      c.rays.add({from, to - from});
+      c.rays.add({from, draw.point() - Vec2(0.5, 0.5)});
+    }
+    expect_all_tiers_exact(c);
+  }
+}
+
+TEST(Grid, AgreesAtAnyScaleAndOffset) {
+  for (const double scale : {0x1p-1040, 1e-300, 1e-30, 1e15, 1e280, 0x1p1000}) {
+    Case c = random_case(6, 20, 0.2, 150);
+    transform(c, scale, {0, 0});
+    expect_all_tiers_exact(c);
+  }
+  for (const Vec2& offset : {Vec2(1e6, -3), Vec2(0x1p52, 0), Vec2(1e10, 1e10)}) {
+    Case c = random_case(7, 20, 0.2, 150);
+    transform(c, 1, offset);
+    expect_all_tiers_exact(c);
+  }
+}
+
+// Details far below what a float can tell apart.
+TEST(Grid, AgreesOnClustersFinerThanFloat) {
+  Draws draw(8);
+  for (const double size : {1e-4, 1e-7, 1e-12}) {
+    Case c;
+    c.walls = crowd(draw, 4, 0.3);
+    const Vec2 at = draw.point();
+    for (int i = 0; i < 60; ++i)
+      c.walls.add(Segment{at + size * draw.point(), at + size * draw.point()});
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 from = i % 2 == 0 ? draw.point() : Vec2(at + size * draw.point());
+      const Vec2 to = at + size * draw.point();
+      c.rays.add({from, to - from});
+    }
+    expect_all_tiers_exact(c);
+  }
+}
+
+TEST(Grid, AgreesOnThinScenes) {
+  Draws draw(9);
+  for (const double height : {0.0, 1e-300, 1e-9, 1e-3}) {
+    Case c;
+    for (int i = 0; i < 40; ++i) {
+      const double x = draw.unit(), y = height * draw.unit();
+      c.walls.add(Segment{{x, y}, {x + 0.05 * draw.unit(), height * draw.unit()}});
+      c.walls.add(Segment{{x, 0}, {x, height}});
+    }
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 from(draw.unit(), (i % 2 == 0 ? height : 1) * (draw.unit() - 0.5));
+      c.rays.add({from, any_end(draw, c.walls) - from});
+      c.rays.add({from, {draw.unit() - 0.5, height * (draw.unit() - 0.5)}});
+      c.rays.add({from, {1, 0}});
+    }
+    expect_all_tiers_exact(c);
+  }
+}
+
+// Long walls across everything: each is in many cells, and crosses all others.
+TEST(Grid, AgreesOnLongWalls) {
+  Draws draw(10);
+  Case c;
+  for (int i = 0; i < 60; ++i) c.walls.add(Segment{draw.point(), draw.point()});
+  for (int i = 0; i < 60; ++i) {  // nearly parallel, in one bundle
+    const Vec2 a(0, 0.5 + 1e-9 * draw.unit()), b(1, 0.5 + 1e-9 * draw.unit());
+    c.walls.add(Segment{a, b});
+  }
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 from = draw.point();
+    c.rays.add({from, i % 2 == 0 ? Vec2(1, 1e-9 * (draw.unit() - 0.5)) : draw.point()});
+  }
+  expect_all_tiers_exact(c);
+}
+
+TEST(Grid, AgreesOnManyCoincidentWalls) {
+  Draws draw(11);
+  Case c;
+  for (int i = 0; i < 50; ++i) c.walls.add(Segment{{0, 0}, {1, 0}});
+  for (int i = 0; i < 50; ++i) c.walls.add(Segment{{1, 0}, {0, 0}});
+  c.walls.add(Segment{{0, 1}, {1, 1}});
+  for (int i = 0; i < 100; ++i) {
+    const auto from = static_cast<std::uint32_t>(draw.bits() % c.walls.size());
+    c.rays.add({{draw.unit(), 0}, draw.point() - Vec2(0.5, 0.5)}, {from, Root::none});
+    c.rays.add({draw.point(), draw.point() - Vec2(0.5, 0.5)});
+  }
+  expect_all_tiers_exact(c);
+}
+
+TEST(Grid, TakesBatchesOfAnySize) {
+  const Case all = random_case(12, 60, 0.1, 40);
+  for (std::size_t count = 0; count <= all.rays.size(); ++count) {
+    Case c = all;
+    c.rays.resize(count);
+    expect_all_tiers_exact(c);
+  }
+}
+
+// A segment is listed in every cell it comes near to, whatever its slope: points all along it are
+// in cells that have it.
+TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {
+  Draws draw(13);
+  const Surfaces walls = crowd(draw, 200, 0.5);
+  const auto grid = CellGrid::build(walls);
+  ASSERT_TRUE(grid);
+  for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
+    for (int k = 0; k <= 50; ++k) {
+      const Segment& s = walls.segments[slot];
+      const Vec2 at = grid->place(s.a + k / 50.0 * (s.b - s.a));
+      const std::uint32_t word = grid->word(std::floor(at.x()), std::floor(at.y()));
+      ASSERT_LT(word, 0x80000000U);
+      std::size_t record = word;
+      while (grid->slot(record) != slot && !grid->last(record)) ++record;
+      EXPECT_EQ(grid->slot(record), slot);
+    }
+}
+
+}  // namespace
+}  // namespace flatray
