@@ -43,7 +43,7 @@ std::string unknown_op(const std::string& op) {
 
 }  // namespace
 
-Answer answer_line(std::string_view line) {
+Answer answer_line(std::string_view line, const Precision& precision) {
   const auto json = read_json(line);
   if (!json)
     return mistake(nullptr, fmt::format("column {}: {}", json.error().byte, json.error().what));
@@ -56,7 +56,7 @@ Answer answer_line(std::string_view line) {
   if (!name) return mistake(id, "op: is no text");
   for (const Query* query : all_queries()) {
     if (*name != query->name) continue;
-    Question question(*fields);
+    Question question(*fields, precision);
     Fields answer = query->answer(question);
     if (std::string what = question.mistakes(); !what.empty()) return mistake(id, std::move(what));
     return as_line(id, std::move(answer), true);
