@@ -10,7 +10,35 @@ namespace {
 
 constexpr double kUnit = 0x1p-53;  // u: half an ulp of 1
 
+// Needs |x| far below 2^31.
+int floor_of(double x) {
+  const int cut = static_cast<int>(x);
+  return cut - (cut > x ? 1 : 0);
+}
+
 }  // namespace
+
+// A straight cut across a row or a part of it, from column to column.
+struct MonotoneScan::Cut {
+  double x0, x1, height, scale = 0;
+  int first, last;  ///< columns it may touch
+
+  Cut(double x_a, double x_b, double height_, double error)
+      : x0(std::min(x_a, x_b)),
+        x1(std::max(x_a, x_b)),
+        height(height_),
+        first(floor_of(x0 - error)),
+        last(floor_of(x1 + error)) {
+    constexpr double kNarrow = 0x1p-100;
+    if (first < last && x1 - x0 > kNarrow) scale = 0.5 * height / (x1 - x0);
+  }
+  // Area between the cut and a column's border, where that lies right of some of it.
+  double left_of(int border) const {
+    const double t = clamp_to(border - x0, 0, x1 - x0);
+    return t * scale * t;
+  }
+  double left_of_last() const { return height * (last + 1 - 0.5 * (x0 + x1)); }
+};
 
 // One way down the ring, edge after edge.
 struct MonotoneScan::Side {
@@ -88,6 +116,7 @@ bool MonotoneScan::scan_area(MonotoneRing ring, RunList& out) {
   enter(down);
   enter(up);
   for (int row = first; row < end && !doubt_; ++row) {
+    if (add_whole_row(row, down, up, out)) continue;
     const double row_end = std::min(row + 1.0, bottom_);
     cut_row(down, row_end);
     cut_row(up, row_end);
@@ -129,48 +158,69 @@ void MonotoneScan::cut_row(Side& side, double end) {
 
 // From the side's last cut to (x, y), in one row.
 void MonotoneScan::cut(Side& side, double x, double y) {
-  const double height = y - side.y;
-  const auto [x0, x1] = std::minmax(side.x, x);
-  const int first = floor_column(x0 - error_x_), last = floor_column(x1 + error_x_);
-  side.first = std::min(side.first, first);
-  side.last = std::max(side.last, last);
-  if (last < box_.x) {
-    changes_[0] += side.sign * height;
-  } else if (first == last && first < box_.x + box_.width) {
-    const double area = height * (first + 1 - 0.5 * (x0 + x1));
-    double* const change = &changes_[static_cast<std::size_t>(first - box_.x)];
-    change[0] += side.sign * area;
-    change[1] += side.sign * (height - area);
-  } else if (first < box_.x + box_.width) {
-    cut_columns(side, x0, x1, height, first, last);
-  }
+  const Cut cut(side.x, x, y - side.y, error_x_);
   side.x = x;
   side.y = y;
-}
-
-// The area right of the cut and left of the border at x0 + t is height t^2 / 2 (x1 - x0).
-void MonotoneScan::cut_columns(const Side& side, double x0, double x1, double height, int first,
-                               int last) {
-  constexpr double kNarrow = 0x1p-100;
-  const double width = x1 - x0, scale = width > kNarrow ? 0.5 * height / width : 0;
-  const auto left_of = [&](int border) {
-    const double t = clamp_to(border - x0, 0, width);
-    return t * scale * t;
-  };
+  side.first = std::min(side.first, cut.first);
+  side.last = std::max(side.last, cut.last);
   const int left = box_.x, right = left + box_.width;
-  int column = std::max(first, left);
+  if (cut.first >= right) return;
+  if (cut.last < left) {
+    changes_[0] += side.sign * cut.height;
+    return;
+  }
+  int column = std::max(cut.first, left);
   double* change = &changes_[static_cast<std::size_t>(column - left)];
-  double total = column > first ? left_of(column) : 0, area = 0;
+  double total = column > cut.first ? cut.left_of(column) : 0, area = 0;
   const auto take = [&](double next_total) {
     const double next_area = next_total - total;
     *change++ += side.sign * (next_area - area);
     total = next_total;
     area = next_area;
   };
-  for (; column < std::min(last, right); ++column) take(left_of(column + 1));
-  if (last >= right) return;
-  take(height * (last + 1 - 0.5 * (x0 + x1)));
-  *change += side.sign * (height - area);
+  for (; column < std::min(cut.last, right); ++column) take(cut.left_of(column + 1));
+  if (cut.last >= right) return;
+  take(cut.left_of_last());
+  *change += side.sign * (cut.height - area);
+}
+
+// Most rows: one edge on each side, from border to border, and pixels between them. Their areas
+// need no sums.
+bool MonotoneScan::add_whole_row(int row, Side& a, Side& b, RunList& out) {
+  const double end = row + 1.0;
+  if (a.y > row || b.y > row || !(a.lower.y > end) || !(b.lower.y > end)) return false;
+  const double a_x = a.x_at(end), b_x = b.x_at(end);
+  const Cut a_cut(a.x, a_x, 1, error_x_), b_cut(b.x, b_x, 1, error_x_);
+  const bool swapped = b_cut.first < a_cut.first;
+  const Cut &left = swapped ? b_cut : a_cut, &right = swapped ? a_cut : b_cut;
+  if (left.last >= right.first) return false;
+  a.x = a_x, a.y = end;
+  b.x = b_x, b.y = end;
+  const int begin = box_.x, box_end = begin + box_.width;
+  Run* const runs = out.room(static_cast<std::size_t>(box_.width) + 1);
+  Run* run = put_side<true>(row, left, runs);
+  const int from = std::max(left.last + 1, begin), to = std::min(right.first, box_end);
+  *run = {row, from, to, kFullCoverage};
+  run = put_side<false>(row, right, run + (from < to ? 1 : 0));
+  out.keep(static_cast<std::size_t>(run - runs));
+  return true;
+}
+
+// The pixels a side touches, in a row it crosses from border to border.
+template <bool kLeft>
+Run* MonotoneScan::put_side(int row, const Cut& cut, Run* run) {
+  const int begin = box_.x, stop = std::min(cut.last + 1, begin + box_.width);
+  int column = std::max(cut.first, begin);
+  double total = column > cut.first ? cut.left_of(column) : 0;
+  for (; column < stop; ++column) {
+    const double next = column < cut.last ? cut.left_of(column + 1) : cut.left_of_last();
+    const double right_of = next - total;
+    const std::uint32_t steps = decided_steps(kLeft ? right_of : 1 - right_of);
+    *run = {row, column, column + 1, steps};
+    run += steps != 0 ? 1 : 0;
+    total = next;
+  }
+  return run;
 }
 
 // Between the sides all pixels are alike: no edge but a level one touches them.
@@ -183,7 +233,8 @@ void MonotoneScan::add_row(int row, const Side& left, const Side& right, RunList
   if (column < right_first) {
     area_ += std::exchange(changes_[static_cast<std::size_t>(column)], 0.0);
     const bool whole = top_ <= row && row + 1.0 <= bottom_;
-    out.add(row, box_.x + column, box_.x + right_first, whole ? kFullCoverage : decided_steps());
+    out.add(row, box_.x + column, box_.x + right_first,
+            whole ? kFullCoverage : decided_steps(std::abs(area_)));
     column = right_first;
   }
   add_pixels(row, column, end, out);
@@ -193,18 +244,9 @@ void MonotoneScan::add_row(int row, const Side& left, const Side& right, RunList
 int MonotoneScan::add_pixels(int row, int column, int end, RunList& out) {
   for (; column < end; ++column) {
     area_ += std::exchange(changes_[static_cast<std::size_t>(column)], 0.0);
-    out.add(row, box_.x + column, box_.x + column + 1, decided_steps());
-    ++stats_.edge_pixels;
+    out.add(row, box_.x + column, box_.x + column + 1, decided_steps(std::abs(area_)));
   }
   return column;
-}
-
-std::uint32_t MonotoneScan::decided_steps() {
-  const double steps = kFullCoverage * std::abs(area_);
-  const int low = static_cast<int>(std::max(steps - slack_, 0.0));
-  const int high = static_cast<int>(std::min<double>(steps + slack_, kFullCoverage));
-  doubt_ |= low != high;
-  return static_cast<std::uint32_t>(low);
 }
 
 }  // namespace flatray

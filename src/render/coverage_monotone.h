@@ -19,6 +19,7 @@ class MonotoneScan {
 
  private:
   struct Side;
+  struct Cut;
 
   bool scan_centres(MonotoneRing ring, RunList& out);
   bool scan_area(MonotoneRing ring, RunList& out);
@@ -27,10 +28,19 @@ class MonotoneScan {
   void next_edge(Side& side);
   void cut_row(Side& side, double end);
   void cut(Side& side, double x, double y);
-  void cut_columns(const Side& side, double x0, double x1, double height, int first, int last);
+  template <bool kLeft>
+  Run* put_side(int row, const Cut& cut, Run* run);
+  bool add_whole_row(int row, Side& a, Side& b, RunList& out);
   void add_row(int row, const Side& left, const Side& right, RunList& out);
   int add_pixels(int row, int column, int end, RunList& out);
-  std::uint32_t decided_steps();
+  std::uint32_t decided_steps(double area) {
+    const double steps = kFullCoverage * area;
+    const int low = static_cast<int>(std::max(steps - slack_, 0.0));
+    const int high = static_cast<int>(std::min<double>(steps + slack_, kFullCoverage));
+    doubt_ |= low != high;
+    ++stats_.edge_pixels;
+    return static_cast<std::uint32_t>(low);
+  }
 
   const kernels::SpanKernels& kernels_;
   PixelBox box_;

@@ -93,7 +93,10 @@ void FlatPainter::begin() {
   open_ = pixels_;
   row_words_ = static_cast<std::size_t>((box_.width + kWordPixels - 1) / kWordPixels);
   words_.assign(row_words_ * static_cast<std::size_t>(box_.height), {});
-  if (names_room_ < pixels_) names_.reset();
+  if (names_room_ < pixels_) {
+    names_ = std::make_unique_for_overwrite<std::uint32_t[]>(pixels_);
+    names_room_ = pixels_;
+  }
   fragments_.clear();
   colours_.clear();
   add_colour(list_.background);
@@ -108,10 +111,18 @@ void FlatPainter::lay(bool opaque, std::uint32_t name) {
   const ShownColour colour = shown_colour(colours_[name], channels_);
   for (const Run& run : runs_.runs()) {
     const int row = run.y - box_.y, begin = run.x_begin - box_.x, end = run.x_end - box_.x;
-    if (opaque && run.steps == kFullCoverage)
+    if (opaque && run.steps == kFullCoverage) {
       settle(row, begin, end, name, colour);
-    else
-      add_fragments(row, begin, end, name, run.steps);
+      continue;
+    }
+    Word* const of_row = words(row);
+    for (int x = begin; x < end; ++x) {
+      Word& word = of_row[x / kWordPixels];
+      const std::uint64_t bit = std::uint64_t{1} << (x % kWordPixels);
+      if ((word.settled & bit) != 0) continue;
+      word.in_part |= bit;
+      fragments_.push_back({pixel(row, x), name, run.steps});
+    }
   }
 }
 
@@ -165,22 +176,6 @@ void FlatPainter::settle_background() {
   const ShownColour colour = shown_colour(colours_[0], channels_);
   for (int row = 0; row < box_.height; ++row) settle(row, 0, box_.width, 0, colour);
   open_ = open;
-}
-
-void FlatPainter::add_fragments(int row, int x_begin, int x_end, std::uint32_t name,
-                                std::uint32_t steps) {
-  if (!names_) {
-    names_ = std::make_unique_for_overwrite<std::uint32_t[]>(pixels_);
-    names_room_ = pixels_;
-  }
-  Word* const of_row = words(row);
-  for (int x = x_begin; x < x_end; ++x) {
-    Word& word = of_row[x / kWordPixels];
-    const std::uint64_t bit = std::uint64_t{1} << (x % kWordPixels);
-    if ((word.settled & bit) != 0) continue;
-    word.in_part |= bit;
-    fragments_.push_back({pixel(row, x), name, steps});
-  }
 }
 
 // The last of a pixel's fragments lies lowest. With the first, the pixel gets a colour of its own.

@@ -41,7 +41,6 @@ class FlatPainter {
   void lay(bool opaque, std::uint32_t name);
   void settle(int row, int x_begin, int x_end, std::uint32_t name, const ShownColour& colour);
   void settle_background();
-  void add_fragments(int row, int x_begin, int x_end, std::uint32_t name, std::uint32_t steps);
   void blend_fragments();
   std::uint32_t add_colour(const LinearColour& colour);
   Word* words(int row) { return words_.data() + static_cast<std::size_t>(row) * row_words_; }
@@ -61,7 +60,7 @@ class FlatPainter {
   std::vector<Word> words_;
   std::vector<Fragment> fragments_;
   std::vector<Light> colours_;  ///< of the names; after those, of pixels with fragments
-  /// Of settled pixels with fragments; room for all, made for the first.
+  /// Of settled pixels with fragments; room for all.
   std::unique_ptr<std::uint32_t[]> names_;
   std::size_t names_room_ = 0;
   std::vector<std::uint32_t> blended_;  ///< pixels with a colour of their own

@@ -15,7 +15,7 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kBandsATask = 4;  // which share their room
+constexpr std::size_t kBandsATask = 4;  // which share their room; one thread does all in one
 
 // Draws bands one after another; its room is kept from one to the next.
 class BandPainter {
@@ -148,13 +148,15 @@ class BandsOfTask {
 template <class Picture>
 DrawCounts draw_bands(const DrawList& list, const Bands& bands, const std::vector<bool>& keep,
                       const FrameOptions& options, Picture& out) {
-  const std::size_t tasks = (bands.count() + kBandsATask - 1) / kBandsATask;
+  const std::size_t each =
+      options.threads == 1 ? std::max<std::size_t>(bands.count(), 1) : kBandsATask;
+  const std::size_t tasks = (bands.count() + each - 1) / each;
   std::vector<DrawCounts> counts(tasks);
   const int top = crop_of(list, options).y;
   parallel_for(tasks, options.threads, [&](std::size_t task) {
     BandsOfTask painter(list, options, counts[task]);
-    const std::size_t end = std::min(bands.count(), (task + 1) * kBandsATask);
-    for (std::size_t band = task * kBandsATask; band < end; ++band) {
+    const std::size_t end = std::min(bands.count(), (task + 1) * each);
+    for (std::size_t band = task * each; band < end; ++band) {
       if (keep[band]) {
         ++counts[task].kept_bands;
         continue;
