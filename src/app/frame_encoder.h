@@ -18,8 +18,8 @@ class FrameEncoder {
  public:
   FrameEncoder(const RenderJob& job, unsigned threads);
 
-  /// Valid until the next frame. Error   what the job's back end cannot draw.
-  Result<const Encoded*> encode(DrawList list);
+  /// Valid until the next frame. Error   the list's; what the job's back end cannot draw.
+  Result<const Encoded*> encode(Result<DrawList> list);
   const DrawCounts& counts() const;
   std::size_t encoded() const { return encoded_; }  ///< pictures encoded so far
 
