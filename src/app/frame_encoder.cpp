@@ -29,9 +29,10 @@ Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
 FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads)
     : job_(job), options_{job.crop, threads, job.keep_all}, drawer_(drawer_for(job, options_)) {}
 
-Result<const Encoded*> FrameEncoder::encode(DrawList list) {
+Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
+  if (!list) return fail(std::move(list));
   Result<void> drawn =
-      std::visit([&](auto& drawer) { return encode(drawer, std::move(list)); }, drawer_);
+      std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
   if (!drawn) return fail(std::move(drawn));
   return &out_;
 }

@@ -51,7 +51,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (arguments.has("measure")) {
     RenderJob job = jobs->front();
     if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
-    for (Saving& saving : measured_savings(job))
+    auto savings = measured_savings(job);
+    if (!savings) return fail(std::move(savings));
+    for (Saving& saving : *savings)
       table.rows.push_back(
           {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});
   }

@@ -46,9 +46,10 @@ void draw_all(DrawContext& context) {
   const World& world = context.world();
   const std::vector<Material> materials = world.materials();
   for (const RayPath& ray : context.scene.rays) {
+    if (context.refused()) return;
     const Orbit orbit = trace_orbit(
         world.surfaces, materials, {world_pose(context.state)(ray.at), ray.direction}, ray.bounces);
-    context.place(ray.layer, ray.order);
+    context.place(ray.layer, ray.order, ray.where);
     context.fade(ray.opacity, [&] { draw(context, ray, orbit); });
   }
 }
