@@ -17,7 +17,7 @@ constexpr int kLongestSide = 127;
 
 // Cells a segment: many where all stay in the cache, few where they do not.
 double cells_wanted(std::size_t segments) {
-  const double each = segments <= 16384 ? 4 : segments <= 131072 ? 2 : 1;
+  const double each = segments <= 16384 ? 4 : 1;
   return each * static_cast<double>(segments);
 }
 // Records a segment allowed for before cells are made larger.

@@ -46,7 +46,8 @@ struct Grid {
 
 /// Rays as they walk, in columns with room for a whole vector beyond the last.
 struct Walking {
-  float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;
+  const float* number;                               ///< 0, 1, 2, ...
+  float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
   float *left_ax, *left_ay, *left_bx;  ///< of the wall just left, NaN where none; null: of no ray
   int count;
 };

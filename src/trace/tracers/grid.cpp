@@ -1,6 +1,7 @@
 #include "trace/tracers/grid.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
@@ -21,11 +22,14 @@ class Block {
  public:
   explicit Block(std::size_t most)
       : room_(whole_vectors(most) + kVector),
+        numbers_(room_),
         columns_(9 * room_),
         fate_(room_),
         found_(room_),
         slots_(room_),
-        t_(room_) {}
+        t_(room_) {
+    std::iota(numbers_.begin(), numbers_.end(), 0.0F);
+  }
 
   void load(const RayBatch& rays, std::size_t begin, std::size_t count) {
     rays_ = &rays;
@@ -45,6 +49,7 @@ class Block {
   void walk(const Surfaces& walls, const CellGrid& grid, const lanes::GridKernels& kernels) {
     float* column = columns_.data();
     lanes::Walking w{};
+    w.number = numbers_.data();
     for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
                          &w.left_ay, &w.left_bx})
       *each = std::exchange(column, column + room_);
@@ -63,13 +68,12 @@ class Block {
     kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
   }
 
-  // The answer, where the lanes are certain of it.
-  std::optional<NearestHit> certain(const Surfaces& walls, std::size_t i) const {
-    if (found_[i] == lanes::kNoRecord) return NearestHit{};
-    if (found_[i] == lanes::kDoubt) return std::nullopt;
-    if (std::isnan(t_[i])) return crossing_hit(walls, rays_->ray(begin_ + i), slots_[i]);
-    return NearestHit{walls.segment_numbers[slots_[i]], HitClass::touch, Root::none, false, t_[i]};
-  }
+  // Whether the lanes are certain of what ray i meets.
+  bool is_certain(std::size_t i) const { return found_[i] != lanes::kDoubt; }
+  // Whether it is a wall, given by slot and t.
+  bool is_hit(std::size_t i) const { return found_[i] >= 0; }
+  std::uint32_t slot(std::size_t i) const { return slots_[i]; }
+  double t(std::size_t i) const { return t_[i]; }
 
  private:
   // What tells the lanes which wall each ray has just left; false where none has left any.
@@ -91,7 +95,7 @@ class Block {
   }
 
   std::size_t room_;
-  std::vector<float> columns_;
+  std::vector<float> numbers_, columns_;
   std::vector<int> fate_, found_;
   std::vector<std::uint32_t> slots_;
   std::vector<double> t_;
@@ -116,21 +120,33 @@ class Grid : public Accelerator {
       block.load(rays, begin, count);
       block.walk(walls_, cells_, kernels_);
       block.finish(walls_, cells_, kernels_);
-      for (std::size_t i = 0; i < count; ++i) hits[begin + i] = decide(block, rays, begin, i);
+      for (std::size_t i = 0; i < count; ++i)
+        if (!decided(block, i, hits[begin + i]))
+          hits[begin + i] =
+              decide(block, i, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
     }
   }
   std::size_t bytes() const override { return cells_.bytes(); }
 
  private:
-  NearestHit decide(const Block& block, const RayBatch& rays, std::size_t begin,
-                    std::size_t i) const {
-    const auto certain = block.certain(walls_, i);
-    if (certain && walls_.circles.empty()) return *certain;
-    const Ray ray = rays.ray(begin + i);
-    const Left& left = rays.left[begin + i];
-    if (!certain) return search_.nearest(ray, left, rays.tangents);
-    ExactNearest with_circles(walls_, ray, left, rays.tangents);
-    if (*certain) with_circles.offer_segment(walls_.slot[certain->surface]);
+  // The usual case: sure of one segment, and of its t. (Without circles slots are numbers.)
+  bool decided(const Block& block, std::size_t i, NearestHit& hit) const {
+    if (!walls_.circles.empty() || !block.is_certain(i)) return false;
+    if (block.is_hit(i) && std::isnan(block.t(i))) return false;
+    hit.surface = block.is_hit(i) ? block.slot(i) : kNoSurface;
+    hit.kind = block.is_hit(i) ? HitClass::touch : HitClass::miss;
+    hit.root = Root::none;
+    hit.at_end = false;
+    hit.t = block.is_hit(i) ? block.t(i) : kInfinity;
+    return true;
+  }
+
+  NearestHit decide(const Block& block, std::size_t i, const Ray& ray, const Left& left,
+                    bool tangents) const {
+    if (!block.is_certain(i)) return search_.nearest(ray, left, tangents);
+    if (walls_.circles.empty()) return crossing_hit(walls_, ray, block.slot(i));
+    ExactNearest with_circles(walls_, ray, left, tangents);
+    if (block.is_hit(i)) with_circles.offer_segment(block.slot(i));
     with_circles.offer_circles();
     return with_circles.hit();
   }
