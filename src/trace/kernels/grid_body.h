@@ -26,7 +26,7 @@ void bring_in(const Grid& grid, Placed& r) {
   r.y = choose(misses, all(grid.ring_y), y);
 }
 
-void prepare(const Grid& grid, const GivenRays& rays, const Walking& walking, int* fate) {
+void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
   const Real one = all(1), least = all(kLeastStep), zero = all(0);
   for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
     Placed r;
@@ -112,7 +112,7 @@ inline Real quotient(const Known& n, const Known& d) {
 }
 
 // t = ((a - o) x (b - a)) / (d x (b - a)).
-void finish(const GivenRays& rays, const Finish& walls) {
+void finish(const Rays& rays, const Finish& walls) {
   const Real zero = all(0);
   for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
     const Ends e = fetch_ends(walls.ends, walls.slots + i);

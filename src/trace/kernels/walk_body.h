@@ -29,12 +29,9 @@ struct Group {
   Mask moving, across_x;   // between two cells; by a change of x
 };
 
+// Counts a wall for the rays that it is not ruled out for.
 template <bool some_left>
-inline void test(const Constants& c, const float* records, Group& g) {
-  alignas(64) unsigned at[kLanes];
-  const Mask idle = negative(g.record);
-  store(at, choose(idle, all(0), g.record));
-  const Record r = fetch(records, at);
+inline void judge(const Constants& c, const Record& r, Mask idle, Group& g) {
   const Float ax = r.ax - g.ox, ay = r.ay - g.oy, bx = r.bx - g.ox, by = r.by - g.oy;
   const Float side_a = g.dx * ay - g.dy * ax, side_b = g.dx * by - g.dy * bx;
   const Float t_a = g.dx * ax + g.dy * ay, t_b = g.dx * bx + g.dy * by;
@@ -56,6 +53,15 @@ inline void test(const Constants& c, const float* records, Group& g) {
   g.low = choose(closer, low, g.low);
   g.high = choose(closer, high, g.high);
   g.best = choose(closer, g.record, g.best);
+}
+
+template <bool some_left>
+inline void test(const Constants& c, const float* records, Group& g) {
+  alignas(64) unsigned at[kLanes];
+  const Mask idle = negative(g.record);
+  store(at, choose(idle, all(0), g.record));
+  const Record r = fetch(records, at);
+  judge<some_left>(c, r, idle, g);
   const Mask last = either(idle, odd(r.by));
   g.moving = both(g.live, last);
   g.record = choose(last, all(-1), next(g.record));
@@ -95,11 +101,15 @@ struct Queue {
   int next;
 };
 
-inline void write(unsigned lanes, const Group& g, Queue& queue) {
+inline Int verdict(const Group& g) {
   const Int unsure = choose(less(g.other, all(kFar)), all(kDoubt), all(kNoRecord));
+  return choose(less(g.high, g.other), g.best, unsure);
+}
+
+inline void write(unsigned lanes, const Group& g, Queue& queue) {
   alignas(64) unsigned ray[kLanes], record[kLanes];
   store(ray, whole(g.ray));
-  store(record, choose(less(g.high, g.other), g.best, unsure));
+  store(record, verdict(g));
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = __builtin_ctz(lanes);
     queue.found[ray[lane]] = static_cast<int>(record[lane]);
@@ -183,4 +193,44 @@ void walk(const Grid& grid, const Walking& rays, int* found) {
     walk_all<true>(grid, rays, found);
   else
     walk_all<false>(grid, rays, found);
+}
+
+// Every record against the next rays, lane by lane.
+template <bool some_left>
+void scan_all(const Grid& grid, const Walking& rays, int* found) {
+  const Constants c = {all(kSide * grid.unit), all(kTime * grid.unit), all(kNear * grid.unit),
+                       all(grid.stride), all(grid.first)};
+  const Float edge = all(static_cast<float>(0 - grid.half_x));
+  for (int i = 0; i < rays.count; i += kLanes) {
+    Group g{};
+    g.ox = load(rays.ox + i);
+    g.oy = load(rays.oy + i);
+    g.dx = load(rays.dx + i);
+    g.dy = load(rays.dy + i);
+    if (some_left) {
+      g.left_ax = load(rays.left_ax + i);
+      g.left_ay = load(rays.left_ay + i);
+      g.left_bx = load(rays.left_bx + i);
+    }
+    g.limit = all(kEndless);
+    g.low = g.high = g.other = all(kFar);
+    g.record = all(0);
+    const Mask in_ring = less(g.ox, edge);
+    for (const float* record = grid.records;; record += 4) {
+      const Record r = {all(record[0]), all(record[1]), all(record[2]), all(record[3])};
+      judge<some_left>(c, r, in_ring, g);
+      if ((__builtin_bit_cast(unsigned, record[3]) & 1U) != 0) break;
+      g.record = next(g.record);
+    }
+    alignas(64) unsigned record[kLanes];
+    store(record, verdict(g));
+    for (int lane = 0; lane < kLanes; ++lane) found[i + lane] = static_cast<int>(record[lane]);
+  }
+}
+
+void scan(const Grid& grid, const Walking& rays, int* found) {
+  if (rays.left_ax != nullptr)
+    scan_all<true>(grid, rays, found);
+  else
+    scan_all<false>(grid, rays, found);
 }
