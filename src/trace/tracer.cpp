@@ -9,7 +9,7 @@ namespace {
 
 // Up to here every wall against every ray is faster than a walk through cells: measured crossover
 // (docs/adr/0010-tracers.md).
-constexpr std::size_t kFewSegments = 32;
+constexpr std::size_t kFewSegments = 24;
 
 }  // namespace
 

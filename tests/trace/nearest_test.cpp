@@ -228,11 +228,11 @@ TEST(Tracers, AreFoundByName) {
 
 TEST(Tracers, AreChosenByTheNumberOfWalls) {
   Surfaces walls;
-  for (int i = 0; i < 32; ++i) walls.add(Segment{{0, 0}, {1, 0}});
+  for (int i = 0; i < 24; ++i) walls.add(Segment{{0, 0}, {1, 0}});
   EXPECT_STREQ(choose_tracer(walls).tracer->name, "brute");
   walls.add(Segment{{0, 0}, {1, 0}});
   EXPECT_STREQ(choose_tracer(walls).tracer->name, "grid");
-  EXPECT_EQ(choose_tracer(walls).reason, "33 segments: more than 32");
+  EXPECT_EQ(choose_tracer(walls).reason, "25 segments: more than 24");
 }
 
 }  // namespace
