@@ -19,48 +19,53 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-std::string quoted(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+// Most texts are names in plain letters, which stand for themselves.
+void add_quoted(std::string& out, const std::string& text) {
+  const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+  });
+  if (plain)
+    out.append("\"").append(text).append("\"");
+  else
+    out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-template <class Items, class Write>
-std::string joined(char open, const Items& items, char close, const Write& write) {
-  std::string text(1, open);
+void add_json(std::string& out, const JsonValue& value);
+
+template <class Items, class Add>
+void add_joined(std::string& out, char open, const Items& items, char close, const Add& add) {
+  out += open;
   for (const auto& item : items) {
-    if (text.size() > 1) text += ',';
-    text += write(item);
+    if (&item != &items.front()) out += ',';
+    add(item);
   }
-  return text + close;
+  out += close;
 }
 
-JsonValue from_json(const Json& json) {
-  switch (json.type()) {
-    case Json::value_t::boolean:
-      return json.get<bool>();
-    case Json::value_t::number_unsigned:
-      return json.get<std::uint64_t>();
-    case Json::value_t::number_integer: {
-      JsonValue value;
-      value.data = json.get<std::int64_t>();
-      return value;
-    }
-    case Json::value_t::number_float:
-      return json.get<double>();
-    case Json::value_t::string:
-      return json.get<std::string>();
-    case Json::value_t::array: {
-      Values values;
-      for (const Json& item : json) values.push_back(from_json(item));
-      return values;
-    }
-    case Json::value_t::object: {
-      Fields fields;
-      for (const auto& [name, item] : json.items()) fields.emplace_back(name, from_json(item));
-      return fields;
-    }
-    default:
-      return {};
-  }
+void add_json(std::string& out, const JsonValue& value) {
+  std::visit(Overloaded{[&](std::nullptr_t) { out += "null"; },
+                        [&](bool truth) { out += truth ? "true" : "false"; },
+                        [&](std::int64_t number) { out += std::to_string(number); },
+                        [&](std::uint64_t number) { out += std::to_string(number); },
+                        [&](double number) {
+                          if (std::isfinite(number))
+                            out += number_text(number);
+                          else
+                            add_quoted(out, number_text(number));
+                        },
+                        [&](const std::string& text) { add_quoted(out, text); },
+                        [&](const Values& values) {
+                          add_joined(out, '[', values, ']',
+                                     [&](const JsonValue& item) { add_json(out, item); });
+                        },
+                        [&](const Fields& fields) {
+                          add_joined(out, '{', fields, '}', [&](const auto& field) {
+                            add_quoted(out, field.first);
+                            out += ':';
+                            add_json(out, field.second);
+                          });
+                        }},
+             value.data);
 }
 
 bool is_number(const JsonValue& value) {
@@ -129,33 +134,13 @@ std::optional<std::uint64_t> JsonValue::as_whole() const {
 }
 
 std::string json_text(const JsonValue& value) {
-  return std::visit(
-      Overloaded{[](std::nullptr_t) -> std::string { return "null"; },
-                 [](bool truth) -> std::string { return truth ? "true" : "false"; },
-                 [](std::int64_t number) { return std::to_string(number); },
-                 [](std::uint64_t number) { return std::to_string(number); },
-                 [](double number) {
-                   const std::string text = number_text(number);
-                   return std::isfinite(number) ? text : quoted(text);
-                 },
-                 [](const std::string& text) { return quoted(text); },
-                 [](const Values& values) { return joined('[', values, ']', json_text); },
-                 [](const Fields& fields) {
-                   return joined('{', fields, '}', [](const auto& field) {
-                     return quoted(field.first) + ":" + json_text(field.second);
-                   });
-                 }},
-      value.data);
+  std::string text;
+  add_json(text, value);
+  return text;
 }
 
 std::string indented_json(const JsonValue& value) {
   return Json::parse(json_text(value)).dump(2) + "\n";
-}
-
-std::optional<JsonValue> parse_json(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return std::nullopt;
-  return from_json(json);
 }
 
 std::string aligned_text(const Table& table, const std::string& indent) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -42,6 +43,14 @@ struct JsonValue {
 std::string json_text(const JsonValue& value);
 /// The same over many lines, two blanks a level.
 std::string indented_json(const JsonValue& value);
+/// What keeps a text from being JSON, and the byte at which that shows, from 1.
+struct JsonMistake {
+  std::size_t byte;
+  std::string what;
+};
+/// Numbers are rounded once; of a name given twice in an object the first counts. Nested at most
+/// 64 deep.
+tl::expected<JsonValue, JsonMistake> read_json(std::string_view text);
 /// nullopt for what is no JSON.
 std::optional<JsonValue> parse_json(std::string_view text);
 

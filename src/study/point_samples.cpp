@@ -22,7 +22,8 @@ void move(FillArcs& region, const Vec2& shift) {
   for (EllipseArc& arc : region.path.arcs) arc.centre += shift;
 }
 
-// What the pixel centres of the result see is what `place` sees in each pixel of `list`.
+// What the pixel centres of the result see is what `place` sees in each pixel of `list`. Gradients
+// stay: samples have the colour of their pixel's centre.
 DrawList seen_from(const DrawList& list, const SamplePlace& place) {
   const Vec2 shift(0.5 - place[0], 0.5 - place[1]);
   DrawList moved = list;
@@ -37,7 +38,11 @@ std::vector<float> light_of(DrawList list, unsigned threads) {
   const LinearImage colour = render_linear(list, {std::nullopt, threads});
   const auto whiten = [](LinearColour& c) { c.r = c.g = c.b = 1; };
   whiten(list.background);
-  for (DrawItem& item : list.items) whiten(item.colour);
+  for (DrawItem& item : list.items) {
+    whiten(item.colour);
+    if (item.gradient)
+      for (FilmGradient::Stop& stop : item.gradient->stops) whiten(stop.colour);
+  }
   const LinearImage alpha = render_linear(list, {std::nullopt, threads});  // white light is alpha
   std::vector<float> rgba;
   for (std::size_t i = 0; i < colour.pixels.size(); i += 3)

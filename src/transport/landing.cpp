@@ -17,19 +17,6 @@ static_assert(kSearchUlps + 1 < kReachUlps);
 
 double reach(double x) { return step_ulps(std::fabs(x), kReachUlps) - std::fabs(x); }
 
-// The end of a segment that a ray arrives at. A ray along the segment meets the first one ahead.
-Vec2 end_met(const Ray& ray, const Segment& wall) {
-  if (side_of_ray(ray, wall.a) != Sign::zero) return wall.b;
-  if (side_of_ray(ray, wall.b) != Sign::zero) return wall.a;
-  const int axis = ray.direction.x() != 0 ? 0 : 1;
-  const auto before = [&](const Vec2& p, const Vec2& q) {
-    return ray.direction[axis] > 0 ? p[axis] < q[axis] : q[axis] < p[axis];
-  };
-  const auto [first, second] =
-      before(wall.b, wall.a) ? std::pair(wall.b, wall.a) : std::pair(wall.a, wall.b);
-  return before(first, ray.origin) ? second : first;
-}
-
 // Whether the line of a segment surely passes outside the box of half sides `reach` about `point`.
 // The determinant changes by |e_x| reach_y + |e_y| reach_x in the box; its own error is
 // kDetFilter's, doubled for the rest.
@@ -121,8 +108,7 @@ bool Lander::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
 }
 
 Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
-  if (hit.at_end) return land_at(end_met(ray, walls_.segments[walls_.slot[hit.surface]]));
-  if (hit.kind == HitClass::along) return land_at(ray.origin);
+  if (hit.at_end || hit.kind == HitClass::along) return land_at(hit_point(walls_, ray, hit));
   const ExactHit exact = exact_hit(walls_, ray, hit);
   const Vec2 nearest = exact.nearest();
   std::vector<Fence> fences;
@@ -141,13 +127,6 @@ Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
   if (point) return {*point, {}};
   std::sort(passing.begin(), passing.end());
   return {nearest, std::move(passing)};
-}
-
-ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  const std::uint32_t slot = walls.slot[hit.surface];
-  return walls.kinds[hit.surface] == SurfaceKind::segment
-             ? ExactHit(ray, walls.segments[slot])
-             : ExactHit(ray, walls.circles[slot], hit.root);
 }
 
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {

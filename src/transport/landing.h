@@ -3,7 +3,7 @@
 
 #include "trace/hits.h"
 #include "trace/surfaces.h"
-#include "transport/exact_hit.h"
+#include "transport/hit_point.h"
 
 namespace flatray {
 
@@ -42,9 +42,6 @@ class Lander {
 
   const Surfaces& walls_;
 };
-
-/// The exact point of a hit.
-ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
 
 /// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a
 /// circle.

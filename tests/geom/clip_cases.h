@@ -1,27 +1,15 @@
 #pragma once
-#include <cmath>
 #include <vector>
 
-#include "base/philox.h"
 #include "geom/polygon.h"
+#include "oracle/families.h"
 
 // Seeded clip cases for the tests of geom.
 namespace flatray {
 
 inline constexpr std::uint64_t kSeed = 20181123;
-// The draws of one case, one after the other.
-class Draw {
- public:
-  Draw(int family, int item)
-      : family_(static_cast<std::uint64_t>(family)), item_(static_cast<std::uint64_t>(item)) {}
-  double unit() { return unit_double(random_bits(kSeed, Stream::test, family_, item_, draw_++)); }
-  double below(int n) { return std::floor(unit() * n); }
-  double sign() { return unit() < 0.5 ? -1 : 1; }
-
- private:
-  std::uint64_t family_, item_;
-  std::uint32_t draw_ = 0;
-};
+using oracle::Draw;
+using oracle::nudge;
 
 struct Case {
   std::vector<Vec2> polygon;
@@ -55,12 +43,6 @@ inline Case map(Case c, const auto& f, double direction_scale = 1) {
   c.ray = {from, direction_scale * (f(tip) - from)};
   return c;
 }
-
-inline double nudge(double x, Draw& draw) {
-  const double way = draw.below(3);
-  return way == 0 ? x : std::nextafter(x, way == 1 ? -kInfinity : kInfinity);
-}
-inline Vec2 nudge(const Vec2& v, Draw& draw) { return {nudge(v.x(), draw), nudge(v.y(), draw)}; }
 
 inline Case random_case(Draw& draw) {
   std::vector<Vec2> triangle;

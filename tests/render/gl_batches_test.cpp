@@ -25,9 +25,8 @@ FillPath frame_path(double x, double y, double side) {
 
 std::vector<int> kinds(const std::vector<DrawItem>& items) {
   const auto made = batches({200, 100, {}, Coverage::area, items}, kTile);
-  EXPECT_TRUE(made);
   std::vector<int> found;
-  for (const FlatrayGlBatch& batch : made->batches) found.push_back(batch.kind);
+  for (const FlatrayGlBatch& batch : made.batches) found.push_back(batch.kind);
   return found;
 }
 
@@ -37,9 +36,9 @@ TEST(GlBatches, ConvexItemsAreOneBatchInTheirOrder) {
     items.push_back({box_path(i, i, 10), {static_cast<float>(i), 0, 0, 1}});
   EXPECT_EQ(kinds(items), std::vector<int>{FLATRAY_GL_PAINT});
   const auto made = batches({200, 100, {}, Coverage::area, items}, kTile);
-  ASSERT_EQ(made->vertices.size(), 50U * 6);
-  for (std::size_t i = 0; i < made->vertices.size(); ++i)
-    EXPECT_EQ(made->vertices[i].rgba[0], static_cast<float>(i / 6));
+  ASSERT_EQ(made.vertices.size(), 50U * 6);
+  for (std::size_t i = 0; i < made.vertices.size(); ++i)
+    EXPECT_EQ(made.vertices[i].paint[0], static_cast<float>(i / 6));
 }
 
 TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {
@@ -54,6 +53,41 @@ TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {
             (std::vector<int>{FLATRAY_GL_PAINT, FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
   EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {box_path(10, 10, 20), half}}),
             (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER, FLATRAY_GL_PAINT}));
+}
+
+DrawItem on_layer(std::uint32_t layer, double x, double y) {
+  DrawItem item{box_path(x, y, 20), {0, 0, 0, 1}};
+  item.layer = layer, item.opacity = 0.5F;
+  return item;
+}
+
+TEST(GlBatches, LayersFarApartShareASheetAndNeighboursDoNot) {
+  constexpr auto kPaint = FLATRAY_GL_PAINT, kBegin = FLATRAY_GL_LAYER, kLay = FLATRAY_GL_LAY;
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(1, 10, 0)}),
+            (std::vector<int>{kBegin, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(2, 100, 50)}),
+            (std::vector<int>{kBegin, kPaint, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(2, 10, 0)}),
+            (std::vector<int>{kBegin, kPaint, kLay, kBegin, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), {box_path(100, 50, 20), {}}}),
+            (std::vector<int>{kPaint, kBegin, kPaint, kLay}));
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), {box_path(10, 0, 20), {}}}),
+            (std::vector<int>{kBegin, kPaint, kLay, kPaint}));
+  EXPECT_EQ(kinds({on_layer(1, -100, 0)}), std::vector<int>{});
+}
+
+TEST(GlBatches, GradientsAreBatchesOfTheirOwn) {
+  DrawItem graded{box_path(0, 0, 20), {0, 0, 0, 1}};
+  graded.gradient = {.stops = {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 0.5F}}}};
+  const auto made =
+      batches({200, 100, {}, Coverage::area, {{box_path(50, 0, 20), {}}, graded, graded}}, kTile);
+  ASSERT_EQ(made.batches.size(), 2U);
+  EXPECT_EQ(made.batches[0].gradients, 0);
+  EXPECT_EQ(made.batches[1].gradients, 1);
+  EXPECT_EQ(made.vertices.back().paint[0], 1);
+  ASSERT_EQ(made.gradients.size(), 2U);
+  EXPECT_EQ(made.gradients[1].first_stop, 2U);
+  EXPECT_EQ(made.stops[3].rgba[2], 0.5F);  // premultiplied
 }
 
 TEST(GlBatches, WhatIsNotInTheTileIsNotDrawn) {
@@ -73,10 +107,38 @@ TEST(GlBatches, HugeFiguresAreCutToWhatARasterizerTakes) {
                               {FillRing{{50, 1e9}, 1e9}, {}},
                               {frame_path(-1e7, -1e7, 1e8), {}}}},
                             kTile);
-  ASSERT_TRUE(made);
-  EXPECT_LT(made->vertices.size(), 20'000U);
-  for (const FlatrayGlVertex& v : made->vertices)
+  EXPECT_LT(made.vertices.size(), 20'000U);
+  for (const FlatrayGlVertex& v : made.vertices)
     EXPECT_TRUE(v.x >= -512 && v.x <= 712 && v.y >= -512 && v.y <= 612) << v.x << ' ' << v.y;
+}
+
+// `turns` times round a square.
+FillPath coil(int turns) {
+  FillPath path = box_path(10, 10, 20);
+  const std::vector<Segment> once = path.edges;
+  for (int i = 1; i < turns; ++i) path.edges.insert(path.edges.end(), once.begin(), once.end());
+  path.simple = false;
+  return path;
+}
+
+TEST(GlBatches, WindingsAreCountedInAStencilWhereThatCannotOverflow) {
+  FillPath few = coil(255), many = coil(256);
+  for (FillPath* path : {&few, &many})  // else all rings are convex alike
+    for (const Segment& edge : box_path(60, 10, 20).edges) path->edges.push_back({edge.b, edge.a});
+  EXPECT_EQ(kinds({{few, {}}}), (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
+  EXPECT_EQ(kinds({{many, {}}}),
+            (std::vector<int>{FLATRAY_GL_SUM, FLATRAY_GL_FIND, FLATRAY_GL_COVER}));
+}
+
+TEST(GlGrid, FiguresBesideOneAnotherDoNotWindMore) {
+  const auto square = [](std::int64_t x, std::int64_t y) {
+    return std::vector<GridPoint>{{x, y}, {x + 10, y}, {x + 10, y + 10}, {x, y + 10}};
+  };
+  std::vector<std::vector<GridPoint>> row, pile;
+  for (int i = 0; i < 300; ++i) row.push_back(square(10 * i, 0)), pile.push_back(square(0, 0));
+  EXPECT_EQ(most_windings(row, 1), 1U);
+  EXPECT_EQ(most_windings(pile, 1), 300U);
+  EXPECT_EQ(most_windings(pile, 600), 600U);
 }
 
 TEST(GlGrid, AHullIsConvexAndHoldsItsPoints) {
@@ -86,21 +148,6 @@ TEST(GlGrid, AHullIsConvexAndHoldsItsPoints) {
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_GT(area(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]), 0);
   EXPECT_TRUE(hull({{0, 0}, {1, 1}, {2, 2}}).empty());
-}
-
-TEST(GlOutlines, EdgesInAnyOrderMakeUpTheirRings) {
-  std::vector<Segment> edges = box_path(0, 0, 3).edges;
-  for (const Segment& edge : box_path(3, 3, 2).edges) edges.push_back(edge);  // share a corner
-  std::reverse(edges.begin(), edges.end());
-  double twice_area = 0;
-  std::size_t count = 0;
-  for (const Ring& ring : rings_of(edges)) {
-    count += ring.size();
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      twice_area += cross(ring[i], ring[(i + 1) % ring.size()]);
-  }
-  EXPECT_EQ(count, edges.size());
-  EXPECT_EQ(twice_area, 2 * (9 + 4));
 }
 
 TEST(GlOutlines, ACircleKeepsWithinAStepOfTheGrid) {

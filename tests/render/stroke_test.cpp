@@ -120,6 +120,27 @@ TEST(Strokes, EdgesInAnyOrderAreRings) {
   }
 }
 
+TEST(Strokes, RingsThatShareACornerHaveEachEdgeOnce) {
+  std::vector<Segment> edges;
+  for (const double at : {0.0, 3.0})
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = [at](int k) {
+        return Vec2(at + 3 * (k % 4 / 2), at + 3 * ((k + 1) % 4 / 2));
+      };
+      edges.push_back({corner(i), corner(i + 1)});
+    }
+  std::reverse(edges.begin(), edges.end());
+  double twice_area = 0;
+  std::size_t count = 0;
+  for (const Chain& ring : rings_of(edges)) {
+    count += ring.points.size();
+    for (std::size_t i = 0; i < ring.points.size(); ++i)
+      twice_area += cross(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
+  }
+  EXPECT_EQ(count, edges.size());
+  EXPECT_EQ(std::abs(twice_area), 2 * (9 + 9));
+}
+
 TEST(Dashes, LinesAndGapsFollowOneAnotherRoundCorners) {
   const std::vector<double> lengths = {3, 1};
   const std::vector<Chain> dashes = dashed(kCorner, lengths, 0);

@@ -12,10 +12,19 @@ namespace flatray::gl {
 struct CellBox {
   int x0, y0, x1, y1;
   bool empty() const { return x0 >= x1 || y0 >= y1; }
+  /// The smallest box around both.
+  void add(const CellBox& more);
+};
+
+/// What a vertex has besides its place: FlatrayGlVertex::paint.
+struct VertexPaint {
+  std::array<float, 4> words;
+  bool gradient = false;
 };
 
 /// Puts items into few batches. Items wait in a group as long as none of those with marks shares a
-/// place with another one: then their order does not matter.
+/// place with another one, and all have gradients or none: then their order does not matter. Layers
+/// wait as long as nothing comes that lies where they do, and are drawn on one sheet.
 class BatchList {
  public:
   BatchList(int width, int height) : width_(width), height_(height) {}
@@ -24,12 +33,15 @@ class BatchList {
   CellBox box(std::span<const GridPoint> points) const;
 
   /// A convex figure that is blended as it is.
-  void paint(std::span<const GridPoint> corners, const LinearColour& colour, const CellBox& box);
+  void paint(std::span<const GridPoint> corners, const VertexPaint& paint, const CellBox& box);
 
-  /// Begins an item that is marked first and then covered.
-  void begin_marks(const LinearColour& colour, const CellBox& box);
-  /// Triangles from the first point to every edge, as marks of `kind`.
-  void mark(FlatrayGlKind kind, std::span<const GridPoint> corners);
+  /// An item that is marked first and then covered: triangles from the first point of each figure
+  /// to every edge of it, as marks of `kind`.
+  void mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
+            const VertexPaint& paint, const CellBox& box);
+
+  /// What another list drew of the tile, as one picture, faded.
+  void lay(BatchList&& layer, float opacity);
 
   Batches finish() &&;
 
@@ -47,14 +59,22 @@ class BatchList {
     static std::uint64_t columns(const CellBox& box);
     std::array<std::uint64_t, kCells> rows_{};
   };
+  static constexpr int kBeyond = FLATRAY_GL_TILE;
 
   void flush();
-  static void add_fan(std::span<const GridPoint> corners, const LinearColour& colour,
+  void push(int kind);
+  void begin_item(const VertexPaint& paint, const Occupied& others, const CellBox& box);
+  static void add_fan(std::span<const GridPoint> corners, const VertexPaint& paint,
+                      std::vector<FlatrayGlVertex>& to);
+  static void add_box(const CellBox& box, const VertexPaint& paint,
                       std::vector<FlatrayGlVertex>& to);
 
   int width_, height_;
-  std::array<std::vector<FlatrayGlVertex>, 5> waiting_;  // by kind
-  Occupied marked_, any_;
+  std::array<std::vector<FlatrayGlVertex>, 9> waiting_;  // by kind
+  Batches layers_;                                       // that wait, none where another is
+  Occupied marked_, any_, layered_;
+  bool gradients_ = false;                 // of the group
+  CellBox reach_{kBeyond, kBeyond, 0, 0};  // of all there is
   Batches all_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/polygon.h"
+#include "render/chains.h"
 #include "render/gl/batch_list.h"
 #include "render/gl/outlines.h"
 
@@ -23,19 +24,6 @@ Grid on_grid(const Ring& ring) {
   return points;
 }
 
-// How often a ring can wind round a point; a horizontal line meets half its edges on the way in.
-std::size_t most_windings(const Ring& ring) {
-  return ring.size() > 2 * kMostWindings && !crossing_edges(ring) ? 1 : ring.size() / 2;
-}
-
-bool may_overflow(const std::vector<Ring>& rings) {
-  std::size_t edges = 0, windings = 0;
-  for (const Ring& ring : rings) edges += ring.size();
-  if (edges <= 2 * kMostWindings) return false;
-  for (const Ring& ring : rings) windings += most_windings(ring);
-  return windings > kMostWindings;
-}
-
 // All convex and running the same way: a point is in their union where it is in one of them.
 bool convex_alike(const std::vector<Ring>& rings) {
   std::optional<Sign> first;
@@ -50,105 +38,150 @@ bool convex_alike(const std::vector<Ring>& rings) {
 
 class Builder {
  public:
-  explicit Builder(const PixelBox& tile) : out_(tile.width, tile.height), origin_(tile.x, tile.y) {
+  explicit Builder(const PixelBox& tile)
+      : tile_(tile), out_(tile.width, tile.height), origin_(tile.x, tile.y) {
     box_ = {Vec2(0, 0), Vec2(tile.width, tile.height)};
     guard_ = {box_.low - Vec2(kGuard, kGuard), box_.high + Vec2(kGuard, kGuard)};
   }
 
-  Result<void> add(const DrawItem& item) {
-    if (item.colour.a == 0) return {};
-    if (item.gradient || item.layer != 0)
-      return fail({}, "the GL back end draws no gradients, and no fill and stroke faded together",
-                  "say --backend software", Trouble::unavailable);
-    return std::visit([&](const auto& region) { return add(region, item.colour); }, item.region);
+  void add(const DrawItem& item) {
+    if (item.colour.a == 0) return;
+    paint_ = item.gradient ? paint_of(*item.gradient) : VertexPaint{premultiplied(item.colour)};
+    opaque_ = item.colour.a == 1;
+    std::visit([&](const auto& region) { add(region); }, item.region);
   }
 
-  Batches finish() && { return std::move(out_).finish(); }
+  /// Items that are faded as one.
+  void add_layer(std::span<const DrawItem> items) {
+    BatchList layer(tile_.width, tile_.height);
+    std::swap(layer, out_);
+    for (const DrawItem& item : items) add(item);
+    std::swap(layer, out_);
+    out_.lay(std::move(layer), items.front().opacity);
+  }
+
+  Batches finish() && {
+    Batches all = std::move(out_).finish();
+    all.gradients = std::move(gradients_);
+    all.stops = std::move(stops_);
+    return all;
+  }
 
  private:
-  Result<void> add(const FillPath& path, const LinearColour& colour) {
-    std::vector<Ring> rings = rings_of(path.edges);
-    Bounds reach;
-    for (Ring& ring : rings)
-      for (Vec2& point : ring) reach.add(point -= origin_);
-    if (!meet(reach, box_)) return {};
-    const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
-    if (one) return paint(rings[0], colour), Result<void>();
-    if (path.rule == FillRule::nonzero && convex_alike(rings)) {
-      if (colour.a == 1)
-        for (const Ring& ring : rings) paint(ring, colour);
-      else
-        cover(rings, FLATRAY_GL_MARK, colour);
-      return {};
+  VertexPaint paint_of(const FilmGradient& gradient) {
+    const auto number = static_cast<float>(gradients_.size());  // exact below 2^24
+    const auto first = static_cast<std::uint32_t>(stops_.size());
+    for (const FilmGradient::Stop& stop : gradient.stops) {
+      const auto [r, g, b, a] = premultiplied(stop.colour);
+      stops_.push_back({stop.at, 0, {r, g, b, a}});
     }
-    if (path.rule == FillRule::nonzero && !path.simple && may_overflow(rings))
-      return fail({}, "the GL back end does not draw a region that may wind more than 255 times",
-                  "say --backend software", Trouble::unavailable);
-    cover(rings, path.rule == FillRule::nonzero ? FLATRAY_GL_COUNT : FLATRAY_GL_FLIP, colour);
-    return {};
+    const Vec2 axis = gradient.radial ? Vec2(gradient.per_pixel, 0) : gradient.axis;
+    gradients_.push_back({gradient.radial ? 1U : 0U,
+                          first,
+                          static_cast<std::uint32_t>(gradient.stops.size()),
+                          0,
+                          {gradient.origin.x(), gradient.origin.y()},
+                          {axis.x(), axis.y()}});
+    return {{number}, true};
   }
 
-  Result<void> add(const FillRing& ring, const LinearColour& colour) {
+  void add(const FillPath& path) {
+    std::vector<Ring> rings;
+    Bounds reach;
+    for (Chain& chain : rings_of(path.edges)) {
+      for (Vec2& point : chain.points) reach.add(point -= origin_);
+      rings.push_back(std::move(chain.points));
+    }
+    if (!meet(reach, box_)) return;
+    const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
+    if (one) return paint(rings[0]);
+    if (path.rule == FillRule::even_odd) return cover(figures(rings), FLATRAY_GL_FLIP);
+    if (!convex_alike(rings)) return wind(figures(rings), path.simple);
+    if (!opaque_) return cover(convex_figures(rings), FLATRAY_GL_MARK);
+    for (const Ring& ring : rings) paint(ring);
+  }
+
+  void add(const FillRing& ring) {
     const Vec2 centre = ring.centre - origin_, reach(ring.radius, ring.radius);
-    if (!(ring.radius > 0) || !meet({centre - reach, centre + reach}, box_)) return {};
+    if (!(ring.radius > 0) || !meet({centre - reach, centre + reach}, box_)) return;
     const Ring outer = circle_ring(centre, ring.radius, guard_);
     if (ring.inner_radius > 0)
-      cover({outer, circle_ring(centre, ring.inner_radius, guard_)}, FLATRAY_GL_FLIP, colour);
+      cover(figures({outer, circle_ring(centre, ring.inner_radius, guard_)}), FLATRAY_GL_FLIP);
     else
-      paint(outer, colour);
-    return {};
+      paint(outer);
   }
 
   // A path of arcs that crosses itself nowhere, as chords.
-  Result<void> add(const FillArcs& region, const LinearColour& colour) {
+  void add(const FillArcs& region) {
     Ring ring = flattened(region.path, 1 / kGridSteps);
-    if (ring.size() < 4) return {};
+    if (ring.size() < 4) return;
     ring.pop_back();  // the first again
     for (Vec2& point : ring) point -= origin_;
-    if (!meet(bounds_of(ring), box_)) return {};
+    if (!meet(bounds_of(ring), box_)) return;
     if (non_convex_vertex(ring))
-      cover({ring}, FLATRAY_GL_FLIP, colour);
+      cover(figures({ring}), FLATRAY_GL_FLIP);
     else
-      paint(ring, colour);
-    return {};
+      paint(ring);
   }
 
   // A convex ring.
-  void paint(const Ring& ring, const LinearColour& colour) {
+  void paint(const Ring& ring) {
     const Grid corners = convex(ring);
-    if (!corners.empty()) out_.paint(corners, colour, out_.box(corners));
+    if (!corners.empty()) out_.paint(corners, paint_, out_.box(corners));
   }
 
   Grid convex(const Ring& ring) const {
     return hull(on_grid(contains(guard_, bounds_of(ring)) ? ring : clipped(ring, guard_)));
   }
 
-  void cover(const std::vector<Ring>& rings, FlatrayGlKind kind, const LinearColour& colour) {
+  std::vector<Grid> convex_figures(const std::vector<Ring>& rings) const {
     std::vector<Grid> figures;
-    Grid all;
-    for (const Ring& ring : rings) {
-      figures.push_back(kind == FLATRAY_GL_MARK             ? convex(ring)
-                        : contains(guard_, bounds_of(ring)) ? on_grid(ring)
-                                                            : on_grid(clamped(ring, guard_)));
-      all.insert(all.end(), figures.back().begin(), figures.back().end());
-    }
-    const CellBox box = out_.box(all);
-    if (box.empty()) return;
-    out_.begin_marks(colour, box);
-    for (const Grid& figure : figures) out_.mark(kind, figure);
+    for (const Ring& ring : rings) figures.push_back(convex(ring));
+    return figures;
   }
 
+  std::vector<Grid> figures(const std::vector<Ring>& rings) const {
+    std::vector<Grid> figures;
+    for (const Ring& ring : rings)
+      figures.push_back(on_grid(contains(guard_, bounds_of(ring)) ? ring : clamped(ring, guard_)));
+    return figures;
+  }
+
+  void wind(const std::vector<Grid>& figures, bool simple) {
+    const bool few = simple || most_windings(figures, kMostWindings) <= kMostWindings;
+    cover(figures, few ? FLATRAY_GL_COUNT : FLATRAY_GL_SUM);
+  }
+
+  void cover(const std::vector<Grid>& figures, FlatrayGlKind kind) {
+    Grid all;
+    for (const Grid& figure : figures) all.insert(all.end(), figure.begin(), figure.end());
+    out_.mark(kind, figures, paint_, out_.box(all));
+  }
+
+  const PixelBox tile_;
   BatchList out_;
   Vec2 origin_;
   Bounds box_, guard_;
+  VertexPaint paint_;  // of the item
+  bool opaque_ = false;
+  std::vector<FlatrayGlGradient> gradients_;
+  std::vector<FlatrayGlStop> stops_;
 };
 
 }  // namespace
 
-Result<Batches> batches(const DrawList& list, const PixelBox& tile) {
+Batches batches(const DrawList& list, const PixelBox& tile) {
   Builder builder(tile);
-  for (const DrawItem& item : list.items)
-    if (auto added = builder.add(item); !added) return fail(std::move(added));
+  const std::span<const DrawItem> items = list.items;
+  for (std::size_t i = 0, end; i < items.size(); i = end) {
+    end = i + 1;
+    const std::uint32_t layer = items[i].layer;
+    while (layer != 0 && end < items.size() && items[end].layer == layer) ++end;
+    if (layer == 0)
+      builder.add(items[i]);
+    else
+      builder.add_layer(items.subspan(i, end - i));
+  }
   return std::move(builder).finish();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "base/result.h"
 #include "render/coverage.h"
 #include "render/gl/module.h"
 
@@ -11,6 +10,8 @@ namespace flatray::gl {
 struct Batches {
   std::vector<FlatrayGlVertex> vertices;
   std::vector<FlatrayGlBatch> batches;
+  std::vector<FlatrayGlGradient> gradients;
+  std::vector<FlatrayGlStop> stops;
 };
 
 /// Triangles for the items of `list` in `tile`, corners on the grid (grid.h).
@@ -19,9 +20,7 @@ struct Batches {
 /// Gives   items in an order that shows the same: convex regions in one batch, as far as nothing
 ///         between them lies in the same place; of other regions first their marks, then their
 ///         light. Curves as chords within 1/256 of a pixel.
-/// Error   Trouble::unavailable for what no batch can draw: regions that may wind more than 255
-///         times round a point.
 /// Cost    O(edges), O(edges log edges) for those not in the order of their rings.
-Result<Batches> batches(const DrawList& list, const PixelBox& tile);
+Batches batches(const DrawList& list, const PixelBox& tile);
 
 }  // namespace flatray::gl

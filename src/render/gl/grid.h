@@ -22,6 +22,13 @@ GridPoint on_grid(const Vec2& point);
 /// Twice the signed area of the triangle a, b, c. Exact for coordinates below 2^30.
 std::int64_t area(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 
+/// As often as closed figures can wind round any point, or more.
+///
+/// Gives   half the most sides that any horizontal line meets, or any vertical one where these are
+///         fewer: going out of the figures on either side, a winding changes at each side by one.
+/// Cost    O(n log n) for n sides; O(1) where n/2 is at most `enough`, which is then the answer.
+std::size_t most_windings(std::span<const std::vector<GridPoint>> figures, std::size_t enough);
+
 /// Corners of the convex hull in order, none on a line with its neighbours; fewer than three where
 /// it has no area. What was convex before it was rounded moves by no more than the rounding.
 std::vector<GridPoint> hull(std::vector<GridPoint> points);

@@ -4,51 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "base/portable_math.h"
 #include "render/gl/grid.h"
 
 namespace flatray::gl {
 namespace {
-
-bool before(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
-// Finds an edge not yet used that starts at a point.
-class Starts {
- public:
-  explicit Starts(std::span<const Segment> edges)
-      : edges_(edges), order_(edges.size()), used_(edges.size()) {}
-
-  std::size_t next(std::size_t edge) {
-    const Vec2& end = edges_[edge].b;
-    if (edge + 1 < edges_.size() && !used_[edge + 1] && edges_[edge + 1].a == end) return edge + 1;
-    sort();
-    const auto starts_before = [&](std::size_t i, const Vec2& p) { return before(edges_[i].a, p); };
-    auto found = std::lower_bound(order_.begin(), order_.end(), end, starts_before);
-    while (found != order_.end() && used_[*found] && edges_[*found].a == end) ++found;
-    return found != order_.end() && edges_[*found].a == end ? *found : edges_.size();
-  }
-  bool used(std::size_t edge) const { return used_[edge]; }
-  void use(std::size_t edge) { used_[edge] = true; }
-
- private:
-  void sort() {
-    if (sorted_) return;
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t k) {
-      return before(edges_[i].a, edges_[k].a) || (edges_[i].a == edges_[k].a && i < k);
-    });
-    sorted_ = true;
-  }
-
-  std::span<const Segment> edges_;
-  std::vector<std::size_t> order_;
-  std::vector<bool> used_;
-  bool sorted_ = false;
-};
 
 Vec2 on_circle(const Vec2& centre, double radius, double angle) {
   return centre + radius * Vec2(portable::cos(angle), portable::sin(angle));
@@ -89,22 +50,6 @@ Ring kept_side(const Ring& ring, int axis, double sign, double limit) {
 }
 
 }  // namespace
-
-std::vector<Ring> rings_of(std::span<const Segment> edges) {
-  std::vector<Ring> rings;
-  Starts starts(edges);
-  for (std::size_t first = 0; first < edges.size(); ++first) {
-    if (starts.used(first)) continue;
-    Ring& ring = rings.emplace_back();
-    for (std::size_t edge = first; edge < edges.size();) {
-      starts.use(edge);
-      ring.push_back(edges[edge].a);
-      if (edges[edge].b == edges[first].a) break;
-      edge = starts.next(edge);
-    }
-  }
-  return rings;
-}
 
 Ring circle_ring(const Vec2& centre, double radius, const Bounds& box) {
   constexpr int kArcs = 8;

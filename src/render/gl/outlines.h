@@ -10,10 +10,6 @@ namespace flatray::gl {
 /// A closed line through corners, the last joined to the first. Coordinates are pixels.
 using Ring = std::vector<Vec2>;
 
-/// The rings that balanced edges make up, in any order: each edge once, none where an edge leads
-/// nowhere. Edges in the order of their rings cost nothing; others are sorted.
-std::vector<Ring> rings_of(std::span<const Segment> edges);
-
 /// A circle as a ring: chords within 1/256 of a pixel of it, longer ones where they lie outside
 /// `box`.
 Ring circle_ring(const Vec2& centre, double radius, const Bounds& box);

@@ -12,7 +12,8 @@
 namespace flatray::gl {
 namespace {
 
-// Pixels drawn at a time: their samples, 20 bytes each, stay under 100 MB.
+// Pixels drawn at a time: their samples, 20 bytes each, stay under 100 MB; 36 where something is
+// faded as one.
 constexpr int kTilePixels = 1 << 20;
 
 // Samples of a pixel come from drawing it several times, each time moved a little. Both
@@ -82,8 +83,7 @@ class GlRenderer final : public Renderer {
   }
 
   Result<void> draw_tile(const DrawList& list, const PixelBox& box, Tile& tile) const {
-    const Result<Batches> made = batches(list, box);
-    if (!made) return tl::unexpected(made.error());
+    const Batches made = batches(list, box);
     tile.rgba.resize(4 * static_cast<std::size_t>(box.width) *
                      static_cast<std::size_t>(box.height));
     const LinearColour& under = list.background;
@@ -93,16 +93,22 @@ class GlRenderer final : public Renderer {
     if (!centre) moved = shifts(samples_ / 4);
     if (!centre && info.most_samples < 4) moved = one_by_one(moved);
     return module_->draw(
-        {.width = box.width,
+        {.x = box.x,
+         .y = box.y,
+         .width = box.width,
          .height = box.height,
          .samples = centre ? 1 : info.most_samples,
          .shifts = reinterpret_cast<const float(*)[2]>(moved.data()),
          .shift_count = moved.size(),
          .background = {under.r * under.a, under.g * under.a, under.b * under.a, under.a},
-         .vertices = made->vertices.data(),
-         .vertex_count = made->vertices.size(),
-         .batches = made->batches.data(),
-         .batch_count = made->batches.size(),
+         .vertices = made.vertices.data(),
+         .vertex_count = made.vertices.size(),
+         .batches = made.batches.data(),
+         .batch_count = made.batches.size(),
+         .gradients = made.gradients.data(),
+         .gradient_count = made.gradients.size(),
+         .stops = made.stops.data(),
+         .stop_count = made.stops.size(),
          .rgba = tile.rgba.data()});
   }
 

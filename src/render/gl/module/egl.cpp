@@ -44,8 +44,6 @@ class EglContext final : public Maker::Context {
  public:
   EglContext(const Functions& functions, EGLDisplay display, EGLContext context)
       : functions_(functions), display_(display), context_(context) {}
-  EglContext(const EglContext&) = delete;
-  EglContext& operator=(const EglContext&) = delete;
   ~EglContext() override { functions_.destroy(display_, context_); }
 
   bool enter() override {

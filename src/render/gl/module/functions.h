@@ -21,12 +21,10 @@ struct Functions {
   X(blend, decltype(&::glBlendFunc), "glBlendFunc")                                       \
   X(viewport, decltype(&::glViewport), "glViewport")                                      \
   X(stencil_func, decltype(&::glStencilFunc), "glStencilFunc")                            \
-  X(stencil_op, decltype(&::glStencilOp), "glStencilOp")                                  \
   X(draw_arrays, decltype(&::glDrawArrays), "glDrawArrays")                               \
   X(read_pixels, decltype(&::glReadPixels), "glReadPixels")                               \
   X(clamp_colour, PFNGLCLAMPCOLORPROC, "glClampColor")                                    \
   X(stencil_op_of, PFNGLSTENCILOPSEPARATEPROC, "glStencilOpSeparate")                     \
-  X(sample_position, PFNGLGETMULTISAMPLEFVPROC, "glGetMultisamplefv")                     \
   X(gen_framebuffers, PFNGLGENFRAMEBUFFERSPROC, "glGenFramebuffers")                      \
   X(bind_framebuffer, PFNGLBINDFRAMEBUFFERPROC, "glBindFramebuffer")                      \
   X(delete_framebuffers, PFNGLDELETEFRAMEBUFFERSPROC, "glDeleteFramebuffers")             \
@@ -57,7 +55,19 @@ struct Functions {
   X(use_program, PFNGLUSEPROGRAMPROC, "glUseProgram")                                     \
   X(delete_program, PFNGLDELETEPROGRAMPROC, "glDeleteProgram")                            \
   X(uniform_place, PFNGLGETUNIFORMLOCATIONPROC, "glGetUniformLocation")                   \
-  X(set_uniform, PFNGLUNIFORM2FPROC, "glUniform2f")
+  X(set_floats, PFNGLUNIFORM2FPROC, "glUniform2f")                                        \
+  X(set_integers, PFNGLUNIFORM2IPROC, "glUniform2i")                                      \
+  X(set_integer, PFNGLUNIFORM1IPROC, "glUniform1i")                                       \
+  X(active_texture, PFNGLACTIVETEXTUREPROC, "glActiveTexture")                            \
+  X(gen_textures, decltype(&::glGenTextures), "glGenTextures")                            \
+  X(bind_texture, decltype(&::glBindTexture), "glBindTexture")                            \
+  X(delete_textures, decltype(&::glDeleteTextures), "glDeleteTextures")                   \
+  X(texture_buffer, PFNGLTEXBUFFERPROC, "glTexBuffer")                                    \
+  X(image, decltype(&::glTexImage2D), "glTexImage2D")                                     \
+  X(parameter, decltype(&::glTexParameteri), "glTexParameteri")                           \
+  X(image_of_samples, PFNGLTEXIMAGE2DMULTISAMPLEPROC, "glTexImage2DMultisample")          \
+  X(attach_texture, PFNGLFRAMEBUFFERTEXTURE2DPROC, "glFramebufferTexture2D")              \
+  X(sample_mask, PFNGLSAMPLEMASKIPROC, "glSampleMaski")
 #define FLATRAY_GL_MEMBER(member, type, name) type member = nullptr;
   FLATRAY_GL_FUNCTIONS(FLATRAY_GL_MEMBER)
 #undef FLATRAY_GL_MEMBER

@@ -10,6 +10,9 @@ class Maker {
   /// A GL context; belongs to no thread until it is made current.
   class Context {
    public:
+    Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
     virtual ~Context() = default;
     virtual bool enter() = 0;  ///< makes it current for this thread
     virtual void leave() = 0;

@@ -27,8 +27,6 @@ class OsmesaContext final : public Maker::Context {
  public:
   OsmesaContext(const Functions& functions, OSMesaContext context)
       : functions_(functions), context_(context) {}
-  OsmesaContext(const OsmesaContext&) = delete;
-  OsmesaContext& operator=(const OsmesaContext&) = delete;
   ~OsmesaContext() override { functions_.destroy(context_); }
 
   bool enter() override {

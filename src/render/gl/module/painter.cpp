@@ -7,24 +7,48 @@
 namespace flatray::gl {
 namespace {
 
-// Powers of two, so that nothing is rounded on the way from the grid to the rasterizer's own.
-constexpr GLsizei kViewport = FLATRAY_GL_TILE;
-constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 place;
-layout(location = 1) in vec4 colour;
-uniform vec2 shift;
-flat out vec4 light;
-void main() {
-  light = colour;
-  gl_Position = vec4((place + shift) / 1024.0 - 1.0, 0.0, 1.0);
+constexpr GLsizei kViewport = FLATRAY_GL_TILE;  // as the vertex shader has it
+constexpr std::size_t kTexel = 16;              // bytes of what a table is read in
+static_assert(sizeof(FlatrayGlGradient) == 3 * kTexel && sizeof(FlatrayGlStop) == 2 * kTexel);
+
+enum class Ink { none, over, add, replace };
+
+// How the batches of a kind are drawn: what becomes of the light, and of the marks.
+struct Manner {
+  Task task;
+  Ink ink;
+  GLenum test = GL_ALWAYS;  // of `reference` against the marks
+  GLint reference = 0;
+  GLenum front = GL_KEEP, back = GL_KEEP;
+};
+constexpr Manner kManners[] = {
+    {Task::paint, Ink::over},                                            // paint
+    {Task::paint, Ink::none, GL_ALWAYS, 1, GL_REPLACE, GL_REPLACE},      // mark
+    {Task::paint, Ink::none, GL_ALWAYS, 0, GL_INCR_WRAP, GL_DECR_WRAP},  // count
+    {Task::paint, Ink::none, GL_ALWAYS, 0, GL_INVERT, GL_INVERT},        // flip
+    {Task::sum, Ink::add},                                               // sum
+    {Task::find, Ink::none, GL_ALWAYS, 1, GL_REPLACE, GL_REPLACE},       // find
+    {Task::paint, Ink::over, GL_NOTEQUAL, 0, GL_ZERO, GL_ZERO},          // cover
+    {Task::paint, Ink::replace},                                         // layer
+    {Task::lay, Ink::over}                                               // lay
+};
+static_assert(FLATRAY_GL_COVER == 6 && FLATRAY_GL_LAY + 1 == std::size(kManners));
+
+void set_ink(const Functions& gl, Ink ink) {
+  const GLboolean mask = ink == Ink::none ? GL_FALSE : GL_TRUE;
+  gl.colour_mask(mask, mask, mask, mask);
+  if (ink == Ink::replace) return gl.disable(GL_BLEND);
+  gl.enable(GL_BLEND);
+  gl.blend(GL_ONE, ink == Ink::add ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
 }
-)";
-constexpr const char* kFragmentShader = R"(#version 330 core
-flat in vec4 light;
-out vec4 shown;
-void main() { shown = light; }
-)";
-static_assert(FLATRAY_GL_TILE == 2 * 1024);
+
+void set_marks(const Functions& gl, const Manner& manner) {
+  if (manner.front == GL_KEEP) return gl.disable(GL_STENCIL_TEST);
+  gl.enable(GL_STENCIL_TEST);
+  gl.stencil_func(manner.test, manner.reference, 0xff);
+  gl.stencil_op_of(GL_FRONT, GL_KEEP, GL_KEEP, manner.front);
+  gl.stencil_op_of(GL_BACK, GL_KEEP, GL_KEEP, manner.back);
+}
 
 // "4.5 (Core Profile) Mesa 22.3.6" has what counts at its end.
 std::string mesa_of(const char* version) {
@@ -43,87 +67,48 @@ bool Painter::start(FlatrayGlInfo& info, const char* maker, std::string& error) 
                 mesa_of(text(GL_VERSION)).c_str(), text(GL_RENDERER));
   GLint samples = 1;
   gl_.get_integers(GL_MAX_SAMPLES, &samples);
-  most_samples_ = samples >= 4 ? 4 : 1;
-  info.most_samples = most_samples_;
-  if (!make_program(error)) return false;
+  info.most_samples = samples >= 4 ? 4 : 1;
   gl_.gen_vertex_arrays(1, &vertex_array_);
   gl_.bind_vertex_array(vertex_array_);
   gl_.gen_buffers(1, &buffer_);
   gl_.bind_buffer(GL_ARRAY_BUFFER, buffer_);
   gl_.attribute(0, 2, GL_FLOAT, GL_FALSE, sizeof(FlatrayGlVertex), nullptr);
   gl_.attribute(1, 4, GL_FLOAT, GL_FALSE, sizeof(FlatrayGlVertex),
-                reinterpret_cast<const void*>(offsetof(FlatrayGlVertex, rgba)));
+                reinterpret_cast<const void*>(offsetof(FlatrayGlVertex, paint)));
   gl_.enable_attribute(0);
   gl_.enable_attribute(1);
   gl_.clamp_colour(GL_CLAMP_READ_COLOR, GL_FALSE);
-  if (most_samples_ == 1) return true;
-  // Positions are asked of a framebuffer that has samples.
-  if (!make_pictures({1, 1, most_samples_}, error)) return false;
-  for (GLuint i = 0; i < 4; ++i) gl_.sample_position(GL_SAMPLE_POSITION, i, info.positions[i]);
-  return true;
+  return sheets_.resize({1, 1, info.most_samples}, error);
 }
 
-bool Painter::make_program(std::string& error) {
-  program_ = gl_.create_program();
-  for (const auto& [kind, source] : {std::pair(GL_VERTEX_SHADER, kVertexShader),
-                                     std::pair(GL_FRAGMENT_SHADER, kFragmentShader)}) {
-    const GLuint shader = gl_.create_shader(static_cast<GLenum>(kind));
-    gl_.shader_source(shader, 1, &source, nullptr);
-    gl_.compile_shader(shader);
-    gl_.attach_shader(program_, shader);
-    gl_.delete_shader(shader);
-  }
-  gl_.link_program(program_);
-  GLint linked = GL_FALSE;
-  gl_.program_value(program_, GL_LINK_STATUS, &linked);
-  if (linked != GL_TRUE) error = "the shaders do not compile";
-  gl_.use_program(program_);
-  shift_ = gl_.uniform_place(program_, "shift");
-  return linked == GL_TRUE;
-}
-
-Painter::Picture Painter::make_picture(const Size& size, bool with_marks) {
-  Picture picture;
-  gl_.gen_framebuffers(1, &picture.framebuffer);
-  gl_.bind_framebuffer(GL_FRAMEBUFFER, picture.framebuffer);
-  const auto add = [&](GLuint& part, GLenum format, GLenum place) {
-    gl_.gen_renderbuffers(1, &part);
-    gl_.bind_renderbuffer(GL_RENDERBUFFER, part);
-    gl_.storage(GL_RENDERBUFFER, size.samples == 1 ? 0 : size.samples, format, size.width,
-                size.height);
-    gl_.attach(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, part);
-  };
-  add(picture.light, GL_RGBA32F, GL_COLOR_ATTACHMENT0);
-  if (with_marks) add(picture.marks, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT);
-  return picture;
-}
-
-void Painter::drop(Picture& picture) {
-  gl_.delete_framebuffers(1, &picture.framebuffer);
-  gl_.delete_renderbuffers(1, &picture.light);
-  gl_.delete_renderbuffers(1, &picture.marks);  // of name 0: passed over
-  picture = {};
-}
-
-bool Painter::make_pictures(const Size& size, std::string& error) {
-  if (size == size_) return true;
-  drop(drawn_);
-  drop(resolved_);
-  size_ = {};
-  if (size.samples > 1) resolved_ = make_picture({size.width, size.height, 1}, false);
-  drawn_ = make_picture(size, true);
-  if (gl_.framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
-      gl_.get_error() != GL_NO_ERROR) {
-    error = "this GL has no framebuffer of floats with " + std::to_string(size.samples) +
-            " samples and a stencil";
+// What a shader reads by number.
+bool Painter::fill_table(Unit unit, const void* data, std::size_t bytes, std::string& error) {
+  if (bytes == 0) return true;
+  GLint most = 0;
+  gl_.get_integers(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (bytes / kTexel > static_cast<std::size_t>(most)) {
+    error = "this GL has no room for so many gradients";
     return false;
   }
-  size_ = size;
+  Table& table = tables_[static_cast<std::size_t>(unit)];
+  if (table.buffer == 0) {
+    gl_.gen_buffers(1, &table.buffer);
+    gl_.gen_textures(1, &table.texture);
+  }
+  gl_.bind_buffer(GL_TEXTURE_BUFFER, table.buffer);
+  gl_.buffer_data(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+  gl_.active_texture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  gl_.bind_texture(GL_TEXTURE_BUFFER, table.texture);
+  gl_.texture_buffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, table.buffer);
   return true;
 }
 
 bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
-  if (!make_pictures({tile.width, tile.height, tile.samples}, error)) return false;
+  if (!sheets_.resize({tile.width, tile.height, tile.samples}, error) ||
+      !fill_table(Unit::gradients, tile.gradients, tile.gradient_count * sizeof *tile.gradients,
+                  error) ||
+      !fill_table(Unit::stops, tile.stops, tile.stop_count * sizeof *tile.stops, error))
+    return false;
   gl_.buffer_data(GL_ARRAY_BUFFER,
                   static_cast<GLsizeiptr>(tile.vertex_count * sizeof(FlatrayGlVertex)),
                   tile.vertices, GL_STREAM_DRAW);
@@ -132,9 +117,9 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
       4 * static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
   if (tile.shift_count > 1) again_.resize(floats);
   for (std::size_t i = 0; i < tile.shift_count; ++i) {
-    gl_.set_uniform(shift_, tile.shifts[i][0], tile.shifts[i][1]);
-    draw_batches(tile);
-    read(tile, i == 0 ? tile.rgba : again_.data());
+    programs_.set({{tile.shifts[i][0], tile.shifts[i][1]}, {tile.x, tile.y}});
+    if (!draw_batches(tile, error)) return false;
+    sheets_.read(i == 0 ? tile.rgba : again_.data());
     if (i > 0) std::transform(again_.begin(), again_.end(), tile.rgba, tile.rgba, std::plus<>());
   }
   if (tile.shift_count > 1) {
@@ -149,60 +134,69 @@ bool Painter::draw(const FlatrayGlTile& tile, std::string& error) {
   return true;
 }
 
-void Painter::draw_batches(const FlatrayGlTile& tile) {
-  gl_.bind_framebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
-  gl_.colour_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+bool Painter::draw_batches(const FlatrayGlTile& tile, std::string& error) {
+  target_ = Sheets::picture;
+  if (!sheets_.draw_on(target_, error)) return false;
+  set_ink(gl_, Ink::over);
   gl_.clear_colour(tile.background[0], tile.background[1], tile.background[2], tile.background[3]);
   gl_.clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  gl_.enable(GL_BLEND);
-  gl_.blend(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  for (std::size_t i = 0; i < tile.batch_count; ++i) {
-    const FlatrayGlBatch& batch = tile.batches[i];
-    set_up(batch.kind);
-    gl_.draw_arrays(GL_TRIANGLES, static_cast<GLint>(batch.first),
-                    static_cast<GLsizei>(batch.count));
-  }
+  for (std::size_t i = 0; i < tile.batch_count; ++i)
+    if (!draw_batch(tile.batches[i], error)) return false;
+  return true;
 }
 
-void Painter::set_up(int32_t kind) {
-  const bool shows = kind == FLATRAY_GL_PAINT || kind == FLATRAY_GL_COVER;
-  const GLboolean mask = shows ? GL_TRUE : GL_FALSE;
-  gl_.colour_mask(mask, mask, mask, mask);
-  if (kind == FLATRAY_GL_PAINT) return gl_.disable(GL_STENCIL_TEST);
-  gl_.enable(GL_STENCIL_TEST);
-  gl_.stencil_func(kind == FLATRAY_GL_COVER ? GL_NOTEQUAL : GL_ALWAYS,
-                   kind == FLATRAY_GL_MARK ? 1 : 0, 0xff);
-  switch (kind) {
-    case FLATRAY_GL_MARK:
-      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
-    case FLATRAY_GL_FLIP:
-      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_INVERT);
-    case FLATRAY_GL_COVER:
-      return gl_.stencil_op(GL_KEEP, GL_KEEP, GL_ZERO);
-    default:
-      gl_.stencil_op_of(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-      return gl_.stencil_op_of(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-  }
+bool Painter::draw_batch(const FlatrayGlBatch& batch, std::string& error) {
+  const Manner& manner = kManners[batch.kind];
+  if (!choose_sheet(batch.kind, error)) return false;
+  const bool gradients =
+      batch.gradients != 0 && manner.task == Task::paint && manner.ink == Ink::over;
+  if (!programs_.use(gradients ? Task::gradient : manner.task, sheets_.multisampled(), error))
+    return false;
+  set_ink(gl_, manner.ink);
+  set_marks(gl_, manner);
+  if (manner.task != Task::find && manner.task != Task::lay) return draw_triangles(batch), true;
+  sheets_.show(manner.task == Task::find ? Sheets::sums : Sheets::layer);
+  draw_samples(batch);
+  return true;
 }
 
-void Painter::read(const FlatrayGlTile& tile, float* rgba) {
-  if (tile.samples > 1) {
-    gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
-    gl_.bind_framebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
-    gl_.blit(0, 0, tile.width, tile.height, 0, 0, tile.width, tile.height, GL_COLOR_BUFFER_BIT,
-             GL_NEAREST);
-    gl_.bind_framebuffer(GL_READ_FRAMEBUFFER, resolved_.framebuffer);
+bool Painter::choose_sheet(int32_t kind, std::string& error) {
+  if (kind == FLATRAY_GL_LAYER) target_ = Sheets::layer;
+  if (kind == FLATRAY_GL_LAY) target_ = Sheets::picture;
+  if (kind == FLATRAY_GL_LAYER || kind == FLATRAY_GL_LAY || kind == FLATRAY_GL_FIND)
+    return sheets_.draw_on(target_, error);
+  if (kind != FLATRAY_GL_SUM) return true;
+  if (!sheets_.draw_on(Sheets::sums, error)) return false;
+  set_ink(gl_, Ink::add);
+  gl_.clear_colour(0, 0, 0, 0);
+  gl_.clear(GL_COLOR_BUFFER_BIT);
+  return true;
+}
+
+void Painter::draw_triangles(const FlatrayGlBatch& batch) {
+  gl_.draw_arrays(GL_TRIANGLES, static_cast<GLint>(batch.first), static_cast<GLsizei>(batch.count));
+}
+
+// Each sample shows the sample of the sheet that it lies on.
+void Painter::draw_samples(const FlatrayGlBatch& batch) {
+  gl_.enable(GL_SAMPLE_MASK);
+  for (int sample = 0; sample < sheets_.samples(); ++sample) {
+    programs_.read_sample(sample);
+    gl_.sample_mask(0, GLbitfield{1} << sample);
+    draw_triangles(batch);
   }
-  // Row 0 of the framebuffer is the film's top row: y was never turned over.
-  gl_.read_pixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, rgba);
+  gl_.disable(GL_SAMPLE_MASK);
 }
 
 void Painter::stop() {
-  drop(drawn_);
-  drop(resolved_);
+  sheets_.stop();
   gl_.delete_buffers(1, &buffer_);
   gl_.delete_vertex_arrays(1, &vertex_array_);
-  gl_.delete_program(program_);
+  for (const Table& table : tables_) {
+    gl_.delete_textures(1, &table.texture);
+    gl_.delete_buffers(1, &table.buffer);
+  }
+  programs_.stop();
 }
 
 }  // namespace flatray::gl

@@ -1,0 +1,40 @@
+#include "app/query/query.h"
+#include "geom/cyrus_beck.h"
+
+namespace flatray::queries {
+namespace {
+
+// null where there is no end.
+JsonValue time(const HitInterval& hit, double t) {
+  return hit && std::isfinite(t) ? JsonValue(t) : JsonValue();
+}
+
+JsonValue edge(int number) { return number == kNoEdge ? JsonValue() : JsonValue(number); }
+
+Fields answer(Question& question) {
+  const Ray ray = question.ray();
+  const Range within = question.domain();
+  HitInterval hit;
+  if (question.has("disc")) {
+    const Circle disc = question.disc("disc");
+    if (question.has("polygon")) question.mistake("polygon", "does not go with a disc");
+    hit = clip_circle(ray, disc, within);
+  } else {
+    const std::vector<Vec2> corners = question.polygon("polygon");
+    // Only a convex polygon may be clipped.
+    if (!question.sound()) return {};
+    hit = clip_convex(ray, corners, within);
+  }
+  Fields fields = {{"class", name(hit.kind)},          {"t_enter", time(hit, hit.t_enter)},
+                   {"t_exit", time(hit, hit.t_exit)},  {"edge_enter", edge(hit.edge_enter)},
+                   {"edge_exit", edge(hit.edge_exit)}, {"start", name(hit.start)}};
+  if (hit.enter_overflows || hit.exit_overflows) fields.emplace_back("overflow", true);
+  return fields;
+}
+
+}  // namespace
+
+extern const Query clip = {
+    "clip", "the part of a ray, line or segment inside a convex polygon or disc", &answer};
+
+}  // namespace flatray::queries

@@ -1,0 +1,67 @@
+#include <fmt/core.h>
+
+#include "app/option_values.h"
+#include "app/query/query.h"
+#include "base/diagnostic.h"
+
+namespace flatray {
+
+#define FLATRAY_ENTRY(name) \
+  namespace queries {       \
+  extern const Query name;  \
+  }
+#include "queries.inc"
+#undef FLATRAY_ENTRY
+
+std::vector<const Query*> all_queries() {
+#define FLATRAY_ENTRY(name) &queries::name,
+  return {
+#include "queries.inc"
+  };
+#undef FLATRAY_ENTRY
+}
+
+namespace {
+
+Answer as_line(const JsonValue* id, Fields fields, bool ok) {
+  if (id != nullptr) fields.insert(fields.begin(), {"id", *id});
+  return {json_text(fields), ok};
+}
+
+Answer mistake(const JsonValue* id, std::string what) {
+  return as_line(id, {{"error", std::move(what)}}, false);
+}
+
+std::string unknown_op(const std::string& op) {
+  std::vector<std::string> known;
+  for (const Query* query : all_queries()) known.emplace_back(query->name);
+  const std::string near = nearest_word(op, known);
+  return fmt::format("op: there is no '{}'{}; there are {}", op,
+                     near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near),
+                     comma_list(known));
+}
+
+}  // namespace
+
+Answer answer_line(std::string_view line) {
+  const auto json = read_json(line);
+  if (!json)
+    return mistake(nullptr, fmt::format("column {}: {}", json.error().byte, json.error().what));
+  const auto* fields = std::get_if<Fields>(&json->data);
+  if (fields == nullptr) return mistake(nullptr, "column 1: a question is an object: {\"op\": ..}");
+  const JsonValue* id = json->find("id");
+  const JsonValue* op = json->find("op");
+  if (op == nullptr) return mistake(id, "op: is missing");
+  const auto name = op->as_text();
+  if (!name) return mistake(id, "op: is no text");
+  for (const Query* query : all_queries()) {
+    if (*name != query->name) continue;
+    Question question(*fields);
+    Fields answer = query->answer(question);
+    if (std::string what = question.mistakes(); !what.empty()) return mistake(id, std::move(what));
+    return as_line(id, std::move(answer), true);
+  }
+  return mistake(id, unknown_op(*name));
+}
+
+}  // namespace flatray

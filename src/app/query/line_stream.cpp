@@ -1,0 +1,76 @@
+#include "app/query/line_stream.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 18;
+
+tl::unexpected<Diagnostics> unreadable(const std::string& name) {
+  return fail(named_place(name), fmt::format("cannot read: {}", std::strerror(errno)), "",
+              Trouble::missing);
+}
+
+}  // namespace
+
+Result<LineStream> LineStream::open(const std::string& path) {
+  if (path == "-") return LineStream(STDIN_FILENO, "standard input");
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return unreadable(path);
+  return LineStream(file, path);
+}
+
+LineStream::LineStream(LineStream&& other) noexcept
+    : file_(std::exchange(other.file_, -1)),
+      name_(std::move(other.name_)),
+      room_(std::move(other.room_)),
+      used_(other.used_),
+      ended_(other.ended_) {}
+
+LineStream::~LineStream() {
+  if (file_ > STDIN_FILENO) ::close(file_);
+}
+
+// Reads once; false at the end.
+Result<bool> LineStream::fill() {
+  const std::size_t before = room_.size();
+  room_.resize(before + kBlock);
+  ssize_t count = -1;
+  do count = ::read(file_, room_.data() + before, kBlock);
+  while (count < 0 && errno == EINTR);
+  room_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  if (count < 0) return unreadable(name_);
+  return count > 0;
+}
+
+Result<std::vector<std::string_view>> LineStream::next() {
+  room_.erase(0, used_);
+  std::size_t end = std::string::npos;
+  while (!ended_ && end == std::string::npos) {
+    const std::size_t before = room_.size();
+    const auto more = fill();
+    if (!more) return tl::unexpected(more.error());
+    ended_ = !*more;
+    end = room_.rfind('\n');
+    if (end != std::string::npos && end < before) end = std::string::npos;
+    if (end == std::string::npos && room_.size() > kLongest)
+      return fail(named_place(name_), fmt::format("a line is longer than {} bytes", kLongest),
+                  "one question a line");
+  }
+  used_ = end == std::string::npos ? room_.size() : end + 1;
+  std::vector<std::string_view> lines;
+  for (std::string_view rest(room_.data(), used_); !rest.empty();) {
+    const std::size_t length = std::min(rest.find('\n'), rest.size());
+    lines.push_back(rest.substr(0, length));
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+  }
+  return lines;
+}
+
+}  // namespace flatray

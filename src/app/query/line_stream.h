@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace flatray {
+
+/// Lines of a file or of standard input, block after block, in memory that does not grow with
+/// their number. A block is what has arrived: a program that asks one question and waits gets its
+/// answer.
+class LineStream {
+ public:
+  /// "-" is standard input.
+  /// Error   Trouble::missing, naming the path and the system's reason.
+  static Result<LineStream> open(const std::string& path);
+  LineStream(LineStream&& other) noexcept;
+  LineStream& operator=(LineStream&&) = delete;
+  ~LineStream();
+
+  /// The next whole lines, without their ends, at most some hundred kilobytes unless one line is
+  /// longer; empty at the end. They last until the next call.
+  /// Error   Trouble::missing where it cannot be read; Trouble::invalid for a line above kLongest.
+  Result<std::vector<std::string_view>> next();
+
+  static constexpr std::size_t kLongest = std::size_t{1} << 26;
+
+ private:
+  LineStream(int file, std::string name) : file_(file), name_(std::move(name)) {}
+  Result<bool> fill();
+
+  int file_;
+  std::string name_;
+  std::string room_;
+  std::size_t used_ = 0;  ///< bytes of room_ handed out by the last call
+  bool ended_ = false;
+};
+
+}  // namespace flatray

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/query/question.h"
+
+namespace flatray {
+
+/// One kind of question. Registered by one file each in app/queries, defining `const Query <name>`
+/// in namespace flatray::queries.
+struct Query {
+  const char* name;     ///< as "op" says it
+  const char* summary;  ///< one line, no full stop
+  /// Reads all its fields, then answers. What it gives where the question has mistakes is not used.
+  Fields (*answer)(Question& question);
+};
+
+/// Registered queries by name.
+std::vector<const Query*> all_queries();
+
+/// A line of answer, without its end.
+struct Answer {
+  std::string line;
+  bool ok;  ///< false: the line says what was wrong with the question
+};
+
+/// Answers one line of JSON: {"id":.., "op":"clip", ..}.
+///
+/// Gives   the answer's fields after the question's own id, where it has one; {"id":..,"error":..}
+///         for what is no question. Never fails otherwise, whatever the line holds.
+Answer answer_line(std::string_view line);
+
+}  // namespace flatray

@@ -1,0 +1,53 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/value.h"
+#include "geom/ray.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// The fields of one question, read by name. A field that is absent or wrong gives a value of no
+/// meaning and a mistake that names it; answers are not to be used where there are mistakes.
+class Question {
+ public:
+  explicit Question(const Fields& fields) : fields_(fields) {}
+
+  bool has(std::string_view name) const;
+  Vec2 point(std::string_view name);
+  std::string word(std::string_view name);
+  /// A whole number that is not negative.
+  std::uint64_t whole(std::string_view name);
+  /// origin, direction.
+  Ray ray();
+  /// "line", "ray" or "segment" of `domain`; a ray where it is absent.
+  Range domain();
+  /// Corners of a convex polygon, at least one.
+  std::vector<Vec2> polygon(std::string_view name);
+  /// {"center":[x,y],"radius":r}
+  Circle disc(std::string_view name);
+  /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}}, ...], numbered in
+  /// this order.
+  Surfaces walls(std::string_view name);
+
+  /// Says what is wrong, and where: "direction: is missing".
+  void mistake(std::string_view where, std::string_view what);
+  /// Whether nothing was wrong with the fields read so far.
+  bool sound() const { return mistakes_.empty(); }
+  /// All mistakes, those of fields that nobody asked for among them; "" for none.
+  std::string mistakes();
+
+ private:
+  const JsonValue* find(std::string_view name);
+  Vec2 read_point(const JsonValue& value, const std::string& where);
+  Circle read_circle(const JsonValue& value, const std::string& where);
+  void read_wall(const JsonValue& value, const std::string& where, Surfaces& walls);
+
+  const Fields& fields_;
+  std::vector<std::string> asked_;
+  std::string mistakes_;
+};
+
+}  // namespace flatray

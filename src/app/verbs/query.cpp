@@ -1,0 +1,76 @@
+#include "app/query/query.h"
+
+#include <cstdio>
+
+#include "app/query/line_stream.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/parallel.h"
+
+namespace flatray::verbs {
+namespace {
+
+constexpr std::array kOptions = {kThreadsOption};
+constexpr std::size_t kLinesATask = 64;
+
+// Answers to `lines`, in their order; whether all were questions.
+struct Answers {
+  std::vector<std::string> texts;
+  std::vector<char> sound;
+};
+
+Answers answer(const std::vector<std::string_view>& lines, unsigned threads) {
+  const std::size_t tasks = (lines.size() + kLinesATask - 1) / kLinesATask;
+  Answers answers{std::vector<std::string>(tasks), std::vector<char>(tasks, 1)};
+  parallel_for(tasks, std::min<unsigned>(threads, static_cast<unsigned>(tasks)),
+               [&](std::size_t task) {
+                 const std::size_t last = std::min(lines.size(), (task + 1) * kLinesATask);
+                 for (std::size_t i = task * kLinesATask; i < last; ++i) {
+                   const Answer one = answer_line(lines[i]);
+                   answers.texts[task] += one.line + "\n";
+                   if (!one.ok) answers.sound[task] = 0;
+                 }
+               });
+  return answers;
+}
+
+Result<void> write(const Answers& answers) {
+  bool written = true;
+  for (const std::string& text : answers.texts)
+    written = written && std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return {};
+  return fail(named_place("standard output"), "cannot write", "", Trouble::output);
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto count = threads(arguments);
+  if (!count) return tl::unexpected(count.error());
+  auto stream = LineStream::open(arguments.operands().empty() ? "-" : arguments.operands().front());
+  if (!stream) return tl::unexpected(stream.error());
+  bool sound = true;
+  while (true) {
+    const auto lines = stream->next();
+    if (!lines) return tl::unexpected(lines.error());
+    if (lines->empty()) return VerbOutput{"", sound ? 0 : 1};
+    const Answers answers = answer(*lines, *count);
+    if (auto written = write(answers); !written) return tl::unexpected(written.error());
+    for (const char one : answers.sound) sound = sound && one != 0;
+  }
+}
+
+}  // namespace
+
+extern const Verb query = {
+    "query",
+    "[FILE|-]",
+    "answer geometry questions, one JSON object a line",
+    0,
+    1,
+    kOptions,
+    "  echo '{\"op\":\"clip\",\"polygon\":[[0,0],[1,0],[1,1]],\"origin\":[-1,0.5],"
+    "\"direction\":[1,0]}' | flatray query\n"
+    "  flatray query questions.jsonl -j 2 > answers.jsonl\n",
+    "",
+    &run};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,151 @@
+#include "study/stability.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+
+#include "app/interrupt.h"
+#include "app/option_values.h"
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/stability_log.h"
+#include "app/verb.h"
+#include "base/parallel.h"
+
+namespace flatray::verbs {
+namespace {
+
+constexpr std::uint64_t kScenesAChunk = 256;
+constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for (const oracle::Family& family : oracle::families()) names.emplace_back(family.name);
+  return names;
+}
+
+std::vector<std::string> exact_tracers() {
+  std::vector<std::string> names;
+  for (const Tracer* tracer : tracers())
+    if (tracer->exact) names.emplace_back(tracer->name);
+  return names;
+}
+
+constexpr std::array kOptions = {
+    Option{"families", '\0', "NAME,NAME", "only these families of inputs", OptionKind::text,
+           &family_names},
+    Option{"tracer", '\0', "NAME,NAME", "only these tracers", OptionKind::text, &exact_tracers},
+    Option{"count", '\0', "N", "rays of each family for each tracer (default 100000)"},
+    Option{"seed", '\0', "N", "seed of all draws (default 1)"},
+    Option{"output", 'o', "FOLDER",
+           "where stability.csv goes, a row a chunk; a run with the same seed goes on from it"},
+    kThreadsOption,
+    kJsonOption};
+
+// What to check; a chunk of a family is named by its number.
+struct Plan {
+  std::vector<const oracle::Family*> families;
+  std::vector<const Tracer*> tracers;
+  std::uint64_t seed = 1, chunks = 1;
+  unsigned threads = 1;
+};
+
+// Names between commas, or all of them.
+Result<std::vector<std::string>> chosen(const Arguments& arguments, const char* option,
+                                        const char* what, const std::vector<std::string>& known) {
+  const auto text = arguments.text(option);
+  if (!text) return known;
+  std::vector<std::string> names;
+  for (const std::string_view word : split_commas(*text)) {
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      return unknown_name(arguments.where(option), what, std::string(word), known);
+    names.emplace_back(word);
+  }
+  return names;
+}
+
+Result<Plan> read_plan(const Arguments& arguments) {
+  Plan plan;
+  const auto families = chosen(arguments, "families", "family", family_names());
+  if (!families) return tl::unexpected(families.error());
+  const auto names = chosen(arguments, "tracer", "exact tracer", exact_tracers());
+  if (!names) return tl::unexpected(names.error());
+  const auto seed = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
+  if (!seed) return tl::unexpected(seed.error());
+  const auto count = arguments.whole("count", 100'000, 1, std::uint64_t{1} << 40);
+  if (!count) return tl::unexpected(count.error());
+  const auto width = threads(arguments);
+  if (!width) return tl::unexpected(width.error());
+  for (const oracle::Family& family : oracle::families())
+    if (std::find(families->begin(), families->end(), family.name) != families->end())
+      plan.families.push_back(&family);
+  for (const std::string& name : *names) plan.tracers.push_back(find_tracer(name));
+  plan.seed = *seed;
+  plan.chunks = (*count + kRaysAChunk - 1) / kRaysAChunk;
+  plan.threads = *width;
+  return plan;
+}
+
+// Chunks not yet in the log, a round of `threads` at a time; each is logged when it is there.
+Result<void> run_chunks(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
+                        StabilityLog& log) {
+  std::vector<std::uint64_t> open;
+  for (std::uint64_t chunk = 0; chunk < plan.chunks; ++chunk)
+    if (!log.has({family.name, tracer.name, plan.seed, chunk})) open.push_back(chunk);
+  for (std::size_t begin = 0; begin < open.size() && !interrupted(); begin += plan.threads) {
+    const std::size_t count = std::min<std::size_t>(plan.threads, open.size() - begin);
+    std::vector<StabilityTally> tallies(count);
+    const auto start = std::chrono::steady_clock::now();
+    parallel_for(count, plan.threads, [&](std::size_t i) {
+      tallies[i] =
+          check_scenes(tracer, family, plan.seed, open[begin + i] * kScenesAChunk, kScenesAChunk);
+    });
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    for (std::size_t i = 0; i < count; ++i) {
+      const StabilityLog::Key key{family.name, tracer.name, plan.seed, open[begin + i]};
+      const double seconds = time.count() / static_cast<double>(count);
+      if (auto logged = log.add(key, tallies[i], seconds); !logged) return logged;
+    }
+  }
+  return {};
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto plan = read_plan(arguments);
+  if (!plan) return tl::unexpected(plan.error());
+  auto log = StabilityLog::open(arguments.text("output"));
+  if (!log) return fail(std::move(log));
+  catch_interrupts();
+  Table table{
+      {"family", "tracer", "rays", "hits", "wrong", "t_not_nearest", "t_off", "first_wrong"}, {}};
+  std::uint64_t wrong = 0;
+  for (const oracle::Family* family : plan->families)
+    for (const Tracer* tracer : plan->tracers) {
+      if (auto done = run_chunks(*plan, *family, *tracer, *log); !done)
+        return fail(std::move(done));
+      const StabilityTally sum = log->sum(family->name, tracer->name, plan->seed, plan->chunks);
+      wrong += sum.wrong + sum.off_by_more;
+      table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong,
+                            sum.not_nearest, sum.off_by_more, sum.first_wrong});
+    }
+  const int code = interrupted() ? 130 : wrong == 0 ? 0 : 1;
+  if (arguments.has("json"))
+    return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
+  return VerbOutput{aligned_text(table), code};
+}
+
+}  // namespace
+
+extern const Verb stability = {
+    "stability",
+    "",
+    "compare the tracers with exact arithmetic on inputs made to be hard",
+    0,
+    0,
+    kOptions,
+    "  flatray stability --count 1000000 -o out/stability\n"
+    "  flatray stability --families vertex,edge --tracer grid\n",
+    "",
+    &run};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,144 @@
+#include "oracle/nearest.h"
+
+#include <cmath>
+#include <limits>
+
+#include "geom/exact.h"
+#include "oracle/whole.h"
+
+namespace flatray::oracle {
+namespace {
+
+int sign_of(const Int128& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+int sign_of(const Rational& x) { return static_cast<int>(x.sign()); }
+
+// The two arithmetics: how a fraction is made, and what it is as a double.
+struct WholeNumbers {
+  using Number = Int128;
+  using Time = Fraction;
+  static Time time(const Number& numerator, const Number& denominator) {
+    return denominator < 0 ? Fraction{-numerator, -denominator} : Fraction{numerator, denominator};
+  }
+};
+struct Rationals {
+  using Number = Rational;
+  using Time = Rational;
+  static Time time(const Number& numerator, const Number& denominator) {
+    return numerator / denominator;
+  }
+};
+
+template <class Number>
+struct Point {
+  Number x, y;
+};
+
+template <class Kind>
+class Search {
+ public:
+  using Number = typename Kind::Number;
+  using Time = typename Kind::Time;
+
+  Search(const Point<Number>& origin, const Point<Number>& direction)
+      : origin_(origin), direction_(direction) {}
+
+  void offer(std::int64_t number, const Point<Number>& a, const Point<Number>& b) {
+    const Number ax = a.x - origin_.x, ay = a.y - origin_.y;
+    const Number ex = b.x - a.x, ey = b.y - a.y;
+    if (sign_of(direction_.x) == 0 && sign_of(direction_.y) == 0) return offer_point(number, a, b);
+    const Number denominator = direction_.x * ey - direction_.y * ex;
+    const Number place = ax * direction_.y - ay * direction_.x;
+    const int turn = sign_of(denominator);
+    if (turn == 0) {
+      if (sign_of(place) == 0) offer_along(number, a, b);
+      return;
+    }
+    const Number time = ax * ey - ay * ex;
+    // t = time / denominator, and place / denominator runs from 0 at a to 1 at b.
+    const int from_a = sign_of(place) * turn;
+    const int from_b = sign_of(Number(place - denominator)) * turn;
+    if (sign_of(time) * turn < 0 || from_a < 0 || from_b > 0) return;
+    offer(number, HitClass::touch, from_a == 0 || from_b == 0, Kind::time(time, denominator));
+  }
+
+  std::int64_t wall = -1;
+  HitClass kind = HitClass::miss;
+  bool at_end = false;
+  std::optional<Time> best;
+
+ private:
+  void offer(std::int64_t number, HitClass met, bool end, Time time) {
+    if (best && !(time < *best)) return;
+    wall = number;
+    kind = met;
+    at_end = end;
+    best = std::move(time);
+  }
+
+  // How far along the ray's line a point on it lies.
+  Time time_of(const Point<Number>& p) const {
+    return sign_of(direction_.x) != 0 ? Kind::time(p.x - origin_.x, direction_.x)
+                                      : Kind::time(p.y - origin_.y, direction_.y);
+  }
+
+  // The wall lies on the ray's line.
+  void offer_along(std::int64_t number, const Point<Number>& a, const Point<Number>& b) {
+    const Time zero{}, ta = time_of(a), tb = time_of(b);
+    const Time& first = tb < ta ? tb : ta;
+    const Time& last = tb < ta ? ta : tb;
+    if (last < zero) return;
+    const bool one_point = first == last;
+    const bool inside = first < zero;
+    const bool leaves_only = !one_point && last == zero;
+    const HitClass met = one_point || leaves_only ? HitClass::touch : HitClass::along;
+    offer(number, met, !inside || last == zero, inside ? zero : first);
+  }
+
+  void offer_point(std::int64_t number, const Point<Number>& a, const Point<Number>& b) {
+    const Number ax = a.x - origin_.x, ay = a.y - origin_.y;
+    const Number bx = b.x - origin_.x, by = b.y - origin_.y;
+    if (sign_of(Number(ax * by - ay * bx)) != 0) return;
+    if (sign_of(Number(ax * bx + ay * by)) > 0) return;
+    const bool end =
+        (sign_of(ax) == 0 && sign_of(ay) == 0) || (sign_of(bx) == 0 && sign_of(by) == 0);
+    offer(number, HitClass::touch, end, Time{});
+  }
+
+  Point<Number> origin_, direction_;
+};
+
+template <class Kind, class Make>
+NearestWall search(const Make& point, std::size_t walls) {
+  Search<Kind> found(point(0), point(1));
+  for (std::size_t i = 0; i < walls; ++i)
+    found.offer(static_cast<std::int64_t>(i), point(2 + 2 * i), point(3 + 2 * i));
+  NearestWall nearest;
+  if (found.wall < 0) return nearest;
+  nearest.wall = found.wall;
+  nearest.kind = found.kind;
+  nearest.at_end = found.at_end;
+  nearest.t = found.best->nearest();
+  return nearest;
+}
+
+}  // namespace
+
+NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
+  std::vector<double> doubles{ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y()};
+  for (const Segment& wall : walls)
+    doubles.insert(doubles.end(), {wall.a.x(), wall.a.y(), wall.b.x(), wall.b.y()});
+  if (const auto whole = whole_numbers(doubles)) {
+    const auto point = [&](std::size_t i) {
+      return Point<Int128>{whole->numbers[2 * i], whole->numbers[2 * i + 1]};
+    };
+    return search<WholeNumbers>(point, walls.size());
+  }
+  const auto point = [&](std::size_t i) {
+    return Point<Rational>{doubles[2 * i], doubles[2 * i + 1]};
+  };
+  NearestWall nearest = search<Rationals>(point, walls.size());
+  nearest.by_whole_numbers = false;
+  return nearest;
+}
+
+}  // namespace flatray::oracle

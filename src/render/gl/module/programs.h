@@ -1,0 +1,51 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "render/gl/module/functions.h"
+
+namespace flatray::gl {
+
+/// What the shaders do, each made when it is first used.
+enum class Task {
+  paint,     ///< shows the light of the vertices
+  gradient,  ///< shows the gradients that the vertices name
+  sum,       ///< 1 where triangles run one way, -1 where they run the other
+  find,      ///< what a sheet has at one sample: nothing where that is 0
+  lay        ///< shows a sheet at one sample, faded by the vertices' first number
+};
+
+/// Texture units.
+enum class Unit { gradients, stops, sheet };
+
+class Programs {
+ public:
+  explicit Programs(const Functions& gl) : gl_(gl) {}
+
+  /// Where the tile lies, for all that follows.
+  struct Place {
+    float shift[2];
+    int corner[2];  ///< of the film
+  };
+  void set(const Place& place) { place_ = place; }
+
+  /// False where this GL does not compile it. `multisampled`: the sheets are.
+  bool use(Task task, bool multisampled, std::string& error);
+  /// Which sample of the sheet the task in use shows.
+  void read_sample(int sample) { gl_.set_integer(used_->sample, sample); }
+  void stop();
+
+ private:
+  struct Program {
+    GLuint name = 0;
+    GLint shift = -1, corner = -1, sample = -1;
+  };
+  bool make(Task task, bool multisampled, Program& program);
+
+  const Functions& gl_;
+  Place place_{};
+  std::array<Program, 10> programs_;  // by task, for sheets of pixels and of samples
+  const Program* used_ = nullptr;
+};
+
+}  // namespace flatray::gl

@@ -1,0 +1,71 @@
+#include "study/stability.h"
+
+#include <fmt/core.h>
+
+#include "oracle/nearest.h"
+
+namespace flatray {
+namespace {
+
+bool agrees(const NearestHit& hit, const oracle::NearestWall& truth) {
+  if (!truth) return !hit;
+  return hit && hit.surface == truth.wall && hit.kind == truth.kind && hit.at_end == truth.at_end;
+}
+
+// The double that stands for a time beyond the doubles.
+double as_double(double t) { return std::min(t, std::numeric_limits<double>::max()); }
+
+void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityTally& tally) {
+  ++tally.rays;
+  if (!truth.by_whole_numbers) ++tally.by_rationals;
+  if (!agrees(hit, truth)) {
+    ++tally.wrong;
+    return;
+  }
+  if (!truth) return;
+  ++tally.hits;
+  const double t = as_double(truth.t);
+  if (hit.t != t) ++tally.not_nearest;
+  if (hit.t < std::nextafter(t, -kInfinity) || hit.t > std::nextafter(t, kInfinity))
+    ++tally.off_by_more;
+}
+
+StabilityTally check_scene(const Tracer& tracer, const oracle::AimedScene& scene,
+                           std::uint64_t item) {
+  Surfaces walls;
+  for (const Segment& wall : scene.walls) walls.add(wall);
+  RayBatch rays;
+  for (const Ray& ray : scene.rays) rays.add(ray);
+  std::vector<NearestHit> hits(rays.size());
+  tracer.build(walls)->nearest(rays, hits);
+  StabilityTally tally;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const std::uint64_t before = tally.wrong;
+    compare(hits[i], oracle::nearest_wall(scene.rays[i], scene.walls), tally);
+    if (tally.wrong > before && tally.first_wrong.empty())
+      tally.first_wrong = fmt::format("item {} ray {}", item, i);
+  }
+  return tally;
+}
+
+}  // namespace
+
+void StabilityTally::add(const StabilityTally& other) {
+  rays += other.rays;
+  hits += other.hits;
+  wrong += other.wrong;
+  not_nearest += other.not_nearest;
+  off_by_more += other.off_by_more;
+  by_rationals += other.by_rationals;
+  if (first_wrong.empty()) first_wrong = other.first_wrong;
+}
+
+StabilityTally check_scenes(const Tracer& tracer, const oracle::Family& family, std::uint64_t seed,
+                            std::uint64_t first, std::uint64_t count) {
+  StabilityTally tally;
+  for (std::uint64_t item = first; item < first + count; ++item)
+    tally.add(check_scene(tracer, make_scene(family, seed, item), item));
+  return tally;
+}
+
+}  // namespace flatray

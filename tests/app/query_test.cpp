@@ -1,0 +1,128 @@
+#include "app/query/query.h"
+
+#include <gtest/gtest.h>
+
+#include "base/philox.h"
+#include "geom/cyrus_beck.h"
+
+namespace flatray {
+namespace {
+
+std::string answer(const std::string& question) { return answer_line(question).line; }
+
+TEST(Query, ThePapersRayMeetsItsQuadrilateralFromNineteenSeventySecondsOn) {
+  EXPECT_EQ(answer(R"({"id":"a","op":"clip","polygon":[[20,2],[16,10],[10,10],[5,5]],)"
+                   R"("origin":[1,2],"direction":[22,10]})"),
+            R"({"id":"a","class":"through","t_enter":0.2638888888888889,)"
+            R"("t_exit":0.7037037037037037,"edge_enter":3,"edge_exit":0,"start":"outside"})");
+}
+
+TEST(Query, AWholeLineThroughADiscEndsNowhereByAnEdge) {
+  EXPECT_EQ(answer(R"({"op":"clip","disc":{"center":[0,0],"radius":1},"origin":[-2,0],)"
+                   R"("direction":[1,0],"domain":"line"})"),
+            R"({"class":"through","t_enter":1,"t_exit":3,"edge_enter":null,"edge_exit":null,)"
+            R"("start":"outside"})");
+}
+
+TEST(Query, APointTestOnTheWholeLineHasNoEnds) {
+  EXPECT_EQ(answer(R"({"op":"clip","polygon":[[0,0],[2,0],[0,2]],"origin":[0,1],)"
+                   R"("direction":[0,0],"domain":"line"})"),
+            R"({"class":"touch","t_enter":null,"t_exit":null,"edge_enter":null,)"
+            R"("edge_exit":null,"start":"boundary"})");
+}
+
+TEST(Query, ATimeBeyondTheDoublesIsTheLargestAndSaysSo) {
+  const std::string line =
+      answer(R"({"op":"clip","polygon":[[0,0],[1,0],[1,1],[0,1]],"origin":[-1e308,0.5],)"
+             R"("direction":[1e-300,0]})");
+  EXPECT_NE(line.find(R"("t_enter":1.7976931348623157e+308,)"), std::string::npos) << line;
+  EXPECT_NE(line.find(R"("overflow":true)"), std::string::npos) << line;
+}
+
+TEST(Query, TheFirstWallIsTheNearestAndTheLowestOfEqualOnes) {
+  const std::string walls =
+      R"("walls":[{"segment":[[0,0],[1,0]]},{"circle":{"center":[0.5,2],"radius":0.5}},)"
+      R"({"segment":[[0,0],[1,0]]}])";
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + walls + R"(,"origin":[0.5,5],"direction":[0,-5]})"),
+            R"({"wall":1,"t":0.5,"point":[0.5,2.5],"class":"through"})");
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + walls + R"(,"origin":[0.25,1],"direction":[0,-2]})"),
+            R"({"wall":0,"t":0.5,"point":[0.25,0],"class":"touch"})");
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + walls + R"(,"origin":[5,5],"direction":[0,-2]})"),
+            R"({"wall":null})");
+}
+
+TEST(Query, ATangentTouchesAtTheFootOfThePerpendicular) {
+  EXPECT_EQ(answer(R"({"op":"nearest","walls":[{"circle":{"center":[0.5,2],"radius":0.5}}],)"
+                   R"("origin":[1,5],"direction":[0,-2]})"),
+            R"({"wall":0,"t":1.5,"point":[1,2],"class":"touch"})");
+}
+
+TEST(Query, ARayAlongAWallMeetsItsFirstEndAhead) {
+  EXPECT_EQ(answer(R"({"op":"nearest","walls":[{"segment":[[4,0],[2,0]]}],)"
+                   R"("origin":[0,0],"direction":[1,0]})"),
+            R"({"wall":0,"t":2,"point":[2,0],"class":"along"})");
+}
+
+TEST(Query, AnOrbitNamesItsWallsItsEndAndHowManyBouncesAreProven) {
+  const std::string room =
+      R"("walls":[{"segment":[[0,0],[2,0]]},{"segment":[[2,0],[2,2]]},{"segment":[[2,2],[0,2]]}])";
+  EXPECT_EQ(
+      answer(R"({"op":"orbit",)" + room + R"(,"origin":[1,1],"direction":[1,1],"bounces":5})"),
+      R"({"walls":[],"points":[],"end":"corner","out":null,"corner":[2,2],)"
+      R"("corner_walls":[1,2],"certain":0})");
+  EXPECT_EQ(
+      answer(R"({"op":"orbit",)" + room + R"(,"origin":[1,0.5],"direction":[1,1],"bounces":5})"),
+      R"({"walls":[1,2],"points":[[2,1.5],[1.5,2]],"end":"escape",)"
+      R"("out":[-0.7071067811865475,-0.7071067811865475],"certain":2})");
+  EXPECT_EQ(
+      answer(R"({"op":"orbit",)" + room + R"(,"origin":[1,0.5],"direction":[0,0],"bounces":1})"),
+      R"({"error":"direction: is zero: an orbit needs somewhere to go"})");
+}
+
+TEST(Query, AllMistakesOfAQuestionAreNamedWithTheirPlaces) {
+  const Answer said =
+      answer_line(R"({"id":7,"op":"clip","polygon":[[0,0],[2,0],[1,0.1],[2,2],[0,2]],)"
+                  R"("origin":[1],"directoin":[1,0],"domain":"lin"})");
+  EXPECT_FALSE(said.ok);
+  for (const char* part :
+       {R"("id":7)", "origin: is no point", "direction: is missing", "domain: is none of",
+        "polygon[2]: the polygon is not convex", "directoin", "(did you mean 'direction'?)"})
+    EXPECT_NE(said.line.find(part), std::string::npos) << part << "\n" << said.line;
+}
+
+TEST(Query, WhatIsNoQuestionGetsAnErrorAndNothingElse) {
+  for (const std::string text :
+       {"", " ", "[1,2]", "{", "nonsense", R"({"op":"clap"})", R"({"op":1})", R"({"id":1})",
+        R"({"op":"nearest","walls":{},"origin":[0,0],"direction":[1,1e400]})",
+        R"({"op":"nearest","walls":[{"circle":{"center":[0,0],"radius":-1}}],"origin":[0,0],)"
+        R"("direction":[1,0]})"}) {
+    const Answer said = answer_line(text);
+    EXPECT_FALSE(said.ok) << text;
+    EXPECT_NE(said.line.find(R"("error":)"), std::string::npos) << text;
+    EXPECT_TRUE(parse_json(said.line)) << said.line;
+  }
+  EXPECT_FALSE(answer_line(std::string(1'000'000, '[')).ok);
+}
+
+// The protocol adds nothing and loses nothing: every double goes through text and back.
+TEST(Query, AnswersAreThoseOfClipConvexToTheLastBit) {
+  const auto draw = [&](std::uint32_t item, std::uint32_t i) {
+    return unit_double(random_bits(5, Stream::test, 0, item, i)) * 4 - 2;
+  };
+  const std::vector<Vec2> corners = {{0, 0}, {1, 0.1}, {1.25, 1}, {0.1, 1.5}};
+  for (std::uint32_t item = 0; item < 500; ++item) {
+    const Ray ray{{draw(item, 0), draw(item, 1)}, {draw(item, 2), draw(item, 3)}};
+    const auto said = parse_json(answer(fmt::format(
+        R"({{"op":"clip","polygon":[[0,0],[1,0.1],[1.25,1],[0.1,1.5]],"origin":[{},{}],)"
+        R"("direction":[{},{}]}})",
+        ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y())));
+    ASSERT_TRUE(said);
+    const HitInterval hit = clip_convex(ray, corners);
+    EXPECT_EQ(said->find("class")->as_text(), name(hit.kind));
+    const JsonValue t_exit = hit ? JsonValue(hit.t_exit) : JsonValue();
+    EXPECT_EQ(json_text(*said->find("t_exit")), json_text(t_exit));
+  }
+}
+
+}  // namespace
+}  // namespace flatray

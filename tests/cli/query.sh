@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Questions as lines: order, errors that do not stop the rest, a conversation, memory.
+source "$(dirname "$0")/lib.sh"
+
+question() { # ID Y
+  echo "{\"id\":$1,\"op\":\"clip\",\"polygon\":[[0,0],[4,0],[4,4],[0,4]],\"origin\":[-1,$2],\"direction\":[1,0]}"
+}
+
+question 1 2 > one.jsonl
+run 0 query one.jsonl
+says out '"id":1,"class":"through","t_enter":1,"t_exit":5,"edge_enter":3,"edge_exit":1'
+
+# A line that is no question is answered as such, and the rest go on.
+{ question 1 2; echo 'no question'; question 3 4; printf '%s' "$(question 4 5)"; } > mixed.jsonl
+run 1 query mixed.jsonl
+says out '"error":"column 2: no JSON'
+says out '"id":3,"class":"along"'
+says out '"id":4,"class":"miss"'
+[[ $(wc -l < out.txt) == 4 ]] || fail "four lines, $(wc -l < out.txt) answers"
+
+run 3 query nowhere.jsonl
+says err 'nowhere.jsonl'
+run 2 query one.jsonl mixed.jsonl
+
+# Any number of threads, a pipe as well as a file: the same answers in the same order.
+for ((i = 0; i < 5000; ++i)); do question "$i" "$((i % 7)).5"; done > many.jsonl
+"$flatray" query many.jsonl > first.jsonl
+[[ $(wc -l < first.jsonl) == 5000 ]] || fail 'an answer is missing'
+for threads in 2 7; do
+  "$flatray" query -j "$threads" many.jsonl | cmp - first.jsonl || fail "-j $threads answers otherwise"
+done
+"$flatray" query < many.jsonl | cmp - first.jsonl || fail 'standard input is answered otherwise'
+"$flatray" query - < many.jsonl | cmp - first.jsonl || fail "'-' is answered otherwise"
+
+# Who asks one question and waits gets its answer before asking the next.
+coproc "$flatray" query
+for id in 1 2 3; do
+  question "$id" 2 >&"${COPROC[1]}"
+  read -r -t 60 line <&"${COPROC[0]}" || fail "no answer to question $id"
+  [[ $line == *"\"id\":$id,"* ]] || fail "to question $id: $line"
+done
+
+# 11 MB of questions in 30 MB of address space.
+if [[ -z $sanitizers ]]; then
+  many() { local i; for ((i = 0; i < 20; ++i)); do cat many.jsonl; done; }
+  count=$(many | (ulimit -v 30000 && "$flatray" query) | wc -l)
+  ((count == 100000)) || fail "100 000 questions, $count answers"
+fi
+finish

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Rows a chunk, runs that go on, mistakes of the command line.
+source "$(dirname "$0")/lib.sh"
+
+run 0 stability --families vertex,edge --count 10 -o log
+says out 'vertex'
+[[ $(wc -l < log/stability.csv) -gt 2 ]] || fail 'no row for each tracer and family'
+
+# What is logged is not done again, and more of it only adds rows.
+cp log/stability.csv before.csv
+run 0 stability --families edge,vertex --count 10 -o log
+cmp -s before.csv log/stability.csv || fail 'chunks were done again'
+run 0 stability --families vertex --tracer brute --count 20000 -o log
+head -n "$(wc -l < before.csv)" log/stability.csv | cmp -s - before.csv || fail 'earlier rows changed'
+[[ $(grep -c '^vertex,brute,1,' log/stability.csv) == 2 ]] || fail 'the second chunk is missing'
+
+# Counts are those of any number of threads.
+run 0 stability --families n-gon --count 40000 -j 1 -o one
+run 0 stability --families n-gon --count 40000 -j 3 -o three
+cmp -s <(cut -d, -f1-10 one/stability.csv | sort) <(cut -d, -f1-10 three/stability.csv | sort) \
+  || fail 'counts depend on the threads'
+
+run 2 stability --families vertx
+says err "did you mean 'vertex'?"
+run 2 stability --tracer none
+run 2 stability --count 0
+echo 'nonsense' >> log/stability.csv
+run 4 stability --families vertex --count 10 -o log
+says err 'stability.csv:'
+finish

@@ -1,0 +1,115 @@
+#include "precise/proven_bounces.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/exact.h"
+
+namespace flatray {
+namespace {
+
+Orbit orbit_in(const Surfaces& walls, const Ray& start, std::uint64_t bounces) {
+  return trace_orbit(walls, std::vector(walls.size(), Material::mirror), start, bounces);
+}
+
+Surfaces room(const std::vector<Vec2>& corners) {
+  Surfaces walls;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    walls.add(Segment{corners[i], corners[(i + 1) % corners.size()]});
+  return walls;
+}
+
+// The walls of an orbit between straight mirrors, in rationals: every division is exact.
+std::vector<std::uint32_t> exact_walls(const Surfaces& walls, const Ray& start, std::size_t count) {
+  Rational x = start.origin.x(), y = start.origin.y();
+  Rational dx = start.direction.x(), dy = start.direction.y();
+  std::vector<std::uint32_t> met;
+  while (met.size() < count) {
+    std::optional<Rational> nearest;
+    std::uint32_t first = kNoSurface;
+    for (std::uint32_t i = 0; i < walls.size(); ++i) {
+      if (!met.empty() && i == met.back()) continue;
+      const Segment& wall = walls.segments[i];
+      const Rational ex = Rational(wall.b.x()) - wall.a.x(), ey = Rational(wall.b.y()) - wall.a.y();
+      const Rational ax = Rational(wall.a.x()) - x, ay = Rational(wall.a.y()) - y;
+      const Rational along = dx * ey - dy * ex;
+      if (along.sign() == Sign::zero) continue;
+      const Rational t = (ax * ey - ay * ex) / along, u = (ax * dy - ay * dx) / along;
+      if (t.sign() != Sign::positive || u < Rational(0) || Rational(1) < u) continue;
+      if (nearest && *nearest <= t) continue;
+      nearest = t;
+      first = i;
+    }
+    if (!nearest) return met;
+    const Segment& wall = walls.segments[first];
+    const Rational ex = Rational(wall.b.x()) - wall.a.x(), ey = Rational(wall.b.y()) - wall.a.y();
+    const Rational turn = Rational(2) * (dx * ey - dy * ex) / (ex * ex + ey * ey);
+    x += *nearest * dx;
+    y += *nearest * dy;
+    dx -= turn * ey;
+    dy += turn * ex;
+    met.push_back(first);
+  }
+  return met;
+}
+
+TEST(ProvenBounces, AnOrbitOfDyadicPointsIsProvenToItsEnd) {
+  const Surfaces square = room({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  const Orbit orbit = orbit_in(square, {{15, 5}, {1, 1}}, 1000);
+  ASSERT_EQ(orbit.bounces.size(), 1000U);
+  EXPECT_EQ(proven_bounces(square, orbit), 1000U);
+}
+
+TEST(ProvenBounces, AreThoseOfTheRationals) {
+  const Surfaces pentagon = room({{0, 0}, {7, -1}, {9, 5}, {4, 9}, {-1, 6}});
+  for (const Vec2& towards : {Vec2(3, 1.7), Vec2(-1, 0.33), Vec2(0.01, 5)}) {
+    const Ray start{{4, 3}, towards};
+    const Orbit orbit = orbit_in(pentagon, start, 60);
+    const std::uint64_t proven = proven_bounces(pentagon, orbit);
+    const auto truth = exact_walls(pentagon, start, 60);
+    std::uint64_t right = 0;
+    while (right < orbit.bounces.size() && orbit.bounces[right].surface == truth[right]) ++right;
+    EXPECT_LE(proven, right);
+    EXPECT_EQ(proven, 60U);  // errors between straight walls grow slowly
+  }
+}
+
+// Discs in a room part near rays by a factor a bounce: doubles lose an orbit within some thirty
+// bounces.
+TEST(ProvenBounces, EndAmongDiscsBeforeTheDoublesGoWrongForGood) {
+  Surfaces walls = room({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+  walls.add(Circle{{0, 0}, 1});
+  const Orbit orbit = orbit_in(walls, {{-1.5, 0.3}, {1, 0.21}}, 400);
+  ASSERT_EQ(orbit.bounces.size(), 400U);
+  const std::uint64_t proven = proven_bounces(walls, orbit);
+  EXPECT_GE(proven, 10U);
+  EXPECT_LT(proven, 200U);
+}
+
+TEST(ProvenBounces, DoNotDependOnTheScale) {
+  const auto proven_at = [](double scale) {
+    Surfaces walls =
+        room({scale * Vec2(-2, -2), scale * Vec2(2, -2), scale * Vec2(2, 2), scale * Vec2(-2, 2)});
+    walls.add(Circle{{0, 0}, scale});
+    const Orbit orbit = orbit_in(walls, {scale * Vec2(-1.5, 0.3), {1, 0.21}}, 100);
+    return proven_bounces(walls, orbit);
+  };
+  EXPECT_EQ(proven_at(0x1p40), proven_at(1));
+  EXPECT_EQ(proven_at(0x1p-40), proven_at(1));
+}
+
+TEST(ProvenBounces, InsideACircleTheRootLeftIsNotMetAgain) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  const Orbit from_inside = orbit_in(walls, {{0.25, 0}, {0.5, 1}}, 50);
+  EXPECT_EQ(proven_bounces(walls, from_inside), 50U);
+  const Orbit from_wall = orbit_in(walls, {{1, 0}, {-1, 1}}, 50);
+  EXPECT_EQ(proven_bounces(walls, from_wall), 50U);
+}
+
+TEST(ProvenBounces, OfAnOrbitWithoutBouncesAreNone) {
+  const Surfaces square = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  EXPECT_EQ(proven_bounces(square, orbit_in(square, {{0.5, 0.5}, {1, 1}}, 9)), 0U);
+}
+
+}  // namespace
+}  // namespace flatray

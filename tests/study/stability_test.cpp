@@ -1,0 +1,71 @@
+#include "study/stability.h"
+
+#include <gtest/gtest.h>
+
+namespace flatray {
+namespace {
+
+// Answers as `brute` does, but for what is done to them.
+template <void (*spoil)(NearestHit&)>
+class Spoiled final : public Accelerator {
+ public:
+  explicit Spoiled(const Surfaces& walls) : right_(find_tracer("brute")->build(walls)) {}
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    right_->nearest(rays, hits);
+    for (NearestHit& hit : hits)
+      if (hit) spoil(hit);
+  }
+  std::size_t bytes() const override { return right_->bytes(); }
+
+ private:
+  std::unique_ptr<Accelerator> right_;
+};
+
+template <void (*spoil)(NearestHit&)>
+std::unique_ptr<Accelerator> build(const Surfaces& walls) {
+  return std::make_unique<Spoiled<spoil>>(walls);
+}
+
+void change_nothing(NearestHit&) {}
+void one_wall_up(NearestHit& hit) { ++hit.surface; }
+void one_ulp_up(NearestHit& hit) { hit.t = std::nextafter(hit.t, kInfinity); }
+void three_ulps_up(NearestHit& hit) {
+  for (int i = 0; i < 3; ++i) one_ulp_up(hit);
+}
+void miss(NearestHit& hit) { hit = {}; }
+
+template <void (*spoil)(NearestHit&)>
+StabilityTally tally_of() {
+  const Tracer tracer = {"spoiled", "", true, &build<spoil>};
+  return check_scenes(tracer, oracle::families()[0], 1, 0, 3);
+}
+
+TEST(Stability, TellsRightFromWrong) {
+  const StabilityTally right = tally_of<&change_nothing>();
+  EXPECT_EQ(right.rays, 3U * oracle::kRaysAScene);
+  EXPECT_GT(right.hits, 50U);
+  EXPECT_EQ(right.wrong, 0U);
+  EXPECT_EQ(right.not_nearest, 0U);
+  EXPECT_TRUE(right.first_wrong.empty());
+  EXPECT_EQ(tally_of<&one_wall_up>().wrong, right.hits);
+  EXPECT_EQ(tally_of<&miss>().wrong, right.hits);
+  const StabilityTally off = tally_of<&one_ulp_up>();
+  EXPECT_EQ(off.wrong, 0U);
+  EXPECT_EQ(off.not_nearest, right.hits);
+  EXPECT_EQ(off.off_by_more, 0U);
+  EXPECT_EQ(tally_of<&three_ulps_up>().off_by_more, right.hits);
+}
+
+TEST(Stability, EveryExactTracerIsRightInEveryFamily) {
+  for (const Tracer* tracer : tracers())
+    for (const oracle::Family& family : oracle::families()) {
+      if (!tracer->exact) continue;
+      const StabilityTally tally = check_scenes(*tracer, family, 2, 0, 2);
+      EXPECT_EQ(tally.wrong, 0U) << tracer->name << ", " << family.name << ", "
+                                 << tally.first_wrong;
+      EXPECT_EQ(tally.off_by_more, 0U) << tracer->name << ", " << family.name;
+    }
+}
+
+}  // namespace
+}  // namespace flatray
