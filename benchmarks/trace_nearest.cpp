@@ -21,7 +21,7 @@ class Flatray : public bench::Tracing {
  public:
   Flatray(const flatray::Tracer& tracer, const Surfaces& walls) : name_(tracer.name) {
     const double start = bench::seconds(CLOCK_THREAD_CPUTIME_ID);
-    walls_ = tracer.build(walls, flatray::active_isa());
+    walls_ = tracer.build(walls);
     const double spent = bench::seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     remark_ = fmt::format("{:.1f} bytes a segment, built in {:.2f} ms",
                           static_cast<double>(walls_->bytes()) / static_cast<double>(walls.size()),

@@ -45,7 +45,7 @@ TracerChoice choose_tracer(const Surfaces& walls) {
 }
 
 std::unique_ptr<Accelerator> accelerate(const Surfaces& walls) {
-  return choose_tracer(walls).tracer->build(walls, active_isa());
+  return choose_tracer(walls).tracer->build(walls);
 }
 
 }  // namespace flatray

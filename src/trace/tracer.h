@@ -30,9 +30,13 @@ struct Tracer {
   const char* name;
   const char* summary;
   bool exact;  ///< decides for the doubles given, without rounding
+  std::unique_ptr<Accelerator> (*build_for)(const Surfaces& walls, Isa isa);
+
   /// Needs   `walls` to outlive what is built, and to stay as they are.
-  /// Gives the same bits from every tier.
-  std::unique_ptr<Accelerator> (*build)(const Surfaces& walls, Isa isa);
+  /// Gives   the same hits in every tier.
+  std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa = active_isa()) const {
+    return build_for(walls, isa);
+  }
 };
 
 /// Registered tracers by name.
