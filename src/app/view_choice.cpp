@@ -51,7 +51,7 @@ Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
   const std::string name = text->substr(0, text->find(':'));
   const auto view = find_view(name, where);
   if (!view) return tl::unexpected(view.error());
-  ViewRequest request{*view, {0, 0}, &usual_tracer()};
+  ViewRequest request{*view, {0, 0}, nullptr};
   const bool has_point = name.size() < text->size();
   if (has_point != (*view)->takes_point)
     return usage_error(where, has_point ? "takes no point" : "needs a point",

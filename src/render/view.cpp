@@ -46,7 +46,8 @@ std::uint8_t grey_of(double value, double most) {
 Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState& state,
                 const FrameOptions& options) {
   const World world = build_world(scene, state, WorldOf::everything);
-  const auto surfaces = request.tracer->build(world.surfaces);
+  const auto surfaces = request.tracer == nullptr ? accelerate(world.surfaces)
+                                                  : request.tracer->build(world.surfaces);
   const PixelBox film{0, 0, scene.film.width, scene.film.height};
   const ViewContext context{scene,     state,         world,
                             *surfaces, request.point, options.crop.value_or(film)};

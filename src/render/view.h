@@ -42,7 +42,8 @@ RayBatch rays_to_the_right(const ViewContext& context, int row);
 /// 255 at 0 and 0 from `most` on.
 std::uint8_t grey_of(double value, double most);
 
-/// A view as the user asks for it, and the tracer that answers.
+/// A view as the user asks for it, and the tracer that answers; null for the one chosen by the
+/// number of walls.
 struct ViewRequest {
   const View* view = nullptr;
   Vec2 point{0, 0};
