@@ -18,6 +18,20 @@ int floor_of(double x) {
 
 }  // namespace
 
+// Steps of an area where the bound decides them.
+struct MonotoneScan::Decider {
+  double slack;
+  bool open = false;
+
+  std::uint32_t operator()(double area) {
+    const double steps = kFullCoverage * area;
+    const int low = static_cast<int>(std::max(steps - slack, 0.0));
+    const int high = static_cast<int>(std::min<double>(steps + slack, kFullCoverage));
+    open |= low != high;
+    return static_cast<std::uint32_t>(low);
+  }
+};
+
 // A straight cut across a row or a part of it, from column to column.
 struct MonotoneScan::Cut {
   double x0, x1, height, scale = 0;
@@ -169,6 +183,13 @@ void MonotoneScan::cut(Side& side, double x, double y) {
     changes_[0] += side.sign * cut.height;
     return;
   }
+  if (cut.first == cut.last) {
+    const double area = cut.left_of_last();
+    double* const change = &changes_[static_cast<std::size_t>(cut.first - left)];
+    change[0] += side.sign * area;
+    change[1] += side.sign * (cut.height - area);
+    return;
+  }
   int column = std::max(cut.first, left);
   double* change = &changes_[static_cast<std::size_t>(column - left)];
   double total = column > cut.first ? cut.left_of(column) : 0, area = 0;
@@ -203,6 +224,7 @@ bool MonotoneScan::add_whole_row(int row, Side& a, Side& b, RunList& out) {
   *run = {row, from, to, kFullCoverage};
   run = put_side<false>(row, right, run + (from < to ? 1 : 0));
   out.keep(static_cast<std::size_t>(run - runs));
+  stats_.edge_pixels += static_cast<std::uint64_t>(run - runs);
   return true;
 }
 
@@ -212,14 +234,16 @@ Run* MonotoneScan::put_side(int row, const Cut& cut, Run* run) {
   const int begin = box_.x, stop = std::min(cut.last + 1, begin + box_.width);
   int column = std::max(cut.first, begin);
   double total = column > cut.first ? cut.left_of(column) : 0;
+  Decider decide{slack_};
   for (; column < stop; ++column) {
     const double next = column < cut.last ? cut.left_of(column + 1) : cut.left_of_last();
     const double right_of = next - total;
-    const std::uint32_t steps = decided_steps(kLeft ? right_of : 1 - right_of);
+    const std::uint32_t steps = decide(kLeft ? right_of : 1 - right_of);
     *run = {row, column, column + 1, steps};
     run += steps != 0 ? 1 : 0;
     total = next;
   }
+  doubt_ |= decide.open;
   return run;
 }
 
@@ -229,24 +253,39 @@ void MonotoneScan::add_row(int row, const Side& left, const Side& right, RunList
   const int middle = within(left.last + 1), right_first = within(right.first);
   const int end = within(std::max(left.last, right.last) + 1);
   area_ = 0;
-  int column = add_pixels(row, within(left.first), middle, out);
+  int column = within(left.first);
+  Run* const runs = out.room(static_cast<std::size_t>(box_.width) + 1);
+  Run* run = put_pixels(row, column, middle, runs);
+  column = std::max(column, middle);
   if (column < right_first) {
     area_ += std::exchange(changes_[static_cast<std::size_t>(column)], 0.0);
+    Decider decide{slack_};
     const bool whole = top_ <= row && row + 1.0 <= bottom_;
-    out.add(row, box_.x + column, box_.x + right_first,
-            whole ? kFullCoverage : decided_steps(std::abs(area_)));
+    const std::uint32_t steps = whole ? kFullCoverage : decide(std::abs(area_));
+    *run = {row, box_.x + column, box_.x + right_first, steps};
+    run += steps != 0 ? 1 : 0;
+    doubt_ |= decide.open;
     column = right_first;
   }
-  add_pixels(row, column, end, out);
+  run = put_pixels(row, column, end, run);
   changes_[static_cast<std::size_t>(end)] = 0;
+  out.keep(static_cast<std::size_t>(run - runs));
+  stats_.edge_pixels += static_cast<std::uint64_t>(run - runs);
 }
 
-int MonotoneScan::add_pixels(int row, int column, int end, RunList& out) {
-  for (; column < end; ++column) {
-    area_ += std::exchange(changes_[static_cast<std::size_t>(column)], 0.0);
-    out.add(row, box_.x + column, box_.x + column + 1, decided_steps(std::abs(area_)));
+Run* MonotoneScan::put_pixels(int row, int column, int end, Run* run) {
+  Decider decide{slack_};
+  double area = area_, *change = changes_.data() + column;
+  for (; column < end; ++column, ++change) {
+    area += *change;
+    *change = 0;
+    const std::uint32_t steps = decide(std::abs(area));
+    *run = {row, box_.x + column, box_.x + column + 1, steps};
+    run += steps != 0 ? 1 : 0;
   }
-  return column;
+  area_ = area;
+  doubt_ |= decide.open;
+  return run;
 }
 
 }  // namespace flatray

@@ -20,6 +20,7 @@ class MonotoneScan {
  private:
   struct Side;
   struct Cut;
+  struct Decider;
 
   bool scan_centres(MonotoneRing ring, RunList& out);
   bool scan_area(MonotoneRing ring, RunList& out);
@@ -32,15 +33,7 @@ class MonotoneScan {
   Run* put_side(int row, const Cut& cut, Run* run);
   bool add_whole_row(int row, Side& a, Side& b, RunList& out);
   void add_row(int row, const Side& left, const Side& right, RunList& out);
-  int add_pixels(int row, int column, int end, RunList& out);
-  std::uint32_t decided_steps(double area) {
-    const double steps = kFullCoverage * area;
-    const int low = static_cast<int>(std::max(steps - slack_, 0.0));
-    const int high = static_cast<int>(std::min<double>(steps + slack_, kFullCoverage));
-    doubt_ |= low != high;
-    ++stats_.edge_pixels;
-    return static_cast<std::uint32_t>(low);
-  }
+  Run* put_pixels(int row, int column, int end, Run* run);
 
   const kernels::SpanKernels& kernels_;
   PixelBox box_;

@@ -6,16 +6,16 @@
 namespace flatray {
 namespace {
 
-constexpr int kWordPixels = 64;
+constexpr unsigned kWordPixels = 64;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr std::size_t kTooMany = ~std::size_t{0};
 
-std::uint64_t from_bit(int x) { return kAll << (x % kWordPixels); }
-std::uint64_t to_bit(int x) { return kAll >> (kWordPixels - 1 - x % kWordPixels); }
+std::uint64_t from_bit(unsigned x) { return kAll << (x % kWordPixels); }
+std::uint64_t to_bit(unsigned x) { return kAll >> (kWordPixels - 1 - x % kWordPixels); }
 
 template <class Take>
 void each_bit(std::uint64_t bits, const Take& take) {
-  for (; bits != 0; bits &= bits - 1) take(std::countr_zero(bits));
+  for (; bits != 0; bits &= bits - 1) take(static_cast<unsigned>(std::countr_zero(bits)));
 }
 
 // As blend_runs of kernels/portable.cpp.
@@ -82,7 +82,7 @@ std::size_t FlatPainter::settle_from_above(const Band& band) {
     runs_.clear();
     scan_.scan(band, item, box_, runs_);
     lay(item.colour.a == 1, add_colour(item.colour));
-    if (fragments_.size() > kMostAPixel * pixels_) return kTooMany;
+    if (fragment_count_ > kMostAPixel * pixels_) return kTooMany;
   }
   settle_background();
   blend_fragments();
@@ -91,13 +91,14 @@ std::size_t FlatPainter::settle_from_above(const Band& band) {
 
 void FlatPainter::begin() {
   open_ = pixels_;
-  row_words_ = static_cast<std::size_t>((box_.width + kWordPixels - 1) / kWordPixels);
+  row_words_ =
+      static_cast<std::size_t>((static_cast<unsigned>(box_.width) + kWordPixels - 1) / kWordPixels);
   words_.assign(row_words_ * static_cast<std::size_t>(box_.height), {});
   if (names_room_ < pixels_) {
     names_ = std::make_unique_for_overwrite<std::uint32_t[]>(pixels_);
     names_room_ = pixels_;
   }
-  fragments_.clear();
+  fragment_count_ = 0;
   colours_.clear();
   add_colour(list_.background);
 }
@@ -107,65 +108,73 @@ std::uint32_t FlatPainter::add_colour(const LinearColour& c) {
   return static_cast<std::uint32_t>(colours_.size() - 1);
 }
 
+// Fragments without a branch: whether a pixel is settled is a matter of luck.
 void FlatPainter::lay(bool opaque, std::uint32_t name) {
   const ShownColour colour = shown_colour(colours_[name], channels_);
+  std::size_t count = fragment_count_;
   for (const Run& run : runs_.runs()) {
     const int row = run.y - box_.y, begin = run.x_begin - box_.x, end = run.x_end - box_.x;
     if (opaque && run.steps == kFullCoverage) {
       settle(row, begin, end, name, colour);
       continue;
     }
+    const std::size_t most = count + static_cast<std::size_t>(end - begin);
+    if (fragments_.size() < most) fragments_.resize(2 * most);
     Word* const of_row = words(row);
-    for (int x = begin; x < end; ++x) {
+    std::uint32_t at = pixel(row, begin);
+    for (auto x = static_cast<unsigned>(begin); x < static_cast<unsigned>(end); ++x, ++at) {
       Word& word = of_row[x / kWordPixels];
-      const std::uint64_t bit = std::uint64_t{1} << (x % kWordPixels);
-      if ((word.settled & bit) != 0) continue;
-      word.in_part |= bit;
-      fragments_.push_back({pixel(row, x), name, run.steps});
+      const std::uint64_t open = ~(word.settled >> (x % kWordPixels)) & 1;
+      word.in_part |= open << (x % kWordPixels);
+      fragments_[count] = {at, name, run.steps};
+      count += open;
     }
   }
+  fragment_count_ = count;
 }
 
 // Neighbouring open pixels are written together, across words too: `from` is where those began that
 // reach the end of the word before.
 void FlatPainter::settle(int row, int x_begin, int x_end, std::uint32_t name,
                          const ShownColour& colour) {
-  constexpr int kNone = -1;
+  constexpr unsigned kNone = ~0U;
   Word* const of_row = words(row);
   const auto channels = static_cast<std::size_t>(channels_);
-  std::uint8_t* const out = first_ + channels * pixel(row, 0);
-  const auto put = [&](int begin, int end) {
-    const auto count = static_cast<std::size_t>(end - begin);
-    put_run(colour, channels * count, out + channels * static_cast<std::size_t>(begin));
-    open_ -= count;
+  const std::uint32_t first_pixel = pixel(row, 0);
+  std::uint8_t* const out = first_ + channels * first_pixel;
+  const auto put = [&](unsigned begin, unsigned end) {
+    put_run(colour, channels * (end - begin), out + channels * begin);
+    open_ -= end - begin;
   };
-  const int last = (x_end - 1) / kWordPixels;
-  std::uint64_t asked = from_bit(x_begin);
-  int from = kNone;
-  for (int index = x_begin / kWordPixels; index <= last; ++index, asked = kAll) {
-    if (index == last) asked &= to_bit(x_end - 1);
+  const auto begin = static_cast<unsigned>(x_begin), end = static_cast<unsigned>(x_end);
+  const unsigned last = (end - 1) / kWordPixels;
+  std::uint64_t asked = from_bit(begin);
+  unsigned from = kNone;
+  for (unsigned index = begin / kWordPixels; index <= last; ++index, asked = kAll) {
+    if (index == last) asked &= to_bit(end - 1);
     Word& word = of_row[index];
     std::uint64_t open = asked & ~word.settled;
     word.settled |= asked;
-    const int base = index * kWordPixels;
+    const unsigned base = index * kWordPixels;
     if ((open & word.in_part) != 0)
-      each_bit(open & word.in_part, [&](int bit) { names_[pixel(row, base + bit)] = name; });
+      each_bit(open & word.in_part, [&](unsigned bit) { names_[first_pixel + base + bit] = name; });
     if (from != kNone) {
       if (open == kAll && index < last) continue;
-      const int length = std::countr_one(open);
+      const auto length = static_cast<unsigned>(std::countr_one(open));
       put(from, base + length);
       from = kNone;
       open = length < kWordPixels ? open & from_bit(length) : 0;
     }
     while (open != 0) {
-      const int first = std::countr_zero(open), end = first + std::countr_one(open >> first);
-      if (end == kWordPixels && index < last) {
-        from = base + first;
+      const auto bit = static_cast<unsigned>(std::countr_zero(open));
+      const unsigned stop = bit + static_cast<unsigned>(std::countr_one(open >> bit));
+      if (stop == kWordPixels && index < last) {
+        from = base + bit;
         break;
       }
-      put(base + first, base + end);
-      if (end == kWordPixels) break;
-      open &= from_bit(end);
+      put(base + bit, base + stop);
+      if (stop == kWordPixels) break;
+      open &= from_bit(stop);
     }
   }
 }
@@ -182,7 +191,8 @@ void FlatPainter::settle_background() {
 void FlatPainter::blend_fragments() {
   const auto shared = static_cast<std::uint32_t>(colours_.size());
   blended_.clear();
-  for (auto it = fragments_.rbegin(); it != fragments_.rend(); ++it) {
+  for (std::size_t i = fragment_count_; i-- > 0;) {
+    const Fragment* const it = &fragments_[i];
     std::uint32_t& name = names_[it->pixel];
     const Light mixed = blended(colours_[it->name], coverage_share(it->steps), colours_[name]);
     if (name >= shared) {

@@ -58,7 +58,8 @@ class FlatPainter {
   std::size_t pixels_ = 0, row_words_ = 0;  ///< of the band; of a row
   std::size_t open_ = 0;                    ///< pixels not settled
   std::vector<Word> words_;
-  std::vector<Fragment> fragments_;
+  std::vector<Fragment> fragments_;  ///< and room for more
+  std::size_t fragment_count_ = 0;
   std::vector<Light> colours_;  ///< of the names; after those, of pixels with fragments
   /// Of settled pixels with fragments; room for all.
   std::unique_ptr<std::uint32_t[]> names_;
