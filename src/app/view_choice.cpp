@@ -26,17 +26,9 @@ Result<Vec2> read_point(std::string_view text, const std::string& view, const Pl
 
 }  // namespace
 
-std::vector<std::string> view_names() {
-  std::vector<std::string> names;
-  for (const View* view : views()) names.emplace_back(view->name);
-  return names;
-}
+std::vector<std::string> view_names() { return names_of(views()); }
 
-std::vector<std::string> tracer_names() {
-  std::vector<std::string> names;
-  for (const Tracer* tracer : tracers()) names.emplace_back(tracer->name);
-  return names;
-}
+std::vector<std::string> tracer_names() { return names_of(tracers()); }
 
 Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
   const auto text = arguments.text("view");

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/arguments.h"
 #include "app/option_values.h"
 #include "app/query/query.h"
 #include "base/diagnostic.h"
@@ -33,8 +34,7 @@ Answer mistake(const JsonValue* id, std::string what) {
 }
 
 std::string unknown_op(const std::string& op) {
-  std::vector<std::string> known;
-  for (const Query* query : all_queries()) known.emplace_back(query->name);
+  const std::vector<std::string> known = names_of(all_queries());
   const std::string near = nearest_word(op, known);
   return fmt::format("op: there is no '{}'{}; there are {}", op,
                      near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near),

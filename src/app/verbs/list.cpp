@@ -64,11 +64,7 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
                            {"views", [] { return described(flatray::views()); }},
                            {"verbs", [] { return described(all_verbs()); }}};
 
-std::vector<std::string> kind_names() {
-  std::vector<std::string> names;
-  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
-  return names;
-}
+std::vector<std::string> kind_names() { return names_of(kKinds); }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const std::string wanted = arguments.operands().empty() ? "" : arguments.operands().front();
