@@ -16,9 +16,11 @@ struct Encoded {
 /// the one before did is not encoded again.
 class FrameEncoder {
  public:
-  FrameEncoder(const RenderJob& job, unsigned threads);
+  /// `stop` is FrameOptions::stop.
+  FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)() = nullptr);
 
-  /// Valid until the next frame. Error   the list's; what the job's back end cannot draw.
+  /// Valid until the next frame; null where `stop` ended it.
+  /// Error   the list's; what the job's back end cannot draw.
   Result<const Encoded*> encode(Result<DrawList> list);
   const DrawCounts& counts() const;
   std::size_t encoded() const { return encoded_; }  ///< pictures encoded so far
