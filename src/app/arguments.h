@@ -39,6 +39,7 @@ class Arguments {
   struct Given {
     std::string origin;  ///< "--size" or "FLATRAY_SIZE": the place messages name
     std::vector<std::string> values;
+    Place place{};  ///< where it is written, in a file
   };
 
   Arguments() = default;

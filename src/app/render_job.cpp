@@ -86,22 +86,22 @@ class FrameMaker {
   }
 
   void draw_still(unsigned threads) {
-    FrameEncoder encoder(job_, threads);
+    FrameEncoder encoder(job_, threads, &interrupted);
     Result<const Encoded*> made = encoder.encode(plan_, timeline_, frames_.front());
-    if (made) {
-      still_ = **made;
-    } else {
+    if (!made)
       problems_.front() = std::move(made).error();
-      stopped_ = true;
-    }
+    else if (*made != nullptr)
+      still_ = **made;
+    stopped_ = !still_;
   }
 
   void make_run(std::size_t begin) {
-    FrameEncoder encoder(job_, spread_.threads_each);
+    FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
       const auto start = std::chrono::steady_clock::now();
       if (Result<FrameRecord> record = write(frames_[i], encoder)) {
+        if (record->frame == 0) return;
         records_[i] = std::move(*record);
         done_();
       } else {
@@ -112,9 +112,11 @@ class FrameMaker {
     }
   }
 
+  // A record without frame: the frame was interrupted.
   Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
     Result<const Encoded*> made = still_ ? &*still_ : encoder.encode(plan_, timeline_, frame);
     if (!made) return fail(std::move(made));
+    if (*made == nullptr) return FrameRecord{};
     const Encoded& picture = **made;
     FrameRecord record = picture.record;
     record.frame = frame;

@@ -1,7 +1,9 @@
 #include "render/film_shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "geom/polygon.h"
@@ -27,11 +29,22 @@ ArcPath film_path(ArcPath path, const FilmTransform& film_from_world) {
   return path;
 }
 
+// A whole turn is a ring of its own: no line leads from the rim of a whole sector to its hole.
+void add_chains(const ArcPath& path, std::vector<Chain>& chains) {
+  const auto is_turn = [](const EllipseArc& arc) {
+    return std::abs(arc.sweep) == 2 * std::numbers::pi;
+  };
+  if (!path.closed || !std::all_of(path.arcs.begin(), path.arcs.end(), is_turn))
+    return chains.push_back(chain_of(path));
+  for (const EllipseArc& arc : path.arcs)
+    if (arc.u != Vec2(0, 0)) chains.push_back(chain_of({{arc}, true}));
+}
+
 std::vector<Chain> chains_of(const FilmShape& shape) {
   std::vector<Chain> chains = rings_of(shape.edges);
   for (const std::vector<Vec2>& ring : shape.crossing_rings) chains.push_back({ring, true});
   for (Chain& line : chained(shape.segments)) chains.push_back(std::move(line));
-  for (const ArcPath& path : shape.arc_paths) chains.push_back(chain_of(path));
+  for (const ArcPath& path : shape.arc_paths) add_chains(path, chains);
   return chains;
 }
 

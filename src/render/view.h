@@ -50,7 +50,8 @@ struct ViewRequest {
   const Tracer* tracer = nullptr;
 };
 
-/// Same bytes from every exact tracer, for any number of threads and crop.
+/// Same bytes from every exact tracer, for any number of threads and crop; no picture once
+/// `options.stop` has said so.
 Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState& state,
                 const FrameOptions& options);
 

@@ -71,6 +71,7 @@ class Nesting {
                               fmt::format("group {} stands in itself{}", name_of(at), way(at)),
                               "break the circle");
           parents_[at].reset();
+          builder_.groups[tables_.items[at].find("group")->value.text];
           break;
         }
         at = *parents_[at];

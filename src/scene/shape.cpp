@@ -6,6 +6,7 @@
 
 #include "scene/corner_limit.h"
 #include "scene/numbers.h"
+#include "scene/overrides.h"
 
 namespace flatray {
 namespace shapes {
@@ -203,7 +204,8 @@ std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
     append(builder.in.problems, std::move(shape).error());
     return std::nullopt;
   }
-  if (!take_corners(builder, corner_count(*shape), field.value.where)) return std::nullopt;
+  if (!take_corners(builder, corner_count(*shape), place_of_change(field.value, field.value.where)))
+    return std::nullopt;
   builder.scene.shapes.push_back(std::move(*shape));
   return static_cast<ShapeId>(builder.scene.shapes.size() - 1);
 }
