@@ -29,10 +29,18 @@ Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
 FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads)
     : job_(job), options_{job.crop, threads, job.keep_all}, drawer_(drawer_for(job, options_)) {}
 
-Result<const Encoded*> FrameEncoder::encode(DrawList list) {
+Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
+  if (!list) return fail(std::move(list));
   Result<void> drawn =
-      std::visit([&](auto& drawer) { return encode(drawer, std::move(list)); }, drawer_);
+      std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
   if (!drawn) return fail(std::move(drawn));
+  return &out_;
+}
+
+Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
+                                            unsigned frame) {
+  if (!job_.view) return encode(draw_list(plan, timeline, frame));
+  keep(draw_view(*job_.view, timeline.scene(), at(timeline, frame), options_));
   return &out_;
 }
 

@@ -12,6 +12,7 @@
 #include "app/version.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/number_text.h"
 #include "base/parallel.h"
 
 namespace flatray {
@@ -86,7 +87,7 @@ class FrameMaker {
 
   void draw_still(unsigned threads) {
     FrameEncoder encoder(job_, threads);
-    Result<const Encoded*> made = encoder.encode(draw_list(plan_, timeline_, frames_.front()));
+    Result<const Encoded*> made = encoder.encode(plan_, timeline_, frames_.front());
     if (made) {
       still_ = **made;
     } else {
@@ -112,8 +113,7 @@ class FrameMaker {
   }
 
   Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
-    Result<const Encoded*> made =
-        still_ ? &*still_ : encoder.encode(draw_list(plan_, timeline_, frame));
+    Result<const Encoded*> made = still_ ? &*still_ : encoder.encode(plan_, timeline_, frame);
     if (!made) return fail(std::move(made));
     const Encoded& picture = **made;
     FrameRecord record = picture.record;
@@ -177,6 +177,8 @@ std::string RenderJob::fingerprint() const {
   for (const int part : {scene.film.width, scene.film.height, box.x, box.y, box.width, box.height})
     hash.add(static_cast<std::uint64_t>(part));
   if (renderer) hash.add(backend());
+  if (view)
+    hash.add(view->view->name).add(number_text(view->point.x())).add(number_text(view->point.y()));
   return hash.add(flatray::name(output.format())).add(kVersion).hex();
 }
 
@@ -233,7 +235,7 @@ Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned fram
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   FrameEncoder encoder(job, threads);
-  Result<const Encoded*> made = encoder.encode(draw_list(plan, timeline, frame));
+  Result<const Encoded*> made = encoder.encode(plan, timeline, frame);
   if (!made) return fail(std::move(made));
   return (*made)->bytes;
 }

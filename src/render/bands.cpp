@@ -12,6 +12,12 @@ namespace {
 constexpr std::size_t kFewEdges =
     48;  // looking at all of them costs less than sorting them by band
 
+Bounds ring_bounds(MonotoneRing ring) {
+  Bounds bounds;
+  for (const Corner& corner : ring) bounds.add(Vec2(corner.x, corner.y));
+  return bounds;
+}
+
 Bounds region_bounds(const FillPath& path) {
   Bounds bounds;
   for (const Segment& edge : path.edges) bounds.add(edge.a), bounds.add(edge.b);
@@ -27,6 +33,12 @@ Bounds region_bounds(const FillArcs& arcs) {
   const Bounds bounds = path_bounds(arcs.path);
   const Vec2 margin(1, 1);
   return {bounds.low - margin, bounds.high + margin};
+}
+
+// Whether a region in the bounds may hold the centres of all pixels.
+bool may_cover(const Bounds& bounds, const PixelBox& box) {
+  return bounds.low.x() <= box.x + 0.5 && bounds.low.y() <= box.y + 0.5 &&
+         bounds.high.x() >= box.x + box.width - 0.5 && bounds.high.y() >= box.y + box.height - 0.5;
 }
 
 // Equal bits, not equal numbers: -0 is not 0, and nothing needs to be known of either.
@@ -104,8 +116,9 @@ class ItemComparison {
 Bands::Bands(const DrawList& list, const PixelBox& crop)
     : crop_(crop),
       rows_(tile_rows(crop.width)),
-      items_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)) {
-  for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i]);
+      bands_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)) {
+  std::vector<Corner> room;
+  for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i], room);
 }
 
 PixelBox Bands::box(std::size_t band) const {
@@ -113,19 +126,36 @@ PixelBox Bands::box(std::size_t band) const {
   return {crop_.x, crop_.y + top, crop_.width, std::min(rows_, crop_.height - top)};
 }
 
-bool Bands::lists_edges(const FillPath& path) { return path.edges.size() > kFewEdges; }
-
-void Bands::add(std::size_t index, const DrawItem& item) {
+void Bands::add(std::size_t index, const DrawItem& item, std::vector<Corner>& room) {
+  room.clear();
+  const FillPath* path = std::get_if<FillPath>(&item.region);
+  const bool ring = path != nullptr && append_monotone_ring(*path, kFewEdges, room);
   const Bounds bounds =
-      std::visit([](const auto& region) { return region_bounds(region); }, item.region);
+      ring ? ring_bounds(room)
+           : std::visit([](const auto& region) { return region_bounds(region); }, item.region);
   if (item.colour.a == 0 || bounds.empty() || bounds.high.x() <= crop_.x ||
       bounds.low.x() >= crop_.x + crop_.width || bounds.high.y() <= crop_.y ||
       bounds.low.y() >= crop_.y + crop_.height)
     return;
+  const bool edges = path != nullptr && path->edges.size() > kFewEdges;
+  BandItem entry;
+  entry.item = static_cast<std::uint32_t>(index);
+  entry.count = static_cast<std::uint32_t>(room.size());
+  entry.colour = item.colour;
+  if (ring) entry.part = BandItem::Part::ring;
+  if (edges) entry.part = BandItem::Part::edges;
   const std::size_t first = band_of(bounds.low.y()), last = band_of(bounds.high.y());
-  for (std::size_t band = first; band <= last; ++band) items_[band].push_back({index, {}});
-  const FillPath* path = std::get_if<FillPath>(&item.region);
-  if (path != nullptr && lists_edges(*path)) sort_edges(*path);
+  for (std::size_t i = first; i <= last; ++i) {
+    Band& band = bands_[i];
+    entry.may_cover = may_cover(bounds, box(i));
+    entry.first = static_cast<std::uint32_t>(ring ? band.corners.size() : band.edges.size());
+    band.items.push_back(entry);
+    band.corners.insert(band.corners.end(), room.begin(), room.end());
+    if (edges) band.edges.emplace_back();
+    band.opaque = band.opaque && item.colour.a == 1;
+    band.flat = band.flat && !item.gradient && item.layer == 0;
+  }
+  if (edges) sort_edges(*path);
 }
 
 void Bands::sort_edges(const FillPath& path) {
@@ -133,7 +163,7 @@ void Bands::sort_edges(const FillPath& path) {
     const auto [low, high] = std::minmax(path.edges[i].a.y(), path.edges[i].b.y());
     if (high < crop_.y || low > crop_.y + crop_.height) continue;
     for (std::size_t band = band_of(low); band <= band_of(high); ++band)
-      items_[band].back().edges.push_back(i);
+      bands_[band].edges.back().push_back(i);
   }
 }
 
@@ -150,7 +180,7 @@ std::vector<bool> unchanged_bands(const DrawList& now, const Bands& now_bands,
     return unchanged;
   ItemComparison items(now, before);
   for (std::size_t band = 0; band < unchanged.size(); ++band) {
-    const auto &shown = now_bands.items(band), &kept = before_bands.items(band);
+    const auto &shown = now_bands[band].items, &kept = before_bands[band].items;
     unchanged[band] = std::equal(
         shown.begin(), shown.end(), kept.begin(), kept.end(),
         [&](const BandItem& a, const BandItem& b) { return items.same(a.item, b.item); });

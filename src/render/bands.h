@@ -3,13 +3,32 @@
 #include <vector>
 
 #include "render/coverage.h"
+#include "render/monotone_ring.h"
 
 namespace flatray {
 
-/// What of an item lies in a band of rows: all edges, or those listed.
+/// What of an item lies in a band of rows.
 struct BandItem {
-  std::size_t item;
-  std::vector<std::uint32_t> edges;
+  enum class Part : std::uint32_t { whole, edges, ring };
+
+  std::uint32_t item = 0;
+  Part part = Part::whole;
+  std::uint32_t first = 0, count = 0;  ///< of the band's lists of edges, or of its corners
+  LinearColour colour;
+  bool may_cover = false;  ///< the whole band, by the box around the item
+};
+
+/// The items of a band, and beside each other what most of them are drawn from.
+struct Band {
+  std::vector<BandItem> items;
+  std::vector<std::vector<std::uint32_t>> edges;  ///< of long paths, those that meet the band
+  std::vector<Corner> corners;                    ///< of monotone rings
+  bool flat = true;                               ///< no item has a gradient or is on a layer
+  bool opaque = true;                             ///< all colours are
+
+  MonotoneRing ring(const BandItem& item) const {
+    return MonotoneRing(corners).subspan(item.first, item.count);
+  }
 };
 
 /// Rows of a crop of the film, cut into bands by its width alone, and what lies in each.
@@ -18,21 +37,19 @@ class Bands {
   Bands() = default;
   Bands(const DrawList& list, const PixelBox& crop);
 
-  std::size_t count() const { return items_.size(); }
-  const std::vector<BandItem>& items(std::size_t band) const { return items_[band]; }
+  std::size_t count() const { return bands_.size(); }
+  const Band& operator[](std::size_t band) const { return bands_[band]; }
   /// Pixels of a band, in film coordinates.
   PixelBox box(std::size_t band) const;
-  /// Whether the items list the edges of `path` that meet them.
-  static bool lists_edges(const FillPath& path);
 
  private:
-  void add(std::size_t index, const DrawItem& item);
+  void add(std::size_t index, const DrawItem& item, std::vector<Corner>& room);
   void sort_edges(const FillPath& path);
   std::size_t band_of(double y) const;
 
   PixelBox crop_;
   int rows_ = 1;
-  std::vector<std::vector<BandItem>> items_;
+  std::vector<Band> bands_;
 };
 
 /// By band of `now`: whether it shows what it showed before, so that its pixels may be kept.

@@ -1,7 +1,7 @@
 #include "render/coverage.h"
 
 #include "render/coverage_arcs.h"
-#include "render/coverage_scan.h"
+#include "render/coverage_monotone.h"
 #include "render/select_kernels.h"
 
 namespace flatray {
@@ -16,11 +16,15 @@ void pass_on(const RunList& list, const RunSink& sink) {
 CoverageStats scan(const FillPath& path, Coverage mode, const PixelBox& box, const RunSink& sink) {
   RunList list;
   const kernels::SpanKernels& kernels = span_kernels(active_isa());
-  const CoverageStats stats = mode == Coverage::area
-                                  ? AreaScan(kernels).scan(path, nullptr, box, list)
-                                  : CentreScan(kernels).scan(path, nullptr, box, list);
+  std::vector<Corner> ring;
+  std::optional<CoverageStats> stats;
+  if (append_monotone_ring(path, path.edges.size(), ring))
+    stats = MonotoneScan(kernels).scan(ring, mode, box, list);
+  if (!stats)
+    stats = mode == Coverage::area ? AreaScan(kernels).scan(path, nullptr, box, list)
+                                   : CentreScan(kernels).scan(path, nullptr, box, list);
   pass_on(list, sink);
-  return stats;
+  return *stats;
 }
 
 CoverageStats scan(const FillRing& ring, Coverage mode, const PixelBox& box, const RunSink& sink) {

@@ -10,32 +10,39 @@ namespace flatray {
 
 using kernels::Run;
 
-/// Runs of one box: rows from top to bottom, from left to right, neighbours of equal coverage
-/// joined.
+/// Runs of one box: rows from top to bottom, from left to right, none of equal coverage beside a
+/// full one.
 class RunList {
  public:
-  void clear() {
-    runs_.clear();
-    begin_ = 0;
-  }
+  void clear() { begin_ = end_ = 0; }
   /// Runs added from here on are of another region: not joined to those before. Gives their index.
-  std::size_t start() { return begin_ = runs_.size(); }
-  const std::vector<Run>& runs() const { return runs_; }
+  std::size_t start() { return begin_ = end_; }
+  std::span<const Run> runs() const { return {runs_.data(), end_}; }
+  /// Joined to the last run where the same goes on.
   void add(int y, int x_begin, int x_end, std::uint32_t steps) {
     if (x_begin >= x_end || steps == 0) return;
-    if (runs_.size() > begin_) {
-      Run& last = runs_.back();
+    if (end_ > begin_) {
+      Run& last = runs_[end_ - 1];
       if (last.y == y && last.x_end == x_begin && last.steps == steps) {
         last.x_end = x_end;
         return;
       }
     }
-    runs_.push_back({y, x_begin, x_end, steps});
+    *room(1) = {y, x_begin, x_end, steps};
+    ++end_;
   }
+  /// Room for `most` runs behind the last, of which `keep` adds the first `count`.
+  Run* room(std::size_t most) {
+    if (runs_.size() < end_ + most) runs_.resize(2 * (end_ + most));
+    return runs_.data() + end_;
+  }
+  void keep(std::size_t count) { end_ += count; }
+  /// Takes back what was added since `start`.
+  void drop() { end_ = begin_; }
 
  private:
   std::vector<Run> runs_;
-  std::size_t begin_ = 0;
+  std::size_t begin_ = 0, end_ = 0;
 };
 
 /// For tests: sees every pixel with an edge, its double area and, asked for, the exact one.

@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 namespace flatray {
 namespace {
 
-constexpr int kWordPixels = 64;
+constexpr unsigned kWordPixels = 64;
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
+constexpr std::size_t kTooMany = ~std::size_t{0};
 
-using Light = std::array<float, 4>;
+std::uint64_t from_bit(unsigned x) { return kAll << (x % kWordPixels); }
+std::uint64_t to_bit(unsigned x) { return kAll >> (kWordPixels - 1 - x % kWordPixels); }
+
+template <class Take>
+void each_bit(std::uint64_t bits, const Take& take) {
+  for (; bits != 0; bits &= bits - 1) take(static_cast<unsigned>(std::countr_zero(bits)));
+}
 
 // As blend_runs of kernels/portable.cpp.
 Light blended(const Light& colour, float share, const Light& below) {
@@ -19,134 +26,184 @@ Light blended(const Light& colour, float share, const Light& below) {
   return result;
 }
 
-// The compiler does not widen this at -O2.
-void fill(std::uint32_t* names, std::size_t count, std::uint32_t name) {
-  typedef std::uint32_t Four __attribute__((vector_size(16)));
-  const Four four = {name, name, name, name};
-  for (; count >= 4; count -= 4, names += 4) std::memcpy(names, &four, sizeof four);
-  for (; count > 0; --count) *names++ = name;
-}
-
 }  // namespace
 
 FlatPainter::FlatPainter(const DrawList& list, DrawCounts& counts)
     : list_(list), counts_(counts), scan_(list) {}
 
-bool FlatPainter::paint(const PixelBox& box, const std::vector<BandItem>& items, int y,
-                        Image& out) {
-  constexpr std::size_t kMostAPixel = 8;
-  begin(box);
-  const std::size_t most = kMostAPixel * open_;
-  std::size_t hidden = 0;
-  for (std::size_t i = items.size(); i-- > 0;) {
-    const LinearColour& colour = list_.items[items[i].item].colour;
-    runs_.clear();
-    scan_.scan(items[i], box, runs_);
-    lay(runs_.runs(), colour.a == 1, add_colour(colour));
-    if (fragments_.size() > most) return false;
-    if (open_ > 0) continue;
-    hidden = i;
-    break;
-  }
+bool FlatPainter::paint(const PixelBox& box, const Band& band, int y, Image& out) {
+  box_ = box;
+  channels_ = out.channels;
+  pixels_ = static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
+  if (pixels_ == 0) return true;
+  first_ = out.at(0, y);
+  const bool whole_pixels = list_.coverage == Coverage::centre && band.opaque;
+  const std::size_t hidden = whole_pixels ? write_in_order(band) : settle_from_above(band);
+  if (hidden == kTooMany) return false;
   ++counts_.bands;
-  counts_.items += items.size();
+  counts_.items += band.items.size();
   counts_.hidden_items += hidden;
-  settle_background();
-  blend_fragments();
-  tile_.y = y;
-  develop(tile_, out);
   return true;
 }
 
-void FlatPainter::begin(const PixelBox& box) {
-  box_ = box;
-  tile_.width = box.width;
-  tile_.height = box.height;
-  open_ = static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
-  tile_.names.resize(open_);
-  tile_.colours.clear();
+std::size_t FlatPainter::write_in_order(const Band& band) {
+  const std::size_t hidden = first_seen(band);
+  const auto channels = static_cast<std::size_t>(channels_);
+  put_run(shown_colour(premultiplied(list_.background), channels_), channels * pixels_, first_);
+  for (std::size_t i = hidden; i < band.items.size(); ++i) {
+    runs_.clear();
+    scan_.scan(band, band.items[i], box_, runs_);
+    const ShownColour colour = shown_colour(premultiplied(band.items[i].colour), channels_);
+    for (const Run& run : runs_.runs())
+      put_run(colour, channels * static_cast<std::size_t>(run.x_end - run.x_begin),
+              first_ + channels * pixel(run.y - box_.y, run.x_begin - box_.x));
+  }
+  return hidden;
+}
+
+// The uppermost item that hides all below it, or the first.
+std::size_t FlatPainter::first_seen(const Band& band) {
+  for (std::size_t i = band.items.size(); i-- > 0;) {
+    if (!band.items[i].may_cover) continue;
+    runs_.clear();
+    scan_.scan(band, band.items[i], box_, runs_);
+    if (covers_all(runs_.runs(), box_)) return i;
+  }
+  return 0;
+}
+
+// How many items are hidden, or kTooMany fragments.
+std::size_t FlatPainter::settle_from_above(const Band& band) {
+  constexpr std::size_t kMostAPixel = 8;
+  begin();
+  std::size_t i = band.items.size();
+  while (i > 0 && open_ > 0) {
+    const BandItem& item = band.items[--i];
+    runs_.clear();
+    scan_.scan(band, item, box_, runs_);
+    lay(item.colour.a == 1, add_colour(item.colour));
+    if (fragment_count_ > kMostAPixel * pixels_) return kTooMany;
+  }
+  settle_background();
+  blend_fragments();
+  return open_ == 0 ? i : 0;
+}
+
+void FlatPainter::begin() {
+  open_ = pixels_;
+  row_words_ =
+      static_cast<std::size_t>((static_cast<unsigned>(box_.width) + kWordPixels - 1) / kWordPixels);
+  words_.assign(row_words_ * static_cast<std::size_t>(box_.height), {});
+  if (names_room_ < pixels_) {
+    names_ = std::make_unique_for_overwrite<std::uint32_t[]>(pixels_);
+    names_room_ = pixels_;
+  }
+  fragment_count_ = 0;
+  colours_.clear();
   add_colour(list_.background);
-  row_words_ = static_cast<std::size_t>((box.width + kWordPixels - 1) / kWordPixels);
-  settled_.assign(row_words_ * static_cast<std::size_t>(box.height), 0);
-  fragments_.clear();
 }
 
 std::uint32_t FlatPainter::add_colour(const LinearColour& c) {
-  tile_.colours.push_back(premultiplied(c));
-  return static_cast<std::uint32_t>(tile_.colours.size() - 1);
+  colours_.push_back(premultiplied(c));
+  return static_cast<std::uint32_t>(colours_.size() - 1);
 }
 
-// Calls `take` with the index and the number of neighbouring open pixels, in pieces of a word at
-// most.
-template <class Take>
-void FlatPainter::each_open(int row, int x_begin, int x_end, bool settle, const Take& take) {
-  const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(box_.width);
-  std::uint64_t* words = settled_.data() + static_cast<std::size_t>(row) * row_words_;
-  for (int x = x_begin; x < x_end;) {
-    const int in_word = x % kWordPixels;
-    const int count = std::min(x_end - x, kWordPixels - in_word);
-    const std::uint64_t asked = (~std::uint64_t{0} >> (kWordPixels - count)) << in_word;
-    std::uint64_t& word = words[x / kWordPixels];
-    std::uint64_t open = asked & ~word;
-    if (settle) word |= asked;
-    const auto base = pixel + static_cast<std::uint32_t>(x - in_word);
-    while (open != 0) {
-      const int from = std::countr_zero(open), length = std::countr_one(open >> from);
-      take(base + static_cast<std::uint32_t>(from), static_cast<std::size_t>(length));
-      if (from + length == kWordPixels) break;
-      open &= ~std::uint64_t{0} << (from + length);
-    }
-    x += count;
-  }
-}
-
-void FlatPainter::lay(const std::vector<Run>& runs, bool opaque, std::uint32_t name) {
-  for (const Run& run : runs) {
+// Fragments without a branch: whether a pixel is settled is a matter of luck.
+void FlatPainter::lay(bool opaque, std::uint32_t name) {
+  const ShownColour colour = shown_colour(colours_[name], channels_);
+  std::size_t count = fragment_count_;
+  for (const Run& run : runs_.runs()) {
     const int row = run.y - box_.y, begin = run.x_begin - box_.x, end = run.x_end - box_.x;
-    if (opaque && run.steps == kFullCoverage)
-      each_open(row, begin, end, true, [&](std::uint32_t pixel, std::size_t count) {
-        fill(tile_.names.data() + pixel, count, name);
-        open_ -= count;
-      });
-    else if (end - begin == 1)
-      add_fragment(row, begin, name, run.steps);
-    else
-      each_open(row, begin, end, false, [&](std::uint32_t pixel, std::size_t count) {
-        for (std::uint32_t i = 0; i < count; ++i)
-          fragments_.push_back({pixel + i, name, run.steps});
-      });
+    if (opaque && run.steps == kFullCoverage) {
+      settle(row, begin, end, name, colour);
+      continue;
+    }
+    const std::size_t most = count + static_cast<std::size_t>(end - begin);
+    if (fragments_.size() < most) fragments_.resize(2 * most);
+    Word* const of_row = words(row);
+    std::uint32_t at = pixel(row, begin);
+    for (auto x = static_cast<unsigned>(begin); x < static_cast<unsigned>(end); ++x, ++at) {
+      Word& word = of_row[x / kWordPixels];
+      const std::uint64_t open = ~(word.settled >> (x % kWordPixels)) & 1;
+      word.in_part |= open << (x % kWordPixels);
+      fragments_[count] = {at, name, run.steps};
+      count += open;
+    }
   }
+  fragment_count_ = count;
 }
 
-void FlatPainter::add_fragment(int row, int x, std::uint32_t name, std::uint32_t steps) {
-  const std::uint64_t word =
-      settled_[static_cast<std::size_t>(row) * row_words_ + static_cast<unsigned>(x) / kWordPixels];
-  if ((word >> (x % kWordPixels) & 1) != 0) return;
-  fragments_.push_back({static_cast<std::uint32_t>(row * box_.width + x), name, steps});
+// Neighbouring open pixels are written together, across words too: `from` is where those began that
+// reach the end of the word before.
+void FlatPainter::settle(int row, int x_begin, int x_end, std::uint32_t name,
+                         const ShownColour& colour) {
+  constexpr unsigned kNone = ~0U;
+  Word* const of_row = words(row);
+  const auto channels = static_cast<std::size_t>(channels_);
+  const std::uint32_t first_pixel = pixel(row, 0);
+  std::uint8_t* const out = first_ + channels * first_pixel;
+  const auto put = [&](unsigned begin, unsigned end) {
+    put_run(colour, channels * (end - begin), out + channels * begin);
+    open_ -= end - begin;
+  };
+  const auto begin = static_cast<unsigned>(x_begin), end = static_cast<unsigned>(x_end);
+  const unsigned last = (end - 1) / kWordPixels;
+  std::uint64_t asked = from_bit(begin);
+  unsigned from = kNone;
+  for (unsigned index = begin / kWordPixels; index <= last; ++index, asked = kAll) {
+    if (index == last) asked &= to_bit(end - 1);
+    Word& word = of_row[index];
+    std::uint64_t open = asked & ~word.settled;
+    word.settled |= asked;
+    const unsigned base = index * kWordPixels;
+    if ((open & word.in_part) != 0)
+      each_bit(open & word.in_part, [&](unsigned bit) { names_[first_pixel + base + bit] = name; });
+    if (from != kNone) {
+      if (open == kAll && index < last) continue;
+      const auto length = static_cast<unsigned>(std::countr_one(open));
+      put(from, base + length);
+      from = kNone;
+      open = length < kWordPixels ? open & from_bit(length) : 0;
+    }
+    while (open != 0) {
+      const auto bit = static_cast<unsigned>(std::countr_zero(open));
+      const unsigned stop = bit + static_cast<unsigned>(std::countr_one(open >> bit));
+      if (stop == kWordPixels && index < last) {
+        from = base + bit;
+        break;
+      }
+      put(base + bit, base + stop);
+      if (stop == kWordPixels) break;
+      open &= from_bit(stop);
+    }
+  }
 }
 
 void FlatPainter::settle_background() {
   if (open_ == 0) return;
-  for (int row = 0; row < box_.height; ++row)
-    each_open(row, 0, box_.width, false, [&](std::uint32_t pixel, std::size_t count) {
-      fill(tile_.names.data() + pixel, count, 0);
-    });
+  const std::size_t open = open_;
+  const ShownColour colour = shown_colour(colours_[0], channels_);
+  for (int row = 0; row < box_.height; ++row) settle(row, 0, box_.width, 0, colour);
+  open_ = open;
 }
 
 // The last of a pixel's fragments lies lowest. With the first, the pixel gets a colour of its own.
 void FlatPainter::blend_fragments() {
-  std::vector<Light>& colours = tile_.colours;
-  const auto shared = static_cast<std::uint32_t>(colours.size());
-  for (auto it = fragments_.rbegin(); it != fragments_.rend(); ++it) {
-    std::uint32_t& name = tile_.names[it->pixel];
-    const Light mixed = blended(colours[it->name], coverage_share(it->steps), colours[name]);
+  const auto shared = static_cast<std::uint32_t>(colours_.size());
+  blended_.clear();
+  for (std::size_t i = fragment_count_; i-- > 0;) {
+    const Fragment* const it = &fragments_[i];
+    std::uint32_t& name = names_[it->pixel];
+    const Light mixed = blended(colours_[it->name], coverage_share(it->steps), colours_[name]);
     if (name >= shared) {
-      colours[name] = mixed;
+      colours_[name] = mixed;
     } else {
-      name = static_cast<std::uint32_t>(colours.size());
-      colours.push_back(mixed);
+      name = static_cast<std::uint32_t>(colours_.size());
+      colours_.push_back(mixed);
+      blended_.push_back(it->pixel);
     }
   }
+  put_pixels(std::span(colours_).subspan(shared), blended_, channels_, first_);
 }
 
 }  // namespace flatray

@@ -1,49 +1,70 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "image/flat_tile.h"
+#include "image/pixel_runs.h"
 #include "render/frame.h"
 #include "render/item_scan.h"
 
 namespace flatray {
 
-/// Draws bands from the uppermost item down: a pixel an opaque item covers is settled, and nothing
-/// below it is touched. What covers a pixel in part waits until all are settled and is then
-/// blended from the bottom up, by the sums of `SpanKernels::blend_runs`, so that the pixels are
-/// those of drawing everything in order.
+/// Draws bands of items that have one colour each. Where none is covered in part, items are written
+/// into the rows of the picture in order. Else from the uppermost down: a pixel an opaque item
+/// covers is settled and written at once, and nothing below it is touched; what covers a pixel in
+/// part waits until all are settled and is then blended from the bottom up, by the sums of
+/// `SpanKernels::blend_runs`, so that the pixels are those of drawing everything in order as light.
 class FlatPainter {
  public:
   FlatPainter(const DrawList& list, DrawCounts& counts);
 
-  /// Draws the items of a band into the rows of `out` from `y` on. False, and nothing drawn, where
-  /// so many items lie over one another in part that blending them in order costs less.
-  bool paint(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out);
+  /// Draws the items of a band into the rows of `out`, as wide as the band, from `y` on. False
+  /// where so many items lie over one another in part that blending them in order costs less: the
+  /// pixels of the band are then still to be drawn.
+  bool paint(const PixelBox& box, const Band& band, int y, Image& out);
 
  private:
   /// A share of a pixel in the colour of an item.
   struct Fragment {
     std::uint32_t pixel, name, steps;
   };
+  /// Of 64 neighbouring pixels of a row, a bit each.
+  struct Word {
+    std::uint64_t settled = 0;
+    std::uint64_t in_part = 0;  ///< has fragments
+  };
 
-  void begin(const PixelBox& box);
-  void lay(const std::vector<Run>& runs, bool opaque, std::uint32_t name);
-  void add_fragment(int row, int x, std::uint32_t name, std::uint32_t steps);
+  std::size_t write_in_order(const Band& band);
+  std::size_t first_seen(const Band& band);
+  std::size_t settle_from_above(const Band& band);
+  void begin();
+  void lay(bool opaque, std::uint32_t name);
+  void settle(int row, int x_begin, int x_end, std::uint32_t name, const ShownColour& colour);
   void settle_background();
   void blend_fragments();
   std::uint32_t add_colour(const LinearColour& colour);
-  template <class Take>
-  void each_open(int row, int x_begin, int x_end, bool settle, const Take& take);
+  Word* words(int row) { return words_.data() + static_cast<std::size_t>(row) * row_words_; }
+  std::uint32_t pixel(int row, int x) const {
+    return static_cast<std::uint32_t>(row * box_.width + x);
+  }
 
   const DrawList& list_;
   DrawCounts& counts_;
   ItemScan scan_;
   RunList runs_;
   PixelBox box_;
-  FlatTile tile_;
-  std::size_t row_words_ = 0, open_ = 0;  ///< pixels not settled
-  std::vector<std::uint64_t> settled_;    ///< a bit a pixel, whole words a row
-  std::vector<Fragment> fragments_;
+  int channels_ = 3;
+  std::uint8_t* first_ = nullptr;           ///< of the band's pixels
+  std::size_t pixels_ = 0, row_words_ = 0;  ///< of the band; of a row
+  std::size_t open_ = 0;                    ///< pixels not settled
+  std::vector<Word> words_;
+  std::vector<Fragment> fragments_;  ///< and room for more
+  std::size_t fragment_count_ = 0;
+  std::vector<Light> colours_;  ///< of the names; after those, of pixels with fragments
+  /// Of settled pixels with fragments; room for all.
+  std::unique_ptr<std::uint32_t[]> names_;
+  std::size_t names_room_ = 0;
+  std::vector<std::uint32_t> blended_;  ///< pixels with a colour of their own
 };
 
 }  // namespace flatray

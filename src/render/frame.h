@@ -32,7 +32,8 @@ struct DrawCounts {
 };
 
 /// What a frame shows, before pixels.
-DrawList draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
+/// Error   what takes the frame over Scene::max_corners, by its place in the scene.
+Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
 
 /// The software back end for frames drawn one after another: bands in which nothing changed keep
 /// their pixels. Same pixels whatever was drawn before.

@@ -1,18 +1,26 @@
 #include "render/item_scan.h"
 
+#include <algorithm>
+
 #include "render/select_kernels.h"
 
 namespace flatray {
 
 ItemScan::ItemScan(const DrawList& list)
     : list_(list),
+      monotone_scan_(span_kernels(active_isa())),
       area_scan_(span_kernels(active_isa())),
       centre_scan_(span_kernels(active_isa())) {}
 
-void ItemScan::scan(const BandItem& band_item, const PixelBox& box, RunList& out) {
+void ItemScan::scan(const Band& band, const BandItem& band_item, const PixelBox& box,
+                    RunList& out) {
+  using Part = BandItem::Part;
+  if (band_item.part == Part::ring &&
+      monotone_scan_.scan(band.ring(band_item), list_.coverage, box, out))
+    return;
   const DrawItem& item = list_.items[band_item.item];
   if (const FillPath* path = std::get_if<FillPath>(&item.region)) {
-    const auto* chosen = Bands::lists_edges(*path) ? &band_item.edges : nullptr;
+    const auto* chosen = band_item.part == Part::edges ? &band.edges[band_item.first] : nullptr;
     if (list_.coverage == Coverage::area)
       area_scan_.scan(*path, chosen, box, out);
     else
@@ -23,6 +31,15 @@ void ItemScan::scan(const BandItem& band_item, const PixelBox& box, RunList& out
     CoverageStats stats;
     scan_ring(std::get<FillRing>(item.region), list_.coverage, box, out, stats);
   }
+}
+
+// Full ones are joined: a covered row is one run.
+bool covers_all(std::span<const Run> runs, const PixelBox& box) {
+  return runs.size() == static_cast<std::size_t>(box.height) &&
+         std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
+           return run.steps == kFullCoverage && run.x_begin == box.x &&
+                  run.x_end == box.x + box.width;
+         });
 }
 
 }  // namespace flatray

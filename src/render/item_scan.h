@@ -1,7 +1,7 @@
 #pragma once
 #include "render/bands.h"
 #include "render/coverage_arcs.h"
-#include "render/coverage_scan.h"
+#include "render/coverage_monotone.h"
 
 namespace flatray {
 
@@ -11,13 +11,17 @@ class ItemScan {
   explicit ItemScan(const DrawList& list);
 
   /// Adds the runs of an item in a band.
-  void scan(const BandItem& band_item, const PixelBox& box, RunList& out);
+  void scan(const Band& band, const BandItem& band_item, const PixelBox& box, RunList& out);
 
  private:
   const DrawList& list_;
+  MonotoneScan monotone_scan_;
   AreaScan area_scan_;
   CentreScan centre_scan_;
   ArcScan arc_scan_;
 };
+
+/// Whether the runs of a region cover every pixel of the box.
+bool covers_all(std::span<const Run> runs, const PixelBox& box);
 
 }  // namespace flatray

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "scene/builder.h"
+#include "scene/corner_limit.h"
 #include "scene/numbers.h"
 
 namespace flatray {
@@ -203,6 +203,7 @@ std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
     append(builder.in.problems, std::move(shape).error());
     return std::nullopt;
   }
+  if (!take_corners(builder, corner_count(*shape), field.value.where)) return std::nullopt;
   builder.scene.shapes.push_back(std::move(*shape));
   return static_cast<ShapeId>(builder.scene.shapes.size() - 1);
 }

@@ -15,7 +15,7 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kBandsATask = 4;  // which share their room
+constexpr std::size_t kBandsATask = 4;  // which share their room; one thread does all in one
 
 // Draws bands one after another; its room is kept from one to the next.
 class BandPainter {
@@ -27,15 +27,15 @@ class BandPainter {
         kernels_(span_kernels(active_isa())),
         item_scan_(list) {}
 
-  const Tile& paint(const PixelBox& box, const std::vector<BandItem>& items) {
+  const Tile& paint(const PixelBox& box, const Band& band) {
     tile_.width = box.width;
     tile_.height = box.height;
     const std::size_t pixels =
         static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
     tile_.rgba.resize(4 * pixels);
     ++counts_.bands;
-    counts_.items += items.size();
-    if (!scan(box, items)) kernels_.fill(tile_.rgba.data(), pixels, background().data());
+    counts_.items += band.items.size();
+    if (!scan(box, band)) kernels_.fill(tile_.rgba.data(), pixels, background().data());
     blend_all({tile_.rgba.data(), box.x, box.y, box.width}, box.height);
     return tile_;
   }
@@ -48,30 +48,21 @@ class BandPainter {
   };
 
   // From the uppermost item down, to the one that hides all below it; whether there is one.
-  bool scan(const PixelBox& box, const std::vector<BandItem>& items) {
+  bool scan(const PixelBox& box, const Band& band) {
     runs_.clear();
     scanned_.clear();
-    for (std::size_t i = items.size(); i-- > 0;) {
-      const DrawItem& item = list_.items[items[i].item];
+    for (std::size_t i = band.items.size(); i-- > 0;) {
+      const DrawItem& item = list_.items[band.items[i].item];
       const std::size_t begin = runs_.start();
-      item_scan_.scan(items[i], box, runs_);
+      item_scan_.scan(band, band.items[i], box, runs_);
       scanned_.push_back({&item, begin, runs_.runs().size()});
-      if (!hide_ || item.colour.a != 1 || item.opacity != 1 || !covers_all(begin, box)) continue;
+      if (!hide_ || item.colour.a != 1 || item.opacity != 1 ||
+          !covers_all(runs_.runs().subspan(begin), box))
+        continue;
       counts_.hidden_items += i;
       return true;
     }
     return false;
-  }
-
-  // Runs of equal coverage are joined, so that a covered band is one run a row.
-  bool covers_all(std::size_t begin, const PixelBox& box) const {
-    const std::vector<Run>& runs = runs_.runs();
-    return runs.size() - begin == static_cast<std::size_t>(box.height) &&
-           std::all_of(runs.begin() + static_cast<std::ptrdiff_t>(begin), runs.end(),
-                       [&](const Run& run) {
-                         return run.steps == kFullCoverage && run.x_begin == box.x &&
-                                run.x_end == box.x + box.width;
-                       });
   }
 
   void blend_all(const kernels::Target& target, int rows) {
@@ -84,7 +75,7 @@ class BandPainter {
       const auto end = std::find_if(it, scanned_.rend(),
                                     [&](const Scanned& next) { return next.item->layer != layer; });
       const std::size_t begin = (end - 1)->begin;
-      const PixelBox part = box_around(std::span(runs_.runs()).subspan(begin, it->end - begin));
+      const PixelBox part = box_around(runs_.runs().subspan(begin, it->end - begin));
       layer_.clear(target, part, rows);
       const float opacity = it->item->opacity;
       for (; it != end; ++it) blend(*it, layer_.target());
@@ -94,7 +85,7 @@ class BandPainter {
 
   void blend(const Scanned& scanned, const kernels::Target& target) {
     const std::span<const Run> runs =
-        std::span(runs_.runs()).subspan(scanned.begin, scanned.end - scanned.begin);
+        runs_.runs().subspan(scanned.begin, scanned.end - scanned.begin);
     if (scanned.item->gradient)
       GradientPainter(*scanned.item->gradient).blend_runs(target, runs);
     else
@@ -132,35 +123,23 @@ void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
 class BandsOfTask {
  public:
   BandsOfTask(const DrawList& list, const FrameOptions& options, DrawCounts& counts)
-      : list_(list),
-        flat_(list, counts),
-        blended_(list, !options.keep_all, counts),
-        plain_(!options.keep_all) {}
+      : flat_(list, counts), blended_(list, !options.keep_all, counts), plain_(!options.keep_all) {}
 
-  void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, Image& out) {
-    if (!plain_ || !all_flat(items) || !flat_.paint(box, items, y, out))
-      draw_blended(box, items, y, out);
+  void draw(const PixelBox& box, const Band& band, int y, Image& out) {
+    if (!plain_ || !band.flat || !flat_.paint(box, band, y, out)) draw_blended(box, band, y, out);
   }
-  void draw(const PixelBox& box, const std::vector<BandItem>& items, int y, LinearImage& out) {
-    draw_blended(box, items, y, out);
+  void draw(const PixelBox& box, const Band& band, int y, LinearImage& out) {
+    draw_blended(box, band, y, out);
   }
 
  private:
-  bool all_flat(const std::vector<BandItem>& items) const {
-    return std::all_of(items.begin(), items.end(), [this](const BandItem& one) {
-      const DrawItem& item = list_.items[one.item];
-      return !item.gradient && item.layer == 0;
-    });
-  }
-
   template <class Picture>
-  void draw_blended(const PixelBox& box, const std::vector<BandItem>& items, int y, Picture& out) {
+  void draw_blended(const PixelBox& box, const Band& band, int y, Picture& out) {
     blended_.tile().x = 0;
     blended_.tile().y = y;
-    develop(blended_.paint(box, items), out);
+    develop(blended_.paint(box, band), out);
   }
 
-  const DrawList& list_;
   FlatPainter flat_;
   BandPainter blended_;
   const bool plain_;
@@ -169,19 +148,21 @@ class BandsOfTask {
 template <class Picture>
 DrawCounts draw_bands(const DrawList& list, const Bands& bands, const std::vector<bool>& keep,
                       const FrameOptions& options, Picture& out) {
-  const std::size_t tasks = (bands.count() + kBandsATask - 1) / kBandsATask;
+  const std::size_t each =
+      options.threads == 1 ? std::max<std::size_t>(bands.count(), 1) : kBandsATask;
+  const std::size_t tasks = (bands.count() + each - 1) / each;
   std::vector<DrawCounts> counts(tasks);
   const int top = crop_of(list, options).y;
   parallel_for(tasks, options.threads, [&](std::size_t task) {
     BandsOfTask painter(list, options, counts[task]);
-    const std::size_t end = std::min(bands.count(), (task + 1) * kBandsATask);
-    for (std::size_t band = task * kBandsATask; band < end; ++band) {
+    const std::size_t end = std::min(bands.count(), (task + 1) * each);
+    for (std::size_t band = task * each; band < end; ++band) {
       if (keep[band]) {
         ++counts[task].kept_bands;
         continue;
       }
       const PixelBox box = bands.box(band);
-      painter.draw(box, bands.items(band), box.y - top, out);
+      painter.draw(box, bands[band], box.y - top, out);
     }
   });
   DrawCounts sum;

@@ -4,6 +4,9 @@ namespace flatray::kernels {
 namespace portable {
 namespace {
 
+typedef double Rows __attribute__((vector_size(16)));  // the compiler makes of them what it can
+#include "render/kernels/centre_kernel.inl"
+
 void fill(float* rgba, size_t count, const float* colour) {
   for (size_t i = 0; i < 4 * count; ++i) rgba[i] = colour[i % 4];
 }
@@ -27,9 +30,6 @@ void blend_runs(const Target& target, const Run* runs, size_t count, const float
   }
 }
 
-// Rounds to the nearest integer while |v| < 2^51; larger ones are no columns.
-constexpr double kRounder = 0x1.8p52;
-
 double floor_of(double v) {
   const double nearest = (v + kRounder) - kRounder;
   return nearest - (nearest > v ? 1.0 : 0.0);
@@ -51,6 +51,6 @@ void edge_columns(const EdgeLine& edge, double y, size_t count, double offset, d
 }  // namespace portable
 
 const SpanKernels portable_kernels = {&portable::blend_runs, &portable::edge_columns,
-                                      &portable::fill};
+                                      &portable::centre_runs, &portable::fill};
 
 }  // namespace flatray::kernels

@@ -32,10 +32,22 @@ struct EdgeLine {
   double x_ref, y_ref, slope, low, high, error;
 };
 
+/// Corner of a ring in film coordinates.
+struct Corner {
+  double x, y;
+};
+
+/// Rectangle of pixels.
+struct RowBox {
+  int32_t x, y, width, height;
+};
+
 /// Where no column is certain: on a border between two, or within the error of one.
 constexpr double kNoColumn = 0x1p60;
 /// Entries beyond `count` a kernel may write.
 constexpr size_t kSlack = 7;
+/// In place of a number of runs: some pixel needs exact arithmetic.
+constexpr size_t kUndecided = (size_t)-1;
 
 struct SpanKernels {
   /// Lays a premultiplied colour over the runs: new = colour * share + old * (1 - alpha * share).
@@ -44,6 +56,12 @@ struct SpanKernels {
   /// Needs room for count + kSlack entries.
   void (*edge_columns)(const EdgeLine& edge, double y, size_t count, double offset, double* x,
                        double* column);
+  /// The pixels of a box whose centres are inside a ring, a run a row at most; kUndecided where a
+  /// column is within the error of the next. A centre on the outline is in doubt too.
+  /// Needs   a ring as MonotoneRing gives it; room for 2 * height + 4 * kSlack numbers and for
+  ///         height runs.
+  size_t (*centre_runs)(const Corner* ring, size_t count, const RowBox& box, int32_t* room,
+                        Run* runs);
   /// Sets `count` pixels.
   void (*fill)(float* rgba, size_t count, const float* colour);
 };

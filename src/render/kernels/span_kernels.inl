@@ -1,20 +1,8 @@
-// The kernels of one tier, included inside its namespace: `Lanes` and `Rows` are the tier's vectors
-// of floats and doubles.
+// The kernels of one tier, included inside its namespace after the one for centres: `Lanes` is the tier's
+// vector of floats.
 
 typedef float Pixel __attribute__((vector_size(16)));
 constexpr size_t kPixels = sizeof(Lanes) / sizeof(Pixel);
-
-template <class Vector>
-static inline Vector load(const void* from) {
-  Vector v;
-  __builtin_memcpy(&v, from, sizeof v);
-  return v;
-}
-
-template <class Vector>
-static inline void store(void* to, Vector v) {
-  __builtin_memcpy(to, &v, sizeof v);
-}
 
 static inline Lanes repeated(Pixel pixel) {
   float all[4 * kPixels];
@@ -50,11 +38,6 @@ static void blend_runs(const Target& target, const Run* runs, size_t count, cons
     blend(first, pixels, pixel * part, 1.0F - colour[3] * part);
   }
 }
-
-// Rounds to the nearest integer while |v| < 2^51; larger ones are no columns.
-constexpr double kRounder = 0x1.8p52;
-constexpr size_t kRows = sizeof(Rows) / sizeof(double);
-static const double kIndex[] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 static inline Rows floor_of(Rows v) {
   const Rows nearest = (v + kRounder) - kRounder;
