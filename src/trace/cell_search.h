@@ -8,7 +8,7 @@ namespace flatray {
 /// The nearest hit of one ray at a time, by the cells of a grid in double precision, or by all walls
 /// where there are no cells: what certain bounds leave open is decided exactly.
 ///
-/// Cost    some 0.2 us where bounds decide, 1 to 3 us where they do not; 15 ns a wall without cells.
+/// Cost    about 1 us, some more where bounds do not decide; 15 ns a wall without cells.
 class CellSearch {
  public:
   /// Needs   `walls` and `grid`, which may be null, to outlive it.

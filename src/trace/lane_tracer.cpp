@@ -62,6 +62,7 @@ class Block {
     for (std::size_t i = 0; i < count_; ++i) {
       if (fate_[i] != 0) found_[i] = lanes::kDoubt;
       slots_[i] = found_[i] < 0 ? 0 : grid.slot(static_cast<std::size_t>(found_[i]));
+      __builtin_prefetch(&walls.segments[slots_[i]]);
     }
     std::fill(slots_.begin() + static_cast<std::ptrdiff_t>(count_), slots_.end(), 0U);
     kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
@@ -125,6 +126,9 @@ class LaneTracer : public Accelerator {
               decide(block, i, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
     }
   }
+  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
+    return search_.nearest(ray, left, tangents);
+  }
   std::size_t bytes() const override { return cells_.bytes(); }
 
  private:
@@ -163,6 +167,9 @@ class OneByOne : public Accelerator {
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
       hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
+  }
+  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
+    return search_.nearest(ray, left, tangents);
   }
   std::size_t bytes() const override { return 0; }
 

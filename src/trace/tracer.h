@@ -21,6 +21,9 @@ class Accelerator {
   /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
   ///         on.
   virtual void nearest(const RayBatch& rays, std::span<NearestHit> hits) const = 0;
+  /// The first wall of one ray, on which the lanes of a batch would be wasted.
+  virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
+                                    bool tangents = true) const;
   /// What it holds beside the walls themselves.
   virtual std::size_t bytes() const = 0;
 };

@@ -81,7 +81,7 @@ inline void advance(Group& g) {
 }
 
 // Looks up the cells just entered; of rays that stay in their cell the record alone is new.
-inline void enter(const Constants& c, const unsigned* cells, Group& g) {
+inline void enter(const Constants& c, const unsigned* cells, const float* records, Group& g) {
   const Int word = gather(cells, whole(g.turn_y * g.y + (g.turn_x * g.x + g.first)));
   const Mask empty = negative(word);
   const Float side = choose(empty, real(low_seven(shifted(word, g.quadrant))), all(1.0F));
@@ -92,6 +92,11 @@ inline void enter(const Constants& c, const unsigned* cells, Group& g) {
   g.across_x = less(t_x, t_y);
   g.exit = smaller(t_x, t_y);
   g.limit = choose(less(side, all(1.0F)), all(kEndless), g.exit - c.near);
+  // The records are wanted when the other groups have looked up theirs.
+  alignas(64) unsigned at[kLanes];
+  store(at, choose(negative(g.record), all(0), g.record));
+  for (const unsigned record : at)
+    __builtin_prefetch(records + 4 * static_cast<unsigned long>(record));
 }
 
 // The rays still to come, and where the answers go.
@@ -177,14 +182,14 @@ void walk_all(const Grid& grid, const Walking& rays, int* found) {
     g.record = all(-1);
     g.first = c.first;
     take(c, (1U << kLanes) - 1, g, queue);
-    enter(c, grid.cells, g);
+    enter(c, grid.cells, grid.records, g);
   }
   for (bool busy = true; busy;) {
     for (Group& g : groups) test<some_left>(c, grid.records, g);
     for (Group& g : groups) advance(g);
     busy = false;
     for (Group& g : groups) busy = settle(c, g, queue) || busy;
-    for (Group& g : groups) enter(c, grid.cells, g);
+    for (Group& g : groups) enter(c, grid.cells, grid.records, g);
   }
 }
 
