@@ -12,9 +12,10 @@ using Json = nlohmann::json;
 constexpr std::size_t kMostNested = 64;
 constexpr int kOutOfRange = 4;  // the hundreds of the library's numbers for such mistakes
 
-// The library's own words after its position and state: ": unexpected end of input".
+// The library's own words after its position: "syntax error while parsing value - ...".
 std::string reason(std::string_view what) {
-  const std::size_t at = what.rfind(": ");
+  const std::size_t column = what.find("column ");
+  const std::size_t at = what.find(": ", column == std::string_view::npos ? 0 : column);
   return at == std::string_view::npos ? "" : std::string(what.substr(at));
 }
 
@@ -82,6 +83,8 @@ class Builder {
 }  // namespace
 
 tl::expected<JsonValue, JsonMistake> read_json(std::string_view text) {
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+    return tl::unexpected(JsonMistake{nul + 1, "no JSON: a NUL byte"});
   Builder builder;
   const bool whole = Json::sax_parse(text, &builder);
   return builder.result(whole);

@@ -9,8 +9,9 @@ namespace flatray {
 namespace {
 
 constexpr const char* kHeader =
-    "family,tracer,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,first_wrong";
-constexpr std::size_t kColumns = 12, kFirstCount = 4;
+    "family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,first_"
+    "wrong";
+constexpr std::size_t kColumns = 13, kFirstCount = 5;
 
 using Counts = std::array<std::uint64_t StabilityTally::*, 6>;
 constexpr Counts kCounts = {&StabilityTally::rays,        &StabilityTally::hits,
@@ -20,7 +21,7 @@ constexpr Counts kCounts = {&StabilityTally::rays,        &StabilityTally::hits,
 std::optional<std::pair<StabilityLog::Key, StabilityTally>> read_row(std::string_view line) {
   const std::vector<std::string_view> cells = split_commas(line);
   if (cells.size() < kColumns) return std::nullopt;
-  const auto seed = parse_whole(cells[2]), chunk = parse_whole(cells[3]);
+  const auto seed = parse_whole(cells[3]), chunk = parse_whole(cells[4]);
   if (!seed || !chunk) return std::nullopt;
   StabilityTally tally;
   for (std::size_t i = 0; i < kCounts.size(); ++i) {
@@ -29,7 +30,8 @@ std::optional<std::pair<StabilityLog::Key, StabilityTally>> read_row(std::string
     tally.*kCounts[i] = *count;
   }
   tally.first_wrong = cells[kColumns - 1];
-  return std::pair{StabilityLog::Key{std::string(cells[0]), std::string(cells[1]), *seed, *chunk},
+  return std::pair{StabilityLog::Key{std::string(cells[0]), std::string(cells[1]),
+                                     std::string(cells[2]), *seed, *chunk},
                    tally};
 }
 
@@ -42,7 +44,8 @@ Result<StabilityLog> StabilityLog::open(const std::optional<std::string>& folder
   std::error_code error;
   std::filesystem::create_directories(*folder, error);
   if (error) return fail(named_place(*folder), error.message(), "", Trouble::output);
-  auto done = std::filesystem::exists(log.path_) ? log.read() : append_line(log.path_, kHeader);
+  const bool there = std::filesystem::exists(log.path_);
+  auto done = there ? log.read() : append_line(log.path_, kHeader);
   if (!done) return fail(std::move(done));
   return log;
 }
@@ -50,7 +53,13 @@ Result<StabilityLog> StabilityLog::open(const std::optional<std::string>& folder
 Result<void> StabilityLog::read() {
   const auto text = read_file(path_);
   if (!text) return tl::unexpected(text.error());
-  std::string_view rest = *text;
+  std::string_view rest = std::string_view(*text).substr(0, text->rfind('\n') + 1);
+  if (rest.size() < text->size()) {
+    std::error_code error;
+    std::filesystem::resize_file(path_, rest.size(), error);
+    if (error) return fail(named_place(path_.string()), error.message(), "", Trouble::output);
+  }
+  if (rest.empty()) return append_line(path_, kHeader);
   for (int line = 1; !rest.empty(); ++line) {
     const std::string_view row = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), row.size() + 1));
@@ -67,17 +76,16 @@ Result<void> StabilityLog::read() {
 Result<void> StabilityLog::add(const Key& key, const StabilityTally& tally, double seconds) {
   rows_.emplace(key, tally);
   if (path_.empty()) return {};
-  std::string row = fmt::format("{},{},{},{}", key.family, key.tracer, key.seed, key.chunk);
+  std::string row =
+      fmt::format("{},{},{},{},{}", key.family, key.tracer, key.isa, key.seed, key.chunk);
   for (const auto count : kCounts) row += fmt::format(",{}", tally.*count);
   return append_line(path_, row + fmt::format(",{:.3f},{}", seconds, tally.first_wrong));
 }
 
-StabilityTally StabilityLog::sum(const std::string& family, const std::string& tracer,
-                                 std::uint64_t seed, std::uint64_t chunks) const {
+StabilityTally StabilityLog::sum(Key key, std::uint64_t chunks) const {
   StabilityTally sum;
-  for (std::uint64_t chunk = 0; chunk < chunks; ++chunk)
-    if (const auto row = rows_.find({family, tracer, seed, chunk}); row != rows_.end())
-      sum.add(row->second);
+  for (key.chunk = 0; key.chunk < chunks; ++key.chunk)
+    if (const auto row = rows_.find(key); row != rows_.end()) sum.add(row->second);
   return sum;
 }
 

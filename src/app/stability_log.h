@@ -11,11 +11,13 @@
 namespace flatray {
 
 /// Rows of a file stability.csv, one for each chunk checked: what a run that was stopped goes on
-/// from.
+/// from. A last row without its end, as a full disk leaves it, is taken away.
+///
+/// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class StabilityLog {
  public:
   struct Key {
-    std::string family, tracer;
+    std::string family, tracer, isa;
     std::uint64_t seed, chunk;
     auto operator<=>(const Key&) const = default;
   };
@@ -28,9 +30,8 @@ class StabilityLog {
   bool has(const Key& key) const { return rows_.contains(key); }
   /// Appends a row, flushed.
   Result<void> add(const Key& key, const StabilityTally& tally, double seconds);
-  /// Chunks 0 to `chunks` - 1 together.
-  StabilityTally sum(const std::string& family, const std::string& tracer, std::uint64_t seed,
-                     std::uint64_t chunks) const;
+  /// Chunks 0 to `chunks` - 1 together, whatever the chunk of `key`.
+  StabilityTally sum(Key key, std::uint64_t chunks) const;
 
  private:
   Result<void> read();

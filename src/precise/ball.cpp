@@ -1,7 +1,9 @@
 #include "precise/ball.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace flatray {
 namespace {
@@ -140,13 +142,30 @@ std::optional<Sign> Ball::sign() const {
   return mpfr_sgn(middle_) > 0 ? Sign::positive : Sign::negative;
 }
 
-std::optional<double> Ball::nearest() const {
+// The doubles nearest to both ends.
+std::pair<double, double> Ball::ends() const {
   Ball low(*this), high(*this);
   mpfr_sub(low.middle_, middle_, radius_, MPFR_RNDD);
   mpfr_add(high.middle_, middle_, radius_, MPFR_RNDU);
-  const double a = mpfr_get_d(low.middle_, MPFR_RNDN), b = mpfr_get_d(high.middle_, MPFR_RNDN);
-  if (a != b || !std::isfinite(a)) return std::nullopt;
-  return a + 0.0;  // never -0
+  return {mpfr_get_d(low.middle_, MPFR_RNDN), mpfr_get_d(high.middle_, MPFR_RNDN)};
+}
+
+std::optional<double> Ball::nearest() const {
+  const auto [low, high] = ends();
+  if (low != high || !std::isfinite(low)) return std::nullopt;
+  return low + 0.0;  // never -0
+}
+
+std::optional<double> Ball::nearest_or_even(double scale) const {
+  if (const auto value = nearest()) return value;
+  constexpr int kTieBits = 256;
+  Radius least;
+  mpfr_set_d(least.value, std::ldexp(scale, -kTieBits), MPFR_RNDD);
+  if (!(mpfr_cmp(radius_, least.value) < 0)) return std::nullopt;
+  const auto [low, high] = ends();
+  if (mpfr_cmpabs(middle_, least.value) < 0) return 0;
+  if (std::nextafter(low, high) != high) return std::nullopt;
+  return (std::bit_cast<std::uint64_t>(low) & 1) == 0 ? low : high;
 }
 
 }  // namespace flatray

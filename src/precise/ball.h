@@ -2,6 +2,7 @@
 #include <mpfr.h>
 
 #include <optional>
+#include <utility>
 
 #include "geom/predicates.h"
 
@@ -35,12 +36,17 @@ class Ball {
   std::optional<Sign> sign() const;
   /// The nearest double, where the radius leaves no doubt and it is finite.
   std::optional<double> nearest() const;
+  /// The same; and where the radius is below 2^-256 of `scale`, so that no radius may ever tell: of
+  /// two neighbouring doubles the even one, and 0 for what is below 2^-256 of `scale`.
+  std::optional<double> nearest_or_even(double scale) const;
 
  private:
   explicit Ball(mpfr_prec_t bits);
   void add_rounding(int inexact);
   void make_unknown();
   mpfr_prec_t bits() const { return mpfr_get_prec(middle_); }
+
+  std::pair<double, double> ends() const;
 
   mpfr_t middle_, radius_;
 };

@@ -18,22 +18,35 @@ struct MakeBall {
 };
 using BallFlight = Flight<Ball, MakeBall>;
 
-std::optional<Vec2> rounded(const Pair<Ball>& point) {
-  const auto x = point.x.nearest(), y = point.y.nearest();
+std::optional<Vec2> rounded(const Pair<Ball>& point, double scale) {
+  const auto x = point.x.nearest_or_even(scale), y = point.y.nearest_or_even(scale);
   return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
 }
 
 // The direction at length 1.
 std::optional<Vec2> rounded_out(const BallFlight& flight) {
   const Ball length = square_root(flight.size());
-  return rounded({flight.direction().x / length, flight.direction().y / length});
+  return rounded({flight.direction().x / length, flight.direction().y / length}, 1);
+}
+
+double largest_coordinate(const Surfaces& walls) {
+  double largest = 0;
+  const auto see = [&](const Vec2& point, double reach) {
+    largest = std::max(largest, point.cwiseAbs().maxCoeff() + reach);
+  };
+  for (const Segment& wall : walls.segments) {
+    see(wall.a, 0);
+    see(wall.b, 0);
+  }
+  for (const Circle& wall : walls.circles) see(wall.centre, wall.radius);
+  return std::min(largest, std::numeric_limits<double>::max());
 }
 
 // The orbit as far as `bits` tell it.
 class Follower {
  public:
   Follower(const Surfaces& walls, const Ray& start, unsigned bits)
-      : flight_(walls, start, MakeBall{static_cast<int>(bits)}) {
+      : flight_(walls, start, MakeBall{static_cast<int>(bits)}), scale_(largest_coordinate(walls)) {
     orbit_.bits = bits;
   }
 
@@ -51,15 +64,17 @@ class Follower {
         return false;
       case Prospect::Kind::escape:
         return finish(OrbitEnd::escape, rounded_out(flight_), orbit_.out);
-      case Prospect::Kind::corner:
-        orbit_.corner_walls = next.walls;
-        return flight_.bounce(next.walls.front()) &&
-               finish(OrbitEnd::corner, rounded(flight_.point()), orbit_.corner);
+      case Prospect::Kind::corner: {
+        const auto corner = flight_.corner_at(next.walls.front());
+        if (!corner) return false;
+        orbit_.corner_walls = std::move(next.walls);
+        return finish(OrbitEnd::corner, rounded(*corner, scale_), orbit_.corner);
+      }
       case Prospect::Kind::wall:
         break;
     }
     if (!flight_.bounce(next.walls.front())) return false;
-    const auto point = rounded(flight_.point());
+    const auto point = rounded(flight_.point(), scale_);
     if (point) orbit_.bounces.push_back({next.walls.front(), *point});
     return point.has_value();
   }
@@ -72,6 +87,7 @@ class Follower {
   }
 
   BallFlight flight_;
+  double scale_;
   CertifiedOrbit orbit_;
 };
 

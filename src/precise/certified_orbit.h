@@ -27,7 +27,9 @@ inline constexpr unsigned kMostBits = 65536;
 /// Needs   a direction that is not zero.
 /// Gives   ends as trace_orbit has them; a corner where the arithmetic meets it exactly, as between
 ///         straight walls of whole coordinates; else it stays undecided, as does a tangent of a
-///         circle met exactly.
+///         circle met exactly. A coordinate within 2^-256 of the largest one of the walls to the
+///         middle between two doubles is the even one, and one as near to 0 is 0: exact ties, which
+///         no number of bits would tell.
 /// Error   Trouble::unavailable in a build without MPFR.
 /// Cost    bits grow by some 0.5 a bounce between straight walls, and by what discs part rays: 512
 ///         for 200 bounces of a Sinai room, 20 ms.

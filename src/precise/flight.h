@@ -37,9 +37,9 @@ struct Prospect {
   std::vector<std::uint32_t> walls;  ///< ascending; one for a wall
 };
 
-/// A ray among mirrors, as exact as its arithmetic. It is a line x: x cross d = m, which mirrors
-/// turn without a division, so that errors between straight walls only add up. Places on it count
-/// by x.d.
+/// A ray among mirrors, as exact as its arithmetic. It is a line x: x cross d = m, whose point met
+/// does not enter what comes after a straight wall: errors grow there by sqrt 2 a bounce at most,
+/// which is how a turn is bounded in components. Places on it count by x.d.
 ///
 /// Needs   Number as geom/bounded.h has it; make(double) gives one without error. Walls that outlive
 ///         it, a direction that is not zero, a start in no corner.
@@ -93,6 +93,17 @@ class Flight {
     return known;
   }
 
+  /// Where a wall is met that the ray is known to meet next, in a corner.
+  std::optional<Pair<Number>> corner_at(std::uint32_t surface) const {
+    Flight there(*this);
+    if (there.bounce(surface)) return there.point_;
+    if (!is_segment(surface)) return std::nullopt;
+    const Segment& wall = segment(surface);  // on the line of the ray
+    const auto order = (dot(pair(wall.a), direction_) - dot(pair(wall.b), direction_)).sign();
+    if (!order) return std::nullopt;
+    return pair(*order == Sign::positive ? wall.b : wall.a);
+  }
+
   /// Where the last bounce was.
   const Pair<Number>& point() const { return point_; }
   const Pair<Number>& direction() const { return direction_; }
@@ -133,13 +144,31 @@ class Flight {
     const Number side_a = side_of(wall.a), side_b = side_of(wall.b), apart = side_a - side_b;
     const auto a = side_a.sign(), b = side_b.sign(), slope = apart.sign();
     if (a && a == b && *a != Sign::zero) return {Met::no, {}};
-    if (!slope || *slope == Sign::zero) return {Met::open, {}};
+    if (!slope || *slope == Sign::zero) return meet_along(wall, a == Sign::zero && b == Sign::zero);
     const Pair<Number> edge = pair(wall.b) - pair(wall.a);
     const Number place = dot(pair(wall.a), direction_) + side_a / apart * dot(edge, direction_);
     const auto ahead = (place - here_).sign();
     if (ahead == Sign::negative) return {Met::no, {}};
     if (!a || !b || ahead != Sign::positive) return {Met::open, place};
     return {*a == Sign::zero || *b == Sign::zero ? Met::end : Met::between, place};
+  }
+
+  // A wall on the line, or so near that it cannot be told: it is met, if it is, between its ends.
+  Meeting meet_along(const Segment& wall, bool on_line) const {
+    const Number at_a = dot(pair(wall.a), direction_), at_b = dot(pair(wall.b), direction_);
+    const auto a = (at_a - here_).sign(), b = (at_b - here_).sign();
+    if (a == Sign::negative && b == Sign::negative) return {Met::no, {}};
+    const auto order = (at_a - at_b).sign();
+    if (!order) return {Met::open, {}};
+    const bool surely = on_line && a == Sign::positive && b == Sign::positive;
+    return {surely ? Met::end : Met::open, *order == Sign::negative ? at_a : at_b};
+  }
+
+  // A circle that the line just meets or misses: if it is met, then within r of its centre.
+  Meeting meet_about(const Number& centre, const Circle& wall) const {
+    const Number reach = make_(wall.radius) * square_root(size_);
+    if ((centre + reach - here_).sign() == Sign::negative) return {Met::no, {}};
+    return {Met::open, centre - reach};
   }
 
   // r^2 d.d - k^2, the square of w.d at points w of length r, seen from the centre, with
@@ -160,7 +189,7 @@ class Flight {
     const Number square = square_of(wall);
     const auto reached = square.sign();
     if (reached == Sign::negative || reached == Sign::zero) return {Met::no, {}};
-    if (!reached) return {Met::open, {}};
+    if (!reached) return meet_about(centre, wall);
     const Number half = square_root(square);
     for (const Number& place : {centre - half, centre + half}) {
       const auto ahead = (place - here_).sign();

@@ -95,7 +95,11 @@ TEST(Query, WhatIsNoQuestionGetsAnErrorAndNothingElse) {
        {"", " ", "[1,2]", "{", "nonsense", R"({"op":"clap"})", R"({"op":1})", R"({"id":1})",
         R"({"op":"nearest","walls":{},"origin":[0,0],"direction":[1,1e400]})",
         R"({"op":"nearest","walls":[{"circle":{"center":[0,0],"radius":-1}}],"origin":[0,0],)"
-        R"("direction":[1,0]})"}) {
+        R"("direction":[1,0]})",
+        R"({"op":"nearest","walls":[{"circle":{"center":[0,0],"radius":1,"raduis":2}}],)"
+        R"("origin":[0,0],"direction":[1,0]})",
+        R"({"op":"nearest","walls":[{"circle":{"center":[0,0],"radius":1},)"
+        R"("segment":[[0,0],[1,1]]}],"origin":[0,0],"direction":[1,0]})"}) {
     const Answer said = answer_line(text);
     EXPECT_FALSE(said.ok) << text;
     EXPECT_NE(said.line.find(R"("error":)"), std::string::npos) << text;

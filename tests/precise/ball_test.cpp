@@ -37,15 +37,40 @@ TEST(Ball, MoreBitsTellWhatFewerLeaveOpen) {
   EXPECT_EQ(sign_at(256), Sign::positive);
 }
 
-// Every result holds the exact one: its distance is within what leaves the sign open.
-TEST(Ball, HoldsWhatTheRationalsGive) {
-  for (int i = 1; i < 200; ++i) {
-    const double a = i / 7.0, b = 1 / (i + 0.3), c = i - 90.5;
-    const Ball value = (ball(a, 64) * ball(b, 64) - ball(c, 64)) / (ball(a, 64) + ball(b, 64));
-    const Rational exact = (Rational(a) * b - c) / (Rational(a) + b);
-    EXPECT_EQ(value.sign(), exact.sign());
-    EXPECT_EQ(value.nearest().value_or(exact.nearest()), exact.nearest());
+// Expressions that cancel to the last bit or altogether, in few bits: what is told is what the
+// rationals say, and much is told.
+TEST(Ball, WhatIsToldIsWhatTheRationalsSay) {
+  int signs = 0, doubles = 0, zeros = 0, all = 0;
+  for (int i = 1; i < 400; ++i) {
+    const double a = i / 7.0, b = 1 / (i + 0.3), c = (i - 200.5) / 3;
+    const Rational x = a, y = b, z = c;
+    const auto check = [&](const Ball& value, const Rational& exact) {
+      ++all;
+      if (const auto sign = value.sign()) {
+        EXPECT_EQ(*sign, exact.sign());
+        ++signs;
+      } else if (exact.sign() == Sign::zero) {
+        ++zeros;
+      }
+      if (const auto nearest = value.nearest()) {
+        EXPECT_EQ(*nearest, exact.nearest());
+        ++doubles;
+      }
+    };
+    for (const int bits : {53, 56, 64, 110}) {
+      const Ball p = ball(a, bits), q = ball(b, bits), r = ball(c, bits);
+      check(p / q * q - p, Rational(0));
+      check(square_root(p) * square_root(p) - p, Rational(0));
+      check((p * q - r) / (p + q), (x * y - z) / (x + y));
+      check((p + r) - p - r, Rational(0));
+      check((p * p - q * q) - (p - q) * (p + q), Rational(0));
+      check(p * q - ball(a * b, bits), x * y - a * b);
+      check(p / q - ball(a / b, bits), x / y - a / b);
+    }
   }
+  EXPECT_GT(signs, all / 4);
+  EXPECT_GT(doubles, all / 8);
+  EXPECT_GT(zeros, all / 8);  // zero, and the radius says that it may be another
 }
 
 }  // namespace

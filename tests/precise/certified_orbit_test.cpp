@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "precise/proven_bounces.h"
 
 namespace flatray {
@@ -104,6 +106,36 @@ TEST(CertifiedOrbit, TooFewBitsLeaveItUndecidedAndWhatIsToldIsTrue) {
   EXPECT_GT(some->bounces.size(), 10U);
   for (std::size_t i = 0; i < some->bounces.size(); ++i)
     EXPECT_EQ(some->bounces[i].point, all->bounces[i].point);
+}
+
+// A coordinate exactly between two doubles: no number of bits tells to which it rounds.
+TEST(CertifiedOrbit, ATieIsRoundedToEvenAndDoesNotStopIt) {
+  for (const Ray& start : {Ray{{-0.4, -0.30000000000000004}, {0.1, 0.4}},
+                           Ray{{-8.6, -1.9000000000000001}, {-5, -2}}}) {
+    const double side = std::fabs(start.origin.x()) < 1 ? 0.4 : 10;
+    const auto orbit = certified_orbit(
+        room({{-side, -side}, {side, -side}, {side, side}, {-side, side}}), start, 12);
+    ASSERT_TRUE(orbit);
+    EXPECT_TRUE(orbit->decided);
+    EXPECT_LE(orbit->bits, 1024U);
+  }
+}
+
+// Walls on the ray's own line: ahead a corner, behind nothing, behind another wall nothing.
+TEST(CertifiedOrbit, AWallOnTheRaysLineIsACornerOnlyWhereItIsMet) {
+  const Ray start{{0, 0}, {1, 0}};
+  const auto end_of = [&](const std::vector<Segment>& segments) {
+    Surfaces walls;
+    for (const Segment& segment : segments) walls.add(segment);
+    const auto orbit = certified_orbit(walls, start, 1);
+    EXPECT_TRUE(orbit && orbit->decided);
+    return orbit->end;
+  };
+  EXPECT_EQ(end_of({{{2, 0}, {4, 0}}}), OrbitEnd::corner);
+  EXPECT_EQ(end_of({{{1, 0}, {1, 0}}, {{2, -1}, {2, 1}}}), OrbitEnd::corner);
+  EXPECT_EQ(end_of({{{-4, 0}, {-2, 0}}, {{1, -1}, {1, 1}}}), OrbitEnd::limit);
+  EXPECT_EQ(end_of({{{4, 0}, {6, 0}}, {{1, -1}, {1, 1}}}), OrbitEnd::limit);
+  EXPECT_EQ(end_of({{{-4, 0}, {-2, 0}}}), OrbitEnd::escape);
 }
 
 TEST(CertifiedOrbit, AnEscapeHasItsDirectionRounded) {

@@ -64,6 +64,7 @@ TEST(Stability, EveryExactTracerIsRightInEveryFamily) {
       EXPECT_EQ(tally.wrong, 0U) << tracer->name << ", " << family.name << ", "
                                  << tally.first_wrong;
       EXPECT_EQ(tally.off_by_more, 0U) << tracer->name << ", " << family.name;
+      EXPECT_LE(100 * tally.not_nearest, tally.hits) << tracer->name << ", " << family.name;
     }
 }
 

@@ -17,7 +17,10 @@ Fields answer(Question& question) {
   HitInterval hit;
   if (question.has("disc")) {
     const Circle disc = question.disc("disc");
-    if (question.has("polygon")) question.mistake("polygon", "does not go with a disc");
+    if (question.has("polygon")) {
+      question.polygon("polygon");
+      question.mistake("disc", "does not go with a polygon");
+    }
     hit = clip_circle(ray, disc, within);
   } else {
     const std::vector<Vec2> corners = question.polygon("polygon");

@@ -15,10 +15,13 @@ Fields answer(Question& question) {
   accelerate(walls)->nearest(rays, {&hit, 1});
   if (!hit) return {{"wall", JsonValue()}};
   const Vec2 point = hit_point(walls, ray, hit);
-  return {{"wall", hit.surface},
-          {"t", hit.t},
-          {"point", Values{point.x(), point.y()}},
-          {"class", name(hit.kind)}};
+  Fields fields = {{"wall", hit.surface},
+                   {"t", hit.t},
+                   {"point", Values{point.x(), point.y()}},
+                   {"class", name(hit.kind)}};
+  // A time that rounds to the largest double lies beyond it, or within half an ulp of it.
+  if (hit.t == std::numeric_limits<double>::max()) fields.emplace_back("overflow", true);
+  return fields;
 }
 
 }  // namespace

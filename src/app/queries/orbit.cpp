@@ -51,7 +51,7 @@ Fields certified(const Surfaces& walls, const Ray& ray, std::uint64_t bounces, Q
                        escapes ? as_json(orbit->out) : JsonValue());
   if (orbit->end == OrbitEnd::corner) add_corner(fields, orbit->corner, orbit->corner_walls);
   fields.emplace_back("certain", std::uint64_t{orbit->bounces.size()});
-  fields.emplace_back("bits", orbit->bits);
+  if (orbit->bits > 0) fields.emplace_back("bits", orbit->bits);
   return fields;
 }
 

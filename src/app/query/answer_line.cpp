@@ -47,8 +47,8 @@ Answer answer_line(std::string_view line, const Precision& precision) {
   const auto json = read_json(line);
   if (!json)
     return mistake(nullptr, fmt::format("column {}: {}", json.error().byte, json.error().what));
-  const auto* fields = std::get_if<Fields>(&json->data);
-  if (fields == nullptr) return mistake(nullptr, "column 1: a question is an object: {\"op\": ..}");
+  if (!std::holds_alternative<Fields>(json->data))
+    return mistake(nullptr, "column 1: a question is an object: {\"op\": ..}");
   const JsonValue* id = json->find("id");
   const JsonValue* op = json->find("op");
   if (op == nullptr) return mistake(id, "op: is missing");
@@ -56,7 +56,7 @@ Answer answer_line(std::string_view line, const Precision& precision) {
   if (!name) return mistake(id, "op: is no text");
   for (const Query* query : all_queries()) {
     if (*name != query->name) continue;
-    Question question(*fields, precision);
+    Question question(*json, precision);
     Fields answer = query->answer(question);
     if (std::string what = question.mistakes(); !what.empty()) return mistake(id, std::move(what));
     return as_line(id, std::move(answer), true);

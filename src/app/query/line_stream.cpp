@@ -57,8 +57,8 @@ Result<std::vector<std::string_view>> LineStream::next() {
     const auto more = fill();
     if (!more) return tl::unexpected(more.error());
     ended_ = !*more;
-    end = room_.rfind('\n');
-    if (end != std::string::npos && end < before) end = std::string::npos;
+    const std::size_t last = std::string_view(room_).substr(before).rfind('\n');
+    if (last != std::string_view::npos) end = before + last;
     if (end == std::string::npos && room_.size() > kLongest)
       return fail(named_place(name_), fmt::format("a line is longer than {} bytes", kLongest),
                   "one question a line");

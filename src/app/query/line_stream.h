@@ -25,7 +25,7 @@ class LineStream {
   /// Error   Trouble::missing where it cannot be read; Trouble::invalid for a line above kLongest.
   Result<std::vector<std::string_view>> next();
 
-  static constexpr std::size_t kLongest = std::size_t{1} << 26;
+  static constexpr std::size_t kLongest = std::size_t{1} << 24;
 
  private:
   LineStream(int file, std::string name) : file_(file), name_(std::move(name)) {}

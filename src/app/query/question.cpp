@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <set>
+
 #include "base/diagnostic.h"
 #include "geom/polygon.h"
 
@@ -19,15 +21,11 @@ std::optional<double> number_in(const JsonValue& value) {
 
 }  // namespace
 
-bool Question::has(std::string_view name) const {
-  return std::any_of(fields_.begin(), fields_.end(),
-                     [&](const auto& field) { return field.first == name; });
-}
+bool Question::has(std::string_view name) const { return whole_.find(name) != nullptr; }
 
 const JsonValue* Question::find(std::string_view name) {
   asked_.emplace_back(name);
-  for (const auto& [key, value] : fields_)
-    if (key == name) return &value;
+  if (const JsonValue* value = whole_.find(name)) return value;
   mistake(name, "is missing");
   return nullptr;
 }
@@ -92,7 +90,29 @@ std::vector<Vec2> Question::polygon(std::string_view name) {
   return corners;
 }
 
+// Says which fields of an object are none of `known`.
+void Question::check_fields(const JsonValue& value, const std::string& where,
+                            const std::vector<std::string>& known) {
+  const auto* fields = std::get_if<Fields>(&value.data);
+  if (fields == nullptr) return;
+  std::set<std::string_view> seen;
+  for (const auto& field : *fields) {
+    const std::string place = where.empty() ? field.first : where + "." + field.first;
+    if (!seen.insert(field.first).second) mistake(place, "is given twice");
+    if (std::find(known.begin(), known.end(), field.first) == known.end())
+      unknown_field(place, nearest_word(field.first, known));
+  }
+}
+
+void Question::unknown_field(const std::string& where, const std::string& near) {
+  mistake(where, near.empty() ? std::string("is not a field of this question")
+                              : fmt::format("is not a field of this question (did you mean "
+                                            "'{}'?)",
+                                            near));
+}
+
 Circle Question::read_circle(const JsonValue& value, const std::string& where) {
+  check_fields(value, where, {"center", "radius"});
   const JsonValue* centre = value.find("center");
   const JsonValue* radius = value.find("radius");
   if (centre == nullptr || radius == nullptr) {
@@ -110,6 +130,9 @@ Circle Question::disc(std::string_view name) {
 }
 
 void Question::read_wall(const JsonValue& value, const std::string& where, Surfaces& walls) {
+  check_fields(value, where, {"segment", "circle"});
+  if (value.find("circle") != nullptr && value.find("segment") != nullptr)
+    mistake(where, "is a segment or a circle, not both");
   if (const JsonValue* circle = value.find("circle")) {
     walls.add(read_circle(*circle, where + ".circle"));
     return;
@@ -148,15 +171,9 @@ void Question::mistake(std::string_view where, std::string_view what) {
 }
 
 std::string Question::mistakes() {
-  for (const auto& field : fields_) {
-    if (field.first == "id" || field.first == "op") continue;
-    if (std::find(asked_.begin(), asked_.end(), field.first) != asked_.end()) continue;
-    const std::string near = nearest_word(field.first, asked_);
-    mistake(field.first, near.empty() ? "is not a field of this question"
-                                      : fmt::format("is not a field of this question (did you "
-                                                    "mean '{}'?)",
-                                                    near));
-  }
+  std::vector<std::string> known = asked_;
+  known.insert(known.end(), {"id", "op"});
+  check_fields(whole_, "", known);
   return mistakes_;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/value.h"
 #include "geom/ray.h"
+#include "precise/certified_orbit.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
@@ -12,15 +13,16 @@ namespace flatray {
 /// How orbits are followed.
 struct Precision {
   bool certified = false;
-  unsigned most_bits = 65536;  ///< of a certified one
+  unsigned most_bits = kMostBits;  ///< of a certified one
 };
 
 /// The fields of one question, read by name. A field that is absent or wrong gives a value of no
 /// meaning and a mistake that names it; answers are not to be used where there are mistakes.
 class Question {
  public:
-  explicit Question(const Fields& fields, const Precision& precision = {})
-      : fields_(fields), precision_(precision) {}
+  /// Needs   an object that outlives it.
+  explicit Question(const JsonValue& whole, const Precision& precision = {})
+      : whole_(whole), precision_(precision) {}
 
   const Precision& precision() const { return precision_; }
 
@@ -50,11 +52,14 @@ class Question {
 
  private:
   const JsonValue* find(std::string_view name);
+  void check_fields(const JsonValue& value, const std::string& where,
+                    const std::vector<std::string>& known);
+  void unknown_field(const std::string& where, const std::string& near);
   Vec2 read_point(const JsonValue& value, const std::string& where);
   Circle read_circle(const JsonValue& value, const std::string& where);
   void read_wall(const JsonValue& value, const std::string& where, Surfaces& walls);
 
-  const Fields& fields_;
+  const JsonValue& whole_;
   const Precision precision_;
   std::vector<std::string> asked_;
   std::string mistakes_;

@@ -1,6 +1,7 @@
 #include "app/query/query.h"
 
 #include <cstdio>
+#include <span>
 
 #include "app/query/line_stream.h"
 #include "app/scene_input.h"
@@ -14,7 +15,10 @@ namespace {
 constexpr std::array kOptions = {
     Option{"precision", '\0', "double|certified", "of orbits: certified proves every bounce"},
     Option{"bits", '\0', "N", "most bits of a certified orbit (default 65536)"}, kThreadsOption};
-constexpr std::size_t kLinesATask = 64;
+// Questions are answered in waves, whose answers are written before the next: long answers, of
+// orbits, make a wave short.
+constexpr std::size_t kLinesATask = 16, kTasksAThread = 8;
+constexpr std::size_t kLongAnswers = std::size_t{1} << 22;
 
 // Answers to `lines`, in their order; whether all were questions.
 struct Answers {
@@ -22,7 +26,7 @@ struct Answers {
   std::vector<char> sound;
 };
 
-Answers answer(const std::vector<std::string_view>& lines, const Precision& precision,
+Answers answer(std::span<const std::string_view> lines, const Precision& precision,
                unsigned threads) {
   const std::size_t tasks = (lines.size() + kLinesATask - 1) / kLinesATask;
   Answers answers{std::vector<std::string>(tasks), std::vector<char>(tasks, 1)};
@@ -31,11 +35,18 @@ Answers answer(const std::vector<std::string_view>& lines, const Precision& prec
                  const std::size_t last = std::min(lines.size(), (task + 1) * kLinesATask);
                  for (std::size_t i = task * kLinesATask; i < last; ++i) {
                    const Answer one = answer_line(lines[i], precision);
-                   answers.texts[task] += one.line + "\n";
+                   answers.texts[task] += one.line;
+                   answers.texts[task] += '\n';
                    if (!one.ok) answers.sound[task] = 0;
                  }
                });
   return answers;
+}
+
+std::size_t size_of(const Answers& answers) {
+  std::size_t size = 0;
+  for (const std::string& text : answers.texts) size += text.size();
+  return size;
 }
 
 Result<void> write(const Answers& answers) {
@@ -62,13 +73,19 @@ Result<VerbOutput> run(const Arguments& arguments) {
   auto stream = LineStream::open(arguments.operands().empty() ? "-" : arguments.operands().front());
   if (!stream) return tl::unexpected(stream.error());
   bool sound = true;
+  std::size_t lines_at_once = kLinesATask * kTasksAThread;
   while (true) {
     const auto lines = stream->next();
     if (!lines) return tl::unexpected(lines.error());
     if (lines->empty()) return VerbOutput{"", sound ? 0 : 1};
-    const Answers answers = answer(*lines, *precision, *count);
-    if (auto written = write(answers); !written) return tl::unexpected(written.error());
-    for (const char one : answers.sound) sound = sound && one != 0;
+    for (std::span<const std::string_view> rest = *lines; !rest.empty();) {
+      const std::size_t wave = std::min(rest.size(), std::size_t{*count} * lines_at_once);
+      const Answers answers = answer(rest.first(wave), *precision, *count);
+      if (auto written = write(answers); !written) return tl::unexpected(written.error());
+      for (const char one : answers.sound) sound = sound && one != 0;
+      lines_at_once = size_of(answers) > kLongAnswers ? 1 : kLinesATask * kTasksAThread;
+      rest = rest.subspan(wave);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "app/scene_input.h"
 #include "app/stability_log.h"
 #include "app/verb.h"
+#include "base/isa.h"
 #include "base/parallel.h"
 
 namespace flatray::verbs {
@@ -31,7 +32,8 @@ constexpr std::array kOptions = {
     Option{"families", '\0', "NAME,NAME", "only these families of inputs", OptionKind::text,
            &family_names},
     Option{"tracer", '\0', "NAME,NAME", "only these tracers", OptionKind::text, &exact_tracers},
-    Option{"count", '\0', "N", "rays of each family for each tracer (default 100000)"},
+    Option{"count", '\0', "N",
+           "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
     Option{"seed", '\0', "N", "seed of all draws (default 1)"},
     Option{"output", 'o', "FOLDER",
            "where stability.csv goes, a row a chunk; a run with the same seed goes on from it"},
@@ -55,7 +57,7 @@ Result<std::vector<std::string>> chosen(const Arguments& arguments, const char* 
   for (const std::string_view word : split_commas(*text)) {
     if (std::find(known.begin(), known.end(), word) == known.end())
       return unknown_name(arguments.where(option), what, std::string(word), known);
-    names.emplace_back(word);
+    if (std::find(names.begin(), names.end(), word) == names.end()) names.emplace_back(word);
   }
   return names;
 }
@@ -82,12 +84,17 @@ Result<Plan> read_plan(const Arguments& arguments) {
   return plan;
 }
 
+StabilityLog::Key key_of(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
+                         std::uint64_t chunk) {
+  return {family.name, tracer.name, isa_name(active_isa()), plan.seed, chunk};
+}
+
 // Chunks not yet in the log, a round of `threads` at a time; each is logged when it is there.
 Result<void> run_chunks(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
                         StabilityLog& log) {
   std::vector<std::uint64_t> open;
   for (std::uint64_t chunk = 0; chunk < plan.chunks; ++chunk)
-    if (!log.has({family.name, tracer.name, plan.seed, chunk})) open.push_back(chunk);
+    if (!log.has(key_of(plan, family, tracer, chunk))) open.push_back(chunk);
   for (std::size_t begin = 0; begin < open.size() && !interrupted(); begin += plan.threads) {
     const std::size_t count = std::min<std::size_t>(plan.threads, open.size() - begin);
     std::vector<StabilityTally> tallies(count);
@@ -98,7 +105,7 @@ Result<void> run_chunks(const Plan& plan, const oracle::Family& family, const Tr
     });
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     for (std::size_t i = 0; i < count; ++i) {
-      const StabilityLog::Key key{family.name, tracer.name, plan.seed, open[begin + i]};
+      const StabilityLog::Key key = key_of(plan, family, tracer, open[begin + i]);
       const double seconds = time.count() / static_cast<double>(count);
       if (auto logged = log.add(key, tallies[i], seconds); !logged) return logged;
     }
@@ -119,7 +126,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     for (const Tracer* tracer : plan->tracers) {
       if (auto done = run_chunks(*plan, *family, *tracer, *log); !done)
         return fail(std::move(done));
-      const StabilityTally sum = log->sum(family->name, tracer->name, plan->seed, plan->chunks);
+      const StabilityTally sum = log->sum(key_of(*plan, *family, *tracer, 0), plan->chunks);
       wrong += sum.wrong + sum.off_by_more;
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong,
                             sum.not_nearest, sum.off_by_more, sum.first_wrong});

@@ -1,4 +1,5 @@
 #include <map>
+#include <span>
 
 #include "render/pass.h"
 #include "transport/orbit.h"
@@ -44,32 +45,35 @@ void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
     context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
 }
 
-// The orbits of all rays, by ray: those of as many bounces are advanced together.
-std::vector<Orbit> all_orbits(DrawContext& context) {
+// Rays of as many bounces are advanced together, a few at a time: orbits are long.
+constexpr std::size_t kRaysAtOnce = 64;
+
+void draw_some(DrawContext& context, std::span<const std::size_t> numbers, std::uint64_t bounces) {
   const World& world = context.world();
-  const std::vector<Material> materials = world.materials();
-  const std::vector<RayPath>& rays = context.scene.rays;
-  std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
-  for (std::size_t i = 0; i < rays.size(); ++i) by_bounces[rays[i].bounces].push_back(i);
-  std::vector<Orbit> orbits(rays.size());
-  for (const auto& [bounces, numbers] : by_bounces) {
-    std::vector<Ray> starts;
-    for (const std::size_t i : numbers)
-      starts.push_back({world_pose(context.state)(rays[i].at), rays[i].direction});
-    std::vector<Orbit> traced = trace_orbits(world.surfaces, materials, starts, bounces);
-    for (std::size_t i = 0; i < numbers.size(); ++i) orbits[numbers[i]] = std::move(traced[i]);
+  std::vector<Ray> starts;
+  for (const std::size_t i : numbers) {
+    const RayPath& ray = context.scene.rays[i];
+    starts.push_back({world_pose(context.state)(ray.at), ray.direction});
   }
-  return orbits;
+  const std::vector<Orbit> orbits =
+      trace_orbits(world.surfaces, world.materials(), starts, bounces);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const RayPath& ray = context.scene.rays[numbers[k]];
+    context.place(ray.layer, ray.order, ray.where);
+    context.fade(ray.opacity, [&] { draw(context, ray, orbits[k]); });
+  }
 }
 
 void draw_all(DrawContext& context) {
-  const std::vector<Orbit> orbits = all_orbits(context);
-  for (std::size_t i = 0; i < orbits.size(); ++i) {
-    const RayPath& ray = context.scene.rays[i];
-    if (context.refused()) return;
-    context.place(ray.layer, ray.order, ray.where);
-    context.fade(ray.opacity, [&] { draw(context, ray, orbits[i]); });
-  }
+  const std::vector<RayPath>& rays = context.scene.rays;
+  std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
+  for (std::size_t i = 0; i < rays.size(); ++i) by_bounces[rays[i].bounces].push_back(i);
+  for (const auto& [bounces, numbers] : by_bounces)
+    for (std::size_t begin = 0; begin < numbers.size(); begin += kRaysAtOnce) {
+      if (context.refused()) return;
+      const std::size_t count = std::min(kRaysAtOnce, numbers.size() - begin);
+      draw_some(context, std::span(numbers).subspan(begin, count), bounces);
+    }
 }
 
 }  // namespace
