@@ -1,4 +1,4 @@
-// Goals S1, S2, S4, S5: what rays meet first, by every exact tracer and by Embree as far as it is
+// Goals S1 to S5: what rays meet first, by every exact tracer and by Embree as far as it is
 // built in, in million rays a second of one thread; then the memory and the time to build (S15).
 //   trace_nearest [--cells RAYS,SCENE] [--most N]     e.g. --cells random,uniform --most 4096
 #include <fmt/core.h>
@@ -40,11 +40,23 @@ class Flatray : public bench::Tracing {
     rays_.set(ray, {origin, direction}, {left, flatray::Root::none});
   }
 
- private:
+ protected:
   std::string name_, remark_;
   std::unique_ptr<flatray::Accelerator> walls_;
   RayBatch rays_;
   std::vector<NearestHit> hits_;
+};
+
+// The same, a call a ray (goal S3).
+class OneByOne : public Flatray {
+ public:
+  using Flatray::Flatray;
+  std::string name() const override { return Flatray::name() + ", 1"; }
+  bool for_chambers() const override { return false; }
+  std::string remark() const override { return {}; }
+  void trace() override {
+    for (std::size_t i = 0; i < hits_.size(); ++i) hits_[i] = walls_->nearest_of_one(rays_.ray(i));
+  }
 };
 
 // Every wall a mirror: rays in blocks, all one bounce on, then all again.
@@ -111,8 +123,9 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
                                                         std::size_t segments) {
   bench::Tracings all;
   for (const flatray::Tracer* tracer : flatray::tracers())
-    if (tracer->exact && (segments <= 4096 || std::strcmp(tracer->name, "brute") != 0))
+    if (tracer->exact && (segments <= 256 || std::strcmp(tracer->name, "brute") != 0))
       all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
+  all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
 #ifdef BENCH_EMBREE
   bench::add_embree(room.walls, 0.5, all);
 #endif

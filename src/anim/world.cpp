@@ -37,13 +37,15 @@ std::vector<Material> World::materials() const {
   return all;
 }
 
-World build_world(const Scene& scene, const FrameState& state) {
+World build_world(const Scene& scene, const FrameState& state, WorldOf of) {
   using Kind = SurfaceOwner::Kind;
   World world;
-  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (const std::optional<Material> material = scene.entities[i].material)
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
+    const std::optional<Material> material = scene.entities[i].material;
+    if (material || of == WorldOf::everything)
       add_shape(world, scene.shapes[state.entities[i].shape], entity_pose(state, i),
-                {Kind::entity, i, 0, kNoEdge, *material});
+                {Kind::entity, i, 0, kNoEdge, material.value_or(Material::absorb)});
+  }
   for (std::uint32_t i = 0; i < scene.chambers.size(); ++i) {
     const Chamber& chamber = scene.chambers[i];
     add_shape(world, scene.shapes[chamber.shape], world_pose(state),

@@ -10,7 +10,7 @@ struct SurfaceOwner {
   std::uint32_t index;   ///< entity; chamber
   std::uint32_t pillar;  ///< of the chamber; 0 for what is no pillar
   std::int32_t edge;  ///< of the shape as given; the number of a lone segment; kNoEdge for a circle
-  Material material;
+  Material material;  ///< of an entity without one: absorbs
 };
 
 /// The walls of one frame in world coordinates, each with its owner.
@@ -22,7 +22,13 @@ struct World {
   std::vector<Material> materials() const;
 };
 
-/// Outlines of every chamber, pillar and entity with a material. Left out: cuts and shared edges
+/// What a world is made of.
+enum class WorldOf : std::uint8_t {
+  mirrors,    ///< entities with a material, as orbits meet them
+  everything  ///< entities without one, too
+};
+
+/// Outlines of every chamber and pillar, and of entities as `of` says. Left out: cuts and shared edges
 /// between the pieces of one shape, crossing rings, and edges whose ends are one point in the
 /// world.
 ///
@@ -30,6 +36,6 @@ struct World {
 ///         its circles. Edges run counter-clockwise. Edges that share a vertex in the shape share
 ///         its doubles in the world.
 /// Cost    O(n log n) edges for shapes of several pieces, else O(n).
-World build_world(const Scene& scene, const FrameState& state);
+World build_world(const Scene& scene, const FrameState& state, WorldOf of = WorldOf::mirrors);
 
 }  // namespace flatray

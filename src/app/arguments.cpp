@@ -21,7 +21,8 @@ std::vector<std::string> Arguments::list(std::string_view name) const {
 
 Place Arguments::where(std::string_view name) const {
   const auto found = given_.find(name);
-  return named_place(found == given_.end() ? fmt::format("--{}", name) : found->second.origin);
+  if (found == given_.end()) return named_place(fmt::format("--{}", name));
+  return found->second.place ? found->second.place : named_place(found->second.origin);
 }
 
 Result<std::uint64_t> Arguments::whole(std::string_view name, std::uint64_t otherwise,

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/result.h"
@@ -38,6 +39,7 @@ class Arguments {
   struct Given {
     std::string origin;  ///< "--size" or "FLATRAY_SIZE": the place messages name
     std::vector<std::string> values;
+    Place place{};  ///< where it is written, in a file
   };
 
   Arguments() = default;
@@ -79,6 +81,19 @@ class Arguments {
 using Environment = const char* (*)(const char* name);
 Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,
                                   Environment environment);
+
+/// Names of registered entries, or of pointers to them.
+template <class Entries>
+std::vector<std::string> names_of(const Entries& entries) {
+  std::vector<std::string> names;
+  for (const auto& entry : entries) {
+    if constexpr (std::is_pointer_v<std::decay_t<decltype(entry)>>)
+      names.emplace_back(entry->name);
+    else
+      names.emplace_back(entry.name);
+  }
+  return names;
+}
 
 /// A failed Result with Trouble::usage.
 inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,

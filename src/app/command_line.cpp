@@ -38,8 +38,7 @@ const Verb* find_verb(const std::string& name) {
 }
 
 Diagnostics unknown_verb(const std::string& word) {
-  std::vector<std::string> known;
-  for (const Verb* verb : all_verbs()) known.emplace_back(verb->name);
+  const std::vector<std::string> known = names_of(all_verbs());
   const std::string near = nearest_word(word, known);
   std::error_code ignored;
   std::string hint = fmt::format("say one of: {}", comma_list(known));

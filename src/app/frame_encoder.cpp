@@ -26,13 +26,25 @@ Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
 
 }  // namespace
 
-FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads)
-    : job_(job), options_{job.crop, threads, job.keep_all}, drawer_(drawer_for(job, options_)) {}
+FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)())
+    : job_(job),
+      options_{job.crop, threads, job.keep_all, stop},
+      drawer_(drawer_for(job, options_)) {}
 
-Result<const Encoded*> FrameEncoder::encode(DrawList list) {
+Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
+  if (!list) return fail(std::move(list));
   Result<void> drawn =
-      std::visit([&](auto& drawer) { return encode(drawer, std::move(list)); }, drawer_);
+      std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
   if (!drawn) return fail(std::move(drawn));
+  return std::visit([](const auto& drawer) { return drawer.whole(); }, drawer_) ? &out_ : nullptr;
+}
+
+Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
+                                            unsigned frame) {
+  if (!job_.view) return encode(draw_list(plan, timeline, frame));
+  const Image picture = draw_view(*job_.view, timeline.scene(), at(timeline, frame), options_);
+  if (options_.stop != nullptr && options_.stop()) return nullptr;
+  keep(picture);
   return &out_;
 }
 
@@ -45,7 +57,7 @@ Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
     return {};
   }
   const Picture& picture = drawer.draw(std::move(list));
-  if (drawer.changed()) keep(picture);
+  if (drawer.changed() && drawer.whole()) keep(picture);
   return {};
 }
 

@@ -16,14 +16,18 @@ struct Encoded {
 /// the one before did is not encoded again.
 class FrameEncoder {
  public:
-  FrameEncoder(const RenderJob& job, unsigned threads);
+  /// `stop` is FrameOptions::stop.
+  FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)() = nullptr);
 
-  /// Valid until the next frame. Error   what the job's back end cannot draw.
-  Result<const Encoded*> encode(DrawList list);
+  /// A frame of the job: its view where it has one, else what the plan draws. Valid until the next
+  /// frame; null where `stop` ended it.
+  /// Error   the draw list's; what the job's back end cannot draw.
+  Result<const Encoded*> encode(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
   const DrawCounts& counts() const;
   std::size_t encoded() const { return encoded_; }  ///< pictures encoded so far
 
  private:
+  Result<const Encoded*> encode(Result<DrawList> list);
   template <class Picture>
   Result<void> encode(FrameDrawer<Picture>& drawer, DrawList list);
   template <class Picture>

@@ -254,8 +254,9 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
   if (!renderer) return tl::unexpected(renderer.error());
   const Timeline timeline(scene, row.seed, row.frame);
   GoldenPicture picture{{}, (*renderer)->description()};
-  auto drawn = (*renderer)->draw(draw_list(make_plan(scene, false), timeline, row.frame),
-                                 {std::nullopt, threads}, picture.image);
+  const auto list = draw_list(make_plan(scene, false), timeline, row.frame);
+  if (!list) return tl::unexpected(list.error());
+  auto drawn = (*renderer)->draw(*list, {std::nullopt, threads}, picture.image);
   if (!drawn) return fail(std::move(drawn));
   return picture;
 }

@@ -10,7 +10,8 @@ void catch_interrupts();
 /// the program.
 void survive_file_limits();
 
-/// Whether a stop was asked for: work in flight is finished, nothing new begun.
+/// Whether a stop was asked for: files in flight are finished, nothing new is begun and no frame
+/// drawn to its end.
 bool interrupted();
 
 }  // namespace flatray

@@ -32,27 +32,25 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-// The software back end draws everything.
-std::string encode(FrameEncoder& encoder, DrawList list) {
-  const Result<const Encoded*> picture = encoder.encode(std::move(list));
-  FLATRAY_CHECK(picture.has_value());
-  return (*picture)->record.bytes;
-}
-
-void measure(const RenderJob& job, std::size_t round, Measured& out) {
+Result<void> measure(const RenderJob& job, std::size_t round, Measured& out) {
   const double start = processor_seconds();
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   FrameEncoder encoder(job, 1);
   out.files.clear();
   for (const unsigned frame : job.frames) {
-    const bool repeats = plan.still && !out.files.empty();
-    out.files.push_back(repeats ? out.files.front()
-                                : encode(encoder, draw_list(plan, timeline, frame)));
+    if (plan.still && !out.files.empty()) {
+      out.files.push_back(out.files.front());
+      continue;
+    }
+    Result<const Encoded*> picture = encoder.encode(plan, timeline, frame);
+    if (!picture) return fail(std::move(picture));
+    out.files.push_back((*picture)->record.bytes);
   }
   out.counts = encoder.counts();
   out.encoded = encoder.encoded();
   out.seconds[round] = processor_seconds() - start;
+  return {};
 }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
@@ -66,18 +64,18 @@ std::string milliseconds(double seconds, std::size_t frames) {
 
 }  // namespace
 
-std::vector<Saving> measured_savings(const RenderJob& job) {
+Result<std::vector<Saving>> measured_savings(const RenderJob& job) {
   RenderJob all = job;
   all.keep_all = true;
   Measured some, every;
   for (std::size_t round = 0; round < kRounds; ++round) {
-    measure(job, round, some);
-    measure(all, round, every);
+    if (auto drawn = measure(job, round, some); !drawn) return fail(std::move(drawn));
+    if (auto drawn = measure(all, round, every); !drawn) return fail(std::move(drawn));
     FLATRAY_CHECK(some.files == every.files);  // leaving out changes no byte
   }
   const std::size_t frames = job.frames.size();
   const DrawCounts& counts = some.counts;
-  return {
+  return std::vector<Saving>{
       {"measured", fmt::format("{} frames", frames), "the same bytes as with everything kept"},
       {"measured: frames encoded", fmt::format("{} of {}", some.encoded, frames),
        "the others repeat the one before"},

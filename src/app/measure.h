@@ -15,6 +15,7 @@ struct Saving {
 /// as they are and once with everything kept, in turns.
 ///
 /// Units   milliseconds of processor time, medians of three rounds.
-std::vector<Saving> measured_savings(const RenderJob& job);
+/// Error   a frame that draws too many corners.
+Result<std::vector<Saving>> measured_savings(const RenderJob& job);
 
 }  // namespace flatray

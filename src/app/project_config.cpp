@@ -79,24 +79,35 @@ class Config {
   const std::vector<std::string> known_ = all_options();
 };
 
+// As on the command line: the options are wrong, not the scene.
+tl::unexpected<Diagnostics> refused(Diagnostics problems) {
+  for (Diagnostic& problem : problems) problem.trouble = Trouble::usage;
+  return tl::unexpected(std::move(problems));
+}
+
 }  // namespace
 
 Result<Arguments> with_project_config(std::span<const Option> options, Arguments arguments,
                                       const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
   std::error_code missing;
   const Format* toml = find_format("toml");
-  if (toml == nullptr || !std::filesystem::is_regular_file(file, missing)) return arguments;
+  if (toml == nullptr || fs::symlink_status(file, missing).type() == fs::file_type::not_found)
+    return arguments;
+  if (!fs::is_regular_file(file, missing))  // a pipe could keep the reader for ever
+    return fail(named_place(file.string()), "is no plain file", "remove it, or write options there",
+                Trouble::missing);
   Result<std::string> text = read_file(file, kMostBytes);
   if (!text) return fail(std::move(text));
   Result<SceneDesc> parsed =
       toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)));
-  if (!parsed) return fail(std::move(parsed));
+  if (!parsed) return refused(std::move(parsed).error());
   Config config(options);
   auto given = arguments.given();
   for (const Member& member : parsed->root.members)
     if (auto values = config.values(member); values && !arguments.has(member.key))
-      given[member.key] = {file.string(), std::move(*values)};
-  if (!config.problems.empty()) return tl::unexpected(std::move(config.problems));
+      given[member.key] = {file.string(), std::move(*values), member.value.where};
+  if (!config.problems.empty()) return refused(std::move(config.problems));
   return Arguments(std::move(given), arguments.operands());
 }
 

@@ -12,6 +12,7 @@
 #include "app/version.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/number_text.h"
 #include "base/parallel.h"
 
 namespace flatray {
@@ -85,22 +86,22 @@ class FrameMaker {
   }
 
   void draw_still(unsigned threads) {
-    FrameEncoder encoder(job_, threads);
-    Result<const Encoded*> made = encoder.encode(draw_list(plan_, timeline_, frames_.front()));
-    if (made) {
-      still_ = **made;
-    } else {
+    FrameEncoder encoder(job_, threads, &interrupted);
+    Result<const Encoded*> made = encoder.encode(plan_, timeline_, frames_.front());
+    if (!made)
       problems_.front() = std::move(made).error();
-      stopped_ = true;
-    }
+    else if (*made != nullptr)
+      still_ = **made;
+    stopped_ = !still_;
   }
 
   void make_run(std::size_t begin) {
-    FrameEncoder encoder(job_, spread_.threads_each);
+    FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
       const auto start = std::chrono::steady_clock::now();
       if (Result<FrameRecord> record = write(frames_[i], encoder)) {
+        if (record->frame == 0) return;
         records_[i] = std::move(*record);
         done_();
       } else {
@@ -111,10 +112,11 @@ class FrameMaker {
     }
   }
 
+  // A record without frame: the frame was interrupted.
   Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
-    Result<const Encoded*> made =
-        still_ ? &*still_ : encoder.encode(draw_list(plan_, timeline_, frame));
+    Result<const Encoded*> made = still_ ? &*still_ : encoder.encode(plan_, timeline_, frame);
     if (!made) return fail(std::move(made));
+    if (*made == nullptr) return FrameRecord{};
     const Encoded& picture = **made;
     FrameRecord record = picture.record;
     record.frame = frame;
@@ -177,6 +179,8 @@ std::string RenderJob::fingerprint() const {
   for (const int part : {scene.film.width, scene.film.height, box.x, box.y, box.width, box.height})
     hash.add(static_cast<std::uint64_t>(part));
   if (renderer) hash.add(backend());
+  if (view)
+    hash.add(view->view->name).add(number_text(view->point.x())).add(number_text(view->point.y()));
   return hash.add(flatray::name(output.format())).add(kVersion).hex();
 }
 
@@ -233,7 +237,7 @@ Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned fram
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   FrameEncoder encoder(job, threads);
-  Result<const Encoded*> made = encoder.encode(draw_list(plan, timeline, frame));
+  Result<const Encoded*> made = encoder.encode(plan, timeline, frame);
   if (!made) return fail(std::move(made));
   return (*made)->bytes;
 }

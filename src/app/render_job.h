@@ -11,6 +11,7 @@
 #include "app/manifest.h"
 #include "app/output_pattern.h"
 #include "render/backend.h"
+#include "render/view.h"
 
 namespace flatray {
 
@@ -26,6 +27,7 @@ struct RenderJob {
   std::uint64_t seed = 0;
   bool keep_all = false;
   std::shared_ptr<const Renderer> renderer = nullptr;  ///< null: the software back end
+  std::optional<ViewRequest> view = std::nullopt;      ///< drawn instead of the picture
 
   std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }
   std::filesystem::path folder() const { return path(1).parent_path(); }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMostEntities = std::uint64_t{1}
                                         << 24;  // what the order of drawing tells apart
+constexpr std::uint64_t kMostCorners = std::uint64_t{1} << 31;  // what numbers of edges tell apart
 constexpr std::uint64_t kMostDepth = 1000;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
 constexpr std::uint64_t kMostSeed = ~std::uint64_t{0} >> 1;  // what a TOML integer holds
@@ -31,35 +32,47 @@ Result<unsigned> threads(const Arguments& arguments) {
   return static_cast<unsigned>(*count);
 }
 
+namespace {
+
+Result<LoadLimits> limits_of(const Arguments& arguments) {
+  LoadLimits limits;
+  const auto pixels = max_pixels(arguments);
+  if (!pixels) return tl::unexpected(pixels.error());
+  limits.max_pixels = *pixels;
+  const auto entities = arguments.whole("max-entities", limits.max_entities, 1, kMostEntities);
+  if (!entities) return tl::unexpected(entities.error());
+  limits.max_entities = *entities;
+  const auto corners = arguments.whole("max-corners", limits.max_corners, 1, kMostCorners);
+  if (!corners) return tl::unexpected(corners.error());
+  limits.max_corners = *corners;
+  const auto depth = arguments.whole("max-depth", limits.max_depth, 0, kMostDepth);
+  if (!depth) return tl::unexpected(depth.error());
+  limits.max_depth = *depth;
+  const auto bytes = arguments.whole("max-bytes", limits.max_bytes, 1, kMostBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  limits.max_bytes = *bytes;
+  const auto count = threads(arguments);
+  if (!count) return tl::unexpected(count.error());
+  limits.threads = *count;
+  return limits;
+}
+
+}  // namespace
+
 Result<ReadScene> read_input(const Arguments& arguments, const std::string& path,
                              const std::vector<Override>& more) {
   auto overrides = parse_overrides(arguments.list("define"), arguments.where("define"));
   if (!overrides) return tl::unexpected(overrides.error());
   overrides->insert(overrides->end(), more.begin(), more.end());
-  const auto limit = max_pixels(arguments);
-  if (!limit) return tl::unexpected(limit.error());
-  const auto entities =
-      arguments.whole("max-entities", LoadLimits{}.max_entities, 1, kMostEntities);
-  if (!entities) return tl::unexpected(entities.error());
-  const auto depth = arguments.whole("max-depth", LoadLimits{}.max_depth, 0, kMostDepth);
-  if (!depth) return tl::unexpected(depth.error());
-  const auto bytes = arguments.whole("max-bytes", LoadLimits{}.max_bytes, 1, kMostBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  LoadLimits limits;
-  limits.max_bytes = *bytes;
-  limits.max_depth = *depth;
-  limits.max_pixels = *limit;
-  limits.max_entities = *entities;
-  const auto count = threads(arguments);
-  if (!count) return tl::unexpected(count.error());
-  limits.threads = *count;
+  const auto limits = limits_of(arguments);
+  if (!limits) return tl::unexpected(limits.error());
   std::optional<std::uint64_t> seeded;
   if (arguments.has("seed")) {
     const auto given = arguments.whole("seed", 0, 0, ~std::uint64_t{0});
     if (!given) return tl::unexpected(given.error());
     seeded = *given;
   }
-  return read_scene(path, *overrides, limits, seeded);
+  return read_scene(path, *overrides, *limits, seeded);
 }
 
 Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,

@@ -16,6 +16,9 @@ inline constexpr Option kMaxPixelsOption = {"max-pixels", '\0', "N",
                                             "most pixels a picture may have (default 268435456)"};
 inline constexpr Option kMaxEntitiesOption = {
     "max-entities", '\0', "N", "most entities a scene may have, copies too (default 1000000)"};
+inline constexpr Option kMaxCornersOption = {
+    "max-corners", '\0', "N",
+    "most corners a scene may have, copies too, and draw in a frame (default 33554432)"};
 inline constexpr Option kMaxBytesOption = {
     "max-bytes", '\0', "N", "most bytes of a scene and all its files (default 1073741824)"};
 inline constexpr Option kMaxDepthOption = {
@@ -35,8 +38,9 @@ inline constexpr Option kQuietOption = {"quiet", 'q', "", "print no warnings and
 /// A verb's own options and those of every verb that reads scenes.
 template <std::size_t count>
 constexpr auto with_scene_options(const Option (&own)[count]) {
-  constexpr std::array kShared = {kDefineOption,   kMaxPixelsOption, kMaxEntitiesOption,
-                                  kMaxDepthOption, kMaxBytesOption,  kQuietOption};
+  constexpr std::array kShared = {kDefineOption,     kMaxPixelsOption, kMaxEntitiesOption,
+                                  kMaxCornersOption, kMaxDepthOption,  kMaxBytesOption,
+                                  kQuietOption};
   std::array<Option, count + kShared.size()> all{};
   std::copy(kShared.begin(), kShared.end(), std::copy(own, own + count, all.begin()));
   return all;

@@ -38,7 +38,7 @@ constexpr WrittenTopic kTopics[] = {
      "  4    an input is read but wrong; every mistake of a scene is told, also by flatray check\n"
      "  5    a part is not in this build\n"
      "  6    an output cannot be written\n"
-     "  70   a bug of flatray: please report it\n"
+     "  70   out of memory; or a bug of flatray: please report it\n"
      "  130  interrupted; frames written are whole, and --resume goes on\n",
      ""},
     {"formats", "files that are read",
@@ -57,6 +57,16 @@ constexpr WrittenTopic kTopics[] = {
      "  --shard 0/3      the first third of the work; 1/3 and 2/3 elsewhere\n"
      "  --resume         keeps the frames that are there, whole and of this very scene\n"
      "Frames are independent: any order, any machine, the same bytes.\n",
+     ""},
+    {"limits", "how large a scene and its pictures may be",
+     "What is larger is refused before memory is taken for it; an option moves each limit.\n"
+     "  --max-pixels    of a picture: 268435456\n"
+     "  --max-entities  copies too, and as many groups, pillars and rays: 1000000\n"
+     "  --max-corners   kept with all copies, and drawn in one frame with all dashes: 33554432\n"
+     "  --max-depth     groups in groups, and files in files: 64\n"
+     "  --max-bytes     of a scene with all files it names: 1073741824\n"
+     "A scene keeps about 24 bytes a corner and 600 an entity, a frame 40 bytes a corner drawn;\n"
+     "flatray render --dry-run SCENE says what pictures take.\n",
      ""},
     {"markov", "chains that choose looks at random, by the seed",
      "A chain has a row for each state; a row sums to 1. It draws once every hold frames; an "

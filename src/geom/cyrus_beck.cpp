@@ -4,21 +4,12 @@
 
 #include "geom/clip_range.h"
 #include "geom/polygon_edges.h"
+#include "geom/sides.h"
 
 namespace flatray {
 namespace {
 
 using Vertices = std::span<const Vec2>;
-
-// Sides of the vertices seen along a ray. The line crosses a convex polygon where the side changes:
-// down an edge from left to right, where a counter-clockwise polygon is entered (denominator n.d <
-// 0), and up an edge from right to left. Each side is one exact predicate, and no two t need to be
-// compared.
-struct Sides {
-  int down = kNoEdge, up = kNoEdge;  // the lowest edge that does it
-  bool left = false, right = false;  // some vertex is strictly there
-  bool edge_on_line = false;
-};
 
 Sides look_along(const Ray& ray, Vertices vertices) {
   Sides sides;
@@ -75,8 +66,9 @@ LineHit hit_along(const Ray& ray, Vertices vertices) {
           point ? HitClass::touch : HitClass::along};
 }
 
-LineHit hit_line(const Ray& ray, Vertices vertices) {
-  const Sides sides = look_along(ray, vertices);
+}  // namespace
+
+LineHit hit_line(const Ray& ray, Vertices vertices, const Sides& sides) {
   if (!sides.left && !sides.right) return hit_along(ray, vertices);
   if (sides.down == kNoEdge) return {};
   const Sign turn = sense(vertices, sides.down, sides.up);
@@ -89,12 +81,10 @@ LineHit hit_line(const Ray& ray, Vertices vertices) {
                                : HitClass::touch};
 }
 
-}  // namespace
-
 HitInterval clip_convex(const Ray& ray, Vertices vertices, Range within) {
   if (vertices.empty()) return {};
   if (is_zero(ray.direction)) return point_test(place_in_convex(ray.origin, vertices), within);
-  return clip_to_range(hit_line(ray, vertices), within);
+  return clip_to_range(hit_line(ray, vertices, look_along(ray, vertices)), within);
 }
 
 HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within) {

@@ -1,5 +1,9 @@
 #include "render/film_shape.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "geom/polygon.h"
@@ -25,11 +29,22 @@ ArcPath film_path(ArcPath path, const FilmTransform& film_from_world) {
   return path;
 }
 
+// A whole turn is a ring of its own: no line leads from the rim of a whole sector to its hole.
+void add_chains(const ArcPath& path, std::vector<Chain>& chains) {
+  const auto is_turn = [](const EllipseArc& arc) {
+    return std::abs(arc.sweep) == 2 * std::numbers::pi;
+  };
+  if (!path.closed || !std::all_of(path.arcs.begin(), path.arcs.end(), is_turn))
+    return chains.push_back(chain_of(path));
+  for (const EllipseArc& arc : path.arcs)
+    if (arc.u != Vec2(0, 0)) chains.push_back(chain_of({{arc}, true}));
+}
+
 std::vector<Chain> chains_of(const FilmShape& shape) {
   std::vector<Chain> chains = rings_of(shape.edges);
   for (const std::vector<Vec2>& ring : shape.crossing_rings) chains.push_back({ring, true});
   for (Chain& line : chained(shape.segments)) chains.push_back(std::move(line));
-  for (const ArcPath& path : shape.arc_paths) chains.push_back(chain_of(path));
+  for (const ArcPath& path : shape.arc_paths) add_chains(path, chains);
   return chains;
 }
 
@@ -76,24 +91,83 @@ std::vector<Region> fill_regions(const FilmShape& shape) {
 
 namespace {
 
+void add_counted(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
+                 CornerBudget& budget) {
+  const std::size_t begin = edges.size();
+  add_line(chain, style, edges, begin + budget.left);
+  budget.take(edges.size() - begin);
+}
+
 // A line whose dashes are too fine to see, or would have too many corners, is drawn whole.
-void add_dashes(const Chain& chain, const LineLook& look, std::vector<Segment>& edges) {
+void add_dashes(const Chain& chain, const LineLook& look, std::vector<Segment>& edges,
+                CornerBudget& budget) {
   constexpr double kFinest_px = 0.25;
   constexpr std::size_t kMostEdges = 2'000'000;
   if (std::accumulate(look.dashes.begin(), look.dashes.end(), 0.0) < kFinest_px)
-    return add_line(chain, look.style, edges);
+    return add_counted(chain, look.style, edges, budget);
   const std::size_t begin = edges.size();
   for (const Chain& dash : dashed(chain, look.dashes, look.dash_offset)) {
-    add_line(dash, look.style, edges);
+    add_counted(dash, look.style, edges, budget);
+    if (budget.spent) return;
     if (edges.size() - begin <= kMostEdges) continue;
     edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.end());
-    return add_line(chain, look.style, edges);
+    return add_counted(chain, look.style, edges, budget);
   }
+}
+
+// What the corners of a shape take on the film, until some of it is seen to lie there.
+class FilmReach {
+ public:
+  FilmReach(const Film& film, double reach)
+      : width_(film.width), height_(film.height), reach_(reach) {}
+
+  // Whether what was added so far, with this box, may be seen.
+  bool add(const Vec2& low, const Vec2& high) {
+    low_ = low_.cwiseMin(low);
+    high_ = high_.cwiseMax(high);
+    return !(high_.x() + reach_ < 0 || high_.y() + reach_ < 0 || low_.x() - reach_ > width_ ||
+             low_.y() - reach_ > height_);
+  }
+
+ private:
+  const double width_, height_, reach_;
+  Vec2 low_ = Vec2::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
+};
+
+bool may_be_seen(const ArcPath& path, FilmReach& film) {
+  return std::any_of(path.arcs.begin(), path.arcs.end(), [&](const EllipseArc& arc) {
+    const Vec2 half = 1.01 * (arc.u.cwiseAbs() + arc.v.cwiseAbs());
+    return film.add(arc.centre - half, arc.centre + half);
+  });
 }
 
 }  // namespace
 
-std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look) {
+bool beside_film(const Shape& shape, const Pose& world_from_shape,
+                 const FilmTransform& film_from_world, const Film& film, double reach) {
+  FilmReach on(film, reach);
+  const auto seen = [&](const Vec2& corner) {
+    const Vec2 there = film_from_world(world_from_shape(corner));
+    return on.add(there, there);
+  };
+  const auto circle_seen = [&](const Circle& circle) {
+    const Vec2 centre = film_from_world(world_from_shape(circle.centre)),
+               half = Vec2::Constant(film_from_world.length(circle.radius));
+    return on.add(centre - half, centre + half);
+  };
+  const auto any = [](const auto& things, const auto& is_seen) {
+    return std::any_of(things.begin(), things.end(), is_seen);
+  };
+  return !any(shape.vertices, seen) && !any(shape.circles, circle_seen) &&
+         !any(shape.segments, [&](const Segment& s) { return seen(s.a) || seen(s.b); }) &&
+         !any(shape.crossing_rings, [&](const auto& ring) { return any(ring, seen); }) &&
+         !any(shape.arc_paths, [&](const ArcPath& path) {
+           return may_be_seen(film_path(posed(path, world_from_shape), film_from_world), on);
+         });
+}
+
+std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look,
+                                 CornerBudget& budget) {
   std::vector<Region> regions;
   const double half = look.style.half_width;
   if (!(half > 0)) return regions;
@@ -106,11 +180,11 @@ std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look) {
       chains.push_back(
           chain_of({{{circle.centre, {circle.radius, 0}, {0, -circle.radius}}}, true}));
   for (const Chain& chain : chains) {
-    if (look.dashes.empty()) {
-      add_line(chain, look.style, path.edges);
-      continue;
-    }
-    add_dashes(chain, look, path.edges);
+    if (look.dashes.empty())
+      add_counted(chain, look.style, path.edges, budget);
+    else
+      add_dashes(chain, look, path.edges, budget);
+    if (budget.spent) return {};
   }
   if (!path.edges.empty()) regions.push_back(std::move(path));
   return regions;

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "render/chains.h"
 #include "render/draw_list.h"
 
@@ -16,6 +18,11 @@ struct FilmShape {
 FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
                      const FilmTransform& film_from_world);
 
+/// Whether all of a shape and what reaches `reach` pixels from it lies beside the film.
+/// Cost    a few corners of a shape that is on the film; its corners, not its outline, elsewhere.
+bool beside_film(const Shape& shape, const Pose& world_from_shape,
+                 const FilmTransform& film_from_world, const Film& film, double reach);
+
 /// What a fill covers.
 std::vector<Region> fill_regions(const FilmShape& shape);
 
@@ -26,7 +33,21 @@ struct LineLook {
   double dash_offset = 0;
 };
 
-/// What lines along a shape cover: whole circles are rings, all else is one path.
-std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look);
+/// Corners a frame may still draw.
+struct CornerBudget {
+  std::uint64_t left = 0;
+  bool spent = false;  ///< more were asked for
+
+  bool take(std::uint64_t count) {
+    spent = spent || count > left;
+    left -= std::min(left, count);
+    return !spent;
+  }
+};
+
+/// What lines along a shape cover: whole circles are rings, all else is one path. Takes the corners
+/// it makes from `budget`, and ends where that is spent.
+std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look,
+                                 CornerBudget& budget);
 
 }  // namespace flatray

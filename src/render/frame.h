@@ -12,6 +12,8 @@ struct FrameOptions {
   std::optional<PixelBox> crop;
   unsigned threads = 1;   ///< for the tiles of one frame
   bool keep_all = false;  ///< draw what is hidden and what has not changed, too
+  /// Asked before each band, by any thread: true leaves it and all after it undrawn.
+  bool (*stop)() = nullptr;
 };
 inline PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
   return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
@@ -19,20 +21,23 @@ inline PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
 
 /// What was drawn and what was not, in bands of rows.
 struct DrawCounts {
-  std::uint64_t bands = 0;         ///< drawn
-  std::uint64_t kept_bands = 0;    ///< not drawn: they show what they showed in the frame before
-  std::uint64_t items = 0;         ///< items of the bands drawn
-  std::uint64_t hidden_items = 0;  ///< of these, left out: one above covers the whole band, opaque
+  std::uint64_t bands = 0;          ///< drawn
+  std::uint64_t kept_bands = 0;     ///< not drawn: they show what they showed in the frame before
+  std::uint64_t items = 0;          ///< items of the bands drawn
+  std::uint64_t hidden_items = 0;   ///< of these, left out: one above covers the whole band, opaque
+  std::uint64_t stopped_bands = 0;  ///< not drawn: FrameOptions::stop said so
 
   DrawCounts& operator+=(const DrawCounts& more) {
     bands += more.bands, kept_bands += more.kept_bands;
     items += more.items, hidden_items += more.hidden_items;
+    stopped_bands += more.stopped_bands;
     return *this;
   }
 };
 
 /// What a frame shows, before pixels.
-DrawList draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
+/// Error   what takes the frame over Scene::max_corners, by its place in the scene.
+Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
 
 /// The software back end for frames drawn one after another: bands in which nothing changed keep
 /// their pixels. Same pixels whatever was drawn before.
@@ -45,6 +50,8 @@ class FrameDrawer {
   const Picture& draw(DrawList list);
   /// Whether the last frame may differ from the one before.
   bool changed() const { return changed_; }
+  /// Whether no frame was stopped: what follows one that was is no picture either.
+  bool whole() const { return counts_.stopped_bands == 0; }
   const DrawCounts& counts() const { return counts_; }
 
  private:

@@ -1,5 +1,7 @@
 #include "render/pass.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -20,22 +22,56 @@ std::vector<const Pass*> passes() {
   };
 }
 
+namespace {
+
+std::uint64_t corner_count(const Region& region) {
+  if (const auto* path = std::get_if<FillPath>(&region)) return path->edges.size();
+  if (const auto* arcs = std::get_if<FillArcs>(&region)) return 4 * arcs->path.arcs.size();
+  return 0;
+}
+
+std::uint64_t corner_count(std::span<const Region> regions) {
+  std::uint64_t count = 0;
+  for (const Region& region : regions) count += corner_count(region);
+  return count;
+}
+
+}  // namespace
+
 DrawContext::DrawContext(const Scene& scene_, const FrameState& state_)
-    : scene(scene_), state(state_), film_from_world(scene_.film, state_) {}
+    : scene(scene_),
+      state(state_),
+      film_from_world(scene_.film, state_),
+      corners_{scene_.max_corners} {}
 
 const World& DrawContext::world() {
   if (!world_) world_ = build_world(scene, state);
   return *world_;
 }
 
-void DrawContext::place(int layer, std::uint64_t order) {
+void DrawContext::place(int layer, std::uint64_t order, const Place& where) {
   layer_ = layer;
   order_ = order;
+  where_ = where;
 }
 
-void DrawContext::add(DrawItem&& item) { items_.push_back({layer_, order_, std::move(item)}); }
+bool DrawContext::take(std::uint64_t corners) {
+  if (!corners_.take(corners) && !refused_) refused_ = where_;
+  return !refused_;
+}
 
-std::vector<DrawItem> DrawContext::sorted_items() && {
+void DrawContext::add(DrawItem&& item) {
+  constexpr std::uint64_t kCornersOfItem = 8;  // about as many bytes
+  ++parts_;
+  if (take(kCornersOfItem)) items_.push_back({layer_, order_, std::move(item)});
+}
+
+Result<std::vector<DrawItem>> DrawContext::sorted_items() && {
+  if (refused_)
+    return fail(*refused_,
+                fmt::format("with this a frame draws more than {} corners", scene.max_corners),
+                "those of lines and dashes count: make dashes longer and wide lines thinner, draw "
+                "less, or say --max-corners N");
   // Numbers are sorted, not items: g++ 12 takes the swap of a variant for a use before set.
   std::vector<std::size_t> order(items_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -75,27 +111,44 @@ void DrawContext::add_regions(std::vector<Region>&& regions, const Paint& paint,
   }
 }
 
+void DrawContext::add_outline(const FilmShape& there, const Stroke& stroke, const Pose& place) {
+  std::vector<Region> regions = line_regions(there, look_of(stroke), corners_);
+  if (take(0)) add_regions(std::move(regions), stroke.colour, place);
+}
+
 void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
                             const std::optional<Paint>& fill, const std::optional<Stroke>& stroke) {
+  if (refused()) return;
+  const double reach = stroke ? line_reach(look_of(*stroke).style) : 0;
+  if (beside_film(shape, world_from_shape, film_from_world, scene.film, reach)) {
+    parts_ += std::size_t{fill.has_value()} + std::size_t{stroke.has_value()};
+    return;
+  }
   const FilmShape there = film_shape(shape, world_from_shape, film_from_world);
-  if (fill) add_regions(fill_regions(there), *fill, world_from_shape);
-  if (stroke) add_regions(line_regions(there, look_of(*stroke)), stroke->colour, world_from_shape);
+  if (fill) {
+    std::vector<Region> regions = fill_regions(there);
+    if (take(corner_count(regions))) add_regions(std::move(regions), *fill, world_from_shape);
+  }
+  if (stroke) add_outline(there, *stroke, world_from_shape);
 }
 
 void DrawContext::add_lines(std::span<const Segment> world, const Stroke& stroke) {
+  if (refused()) return;
   FilmShape lines;
   for (const Segment& line : world)
     lines.segments.push_back({film_from_world(line.a), film_from_world(line.b)});
-  add_regions(line_regions(lines, look_of(stroke)), stroke.colour, world_pose(state));
+  add_outline(lines, stroke, world_pose(state));
 }
 
 void DrawContext::add_mark(const Vec2& world, double radius_px, const Colour& colour) {
   add({FillRing{film_from_world(world), radius_px}, linear(colour)});
 }
 
-// One item fades by its own colours.
-void DrawContext::fade_from(std::size_t first, float opacity) {
-  if (items_.size() == first + 1) {
+// One item fades by its own colours, unless others of the picture lie beside the film: where the
+// film ends changes no way of rounding.
+void DrawContext::fade_from(std::size_t first, std::size_t parts, float opacity) {
+  if (parts == 1) {
+    if (items_.size() == first) return;
     DrawItem& item = items_.back().item;
     item.colour.a *= opacity;
     if (item.gradient)

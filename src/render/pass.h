@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "anim/world.h"
+#include "base/result.h"
 #include "render/film_shape.h"
 
 namespace flatray {
@@ -29,7 +30,7 @@ class DrawContext {
   /// The frame's walls; built when first asked for.
   const World& world();
 
-  /// `shape` posed in the world, filled and outlined.
+  /// `shape` posed in the world, filled and outlined; nothing where it lies beside the film.
   void add_shape(const Shape& shape, const Pose& world_from_shape, const std::optional<Paint>& fill,
                  const std::optional<Stroke>& stroke);
   /// Lines of one stroke as one region: where they cross, nothing shows twice. World coordinates.
@@ -40,17 +41,21 @@ class DrawContext {
   /// What `draw` adds is one picture, which is then faded.
   template <class Draw>
   void fade(double opacity, const Draw& draw) {
-    const std::size_t first = items_.size();
+    const std::size_t first = items_.size(), parts = parts_;
     draw();
-    if (opacity < 1) fade_from(first, static_cast<float>(opacity));
+    if (opacity < 1) fade_from(first, parts_ - parts, static_cast<float>(opacity));
   }
 
   /// Half the width of a stroke, film pixels.
   double half_width_px(const Stroke& stroke) const;
 
-  /// Where the next items belong.
-  void place(int layer, std::uint64_t order);
-  std::vector<DrawItem> sorted_items() &&;
+  /// Whether the frame has too many corners: what is added from now on is not looked at.
+  bool refused() const { return refused_.has_value(); }
+
+  /// Where the next items belong, and what table of the scene they come from.
+  void place(int layer, std::uint64_t order, const Place& where);
+  /// Error   the table that takes more corners than Scene::max_corners leave it.
+  Result<std::vector<DrawItem>> sorted_items() &&;
 
  private:
   struct Placed {
@@ -60,14 +65,20 @@ class DrawContext {
   };
   void add(DrawItem&& item);
   void add_regions(std::vector<Region>&& regions, const Paint& paint, const Pose& place);
-  void fade_from(std::size_t first, float opacity);
+  void add_outline(const FilmShape& there, const Stroke& stroke, const Pose& place);
+  void fade_from(std::size_t first, std::size_t parts, float opacity);
+  bool take(std::uint64_t corners);
   LineLook look_of(const Stroke& stroke) const;
 
   std::vector<Placed> items_;
   std::optional<World> world_;
   int layer_ = 0;
   std::uint64_t order_ = 0;
-  std::uint32_t layers_ = 0;  ///< numbers given to DrawItem::layer
+  Place where_;
+  CornerBudget corners_;
+  std::optional<Place> refused_;  ///< who asked for more
+  std::size_t parts_ = 0;         ///< items, and those left out beside the film
+  std::uint32_t layers_ = 0;      ///< numbers given to DrawItem::layer
 };
 
 /// One kind of thing drawn. `need` decides once a scene; `draw` adds a frame's items.

@@ -43,8 +43,8 @@ class Ring {
 
 class LineOutline {
  public:
-  LineOutline(const LineStyle& style, std::vector<Segment>& edges)
-      : style_(style), chords_(half_circle_chords(style.half_width)), edges_(edges) {}
+  LineOutline(const LineStyle& style, std::vector<Segment>& edges, std::uint64_t most)
+      : style_(style), chords_(half_circle_chords(style.half_width)), edges_(edges), most_(most) {}
 
   void open(const std::vector<Leg>& legs) {
     const std::vector<Leg> back = backward(legs);
@@ -79,7 +79,7 @@ class LineOutline {
   }
 
   void right_side(const std::vector<Leg>& legs, Ring& ring) const {
-    for (std::size_t i = 0; i < legs.size(); ++i) {
+    for (std::size_t i = 0; i < legs.size() && edges_.size() <= most_; ++i) {
       ring.go_to(legs[i].b + legs[i].side);
       if (i + 1 < legs.size()) join(legs[i], legs[i + 1], ring);
     }
@@ -137,11 +137,13 @@ class LineOutline {
   const LineStyle style_;
   const int chords_;
   std::vector<Segment>& edges_;
+  const std::uint64_t most_;
 };
 
 }  // namespace
 
-void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges) {
+void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
+              std::uint64_t most) {
   std::vector<Leg> legs;
   const std::size_t count = chain.points.size();
   for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i) {
@@ -152,7 +154,7 @@ void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& 
     const Vec2 ahead = along / length;
     legs.push_back({a, b, ahead, -style.half_width * left_of(ahead), length});
   }
-  LineOutline outline(style, edges);
+  LineOutline outline(style, edges, most);
   if (legs.empty()) {
     if (count > 0) outline.dot(chain.points.front(), chain.ahead);
   } else if (chain.closed && legs.size() > 1) {
@@ -160,6 +162,11 @@ void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& 
   } else {
     outline.open(legs);
   }
+}
+
+double line_reach(const LineStyle& style) {
+  const double widths = style.joins == LineJoin::miter ? std::max(style.miter_limit, 1.0) : 1.0;
+  return 2 * style.half_width * widths;  // square caps reach sqrt(2) half widths
 }
 
 }  // namespace flatray

@@ -34,8 +34,13 @@ struct LineStyle {
 /// Units   film pixels. Needs half_width > 0.
 /// Gives   rings that wind 1, 2, ... times round what the line covers. Joins whose miter is more
 ///         than miter_limit times the line's width are bevels.
+///         Past `most` edges it ends at a leg, and is no outline.
 /// Cost    two edges a leg, and those of its joins; where a chain turns by so little that a bevel
 ///         stays within the sagitta, a round join is one edge.
-void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges);
+void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
+              std::uint64_t most = ~std::uint64_t{0});
+
+/// How far from its chain a line may reach: no rounding leads beyond.
+double line_reach(const LineStyle& style);
 
 }  // namespace flatray

@@ -82,6 +82,7 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
   Builder builder{.in = {}, .scene = {}, .imports = imports, .limits = limits, .seed = seed};
   builder.in.warnings = desc.warnings;
   builder.scene.seed = seed.value_or(0);
+  builder.scene.max_corners = limits.max_corners;
   std::uint64_t before = 0;
   for (const SourcePtr& source : desc.sources) {
     builder.text_before.emplace(source.get(), before);

@@ -11,15 +11,18 @@ struct Builder {
   Scene scene;
   Imports& imports;
   const LoadLimits& limits;
-  std::optional<std::uint64_t> seed;                           ///< instead of the scene's
-  std::map<const SourceText*, std::uint64_t> text_before{};    ///< bytes of the files before each
-  std::uint32_t entity_tables = 0;                             ///< read so far
-  std::map<std::string, std::vector<std::uint32_t>> groups{};  ///< copies by the name in the file
+  std::optional<std::uint64_t> seed;                         ///< instead of the scene's
+  std::map<const SourceText*, std::uint64_t> text_before{};  ///< bytes of the files before each
+  std::uint32_t entity_tables = 0;                           ///< read so far
+  /// Copies by the name in the file; a group without any stands in itself, which is told.
+  std::map<std::string, std::vector<std::uint32_t>> groups{};
   std::vector<std::string> group_suffixes{};  ///< what copying added to the name of each group
   /// Shapes in which nothing is drawn, so that copies share them.
   std::map<const Value*, ShapeId> fixed_shapes{};
   std::map<const Value*, CurveId> fixed_curves{};  ///< likewise
   std::map<const Member*, std::uint32_t> fixed_paths{};
+  std::uint64_t corners = 0;       ///< counted so far; see corner_limit.h
+  bool full = false;               ///< more than the limit: told
   bool stroke_may_change = false;  ///< whether the width of the stroke being read may be a curve
   struct Named {
     std::uint32_t index = 0, count = 0;

@@ -1,5 +1,7 @@
 #include "scene/copies.h"
 
+#include "scene/overrides.h"
+
 namespace flatray {
 namespace {
 
@@ -12,7 +14,7 @@ std::optional<std::vector<std::uint32_t>> copies_of_group(Builder& builder, cons
   const auto name = builder.in.string(field);
   if (!name) return std::nullopt;
   if (const auto found = builder.groups.find(*name); found != builder.groups.end())
-    return found->second;
+    return found->second.empty() ? std::nullopt : std::optional(found->second);
   std::vector<std::string> known;
   for (const auto& [group, copies] : builder.groups) known.push_back(group);
   builder.in.problems.push_back(unknown_word(field.value.where, "group", *name, known));
@@ -39,7 +41,7 @@ std::optional<Copies> read_copies(Builder& builder, const Value& table, const Co
   const std::uint64_t limit = builder.limits.max_entities;
   if (copies.total <= limit && copies.total + what.before <= limit) return copies;
   const Member* cause = repeat != nullptr ? repeat : group;
-  builder.in.problem(cause == nullptr ? table.where : cause->where,
+  builder.in.problem(cause == nullptr ? table.where : place_of_change(cause->value, cause->where),
                      fmt::format("{} stands for {}, after {} before it", what.name,
                                  count_text(copies.total), what.before),
                      fmt::format("the limit is {}; --max-entities raises it", limit));

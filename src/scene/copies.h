@@ -43,7 +43,7 @@ void make_copies(Builder& builder, const Value& table, const CopiedTable& what,
   const T blank = first;
   read_keys<T>(builder, table, what.name, keys, first);
   const std::size_t warnings = in.warnings.size(), problems = in.problems.size();
-  const std::uint64_t total = problems == before ? copies.total : 1;
+  const std::uint64_t total = problems == before && !builder.full ? copies.total : 1;
   for (std::uint64_t i = 0; i < total && in.problems.size() == problems; ++i) {
     draws.set_copy(i);
     T thing = draws.empty() || i == 0 ? first : blank;

@@ -1,4 +1,5 @@
 #include "scene/copies.h"
+#include "scene/corner_limit.h"
 #include "scene/look_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
@@ -162,6 +163,7 @@ void read_entity(Builder& builder, const Value& table) {
   const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
     if (entity.material && builder.in.problems.size() == problems)
       expect_traced(builder, entity, table);
+    if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
     dress(scene, table, entity);
     entity.order = draw_order(builder, table.where, copy);
     if (entity.group) entity.layer += scene.groups[*entity.group].layer;

@@ -1,3 +1,4 @@
+#include "scene/corner_limit.h"
 #include "scene/look_keys.h"
 
 namespace flatray {
@@ -108,6 +109,7 @@ std::optional<Paint> read_paint(Builder& builder, const Field& field) {
   const Value& table = field.value.members.front().value;
   Gradient gradient = kind == "linear" ? read_linear(builder, table) : read_radial(builder, table);
   if (builder.in.problems.size() > problems) return std::nullopt;
+  if (!take_corners(builder, gradient.stops.size(), field.value.where)) return std::nullopt;
   const Colour first = gradient.stops.front().colour;
   builder.scene.gradients.push_back(std::move(gradient));
   return Paint(first, static_cast<std::uint32_t>(builder.scene.gradients.size() - 1));

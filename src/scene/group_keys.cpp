@@ -1,6 +1,7 @@
 #include <numeric>
 
 #include "scene/copies.h"
+#include "scene/corner_limit.h"
 #include "scene/look_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
@@ -70,6 +71,7 @@ class Nesting {
                               fmt::format("group {} stands in itself{}", name_of(at), way(at)),
                               "break the circle");
           parents_[at].reset();
+          builder_.groups[tables_.items[at].find("group")->value.text];
           break;
         }
         at = *parents_[at];
@@ -120,6 +122,7 @@ void read_group(Builder& builder, const Value& table, std::uint32_t number) {
   constexpr std::uint32_t kGroupTables = std::uint32_t{1} << 31;
   Scene& scene = builder.scene;
   const auto add = [&](Group&& group, std::uint64_t, std::string suffix) {
+    if (!take_corners(builder, corner_count(group.name), table.where)) return;
     if (group.group) group.layer += scene.groups[*group.group].layer;
     const Member* base = table.find("name");
     builder.groups[base == nullptr ? "" : base->value.text].push_back(

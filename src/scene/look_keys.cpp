@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/corner_limit.h"
 #include "scene/keys.h"
 #include "scene/motion_keys.h"
 
@@ -66,6 +67,7 @@ void read_dashes(Builder& builder, const Field& field, Stroke& stroke) {
                               "write line, gap, ..., or leave them out for a whole line");
   if (lengths.size() % 2 == 1)
     for (std::size_t i = 0, count = lengths.size(); i < count; ++i) lengths.push_back(lengths[i]);
+  if (!take_corners(builder, lengths.size(), field.value.where)) return;
   stroke.dashes = static_cast<std::uint32_t>(builder.scene.dashes.size());
   builder.scene.dashes.push_back(std::move(lengths));
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/corner_limit.h"
+
 namespace flatray {
 namespace {
 
@@ -95,6 +97,8 @@ std::optional<CurveId> read_curves(Builder& builder, const Field& field, std::si
   if (known != builder.fixed_curves.end()) return known->second;
   std::optional<std::vector<Curve>> curves = CurveReader(builder, field).read(numbers);
   if (!curves) return std::nullopt;
+  if (!take_corners(builder, numbers * curves->front().times.size(), field.value.where))
+    return std::nullopt;
   const auto first = static_cast<CurveId>(builder.scene.curves.size());
   for (Curve& curve : *curves) {
     if (change != nullptr)
@@ -207,6 +211,7 @@ void read_follow_path(Builder& builder, const Field& field, Motion& motion) {
     if (!(path.lengths.back() <= kFarthest))
       return builder.in.problem(field.value.where, "the path of follow is too long",
                                 "stay within 1e150 or so");
+    if (!take_corners(builder, path.points.size(), field.value.where)) return;
     known->second = static_cast<std::uint32_t>(builder.scene.paths.size());
     builder.scene.paths.push_back(std::move(path));
   }

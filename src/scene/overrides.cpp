@@ -98,4 +98,13 @@ bool is_override(const Place& place) {
   return place && std::string_view(place.source->name()).starts_with(kPrefix);
 }
 
+Place place_of_change(const Value& value, const Place& otherwise) {
+  if (is_override(value.where)) return value.where;
+  for (const Value& item : value.items)
+    if (Place place = place_of_change(item, {})) return place;
+  for (const Member& member : value.members)
+    if (Place place = place_of_change(member.value, {})) return place;
+  return otherwise;
+}
+
 }  // namespace flatray

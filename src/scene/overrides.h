@@ -14,4 +14,7 @@ Result<void> apply_override(SceneDesc& desc, const Override& override_value);
 /// Whether a place lies in an override.
 bool is_override(const Place& place);
 
+/// The place of what an override put into a value; `otherwise` where nothing in it is from one.
+Place place_of_change(const Value& value, const Place& otherwise);
+
 }  // namespace flatray

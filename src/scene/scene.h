@@ -258,6 +258,7 @@ struct Scene {
   std::string name;  ///< file name without folder and extension
   Film film;
   Camera camera;
+  std::uint64_t max_corners = std::uint64_t{1} << 25;  ///< of all that one frame draws
   unsigned frames = 1;
   double fps = 24;
   std::uint64_t seed = 0;

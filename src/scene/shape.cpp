@@ -4,8 +4,9 @@
 
 #include <numeric>
 
-#include "scene/builder.h"
+#include "scene/corner_limit.h"
 #include "scene/numbers.h"
+#include "scene/overrides.h"
 
 namespace flatray {
 namespace shapes {
@@ -203,6 +204,8 @@ std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
     append(builder.in.problems, std::move(shape).error());
     return std::nullopt;
   }
+  if (!take_corners(builder, corner_count(*shape), place_of_change(field.value, field.value.where)))
+    return std::nullopt;
   builder.scene.shapes.push_back(std::move(*shape));
   return static_cast<ShapeId>(builder.scene.shapes.size() - 1);
 }

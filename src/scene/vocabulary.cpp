@@ -39,7 +39,8 @@ Diagnostic unknown_word(Place where, std::string_view what, std::string_view wor
                         const std::vector<std::string>& known) {
   const std::string near = nearest_word(word, known);
   const std::string message = fmt::format("unknown {} '{}'", what, word.substr(0, 64));
-  if (near.empty()) return {std::move(where), message, "known: " + joined(known)};
+  if (near.empty())
+    return {std::move(where), message, known.empty() ? "there is none" : "known: " + joined(known)};
   return {std::move(where), fmt::format("{} (did you mean '{}'?)", message, near), {}};
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/portable_math.h"
 #include "geom/vec.h"
+#include "study/svg_text.h"
 
 namespace flatray {
 namespace {
@@ -22,30 +23,7 @@ constexpr double kSmallestRing = 2.6;  // in radii of a state
 constexpr double kSpacing = 4.8;       // along the ring from state to state, in radii of a state
 constexpr double kHalfTurn = 0x1.921fb54442d18p+1;
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-    }
-  return safe;
-}
-
-// Two digits after the point, never "-0.00".
-std::string number(double x) { return fmt::format("{:.2f}", std::round(x * 100) / 100 + 0.0); }
-std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
+std::string point(const Vec2& p) { return svg_number(p.x()) + " " + svg_number(p.y()); }
 
 Vec2 turned(double angle) { return {portable::cos(angle), portable::sin(angle)}; }
 
@@ -92,13 +70,13 @@ class Drawing {
         "markerHeight=\"8\" orient=\"auto\"><path d=\"M0 0L10 5L0 10z\" "
         "fill=\"#444\"/></marker></defs>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        number(size_.x()), number(size_.y()), kFontSize, escaped(graph_.title));
+        svg_number(size_.x()), svg_number(size_.y()), kFontSize, svg_text(graph_.title));
     label({centre_.x(), kTitleHeight / 2 + 4}, graph_.title, " font-weight=\"bold\"");
   }
 
   void label(const Vec2& at, const std::string& words, const char* style) {
-    text_ += fmt::format("<text x=\"{}\" y=\"{}\" dy=\"0.35em\"{}>{}</text>\n", number(at.x()),
-                         number(at.y()), style, escaped(words));
+    text_ += fmt::format("<text x=\"{}\" y=\"{}\" dy=\"0.35em\"{}>{}</text>\n", svg_number(at.x()),
+                         svg_number(at.y()), style, svg_text(words));
   }
   // Beside `at`, far enough to the given side for the words not to touch the arrow.
   void arrow_label(const Vec2& at, const Vec2& side, const std::string& words) {
@@ -144,7 +122,7 @@ class Drawing {
     text_ += fmt::format(
         "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"#eef4ff\" stroke=\"#222\" "
         "stroke-width=\"1.5\"/>\n",
-        number(at.x()), number(at.y()), number(radius_));
+        svg_number(at.x()), svg_number(at.y()), svg_number(radius_));
     label(at, graph_.states[i], "");
   }
 

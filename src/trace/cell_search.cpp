@@ -55,22 +55,25 @@ class Rivals {
 }  // namespace
 
 NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) const {
-  Rivals rivals(walls_, ray, left);
   if (ray.direction == Vec2(0, 0)) {
     ExactNearest search(walls_, ray, left, tangents);
     search.offer_segments();
     search.offer_circles();
     return search.hit();
   }
-  CellWalk walk(grid_, ray);
-  if (walk.start() == CellWalk::Start::uncertain)
+  Rivals rivals(walls_, ray, left);
+  std::optional<CellWalk> walk;
+  if (grid_ != nullptr) walk.emplace(*grid_, ray);
+  if (!walk || walk->start() == CellWalk::Start::uncertain) {
     for (std::uint32_t slot = 0; slot < walls_.segments.size(); ++slot) rivals.offer(slot);
-  while (walk.next()) {
-    for (std::size_t record = walk.record();; ++record) {
-      rivals.offer(grid_.slot(record), walk.limit());
-      if (grid_.last(record)) break;
+    return rivals.decide(ray, tangents);
+  }
+  while (walk->next()) {
+    for (std::size_t record = walk->record();; ++record) {
+      rivals.offer(grid_->slot(record), walk->limit());
+      if (grid_->last(record)) break;
     }
-    if (rivals.settled(walk.limit())) break;
+    if (rivals.settled(walk->limit())) break;
   }
   return rivals.decide(ray, tangents);
 }

@@ -5,19 +5,20 @@
 
 namespace flatray {
 
-/// The nearest hit of one ray at a time, by the cells of a grid in double precision: what certain
-/// bounds leave open is decided exactly.
+/// The nearest hit of one ray at a time, by the cells of a grid in double precision, or by all walls
+/// where there are no cells: what certain bounds leave open is decided exactly.
 ///
-/// Cost    some 0.2 us where bounds decide, 1 to 3 us where they do not.
+/// Cost    about 1 us, some more where bounds do not decide; 15 ns a wall without cells.
 class CellSearch {
  public:
-  /// Needs   both to outlive it.
-  CellSearch(const Surfaces& walls, const CellGrid& grid) : walls_(walls), grid_(grid) {}
+  /// Needs   `walls` and `grid`, which may be null, to outlive it.
+  CellSearch(const Surfaces& walls, const CellGrid* grid)
+      : walls_(walls), grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
   NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
 
  private:
   const Surfaces& walls_;
-  const CellGrid& grid_;
+  const CellGrid* grid_;
 };
 
 }  // namespace flatray

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace flatray {
 namespace {
@@ -17,7 +18,7 @@ constexpr int kLongestSide = 127;
 
 // Cells a segment: many where all stay in the cache, few where they do not.
 double cells_wanted(std::size_t segments) {
-  const double each = segments <= 16384 ? 4 : segments <= 131072 ? 2 : 1;
+  const double each = segments <= 16384 ? 4 : 1;
   return each * static_cast<double>(segments);
 }
 // Records a segment allowed for before cells are made larger.
@@ -38,9 +39,7 @@ float with_last_bit(double x, bool set) {
 
 }  // namespace
 
-// How many cells, and what a cell is. Long segments would be in so many cells that these are made
-// larger.
-bool CellGrid::size_for(const Surfaces& walls) {
+bool CellGrid::measure(const Surfaces& walls) {
   Bounds box;
   for (const Segment& segment : walls.segments) {
     box.add(segment.a);
@@ -50,28 +49,35 @@ bool CellGrid::size_for(const Surfaces& walls) {
       !(box.high.cwiseAbs().maxCoeff() < kLargest))
     return false;
   centre_ = box.centre();  // rounded: one side may be farther from it
-  const Vec2 reach_of_box = 2 * (box.high - centre_).cwiseMax(centre_ - box.low);
-  const double most = reach_of_box.maxCoeff();
-  if (!(most > kLeast)) return false;
-  const Vec2 size = reach_of_box.cwiseMax(Vec2(0x1p-20 * most, 0x1p-20 * most));
+  size_ = 2 * (box.high - centre_).cwiseMax(centre_ - box.low);
+  const double most = size_.maxCoeff();
+  size_ = size_.cwiseMax(Vec2(0x1p-20 * most, 0x1p-20 * most));
+  return most > kLeast;
+}
+
+void CellGrid::set_cells(std::int32_t columns, std::int32_t rows) {
+  columns_ = columns;
+  rows_ = rows;
+  unit_ = 0x1p-24 * (std::max(columns, rows) / 2 + 1);
+  stride_ = columns + 2;
+  first_ = (rows / 2 + 1) * stride_ + columns / 2 + 1;
+  scale_ = Vec2(columns - 2 * kRoom * unit_, rows - 2 * kRoom * unit_).cwiseQuotient(size_);
+}
+
+// Long segments would be in so many cells that these are made larger.
+void CellGrid::divide(const Surfaces& walls) {
   double along_x = 0, along_y = 0;  // lengths of all, in sizes of the box
   for (const Segment& segment : walls.segments) {
-    along_x += std::fabs(segment.b.x() - segment.a.x()) / size.x();
-    along_y += std::fabs(segment.b.y() - segment.a.y()) / size.y();
+    along_x += std::fabs(segment.b.x() - segment.a.x()) / size_.x();
+    along_y += std::fabs(segment.b.y() - segment.a.y()) / size_.y();
   }
-  const auto segments = static_cast<double>(walls.segments.size());
-  double columns = std::sqrt(cells_wanted(walls.segments.size()) * (size.x() / size.y()));
-  double rows = columns * (size.y() / size.x());
+  const std::size_t segments = walls.segments.size();
+  const double columns = std::sqrt(cells_wanted(segments) * (size_.x() / size_.y()));
+  const double rows = columns * (size_.y() / size_.x());
   const double records = columns * along_x + rows * along_y;
-  const double shrink = std::min(1.0, (kMostRecords * segments + 64) / records);
-  columns_ = even(columns * shrink);
-  rows_ = even(rows * shrink);
-  const int reach = std::max(columns_, rows_) / 2 + 1;
-  unit_ = 0x1p-24 * reach;
-  stride_ = columns_ + 2;
-  first_ = (rows_ / 2 + 1) * stride_ + columns_ / 2 + 1;
-  scale_ = Vec2(columns_ - 2 * kRoom * unit_, rows_ - 2 * kRoom * unit_).cwiseQuotient(size);
-  return true;
+  const double shrink =
+      std::min(1.0, (kMostRecords * static_cast<double>(segments) + 64) / records);
+  set_cells(even(columns * shrink), even(rows * shrink));
 }
 
 Vec2 CellGrid::half() const {
@@ -107,10 +113,8 @@ CellGrid::Ends CellGrid::ends(const Segment& segment) const {
 // 84.
 template <class Visit>
 void CellGrid::visit_cells(const Segment& segment, const Visit& visit) const {
-  auto [a, b] = ends(segment);
   const Vec2 corner(0.5 * columns_ + 1, 0.5 * rows_ + 1);
-  a += corner;
-  b += corner;
+  Vec2 a = place(segment.a) + corner, b = place(segment.b) + corner;
   if (a.y() > b.y()) std::swap(a, b);
   const double margin = lanes::kMargin * unit_, rise = b.y() - a.y(), run = b.x() - a.x();
   const auto row_of = [&](double y) {
@@ -228,9 +232,24 @@ void CellGrid::find_twins(const Surfaces& walls) {
 
 std::optional<CellGrid> CellGrid::build(const Surfaces& walls) {
   CellGrid grid;
-  if (!grid.size_for(walls)) return std::nullopt;
+  if (!grid.measure(walls)) return std::nullopt;
+  grid.divide(walls);
   grid.fill(walls);
   grid.mark_empty();
+  grid.find_twins(walls);
+  return grid;
+}
+
+std::optional<CellGrid> CellGrid::build_list(const Surfaces& walls) {
+  CellGrid grid;
+  if (!grid.measure(walls)) return std::nullopt;
+  grid.set_cells(2, 2);
+  const std::size_t count = walls.segments.size();
+  grid.slots_.resize(count);
+  std::iota(grid.slots_.begin(), grid.slots_.end(), 0U);
+  grid.records_.resize(4 * count);
+  for (std::size_t i = 0; i < count; ++i)
+    grid.write_record(grid.ends(walls.segments[i]), i + 1 == count, i);
   grid.find_twins(walls);
   return grid;
 }

@@ -21,6 +21,8 @@ class CellGrid {
   /// Nothing where the coordinates leave no room for sound arithmetic: over 2^900 or all within
   /// 2^-900 of each other; or where there are no segments.
   static std::optional<CellGrid> build(const Surfaces& walls);
+  /// The same with one list of all segments, by slot, in place of cells.
+  static std::optional<CellGrid> build_list(const Surfaces& walls);
 
   lanes::Grid view() const;
   /// A point in cells, the middle of the grid being 0.
@@ -31,6 +33,7 @@ class CellGrid {
   /// u M of the bounds: what a coordinate may be off by.
   double unit() const { return unit_; }
 
+  bool has_cells() const { return !words_.empty(); }
   /// Word of the cell with lower corner (x, y), in place() coordinates; `Needs` one in the grid or
   /// its ring.
   std::uint32_t word(double x, double y) const {
@@ -56,7 +59,9 @@ class CellGrid {
   struct Ends {
     Vec2 a, b;
   };
-  bool size_for(const Surfaces& walls);
+  bool measure(const Surfaces& walls);
+  void divide(const Surfaces& walls);
+  void set_cells(std::int32_t columns, std::int32_t rows);
   Ends ends(const Segment& segment) const;
   template <class Visit>
   void visit_cells(const Segment& segment, const Visit& visit) const;
@@ -65,7 +70,7 @@ class CellGrid {
   void mark_empty();
   void find_twins(const Surfaces& walls);
 
-  Vec2 centre_, scale_;
+  Vec2 centre_, size_, scale_;
   std::int32_t columns_ = 0, rows_ = 0;  // without the ring
   double stride_ = 0, first_ = 0, unit_ = 0;
   std::vector<std::uint32_t> words_, slots_;

@@ -14,11 +14,10 @@ static_assert(kRayBlock % lanes::kWidest == 0);
 /// Some rays of a batch as a kernel takes them, the last one again up to a multiple of the widest
 /// tier's lanes.
 struct RayBlock {
-  std::array<double, kRayBlock> ox, oy, dx, dy, left;
+  std::array<double, kRayBlock> ox, oy, dx, dy;
   int padded = 0;
 
-  /// Takes the rays from `begin` on, at most kRayBlock, none of which has left anything. Gives how
-  /// many.
+  /// Takes the rays from `begin` on, at most kRayBlock. Gives how many.
   std::size_t load(const RayBatch& rays, std::size_t begin) {
     const auto wide = static_cast<std::size_t>(lanes::kWidest);
     const std::size_t count = std::min(kRayBlock, rays.size() - begin);
@@ -29,14 +28,11 @@ struct RayBlock {
       oy[i] = rays.oy[from];
       dx[i] = rays.dx[from];
       dy[i] = rays.dy[from];
-      left[i] = lanes::kNothing;
     }
     padded = static_cast<int>(whole);
     return count;
   }
-  lanes::Rays lanes() const {
-    return {ox.data(), oy.data(), dx.data(), dy.data(), left.data(), padded};
-  }
+  lanes::Rays lanes() const { return {ox.data(), oy.data(), dx.data(), dy.data(), padded}; }
 };
 
 }  // namespace flatray

@@ -5,10 +5,26 @@
 #include "base/check.h"
 
 namespace flatray {
+namespace {
+
+// Up to here every wall against every ray is faster than a walk through cells: measured crossover
+// (docs/adr/0010-tracers.md).
+constexpr std::size_t kFewSegments = 24;
+
+}  // namespace
 
 #define FLATRAY_ENTRY(name) extern const Tracer name##_tracer;
 #include "tracers.inc"
 #undef FLATRAY_ENTRY
+
+NearestHit Accelerator::nearest_of_one(const Ray& ray, const Left& left, bool tangents) const {
+  RayBatch rays;
+  rays.tangents = tangents;
+  rays.add(ray, left);
+  NearestHit hit;
+  nearest(rays, {&hit, 1});
+  return hit;
+}
 
 std::vector<const Tracer*> tracers() {
   return {
@@ -25,12 +41,20 @@ const Tracer* find_tracer(std::string_view name) {
   return found == all.end() ? nullptr : *found;
 }
 
-const Tracer& usual_tracer() {
-  const std::vector<const Tracer*> all = tracers();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [](const Tracer* each) { return each->exact; });
-  FLATRAY_CHECK(found != all.end(), "no exact tracer is registered in this build");
-  return **found;
+TracerChoice choose_tracer(const Surfaces& walls) {
+  const std::size_t segments = walls.segments.size();
+  const Tracer* brute = find_tracer("brute");
+  const Tracer* grid = find_tracer("grid");
+  FLATRAY_CHECK(brute != nullptr || grid != nullptr, "no exact tracer is registered in this build");
+  const std::string many = std::to_string(segments) + (segments == 1 ? " segment" : " segments");
+  if (grid == nullptr) return {brute, "no other in this build"};
+  if (brute == nullptr) return {grid, "no other in this build"};
+  if (segments <= kFewSegments) return {brute, many + ": fewer than cells pay for"};
+  return {grid, many + ": more than " + std::to_string(kFewSegments)};
+}
+
+std::unique_ptr<Accelerator> accelerate(const Surfaces& walls) {
+  return choose_tracer(walls).tracer->build(walls);
 }
 
 }  // namespace flatray

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/isa.h"
 #include "trace/hits.h"
 #include "trace/rays.h"
 #include "trace/surfaces.h"
@@ -19,6 +21,9 @@ class Accelerator {
   /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
   ///         on.
   virtual void nearest(const RayBatch& rays, std::span<NearestHit> hits) const = 0;
+  /// The first wall of one ray, on which the lanes of a batch would be wasted.
+  virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
+                                    bool tangents = true) const;
   /// What it holds beside the walls themselves.
   virtual std::size_t bytes() const = 0;
 };
@@ -28,15 +33,27 @@ struct Tracer {
   const char* name;
   const char* summary;
   bool exact;  ///< decides for the doubles given, without rounding
+  std::unique_ptr<Accelerator> (*build_for)(const Surfaces& walls, Isa isa);
+
   /// Needs   `walls` to outlive what is built, and to stay as they are.
-  std::unique_ptr<Accelerator> (*build)(const Surfaces& walls);
+  /// Gives   the same hits in every tier.
+  std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa = active_isa()) const {
+    return build_for(walls, isa);
+  }
 };
 
 /// Registered tracers by name.
 std::vector<const Tracer*> tracers();
 /// The tracer called `name`, or nullptr.
 const Tracer* find_tracer(std::string_view name);
-/// The exact tracer used unless another is asked for.
-const Tracer& usual_tracer();
+/// An exact tracer, and why it.
+struct TracerChoice {
+  const Tracer* tracer;
+  std::string reason;
+};
+/// The exact tracer that measured fastest for as many walls (docs/adr/0010-tracers.md).
+TracerChoice choose_tracer(const Surfaces& walls);
+/// Walls made ready for the tracer of choice, in the tier this machine uses.
+std::unique_ptr<Accelerator> accelerate(const Surfaces& walls);
 
 }  // namespace flatray

@@ -161,8 +161,7 @@ const char* name(OrbitEnd end) {
 }
 
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
-                                std::span<const Ray> starts, std::uint64_t bounces,
-                                const Tracer& tracer) {
+                                std::span<const Ray> starts, std::uint64_t bounces) {
   std::vector<Orbit> orbits(starts.size());
   std::vector<Flight> flights;
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -170,13 +169,13 @@ std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material>
     orbits[i].direction = starts[i].direction;
     flights.push_back({starts[i], {}, Speed(starts[i].direction), {0, 0}, &orbits[i]});
   }
-  trace_wavefront(OrbitTracer(walls, materials, bounces), *tracer.build(walls), flights);
+  trace_wavefront(OrbitTracer(walls, materials, bounces), *accelerate(walls), flights);
   return orbits;
 }
 
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
-                  std::uint64_t bounces, const Tracer& tracer) {
-  return std::move(trace_orbits(walls, materials, std::span(&start, 1), bounces, tracer).front());
+                  std::uint64_t bounces) {
+  return std::move(trace_orbits(walls, materials, std::span(&start, 1), bounces).front());
 }
 
 }  // namespace flatray

@@ -42,7 +42,7 @@ struct Orbit {
 /// decision 4): a straight wall just left is excluded by its number, a circle only in the root
 /// stood on. No epsilon.
 ///
-/// Needs   `materials` by surface; a direction that is not zero; an exact tracer.
+/// Needs   `materials` by surface; a direction that is not zero.
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
 ///         of one, is a corner without a bounce; a start along its wall, or on the tangent of its
 ///         circle, ends as `along`. A circle reflects on both sides; touched in one point it is
@@ -53,12 +53,11 @@ struct Orbit {
 ///         start's, after any number of bounces.
 /// Cost    a bounce 1 to 2 us, and a box test for every wall.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
-                  std::uint64_t bounces, const Tracer& tracer = usual_tracer());
+                  std::uint64_t bounces);
 
 /// The orbits of many rays, advanced together so that the tracer gets them in batches. Each is what
 /// trace_orbit gives.
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
-                                std::span<const Ray> starts, std::uint64_t bounces,
-                                const Tracer& tracer = usual_tracer());
+                                std::span<const Ray> starts, std::uint64_t bounces);
 
 }  // namespace flatray

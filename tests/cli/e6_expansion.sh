@@ -32,6 +32,19 @@ run 0 check nested.toml --max-depth 1
 run 4 check nested.toml --max-depth 0
 says err "the limit is 0; --max-depth raises it"
 
+printf 'flatray = 1\n[[entity]]\nshape = { ngon = { sides = 1000, radius = { uniform = [1, 2] } } }\n%s\n' \
+  'repeat = { grid = { count = [1000, 1000], step = [2, 2] } }' > corners.toml
+run 4 check corners.toml --max-corners 1000000
+says err "corners.toml:3:9: error: the corners of the scene come to more than 1000000"
+says err "--max-corners N"
+scene line.toml 1 '[[entity]]' 'shape = { segment = { from = [0, 0], to = [16, 0] } }' \
+  'stroke = { width = 0.01, dashes = [0.1, 0.1] }' \
+  'repeat = { grid = { count = [1, 100000], step = [0, 0.0001] } }'
+run 4 render line.toml -o line.png --max-corners 1000000
+says err "line.toml:11:1: error: with this a frame draws more than 1000000 corners"
+absent line.png
+run 2 check line.toml --max-corners 0
+
 run 3 check nested.toml --max-bytes 20
 says err "the limit of a scene and its files is 20; --max-bytes raises it"
 FLATRAY_MAX_BYTES=20 run 3 check nested.toml

@@ -10,7 +10,7 @@ for name in $("$flatray" completion words -- flatray help '' | cut -f1); do
   (($(wc -l < out.txt) >= 3)) || fail "help $name says nothing"
 done
 for name in $("$flatray" list verbs | awk '{ print $1 }') $("$flatray" list shapes | awk '{ print $1 }') \
-  frames output scene colours exit-codes markov camera determinism; do
+  frames output scene colours exit-codes markov camera determinism limits; do
   run 0 help "$name"
 done
 run 0 help film

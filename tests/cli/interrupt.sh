@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Ctrl-C: frames in flight are finished, the exit code is 130, --resume goes on.
+# Ctrl-C: files in flight are finished, a frame that takes long is left, the exit code is 130, --resume goes on.
 source "$(dirname "$0")/lib.sh"
 scene box.toml 4000
 for signal in INT TERM; do
@@ -21,5 +21,24 @@ for signal in INT TERM; do
   lines=$(wc -l < out/manifest.jsonl)
   ((files == lines && files > 0 && files < 4000)) || fail "$files files, $lines lines"
   [[ -z $(find out -name '.*.part') ]] || fail "a temporary file stayed"
+done
+
+# One frame of some 10^10 blended pixels, of which none is seen.
+scene long.toml 1 '[[entity]]' 'shape = { circle = { radius = 20 } }' 'opacity = 0.5' \
+  'fill = { linear = { from = [0, 0], to = [16, 12], stops = ["#ff0000", "#0000ff"] } }' \
+  'repeat = { grid = { count = [200, 1], step = [0.01, 0] } }'
+for options in '-o long.png' '-o long.hdr' '-o long.png --keep-all'; do
+  env --default-signal=INT "$flatray" render long.toml --size 8000x6000 $options -j 2 2> err.txt &
+  pid=$!
+  sleep 1
+  start=$SECONDS
+  kill -INT $pid
+  wait $pid
+  code=$?
+  ((code == 130)) || fail "$options: exit code $code"
+  ((SECONDS - start < 20)) || fail "$options: ended $((SECONDS - start)) s after the signal"
+  says err "interrupted, 0 of 1 frame written"
+  absent long.png long.hdr
+  [[ -z $(find . -name '.*.part') ]] || fail "a temporary file stayed"
 done
 finish

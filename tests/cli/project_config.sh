@@ -24,15 +24,24 @@ run 0 render box.toml -o seven.png
 [[ $(size_of seven.png) == 7x5 ]] || fail "-D of flatray.toml is not heard"
 
 printf 'jobz = 2\nquiet = 3\nsize = [1, 2]\n' > flatray.toml
-run 4 render box.toml -o x.png
+run 2 render box.toml -o x.png
 says err "flatray.toml:1:1: error: unknown option 'jobz' (did you mean 'jobs'?)"
 says err "flatray.toml:2:9: error: quiet is a number, not true or false"
 says err "flatray.toml:3:8: error: size is an array, not a number or string"
 printf 'jobs = = 2\n' > flatray.toml
-run 4 render box.toml -o x.png
-says err "flatray.toml:1:8: error:"
-printf 'jobs = 0\n' > flatray.toml
 run 2 render box.toml -o x.png
-says err "flatray.toml: error:"
+says err "flatray.toml:1:8: error:"
+printf '\njobs = 0\nsize = "axb"\n' > flatray.toml
+run 2 render box.toml -o x.png
+says err "flatray.toml:2:8: error: 0 is out of range"
+says err "flatray.toml:3:8: error: width 'a' is not a whole number of pixels"
+
+rm flatray.toml
+for kind in 'mkdir' 'mkfifo' 'ln -s nowhere'; do
+  $kind flatray.toml
+  run 3 render box.toml -o x.png
+  says err "flatray.toml: error: is no plain file"
+  rm -r flatray.toml
+done
 absent x.png
 finish

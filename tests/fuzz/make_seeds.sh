@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 rm -rf seeds
-mkdir -p seeds/{toml,obj,list,png,override}
+mkdir -p seeds/{toml,obj,list,png,override,render}
 
 repeat() { printf "%.0s$1" $(seq "$2"); }
 seed() { cat > "seeds/$1"; }
@@ -25,6 +25,15 @@ printf "$entity"'shape = { circle = { radius = -0.0 } }\nstroke = { width = 1e30
 printf 'flatray = 1\nfilm = { size = [4294967297, 0] }\nframes = -1\nfps = inf\nseed = 1e400\n' | seed toml/numbers
 printf 'flatray = 1\n[markov.a]\nA = { A = 0.3, B = 0.3 }\nB = { B = 1 }\n' | seed toml/chain
 printf "$entity"'shape = { import = { file = "f.toml" } }\n' | seed toml/self_import
+
+disc="$entity"'shape = { circle = { radius = 1 } }\n'
+printf "$disc"'fill = { radial = { radius = 1, stops = ["#ff000080", "#00ff00"] } }\nopacity = 0.5\n' | seed render/gradient
+printf "$disc"'stroke = { width_px = 3, dashes = [2, 1, 0, 1], caps = "square", colour = "#123456" }\nvelocity = [1e3, -1]\n' | seed render/dashes
+printf 'frames = 3\n'"$disc"'at = { keys = [[0, [0, 0]], [0.1, [1, 2]]], ease = "smooth" }\nrepeat = { ring = { count = 5, radius = 3 } }\n' | seed render/curve
+printf "$entity"'shape = { ngon = { sides = 40, radius = { uniform = [1e-9, 1e9] } } }\nstroke = { width = 1, joins = "miter", miter_limit = 99 }\nrepeat = { scatter = { count = 9, in = [[0, 0], [9, 9]] } }\n' | seed render/random
+printf "$entity"'shape = { sector = { radius = 3, inner = 1, from = 0, to = 360 } }\nstroke = { width = 0.2 }\nfollow = { path = [[0, 0], [5, 5], [0, 5]], duration = 2, closed = true, turn = true }\n' | seed render/sector
+printf 'flatray = 1\nfilm = { coverage = "centre" }\n[[chamber]]\nshape = { box = { min = [0, 0], max = [9, 5] } }\nopacity = 0.4\npillars = [{ shape = { circle = { radius = 1 } }, at = [4, 2] }]\n[[ray]]\nat = [1, 1]\ndirection = [3, 1]\nbounces = 9\nhit_points = "#000000"\n' | seed render/chamber
+printf 'flatray = 1\nframes = 2\n[[group]]\nname = "g"\nangular_velocity = 90\n[[entity]]\ngroup = "g"\nat = [3, 0]\nshape = { text = { string = "ab", size = 2 } }\nbounding_box = { width = 0.1 }\n[[entity]]\nshape = { polygon = { points = [[0, 0], [4, 4], [4, 0], [0, 4]], fill_rule = "even-odd" } }\n' | seed render/group
 
 square='v 0 0\nv 4 0\nv 4 4\nv 0 4\n'
 printf "${square}f 1 2 3 4\n" | seed obj/square

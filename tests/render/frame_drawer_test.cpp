@@ -2,6 +2,7 @@
 
 #include "render/coverage_families.h"
 #include "render/frame.h"
+#include "support/pictures.h"
 
 namespace flatray {
 namespace {
@@ -105,6 +106,21 @@ TEST(FrameDrawer, VeilsOverVeilsAreBlendedInOrder) {
         {box_path(-1, -1, 121 - i % 7, 91), {0.1F, 0.003F * static_cast<float>(i), 0.5F, 0.02F}});
   EXPECT_EQ(FrameDrawer<Image>({}).draw(list),
             FrameDrawer<Image>({std::nullopt, 1, true}).draw(list));
+}
+
+TEST(FrameDrawer, AStopLeavesBandsUndrawnAndSaysSo) {
+  const Scene scene = scene_of("flatray = 1\nfilm = { size = [64, 64] }\n");
+  const auto list = draw_list(make_plan(scene, false), Timeline(scene, 0, 1), 1);
+  FrameOptions options;
+  options.stop = [] { return true; };
+  FrameDrawer<Image> stopped(options);
+  stopped.draw(*list);
+  EXPECT_FALSE(stopped.whole());
+  EXPECT_EQ(stopped.counts().bands, 0u);
+  options.stop = [] { return false; };
+  FrameDrawer<Image> drawn(options);
+  drawn.draw(*list);
+  EXPECT_TRUE(drawn.whole());
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ int check(const std::string& path, const std::string& size) {
   const Scene& scene = loaded->scene;
   const int width = scene.film.width, height = scene.film.height;
   const Timeline timeline(scene, scene.seed, 1);
-  const DrawList list = draw_list(make_plan(scene, false), timeline, 1);
+  const DrawList list = *draw_list(make_plan(scene, false), timeline, 1);
   const Image image = render_image(list, {});
 
   std::vector<float> share(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

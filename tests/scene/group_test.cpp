@@ -87,6 +87,7 @@ TEST(Groups, ACircleIsToldOnceAlsoOfWhatLeadsIntoIt) {
                                     group("a", "group = \"b\"") + group("b", "group = \"a\""));
   EXPECT_NE(shown.find("stands in itself"), std::string::npos);
   EXPECT_EQ(shown.find("stands in itself"), shown.rfind("stands in itself"));
+  EXPECT_EQ(shown.find("unknown group"), std::string::npos) << shown;
   EXPECT_EQ(shown.find("more than"), std::string::npos);
 }
 

@@ -82,5 +82,15 @@ TEST(StiffCases, E3SizesFromTheCommandLineAreUsageErrors) {
   }
 }
 
+TEST(Overrides, LimitsTheyPassAreToldWhereTheyStand) {
+  const auto got = load(
+      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\n"
+      "repeat = { grid = { count = [2, 2], step = [1, 1] } }\n",
+      {{"entity.0.repeat.grid.count", "[4000, 4000]"}});
+  ASSERT_FALSE(got);
+  EXPECT_EQ(got.error()[0].where.source->name(), "-D entity.0.repeat.grid.count");
+  EXPECT_EQ(got.error()[0].trouble, Trouble::usage);
+}
+
 }  // namespace
 }  // namespace flatray

@@ -190,7 +190,7 @@ TEST_F(GlBackends, CentresOnOutlinesGoRightAndDown) {
 }
 
 TEST_F(GlBackends, TilesAndCropsShowTheSame) {
-  DrawList list = random_list(7);
+  DrawList list = random_list(13);
   list.width = 2100;
   const auto renderer = opened("gl", 4);
   Image whole, part;
@@ -220,14 +220,14 @@ TEST_F(GlBackends, ALinearPictureHasTheLightOfTheOther) {
 
 // A triangle round which 256 windings leave nothing to a stencil, and stars that wind either way.
 TEST_F(GlBackends, ARegionMayWindAsOftenAsItLikes) {
-  DrawList list{kWidth, kHeight, {1, 1, 1, 1}, Coverage::area, {}};
+  DrawList list{30, 24, {1, 1, 1, 1}, Coverage::area, {}};
   for (const std::uint64_t seed : {1U, 2U}) {
     Draws draw(seed);
-    const Vec2 a(10, 5.3), b(90.7, 20), c(30, 66.1);
+    const Vec2 a(2, 2.3), b(27.7, 8), c(9, 21.1);
     FillPath path;
     for (int i = 0; i < 256; ++i) path.edges.insert(path.edges.end(), {{a, b}, {b, c}, {c, a}});
     for (int i = 0; i < 8; ++i) {
-      add_star(draw, 5, 2, 40, path.edges);
+      add_star(draw, 5, 2, 60, path.edges);
       if (i % 2 == 0) continue;
       for (std::size_t k = path.edges.size() - 5; k < path.edges.size(); ++k)
         std::swap(path.edges[k].a, path.edges[k].b);

@@ -22,7 +22,7 @@ class Spoiled final : public Accelerator {
 };
 
 template <void (*spoil)(NearestHit&)>
-std::unique_ptr<Accelerator> build(const Surfaces& walls) {
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
   return std::make_unique<Spoiled<spoil>>(walls);
 }
 

@@ -28,7 +28,7 @@ inline Scene scene_at(const std::string& path, const std::vector<Override>& over
 
 inline Image picture(const Scene& scene, unsigned frame = 1, const FrameOptions& options = {}) {
   const Timeline timeline(scene, scene.seed, std::max(frame, scene.frames));
-  return render_image(draw_list(make_plan(scene, false), timeline, frame), options);
+  return render_image(*draw_list(make_plan(scene, false), timeline, frame), options);
 }
 
 inline Image picture(const std::string& text, unsigned frame = 1,

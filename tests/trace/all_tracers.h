@@ -3,8 +3,7 @@
 
 #include "trace/exact_nearest.h"
 #include "trace/random_rays.h"
-#include "trace/tracers/brute.h"
-#include "trace/tracers/grid.h"
+#include "trace/tracer.h"
 
 namespace flatray {
 
@@ -35,12 +34,17 @@ inline void expect_hits(const std::vector<NearestHit>& truth, const std::vector<
 inline void expect_all_tiers_exact(const Case& c) {
   std::vector<NearestHit> truth, hits(c.rays.size());
   for (std::size_t i = 0; i < c.rays.size(); ++i) truth.push_back(exact_hit_of(c, i));
-  for (const Isa isa : available_isas()) {
-    brute_nearest(c.walls, c.rays, hits, isa);
-    expect_hits(truth, hits, c, std::string("brute, ") + isa_name(isa));
-    build_grid(c.walls, isa)->nearest(c.rays, hits);
-    expect_hits(truth, hits, c, std::string("grid, ") + isa_name(isa));
-  }
+  for (const Tracer* tracer : tracers())
+    for (const Isa isa : available_isas()) {
+      if (!tracer->exact) continue;
+      const auto walls = tracer->build(c.walls, isa);
+      walls->nearest(c.rays, hits);
+      expect_hits(truth, hits, c, std::string(tracer->name) + ", " + isa_name(isa));
+      if (isa != Isa::portable) continue;
+      for (std::size_t i = 0; i < hits.size(); ++i)
+        hits[i] = walls->nearest_of_one(c.rays.ray(i), c.rays.left[i], c.rays.tangents);
+      expect_hits(truth, hits, c, std::string(tracer->name) + ", one by one");
+    }
 }
 
 }  // namespace flatray

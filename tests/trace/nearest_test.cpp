@@ -5,7 +5,6 @@
 #include "geom/exact.h"
 #include "trace/random_rays.h"
 #include "trace/tracer.h"
-#include "trace/tracers/brute.h"
 
 namespace flatray {
 namespace {
@@ -16,7 +15,7 @@ NearestHit nearest(const Surfaces& walls, const Ray& ray, const Left& left = {},
   rays.tangents = tangents;
   rays.add(ray, left);
   NearestHit hit;
-  usual_tracer().build(walls)->nearest(rays, {&hit, 1});
+  accelerate(walls)->nearest(rays, {&hit, 1});
   return hit;
 }
 
@@ -225,7 +224,15 @@ TEST(Tracers, AreFoundByName) {
   ASSERT_NE(find_tracer("brute"), nullptr);
   EXPECT_STREQ(find_tracer("brute")->name, "brute");
   EXPECT_EQ(find_tracer("brut"), nullptr);
-  EXPECT_TRUE(usual_tracer().exact);
+}
+
+TEST(Tracers, AreChosenByTheNumberOfWalls) {
+  Surfaces walls;
+  for (int i = 0; i < 24; ++i) walls.add(Segment{{0, 0}, {1, 0}});
+  EXPECT_STREQ(choose_tracer(walls).tracer->name, "brute");
+  walls.add(Segment{{0, 0}, {1, 0}});
+  EXPECT_STREQ(choose_tracer(walls).tracer->name, "grid");
+  EXPECT_EQ(choose_tracer(walls).reason, "25 segments: more than 24");
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "trace/all_tracers.h"
-#include "trace/ray_block.h"
 
 namespace flatray {
 namespace {
@@ -102,24 +101,6 @@ TEST(Tiers, AgreeOnSegmentsAndCirclesTogether) {
   }
   for (int i = 0; i < 200; ++i) c.rays.add({draw.grid_point(-5, 5), draw.grid_point(-2, 2)});
   expect_all_tiers_exact(c);
-}
-
-// The lanes must settle almost every ray by themselves, or they are no use.
-TEST(Tiers, AreSureOfRandomRays) {
-  Draws draw(6);
-  std::vector<Segment> walls;
-  for (int i = 0; i < 16; ++i) walls.push_back({draw.point(), draw.point()});
-  RayBatch rays;
-  for (std::size_t i = 0; i < kRayBlock; ++i)
-    rays.add({draw.point(), draw.point() - Vec2(0.5, 0.5)});
-  RayBlock block;
-  block.load(rays, 0);
-  std::array<double, kRayBlock> slot;
-  for (const Isa isa : available_isas()) {
-    lane_kernels(isa).nearest({walls.front().a.data(), 16, 0, 0, 1, 1}, block.lanes(),
-                              {slot.data()});
-    for (const double found : slot) EXPECT_NE(found, lanes::kDoubtful) << isa_name(isa);
-  }
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ rule 'GMP belongs to geom/exact and the oracle' code "$sources" '^src/(geom/exac
   '#include <(gmp|gmpxx)\.h>' '#include <gmp.h>' '#include <Eigen/Core>'
 rule 'SLEEF belongs to base/portable_math' code "$sources" '^src/base/portable_math\.cpp$' \
   '#include <sleef' '#include <sleef.h>' '#include <Eigen/Core>'
-rule 'MPFR is a second opinion, for tests' code "$sources" '^tests/.*\.cpp$' \
+rule 'MPFR belongs to precise, and to tests as a second opinion' code "$sources" '^src/precise/ball\.h$|^tests/.*\.cpp$' \
   '#include <mpfr' '#include <mpfr.h>' '#include <Eigen/Core>'
 rule 'stb belongs to the image module, its font to one source' code "$sources" '^(src/image|benchmarks(/peers)?)/[a-z_]+\.cpp$|^src/scene/easy_font\.cpp$' \
   '#include ["<](stb/|stb_)' '#include <stb_image.h>' '#include <Eigen/Core>'

@@ -12,7 +12,7 @@ Fields answer(Question& question) {
   RayBatch rays;
   rays.add(ray);
   NearestHit hit;
-  usual_tracer().build(walls)->nearest(rays, {&hit, 1});
+  accelerate(walls)->nearest(rays, {&hit, 1});
   if (!hit) return {{"wall", JsonValue()}};
   const Vec2 point = hit_point(walls, ray, hit);
   return {{"wall", hit.surface},

@@ -1,6 +1,7 @@
 #include "transport/orbit.h"
 
 #include "app/query/query.h"
+#include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 
 namespace flatray::queries {
@@ -10,6 +11,50 @@ constexpr std::uint64_t kMostBounces = 1'000'000;  // an answer is one line in m
 
 JsonValue as_json(const Vec2& point) { return Values{point.x(), point.y()}; }
 
+// Of either kind of orbit: what is the same.
+template <class Bounces>
+Fields path(const Bounces& bounces, const char* end, JsonValue out) {
+  Values numbers, points;
+  for (const auto& bounce : bounces) {
+    numbers.emplace_back(bounce.surface);
+    points.push_back(as_json(bounce.point));
+  }
+  return {{"walls", std::move(numbers)},
+          {"points", std::move(points)},
+          {"end", end},
+          {"out", std::move(out)}};
+}
+
+void add_corner(Fields& fields, const Vec2& corner, const std::vector<std::uint32_t>& walls) {
+  fields.emplace_back("corner", as_json(corner));
+  fields.emplace_back("corner_walls", Values(walls.begin(), walls.end()));
+}
+
+Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces) {
+  const std::vector<Material> mirrors(walls.size(), Material::mirror);
+  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces);
+  const bool escapes = orbit.end == OrbitEnd::escape;
+  Fields fields = path(orbit.bounces, name(orbit.end), escapes ? as_json(orbit.out) : JsonValue());
+  if (orbit.end == OrbitEnd::corner) add_corner(fields, orbit.end_point, orbit.end_surfaces);
+  fields.emplace_back("certain", proven_bounces(walls, orbit));
+  return fields;
+}
+
+Fields certified(const Surfaces& walls, const Ray& ray, std::uint64_t bounces, Question& question) {
+  const auto orbit = certified_orbit(walls, ray, bounces, question.precision().most_bits);
+  if (!orbit) {
+    question.mistake("precision", orbit.error().front().message);
+    return {};
+  }
+  const bool escapes = orbit->end == OrbitEnd::escape;
+  Fields fields = path(orbit->bounces, orbit->decided ? name(orbit->end) : "undecided",
+                       escapes ? as_json(orbit->out) : JsonValue());
+  if (orbit->end == OrbitEnd::corner) add_corner(fields, orbit->corner, orbit->corner_walls);
+  fields.emplace_back("certain", std::uint64_t{orbit->bounces.size()});
+  fields.emplace_back("bits", orbit->bits);
+  return fields;
+}
+
 Fields answer(Question& question) {
   const Ray ray = question.ray();
   const Surfaces walls = question.walls("walls");
@@ -18,24 +63,8 @@ Fields answer(Question& question) {
   if (question.sound() && ray.direction.x() == 0 && ray.direction.y() == 0)
     question.mistake("direction", "is zero: an orbit needs somewhere to go");
   if (!question.sound()) return {};
-  const std::vector<Material> mirrors(walls.size(), Material::mirror);
-  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces);
-  Values numbers, points, corner;
-  for (const Bounce& bounce : orbit.bounces) {
-    numbers.emplace_back(bounce.surface);
-    points.push_back(as_json(bounce.point));
-  }
-  Fields fields = {{"walls", std::move(numbers)},
-                   {"points", std::move(points)},
-                   {"end", name(orbit.end)},
-                   {"out", orbit.end == OrbitEnd::escape ? as_json(orbit.out) : JsonValue()}};
-  if (orbit.end == OrbitEnd::corner) {
-    for (const std::uint32_t wall : orbit.end_surfaces) corner.emplace_back(wall);
-    fields.emplace_back("corner", as_json(orbit.end_point));
-    fields.emplace_back("corner_walls", std::move(corner));
-  }
-  fields.emplace_back("certain", proven_bounces(walls, orbit));
-  return fields;
+  return question.precision().certified ? certified(walls, ray, bounces, question)
+                                        : in_doubles(walls, ray, bounces);
 }
 
 }  // namespace

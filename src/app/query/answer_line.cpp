@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "app/arguments.h"
 #include "app/option_values.h"
 #include "app/query/query.h"
 #include "base/diagnostic.h"
@@ -33,8 +34,7 @@ Answer mistake(const JsonValue* id, std::string what) {
 }
 
 std::string unknown_op(const std::string& op) {
-  std::vector<std::string> known;
-  for (const Query* query : all_queries()) known.emplace_back(query->name);
+  const std::vector<std::string> known = names_of(all_queries());
   const std::string near = nearest_word(op, known);
   return fmt::format("op: there is no '{}'{}; there are {}", op,
                      near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near),
@@ -43,7 +43,7 @@ std::string unknown_op(const std::string& op) {
 
 }  // namespace
 
-Answer answer_line(std::string_view line) {
+Answer answer_line(std::string_view line, const Precision& precision) {
   const auto json = read_json(line);
   if (!json)
     return mistake(nullptr, fmt::format("column {}: {}", json.error().byte, json.error().what));
@@ -56,7 +56,7 @@ Answer answer_line(std::string_view line) {
   if (!name) return mistake(id, "op: is no text");
   for (const Query* query : all_queries()) {
     if (*name != query->name) continue;
-    Question question(*fields);
+    Question question(*fields, precision);
     Fields answer = query->answer(question);
     if (std::string what = question.mistakes(); !what.empty()) return mistake(id, std::move(what));
     return as_line(id, std::move(answer), true);

@@ -29,6 +29,6 @@ struct Answer {
 ///
 /// Gives   the answer's fields after the question's own id, where it has one; {"id":..,"error":..}
 ///         for what is no question. Never fails otherwise, whatever the line holds.
-Answer answer_line(std::string_view line);
+Answer answer_line(std::string_view line, const Precision& precision = {});
 
 }  // namespace flatray

@@ -9,11 +9,20 @@
 
 namespace flatray {
 
+/// How orbits are followed.
+struct Precision {
+  bool certified = false;
+  unsigned most_bits = 65536;  ///< of a certified one
+};
+
 /// The fields of one question, read by name. A field that is absent or wrong gives a value of no
 /// meaning and a mistake that names it; answers are not to be used where there are mistakes.
 class Question {
  public:
-  explicit Question(const Fields& fields) : fields_(fields) {}
+  explicit Question(const Fields& fields, const Precision& precision = {})
+      : fields_(fields), precision_(precision) {}
+
+  const Precision& precision() const { return precision_; }
 
   bool has(std::string_view name) const;
   Vec2 point(std::string_view name);
@@ -46,6 +55,7 @@ class Question {
   void read_wall(const JsonValue& value, const std::string& where, Surfaces& walls);
 
   const Fields& fields_;
+  const Precision precision_;
   std::vector<std::string> asked_;
   std::string mistakes_;
 };

@@ -20,11 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> metric_names() {
-  std::vector<std::string> names;
-  for (const Metric* metric : metrics()) names.emplace_back(metric->name);
-  return names;
-}
+std::vector<std::string> metric_names() { return names_of(metrics()); }
 
 constexpr Option kOptions[] = {
     {"metric", '\0', "NAME", "print this number, too: flatray list metrics", OptionKind::text,

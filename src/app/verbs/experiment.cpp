@@ -20,11 +20,7 @@ constexpr auto kOptions =
                         kThreadsOption,
                         kJsonOption});
 
-std::vector<std::string> experiment_names() {
-  std::vector<std::string> names;
-  for (const Experiment* one : flatray::experiments()) names.emplace_back(one->name);
-  return names;
-}
+std::vector<std::string> experiment_names() { return names_of(flatray::experiments()); }
 
 Result<const Experiment*> find_experiment(const std::string& name) {
   for (const Experiment* one : flatray::experiments())

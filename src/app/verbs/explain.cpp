@@ -1,11 +1,13 @@
 #include <fmt/core.h>
 
+#include "anim/world.h"
 #include "app/measure.h"
 #include "app/render_request.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/isa.h"
+#include "trace/tracer.h"
 
 namespace flatray::verbs {
 namespace {
@@ -21,6 +23,14 @@ constexpr auto kOptions = with_scene_options(
      kThreadsOption,
      kJsonOption});
 
+// What finds the hits of the scene's rays among the walls of its first frame.
+TracerChoice tracer_of(const RenderJob& job) {
+  if (job.scene.rays.empty()) return {nullptr, "no rays"};
+  const Timeline timeline(job.scene, job.seed, job.last_frame);
+  const unsigned frame = job.frames.empty() ? 1 : job.frames.front();
+  return choose_tracer(build_world(job.scene, at(timeline, frame)).surfaces);
+}
+
 Table decisions(const RenderJob& job, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   Table table{{"part", "decision", "reason"}, {}};
@@ -29,6 +39,8 @@ Table decisions(const RenderJob& job, unsigned threads) {
   };
   for (const RenderPlan::Choice& choice : plan.choices)
     add(choice.part, choice.decision, choice.reason);
+  const TracerChoice choice = tracer_of(job);
+  add("tracer", choice.tracer == nullptr ? "left out" : choice.tracer->name, choice.reason);
   const std::size_t count = plan.still ? 1 : job.frames.size();
   const Spread spread = flatray::spread(job, count, threads);
   add("instructions", isa_name(active_isa()),
@@ -51,7 +63,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (arguments.has("measure")) {
     RenderJob job = jobs->front();
     if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
-    for (Saving& saving : measured_savings(job))
+    auto savings = measured_savings(job);
+    if (!savings) return fail(std::move(savings));
+    for (Saving& saving : *savings)
       table.rows.push_back(
           {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});
   }

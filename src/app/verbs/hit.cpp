@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
+#include <set>
+
 #include "app/hit_report.h"
+#include "app/hit_svg.h"
 #include "app/option_values.h"
 #include "app/report.h"
 #include "app/scene_input.h"
@@ -16,6 +19,7 @@ constexpr auto kOptions = with_scene_options(
      {"domain", '\0', "line|ray|segment", "part of the line that counts (edges: segment)"},
      kFrameOption,
      kSeedOption,
+     {"svg", '\0', "", "print a diagram, what lies inside thick", OptionKind::flag},
      kJsonOption,
      kCsvOption});
 
@@ -116,6 +120,14 @@ Result<std::vector<Question>> read_questions(const Arguments& arguments, const S
   return std::vector{std::move(*question)};
 }
 
+// Every entity that a question names, once, by number.
+std::vector<std::uint32_t> asked_about(const std::vector<Question>& questions) {
+  std::set<std::uint32_t> entities;
+  for (const Question& question : questions)
+    entities.insert(question.against.begin(), question.against.end());
+  return {entities.begin(), entities.end()};
+}
+
 VerbOutput show(const Arguments& arguments, const std::vector<HitReport>& reports) {
   if (arguments.has("csv")) return {csv_text(csv_rows(reports)), 0};
   Values values;
@@ -147,6 +159,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (reports.empty())
     return usage_error(named_place("hit"), "nothing here has a convex piece or a circle to hit",
                        "segments, even-odd polygons and arcs are drawn only");
+  if (arguments.has("svg"))
+    return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};
   return show(arguments, reports);
 }
 
@@ -159,7 +173,8 @@ extern const Verb hit = {"hit",
                          1,
                          kOptions,
                          "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
-                         "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n",
+                         "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"
+                         "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n",
                          "",
                          &run};
 

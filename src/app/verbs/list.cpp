@@ -7,6 +7,7 @@
 #include "base/isa.h"
 #include "image/metric.h"
 #include "render/backend.h"
+#include "render/view.h"
 #include "study/experiment.h"
 #include "trace/tracer.h"
 
@@ -60,13 +61,10 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
                            {"passes", &drawing_passes},
                            {"shapes", [] { return listed(listed_shapes()); }},
                            {"tracers", [] { return described(flatray::tracers()); }},
+                           {"views", [] { return described(flatray::views()); }},
                            {"verbs", [] { return described(all_verbs()); }}};
 
-std::vector<std::string> kind_names() {
-  std::vector<std::string> names;
-  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
-  return names;
-}
+std::vector<std::string> kind_names() { return names_of(kKinds); }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const std::string wanted = arguments.operands().empty() ? "" : arguments.operands().front();

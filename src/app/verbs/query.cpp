@@ -6,11 +6,14 @@
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/parallel.h"
+#include "precise/certified_orbit.h"
 
 namespace flatray::verbs {
 namespace {
 
-constexpr std::array kOptions = {kThreadsOption};
+constexpr std::array kOptions = {
+    Option{"precision", '\0', "double|certified", "of orbits: certified proves every bounce"},
+    Option{"bits", '\0', "N", "most bits of a certified orbit (default 65536)"}, kThreadsOption};
 constexpr std::size_t kLinesATask = 64;
 
 // Answers to `lines`, in their order; whether all were questions.
@@ -19,14 +22,15 @@ struct Answers {
   std::vector<char> sound;
 };
 
-Answers answer(const std::vector<std::string_view>& lines, unsigned threads) {
+Answers answer(const std::vector<std::string_view>& lines, const Precision& precision,
+               unsigned threads) {
   const std::size_t tasks = (lines.size() + kLinesATask - 1) / kLinesATask;
   Answers answers{std::vector<std::string>(tasks), std::vector<char>(tasks, 1)};
   parallel_for(tasks, std::min<unsigned>(threads, static_cast<unsigned>(tasks)),
                [&](std::size_t task) {
                  const std::size_t last = std::min(lines.size(), (task + 1) * kLinesATask);
                  for (std::size_t i = task * kLinesATask; i < last; ++i) {
-                   const Answer one = answer_line(lines[i]);
+                   const Answer one = answer_line(lines[i], precision);
                    answers.texts[task] += one.line + "\n";
                    if (!one.ok) answers.sound[task] = 0;
                  }
@@ -42,7 +46,17 @@ Result<void> write(const Answers& answers) {
   return fail(named_place("standard output"), "cannot write", "", Trouble::output);
 }
 
+Result<Precision> read_precision(const Arguments& arguments) {
+  const auto word = arguments.one_of("precision", {"double", "certified"});
+  if (!word) return tl::unexpected(word.error());
+  const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
+  if (!bits) return tl::unexpected(bits.error());
+  return Precision{*word == "certified", static_cast<unsigned>(*bits)};
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
+  const auto precision = read_precision(arguments);
+  if (!precision) return tl::unexpected(precision.error());
   const auto count = threads(arguments);
   if (!count) return tl::unexpected(count.error());
   auto stream = LineStream::open(arguments.operands().empty() ? "-" : arguments.operands().front());
@@ -52,7 +66,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     const auto lines = stream->next();
     if (!lines) return tl::unexpected(lines.error());
     if (lines->empty()) return VerbOutput{"", sound ? 0 : 1};
-    const Answers answers = answer(*lines, *count);
+    const Answers answers = answer(*lines, *precision, *count);
     if (auto written = write(answers); !written) return tl::unexpected(written.error());
     for (const char one : answers.sound) sound = sound && one != 0;
   }

@@ -2,6 +2,7 @@
 #include "app/interrupt.h"
 #include "app/render_run.h"
 #include "app/scene_input.h"
+#include "app/view_choice.h"
 
 namespace flatray::verbs {
 namespace {
@@ -14,6 +15,8 @@ constexpr auto kOptions = with_scene_options(
      {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
      kBackendOption,
      kSamplesOption,
+     kViewOption,
+     kTracerOption,
      kSeedOption,
      {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
      {"resume", '\0', "", "keep frames already written whole for this very scene",
@@ -53,7 +56,15 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!jobs) return tl::unexpected(jobs.error());
   const auto renderer = chosen_renderer(arguments, request->threads);
   if (!renderer) return tl::unexpected(renderer.error());
-  for (RenderJob& job : *jobs) job.renderer = *renderer;
+  const auto view = chosen_view(arguments);
+  if (!view) return tl::unexpected(view.error());
+  for (RenderJob& job : *jobs) {
+    job.renderer = *renderer;
+    job.view = *view;
+    if (*view && job.output.format() == PictureFormat::hdr)
+      return usage_error(arguments.where("view"), "has no light for an HDR picture",
+                         "write a PNG file");
+  }
   const auto list = work_list(*jobs, *request);
   if (!list) return tl::unexpected(list.error());
   if (arguments.has("dry-run")) return describe(arguments, *list);
@@ -75,7 +86,8 @@ extern const Verb render = {
     "  flatray render scenes/demo.toml\n"
     "  flatray render scene.toml -f 3 -o hall.png\n"
     "  flatray render scene.toml -o 'out/frame_####.png' -j 4 --resume\n"
-    "  flatray render scene.toml --shard 0/3        # and 1/3, 2/3 elsewhere\n",
+    "  flatray render scene.toml --shard 0/3        # and 1/3, 2/3 elsewhere\n"
+    "  flatray render scene.toml --view visibility:3,4 -o lit.png\n",
     "nothing rendered",
     &run};
 

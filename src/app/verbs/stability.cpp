@@ -18,11 +18,7 @@ namespace {
 constexpr std::uint64_t kScenesAChunk = 256;
 constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
 
-std::vector<std::string> family_names() {
-  std::vector<std::string> names;
-  for (const oracle::Family& family : oracle::families()) names.emplace_back(family.name);
-  return names;
-}
+std::vector<std::string> family_names() { return names_of(oracle::families()); }
 
 std::vector<std::string> exact_tracers() {
   std::vector<std::string> names;

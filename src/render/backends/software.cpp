@@ -157,6 +157,10 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands, const std::vecto
     BandsOfTask painter(list, options, counts[task]);
     const std::size_t end = std::min(bands.count(), (task + 1) * each);
     for (std::size_t band = task * each; band < end; ++band) {
+      if (options.stop != nullptr && options.stop()) {
+        counts[task].stopped_bands += end - band;
+        return;
+      }
       if (keep[band]) {
         ++counts[task].kept_bands;
         continue;

@@ -86,7 +86,7 @@ Result<FlatrayGlContext*> LoadedModule::take() {
     FlatrayGlInfo info;
     FlatrayGlError error{};
     if (FlatrayGlContext* made = module_.create(device_, &info, &error)) return made;
-    return unavailable(error.text, "");
+    return unavailable(error.text, "say --backend software");
   }
   FlatrayGlContext* context = free_.back();
   free_.pop_back();
@@ -102,7 +102,7 @@ Result<void> LoadedModule::draw(const FlatrayGlTile& tile) {
     const std::lock_guard lock(mutex_);
     free_.push_back(*context);
   }
-  if (!drawn) return unavailable(error.text, "");
+  if (!drawn) return unavailable(error.text, "say --backend software");
   return {};
 }
 

@@ -12,7 +12,7 @@ Need need(const Scene& scene) {
 void draw(DrawContext& context) {
   const Scene& scene = context.scene;
   for (const Chamber& chamber : scene.chambers) {
-    context.place(chamber.layer, chamber.order);
+    context.place(chamber.layer, chamber.order, chamber.where);
     context.fade(chamber.opacity, [&] {
       context.add_shape(scene.shapes[chamber.shape], world_pose(context.state), chamber.fill,
                         chamber.stroke);

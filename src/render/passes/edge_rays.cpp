@@ -99,11 +99,12 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
 
 void draw(DrawContext& context) {
   for (const EdgeRays& pair : context.scene.edge_rays) {
+    if (context.refused()) return;
     const std::vector<Ray> rays = outline_rays(in_world(context, pair.from));
     const Found found = clip_all(rays, in_world(context, pair.against));
     std::vector<Segment> lines;
     for (const Ray& ray : rays) lines.push_back({ray.origin, ray.origin + ray.direction});
-    context.place(pair.layer, pair.order);
+    context.place(pair.layer, pair.order, pair.where);
     context.add_lines(lines, pair.stroke);
     Stroke thick = pair.stroke;
     thick.width *= kInsideWidths;

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "render/pass.h"
 #include "transport/orbit.h"
 
@@ -42,14 +44,31 @@ void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
     context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
 }
 
-void draw_all(DrawContext& context) {
+// The orbits of all rays, by ray: those of as many bounces are advanced together.
+std::vector<Orbit> all_orbits(DrawContext& context) {
   const World& world = context.world();
   const std::vector<Material> materials = world.materials();
-  for (const RayPath& ray : context.scene.rays) {
-    const Orbit orbit = trace_orbit(
-        world.surfaces, materials, {world_pose(context.state)(ray.at), ray.direction}, ray.bounces);
-    context.place(ray.layer, ray.order);
-    context.fade(ray.opacity, [&] { draw(context, ray, orbit); });
+  const std::vector<RayPath>& rays = context.scene.rays;
+  std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
+  for (std::size_t i = 0; i < rays.size(); ++i) by_bounces[rays[i].bounces].push_back(i);
+  std::vector<Orbit> orbits(rays.size());
+  for (const auto& [bounces, numbers] : by_bounces) {
+    std::vector<Ray> starts;
+    for (const std::size_t i : numbers)
+      starts.push_back({world_pose(context.state)(rays[i].at), rays[i].direction});
+    std::vector<Orbit> traced = trace_orbits(world.surfaces, materials, starts, bounces);
+    for (std::size_t i = 0; i < numbers.size(); ++i) orbits[numbers[i]] = std::move(traced[i]);
+  }
+  return orbits;
+}
+
+void draw_all(DrawContext& context) {
+  const std::vector<Orbit> orbits = all_orbits(context);
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    const RayPath& ray = context.scene.rays[i];
+    if (context.refused()) return;
+    context.place(ray.layer, ray.order, ray.where);
+    context.fade(ray.opacity, [&] { draw(context, ray, orbits[i]); });
   }
 }
 

@@ -31,9 +31,11 @@ class Study {
     opened_.push_back((*renderer)->description());
     const unsigned last = context_.scene.frames;
     const Timeline timeline(context_.scene, context_.scene.seed, last);
-    for (const unsigned frame : std::set<unsigned>{1, (last + 1) / 2, last})
-      if (auto added = add(**renderer, samples, draw_list(plan_, timeline, frame), frame); !added)
-        return added;
+    for (const unsigned frame : std::set<unsigned>{1, (last + 1) / 2, last}) {
+      const auto list = draw_list(plan_, timeline, frame);
+      if (!list) return tl::unexpected(list.error());
+      if (auto added = add(**renderer, samples, *list, frame); !added) return added;
+    }
     return {};
   }
 

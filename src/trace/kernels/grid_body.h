@@ -26,7 +26,7 @@ void bring_in(const Grid& grid, Placed& r) {
   r.y = choose(misses, all(grid.ring_y), y);
 }
 
-void prepare(const Grid& grid, const GivenRays& rays, const Walking& walking, int* fate) {
+void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
   const Real one = all(1), least = all(kLeastStep), zero = all(0);
   for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
     Placed r;
@@ -48,8 +48,8 @@ void prepare(const Grid& grid, const GivenRays& rays, const Walking& walking, in
     store_single(walking.oy + i, r.y);
     store_single(walking.dx + i, r.dx);
     store_single(walking.dy + i, r.dy);
-    store_single(walking.inverse_x + i, one / r.dx);
-    store_single(walking.inverse_y + i, one / r.dy);
+    store_single(walking.inverse_x + i, one / size(r.dx));
+    store_single(walking.inverse_y + i, one / size(r.dy));
     double doubt[FLATRAY_LANES];
     store(doubt, choose(able, zero, all(kDoubt)));
     for (int k = 0; k < FLATRAY_LANES; ++k) fate[i + k] = static_cast<int>(doubt[k]);
@@ -82,7 +82,7 @@ struct Known {
 };
 // a x b. Of the low parts: each of nine terms is at most 2 u of the products and is rounded some
 // eight times by u, what is left out is u^2 of them; 64 u^2 = 2^-100 covers it.
-Known cross(const Pair& ax, const Pair& ay, const Pair& bx, const Pair& by) {
+inline Known cross(const Pair& ax, const Pair& ay, const Pair& bx, const Pair& by) {
   const Pair p = product(ax.high, by.high), q = product(ay.high, bx.high);
   const Pair high = difference(p.high, q.high);
   const Real mixed = (ax.high * by.low + ax.low * by.high) - (ay.high * bx.low + ay.low * bx.high);
@@ -93,27 +93,26 @@ Known cross(const Pair& ax, const Pair& ay, const Pair& bx, const Pair& by) {
 // parts say and q2 the rest, q1 + q2 is off by what N, D and the remainder are, over D, and by
 // what D is off by in q2; twice that is allowed for. Products may underflow only far below the
 // bound. Infinities make NaNs, and no comparison holds.
-Real quotient(const Known& n, const Known& d) {
-  const Real q1 = n.value.high / d.value.high;
+inline Real quotient(const Known& n, const Known& d) {
+  const Real inverse = all(1) / d.value.high, q1 = n.value.high * inverse;
   const Pair p = product(q1, d.value.high);
   const Real high = n.value.high - p.high, carried = q1 * d.value.low;
   const Real rest = (high - p.low) + (n.value.low - carried);
   const Real rest_terms = size(high) + size(p.low) + size(n.value.low) + size(carried);
-  const Real divisor = size(d.value.high);
-  const Real q2 = rest / d.value.high;
+  const Real divisor = size(inverse), q2 = rest * inverse;
   const Real known = (n.terms + size(q1) * d.terms) * all(0x1p-99) + rest_terms * all(0x1p-50);
   const Real reach =
-      known / divisor + size(q2) * (all(0x1p-50) + all(4) * size(d.value.low) / divisor);
+      known * divisor + size(q2) * (all(0x1p-49) + all(4) * size(d.value.low) * divisor);
   const Real sum = q1 + q2, low = q2 - (sum - q1);
   const Mask normal = both(both(less(all(0x1p-800), n.terms), less(all(0x1p-800), d.terms)),
                            both(less(all(0x1p-800), sum), less(sum, all(0x1p900))));
   const Mask certain = both(equal(sum + (low + reach), sum), equal(sum + (low - reach), sum));
-  const Mask small = both(less(size(d.value.low) * all(8), divisor), less(size(q2), size(q1)));
+  const Mask small = both(less(size(d.value.low) * divisor, all(0x1p-3)), less(size(q2), size(q1)));
   return choose(both(both(normal, certain), small), sum, all(__builtin_nan("")));
 }
 
 // t = ((a - o) x (b - a)) / (d x (b - a)).
-void finish(const GivenRays& rays, const Finish& walls) {
+void finish(const Rays& rays, const Finish& walls) {
   const Real zero = all(0);
   for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
     const Ends e = fetch_ends(walls.ends, walls.slots + i);

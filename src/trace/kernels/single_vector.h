@@ -8,8 +8,7 @@ using Int = int;
 using Mask = bool;
 inline Float load(const float* from) { return *from; }
 inline void store(float* to, Float value) { *to = value; }
-inline Int load_whole(const int* from) { return *from; }
-inline void store(int* to, Int value) { *to = value; }
+inline void store(unsigned* to, Int value) { *to = static_cast<unsigned>(value); }
 inline Float all(float value) { return value; }
 inline Int all(int value) { return value; }
 inline Mask none() { return false; }
@@ -25,6 +24,7 @@ inline Float smaller(Float a, Float b) { return a < b ? a : b; }
 inline Float larger(Float a, Float b) { return a > b ? a : b; }
 inline Float size(Float a) { return __builtin_fabsf(a); }
 inline Float with_sign_of(Float size, Float sign) { return __builtin_copysignf(size, sign); }
+inline Float turned_by(Float sign, Float a) { return __builtin_signbitf(sign) ? -a : a; }
 inline Float floor(Float a) { return __builtin_floorf(a); }
 inline Int whole(Float a) { return static_cast<Int>(a); }
 inline Float real(Int a) { return static_cast<Float>(a); }
@@ -44,10 +44,7 @@ using Int = __m128i;
 using Mask = __m128;
 inline Float load(const float* from) { return _mm_loadu_ps(from); }
 inline void store(float* to, Float value) { _mm_storeu_ps(to, value); }
-inline Int load_whole(const int* from) {
-  return _mm_loadu_si128(reinterpret_cast<const Int*>(from));
-}
-inline void store(int* to, Int value) { _mm_storeu_si128(reinterpret_cast<Int*>(to), value); }
+inline void store(unsigned* to, Int value) { _mm_storeu_si128(reinterpret_cast<Int*>(to), value); }
 inline Float all(float value) { return _mm_set1_ps(value); }
 inline Int all(int value) { return _mm_set1_epi32(value); }
 inline Mask none() { return _mm_setzero_ps(); }
@@ -69,6 +66,9 @@ inline Float size(Float a) { return _mm_andnot_ps(_mm_set1_ps(-0.0F), a); }
 inline Float with_sign_of(Float size, Float sign) {
   return _mm_or_ps(size, _mm_and_ps(_mm_set1_ps(-0.0F), sign));
 }
+inline Float turned_by(Float sign, Float a) {
+  return _mm_xor_ps(a, _mm_and_ps(_mm_set1_ps(-0.0F), sign));
+}
 inline Int whole(Float a) { return _mm_cvttps_epi32(a); }
 inline Float real(Int a) { return _mm_cvtepi32_ps(a); }
 inline Float floor(Float a) {  // of what an Int can hold
@@ -82,15 +82,14 @@ inline Mask odd(Float a) { return negative(_mm_slli_epi32(word_bits(a), 31)); }
 inline Int next(Int a) { return _mm_add_epi32(a, all(1)); }
 inline Int low_seven(Int a) { return _mm_and_si128(a, _mm_set1_epi32(127)); }
 inline Int shifted(Int a, Int by) {
-  alignas(16) int word[4], count[4];
+  alignas(16) unsigned word[4], count[4];
   store(word, a);
   store(count, by);
-  for (int i = 0; i < 4; ++i)
-    word[i] = static_cast<int>(static_cast<unsigned>(word[i]) >> count[i]);
+  for (int i = 0; i < 4; ++i) word[i] = word[i] >> count[i];
   return _mm_load_si128(reinterpret_cast<const Int*>(word));
 }
 inline Int gather(const unsigned* from, Int at) {
-  alignas(16) int i[4];
+  alignas(16) unsigned i[4];
   store(i, at);
   const auto word = [&](int lane) { return static_cast<int>(from[i[lane]]); };
   return _mm_setr_epi32(word(0), word(1), word(2), word(3));
@@ -106,10 +105,9 @@ using Int = __m256i;
 using Mask = __m256;
 inline Float load(const float* from) { return _mm256_loadu_ps(from); }
 inline void store(float* to, Float value) { _mm256_storeu_ps(to, value); }
-inline Int load_whole(const int* from) {
-  return _mm256_loadu_si256(reinterpret_cast<const Int*>(from));
+inline void store(unsigned* to, Int value) {
+  _mm256_storeu_si256(reinterpret_cast<Int*>(to), value);
 }
-inline void store(int* to, Int value) { _mm256_storeu_si256(reinterpret_cast<Int*>(to), value); }
 inline Float all(float value) { return _mm256_set1_ps(value); }
 inline Int all(int value) { return _mm256_set1_epi32(value); }
 inline Mask none() { return _mm256_setzero_ps(); }
@@ -129,6 +127,9 @@ inline Float size(Float a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a); 
 inline Float with_sign_of(Float size, Float sign) {
   return _mm256_or_ps(size, _mm256_and_ps(_mm256_set1_ps(-0.0F), sign));
 }
+inline Float turned_by(Float sign, Float a) {
+  return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0F), sign));
+}
 inline Float floor(Float a) { return _mm256_floor_ps(a); }
 inline Int whole(Float a) { return _mm256_cvttps_epi32(a); }
 inline Float real(Int a) { return _mm256_cvtepi32_ps(a); }
@@ -140,7 +141,10 @@ inline Int next(Int a) { return _mm256_add_epi32(a, all(1)); }
 inline Int low_seven(Int a) { return _mm256_and_si256(a, _mm256_set1_epi32(127)); }
 inline Int shifted(Int a, Int by) { return _mm256_srlv_epi32(a, by); }
 inline Int gather(const unsigned* from, Int at) {
-  return _mm256_i32gather_epi32(reinterpret_cast<const int*>(from), at, 4);
+  alignas(32) unsigned i[8];
+  store(i, at);
+  const auto word = [&](int lane) { return static_cast<int>(from[i[lane]]); };
+  return _mm256_setr_epi32(word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7));
 }
 inline Mask lanes_of(unsigned chosen) {
   const Int up = _mm256_setr_epi32(31, 30, 29, 28, 27, 26, 25, 24);
@@ -153,8 +157,7 @@ using Int = __m512i;
 using Mask = __mmask16;
 inline Float load(const float* from) { return _mm512_loadu_ps(from); }
 inline void store(float* to, Float value) { _mm512_storeu_ps(to, value); }
-inline Int load_whole(const int* from) { return _mm512_loadu_si512(from); }
-inline void store(int* to, Int value) { _mm512_storeu_si512(to, value); }
+inline void store(unsigned* to, Int value) { _mm512_storeu_si512(to, value); }
 inline Float all(float value) { return _mm512_set1_ps(value); }
 inline Int all(int value) { return _mm512_set1_epi32(value); }
 inline Mask none() { return 0; }
@@ -171,6 +174,9 @@ inline Float larger(Float a, Float b) { return _mm512_maskz_max_ps(0xffff, a, b)
 inline Float size(Float a) { return _mm512_abs_ps(a); }
 inline Float with_sign_of(Float size, Float sign) {
   return _mm512_or_ps(size, _mm512_and_ps(_mm512_set1_ps(-0.0F), sign));
+}
+inline Float turned_by(Float sign, Float a) {
+  return _mm512_xor_ps(a, _mm512_and_ps(_mm512_set1_ps(-0.0F), sign));
 }
 inline Float floor(Float a) {
   return _mm512_maskz_roundscale_ps(0xffff, a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);

@@ -46,7 +46,8 @@ struct Grid {
 
 /// Rays as they walk, in columns with room for a whole vector beyond the last.
 struct Walking {
-  float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;
+  const float* number;                               ///< 0, 1, 2, ...
+  float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
   float *left_ax, *left_ay, *left_bx;  ///< of the wall just left, NaN where none; null: of no ray
   int count;
 };
@@ -56,24 +57,27 @@ struct Walking {
 inline constexpr int kNoRecord = -1, kDoubt = -2;
 
 /// Rays as given.
-struct GivenRays {
+struct Rays {
   const double *ox, *oy, *dx, *dy;
-  int count;  ///< a multiple of kWidest may be read
+  int count;  ///< whole vectors are read: a multiple of kWidest
 };
 
 /// Segments with the wall each ray meets, to give its t.
 struct Finish {
-  const double* ends;     ///< as in Walls
+  const double* ends;     ///< ax, ay, bx, by of each segment
   const unsigned* slots;  ///< by ray; any valid one where it does not matter
   double* t;              ///< the nearest double, or NaN where that is not certain
 };
 
-struct GridKernels {
+struct WalkKernels {
   /// Fills `walking` but for the walls left; `fate` of rays that cannot walk is kDoubt, else 0. Rays
   /// that miss the grid start in the ring.
-  void (*prepare)(const Grid&, const GivenRays&, const Walking&, int* fate);
+  void (*prepare)(const Grid&, const Rays&, const Walking&, int* fate);
   void (*walk)(const Grid&, const Walking&, int* found);
-  void (*finish)(const GivenRays&, const Finish&);
+  /// The same without cells: every record against every ray. `found` may be written up to the next
+  /// whole vector.
+  void (*scan)(const Grid&, const Walking&, int* found);
+  void (*finish)(const Rays&, const Finish&);
 };
 
 }  // namespace flatray::lanes

@@ -13,24 +13,25 @@ struct Constants {
 
 // A ray in every lane.
 struct Group {
-  Float ox, oy, dx, dy, inverse_x, inverse_y;
+  Float ox, oy, dx, dy;
+  // Turned so that it goes up and to the right: cells are entered in rising order.
+  Float from_x, from_y, step_x, step_y, inverse_x, inverse_y;
+  Float turn_x, turn_y, first;  // cell of corner (x, y), turned: first + turn_x x + turn_y y
   Float left_ax, left_ay, left_bx;
-  Int ray, quadrant;        // number; shift of the word of an empty cell
-  Float x, y;               // corner of the cell just entered
-  Float exit_x, exit_y;     // planes by which its box is left
-  Float exit, limit;        // t there; hits later than the limit wait
-  Int record, best;         // to be tested next, or negative; of the best sure hit
-  Float low, high, other;   // of that; least t any other wall not ruled out could have
-  Mask live, done, moving;  // under way; finished and not yet written; between two cells
+  Float ray;               // its number
+  Int quadrant;            // shift of the word of an empty cell
+  Float x, y;              // corner of the cell just entered, turned
+  Float exit_x, exit_y;    // planes by which its box is left
+  Float exit, limit;       // t there; hits later than the limit wait
+  Int record, best;        // to be tested next, or negative; of the best sure hit
+  Float low, high, other;  // of that; least t any other wall not ruled out could have
+  Mask live, done;         // under way; finished and not yet written
+  Mask moving, across_x;   // between two cells; by a change of x
 };
 
-Float cell_index(const Constants& c, Float x, Float y) { return y * c.stride + (x + c.first); }
-
-void test(const Constants& c, const float* records, Group& g) {
-  alignas(64) int at[kLanes];
-  const Mask idle = negative(g.record);
-  store(at, choose(idle, all(0), g.record));
-  const Record r = fetch(records, at);
+// Counts a wall for the rays that it is not ruled out for.
+template <bool some_left>
+inline void judge(const Constants& c, const Record& r, Mask idle, Group& g) {
   const Float ax = r.ax - g.ox, ay = r.ay - g.oy, bx = r.bx - g.ox, by = r.by - g.oy;
   const Float side_a = g.dx * ay - g.dy * ax, side_b = g.dx * by - g.dy * bx;
   const Float t_a = g.dx * ax + g.dy * ay, t_b = g.dx * bx + g.dy * by;
@@ -42,56 +43,60 @@ void test(const Constants& c, const float* records, Group& g) {
   const Float error = c.time + c.side * size(slope);
   const Float low = choose(sure, t - error, smaller(t_a, t_b) - c.time);
   const Float high = choose(sure, t + error, larger(t_a, t_b) + c.time);
-  const Mask left =
-      both(both(equal(r.ax, g.left_ax), equal(r.ay, g.left_ay)), equal(r.bx, g.left_bx));
-  const Mask out =
-      either(either(either(idle, left), either(missed, less(high, all(0.0F)))), less(g.limit, low));
+  Mask out = either(either(idle, missed), either(less(high, all(0.0F)), less(g.limit, low)));
+  if (some_left)
+    out = either(
+        out, both(both(equal(r.ax, g.left_ax), equal(r.ay, g.left_ay)), equal(r.bx, g.left_bx)));
   const Mask closer = but_not(both(both(sure, less(all(0.0F), low)), less(high, g.high)), out);
   const Float loser = choose(closer, g.low, low);
   g.other = choose(out, g.other, smaller(g.other, loser));
   g.low = choose(closer, low, g.low);
   g.high = choose(closer, high, g.high);
   g.best = choose(closer, g.record, g.best);
+}
+
+template <bool some_left>
+inline void test(const Constants& c, const float* records, Group& g) {
+  alignas(64) unsigned at[kLanes];
+  const Mask idle = negative(g.record);
+  store(at, choose(idle, all(0), g.record));
+  const Record r = fetch(records, at);
+  judge<some_left>(c, r, idle, g);
   const Mask last = either(idle, odd(r.by));
   g.moving = both(g.live, last);
   g.record = choose(last, all(-1), next(g.record));
 }
 
 // Stops the rays whose best is certain to come first or to be doubtful, takes the others to the
-// cell behind their exit.
-void advance(Group& g) {
+// cell behind their exit. Rounding must not take a ray back.
+inline void advance(Group& g) {
   const Mask stop = both(g.moving, less(smaller(g.high, g.other), g.limit));
   g.live = but_not(g.live, stop);
   g.done = either(g.done, stop);
   g.moving = but_not(g.moving, stop);
-  const Mask across_x = less((g.exit_x - g.ox) * g.inverse_x, (g.exit_y - g.oy) * g.inverse_y);
-  const Float one = all(1.0F), zero = all(0.0F);
-  const Float back_x = choose(negative(g.dx), one, zero),
-              back_y = choose(negative(g.dy), one, zero);
-  const Float next_x = g.exit_x - back_x, next_y = g.exit_y - back_y;  // the far row or column: + 1
-  const Float last_x = g.exit_x - (one - back_x), last_y = g.exit_y - (one - back_y);
-  const Float place_x = floor(g.ox + g.exit * g.dx), place_y = floor(g.oy + g.exit * g.dy);
-  const Float x = smaller(larger(place_x, smaller(g.x, last_x)), larger(g.x, last_x));
-  const Float y = smaller(larger(place_y, smaller(g.y, last_y)), larger(g.y, last_y));
-  g.x = choose(g.moving, choose(across_x, next_x, x), g.x);
-  g.y = choose(g.moving, choose(across_x, y, next_y), g.y);
+  const Float x = larger(floor(g.from_x + g.exit * g.step_x), g.x);
+  const Float y = larger(floor(g.from_y + g.exit * g.step_y), g.y);
+  g.x = choose(g.moving, choose(g.across_x, g.exit_x, x), g.x);
+  g.y = choose(g.moving, choose(g.across_x, y, g.exit_y), g.y);
 }
 
-// Looks up the cells just entered.
-void enter(const Constants& c, const unsigned* cells, Group& g) {
-  const Int word = gather(cells, whole(cell_index(c, g.x, g.y)));
+// Looks up the cells just entered; of rays that stay in their cell the record alone is new.
+inline void enter(const Constants& c, const unsigned* cells, const float* records, Group& g) {
+  const Int word = gather(cells, whole(g.turn_y * g.y + (g.turn_x * g.x + g.first)));
   const Mask empty = negative(word);
-  const Float one = all(1.0F), zero = all(0.0F);
-  const Float side = choose(empty, real(low_seven(shifted(word, g.quadrant))), one);
+  const Float side = choose(empty, real(low_seven(shifted(word, g.quadrant))), all(1.0F));
   g.record = choose(g.moving, choose(empty, all(-1), word), g.record);
-  const Float exit_x = g.x + choose(negative(g.dx), one, zero) + with_sign_of(side, g.dx);
-  const Float exit_y = g.y + choose(negative(g.dy), one, zero) + with_sign_of(side, g.dy);
-  const Float exit = smaller((exit_x - g.ox) * g.inverse_x, (exit_y - g.oy) * g.inverse_y);
-  const Mask outside = equal(side, zero);
-  g.exit_x = choose(g.moving, exit_x, g.exit_x);
-  g.exit_y = choose(g.moving, exit_y, g.exit_y);
-  g.exit = choose(g.moving, exit, g.exit);
-  g.limit = choose(g.moving, choose(outside, all(kEndless), exit - c.near), g.limit);
+  g.exit_x = g.x + side;
+  g.exit_y = g.y + side;
+  const Float t_x = (g.exit_x - g.from_x) * g.inverse_x, t_y = (g.exit_y - g.from_y) * g.inverse_y;
+  g.across_x = less(t_x, t_y);
+  g.exit = smaller(t_x, t_y);
+  g.limit = choose(less(side, all(1.0F)), all(kEndless), g.exit - c.near);
+  // The records are wanted when the other groups have looked up theirs.
+  alignas(64) unsigned at[kLanes];
+  store(at, choose(negative(g.record), all(0), g.record));
+  for (const unsigned record : at)
+    __builtin_prefetch(records + 4 * static_cast<unsigned long>(record));
 }
 
 // The rays still to come, and where the answers go.
@@ -101,23 +106,28 @@ struct Queue {
   int next;
 };
 
-void write(unsigned lanes, const Group& g, Queue& queue) {
+inline Int verdict(const Group& g) {
   const Int unsure = choose(less(g.other, all(kFar)), all(kDoubt), all(kNoRecord));
-  alignas(64) int ray[kLanes], record[kLanes];
-  store(ray, g.ray);
-  store(record, choose(less(g.high, g.other), g.best, unsure));
+  return choose(less(g.high, g.other), g.best, unsure);
+}
+
+inline void write(unsigned lanes, const Group& g, Queue& queue) {
+  alignas(64) unsigned ray[kLanes], record[kLanes];
+  store(ray, whole(g.ray));
+  store(record, verdict(g));
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = __builtin_ctz(lanes);
-    queue.found[ray[lane]] = record[lane];
+    queue.found[ray[lane]] = static_cast<int>(record[lane]);
   }
 }
 
-void take(unsigned lanes, Group& g, Queue& queue) {
+void take(const Constants& c, unsigned lanes, Group& g, Queue& queue) {
   while (__builtin_popcount(lanes) > queue.rays.count - queue.next) lanes &= lanes - 1;
   if (lanes == 0) return;
   const Walking& r = queue.rays;
   const int from = queue.next;
   queue.next += __builtin_popcount(lanes);
+  g.ray = spread(lanes, r.number + from, g.ray);
   g.ox = spread(lanes, r.ox + from, g.ox);
   g.oy = spread(lanes, r.oy + from, g.oy);
   g.dx = spread(lanes, r.dx + from, g.dx);
@@ -129,18 +139,21 @@ void take(unsigned lanes, Group& g, Queue& queue) {
     g.left_ay = spread(lanes, r.left_ay + from, g.left_ay);
     g.left_bx = spread(lanes, r.left_bx + from, g.left_bx);
   }
-  const Mask fresh = lanes_of(lanes);
-  alignas(64) int ray[kLanes];
-  store(ray, g.ray);
-  int number = from;
-  for (int lane = 0; lane < kLanes; ++lane)
-    if ((lanes >> lane & 1U) != 0) ray[lane] = number++;
-  g.ray = load_whole(ray);
+  g.from_x = turned_by(g.dx, g.ox);
+  g.from_y = turned_by(g.dy, g.oy);
+  g.step_x = size(g.dx);
+  g.step_y = size(g.dy);
+  g.turn_x = with_sign_of(all(1.0F), g.dx);
+  g.turn_y = with_sign_of(c.stride, g.dy);
+  const Float none = all(0.0F);
+  g.first =
+      c.first - choose(negative(g.dx), all(1.0F), none) - choose(negative(g.dy), c.stride, none);
   const Int right = choose(negative(g.dx), all(7), all(0));
   const Int left = choose(negative(g.dx), all(21), all(14));
   g.quadrant = choose(negative(g.dy), left, right);
-  g.x = choose(fresh, floor(g.ox), g.x);
-  g.y = choose(fresh, floor(g.oy), g.y);
+  const Mask fresh = lanes_of(lanes);
+  g.x = choose(fresh, floor(g.from_x), g.x);
+  g.y = choose(fresh, floor(g.from_y), g.y);
   g.low = choose(fresh, all(kFar), g.low);
   g.high = choose(fresh, all(kFar), g.high);
   g.other = choose(fresh, all(kFar), g.other);
@@ -150,32 +163,79 @@ void take(unsigned lanes, Group& g, Queue& queue) {
 }
 
 // Writes what is finished and takes new rays, when enough lanes wait or none is busy.
-bool settle(Group& g, Queue& queue) {
+inline bool settle(const Constants& c, Group& g, Queue& queue) {
   const unsigned done = bits(g.done), live = bits(g.live);
   if (__builtin_popcount(done) < kRefill && live != 0) return true;
   write(done, g, queue);
   g.done = none();
-  take(~live & ((1U << kLanes) - 1), g, queue);
+  take(c, ~live & ((1U << kLanes) - 1), g, queue);
   return bits(g.live) != 0;
 }
 
-void walk(const Grid& grid, const Walking& rays, int* found) {
+template <bool some_left>
+void walk_all(const Grid& grid, const Walking& rays, int* found) {
   const Constants c = {all(kSide * grid.unit), all(kTime * grid.unit), all(kNear * grid.unit),
                        all(grid.stride), all(grid.first)};
   Queue queue{rays, found, 0};
   Group groups[kGroups] = {};
   for (Group& g : groups) {
-    g.left_ax = g.left_ay = g.left_bx = all(__builtin_nanf(""));
-    g.inverse_x = g.inverse_y = all(1.0F);
     g.record = all(-1);
-    take((1U << kLanes) - 1, g, queue);
-    enter(c, grid.cells, g);
+    g.first = c.first;
+    take(c, (1U << kLanes) - 1, g, queue);
+    enter(c, grid.cells, grid.records, g);
   }
   for (bool busy = true; busy;) {
-    for (Group& g : groups) test(c, grid.records, g);
+    for (Group& g : groups) test<some_left>(c, grid.records, g);
     for (Group& g : groups) advance(g);
     busy = false;
-    for (Group& g : groups) busy = settle(g, queue) || busy;
-    for (Group& g : groups) enter(c, grid.cells, g);
+    for (Group& g : groups) busy = settle(c, g, queue) || busy;
+    for (Group& g : groups) enter(c, grid.cells, grid.records, g);
   }
+}
+
+void walk(const Grid& grid, const Walking& rays, int* found) {
+  if (rays.left_ax != nullptr)
+    walk_all<true>(grid, rays, found);
+  else
+    walk_all<false>(grid, rays, found);
+}
+
+// Every record against the next rays, lane by lane.
+template <bool some_left>
+void scan_all(const Grid& grid, const Walking& rays, int* found) {
+  const Constants c = {all(kSide * grid.unit), all(kTime * grid.unit), all(kNear * grid.unit),
+                       all(grid.stride), all(grid.first)};
+  const Float edge = all(static_cast<float>(0 - grid.half_x));
+  for (int i = 0; i < rays.count; i += kLanes) {
+    Group g{};
+    g.ox = load(rays.ox + i);
+    g.oy = load(rays.oy + i);
+    g.dx = load(rays.dx + i);
+    g.dy = load(rays.dy + i);
+    if (some_left) {
+      g.left_ax = load(rays.left_ax + i);
+      g.left_ay = load(rays.left_ay + i);
+      g.left_bx = load(rays.left_bx + i);
+    }
+    g.limit = all(kEndless);
+    g.low = g.high = g.other = all(kFar);
+    g.record = all(0);
+    const Mask in_ring = less(g.ox, edge);
+    for (const float* record = grid.records;; record += 4) {
+      const Record r = {all(record[0]), all(record[1]), all(record[2]), all(record[3])};
+      judge<some_left>(c, r, in_ring, g);
+      if ((__builtin_bit_cast(unsigned, record[3]) & 1U) != 0) break;
+      g.record = next(g.record);
+    }
+    alignas(64) unsigned record[kLanes];
+    store(record, verdict(g));
+    for (int lane = 0; lane < kLanes; ++lane) found[i + lane] = static_cast<int>(record[lane]);
+  }
+}
+
+void scan(const Grid& grid, const Walking& rays, int* found) {
+  if (rays.left_ax != nullptr)
+    scan_all<true>(grid, rays, found);
+  else
+    scan_all<false>(grid, rays, found);
 }

@@ -65,8 +65,8 @@ class EglContext final : public Maker::Context {
 // terminated.
 class EglMaker final : public Maker {
  public:
-  EglMaker(const Library& library, const Functions& functions, EGLDisplay display)
-      : library_(library), functions_(functions), display_(display) {}
+  EglMaker(const Functions& functions, EGLDisplay display)
+      : functions_(functions), display_(display) {}
 
   const char* name() const override { return "EGL"; }
   std::unique_ptr<Context> create(std::string& error) override {
@@ -93,7 +93,6 @@ class EglMaker final : public Maker {
   }
 
  private:
-  const Library library_;
   const Functions functions_;
   EGLDisplay display_;
 };
@@ -111,7 +110,7 @@ std::unique_ptr<Maker> open_egl(std::string& error) {
       functions.platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY || functions.initialise(display, nullptr, nullptr) != EGL_TRUE)
     return nullptr;
-  return std::make_unique<EglMaker>(library, functions, display);
+  return std::make_unique<EglMaker>(functions, display);
 }
 #else
 std::unique_ptr<Maker> open_egl(std::string& error) {

@@ -42,8 +42,7 @@ class OsmesaContext final : public Maker::Context {
 
 class OsmesaMaker final : public Maker {
  public:
-  OsmesaMaker(const Library& library, const Functions& functions)
-      : library_(library), functions_(functions) {}
+  explicit OsmesaMaker(const Functions& functions) : functions_(functions) {}
 
   const char* name() const override { return "OSMesa"; }
   std::unique_ptr<Context> create(std::string& error) override {
@@ -66,7 +65,6 @@ class OsmesaMaker final : public Maker {
   }
 
  private:
-  const Library library_;
   const Functions functions_;
 };
 
@@ -76,7 +74,7 @@ std::unique_ptr<Maker> open_osmesa(std::string& error) {
   const Library library("libOSMesa.so.8");
   if (library)
     if (const Functions functions(library); functions.complete())
-      return std::make_unique<OsmesaMaker>(library, functions);
+      return std::make_unique<OsmesaMaker>(functions);
   error = "libOSMesa.so.8 is not on this machine: install libosmesa6";
   return nullptr;
 }

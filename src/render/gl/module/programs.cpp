@@ -100,7 +100,7 @@ bool Programs::use(Task task, bool multisampled, std::string& error) {
                                    : "the shaders do not compile";
     return false;
   }
-  used_ = &program;
+  sample_ = program.sample;
   gl_.use_program(program.name);
   gl_.set_floats(program.shift, place_.shift[0], place_.shift[1]);
   gl_.set_integers(program.corner, place_.corner[0], place_.corner[1]);

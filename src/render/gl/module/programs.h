@@ -32,7 +32,7 @@ class Programs {
   /// False where this GL does not compile it. `multisampled`: the sheets are.
   bool use(Task task, bool multisampled, std::string& error);
   /// Which sample of the sheet the task in use shows.
-  void read_sample(int sample) { gl_.set_integer(used_->sample, sample); }
+  void read_sample(int sample) { gl_.set_integer(sample_, sample); }
   void stop();
 
  private:
@@ -45,7 +45,7 @@ class Programs {
   const Functions& gl_;
   Place place_{};
   std::array<Program, 10> programs_;  // by task, for sheets of pixels and of samples
-  const Program* used_ = nullptr;
+  GLint sample_ = -1;                 // of the task in use
 };
 
 }  // namespace flatray::gl

@@ -1,11 +1,10 @@
-// The grid tracer against the exact code for every wall, bit for bit, on scenes large enough that
+// Every tracer against the exact code for every wall, bit for bit, on scenes large enough that
 // rays walk through many cells.
-#include "trace/tracers/grid.h"
+#include "trace/cells.h"
 
 #include <gtest/gtest.h>
 
 #include "trace/all_tracers.h"
-#include "trace/cells.h"
 
 namespace flatray {
 namespace {
@@ -60,13 +59,13 @@ Case random_case(std::uint64_t seed, int shapes, double size, int rays) {
   return c;
 }
 
-TEST(Grid, AgreesOnRandomRays) {
+TEST(Tracers, AgreesOnRandomRays) {
   for (const double size : {0.01, 0.1, 1.0})
     expect_all_tiers_exact(random_case(1, 100, size, 1'500));
 }
 
 // From vertex to vertex, through others and past them.
-TEST(Grid, AgreesOnRaysFromVertexToVertex) {
+TEST(Tracers, AgreesOnRaysFromVertexToVertex) {
   Draws draw(2);
   Case c;
   c.walls = crowd(draw, 80, 0.1);
@@ -78,7 +77,7 @@ TEST(Grid, AgreesOnRaysFromVertexToVertex) {
 }
 
 // The wall left is where the ray starts, as after a bounce.
-TEST(Grid, AgreesOnRaysThatLeaveWalls) {
+TEST(Tracers, AgreesOnRaysThatLeaveWalls) {
   Draws draw(3);
   Case c;
   c.walls = crowd(draw, 100, 0.1);
@@ -92,7 +91,7 @@ TEST(Grid, AgreesOnRaysThatLeaveWalls) {
 }
 
 // Axis-parallel rays along the borders of cells, on a lattice of walls.
-TEST(Grid, AgreesOnALattice) {
+TEST(Tracers, AgreesOnALattice) {
   Draws draw(4);
   Case c;
   for (int x = 0; x <= 12; ++x)
@@ -104,7 +103,7 @@ TEST(Grid, AgreesOnALattice) {
   expect_all_tiers_exact(c);
 }
 
-TEST(Grid, AgreesOnRaysFromOutside) {
+TEST(Tracers, AgreesOnRaysFromOutside) {
   Draws draw(5);
   for (const double away : {2.0, 100.0, 1e5, 1e12, 1e200}) {
     Case c;
@@ -119,7 +118,7 @@ TEST(Grid, AgreesOnRaysFromOutside) {
   }
 }
 
-TEST(Grid, AgreesAtAnyScaleAndOffset) {
+TEST(Tracers, AgreesAtAnyScaleAndOffset) {
   for (const double scale : {0x1p-1040, 1e-300, 1e-30, 1e15, 1e280, 0x1p1000}) {
     Case c = random_case(6, 20, 0.2, 150);
     transform(c, scale, {0, 0});
@@ -133,7 +132,7 @@ TEST(Grid, AgreesAtAnyScaleAndOffset) {
 }
 
 // Details far below what a float can tell apart.
-TEST(Grid, AgreesOnClustersFinerThanFloat) {
+TEST(Tracers, AgreesOnClustersFinerThanFloat) {
   Draws draw(8);
   for (const double size : {1e-4, 1e-7, 1e-12}) {
     Case c;
@@ -150,7 +149,7 @@ TEST(Grid, AgreesOnClustersFinerThanFloat) {
   }
 }
 
-TEST(Grid, AgreesOnThinScenes) {
+TEST(Tracers, AgreesOnThinScenes) {
   Draws draw(9);
   for (const double height : {0.0, 1e-300, 1e-9, 1e-3}) {
     Case c;
@@ -170,7 +169,7 @@ TEST(Grid, AgreesOnThinScenes) {
 }
 
 // Long walls across everything: each is in many cells, and crosses all others.
-TEST(Grid, AgreesOnLongWalls) {
+TEST(Tracers, AgreesOnLongWalls) {
   Draws draw(10);
   Case c;
   for (int i = 0; i < 60; ++i) c.walls.add(Segment{draw.point(), draw.point()});
@@ -185,7 +184,7 @@ TEST(Grid, AgreesOnLongWalls) {
   expect_all_tiers_exact(c);
 }
 
-TEST(Grid, AgreesOnManyCoincidentWalls) {
+TEST(Tracers, AgreesOnManyCoincidentWalls) {
   Draws draw(11);
   Case c;
   for (int i = 0; i < 50; ++i) c.walls.add(Segment{{0, 0}, {1, 0}});
@@ -199,7 +198,7 @@ TEST(Grid, AgreesOnManyCoincidentWalls) {
   expect_all_tiers_exact(c);
 }
 
-TEST(Grid, TakesBatchesOfAnySize) {
+TEST(Tracers, TakesBatchesOfAnySize) {
   const Case all = random_case(12, 60, 0.1, 40);
   for (std::size_t count = 0; count <= all.rays.size(); ++count) {
     Case c = all;

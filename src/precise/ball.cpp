@@ -1,0 +1,152 @@
+#include "precise/ball.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatray {
+namespace {
+
+constexpr mpfr_prec_t kRadiusBits = 32;
+
+// A radius under way: every step is rounded up.
+class Radius {
+ public:
+  Radius() { mpfr_init2(value, kRadiusBits); }
+  Radius(const Radius&) = delete;
+  Radius& operator=(const Radius&) = delete;
+  ~Radius() { mpfr_clear(value); }
+
+  mpfr_t value;
+};
+
+void set_size_up(mpfr_t out, const mpfr_t x) { mpfr_abs(out, x, MPFR_RNDU); }
+
+// out += a * b, of sizes.
+void add_product_up(mpfr_t out, const mpfr_t a, const mpfr_t b) {
+  Radius size, product;
+  set_size_up(size.value, a);
+  mpfr_mul(product.value, size.value, b, MPFR_RNDU);
+  mpfr_add(out, out, product.value, MPFR_RNDU);
+}
+
+}  // namespace
+
+Ball::Ball(mpfr_prec_t bits) {
+  mpfr_init2(middle_, bits);
+  mpfr_init2(radius_, kRadiusBits);
+  mpfr_set_zero(radius_, 1);
+}
+Ball::Ball(double exact, int bits) : Ball(static_cast<mpfr_prec_t>(bits)) {
+  mpfr_set_d(middle_, exact, MPFR_RNDN);
+}
+Ball::Ball(const Ball& other) : Ball(other.bits()) { *this = other; }
+Ball::Ball(Ball&& other) noexcept : Ball(other.bits()) { *this = std::move(other); }
+Ball& Ball::operator=(const Ball& other) {
+  if (this == &other) return *this;
+  mpfr_set_prec(middle_, other.bits());
+  mpfr_set(middle_, other.middle_, MPFR_RNDN);
+  mpfr_set(radius_, other.radius_, MPFR_RNDU);
+  return *this;
+}
+Ball& Ball::operator=(Ball&& other) noexcept {
+  mpfr_swap(middle_, other.middle_);
+  mpfr_swap(radius_, other.radius_);
+  return *this;
+}
+Ball::~Ball() {
+  mpfr_clear(middle_);
+  mpfr_clear(radius_);
+}
+
+// The last operation on the midpoint was off by at most half a unit in its last place.
+void Ball::add_rounding(int inexact) {
+  if (inexact == 0) return;
+  if (!mpfr_regular_p(middle_)) {
+    make_unknown();
+    return;
+  }
+  Radius half;
+  mpfr_set_ui_2exp(half.value, 1, mpfr_get_exp(middle_) - bits() - 1, MPFR_RNDU);
+  mpfr_add(radius_, radius_, half.value, MPFR_RNDU);
+}
+
+void Ball::make_unknown() {
+  mpfr_set_zero(middle_, 1);
+  mpfr_set_inf(radius_, 1);
+}
+
+Ball operator+(const Ball& a, const Ball& b) {
+  Ball sum(std::max(a.bits(), b.bits()));
+  mpfr_add(sum.radius_, a.radius_, b.radius_, MPFR_RNDU);
+  sum.add_rounding(mpfr_add(sum.middle_, a.middle_, b.middle_, MPFR_RNDN));
+  return sum;
+}
+
+Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
+
+Ball Ball::operator-() const {
+  Ball negative(*this);
+  mpfr_neg(negative.middle_, negative.middle_, MPFR_RNDN);
+  return negative;
+}
+
+// (a + da)(b + db) - ab
+Ball operator*(const Ball& a, const Ball& b) {
+  Ball product(std::max(a.bits(), b.bits()));
+  add_product_up(product.radius_, a.middle_, b.radius_);
+  add_product_up(product.radius_, b.middle_, a.radius_);
+  add_product_up(product.radius_, a.radius_, b.radius_);
+  product.add_rounding(mpfr_mul(product.middle_, a.middle_, b.middle_, MPFR_RNDN));
+  return product;
+}
+
+// (a + da)/(b + db) - a/b = (da b - a db) / (b (b + db)), and |b + db| >= |b| - |db|.
+Ball operator/(const Ball& a, const Ball& b) {
+  Ball quotient(std::max(a.bits(), b.bits()));
+  Radius size, least;
+  mpfr_abs(size.value, b.middle_, MPFR_RNDD);
+  mpfr_sub(least.value, size.value, b.radius_, MPFR_RNDD);
+  if (!(mpfr_sgn(least.value) > 0)) {
+    quotient.make_unknown();
+    return quotient;
+  }
+  add_product_up(quotient.radius_, b.middle_, a.radius_);
+  add_product_up(quotient.radius_, a.middle_, b.radius_);
+  mpfr_div(quotient.radius_, quotient.radius_, size.value, MPFR_RNDU);
+  mpfr_div(quotient.radius_, quotient.radius_, least.value, MPFR_RNDU);
+  quotient.add_rounding(mpfr_div(quotient.middle_, a.middle_, b.middle_, MPFR_RNDN));
+  return quotient;
+}
+
+// sqrt(a + da) - sqrt(a) is at most da / sqrt(a - da).
+Ball square_root(const Ball& a) {
+  Ball root(a.bits());
+  Radius least;
+  mpfr_sub(least.value, a.middle_, a.radius_, MPFR_RNDD);
+  if (!(mpfr_sgn(least.value) > 0)) {
+    root.make_unknown();
+    return root;
+  }
+  mpfr_sqrt(least.value, least.value, MPFR_RNDD);
+  mpfr_div(root.radius_, a.radius_, least.value, MPFR_RNDU);
+  root.add_rounding(mpfr_sqrt(root.middle_, a.middle_, MPFR_RNDN));
+  return root;
+}
+
+std::optional<Sign> Ball::sign() const {
+  if (mpfr_nan_p(radius_) || mpfr_nan_p(middle_)) return std::nullopt;
+  if (mpfr_zero_p(radius_) && mpfr_zero_p(middle_)) return Sign::zero;
+  if (mpfr_cmpabs(middle_, radius_) <= 0) return std::nullopt;
+  return mpfr_sgn(middle_) > 0 ? Sign::positive : Sign::negative;
+}
+
+std::optional<double> Ball::nearest() const {
+  Ball low(*this), high(*this);
+  mpfr_sub(low.middle_, middle_, radius_, MPFR_RNDD);
+  mpfr_add(high.middle_, middle_, radius_, MPFR_RNDU);
+  const double a = mpfr_get_d(low.middle_, MPFR_RNDN), b = mpfr_get_d(high.middle_, MPFR_RNDN);
+  if (a != b || !std::isfinite(a)) return std::nullopt;
+  return a + 0.0;  // never -0
+}
+
+}  // namespace flatray

@@ -1,0 +1,46 @@
+#include <array>
+
+#include "render/view.h"
+
+namespace flatray::views_of {
+namespace {
+
+// A colour for each object: the hue goes round by the golden ratio, so that neighbours differ.
+std::array<std::uint8_t, 3> colour_of(std::uint32_t object) {
+  constexpr double kGolden = 0.6180339887498949;
+  const double turns = kGolden * object, hue = 6 * (turns - std::floor(turns));
+  std::array<std::uint8_t, 3> rgb{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double away = std::fabs(std::fmod(hue + 6 - 2 * static_cast<double>(i), 6.0) - 3);
+    rgb[i] = static_cast<std::uint8_t>(40 + 200 * std::clamp(away - 1, 0.0, 1.0));
+  }
+  return rgb;
+}
+
+// Entities first, then chambers and their pillars.
+std::uint32_t object_of(const ViewContext& context, const SurfaceOwner& owner) {
+  if (owner.kind == SurfaceOwner::Kind::entity) return owner.index;
+  auto number = static_cast<std::uint32_t>(context.scene.entities.size());
+  for (std::uint32_t i = 0; i < owner.index; ++i)
+    number += 1 + static_cast<std::uint32_t>(context.scene.chambers[i].pillars.size());
+  return owner.kind == SurfaceOwner::Kind::pillar ? number + 1 + owner.pillar : number;
+}
+
+void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
+  const RayBatch rays = rays_to_the_right(context, row);
+  std::vector<NearestHit> hits(rays.size());
+  context.surfaces.nearest(rays, hits);
+  for (const NearestHit& hit : hits) {
+    constexpr std::array<std::uint8_t, 3> kNothing{255, 255, 255};
+    const auto rgb =
+        hit ? colour_of(object_of(context, context.world.owners[hit.surface])) : kNothing;
+    pixels = std::copy(rgb.begin(), rgb.end(), pixels);
+  }
+}
+
+}  // namespace
+
+extern const View hits = {"hits", "the nearest object to the right of each pixel, by colour", false,
+                          &draw_row};
+
+}  // namespace flatray::views_of

@@ -1,0 +1,188 @@
+#include "trace/lane_tracer.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "trace/cell_search.h"
+#include "trace/exact_nearest.h"
+#include "trace/kernels/tiers.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kBlock = 4096;
+constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
+constexpr std::size_t kVector = 16;  // floats of the widest tier
+
+std::size_t whole_vectors(std::size_t count) { return (count + kWide - 1) / kWide * kWide; }
+
+// Some rays of a batch on their way through the kernels.
+class Block {
+ public:
+  explicit Block(std::size_t most)
+      : room_(whole_vectors(most) + kVector),
+        numbers_(room_),
+        columns_(9 * room_),
+        fate_(room_),
+        found_(room_),
+        slots_(room_),
+        t_(room_) {
+    std::iota(numbers_.begin(), numbers_.end(), 0.0F);
+  }
+
+  void load(const RayBatch& rays, std::size_t begin, std::size_t count) {
+    rays_ = &rays;
+    begin_ = begin;
+    count_ = count;
+    given_ = {&rays.ox[begin], &rays.oy[begin], &rays.dx[begin], &rays.dy[begin],
+              static_cast<int>(count)};
+    if (count % kWide == 0) return;
+    padded_.resize(0);  // the kernels read whole vectors: the last ray again
+    for (std::size_t i = 0; i < whole_vectors(count); ++i)
+      padded_.add(rays.ray(begin + std::min(i, count - 1)));
+    given_ = {padded_.ox.data(), padded_.oy.data(), padded_.dx.data(), padded_.dy.data(),
+              static_cast<int>(padded_.size())};
+  }
+
+  // Walls that may be the first of each ray: the record, or what is not certain.
+  void walk(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels) {
+    float* column = columns_.data();
+    lanes::Walking w{};
+    w.number = numbers_.data();
+    for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
+                         &w.left_ay, &w.left_bx})
+      *each = std::exchange(column, column + room_);
+    w.count = static_cast<int>(count_);
+    kernels.prepare(grid.view(), given_, w, fate_.data());
+    if (!mark_left(walls, grid, w)) w.left_ax = nullptr;
+    (grid.has_cells() ? kernels.walk : kernels.scan)(grid.view(), w, found_.data());
+  }
+
+  void finish(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (fate_[i] != 0) found_[i] = lanes::kDoubt;
+      slots_[i] = found_[i] < 0 ? 0 : grid.slot(static_cast<std::size_t>(found_[i]));
+      __builtin_prefetch(&walls.segments[slots_[i]]);
+    }
+    std::fill(slots_.begin() + static_cast<std::ptrdiff_t>(count_), slots_.end(), 0U);
+    kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
+  }
+
+  // Whether the lanes are certain of what ray i meets.
+  bool is_certain(std::size_t i) const { return found_[i] != lanes::kDoubt; }
+  // Whether it is a wall, given by slot and t.
+  bool is_hit(std::size_t i) const { return found_[i] >= 0; }
+  std::uint32_t slot(std::size_t i) const { return slots_[i]; }
+  double t(std::size_t i) const { return t_[i]; }
+
+ private:
+  // What tells the lanes which wall each ray has just left; false where none has left any.
+  bool mark_left(const Surfaces& walls, const CellGrid& grid, const lanes::Walking& to) {
+    bool any = false;
+    for (std::size_t i = 0; i < count_; ++i) {
+      CellGrid::Mark mark{NAN, NAN, NAN};
+      const std::uint32_t left = rays_->left[begin_ + i].surface;
+      if (left != kNoSurface && walls.kinds[left] == SurfaceKind::segment) {
+        any = true;
+        mark = grid.mark(walls.segments[walls.slot[left]]);
+        if (grid.is_twin(walls.slot[left])) fate_[i] = lanes::kDoubt;
+      }
+      to.left_ax[i] = mark.ax;
+      to.left_ay[i] = mark.ay;
+      to.left_bx[i] = mark.bx;
+    }
+    return any;
+  }
+
+  std::size_t room_;
+  std::vector<float> numbers_, columns_;
+  std::vector<int> fate_, found_;
+  std::vector<std::uint32_t> slots_;
+  std::vector<double> t_;
+  const RayBatch* rays_ = nullptr;
+  std::size_t begin_ = 0, count_ = 0;
+  lanes::Rays given_{};
+  RayBatch padded_;
+};
+
+class LaneTracer : public Accelerator {
+ public:
+  LaneTracer(const Surfaces& walls, CellGrid cells, Isa isa)
+      : walls_(walls),
+        cells_(std::move(cells)),
+        search_(walls, &cells_),
+        kernels_(lane_kernels(isa).walk) {}
+
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    Block block(std::min(kBlock, rays.size()));
+    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
+      const std::size_t count = std::min(kBlock, rays.size() - begin);
+      block.load(rays, begin, count);
+      block.walk(walls_, cells_, kernels_);
+      block.finish(walls_, cells_, kernels_);
+      for (std::size_t i = 0; i < count; ++i)
+        if (!decided(block, i, hits[begin + i]))
+          hits[begin + i] =
+              decide(block, i, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
+    }
+  }
+  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
+    return search_.nearest(ray, left, tangents);
+  }
+  std::size_t bytes() const override { return cells_.bytes(); }
+
+ private:
+  // The usual case: sure of one segment, and of its t. (Without circles slots are numbers.)
+  bool decided(const Block& block, std::size_t i, NearestHit& hit) const {
+    if (!walls_.circles.empty() || !block.is_certain(i)) return false;
+    if (block.is_hit(i) && std::isnan(block.t(i))) return false;
+    hit.surface = block.is_hit(i) ? block.slot(i) : kNoSurface;
+    hit.kind = block.is_hit(i) ? HitClass::touch : HitClass::miss;
+    hit.root = Root::none;
+    hit.at_end = false;
+    hit.t = block.is_hit(i) ? block.t(i) : kInfinity;
+    return true;
+  }
+
+  NearestHit decide(const Block& block, std::size_t i, const Ray& ray, const Left& left,
+                    bool tangents) const {
+    if (!block.is_certain(i)) return search_.nearest(ray, left, tangents);
+    if (walls_.circles.empty()) return crossing_hit(walls_, ray, block.slot(i));
+    ExactNearest with_circles(walls_, ray, left, tangents);
+    if (block.is_hit(i)) with_circles.offer_segment(block.slot(i));
+    with_circles.offer_circles();
+    return with_circles.hit();
+  }
+
+  const Surfaces& walls_;
+  const CellGrid cells_;
+  const CellSearch search_;
+  const lanes::WalkKernels& kernels_;
+};
+
+// Where coordinates leave no room for lanes.
+class OneByOne : public Accelerator {
+ public:
+  explicit OneByOne(const Surfaces& walls) : search_(walls, nullptr) {}
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
+  }
+  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
+    return search_.nearest(ray, left, tangents);
+  }
+  std::size_t bytes() const override { return 0; }
+
+ private:
+  const CellSearch search_;
+};
+
+}  // namespace
+
+std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, std::optional<CellGrid> cells,
+                                            Isa isa) {
+  if (!cells) return std::make_unique<OneByOne>(walls);
+  return std::make_unique<LaneTracer>(walls, std::move(*cells), isa);
+}
+
+}  // namespace flatray

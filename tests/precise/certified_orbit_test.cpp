@@ -1,0 +1,119 @@
+// needs: mpfr
+#include "precise/certified_orbit.h"
+
+#include <gtest/gtest.h>
+
+#include "precise/proven_bounces.h"
+
+namespace flatray {
+namespace {
+
+Surfaces room(const std::vector<Vec2>& corners) {
+  Surfaces walls;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    walls.add(Segment{corners[i], corners[(i + 1) % corners.size()]});
+  return walls;
+}
+
+Surfaces sinai() {
+  Surfaces walls = room({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+  walls.add(Circle{{0, 0}, 1});
+  return walls;
+}
+
+TEST(CertifiedOrbit, TheDiamondOfTheSquareIsExact) {
+  const Surfaces square = room({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  const auto orbit = certified_orbit(square, {{15, 5}, {1, 1}}, 400);
+  ASSERT_TRUE(orbit);
+  EXPECT_TRUE(orbit->decided);
+  ASSERT_EQ(orbit->bounces.size(), 400U);
+  EXPECT_EQ(orbit->bits, 128U);
+  for (std::size_t i = 0; i < 400; ++i) EXPECT_EQ(orbit->bounces[i].surface, (i + 1) % 4);
+  EXPECT_EQ(orbit->bounces[399].point, Vec2(10, 0));
+}
+
+TEST(CertifiedOrbit, ACornerMetExactlyIsOne) {
+  const Surfaces square = room({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const auto orbit = certified_orbit(square, {{1, 0.5}, {2, 1}}, 9);
+  ASSERT_TRUE(orbit);
+  // (4, 2), then up and left to (0, 4).
+  EXPECT_EQ(orbit->end, OrbitEnd::corner);
+  EXPECT_EQ(orbit->bounces.size(), 1U);
+  EXPECT_EQ(orbit->corner, Vec2(0, 4));
+  EXPECT_EQ(orbit->corner_walls, (std::vector<std::uint32_t>{2, 3}));
+}
+
+TEST(CertifiedOrbit, TwoHundredBouncesAmongDiscsNeedMoreThanDoubles) {
+  const auto orbit = certified_orbit(sinai(), {{-1.5, 0.3}, {1, 0.21}}, 200);
+  ASSERT_TRUE(orbit);
+  EXPECT_TRUE(orbit->decided);
+  EXPECT_EQ(orbit->bounces.size(), 200U);
+  EXPECT_GT(orbit->bits, 128U);
+  for (const CertifiedOrbit::Bounce& bounce : orbit->bounces)
+    EXPECT_LE(bounce.point.cwiseAbs().maxCoeff(), 2);
+}
+
+// The walls of a longer orbit begin with those of a shorter one, which needs fewer bits.
+TEST(CertifiedOrbit, AgreesWithItselfInMoreBits) {
+  const Ray start{{-1.5, 0.3}, {1, 0.21}};
+  const auto longer = certified_orbit(sinai(), start, 300),
+             shorter = certified_orbit(sinai(), start, 40);
+  ASSERT_TRUE(longer && shorter);
+  EXPECT_GT(longer->bits, shorter->bits);
+  for (std::size_t i = 0; i < 40; ++i) {
+    EXPECT_EQ(longer->bounces[i].surface, shorter->bounces[i].surface);
+    EXPECT_EQ(longer->bounces[i].point, shorter->bounces[i].point);
+  }
+}
+
+TEST(CertifiedOrbit, BouncesProvenOfTheOrbitInDoublesAreItsOwn) {
+  const Surfaces walls = sinai();
+  for (int i = 0; i < 20; ++i) {
+    const Ray start{{-1.5, 0.3 + 0.01 * i}, {1, 0.21}};
+    const Orbit plain = trace_orbit(walls, std::vector(walls.size(), Material::mirror), start, 100);
+    const auto truth = certified_orbit(walls, start, 100);
+    ASSERT_TRUE(truth);
+    std::uint64_t right = 0;
+    while (right < plain.bounces.size() && right < truth->bounces.size() &&
+           plain.bounces[right].surface == truth->bounces[right].surface)
+      ++right;
+    EXPECT_LT(right, 100U);  // doubles lose it
+    EXPECT_EQ(proven_bounces(walls, plain), right);
+  }
+}
+
+// There and back: the orbit turned round at its last point retraces its walls.
+TEST(CertifiedOrbit, TurnedRoundItRetracesItsWalls) {
+  const Surfaces walls = room({{0, 0}, {7, -1}, {9, 5}, {4, 9}, {-1, 6}});
+  const auto there = certified_orbit(walls, {{4, 3}, {3, 1.7}}, 30);
+  ASSERT_TRUE(there);
+  const Vec2 last = there->bounces[29].point, before = there->bounces[28].point;
+  const auto back = certified_orbit(walls, {0.5 * (last + before), before - last}, 20);
+  ASSERT_TRUE(back);
+  for (std::size_t i = 0; i < 20; ++i)
+    EXPECT_EQ(back->bounces[i].surface, there->bounces[28 - i].surface);
+}
+
+TEST(CertifiedOrbit, TooFewBitsLeaveItUndecidedAndWhatIsToldIsTrue) {
+  const Ray start{{-1.5, 0.3}, {1, 0.21}};
+  const auto some = certified_orbit(sinai(), start, 200, 128),
+             all = certified_orbit(sinai(), start, 200);
+  ASSERT_TRUE(some && all);
+  EXPECT_FALSE(some->decided);
+  EXPECT_LT(some->bounces.size(), 200U);
+  EXPECT_GT(some->bounces.size(), 10U);
+  for (std::size_t i = 0; i < some->bounces.size(); ++i)
+    EXPECT_EQ(some->bounces[i].point, all->bounces[i].point);
+}
+
+TEST(CertifiedOrbit, AnEscapeHasItsDirectionRounded) {
+  Surfaces wall;
+  wall.add(Segment{{-5, 0}, {5, 0}});
+  const auto orbit = certified_orbit(wall, {{0, 1}, {1, -1}}, 5);
+  ASSERT_TRUE(orbit);
+  EXPECT_EQ(orbit->end, OrbitEnd::escape);
+  EXPECT_EQ(orbit->out, Vec2(0.7071067811865476, 0.7071067811865476));
+}
+
+}  // namespace
+}  // namespace flatray

@@ -1,0 +1,98 @@
+// needs: shapes/circle shapes/box
+#include "render/view.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "support/pictures.h"
+
+namespace flatray {
+namespace {
+
+// A window of 8 x 4 world units on 8 x 4 pixels: a box from x = 4 to 6 over the lower half.
+const char* const kBox = R"(flatray = 1
+film = { size = [8, 4], world = [[0, 0], [8, 4]] }
+[[entity]]
+shape = { box = { min = [4, 0], max = [6, 2] } }
+fill = "#000000"
+)";
+
+const View& view_called(const std::string& name) {
+  for (const View* view : views())
+    if (name == view->name) return *view;
+  ADD_FAILURE() << "no view is called " << name;
+  return *views().front();
+}
+
+Image view_of(const Scene& scene, const std::string& name, const Vec2& point = {0, 0},
+              const char* tracer = "brute", const FrameOptions& options = {}) {
+  const Timeline timeline(scene, scene.seed, 1);
+  return draw_view({&view_called(name), point, find_tracer(tracer)}, scene, at(timeline, 1),
+                   options);
+}
+
+std::vector<int> row(const Image& image, int y) {
+  std::vector<int> values;
+  for (int x = 0; x < image.width; ++x) values.push_back(image.at(x, y)[0]);
+  return values;
+}
+
+// From the centre of pixel 0 the box is 3.5 pixels away, of 8; inside it the far side is met.
+TEST(View, DepthIsTheDistanceToTheFirstWallOnTheRight) {
+  const Image depth = view_of(scene_of(kBox), "depth");
+  EXPECT_EQ(row(depth, 0), std::vector<int>(8, 0));
+  const auto grey = [](double t) { return static_cast<int>(std::lround(255 * (1 - t / 8))); };
+  EXPECT_EQ(row(depth, 3), (std::vector<int>{grey(3.5), grey(2.5), grey(1.5), grey(0.5), grey(1.5),
+                                             grey(0.5), 0, 0}));
+}
+
+TEST(View, IntervalsAreTheLengthInsideAheadAndOverlapsCountOnce) {
+  const auto grey = [](double t) { return static_cast<int>(std::lround(255 * (1 - t / 8))); };
+  const std::vector<int> wanted = {grey(2),   grey(2),   grey(2), grey(2),
+                                   grey(1.5), grey(0.5), 255,     255};
+  EXPECT_EQ(row(view_of(scene_of(kBox), "intervals"), 3), wanted);
+  const std::string twice = fmt::format("{}{}", kBox, R"([[entity]]
+shape = { box = { min = [5, 0], max = [6, 2] } }
+)");
+  EXPECT_EQ(row(view_of(scene_of(twice), "intervals"), 3), wanted);
+}
+
+TEST(View, ALightBehindTheBoxDoesNotReachItsOtherSide) {
+  const Image lit = view_of(scene_of(kBox), "visibility", {7.5, 0.5});
+  EXPECT_EQ(row(lit, 3), (std::vector<int>{64, 64, 64, 64, 64, 64, 255, 255}));
+  EXPECT_EQ(row(lit, 0)[7], 255);
+}
+
+TEST(View, HitsHaveOneColourAnObject) {
+  const std::string two = fmt::format("{}{}", kBox, R"([[entity]]
+shape = { circle = { centre = [2, 3], radius = 0.9 } }
+)");
+  const Image hits = view_of(scene_of(two), "hits");
+  EXPECT_NE(row(hits, 0)[0], row(hits, 3)[0]);
+  EXPECT_EQ(row(hits, 3)[0], row(hits, 3)[5]);
+  EXPECT_EQ(row(hits, 3)[7], 255);
+}
+
+TEST(View, IsTheSameFromEveryExactTracerThreadsAndCrop) {
+  const Scene scene = scene_at("scenes/demo.toml", {{"film.size", "[64, 36]"}});
+  FrameOptions threads, crop;
+  threads.threads = 3;
+  crop.crop = PixelBox{20, 10, 32, 16};
+  for (const View* view : views()) {
+    const Vec2 point(3, 4);
+    const Image whole = view_of(scene, view->name, point);
+    EXPECT_TRUE(has_content(whole)) << view->name;
+    EXPECT_EQ(whole, view_of(scene, view->name, point, "brute", threads)) << view->name;
+    const Image part = view_of(scene, view->name, point, "brute", crop);
+    for (int y = 0; y < part.height; ++y)
+      EXPECT_TRUE(std::equal(part.at(0, y), part.at(0, y) + 3 * part.width, whole.at(20, 10 + y)));
+    for (const Tracer* tracer : tracers()) {
+      if (!tracer->exact) continue;
+      EXPECT_EQ(whole, view_of(scene, view->name, point, tracer->name))
+          << view->name << " by " << tracer->name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flatray
