@@ -123,7 +123,7 @@ bool MonotoneScan::scan_area(MonotoneRing ring, RunList& out) {
   measure(ring);
   const int first = std::max(floor_column(top_), box_.y);
   const int end = std::min(ceil_column(bottom_), box_.y + box_.height);
-  if (first >= end) return true;
+  if (top_ == bottom_ || first >= end) return true;
   changes_.resize(static_cast<std::size_t>(box_.width) + 2);
   doubt_ = false;
   Side down(ring, true), up(ring, false);
