@@ -25,6 +25,7 @@ EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned 
                     .shape = entity.shape,
                     .fill = entity.fill,
                     .stroke = entity.stroke,
+                    .opacity = plus(scene, entity.opacity, entity.opacity_curve, time),
                     .state = std::nullopt};
   if (!entity.markov) {
     state.at = held(state.at + entity.velocity * time);

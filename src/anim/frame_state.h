@@ -13,6 +13,7 @@ struct EntityState {
   ShapeId shape = 0;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
+  double opacity = 1;
   std::optional<StateId> state;  ///< of its Markov chain
   std::uint32_t sub_state = 0;
 };

@@ -12,7 +12,8 @@ bool moves(const Group& group) {
 
 bool moves(const Entity& entity) {
   return entity.markov || entity.motion.any() || !entity.velocity.isZero(0) ||
-         entity.angular_velocity != 0 || (entity.stroke && entity.stroke->width_curve);
+         entity.angular_velocity != 0 || entity.opacity_curve ||
+         (entity.stroke && entity.stroke->width_curve);
 }
 
 bool moves(const Camera& camera) {

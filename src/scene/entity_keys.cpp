@@ -102,6 +102,17 @@ constexpr Key<Entity> changing_stroke_key(const char* fallback) {
   return {{"stroke", "{ width = w, colour = \"#rrggbb\" }", fallback}, &read_changing_stroke};
 }
 
+void read_moving_opacity(Builder& builder, const Field& field, Entity& entity) {
+  const std::optional<Moving> opacity = read_moving(builder, field);
+  if (!opacity) return;
+  const Curve* curve = opacity->curve ? &builder.scene.curves[*opacity->curve] : nullptr;
+  const double low = curve != nullptr ? lowest(*curve) : opacity->value,
+               high = curve != nullptr ? highest(*curve) : opacity->value;
+  if (!(low >= 0 && high <= 1)) return refuse_opacity(builder, field);
+  entity.opacity = opacity->value;
+  entity.opacity_curve = opacity->curve;
+}
+
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
     kShapeKey<Entity>,
@@ -114,7 +125,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     changing_stroke_key("\"none\"; a segment without fill and stroke has one"),
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" })", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
-    kOpacityKey<Entity>,
+    {{"opacity", "number or a curve", "1"}, &read_moving_opacity},
     kLayerKey<Entity>,
     material_key<Entity>("none: rays pass"),
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},

@@ -44,13 +44,15 @@ inline constexpr Key<T> kAngleKey = {{"angle", "degrees", "0"}, &set_angle<&T::a
 template <class T>
 inline constexpr Key<T> kLayerKey = {{"layer", "whole number", "0"},
                                      &set_integer<&T::layer, -1000000, 1000000>};
+inline void refuse_opacity(Builder& builder, const Field& field) {
+  builder.in.problem(field.value.where, field.name + " does not lie between 0 and 1",
+                     "0 is not seen, 1 is opaque");
+}
 template <class T>
 void set_opacity(Builder& builder, const Field& field, T& target) {
   const auto opacity = builder.in.number(field);
   if (!opacity) return;
-  if (!(*opacity >= 0 && *opacity <= 1))
-    return builder.in.problem(field.value.where, field.name + " does not lie between 0 and 1",
-                              "0 is not seen, 1 is opaque");
+  if (!(*opacity >= 0 && *opacity <= 1)) return refuse_opacity(builder, field);
   target.opacity = *opacity;
 }
 template <class T>

@@ -174,6 +174,10 @@ double lowest(const Curve& curve) {
   return *std::min_element(curve.values.begin(), curve.values.end());
 }
 
+double highest(const Curve& curve) {
+  return *std::max_element(curve.values.begin(), curve.values.end());
+}
+
 std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field) {
   if (is_curve(field.value)) {
     const std::optional<CurveId> curve = read_curves(builder, field, 2, nullptr);

@@ -12,8 +12,9 @@ struct Moving {
 std::optional<Moving> read_moving(Builder& builder, const Field& field,
                                   double (*change)(double) = nullptr);
 
-/// Smallest value of a curve.
+/// Smallest and largest value of a curve.
 double lowest(const Curve& curve);
+double highest(const Curve& curve);
 
 /// A point that may be a curve, or have curves as coordinates: added to where `at` leaves them.
 struct MovingPoint {

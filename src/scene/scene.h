@@ -173,8 +173,9 @@ struct Entity {
   Motion motion;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
-  double opacity = 1;                  ///< of fill and stroke together
-  std::optional<Stroke> bounding_box;  ///< drawn when set
+  double opacity = 1;                    ///< of fill and stroke together
+  std::optional<CurveId> opacity_curve;  ///< instead of it
+  std::optional<Stroke> bounding_box;    ///< drawn when set
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   std::optional<MarkovUse> markov;

@@ -123,5 +123,34 @@ TEST(FrameDrawer, AStopLeavesBandsUndrawnAndSaysSo) {
   EXPECT_TRUE(drawn.whole());
 }
 
+// Frames 1, 2, 3 show 0, 0.5, 1: nothing, what a fixed opacity shows, and what none shows.
+TEST(FrameDrawer, OpacityThatIsACurveIsThatOfItsTime) {
+  const auto scene = [](const std::string& opacity) {
+    return scene_of(
+        "flatray = 1\nframes = 4\nfps = 2\nfilm = { size = [64, 64], world = [[0, 0], [9, 9]] }\n"
+        "[[entity]]\nshape = { circle = { radius = 3 } }\nat = [4, 4]\nfill = \"#336699\"\n"
+        "stroke = { width = 1 }\n" +
+        opacity + "\n");
+  };
+  const Scene fading = scene("opacity = { keys = [[0, 0], [1, 1]] }");
+  const Image half = picture(fading, 2), full = picture(fading, 3);
+  EXPECT_FALSE(has_content(picture(fading, 1)));
+  EXPECT_EQ(half.pixels, picture(scene("opacity = 0.5")).pixels);
+  EXPECT_EQ(full.pixels, picture(scene("")).pixels);
+  EXPECT_NE(half.pixels, full.pixels);
+
+  const RenderPlan plan = make_plan(fading, false);
+  EXPECT_FALSE(plan.still);
+  const Timeline timeline(fading, 0, 4);
+  FrameDrawer<Image> carried(FrameOptions{});
+  FrameOptions every;
+  every.keep_all = true;
+  for (unsigned frame = 1; frame <= 4; ++frame)
+    EXPECT_EQ(carried.draw(*draw_list(plan, timeline, frame)).pixels,
+              picture(fading, frame, every).pixels)
+        << frame;
+  EXPECT_FALSE(carried.changed());  // the last key's value stays
+}
+
 }  // namespace
 }  // namespace flatray

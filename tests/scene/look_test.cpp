@@ -49,6 +49,8 @@ TEST(Looks, WhatCannotBeDrawnIsRefused) {
       {"stroke = { dashes = [1, -1] }", "5:25: error: stroke.dashes[1] is no length"},
       {"stroke = { dash_offset = 1e301 }", "stroke.dash_offset lies beyond 1e300"},
       {"opacity = 1.5", "5:11: error: entity.opacity does not lie between 0 and 1"},
+      {"opacity = { keys = [[0, 0], [1, 1.5]] }",
+       "5:11: error: entity.opacity does not lie between 0 and 1"},
       {"opacity = -1", "0 is not seen, 1 is opaque"},
       {line + "[\"#000000\"] } }", "linear.stops has 1 colours"},
       {line + "[[0.5, \"#000000\"], [0.2, \"#000000\"]] } }", "comes before the one it follows"},

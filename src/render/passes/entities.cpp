@@ -13,7 +13,7 @@ void draw(DrawContext& context) {
     const Entity& entity = context.scene.entities[i];
     const EntityState& now = context.state.entities[i];
     context.place(entity.layer, entity.order, entity.where);
-    context.fade(entity.opacity, [&] {
+    context.fade(now.opacity, [&] {
       context.add_shape(context.scene.shapes[now.shape], entity_pose(context.state, i), now.fill,
                         now.stroke);
     });
