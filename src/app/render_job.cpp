@@ -163,7 +163,7 @@ Records still_valid(const Records& old, std::span<const RenderJob> jobs, bool re
   std::vector<char> whole(candidates.size());
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     const auto& [record, job] = candidates[i];
-    whole[i] = is_whole(*record, job->folder(), job->output.format());
+    whole[i] = is_whole(*record, job->folder(), job->output.format()) ? 1 : 0;
   });
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (whole[i] != 0) kept[candidates[i].first->file] = *candidates[i].first;

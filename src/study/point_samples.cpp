@@ -60,16 +60,21 @@ void mark_beside(const Segment& edge, const DrawList& list, const SamplePlace& p
     return height == 0 ? edge.a.x()
                        : edge.a.x() + (y - edge.a.y()) / height * (edge.b - edge.a).x();
   };
-  const double first = std::max(0.0, std::ceil(top - kNear - place[1]));
-  const double last = std::min(list.height - 1.0, std::floor(bottom + kNear - place[1]));
-  for (double row = first; row <= last; ++row) {
+  const auto first = static_cast<int>(
+      std::clamp(std::ceil(top - kNear - place[1]), 0.0, static_cast<double>(list.height)));
+  const auto last =
+      static_cast<int>(std::clamp(std::floor(bottom + kNear - place[1]), -1.0, list.height - 1.0));
+  for (int row = first; row <= last; ++row) {
     const double y = row + place[1];
     double left = x_at(std::clamp(y - kNear, top, bottom));
     double right = x_at(std::clamp(y + kNear, top, bottom));
     if (top == bottom) right = edge.b.x();
     if (left > right) std::swap(left, right);
-    const double end = std::min(list.width - 1.0, std::floor(right + kNear - place[0]));
-    for (double x = std::max(0.0, std::ceil(left - kNear - place[0])); x <= end; ++x)
+    const auto begin = static_cast<int>(
+        std::clamp(std::ceil(left - kNear - place[0]), 0.0, static_cast<double>(list.width)));
+    const auto end =
+        static_cast<int>(std::clamp(std::floor(right + kNear - place[0]), -1.0, list.width - 1.0));
+    for (int x = begin; x <= end; ++x)
       near[static_cast<std::size_t>(row) * static_cast<std::size_t>(list.width) +
            static_cast<std::size_t>(x)] = true;
   }
