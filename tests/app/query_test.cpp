@@ -1,5 +1,6 @@
 #include "app/query/query.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "base/philox.h"

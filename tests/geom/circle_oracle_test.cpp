@@ -93,7 +93,7 @@ TEST(ClipCircle, AgreesWithTheOracleOnAdversarialFamilies) {
   int family = 100, kinds[4] = {0, 0, 0, 0};
   for (const Family make : kFamilies) {
     for (int item = 0; item < kCasesAFamily; ++item) {
-      Draw draw(kSeed, family, item);
+      Draw draw = draw_of(family, item);
       check(make(draw), kinds);
       ASSERT_FALSE(testing::Test::HasFailure())
           << "family " << family << ", case " << item << " of seed " << kSeed;

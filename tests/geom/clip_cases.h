@@ -11,6 +11,10 @@ inline constexpr std::uint64_t kSeed = 20181123;
 using oracle::Draw;
 using oracle::nudge;
 
+inline Draw draw_of(int family, int item) {
+  return {kSeed, static_cast<std::uint64_t>(family), static_cast<std::uint64_t>(item)};
+}
+
 struct Case {
   std::vector<Vec2> polygon;
   Ray ray;

@@ -20,7 +20,7 @@ void expect_same_answer(const HitInterval& a, const HitInterval& b) {
 template <class Law>
 void for_grid_cases(const Law& law) {
   for (int item = 0; item < kCases; ++item) {
-    Draw draw(kSeed, 50, item);
+    Draw draw = draw_of(50, item);
     law(grid_case(draw), draw);
     ASSERT_FALSE(testing::Test::HasFailure()) << "case " << item;
   }

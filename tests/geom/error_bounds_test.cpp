@@ -22,7 +22,7 @@ double number(Draw& draw) {
 TEST(ErrorBounds, TheFilterOfADeterminantHolds) {
   double worst = 0;
   for (int item = 0; item < 20000; ++item) {
-    Draw draw(kSeed, 70, item);
+    Draw draw = draw_of(70, item);
     const Vec2 a(number(draw), number(draw)), b(number(draw), number(draw)),
         d(number(draw), number(draw));
     // Nearly parallel: c - a is b - a stretched, so that the products cancel.
@@ -51,7 +51,7 @@ struct Worst {
 TEST(ErrorBounds, BoundedNumbersHoldWhatTheyClaim) {
   Worst sum, product, quotient;
   for (int item = 0; item < 5000; ++item) {
-    Draw draw(kSeed, 71, item);
+    Draw draw = draw_of(71, item);
     // Two numbers of 106 bits with an error of their own.
     const double p = number(draw), q = number(draw), r = number(draw), s = number(draw);
     const Bounded a = Bounded(p) / Bounded(q), b = Bounded(r) / Bounded(s);

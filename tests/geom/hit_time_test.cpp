@@ -110,7 +110,7 @@ TEST(HitTime, ComparesWithNumbers) {
 // Any two hits: as their doubles, where these differ, and antisymmetric.
 TEST(HitTime, OrdersGridHitsAsTheirDoubles) {
   for (int item = 0; item < 500; ++item) {
-    Draw draw(kSeed, 60, item);
+    Draw draw = draw_of(60, item);
     const Case c = grid_case(draw);
     if (c.ray.direction == Vec2(0, 0)) continue;
     std::vector<HitTime> times;
