@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/segment
 # Scenes that grow without end are refused in little memory, with the option that moves the limit.
 source "$(dirname "$0")/lib.sh"
 limit_memory 2000000

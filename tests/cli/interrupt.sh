@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/circle
 # Ctrl-C: files in flight are finished, a frame that takes long is left, the exit code is 130, --resume goes on.
 source "$(dirname "$0")/lib.sh"
 scene box.toml 4000

@@ -128,7 +128,8 @@ TEST(FrameDrawer, OpacityThatIsACurveIsThatOfItsTime) {
   const auto scene = [](const std::string& opacity) {
     return scene_of(
         "flatray = 1\nframes = 4\nfps = 2\nfilm = { size = [64, 64], world = [[0, 0], [9, 9]] }\n"
-        "[[entity]]\nshape = { circle = { radius = 3 } }\nat = [4, 4]\nfill = \"#336699\"\n"
+        "[[entity]]\nshape = { box = { min = [-3, -3], max = [3, 3] } }\nat = [4, 4]\nfill = "
+        "\"#336699\"\n"
         "stroke = { width = 1 }\n" +
         opacity + "\n");
   };
