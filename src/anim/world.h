@@ -28,9 +28,9 @@ enum class WorldOf : std::uint8_t {
   everything  ///< entities without one, too
 };
 
-/// Outlines of every chamber and pillar, and of entities as `of` says. Left out: cuts and shared edges
-/// between the pieces of one shape, crossing rings, and edges whose ends are one point in the
-/// world.
+/// Outlines of every chamber and pillar, and of entities as `of` says. Left out: cuts and shared
+/// edges between the pieces of one shape, crossing rings, and edges whose ends are one point in
+/// the world.
 ///
 /// Gives   entities, then chambers each with its pillars; of a shape its edges, its lone segments,
 ///         its circles. Edges run counter-clockwise. Edges that share a vertex in the shape share

@@ -35,10 +35,6 @@ std::string entity_name(const Scene& scene, std::uint32_t entity) {
   return name.empty() ? fmt::format("entity {}", entity) : name;
 }
 
-const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity) {
-  return scene.shapes[state.entities[entity].shape];
-}
-
 // A convex piece in the world with the numbers its edges have in the shape as given.
 struct Piece {
   std::vector<Vec2> vertices;
@@ -94,6 +90,10 @@ HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piec
 }
 
 }  // namespace
+
+const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity) {
+  return scene.shapes[state.entities[entity].shape];
+}
 
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity) {
   const Shape& shape = shape_of(scene, state, entity);

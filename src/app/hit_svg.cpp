@@ -20,7 +20,7 @@ class Diagram {
   Diagram(const Scene& scene, const FrameState& state) : scene_(scene), state_(state) {}
 
   void see(std::uint32_t entity) {
-    const Shape& shape = shape_of(entity);
+    const Shape& shape = shape_of(scene_, state_, entity);
     const Pose place = entity_pose(state_, entity);
     for (const Vec2& vertex : shape.vertices) box_.add(place(vertex));
     for (const Segment& segment : shape.segments) {
@@ -45,7 +45,7 @@ class Diagram {
   }
 
   void draw(std::uint32_t entity) {
-    const Shape& shape = shape_of(entity);
+    const Shape& shape = shape_of(scene_, state_, entity);
     const Pose place = entity_pose(state_, entity);
     for (const OutlineEdge& edge : outline(shape))
       line(place(shape.vertices[edge.from]), place(shape.vertices[edge.to]), "wall");
@@ -88,9 +88,6 @@ class Diagram {
   }
 
  private:
-  const Shape& shape_of(std::uint32_t entity) const {
-    return scene_.shapes[state_.entities[entity].shape];
-  }
   Vec2 film(const Vec2& world) const {
     return {(world.x() - box_.low.x()) * scale_, (box_.high.y() - world.y()) * scale_};
   }

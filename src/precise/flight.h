@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "trace/on_surface.h"
 #include "trace/surfaces.h"
+#include "transport/landing.h"
 
 namespace flatray {
 
@@ -55,8 +55,7 @@ class Flight {
         here_(dot(pair(start.origin), direction_)),
         size_(dot(direction_, direction_)),
         point_(pair(start.origin)) {
-    for (std::uint32_t surface = 0; surface < walls.size(); ++surface)
-      if (stands_on(start.origin, surface)) left_ = surface;
+    for (const std::uint32_t surface : Lander(walls).walls_at(start.origin)) left_ = surface;
   }
 
   Prospect next() const {
@@ -126,11 +125,6 @@ class Flight {
     return walls_.segments[walls_.slot[surface]];
   }
   const Circle& circle(std::uint32_t surface) const { return walls_.circles[walls_.slot[surface]]; }
-
-  bool stands_on(const Vec2& point, std::uint32_t surface) const {
-    return is_segment(surface) ? lies_on(point, segment(surface))
-                               : circle_side(point, circle(surface)) == Sign::zero;
-  }
 
   Meeting meet(std::uint32_t surface) const {
     if (!is_segment(surface)) return meet_circle(circle(surface), surface == left_);

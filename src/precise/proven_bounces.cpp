@@ -36,8 +36,8 @@ std::uint64_t proven_bounces(const Surfaces& walls, const Orbit& orbit) {
   if (orbit.bounces.empty()) return 0;
   Proof proof = prove<Bounded>(walls, orbit, [](double x) { return Bounded(x); });
 #ifdef FLATRAY_HAVE_MPFR
-  constexpr int kFirstBits = 256, kMostBits = 2048;
-  for (int bits = kFirstBits; !proof.ended && bits <= kMostBits; bits *= 2)
+  constexpr int kFirstBits = 256, kLastBits = 2048;
+  for (int bits = kFirstBits; !proof.ended && bits <= kLastBits; bits *= 2)
     proof = prove<Ball>(walls, orbit, [bits](double x) { return Ball(x, bits); });
 #endif
   return proof.bounces;

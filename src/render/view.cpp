@@ -39,6 +39,12 @@ RayBatch rays_to_the_right(const ViewContext& context, int row) {
   return rays;
 }
 
+std::vector<NearestHit> nearest_hits(const ViewContext& context, const RayBatch& rays) {
+  std::vector<NearestHit> hits(rays.size());
+  context.surfaces.nearest(rays, hits);
+  return hits;
+}
+
 std::uint8_t grey_of(double value, double most) {
   return static_cast<std::uint8_t>(std::lround(255 * (1 - std::clamp(value / most, 0.0, 1.0))));
 }

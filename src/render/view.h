@@ -40,6 +40,8 @@ Vec2 pixel_centre(const ViewContext& context, int column, int row);
 double pixel_side(const ViewContext& context);
 /// One ray to the right from every pixel of a row, t = 1 a pixel on.
 RayBatch rays_to_the_right(const ViewContext& context, int row);
+/// What each ray of a row meets first.
+std::vector<NearestHit> nearest_hits(const ViewContext& context, const RayBatch& rays);
 /// 255 at 0 and 0 from `most` on.
 std::uint8_t grey_of(double value, double most);
 

@@ -6,10 +6,8 @@
 namespace flatray {
 namespace {
 
-constexpr double kLeastStep = 0x1p-60, kLeastSquare = 0x1p-900, kLargestSquare = 0x1p900;
-
 double at_least_a_step(double x) {
-  return std::fabs(x) < kLeastStep ? std::copysign(kLeastStep, x) : x;
+  return std::fabs(x) < lanes::kLeastStep ? std::copysign(lanes::kLeastStep, x) : x;
 }
 
 }  // namespace
@@ -18,8 +16,8 @@ CellWalk::CellWalk(const CellGrid& grid, const Ray& ray) : grid_(grid) {
   origin_ = grid.place(ray.origin);
   const Vec2 along = ray.direction.cwiseProduct(grid.scale());
   const double square = along.squaredNorm(), far = grid.view().far;
-  if (!(square > kLeastSquare && square < kLargestSquare && std::fabs(origin_.x()) < far &&
-        std::fabs(origin_.y()) < far)) {
+  if (!(square > lanes::kLeastSquare && square < lanes::kLargestSquare &&
+        std::fabs(origin_.x()) < far && std::fabs(origin_.y()) < far)) {
     start_ = Start::uncertain;
     return;
   }

@@ -1,5 +1,6 @@
 #include "transport/hit_point.h"
 
+#include "geom/clip_range.h"
 #include "geom/decide.h"
 
 namespace flatray {
@@ -42,7 +43,7 @@ ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit)
 }
 
 Vec2 hit_point(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  if (ray.direction.x() == 0 && ray.direction.y() == 0) return ray.origin;
+  if (is_zero(ray.direction)) return ray.origin;
   const std::uint32_t slot = walls.slot[hit.surface];
   if (hit.at_end) return end_met(ray, walls.segments[slot]);
   if (hit.kind == HitClass::along) return ray.origin;

@@ -13,8 +13,7 @@ enum class OrbitEnd {
   limit,     ///< all bounces asked for were made
   escape,    ///< nothing lies ahead
   absorbed,  ///< arrived at a surface that absorbs
-  corner,    ///< arrived exactly at an end of a wall or where two walls meet: no reflection is
-             /// < defined
+  corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
   along      ///< starts on a wall and runs along it
 };
 const char* name(OrbitEnd end);

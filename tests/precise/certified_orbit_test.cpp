@@ -6,16 +6,10 @@
 #include <cmath>
 
 #include "precise/proven_bounces.h"
+#include "precise/rooms.h"
 
 namespace flatray {
 namespace {
-
-Surfaces room(const std::vector<Vec2>& corners) {
-  Surfaces walls;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    walls.add(Segment{corners[i], corners[(i + 1) % corners.size()]});
-  return walls;
-}
 
 Surfaces sinai() {
   Surfaces walls = room({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});

@@ -3,19 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "geom/exact.h"
+#include "precise/rooms.h"
 
 namespace flatray {
 namespace {
 
 Orbit orbit_in(const Surfaces& walls, const Ray& start, std::uint64_t bounces) {
   return trace_orbit(walls, std::vector(walls.size(), Material::mirror), start, bounces);
-}
-
-Surfaces room(const std::vector<Vec2>& corners) {
-  Surfaces walls;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    walls.add(Segment{corners[i], corners[(i + 1) % corners.size()]});
-  return walls;
 }
 
 // The walls of an orbit between straight mirrors, in rationals: every division is exact.

@@ -1,6 +1,7 @@
 #include "transport/orbit.h"
 
 #include "app/query/query.h"
+#include "geom/clip_range.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 
@@ -60,7 +61,7 @@ Fields answer(Question& question) {
   const Surfaces walls = question.walls("walls");
   const std::uint64_t bounces = question.whole("bounces");
   if (bounces > kMostBounces) question.mistake("bounces", "are a million at most");
-  if (question.sound() && ray.direction.x() == 0 && ray.direction.y() == 0)
+  if (question.sound() && is_zero(ray.direction))
     question.mistake("direction", "is zero: an orbit needs somewhere to go");
   if (!question.sound()) return {};
   return question.precision().certified ? certified(walls, ray, bounces, question)

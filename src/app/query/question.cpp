@@ -97,10 +97,12 @@ void Question::check_fields(const JsonValue& value, const std::string& where,
   if (fields == nullptr) return;
   std::set<std::string_view> seen;
   for (const auto& field : *fields) {
+    const bool twice = !seen.insert(field.first).second;
+    const bool unknown = std::find(known.begin(), known.end(), field.first) == known.end();
+    if (!twice && !unknown) continue;
     const std::string place = where.empty() ? field.first : where + "." + field.first;
-    if (!seen.insert(field.first).second) mistake(place, "is given twice");
-    if (std::find(known.begin(), known.end(), field.first) == known.end())
-      unknown_field(place, nearest_word(field.first, known));
+    if (twice) mistake(place, "is given twice");
+    if (unknown) unknown_field(place, nearest_word(field.first, known));
   }
 }
 

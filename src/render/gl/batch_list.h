@@ -70,8 +70,8 @@ class BatchList {
                       std::vector<FlatrayGlVertex>& to);
 
   int width_, height_;
-  std::array<std::vector<FlatrayGlVertex>, 9> waiting_;  // by kind
-  Batches layers_;                                       // that wait, none where another is
+  std::array<std::vector<FlatrayGlVertex>, FLATRAY_GL_LAY + 1> waiting_;  // by kind
+  Batches layers_;  // that wait, none where another is
   Occupied marked_, any_, layered_;
   bool gradients_ = false;                 // of the group
   CellBox reach_{kBeyond, kBeyond, 0, 0};  // of all there is

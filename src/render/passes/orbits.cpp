@@ -48,15 +48,15 @@ void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
 // Rays of as many bounces are advanced together, a few at a time: orbits are long.
 constexpr std::size_t kRaysAtOnce = 64;
 
-void draw_some(DrawContext& context, std::span<const std::size_t> numbers, std::uint64_t bounces) {
-  const World& world = context.world();
+void draw_some(DrawContext& context, std::span<const Material> materials,
+               std::span<const std::size_t> numbers, std::uint64_t bounces) {
   std::vector<Ray> starts;
   for (const std::size_t i : numbers) {
     const RayPath& ray = context.scene.rays[i];
     starts.push_back({world_pose(context.state)(ray.at), ray.direction});
   }
   const std::vector<Orbit> orbits =
-      trace_orbits(world.surfaces, world.materials(), starts, bounces);
+      trace_orbits(context.world().surfaces, materials, starts, bounces);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const RayPath& ray = context.scene.rays[numbers[k]];
     context.place(ray.layer, ray.order, ray.where);
@@ -66,13 +66,14 @@ void draw_some(DrawContext& context, std::span<const std::size_t> numbers, std::
 
 void draw_all(DrawContext& context) {
   const std::vector<RayPath>& rays = context.scene.rays;
+  const std::vector<Material> materials = context.world().materials();
   std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
   for (std::size_t i = 0; i < rays.size(); ++i) by_bounces[rays[i].bounces].push_back(i);
   for (const auto& [bounces, numbers] : by_bounces)
     for (std::size_t begin = 0; begin < numbers.size(); begin += kRaysAtOnce) {
       if (context.refused()) return;
       const std::size_t count = std::min(kRaysAtOnce, numbers.size() - begin);
-      draw_some(context, std::span(numbers).subspan(begin, count), bounces);
+      draw_some(context, materials, std::span(numbers).subspan(begin, count), bounces);
     }
 }
 

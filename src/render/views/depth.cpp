@@ -4,10 +4,7 @@ namespace flatray::views_of {
 namespace {
 
 void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
-  const RayBatch rays = rays_to_the_right(context, row);
-  std::vector<NearestHit> hits(rays.size());
-  context.surfaces.nearest(rays, hits);
-  for (const NearestHit& hit : hits) {
+  for (const NearestHit& hit : nearest_hits(context, rays_to_the_right(context, row))) {
     const std::uint8_t grey = hit ? grey_of(hit.t, context.scene.film.width) : 0;
     pixels = std::fill_n(pixels, 3, grey);
   }

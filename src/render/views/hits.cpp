@@ -27,10 +27,7 @@ std::uint32_t object_of(const ViewContext& context, const SurfaceOwner& owner) {
 }
 
 void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
-  const RayBatch rays = rays_to_the_right(context, row);
-  std::vector<NearestHit> hits(rays.size());
-  context.surfaces.nearest(rays, hits);
-  for (const NearestHit& hit : hits) {
+  for (const NearestHit& hit : nearest_hits(context, rays_to_the_right(context, row))) {
     constexpr std::array<std::uint8_t, 3> kNothing{255, 255, 255};
     const auto rgb =
         hit ? colour_of(object_of(context, context.world.owners[hit.surface])) : kNothing;

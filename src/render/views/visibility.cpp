@@ -10,9 +10,7 @@ void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
     const Vec2 centre = pixel_centre(context, context.crop.x + i, row);
     rays.add({centre, context.argument - centre});
   }
-  std::vector<NearestHit> hits(rays.size());
-  context.surfaces.nearest(rays, hits);
-  for (const NearestHit& hit : hits) {
+  for (const NearestHit& hit : nearest_hits(context, rays)) {
     constexpr std::uint8_t kShadow = 64, kLit = 255;
     pixels = std::fill_n(pixels, 3, hit && hit.t < 1 ? kShadow : kLit);
   }

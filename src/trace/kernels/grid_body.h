@@ -1,11 +1,6 @@
 // What comes before and after the walk, in double precision, written once over the lanes of
 // vector.h: rays into the coordinates of the grid, and t of the walls found.
 
-// A direction component no smaller than this has an inverse; over the way through any grid that
-// moves a ray by less than 2^-30 cells.
-constexpr double kLeastStep = 0x1p-60;
-constexpr double kLeastSquare = 0x1p-900, kLargestSquare = 0x1p900;
-
 struct Placed {
   Real x, y, dx, dy;
 };

@@ -26,6 +26,12 @@
 // kNear + 20 <= kMargin. So a wall listed in two cells is not its own rival.
 namespace flatray::lanes {
 
+// A direction component no smaller than this has an inverse; over the way through any grid that
+// moves a ray by less than 2^-30 cells. Beyond these squares of its length a direction is not
+// walked. Lanes and single rays must agree.
+inline constexpr double kLeastStep = 0x1p-60;
+inline constexpr double kLeastSquare = 0x1p-900, kLargestSquare = 0x1p900;
+
 inline constexpr int kSide = 16, kTime = 33, kNear = 64, kMargin = 128;
 
 /// Cells row by row, with a ring of empty ones around.
