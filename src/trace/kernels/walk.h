@@ -23,7 +23,7 @@
 //               to there it is within 10 u M of the box, and the next cell is rounded from a place
 //               as near: 20 u M in all.
 // A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
-// kNear + 20 <= kMargin. So a wall listed in two cells is not its own rival.
+// kNear + 20 <= kMargin. So a wall listed in two cells is rarely its own rival.
 namespace flatray::lanes {
 
 // A direction component no smaller than this has an inverse; over the way through any grid that
