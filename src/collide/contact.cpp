@@ -126,6 +126,18 @@ ContactFeature Pair::feature(int number) const {
 
 }  // namespace
 
+const char* contact_name(StartPlace start) {
+  switch (start) {
+    case StartPlace::outside:
+      return "apart";
+    case StartPlace::boundary:
+      return "touching";
+    case StartPlace::inside:
+      break;
+  }
+  return "overlapping";
+}
+
 Contact contact(const MovingPolygon& a, const MovingPolygon& b, Range within) {
   const Pair pair(a, b);
   Contact found;

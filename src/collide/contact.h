@@ -29,6 +29,9 @@ struct Contact {
   ContactFeature first, last;  ///< at t_enter and t_exit, where those lie within the range
 };
 
+/// "apart", "touching" or "overlapping".
+const char* contact_name(StartPlace start);
+
 /// First and last instant within a range at which two polygons meet, in linear motion.
 ///
 /// Needs   finite coordinates and velocities.

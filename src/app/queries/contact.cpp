@@ -5,18 +5,6 @@
 namespace flatray::queries {
 namespace {
 
-const char* start_name(StartPlace place) {
-  switch (place) {
-    case StartPlace::outside:
-      return "apart";
-    case StartPlace::boundary:
-      return "touching";
-    case StartPlace::inside:
-      break;
-  }
-  return "overlapping";
-}
-
 Fields answer(Question& question) {
   const Question::Moving a = question.moving("a"), b = question.moving("b");
   const Range within = question.domain("always", "future", "unit");
@@ -25,7 +13,7 @@ Fields answer(Question& question) {
   Fields fields = {{"class", name(times.kind)},
                    {"t_first", interval_end(times, times.t_enter)},
                    {"t_last", interval_end(times, times.t_exit)},
-                   {"start", start_name(times.start)}};
+                   {"start", contact_name(times.start)}};
   if (times.enter_overflows || times.exit_overflows) fields.emplace_back("overflow", true);
   return fields;
 }
