@@ -28,7 +28,10 @@ TracerChoice tracer_of(const RenderJob& job) {
   if (job.scene.rays.empty()) return {nullptr, "no rays"};
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   const unsigned frame = job.frames.empty() ? 1 : job.frames.front();
-  return choose_tracer(build_world(job.scene, at(timeline, frame)).surfaces);
+  const World world = build_world(job.scene, at(timeline, frame));
+  TracerChoice choice = choose_tracer(world.surfaces);
+  choice.reason += "; " + choice.tracer->build(world.surfaces)->structure();
+  return choice;
 }
 
 Table decisions(const RenderJob& job, unsigned threads) {
