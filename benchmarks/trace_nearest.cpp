@@ -123,7 +123,8 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
                                                         std::size_t segments) {
   bench::Tracings all;
   for (const flatray::Tracer* tracer : flatray::tracers())
-    if (tracer->exact && (segments <= 256 || std::strcmp(tracer->name, "brute") != 0))
+    if (std::strcmp(tracer->name, "grid") == 0 ||
+        (segments <= 256 && std::strcmp(tracer->name, "brute") == 0))
       all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
   all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
 #ifdef BENCH_EMBREE

@@ -9,27 +9,42 @@ namespace flatray {
 namespace {
 
 constexpr const char* kHeader =
-    "family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,first_"
-    "wrong";
-constexpr std::size_t kColumns = 13, kFirstCount = 5;
+    "family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,"
+    "missed,invented,other_wall,first_wrong";
+// Without what kinds of wrong there are, as rows were before: still read.
+constexpr std::string_view kShortHeader =
+    "family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,"
+    "first_wrong";
+constexpr std::size_t kColumns = 16, kShortColumns = 13, kFirstCount = 5, kFirstKind = 12;
 
-using Counts = std::array<std::uint64_t StabilityTally::*, 6>;
-constexpr Counts kCounts = {&StabilityTally::rays,        &StabilityTally::hits,
-                            &StabilityTally::wrong,       &StabilityTally::not_nearest,
-                            &StabilityTally::off_by_more, &StabilityTally::by_rationals};
+constexpr std::array kCounts = {&StabilityTally::rays,        &StabilityTally::hits,
+                                &StabilityTally::wrong,       &StabilityTally::not_nearest,
+                                &StabilityTally::off_by_more, &StabilityTally::by_rationals};
+constexpr std::array kKinds = {&StabilityTally::missed, &StabilityTally::invented,
+                               &StabilityTally::other_wall};
+
+template <class Counts>
+bool read_counts(std::span<const std::string_view> cells, const Counts& counts,
+                 StabilityTally& tally) {
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto count = parse_whole(cells[i]);
+    if (!count) return false;
+    tally.*counts[i] = *count;
+  }
+  return true;
+}
 
 std::optional<std::pair<StabilityLog::Key, StabilityTally>> read_row(std::string_view line) {
   const std::vector<std::string_view> cells = split_commas(line);
-  if (cells.size() < kColumns) return std::nullopt;
+  if (cells.size() != kColumns && cells.size() != kShortColumns) return std::nullopt;
   const auto seed = parse_whole(cells[3]), chunk = parse_whole(cells[4]);
   if (!seed || !chunk) return std::nullopt;
   StabilityTally tally;
-  for (std::size_t i = 0; i < kCounts.size(); ++i) {
-    const auto count = parse_whole(cells[kFirstCount + i]);
-    if (!count) return std::nullopt;
-    tally.*kCounts[i] = *count;
-  }
-  tally.first_wrong = cells[kColumns - 1];
+  const std::span all(cells);
+  if (!read_counts(all.subspan(kFirstCount), kCounts, tally)) return std::nullopt;
+  if (cells.size() == kColumns && !read_counts(all.subspan(kFirstKind), kKinds, tally))
+    return std::nullopt;
+  tally.first_wrong = cells.back();
   return std::pair{StabilityLog::Key{std::string(cells[0]), std::string(cells[1]),
                                      std::string(cells[2]), *seed, *chunk},
                    tally};
@@ -63,7 +78,7 @@ Result<void> StabilityLog::read() {
   for (int line = 1; !rest.empty(); ++line) {
     const std::string_view row = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), row.size() + 1));
-    if (line == 1 && row == kHeader) continue;
+    if (line == 1 && (row == kHeader || row == kShortHeader)) continue;
     auto parsed = read_row(row);
     if (line == 1 || !parsed)
       return fail(named_place(fmt::format("{}:{}", path_.string(), line)),
@@ -79,7 +94,9 @@ Result<void> StabilityLog::add(const Key& key, const StabilityTally& tally, doub
   std::string row =
       fmt::format("{},{},{},{},{}", key.family, key.tracer, key.isa, key.seed, key.chunk);
   for (const auto count : kCounts) row += fmt::format(",{}", tally.*count);
-  return append_line(path_, row + fmt::format(",{:.3f},{}", seconds, tally.first_wrong));
+  row += fmt::format(",{:.3f}", seconds);
+  for (const auto kind : kKinds) row += fmt::format(",{}", tally.*kind);
+  return append_line(path_, row + "," + tally.first_wrong);
 }
 
 StabilityTally StabilityLog::sum(Key key, std::uint64_t chunks) const {

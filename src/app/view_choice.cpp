@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/option_values.h"
+#include "app/tracer_choice.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -28,8 +29,6 @@ Result<Vec2> read_point(std::string_view text, const std::string& view, const Pl
 
 std::vector<std::string> view_names() { return names_of(views()); }
 
-std::vector<std::string> tracer_names() { return names_of(tracers()); }
-
 Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
   const auto text = arguments.text("view");
   if (!text && arguments.has("tracer"))
@@ -53,11 +52,9 @@ Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
     if (!point) return tl::unexpected(point.error());
     request.point = *point;
   }
-  if (const auto tracer = arguments.text("tracer")) {
-    request.tracer = find_tracer(*tracer);
-    if (request.tracer == nullptr)
-      return unknown_name(arguments.where("tracer"), "tracer", *tracer, tracer_names());
-  }
+  const auto tracer = chosen_tracer(arguments);
+  if (!tracer) return tl::unexpected(tracer.error());
+  request.tracer = *tracer;
   return request;
 }
 

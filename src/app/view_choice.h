@@ -8,9 +8,6 @@ namespace flatray {
 
 /// What --view may begin with.
 std::vector<std::string> view_names();
-/// What --tracer may be.
-std::vector<std::string> tracer_names();
-
 inline constexpr Option kViewOption = {
     "view",
     '\0',
@@ -18,10 +15,6 @@ inline constexpr Option kViewOption = {
     "instead of a picture one ray a pixel: hits, depth, intervals, visibility:x,y",
     OptionKind::text,
     &view_names};
-inline constexpr Option kTracerOption = {
-    "tracer",         '\0',         "NAME", "what finds the hits of --view; same pictures",
-    OptionKind::text, &tracer_names};
-
 /// The view that --view names and the tracer that --tracer does; nullopt without --view.
 /// Error   Trouble::usage.
 Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments);

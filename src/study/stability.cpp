@@ -20,6 +20,12 @@ void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityT
   if (!truth.by_whole_numbers) ++tally.by_rationals;
   if (!agrees(hit, truth)) {
     ++tally.wrong;
+    if (!hit)
+      ++tally.missed;
+    else if (!truth)
+      ++tally.invented;
+    else if (hit.surface != truth.wall)
+      ++tally.other_wall;
     return;
   }
   if (!truth) return;
@@ -58,6 +64,9 @@ void StabilityTally::add(const StabilityTally& other) {
   rays += other.rays;
   hits += other.hits;
   wrong += other.wrong;
+  missed += other.missed;
+  invented += other.invented;
+  other_wall += other.other_wall;
   not_nearest += other.not_nearest;
   off_by_more += other.off_by_more;
   by_rationals += other.by_rationals;

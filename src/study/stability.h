@@ -13,7 +13,10 @@ namespace flatray {
 struct StabilityTally {
   std::uint64_t rays = 0;
   std::uint64_t hits = 0;          ///< rays that meet a wall
-  std::uint64_t wrong = 0;         ///< of wall, class or end
+  std::uint64_t wrong = 0;         ///< of wall, class or end; of these:
+  std::uint64_t missed = 0;        ///< nothing met where there is a wall
+  std::uint64_t invented = 0;      ///< a wall met where there is none
+  std::uint64_t other_wall = 0;    ///< a wall that is not the first; else class or end is wrong
   std::uint64_t not_nearest = 0;   ///< hits whose t is not the double nearest to the exact one
   std::uint64_t off_by_more = 0;   ///< hits whose t is more than 1 ulp off it
   std::uint64_t by_rationals = 0;  ///< rays for which the oracle needed more than 128 bits

@@ -1,5 +1,8 @@
 #include "trace/cell_search.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "trace/cell_walk.h"
 #include "trace/exact_nearest.h"
 #include "trace/segment_filter.h"
@@ -53,6 +56,36 @@ class Rivals {
 };
 
 }  // namespace
+
+// Slots of the segments in all cells a ray comes through, or of all segments, each once.
+std::vector<std::uint32_t> CellSearch::segments_near(const Ray& ray) const {
+  std::vector<std::uint32_t> slots;
+  std::optional<CellWalk> walk;
+  if (grid_ != nullptr && ray.direction != Vec2(0, 0)) walk.emplace(*grid_, ray);
+  if (!walk || walk->start() == CellWalk::Start::uncertain) {
+    slots.resize(walls_.segments.size());
+    std::iota(slots.begin(), slots.end(), 0U);
+    return slots;
+  }
+  while (walk->next())
+    for (std::size_t record = walk->record();; ++record) {
+      slots.push_back(grid_->slot(record));
+      if (grid_->last(record)) break;
+    }
+  std::sort(slots.begin(), slots.end());
+  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  return slots;
+}
+
+std::vector<NearestHit> CellSearch::all(const Ray& ray, const Left& left, bool tangents) const {
+  ExactHits every(walls_, ray, left, tangents);
+  const SegmentFilter filter(ray);
+  for (const std::uint32_t slot : segments_near(ray))
+    if (filter(walls_.segments[slot]).verdict != FilteredHit::Verdict::missed)
+      every.offers().offer_segment(slot);
+  every.offers().offer_circles();
+  return every.hits();
+}
 
 NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) const {
   if (ray.direction == Vec2(0, 0)) {

@@ -15,8 +15,12 @@ class CellSearch {
   CellSearch(const Surfaces& walls, const CellGrid* grid)
       : walls_(walls), grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
   NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
+  /// Every hit, in order (Accelerator::all_of_one).
+  std::vector<NearestHit> all(const Ray& ray, const Left& left, bool tangents) const;
 
  private:
+  std::vector<std::uint32_t> segments_near(const Ray& ray) const;
+
   const Surfaces& walls_;
   const CellGrid* grid_;
 };

@@ -1,5 +1,6 @@
 #include "trace/exact_nearest.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geom/error_bounds.h"
@@ -35,6 +36,10 @@ ExactNearest::ExactNearest(const Surfaces& walls, const Ray& ray, const Left& le
 
 void ExactNearest::offer(const NearestHit& hit, const HitTime& time) {
   if (time.sign() == Sign::negative) return;
+  if (every_ != nullptr) {
+    every_->push_back({hit, time});
+    return;
+  }
   if (best_time_) {
     const std::strong_ordering order = compare(time, *best_time_);
     if (order > 0 || (order == 0 && hit.surface > best_.surface)) return;
@@ -44,8 +49,12 @@ void ExactNearest::offer(const NearestHit& hit, const HitTime& time) {
 }
 
 void ExactNearest::offer_point_test(std::uint32_t number, bool on_it, bool at_end) {
-  if (!on_it || number > best_.surface) return;
-  best_ = {number, HitClass::touch, Root::none, at_end, 0};
+  if (!on_it) return;
+  const NearestHit hit{number, HitClass::touch, Root::none, at_end, 0};
+  if (every_ != nullptr)
+    every_->push_back({hit, std::nullopt});
+  else if (number <= best_.surface)
+    best_ = hit;
 }
 
 // When the ray is level with a point: the perpendicular through the point is a line it always
@@ -96,9 +105,9 @@ void ExactNearest::offer_circle(std::size_t slot) {
       offer({number, HitClass::touch, Root::both, false, 0}, met->first);
     return;
   }
-  if (stood_on != Root::first && met->first.sign() != Sign::negative)
-    offer({number, HitClass::through, Root::first, false, 0}, met->first);
-  else if (stood_on != Root::second)
+  const bool enters = stood_on != Root::first && met->first.sign() != Sign::negative;
+  if (enters) offer({number, HitClass::through, Root::first, false, 0}, met->first);
+  if ((!enters || every_ != nullptr) && stood_on != Root::second)
     offer({number, HitClass::through, Root::second, false, 0}, met->second);
 }
 
@@ -110,10 +119,42 @@ void ExactNearest::offer_circles() {
   for (std::size_t i = 0; i < walls_.circles.size(); ++i) offer_circle(i);
 }
 
+void ExactNearest::offer(std::uint32_t surface) {
+  switch (walls_.kinds[surface]) {
+    case SurfaceKind::segment:
+      return offer_segment(walls_.slot[surface]);
+    case SurfaceKind::circle:
+      return offer_circle(walls_.slot[surface]);
+  }
+}
+
 NearestHit ExactNearest::hit() const {
   NearestHit hit = best_;
   if (best_time_) hit.t = best_time_->nearest().t;
   return hit;
+}
+
+ExactHits::ExactHits(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents)
+    : search_(walls, ray, left, tangents) {
+  search_.every_ = &every_;
+}
+
+// Rounding keeps order, so that exact times are compared only where the doubles are equal.
+std::vector<NearestHit> ExactHits::hits() {
+  for (ExactNearest::Timed& one : every_)
+    if (one.time) one.hit.t = one.time->nearest().t;
+  const auto is_before = [](const ExactNearest::Timed& a, const ExactNearest::Timed& b) {
+    if (a.hit.t != b.hit.t) return a.hit.t < b.hit.t;
+    if (a.time && b.time)
+      if (const std::strong_ordering order = compare(*a.time, *b.time); order != 0)
+        return order < 0;
+    if (a.hit.surface != b.hit.surface) return a.hit.surface < b.hit.surface;
+    return a.hit.root < b.hit.root;
+  };
+  std::sort(every_.begin(), every_.end(), is_before);
+  std::vector<NearestHit> hits;
+  for (const ExactNearest::Timed& one : every_) hits.push_back(one.hit);
+  return hits;
 }
 
 NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot) {

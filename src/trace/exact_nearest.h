@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "geom/hit_time.h"
 #include "trace/hits.h"
@@ -19,10 +20,15 @@ class ExactNearest {
   void offer_circle(std::size_t slot);
   void offer_segments();
   void offer_circles();
+  /// Offers the wall of a number.
+  void offer(std::uint32_t surface);
 
   NearestHit hit() const;
+  /// Its exact t; none where there is no hit, or the direction is zero.
+  const std::optional<HitTime>& time() const { return best_time_; }
 
  private:
+  friend class ExactHits;
   void offer(const NearestHit& hit, const HitTime& time);
   void offer_point_test(std::uint32_t number, bool on_it, bool at_end);
   void offer_along(const Segment& segment, std::uint32_t number);
@@ -34,6 +40,24 @@ class ExactNearest {
   bool tangents_, point_test_;
   NearestHit best_;
   std::optional<HitTime> best_time_;
+  struct Timed {
+    NearestHit hit;
+    std::optional<HitTime> time;
+  };
+  std::vector<Timed>* every_ = nullptr;  // where all hits go, not the nearest alone
+};
+
+/// All hits of one ray among the walls offered, by the same rules.
+class ExactHits {
+ public:
+  ExactHits(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
+  ExactNearest& offers() { return search_; }
+  /// By t, equal t by number; a circle's first root before its second.
+  std::vector<NearestHit> hits();
+
+ private:
+  ExactNearest search_;
+  std::vector<ExactNearest::Timed> every_;
 };
 
 /// The hit of a segment known to be the nearest wall, met ahead and between its ends.

@@ -108,7 +108,7 @@ class Block {
 class LaneTracer : public Accelerator {
  public:
   LaneTracer(const Surfaces& walls, CellGrid cells, Isa isa)
-      : walls_(walls),
+      : Accelerator(walls),
         cells_(std::move(cells)),
         search_(walls, &cells_),
         kernels_(lane_kernels(isa).walk) {}
@@ -128,6 +128,10 @@ class LaneTracer : public Accelerator {
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     return search_.nearest(ray, left, tangents);
+  }
+  std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
+                                     bool tangents) const override {
+    return search_.all(ray, left, tangents);
   }
   std::size_t bytes() const override { return cells_.bytes(); }
   std::string structure() const override {
@@ -162,7 +166,6 @@ class LaneTracer : public Accelerator {
     return with_circles.hit();
   }
 
-  const Surfaces& walls_;
   const CellGrid cells_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;
@@ -171,7 +174,7 @@ class LaneTracer : public Accelerator {
 // Where coordinates leave no room for lanes.
 class OneByOne : public Accelerator {
  public:
-  explicit OneByOne(const Surfaces& walls) : search_(walls, nullptr) {}
+  explicit OneByOne(const Surfaces& walls) : Accelerator(walls), search_(walls, nullptr) {}
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
       hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);

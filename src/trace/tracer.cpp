@@ -17,15 +17,6 @@ constexpr std::size_t kFewSegments = 24;
 #include "tracers.inc"
 #undef FLATRAY_ENTRY
 
-NearestHit Accelerator::nearest_of_one(const Ray& ray, const Left& left, bool tangents) const {
-  RayBatch rays;
-  rays.tangents = tangents;
-  rays.add(ray, left);
-  NearestHit hit;
-  nearest(rays, {&hit, 1});
-  return hit;
-}
-
 std::vector<const Tracer*> tracers() {
   return {
 #define FLATRAY_ENTRY(name) &name##_tracer,

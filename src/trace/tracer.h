@@ -15,7 +15,12 @@ namespace flatray {
 /// Walls made ready for one tracer, once for any number of rays and threads.
 class Accelerator {
  public:
+  /// Needs   `walls` to outlive it, and to stay as they are.
+  explicit Accelerator(const Surfaces& walls) : walls_(walls) {}
   virtual ~Accelerator() = default;
+  Accelerator(const Accelerator&) = delete;
+  Accelerator& operator=(const Accelerator&) = delete;
+
   /// The first wall of each ray.
   ///
   /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
@@ -24,10 +29,29 @@ class Accelerator {
   /// The first wall of one ray, on which the lanes of a batch would be wasted.
   virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
                                     bool tangents = true) const;
+  /// Whether each ray meets a wall at `up_to` or before: 1 or 0.
+  ///
+  /// Needs   as many of both as rays.
+  /// Gives   of exact tracers the exact answer, also where t rounds to `up_to`.
+  void any(const RayBatch& rays, std::span<const double> up_to, std::span<std::uint8_t> met) const;
+  bool any_of_one(const Ray& ray, double up_to, const Left& left = {}, bool tangents = true) const;
+  /// Every wall a ray meets, in order of t, those met together by number.
+  ///
+  /// Gives   a wall that the ray runs along once, a circle it crosses twice. A wall just left is not
+  ///         met, as in nearest(). Of every tracer the exact hits.
+  /// Cost    some us, and 1 us a hit.
+  virtual std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left = {},
+                                             bool tangents = true) const;
+  /// The same of many rays, one after the other: `ends[i]` is where those of ray i end.
+  void all(const RayBatch& rays, std::vector<NearestHit>& hits,
+           std::vector<std::size_t>& ends) const;
   /// What it holds beside the walls themselves.
   virtual std::size_t bytes() const = 0;
   /// How the walls are kept, in words; may be empty.
   virtual std::string structure() const { return {}; }
+
+ protected:
+  const Surfaces& walls_;
 };
 
 /// One way to find the first wall of many rays. Exact tracers agree bit for bit.
@@ -36,6 +60,8 @@ struct Tracer {
   const char* summary;
   bool exact;  ///< decides for the doubles given, without rounding
   std::unique_ptr<Accelerator> (*build_for)(const Surfaces& walls, Isa isa);
+  /// Why it cannot be used on this machine, "" where it can; null: it always can.
+  std::string (*missing)() = nullptr;
 
   /// Needs   `walls` to outlive what is built, and to stay as they are.
   /// Gives   the same hits in every tier.

@@ -161,7 +161,8 @@ const char* name(OrbitEnd end) {
 }
 
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
-                                std::span<const Ray> starts, std::uint64_t bounces) {
+                                std::span<const Ray> starts, std::uint64_t bounces,
+                                const Tracer* tracer) {
   std::vector<Orbit> orbits(starts.size());
   std::vector<Flight> flights;
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -169,13 +170,14 @@ std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material>
     orbits[i].direction = starts[i].direction;
     flights.push_back({starts[i], {}, Speed(starts[i].direction), {0, 0}, &orbits[i]});
   }
-  trace_wavefront(OrbitTracer(walls, materials, bounces), *accelerate(walls), flights);
+  const auto accelerator = tracer == nullptr ? accelerate(walls) : tracer->build(walls);
+  trace_wavefront(OrbitTracer(walls, materials, bounces), *accelerator, flights);
   return orbits;
 }
 
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
-                  std::uint64_t bounces) {
-  return std::move(trace_orbits(walls, materials, std::span(&start, 1), bounces).front());
+                  std::uint64_t bounces, const Tracer* tracer) {
+  return std::move(trace_orbits(walls, materials, std::span(&start, 1), bounces, tracer).front());
 }
 
 }  // namespace flatray

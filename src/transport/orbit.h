@@ -51,12 +51,15 @@ struct Orbit {
 ///         the inner side by at most 2 more; the length of the direction within 4 ulp of the
 ///         start's, after any number of bounces.
 /// Cost    a bounce 1 to 2 us, and a box test for every wall.
+/// `tracer` is what finds the walls, null: the one of choice. Of one that is not exact the walls are
+/// its own.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
-                  std::uint64_t bounces);
+                  std::uint64_t bounces, const Tracer* tracer = nullptr);
 
 /// The orbits of many rays, advanced together so that the tracer gets them in batches. Each is what
 /// trace_orbit gives.
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
-                                std::span<const Ray> starts, std::uint64_t bounces);
+                                std::span<const Ray> starts, std::uint64_t bounces,
+                                const Tracer* tracer = nullptr);
 
 }  // namespace flatray

@@ -26,9 +26,21 @@ run 0 stability --families n-gon --count 40000 -o one
 cmp -s <(cut -d, -f1-11 one/stability.csv | sort) <(cut -d, -f1-11 three/stability.csv | sort) \
   || fail 'a torn row was not done again'
 
+# What is not exact is counted, and called wrong.
+run 1 stability --families vertex --count 10 --tracer float
+says out 'float'
+
+# Sealed rooms: no ray gets out, by any exact tracer.
+run 0 stability --leaks 1000 --tracer grid
+says out 'scaled by 1e15'
+[[ $(awk 'NR > 1 { leaks += $(NF - 3) } END { print leaks }' "$work/out.txt") == 0 ]] || fail 'a ray leaked'
+run 2 stability --leaks 10 --families vertex
+
 run 2 stability --families vertx
 says err "did you mean 'vertex'?"
 run 2 stability --tracer none
+FLATRAY_EMBREE_MODULE=absent.so run 5 stability --tracer embree --count 10
+says err 'the module absent.so is not there'
 run 2 stability --count 0
 echo 'nonsense' >> log/stability.csv
 run 4 stability --families vertex --count 10 -o log

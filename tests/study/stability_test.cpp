@@ -9,7 +9,8 @@ namespace {
 template <void (*spoil)(NearestHit&)>
 class Spoiled final : public Accelerator {
  public:
-  explicit Spoiled(const Surfaces& walls) : right_(find_tracer("brute")->build(walls)) {}
+  explicit Spoiled(const Surfaces& walls)
+      : Accelerator(walls), right_(find_tracer("brute")->build(walls)) {}
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     right_->nearest(rays, hits);
     for (NearestHit& hit : hits)

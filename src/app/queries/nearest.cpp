@@ -12,7 +12,8 @@ Fields answer(Question& question) {
   RayBatch rays;
   rays.add(ray);
   NearestHit hit;
-  accelerate(walls)->nearest(rays, {&hit, 1});
+  const Tracer* tracer = question.precision().tracer;
+  (tracer == nullptr ? accelerate(walls) : tracer->build(walls))->nearest(rays, {&hit, 1});
   if (!hit) return {{"wall", JsonValue()}};
   const Vec2 point = hit_point(walls, ray, hit);
   Fields fields = {{"wall", hit.surface},

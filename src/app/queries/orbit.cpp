@@ -31,13 +31,15 @@ void add_corner(Fields& fields, const Vec2& corner, const std::vector<std::uint3
   fields.emplace_back("corner_walls", Values(walls.begin(), walls.end()));
 }
 
-Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces) {
+Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces,
+                  const Tracer* tracer) {
   const std::vector<Material> mirrors(walls.size(), Material::mirror);
-  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces);
+  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces, tracer);
   const bool escapes = orbit.end == OrbitEnd::escape;
   Fields fields = path(orbit.bounces, name(orbit.end), escapes ? as_json(orbit.out) : JsonValue());
   if (orbit.end == OrbitEnd::corner) add_corner(fields, orbit.end_point, orbit.end_surfaces);
-  fields.emplace_back("certain", proven_bounces(walls, orbit));
+  const bool exact = tracer == nullptr || tracer->exact;
+  fields.emplace_back("certain", exact ? proven_bounces(walls, orbit) : std::uint64_t{0});
   return fields;
 }
 
@@ -64,8 +66,9 @@ Fields answer(Question& question) {
   if (question.sound() && is_zero(ray.direction))
     question.mistake("direction", "is zero: an orbit needs somewhere to go");
   if (!question.sound()) return {};
-  return question.precision().certified ? certified(walls, ray, bounces, question)
-                                        : in_doubles(walls, ray, bounces);
+  return question.precision().certified
+             ? certified(walls, ray, bounces, question)
+             : in_doubles(walls, ray, bounces, question.precision().tracer);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "app/option_values.h"
 #include "app/report.h"
 #include "app/scene_input.h"
+#include "app/tracer_choice.h"
 #include "app/verb.h"
 #include "base/number_text.h"
 #include "geom/hit_interval.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr auto kOptions =
     with_scene_options({{"ray", 'r', "RAY", "only this ray of the scene"},
                         {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
+                        kTracerOption,
                         kFrameOption,
                         kSeedOption,
                         kJsonOption,
@@ -141,6 +143,8 @@ Result<Report> follow(const Arguments& arguments, const Scene& scene) {
   if (!rays) return tl::unexpected(rays.error());
   const auto frame = frame_of(arguments, scene);
   if (!frame) return tl::unexpected(frame.error());
+  const auto tracer = chosen_tracer(arguments);
+  if (!tracer) return tl::unexpected(tracer.error());
   const World world = build_world(scene, *frame);
   const std::vector<Material> materials = world.materials();
   Report report;
@@ -148,7 +152,8 @@ Result<Report> follow(const Arguments& arguments, const Scene& scene) {
     const auto bounces = arguments.whole("bounces", ray->bounces, 0, kMostBounces);
     if (!bounces) return tl::unexpected(bounces.error());
     const Ray start{world_pose(*frame)(ray->at), ray->direction};
-    report.add(scene, world, *ray, trace_orbit(world.surfaces, materials, start, *bounces));
+    report.add(scene, world, *ray,
+               trace_orbit(world.surfaces, materials, start, *bounces, *tracer));
   }
   return report;
 }

@@ -5,6 +5,7 @@
 
 #include "app/query/line_stream.h"
 #include "app/scene_input.h"
+#include "app/tracer_choice.h"
 #include "app/verb.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::array kOptions = {
     Option{"precision", '\0', "double|certified", "of orbits: certified proves every bounce"},
-    Option{"bits", '\0', "N", "most bits of a certified orbit (default 65536)"}, kThreadsOption};
+    Option{"bits", '\0', "N", "most bits of a certified orbit (default 65536)"}, kTracerOption,
+    kThreadsOption};
 // Questions are answered in waves, whose answers are written before the next: long answers, of
 // orbits, make a wave short.
 constexpr std::size_t kLinesATask = 16, kTasksAThread = 8;
@@ -64,7 +66,9 @@ Result<Precision> read_precision(const Arguments& arguments) {
     if (auto able = can_certify(); !able) return tl::unexpected(able.error());
   const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
   if (!bits) return tl::unexpected(bits.error());
-  return Precision{*word == "certified", static_cast<unsigned>(*bits)};
+  const auto tracer = chosen_tracer(arguments);
+  if (!tracer) return tl::unexpected(tracer.error());
+  return Precision{*word == "certified", static_cast<unsigned>(*bits), *tracer};
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {

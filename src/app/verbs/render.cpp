@@ -2,6 +2,7 @@
 #include "app/interrupt.h"
 #include "app/render_run.h"
 #include "app/scene_input.h"
+#include "app/tracer_choice.h"
 #include "app/view_choice.h"
 
 namespace flatray::verbs {

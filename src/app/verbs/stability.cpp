@@ -9,9 +9,11 @@
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/stability_log.h"
+#include "app/tracer_choice.h"
 #include "app/verb.h"
 #include "base/isa.h"
 #include "base/parallel.h"
+#include "study/leaks.h"
 
 namespace flatray::verbs {
 namespace {
@@ -21,6 +23,7 @@ constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
 
 std::vector<std::string> family_names() { return names_of(oracle::families()); }
 
+// What is checked where no tracer is named; the others are wrong now and then.
 std::vector<std::string> exact_tracers() {
   std::vector<std::string> names;
   for (const Tracer* tracer : tracers())
@@ -31,9 +34,13 @@ std::vector<std::string> exact_tracers() {
 constexpr std::array kOptions = {
     Option{"families", '\0', "NAME,NAME", "only these families of inputs", OptionKind::text,
            &family_names},
-    Option{"tracer", '\0', "NAME,NAME", "only these tracers", OptionKind::text, &exact_tracers},
+    Option{"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
+           &tracer_names},
     Option{"count", '\0', "N",
            "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
+    Option{
+        "leaks", '\0', "N",
+        "instead, for each tracer N rays aimed at the vertices of sealed rooms, in blocks of 1024"},
     Option{"seed", '\0', "N", "seed of all draws (default 1)"},
     Option{"output", 'o', "FOLDER",
            "where stability.csv goes, a row a chunk; a run with the same seed goes on from it"},
@@ -66,7 +73,7 @@ Result<Plan> read_plan(const Arguments& arguments) {
   Plan plan;
   const auto families = chosen(arguments, "families", "family", family_names());
   if (!families) return tl::unexpected(families.error());
-  const auto names = chosen(arguments, "tracer", "exact tracer", exact_tracers());
+  const auto names = chosen(arguments, "tracer", "tracer", tracer_names());
   if (!names) return tl::unexpected(names.error());
   const auto seed = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
   if (!seed) return tl::unexpected(seed.error());
@@ -77,7 +84,11 @@ Result<Plan> read_plan(const Arguments& arguments) {
   for (const oracle::Family& family : oracle::families())
     if (std::find(families->begin(), families->end(), family.name) != families->end())
       plan.families.push_back(&family);
-  for (const std::string& name : *names) plan.tracers.push_back(find_tracer(name));
+  for (const std::string& name : arguments.has("tracer") ? *names : exact_tracers()) {
+    const auto tracer = usable_tracer(name, arguments.where("tracer"));
+    if (!tracer) return tl::unexpected(tracer.error());
+    plan.tracers.push_back(*tracer);
+  }
   plan.seed = *seed;
   plan.chunks = (*count + kRaysAChunk - 1) / kRaysAChunk;
   plan.threads = *width;
@@ -131,28 +142,72 @@ Result<void> run_chunks(const Plan& plan, const oracle::Family& family, Stabilit
   return {};
 }
 
+VerbOutput output(const Arguments& arguments, const Table& table, bool sound) {
+  const int code = interrupted() ? 130 : sound ? 0 : 1;
+  if (arguments.has("json"))
+    return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
+  return VerbOutput{aligned_text(table), code};
+}
+
+// Blocks of rays, a round of `threads` at a time.
+LeakTally leaks_of(const Plan& plan, const Tracer& tracer, const RoomPlace& place,
+                   std::uint64_t blocks) {
+  LeakTally sum;
+  for (std::uint64_t begin = 0; begin < blocks && !interrupted(); begin += plan.threads) {
+    std::vector<LeakTally> tallies(std::min<std::uint64_t>(plan.threads, blocks - begin));
+    parallel_for(tallies.size(), plan.threads, [&](std::size_t i) {
+      tallies[i] = count_leaks(tracer, place, plan.seed, begin + i);
+    });
+    for (const LeakTally& tally : tallies) sum.add(tally);
+  }
+  return sum;
+}
+
+Result<VerbOutput> run_leaks(const Arguments& arguments, const Plan& plan) {
+  for (const char* other : {"families", "count", "output"})
+    if (arguments.has(other))
+      return usage_error(arguments.where(other), "does not go with --leaks",
+                         "leave one of them out");
+  const auto rays = arguments.whole("leaks", 1, 1, std::uint64_t{1} << 40);
+  if (!rays) return tl::unexpected(rays.error());
+  const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
+  catch_interrupts();
+  Table table{
+      {"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong", "first_t_off"},
+      {}};
+  bool sound = true;
+  for (const RoomPlace& place : room_places())
+    for (const Tracer* tracer : plan.tracers) {
+      const LeakTally sum = leaks_of(plan, *tracer, place, blocks);
+      sound = sound && sum.leaks + sum.wrong + sum.wrong_t == 0;
+      table.rows.push_back({place.name, tracer->name, sum.rays, sum.bounces, sum.leaks, sum.corners,
+                            sum.wrong, sum.wrong_t});
+    }
+  return output(arguments, table, sound);
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto plan = read_plan(arguments);
   if (!plan) return tl::unexpected(plan.error());
+  if (arguments.has("leaks")) return run_leaks(arguments, *plan);
   auto log = StabilityLog::open(arguments.text("output"));
   if (!log) return fail(std::move(log));
   catch_interrupts();
-  Table table{
-      {"family", "tracer", "rays", "hits", "wrong", "t_not_nearest", "t_off", "first_wrong"}, {}};
+  Table table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
+               "t_not_nearest", "t_off", "first_wrong"},
+              {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
     if (auto done = run_chunks(*plan, *family, *log); !done) return fail(std::move(done));
     for (const Tracer* tracer : plan->tracers) {
       const StabilityTally sum = log->sum(key_of(*plan, *family, *tracer, 0), plan->chunks);
       wrong += sum.wrong + sum.off_by_more;
-      table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong,
-                            sum.not_nearest, sum.off_by_more, sum.first_wrong});
+      table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
+                            sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
+                            sum.first_wrong});
     }
   }
-  const int code = interrupted() ? 130 : wrong == 0 ? 0 : 1;
-  if (arguments.has("json"))
-    return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
-  return VerbOutput{aligned_text(table), code};
+  return output(arguments, table, wrong == 0);
 }
 
 }  // namespace
@@ -165,7 +220,8 @@ extern const Verb stability = {
     0,
     kOptions,
     "  flatray stability --count 1000000 -o out/stability\n"
-    "  flatray stability --families vertex,edge --tracer grid\n",
+    "  flatray stability --families vertex,edge --tracer grid,float\n"
+    "  flatray stability --leaks 100000 --tracer grid\n",
     "",
     &run};
 

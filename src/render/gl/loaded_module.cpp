@@ -1,51 +1,27 @@
 #include "render/gl/loaded_module.h"
 
-#include <dlfcn.h>
-#include <fmt/core.h>
-
-#include <cstdlib>
-#include <filesystem>
+#include "base/module_file.h"
 
 namespace flatray::gl {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* kModuleFile = "flatray_gl.so";
 
 tl::unexpected<Diagnostics> unavailable(std::string message, std::string hint) {
   return fail(named_place("OpenGL"), std::move(message), std::move(hint), Trouble::unavailable);
 }
 
-// Where a module may be: beside the program as built, and where `cmake --install` puts it.
-std::vector<fs::path> candidates() {
-  const char* file = std::getenv("FLATRAY_GL_MODULE");
-  if (file != nullptr && *file != '\0') return {file};
-  std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return {folder / kModuleFile, folder / FLATRAY_GL_INSTALLED};
-}
-
-Result<const FlatrayGlModule*> load(const fs::path& file) {
-  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (handle == nullptr) return unavailable(dlerror(), "");
-  const auto entry = reinterpret_cast<FlatrayGlEntry>(dlsym(handle, FLATRAY_GL_ENTRY));
-  const FlatrayGlModule* module = entry == nullptr ? nullptr : entry();
+Result<const FlatrayGlModule*> find_module() {
+  const LoadedEntry loaded =
+      load_module({"flatray_gl.so", "FLATRAY_GL_MODULE", FLATRAY_GL_INSTALLED}, FLATRAY_GL_ENTRY);
+  if (loaded.entry == nullptr)
+    return unavailable(
+        loaded.problem,
+        "tools/setup --gl installs what it is built from; then build again, or say --backend "
+        "software");
+  const FlatrayGlModule* module = reinterpret_cast<FlatrayGlEntry>(loaded.entry)();
   if (module == nullptr || module->abi != FLATRAY_GL_ABI)
-    return unavailable(fmt::format("{} belongs to another version of flatray", file.string()),
+    return unavailable("the module belongs to another version of flatray",
                        "build or install both together");
   return module;
-}
-
-Result<const FlatrayGlModule*> find_module() {
-  const std::vector<fs::path> files = candidates();
-  std::error_code ignored;
-  for (const fs::path& file : files)
-    if (fs::exists(file, ignored)) return load(file);
-  return unavailable(
-      fmt::format("the module {} is not there", files.front().string()),
-      "tools/setup --gl installs what it is built from; then build again, or say --backend "
-      "software");
 }
 
 }  // namespace

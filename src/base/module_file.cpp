@@ -1,0 +1,37 @@
+#include "base/module_file.h"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> candidates(const ModuleFile& file) {
+  const char* named = std::getenv(file.variable);
+  if (named != nullptr && *named != '\0') return {named};
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return {folder / file.name, folder / file.installed};
+}
+
+}  // namespace
+
+LoadedEntry load_module(const ModuleFile& file, const char* symbol) {
+  const std::vector<fs::path> files = candidates(file);
+  std::error_code ignored;
+  for (const fs::path& one : files) {
+    if (!fs::exists(one, ignored)) continue;
+    void* handle = dlopen(one.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+    if (handle == nullptr) return {nullptr, dlerror()};
+    void* entry = dlsym(handle, symbol);
+    return {entry, entry == nullptr ? one.string() + " is no module of flatray" : ""};
+  }
+  return {nullptr, "the module " + files.front().string() + " is not there"};
+}
+
+}  // namespace flatray

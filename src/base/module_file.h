@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+namespace flatray {
+
+/// Looks for a module that is loaded at run time: the file that the environment variable names, or
+/// else the one called `name` beside the program, then `installed`, a path from there.
+struct ModuleFile {
+  const char *name, *variable, *installed;
+};
+
+/// What a module answers by.
+struct LoadedEntry {
+  void* entry = nullptr;  ///< the function called `symbol`
+  std::string problem;    ///< why there is none; "" where there is
+};
+
+/// Gives   the same function for every call: modules stay loaded.
+LoadedEntry load_module(const ModuleFile& file, const char* symbol);
+
+}  // namespace flatray

@@ -1,0 +1,121 @@
+#include "study/leaks.h"
+
+#include <cmath>
+
+#include "base/philox.h"
+#include "base/portable_math.h"
+#include "geom/predicates.h"
+#include "transport/orbit.h"
+
+namespace flatray {
+namespace {
+
+constexpr int kCorners = 300, kPillars = 60;
+constexpr double kTurn = 6.283185307179586;
+constexpr RoomPlace kPlaces[] = {{"origin", 1, 0, 0},
+                                 {"shifted by 1e6", 1, 1e6, -1e6},
+                                 {"scaled by 1e-5", 1e-5, 0, 0},
+                                 {"scaled by 1e15", 1e15, 0, 0}};
+
+class Draw {
+ public:
+  Draw(std::uint64_t seed, std::uint64_t block) : seed_(seed), block_(block) {}
+  double unit() { return unit_double(bits()); }
+  std::uint64_t bits() { return random_bits(seed_, Stream::test, block_, next_++); }
+
+ private:
+  std::uint64_t seed_, block_, next_ = 0;
+};
+
+void add_ring(Surfaces& walls, const RoomPlace& place, const Vec2& centre, double radius,
+              int count) {
+  std::vector<Vec2> ring;
+  for (int i = 0; i < count; ++i) {
+    const double angle = kTurn * i / count;
+    const Vec2 at = centre + radius * Vec2(portable::cos(angle), portable::sin(angle));
+    ring.push_back(place.scale * at + Vec2(place.x, place.y));
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    walls.add(Segment{ring[i], ring[(i + 1) % ring.size()]});
+}
+
+// The room first, counter-clockwise; the same pillars in every place.
+Surfaces sealed_room(const RoomPlace& place, std::uint64_t seed) {
+  Draw draw(seed, ~std::uint64_t{0});
+  Surfaces walls;
+  add_ring(walls, place, {0, 0}, 1, kCorners);
+  for (int i = 0; i < kPillars; ++i) {
+    const double x = draw.unit(), y = draw.unit();
+    add_ring(walls, place, 0.6 * Vec2(2 * x - 1, 2 * y - 1), 0.01 + 0.04 * draw.unit(), 3 + i % 6);
+  }
+  return walls;
+}
+
+std::vector<Ray> aimed_rays(const Surfaces& walls, const RoomPlace& place, std::uint64_t seed,
+                            std::uint64_t block) {
+  Draw draw(seed, block);
+  std::vector<Ray> rays;
+  while (rays.size() < kRaysALeakBlock) {
+    const double x = draw.unit(), y = draw.unit();
+    const Vec2 from = place.scale * (0.65 * Vec2(2 * x - 1, 2 * y - 1)) + Vec2(place.x, place.y);
+    const Segment& aim = walls.segments[draw.bits() % walls.segments.size()];
+    rays.push_back({from, aim.a - from});
+  }
+  return rays;
+}
+
+bool is_outside(const Surfaces& walls, const Vec2& point) {
+  for (int i = 0; i < kCorners; ++i) {
+    const Segment& wall = walls.segments[static_cast<std::size_t>(i)];
+    if (orientation(wall.a, wall.b, point) == Sign::negative) return true;
+  }
+  return false;
+}
+
+void compare_first(const Tracer& tracer, const Surfaces& walls, const std::vector<Ray>& rays,
+                   LeakTally& tally) {
+  RayBatch batch;
+  for (const Ray& ray : rays) batch.add(ray);
+  std::vector<NearestHit> truth(rays.size()), hits(rays.size());
+  accelerate(walls)->nearest(batch, truth);
+  tracer.build(walls)->nearest(batch, hits);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const double t = truth[i].t;
+    if (hits[i].surface != truth[i].surface)
+      ++tally.wrong;
+    else if (hits[i].t < std::nextafter(t, -kInfinity) || hits[i].t > std::nextafter(t, kInfinity))
+      ++tally.wrong_t;
+  }
+}
+
+}  // namespace
+
+std::span<const RoomPlace> room_places() { return kPlaces; }
+
+void LeakTally::add(const LeakTally& other) {
+  rays += other.rays;
+  bounces += other.bounces;
+  leaks += other.leaks;
+  corners += other.corners;
+  wrong += other.wrong;
+  wrong_t += other.wrong_t;
+}
+
+LeakTally count_leaks(const Tracer& tracer, const RoomPlace& place, std::uint64_t seed,
+                      std::uint64_t block) {
+  const Surfaces walls = sealed_room(place, seed);
+  const std::vector<Ray> rays = aimed_rays(walls, place, seed, block);
+  LeakTally tally;
+  tally.rays = rays.size();
+  compare_first(tracer, walls, rays, tally);
+  const std::vector<Material> mirrors(walls.size(), Material::mirror);
+  for (const Orbit& orbit : trace_orbits(walls, mirrors, rays, kLeakBounces, &tracer)) {
+    tally.bounces += orbit.bounces.size();
+    if (orbit.end == OrbitEnd::corner) ++tally.corners;
+    const bool out = !orbit.bounces.empty() && is_outside(walls, orbit.bounces.back().point);
+    if (orbit.end == OrbitEnd::escape || out) ++tally.leaks;
+  }
+  return tally;
+}
+
+}  // namespace flatray

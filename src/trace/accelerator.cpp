@@ -1,0 +1,58 @@
+// Answers that every tracer gives by its nearest hits or by exact ones.
+#include "trace/cell_search.h"
+#include "trace/exact_nearest.h"
+#include "trace/tracer.h"
+
+namespace flatray {
+namespace {
+
+// Of a hit whose t, rounded to the nearest, may stand for one that is later: rounding keeps order,
+// so only where both are the same the exact t has to be asked.
+bool is_met_by(const Surfaces& walls, const Ray& ray, const NearestHit& hit, const Left& left,
+               bool tangents, double up_to) {
+  if (!hit || hit.t != up_to) return hit && hit.t < up_to;
+  ExactNearest alone(walls, ray, left, tangents);
+  alone.offer(hit.surface);
+  return !alone.time() || alone.time()->compare(up_to) <= 0;
+}
+
+}  // namespace
+
+NearestHit Accelerator::nearest_of_one(const Ray& ray, const Left& left, bool tangents) const {
+  RayBatch rays;
+  rays.tangents = tangents;
+  rays.add(ray, left);
+  NearestHit hit;
+  nearest(rays, {&hit, 1});
+  return hit;
+}
+
+void Accelerator::any(const RayBatch& rays, std::span<const double> up_to,
+                      std::span<std::uint8_t> met) const {
+  std::vector<NearestHit> hits(rays.size());
+  nearest(rays, hits);
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    met[i] = is_met_by(walls_, rays.ray(i), hits[i], rays.left[i], rays.tangents, up_to[i]) ? 1 : 0;
+}
+
+bool Accelerator::any_of_one(const Ray& ray, double up_to, const Left& left, bool tangents) const {
+  return is_met_by(walls_, ray, nearest_of_one(ray, left, tangents), left, tangents, up_to);
+}
+
+std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const Left& left,
+                                                bool tangents) const {
+  return CellSearch(walls_, nullptr).all(ray, left, tangents);
+}
+
+void Accelerator::all(const RayBatch& rays, std::vector<NearestHit>& hits,
+                      std::vector<std::size_t>& ends) const {
+  hits.clear();
+  ends.clear();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const std::vector<NearestHit> met = all_of_one(rays.ray(i), rays.left[i], rays.tangents);
+    hits.insert(hits.end(), met.begin(), met.end());
+    ends.push_back(hits.size());
+  }
+}
+
+}  // namespace flatray

@@ -1,0 +1,78 @@
+#include "base/check.h"
+#include "base/module_file.h"
+#include "trace/embree/module.h"
+#include "trace/plain_float.h"
+#include "trace/tracer.h"
+
+namespace flatray {
+namespace {
+
+// The module, or why there is none.
+struct Found {
+  const FlatrayEmbreeModule* module = nullptr;
+  std::string problem;
+};
+
+Found find_module() {
+  const LoadedEntry loaded =
+      load_module({"flatray_embree.so", "FLATRAY_EMBREE_MODULE", FLATRAY_EMBREE_INSTALLED},
+                  FLATRAY_EMBREE_ENTRY);
+  if (loaded.entry == nullptr)
+    return {nullptr, loaded.problem +
+                         "; tools/setup --bench installs what it is built from, then build again"};
+  const FlatrayEmbreeModule* module = reinterpret_cast<FlatrayEmbreeEntry>(loaded.entry)();
+  if (module == nullptr || module->abi != FLATRAY_EMBREE_ABI)
+    return {nullptr, "its module belongs to another version of flatray"};
+  return {module, ""};
+}
+
+class Embree : public Accelerator {
+ public:
+  Embree(const Surfaces& walls, const FlatrayEmbreeModule& module)
+      : Accelerator(walls),
+        module_(module),
+        scene_(module.build(walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
+                            static_cast<unsigned>(walls.segments.size()))) {
+    FLATRAY_CHECK(scene_ != nullptr, "Embree makes no device");
+  }
+  ~Embree() override { module_.release(scene_); }
+
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    std::vector<FlatrayEmbreeRay> given;
+    std::vector<FlatrayEmbreeHit> met(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const plain::Start ray = plain::start_of(rays.ray(i));
+      const std::uint32_t left = rays.left[i].surface;
+      const bool segment = left != kNoSurface && walls_.kinds[left] == SurfaceKind::segment;
+      given.push_back({ray.x, ray.y, ray.dx, ray.dy, segment ? walls_.slot[left] : kNoSurface});
+    }
+    module_.nearest(scene_, given.data(), static_cast<unsigned>(given.size()), met.data());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits[i] = {};
+      if (met[i].segment != kNoSurface)
+        hits[i] = {walls_.segment_numbers[met[i].segment], HitClass::touch, Root::none, false,
+                   static_cast<double>(met[i].t)};
+      plain::offer_circles(walls_, plain::start_of(rays.ray(i)), rays.left[i], hits[i]);
+    }
+  }
+  std::size_t bytes() const override { return 0; }  // Embree does not say
+
+ private:
+  const FlatrayEmbreeModule& module_;
+  FlatrayEmbreeScene* scene_;
+};
+
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+  const Found found = find_module();
+  FLATRAY_CHECK(found.module != nullptr, found.problem.c_str());
+  return std::make_unique<Embree>(walls, *found.module);
+}
+
+}  // namespace
+
+extern const Tracer embree_tracer;
+const Tracer embree_tracer = {
+    "embree", "Embree, robust, a module loaded at run time; single precision: not exact", false,
+    &build, [] { return find_module().problem; }};
+
+}  // namespace flatray

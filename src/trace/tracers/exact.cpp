@@ -1,0 +1,33 @@
+#include "trace/exact_nearest.h"
+#include "trace/tracer.h"
+
+namespace flatray {
+namespace {
+
+class Exact : public Accelerator {
+ public:
+  using Accelerator::Accelerator;
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
+  }
+  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
+    ExactNearest search(walls_, ray, left, tangents);
+    for (std::uint32_t surface = 0; surface < walls_.size(); ++surface) search.offer(surface);
+    return search.hit();
+  }
+  std::size_t bytes() const override { return 0; }
+};
+
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+  return std::make_unique<Exact>(walls);
+}
+
+}  // namespace
+
+extern const Tracer exact_tracer;
+const Tracer exact_tracer = {
+    "exact", "every wall against every ray by exact comparisons alone: slow, for checking", true,
+    &build};
+
+}  // namespace flatray

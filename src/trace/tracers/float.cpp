@@ -1,0 +1,50 @@
+#include "trace/plain_float.h"
+#include "trace/tracer.h"
+
+namespace flatray {
+namespace {
+
+class Float : public Accelerator {
+ public:
+  explicit Float(const Surfaces& walls) : Accelerator(walls) {
+    using plain::single;
+    for (const Segment& s : walls.segments)
+      edges_.push_back(
+          {single(s.a.x()), single(s.a.y()), single(s.b.x() - s.a.x()), single(s.b.y() - s.a.y())});
+  }
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
+  }
+  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool) const override {
+    const plain::Start start = plain::start_of(ray);
+    NearestHit best;
+    float least = plain::kNever;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const float t = plain::time_of(start, edges_[i]);
+      if (!(t < least) || walls_.segment_numbers[i] == left.surface) continue;
+      least = t;
+      best = {walls_.segment_numbers[i], HitClass::touch, Root::none, false,
+              static_cast<double>(t)};
+    }
+    plain::offer_circles(walls_, start, left, best);
+    return best;
+  }
+  std::size_t bytes() const override { return edges_.size() * sizeof(plain::Edge); }
+
+ private:
+  std::vector<plain::Edge> edges_;
+};
+
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+  return std::make_unique<Float>(walls);
+}
+
+}  // namespace
+
+extern const Tracer float_tracer;
+const Tracer float_tracer = {
+    "float", "every wall in plain single precision: not exact, to see what that gets wrong", false,
+    &build};
+
+}  // namespace flatray

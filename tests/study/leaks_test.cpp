@@ -1,0 +1,25 @@
+#include "study/leaks.h"
+
+#include <gtest/gtest.h>
+
+namespace flatray {
+namespace {
+
+TEST(Leaks, ThereAreNoneByTheGridInAnyPlace) {
+  for (const RoomPlace& place : room_places()) {
+    const LeakTally tally = count_leaks(*find_tracer("grid"), place, 1, 0);
+    EXPECT_EQ(tally.rays, kRaysALeakBlock);
+    EXPECT_EQ(tally.leaks, 0U) << place.name;
+    EXPECT_EQ(tally.wrong + tally.wrong_t, 0U) << place.name;
+    EXPECT_GT(tally.bounces, tally.rays * kLeakBounces / 4) << place.name;
+  }
+}
+
+TEST(Leaks, AreCountedWhereFirstWallsAreWrong) {
+  const LeakTally tally = count_leaks(*find_tracer("float"), room_places().front(), 1, 0);
+  EXPECT_GT(tally.wrong, 0U);
+  EXPECT_GT(tally.leaks, 0U);
+}
+
+}  // namespace
+}  // namespace flatray
