@@ -37,7 +37,7 @@ Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces) 
   const bool escapes = orbit.end == OrbitEnd::escape;
   Fields fields = path(orbit.bounces, name(orbit.end), escapes ? as_json(orbit.out) : JsonValue());
   if (orbit.end == OrbitEnd::corner) add_corner(fields, orbit.end_point, orbit.end_surfaces);
-  fields.emplace_back("certain", proven_bounces(walls, orbit));
+  fields.emplace_back("certain", proven_bounces(walls, orbit).bounces);
   return fields;
 }
 
