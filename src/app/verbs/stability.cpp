@@ -119,7 +119,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   auto log = StabilityLog::open(arguments.text("output"));
   if (!log) return fail(std::move(log));
   catch_interrupts();
-  Table table{
+  ReportTable table{
       {"family", "tracer", "rays", "hits", "wrong", "t_not_nearest", "t_off", "first_wrong"}, {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families)
