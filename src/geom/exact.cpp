@@ -11,17 +11,12 @@
 namespace flatray {
 namespace {
 
-static_assert(sizeof(__mpq_struct) <= 32);
-
 // A double holds 53 bits from 2^-1074 up to 2^1024.
-constexpr long kMantissaBits = 53, kLowestExponent = -1074, kTopExponent = 1024;
+constexpr int kMantissaBits = 53;
+constexpr long kLowestExponent = -1074, kTopExponent = 1024;
 
-__mpq_struct* number(std::byte* storage) {
-  return std::launder(reinterpret_cast<__mpq_struct*>(storage));
-}
-const __mpq_struct* number(const std::byte* storage) {
-  return std::launder(reinterpret_cast<const __mpq_struct*>(storage));
-}
+// Fractions longer than this are brought to their lowest terms.
+constexpr std::size_t kLongBits = 4096;
 
 // An mpz that frees itself.
 struct Integer {
@@ -32,28 +27,164 @@ struct Integer {
   ~Integer() { mpz_clear(z); }
 };
 
+// top * 2^exponent / bottom. Doubles, their sums and products have no bottom and are never divided
+// out; where there is one it need not be in lowest terms.
+struct Value {
+  mpz_t top, bottom;  // bottom > 0, or 0 in place of 1
+  long exponent = 0;
+
+  Value() {
+    mpz_init(top);
+    mpz_init(bottom);
+  }
+  Value(const Value&) = delete;
+  Value& operator=(const Value&) = delete;
+  ~Value() {
+    mpz_clear(top);
+    mpz_clear(bottom);
+  }
+  bool is_zero() const { return mpz_sgn(top) == 0; }
+  bool has_bottom() const { return mpz_sgn(bottom) != 0; }
+};
+
+Value& value(std::byte* storage) { return *std::launder(reinterpret_cast<Value*>(storage)); }
+const Value& value(const std::byte* storage) {
+  return *std::launder(reinterpret_cast<const Value*>(storage));
+}
+
+void shift_left(mpz_t z, long bits) { mpz_mul_2exp(z, z, static_cast<mp_bitcnt_t>(bits)); }
+// floor(z / 2^bits)
+void shift_right(mpz_t z, long bits) { mpz_fdiv_q_2exp(z, z, static_cast<mp_bitcnt_t>(bits)); }
+
+void copy(const Value& from, Value& to) {
+  mpz_set(to.top, from.top);
+  mpz_set(to.bottom, from.bottom);
+  to.exponent = from.exponent;
+}
+
+void multiply_bottom(Value& a, const mpz_t factor) {
+  if (a.has_bottom())
+    mpz_mul(a.bottom, a.bottom, factor);
+  else
+    mpz_set(a.bottom, factor);
+}
+
+// Makes the top and the bottom coprime.
+void reduce(Value& a) {
+  if (!a.has_bottom()) return;
+  Integer common;
+  mpz_gcd(common.z, a.top, a.bottom);
+  mpz_divexact(a.top, a.top, common.z);
+  mpz_divexact(a.bottom, a.bottom, common.z);
+}
+void reduce_if_long(Value& a) {
+  if (a.has_bottom() && mpz_sizeinbase(a.top, 2) + mpz_sizeinbase(a.bottom, 2) > kLongBits)
+    reduce(a);
+}
+
+// top * 2^left over the bottom of a sum or difference, in `out`.
+void scale_top(const Value& q, const mpz_t factor, long left, mpz_t out) {
+  mpz_srcptr top = q.top;
+  if (mpz_sgn(factor) != 0) {
+    mpz_mul(out, top, factor);
+    top = out;
+  }
+  mpz_mul_2exp(out, top, static_cast<mp_bitcnt_t>(left));
+}
+
+// sum = a + sign * b; `sum` is neither of them.
+void add(const Value& a, const Value& b, int sign, Value& sum) {
+  if (a.is_zero() || b.is_zero()) {
+    copy(a.is_zero() ? b : a, sum);
+    if (a.is_zero() && sign < 0) mpz_neg(sum.top, sum.top);
+    return;
+  }
+  sum.exponent = std::min(a.exponent, b.exponent);
+  const auto combine = sign < 0 ? mpz_sub : mpz_add;
+  const bool one_bottom = mpz_cmp(a.bottom, b.bottom) == 0;
+  if (one_bottom && a.exponent == b.exponent) {
+    combine(sum.top, a.top, b.top);
+  } else {
+    const Value none;
+    Integer other;
+    scale_top(a, one_bottom ? none.bottom : b.bottom, a.exponent - sum.exponent, sum.top);
+    scale_top(b, one_bottom ? none.bottom : a.bottom, b.exponent - sum.exponent, other.z);
+    combine(sum.top, sum.top, other.z);
+  }
+  mpz_set(sum.bottom, a.bottom);
+  if (!one_bottom && b.has_bottom()) multiply_bottom(sum, b.bottom);
+  reduce_if_long(sum);
+}
+
+// product = a * b; `product` is neither of them.
+void multiply(const Value& a, const Value& b, Value& product) {
+  mpz_mul(product.top, a.top, b.top);
+  product.exponent = a.exponent + b.exponent;
+  if (!a.has_bottom() || !b.has_bottom())
+    mpz_set(product.bottom, a.has_bottom() ? a.bottom : b.bottom);
+  else
+    mpz_mul(product.bottom, a.bottom, b.bottom);
+  reduce_if_long(product);
+}
+
+void divide(Value& a, const Value& b) {
+  Integer divisor;
+  mpz_set(divisor.z, b.top);
+  const int sign = mpz_sgn(divisor.z);
+  const auto twos = static_cast<long>(mpz_scan1(divisor.z, 0));
+  shift_right(divisor.z, twos);
+  mpz_abs(divisor.z, divisor.z);
+  const long exponent = b.exponent + twos;
+  if (b.has_bottom()) mpz_mul(a.top, a.top, b.bottom);
+  if (mpz_cmp_ui(divisor.z, 1) != 0) multiply_bottom(a, divisor.z);
+  a.exponent -= exponent;
+  if (sign < 0) mpz_neg(a.top, a.top);
+  reduce_if_long(a);
+}
+
 // floor(log2 |q|) or one less. Needs q != 0.
-long log2_estimate(const __mpq_struct* q) {
-  return static_cast<long>(mpz_sizeinbase(mpq_numref(q), 2)) -
-         static_cast<long>(mpz_sizeinbase(mpq_denref(q), 2)) - 1;
+long log2_estimate(const Value& q) {
+  return static_cast<long>(mpz_sizeinbase(q.top, 2)) + q.exponent - 1 -
+         (q.has_bottom() ? static_cast<long>(mpz_sizeinbase(q.bottom, 2)) : 1);
+}
+
+std::strong_ordering compare(const Value& a, const Value& b) {
+  const int sign = mpz_sgn(a.top);
+  if (sign != mpz_sgn(b.top)) return sign <=> mpz_sgn(b.top);
+  if (sign == 0) return std::strong_ordering::equal;
+  const long size_a = log2_estimate(a), size_b = log2_estimate(b);
+  if (std::labs(size_a - size_b) > 1) return size_a < size_b ? 0 <=> sign : sign <=> 0;
+  Integer left, right;
+  mpz_set(left.z, a.top);
+  mpz_set(right.z, b.top);
+  if (b.has_bottom()) mpz_mul(left.z, left.z, b.bottom);
+  if (a.has_bottom()) mpz_mul(right.z, right.z, a.bottom);
+  shift_left(left.z, std::max(0L, a.exponent - b.exponent));
+  shift_left(right.z, std::max(0L, b.exponent - a.exponent));
+  return mpz_cmp(left.z, right.z) <=> 0;
 }
 
 // floor(q * 2^shift) into `out`; returns whether that was exact.
-bool scaled_floor(const __mpq_struct* q, long shift, mpz_t out) {
-  Integer numerator, denominator, rest;
-  mpz_set(numerator.z, mpq_numref(q));
-  mpz_set(denominator.z, mpq_denref(q));
-  if (shift >= 0)
-    mpz_mul_2exp(numerator.z, numerator.z, static_cast<mp_bitcnt_t>(shift));
-  else
-    mpz_mul_2exp(denominator.z, denominator.z, static_cast<mp_bitcnt_t>(-shift));
-  mpz_fdiv_qr(out, rest.z, numerator.z, denominator.z);
+bool scaled_floor(const Value& q, long shift, mpz_t out) {
+  shift += q.exponent;
+  Integer top, bottom, rest;
+  mpz_set(top.z, q.top);
+  if (shift >= 0) shift_left(top.z, shift);
+  if (!q.has_bottom()) {
+    const bool exact = shift >= 0 || mpz_divisible_2exp_p(top.z, static_cast<mp_bitcnt_t>(-shift));
+    if (shift < 0) shift_right(top.z, -shift);
+    mpz_swap(out, top.z);
+    return exact;
+  }
+  mpz_set(bottom.z, q.bottom);
+  if (shift < 0) shift_left(bottom.z, -shift);
+  mpz_fdiv_qr(out, rest.z, top.z, bottom.z);
   return mpz_sgn(rest.z) == 0;
 }
 
 // Nearest double to q > 0, halves to even.
-double nearest_positive(const __mpq_struct* q) {
-  long top = log2_estimate(q);
+double nearest_positive(const Value& q) {
+  const long top = log2_estimate(q);
   if (top > kTopExponent) return std::numeric_limits<double>::infinity();
   // One bit beyond the last of the result, taken as the half; what is below it is the sticky bit.
   const long last = std::max(top - kMantissaBits, kLowestExponent - 1);
@@ -89,80 +220,101 @@ double nearest_to_root_sum(const Rational& p, int s, const Rational& q, double c
 
 }  // namespace
 
+static_assert(sizeof(Value) <= Rational::kBytes && alignof(Value) <= alignof(std::max_align_t));
+
 Rational::Rational(double finite) {
-  new (storage_) __mpq_struct;
-  mpq_init(number(storage_));
-  mpq_set_d(number(storage_), finite);
+  Value& made = *new (storage_) Value;
+  if (finite == 0) return;
+  int exponent = 0;
+  const auto digits =
+      static_cast<std::int64_t>(std::ldexp(std::frexp(finite, &exponent), kMantissaBits));
+  const int twos = std::countr_zero(static_cast<std::uint64_t>(digits));
+  mpz_set_si(made.top, digits >> twos);
+  made.exponent = exponent - kMantissaBits + twos;
 }
-Rational::Rational(const Rational& other) {
-  new (storage_) __mpq_struct;
-  mpq_init(number(storage_));
-  mpq_set(number(storage_), number(other.storage_));
-}
+Rational::Rational(const Rational& other) { copy(value(other.storage_), *new (storage_) Value); }
 Rational::Rational(Rational&& other) noexcept : Rational() { *this = std::move(other); }
 Rational& Rational::operator=(const Rational& other) {
-  mpq_set(number(storage_), number(other.storage_));
+  copy(value(other.storage_), value(storage_));
   return *this;
 }
 Rational& Rational::operator=(Rational&& other) noexcept {
-  mpq_swap(number(storage_), number(other.storage_));
+  Value &a = value(storage_), &b = value(other.storage_);
+  mpz_swap(a.top, b.top);
+  mpz_swap(a.bottom, b.bottom);
+  std::swap(a.exponent, b.exponent);
   return *this;
 }
-Rational::~Rational() { mpq_clear(number(storage_)); }
+Rational::~Rational() { value(storage_).~Value(); }
 
-Rational& Rational::operator+=(const Rational& b) {
-  mpq_add(number(storage_), number(storage_), number(b.storage_));
-  return *this;
+Rational operator+(const Rational& a, const Rational& b) {
+  Rational sum;
+  add(value(a.storage_), value(b.storage_), 1, value(sum.storage_));
+  return sum;
 }
-Rational& Rational::operator-=(const Rational& b) {
-  mpq_sub(number(storage_), number(storage_), number(b.storage_));
-  return *this;
+Rational operator-(const Rational& a, const Rational& b) {
+  Rational difference;
+  add(value(a.storage_), value(b.storage_), -1, value(difference.storage_));
+  return difference;
 }
-Rational& Rational::operator*=(const Rational& b) {
-  mpq_mul(number(storage_), number(storage_), number(b.storage_));
-  return *this;
+Rational operator*(const Rational& a, const Rational& b) {
+  Rational product;
+  multiply(value(a.storage_), value(b.storage_), value(product.storage_));
+  return product;
 }
 Rational& Rational::operator/=(const Rational& b) {
-  mpq_div(number(storage_), number(storage_), number(b.storage_));
+  divide(value(storage_), value(b.storage_));
   return *this;
 }
+Rational Rational::operator-() const {
+  Rational opposite = *this;
+  mpz_ptr top = value(opposite.storage_).top;
+  mpz_neg(top, top);
+  return opposite;
+}
 
-Sign Rational::sign() const { return static_cast<Sign>(mpq_sgn(number(storage_))); }
+Sign Rational::sign() const { return static_cast<Sign>(mpz_sgn(value(storage_).top)); }
 
 std::strong_ordering Rational::operator<=>(const Rational& b) const {
-  return mpq_cmp(number(storage_), number(b.storage_)) <=> 0;
+  return compare(value(storage_), value(b.storage_));
 }
-bool Rational::operator==(const Rational& b) const {
-  return mpq_equal(number(storage_), number(b.storage_)) != 0;
-}
+bool Rational::operator==(const Rational& b) const { return *this <=> b == 0; }
 
 double Rational::nearest() const {
   switch (sign()) {
     case Sign::zero:
       return 0;
     case Sign::positive:
-      return nearest_positive(number(storage_));
+      return nearest_positive(value(storage_));
     case Sign::negative:
       break;
   }
   const Rational opposite = -*this;
-  return -nearest_positive(number(opposite.storage_));
+  return -nearest_positive(value(opposite.storage_));
 }
 
 Rational Rational::floor() const {
   Rational whole;
-  mpz_fdiv_q(mpq_numref(number(whole.storage_)), mpq_numref(number(storage_)),
-             mpq_denref(number(storage_)));
+  scaled_floor(value(storage_), 0, value(whole.storage_).top);
   return whole;
 }
 
 std::string Rational::text() const {
-  const __mpq_struct* q = number(storage_);
-  std::string digits(mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 3,
-                     '\0');
-  mpq_get_str(digits.data(), 10, q);
+  Rational copied = *this;
+  Value& q = value(copied.storage_);
+  Integer bottom;
+  mpz_set_ui(bottom.z, 1);
+  shift_left(bottom.z, std::max(0L, -q.exponent));
+  shift_left(q.top, std::max(0L, q.exponent));
+  multiply_bottom(q, bottom.z);
+  reduce(q);
+  std::string digits(mpz_sizeinbase(q.top, 10) + mpz_sizeinbase(q.bottom, 10) + 3, '\0');
+  mpz_get_str(digits.data(), 10, q.top);
   digits.resize(digits.find('\0'));
-  return digits;
+  if (mpz_cmp_ui(q.bottom, 1) == 0) return digits;
+  std::string below(mpz_sizeinbase(q.bottom, 10) + 2, '\0');
+  mpz_get_str(below.data(), 10, q.bottom);
+  return digits + "/" + below.c_str();
 }
 
 Sign Rational::root_sign(const Rational& p, int s, const Rational& q) {
@@ -177,16 +329,12 @@ double Rational::root_sum(const Rational& p, int s, const Rational& q) {
   if (root_sign(p, s, q) == Sign::zero) return 0;
   if (s == 0 || q.sign() == Sign::zero) return p.nearest();
   // 96 bits of the root: floor(sqrt(q) 2^k), relative error 2^-95.
-  const long k = 96 - log2_estimate(number(q.storage_)) / 2;
-  Integer square, root;
-  scaled_floor(number(q.storage_), 2 * k, square.z);
-  mpz_sqrt(root.z, square.z);
+  const long k = 96 - log2_estimate(value(q.storage_)) / 2;
   Rational r;
-  mpq_set_z(number(r.storage_), root.z);
-  if (k >= 0)
-    mpq_div_2exp(number(r.storage_), number(r.storage_), static_cast<mp_bitcnt_t>(k));
-  else
-    mpq_mul_2exp(number(r.storage_), number(r.storage_), static_cast<mp_bitcnt_t>(-k));
+  Value& root = value(r.storage_);
+  scaled_floor(value(q.storage_), 2 * k, root.top);
+  mpz_sqrt(root.top, root.top);
+  root.exponent = -k;
   if (s < 0) r = -r;
   // Where p and the root differ in sign they may cancel: p + r = (p^2 - q) / (p - r).
   const bool cancels = static_cast<int>(p.sign()) == -s;

@@ -108,9 +108,9 @@ Rational odd_length(const std::vector<Span>& spans) {
   return sum;
 }
 
-}  // namespace
-
-Rational exact_coverage(std::span<const std::vector<Vec2>> pieces, FillRule rule, int x, int y) {
+// Of what `length` measures on the upright lines through a pixel.
+template <class Length>
+Rational area_of(std::span<const std::vector<Vec2>> pieces, int x, int y, const Length& length) {
   std::vector<Ring> rings;
   for (const std::vector<Vec2>& piece : pieces) {
     if (misses(piece, x, y)) continue;
@@ -119,12 +119,20 @@ Rational exact_coverage(std::span<const std::vector<Vec2>> pieces, FillRule rule
   }
   const std::vector<Rational> borders = slab_borders(rings);
   Rational area;
-  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
-    const std::vector<Span> spans = spans_at(rings, (borders[i] + borders[i + 1]) * Rational(0.5));
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i)
     area += (borders[i + 1] - borders[i]) *
-            (rule == FillRule::nonzero ? union_length(spans) : odd_length(spans));
-  }
+            length(spans_at(rings, (borders[i] + borders[i + 1]) * Rational(0.5)));
   return area;
+}
+
+}  // namespace
+
+Rational exact_union_area(std::span<const std::vector<Vec2>> pieces, int x, int y) {
+  return area_of(pieces, x, y, &union_length);
+}
+
+Rational exact_odd_area(std::span<const std::vector<Vec2>> pieces, int x, int y) {
+  return area_of(pieces, x, y, &odd_length);
 }
 
 }  // namespace flatray

@@ -4,16 +4,16 @@
 
 #include "geom/exact.h"
 #include "geom/vec.h"
-#include "scene/scene.h"
 
 namespace flatray {
 
-/// Exact area of the union (nonzero) or symmetric difference (even-odd) of convex pieces inside
+/// Exact area of the union or of the symmetric difference of convex pieces inside
 /// pixel [x, x+1] x [y, y+1], by clipping every piece to the pixel and cutting what is left into
 /// vertical slabs. Shares nothing with the engine: no windings, no outlines.
 ///
 /// Needs   convex rings in either orientation; without area they count for nothing.
 /// Cost    some 100 us a pixel.
-Rational exact_coverage(std::span<const std::vector<Vec2>> pieces, FillRule rule, int x, int y);
+Rational exact_union_area(std::span<const std::vector<Vec2>> pieces, int x, int y);
+Rational exact_odd_area(std::span<const std::vector<Vec2>> pieces, int x, int y);
 
 }  // namespace flatray

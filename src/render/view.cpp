@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "trace/on_surface.h"
 
 namespace flatray {
 
@@ -49,14 +50,42 @@ std::uint8_t grey_of(double value, double most) {
   return static_cast<std::uint8_t>(std::lround(255 * (1 - std::clamp(value / most, 0.0, 1.0))));
 }
 
+namespace {
+
+// What is left of a world without the walls a point lies on.
+World without_walls_at(const Vec2& point, const World& all, std::vector<Circle>& rims) {
+  World rest;
+  for (std::size_t i = 0; i < all.surfaces.size(); ++i) {
+    const std::uint32_t slot = all.surfaces.slot[i];
+    if (all.surfaces.kinds[i] == SurfaceKind::segment) {
+      const Segment& wall = all.surfaces.segments[slot];
+      if (lies_on(point, wall)) continue;
+      rest.surfaces.add(wall);
+    } else {
+      const Circle& wall = all.surfaces.circles[slot];
+      if (circle_side(point, wall) == Sign::zero) {
+        rims.push_back(wall);
+        continue;
+      }
+      rest.surfaces.add(wall);
+    }
+    rest.owners.push_back(all.owners[i]);
+  }
+  return rest;
+}
+
+}  // namespace
+
 Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState& state,
                 const FrameOptions& options) {
-  const World world = build_world(scene, state, WorldOf::everything);
+  World world = build_world(scene, state, WorldOf::everything);
+  std::vector<Circle> rims;
+  if (request.view->takes_point) world = without_walls_at(request.point, world, rims);
   const auto surfaces = request.tracer == nullptr ? accelerate(world.surfaces)
                                                   : request.tracer->build(world.surfaces);
   const PixelBox film{0, 0, scene.film.width, scene.film.height};
-  const ViewContext context{scene,     state,         world,
-                            *surfaces, request.point, options.crop.value_or(film)};
+  const ViewContext context{
+      scene, state, world, *surfaces, request.point, rims, options.crop.value_or(film)};
   Image image(context.crop.width, context.crop.height, 3);
   parallel_for(static_cast<std::size_t>(image.height), options.threads, [&](std::size_t i) {
     if (options.stop != nullptr && options.stop()) return;

@@ -16,9 +16,10 @@ namespace flatray {
 struct ViewContext {
   const Scene& scene;
   const FrameState& state;
-  const World& world;           ///< of everything, mirror or not
+  const World& world;           ///< of everything, mirror or not, but for what `argument` lies on
   const Accelerator& surfaces;  ///< of `world`
   Vec2 argument;                ///< world point, for views that take one
+  std::vector<Circle> rims;     ///< circles that `argument` lies on; its segments are nowhere
   PixelBox crop;
 };
 

@@ -30,22 +30,26 @@ void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityT
     ++tally.off_by_more;
 }
 
-StabilityTally check_scene(const Tracer& tracer, const oracle::AimedScene& scene,
-                           std::uint64_t item) {
+// One scene by all tracers: what is true is found once.
+void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScene& scene,
+                 std::uint64_t item, std::span<StabilityTally> tallies) {
   Surfaces walls;
   for (const Segment& wall : scene.walls) walls.add(wall);
   RayBatch rays;
   for (const Ray& ray : scene.rays) rays.add(ray);
+  std::vector<oracle::NearestWall> truth;
+  for (const Ray& ray : scene.rays) truth.push_back(oracle::nearest_wall(ray, scene.walls));
   std::vector<NearestHit> hits(rays.size());
-  tracer.build(walls)->nearest(rays, hits);
-  StabilityTally tally;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    const std::uint64_t before = tally.wrong;
-    compare(hits[i], oracle::nearest_wall(scene.rays[i], scene.walls), tally);
-    if (tally.wrong > before && tally.first_wrong.empty())
-      tally.first_wrong = fmt::format("item {} ray {}", item, i);
+  for (std::size_t k = 0; k < tracers.size(); ++k) {
+    tracers[k]->build(walls)->nearest(rays, hits);
+    StabilityTally& tally = tallies[k];
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const std::uint64_t before = tally.wrong;
+      compare(hits[i], truth[i], tally);
+      if (tally.wrong > before && tally.first_wrong.empty())
+        tally.first_wrong = fmt::format("item {} ray {}", item, i);
+    }
   }
-  return tally;
 }
 
 }  // namespace
@@ -60,12 +64,13 @@ void StabilityTally::add(const StabilityTally& other) {
   if (first_wrong.empty()) first_wrong = other.first_wrong;
 }
 
-StabilityTally check_scenes(const Tracer& tracer, const oracle::Family& family, std::uint64_t seed,
-                            std::uint64_t first, std::uint64_t count) {
-  StabilityTally tally;
+std::vector<StabilityTally> check_scenes(std::span<const Tracer* const> tracers,
+                                         const oracle::Family& family, std::uint64_t seed,
+                                         std::uint64_t first, std::uint64_t count) {
+  std::vector<StabilityTally> tallies(tracers.size());
   for (std::uint64_t item = first; item < first + count; ++item)
-    tally.add(check_scene(tracer, make_scene(family, seed, item), item));
-  return tally;
+    check_scene(tracers, make_scene(family, seed, item), item, tallies);
+  return tallies;
 }
 
 }  // namespace flatray

@@ -28,8 +28,10 @@ class CellWalk {
 
   const CellGrid& grid_;
   Start start_ = Start::walks;
-  Vec2 origin_, direction_, inverse_;  // in cells, direction of unit length
-  Vec2 corner_, exit_;                 // of the cell; planes by which its box is left
+  CellGrid::Turn turn_;
+  // In cells, turned so that the ray goes up and to the right; step_ is of unit length.
+  Vec2 origin_, step_, inverse_;
+  Vec2 place_, corner_, exit_;  // where the cell is entered; of it; planes its box is left by
   double begin_ = 0;  // t of origin_, which is on the border of the grid for rays from beyond it
   double exit_t_ = 0, length_ = 1, limit_ = 0;
   std::size_t record_ = 0;

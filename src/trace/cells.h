@@ -34,11 +34,22 @@ class CellGrid {
   double unit() const { return unit_; }
 
   bool has_cells() const { return !words_.empty(); }
-  /// Word of the cell with lower corner (x, y), in place() coordinates; `Needs` one in the grid or
+  /// Signs of a direction: places are turned by them so that rays go up and to the right.
+  struct Turn {
+    bool x = false, y = false;
+    Vec2 operator()(const Vec2& place) const {
+      return {x ? -place.x() : place.x(), y ? -place.y() : place.y()};
+    }
+  };
+  /// A cell that is not divided further: its turned lower corner, its side, its word (walk.h).
+  struct Cell {
+    Vec2 corner;
+    double side;
+    std::uint32_t word;
+  };
+  /// The cell that a ray of direction `turn` enters at a turned place; `Needs` one in the grid or
   /// its ring.
-  std::uint32_t word(double x, double y) const {
-    return words_[static_cast<std::size_t>(first_ + stride_ * y + x)];
-  }
+  Cell cell_at(const Vec2& place, const Turn& turn) const;
   /// Slot of the segment of a record.
   std::uint32_t slot(std::size_t record) const { return slots_[record]; }
   /// Whether it is the last of its cell.
@@ -53,6 +64,10 @@ class CellGrid {
   /// Whether another segment has the mark of this one.
   bool is_twin(std::size_t slot) const { return !twins_.empty() && twins_[slot]; }
 
+  std::int32_t columns() const { return columns_; }
+  std::int32_t rows() const { return rows_; }
+  /// Cells that are divided.
+  std::size_t divided() const { return divided_; }
   std::size_t bytes() const;
 
  private:
@@ -63,16 +78,18 @@ class CellGrid {
   void divide(const Surfaces& walls);
   void set_cells(std::int32_t columns, std::int32_t rows);
   Ends ends(const Segment& segment) const;
-  template <class Visit>
-  void visit_cells(const Segment& segment, const Visit& visit) const;
   void fill(const Surfaces& walls);
+  std::uint32_t write_list(const Surfaces& walls, std::span<const std::uint32_t> slots);
+  int parts(const Surfaces& walls, std::span<const std::uint32_t> slots) const;
+  std::uint32_t write_divided(const Surfaces& walls, std::span<const std::uint32_t> slots,
+                              const Vec2& corner, int n);
   void write_record(const Ends& ends, bool is_last, std::size_t record);
-  void mark_empty();
   void find_twins(const Surfaces& walls);
 
   Vec2 centre_, size_, scale_;
   std::int32_t columns_ = 0, rows_ = 0;  // without the ring
   double stride_ = 0, first_ = 0, unit_ = 0;
+  std::size_t divided_ = 0;
   std::vector<std::uint32_t> words_, slots_;
   std::vector<float> records_;
   std::vector<bool> twins_;

@@ -130,6 +130,14 @@ class LaneTracer : public Accelerator {
     return search_.nearest(ray, left, tangents);
   }
   std::size_t bytes() const override { return cells_.bytes(); }
+  std::string structure() const override {
+    if (!cells_.has_cells()) return "one list";
+    const std::string cells =
+        std::to_string(cells_.columns()) + " x " + std::to_string(cells_.rows()) + " cells";
+    return cells_.divided() == 0
+               ? cells
+               : cells + ", " + std::to_string(cells_.divided()) + " of them crowded and divided";
+  }
 
  private:
   // The usual case: sure of one segment, and of its t. (Without circles slots are numbers.)

@@ -26,6 +26,8 @@ class Accelerator {
                                     bool tangents = true) const;
   /// What it holds beside the walls themselves.
   virtual std::size_t bytes() const = 0;
+  /// How the walls are kept, in words; may be empty.
+  virtual std::string structure() const { return {}; }
 };
 
 /// One way to find the first wall of many rays. Exact tracers agree bit for bit.

@@ -158,7 +158,8 @@ inline std::vector<std::uint32_t> steps_of(const FillPath& path, const PixelBox&
 }
 
 inline std::uint32_t exact_steps(const Region& region, int x, int y) {
-  Rational steps = exact_coverage(region.pieces, region.path.rule, x, y);
+  Rational steps = region.path.rule == FillRule::nonzero ? exact_union_area(region.pieces, x, y)
+                                                         : exact_odd_area(region.pieces, x, y);
   steps *= kFullCoverage;
   return static_cast<std::uint32_t>(steps.floor().nearest());
 }

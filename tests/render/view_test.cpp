@@ -1,4 +1,4 @@
-// needs: shapes/circle shapes/box
+// needs: shapes/circle shapes/box shapes/segment
 #include "render/view.h"
 
 #include <fmt/core.h>
@@ -61,6 +61,55 @@ TEST(View, ALightBehindTheBoxDoesNotReachItsOtherSide) {
   const Image lit = view_of(scene_of(kBox), "visibility", {7.5, 0.5});
   EXPECT_EQ(row(lit, 3), (std::vector<int>{64, 64, 64, 64, 64, 64, 255, 255}));
   EXPECT_EQ(row(lit, 0)[7], 255);
+}
+
+// Every centre of a picture against a rule.
+template <class Lit>
+void expect_lit(const std::string& text, const Vec2& point, const Lit& lit) {
+  const Scene scene = scene_of(text);
+  const Image seen = view_of(scene, "visibility", point);
+  for (int y = 0; y < seen.height; ++y)
+    for (int x = 0; x < seen.width; ++x) {
+      const double side = 8.0 / seen.width;
+      const Vec2 centre((x + 0.5) * side - 4, 4 - (y + 0.5) * side);
+      EXPECT_EQ(seen.at(x, y)[0] == 255, lit(centre)) << centre.transpose();
+    }
+}
+
+// The top of a box is y = 1 for |x| <= 3: from a point on it, all is lit but what lies behind the
+// bottom and the sides, y < -1 and |x| > 3 below the top. A third is no double: 0.3 lies between.
+TEST(View, APointOnAWallLightsBothItsSides) {
+  expect_lit(R"(flatray = 1
+film = { size = [80, 80], world = [[-4, -4], [4, 4]] }
+[[entity]]
+shape = { box = { min = [-3, -1], max = [3, 1] } }
+)",
+             {0.3, 1}, [](const Vec2& p) {
+               return p.y() >= 1 || (p.y() >= -1 && p.x() >= -3 && p.x() <= 3);
+             });
+}
+
+// On a slanted wall rays from the pixels to the point end short of it or beyond by rounding, in
+// stripes.
+TEST(View, APointOnASlantedWallCastsNoStripes) {
+  expect_lit(R"(flatray = 1
+film = { size = [101, 101], world = [[-4, -4], [4, 4]] }
+[[entity]]
+shape = { segment = { from = [-3, -1], to = [3, 2] } }
+stroke = { width = 0.1, colour = "#000000" }
+)",
+             {1, 1}, [](const Vec2&) { return true; });
+}
+
+TEST(View, APointOnARimLightsTheDiscAndItsOwnHalfPlane) {
+  expect_lit(R"(flatray = 1
+film = { size = [81, 81], world = [[-4, -4], [4, 4]] }
+[[entity]]
+shape = { circle = { radius = 1.25 } }
+)",
+             {0.75, 1}, [](const Vec2& p) {
+               return p.squaredNorm() <= 1.25 * 1.25 || 0.75 * p.x() + p.y() >= 1.25 * 1.25;
+             });
 }
 
 TEST(View, HitsHaveOneColourAnObject) {

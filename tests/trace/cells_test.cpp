@@ -207,6 +207,29 @@ TEST(Tracers, TakesBatchesOfAnySize) {
   }
 }
 
+// Shapes ever smaller and closer towards a corner and a wall, of which many share a cell: these are
+// divided, and shapes too small for their parts go one by one.
+TEST(Tracers, AgreeWhereWallsCrowd) {
+  for (const double power : {2.0, 4.0, 8.0}) {
+    Case c = random_case(static_cast<std::uint64_t>(power), 500, 0.05, 300);
+    const auto squeeze = [&](Vec2& p) { p = {std::pow(p.x(), power), std::pow(p.y(), 2)}; };
+    for (Segment& s : c.walls.segments) {
+      squeeze(s.a);
+      squeeze(s.b);
+    }
+    Draws draw(15);
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 from = any_end(draw, c.walls), to = any_end(draw, c.walls);
+      c.rays.add({draw.point(), to - from});
+      c.rays.add({from, to - from}, {static_cast<std::uint32_t>(draw.bits() % 4), Root::none});
+    }
+    const auto grid = CellGrid::build(c.walls);
+    ASSERT_TRUE(grid);
+    EXPECT_GT(grid->divided(), 0U) << power;
+    expect_all_tiers_exact(c);
+  }
+}
+
 // A segment is listed in every cell it comes near to, whatever its slope: points all along it are
 // in cells that have it.
 TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {
@@ -218,7 +241,7 @@ TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {
     for (int k = 0; k <= 50; ++k) {
       const Segment& s = walls.segments[slot];
       const Vec2 at = grid->place(s.a + k / 50.0 * (s.b - s.a));
-      const std::uint32_t word = grid->word(std::floor(at.x()), std::floor(at.y()));
+      const std::uint32_t word = grid->cell_at(at, {}).word;
       ASSERT_LT(word, 0x80000000U);
       std::size_t record = word;
       while (grid->slot(record) != slot && !grid->last(record)) ++record;

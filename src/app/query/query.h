@@ -1,9 +1,11 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/query/question.h"
+#include "geom/hit_interval.h"
 
 namespace flatray {
 
@@ -18,6 +20,11 @@ struct Query {
 
 /// Registered queries by name.
 std::vector<const Query*> all_queries();
+
+/// An end of an interval: null where there is none, or no interval.
+inline JsonValue interval_end(const HitInterval& interval, double t) {
+  return interval && std::isfinite(t) ? JsonValue(t) : JsonValue();
+}
 
 /// A line of answer, without its end.
 struct Answer {

@@ -28,7 +28,10 @@ TracerChoice tracer_of(const RenderJob& job) {
   if (job.scene.rays.empty()) return {nullptr, "no rays"};
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   const unsigned frame = job.frames.empty() ? 1 : job.frames.front();
-  return choose_tracer(build_world(job.scene, at(timeline, frame)).surfaces);
+  const World world = build_world(job.scene, at(timeline, frame));
+  TracerChoice choice = choose_tracer(world.surfaces);
+  choice.reason += "; " + choice.tracer->build(world.surfaces)->structure();
+  return choice;
 }
 
 ReportTable decisions(const RenderJob& job, unsigned threads) {
@@ -50,7 +53,8 @@ ReportTable decisions(const RenderJob& job, unsigned threads) {
       fmt::format("{} threads, {} to draw", threads, count));
   add("memory",
       fmt::format("{:.1f} MB", static_cast<double>(peak_bytes(job, count, threads)) / 1e6),
-      fmt::format("pictures of {}x{} at their peak", job.picture().width, job.picture().height));
+      fmt::format("pictures of {}x{} and what lies still in them, at most", job.picture().width,
+                  job.picture().height));
   return table;
 }
 

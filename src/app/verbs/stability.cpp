@@ -89,26 +89,44 @@ StabilityLog::Key key_of(const Plan& plan, const oracle::Family& family, const T
   return {family.name, tracer.name, isa_name(active_isa()), plan.seed, chunk};
 }
 
+// The tracers that have not yet answered a chunk.
+std::vector<const Tracer*> still_open(const Plan& plan, const oracle::Family& family,
+                                      std::uint64_t chunk, const StabilityLog& log) {
+  std::vector<const Tracer*> open;
+  for (const Tracer* tracer : plan.tracers)
+    if (!log.has(key_of(plan, family, *tracer, chunk))) open.push_back(tracer);
+  return open;
+}
+
+struct Chunk {
+  std::uint64_t number;
+  std::vector<const Tracer*> tracers;
+  std::vector<StabilityTally> tallies;
+};
+
 // Chunks not yet in the log, a round of `threads` at a time; each is logged when it is there.
-Result<void> run_chunks(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
-                        StabilityLog& log) {
-  std::vector<std::uint64_t> open;
-  for (std::uint64_t chunk = 0; chunk < plan.chunks; ++chunk)
-    if (!log.has(key_of(plan, family, tracer, chunk))) open.push_back(chunk);
-  for (std::size_t begin = 0; begin < open.size() && !interrupted(); begin += plan.threads) {
-    const std::size_t count = std::min<std::size_t>(plan.threads, open.size() - begin);
-    std::vector<StabilityTally> tallies(count);
+Result<void> run_chunks(const Plan& plan, const oracle::Family& family, StabilityLog& log) {
+  std::vector<Chunk> chunks;
+  for (std::uint64_t number = 0; number < plan.chunks; ++number)
+    if (auto open = still_open(plan, family, number, log); !open.empty())
+      chunks.push_back({number, std::move(open), {}});
+  for (std::size_t begin = 0; begin < chunks.size() && !interrupted(); begin += plan.threads) {
+    const auto round = std::span(chunks).subspan(
+        begin, std::min<std::size_t>(plan.threads, chunks.size() - begin));
     const auto start = std::chrono::steady_clock::now();
-    parallel_for(count, plan.threads, [&](std::size_t i) {
-      tallies[i] =
-          check_scenes(tracer, family, plan.seed, open[begin + i] * kScenesAChunk, kScenesAChunk);
+    parallel_for(round.size(), plan.threads, [&](std::size_t i) {
+      Chunk& chunk = round[i];
+      chunk.tallies = check_scenes(chunk.tracers, family, plan.seed, chunk.number * kScenesAChunk,
+                                   kScenesAChunk);
     });
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    for (std::size_t i = 0; i < count; ++i) {
-      const StabilityLog::Key key = key_of(plan, family, tracer, open[begin + i]);
-      const double seconds = time.count() / static_cast<double>(count);
-      if (auto logged = log.add(key, tallies[i], seconds); !logged) return logged;
-    }
+    const double seconds = time.count() / static_cast<double>(round.size());
+    for (const Chunk& chunk : round)
+      for (std::size_t k = 0; k < chunk.tracers.size(); ++k)
+        if (auto logged = log.add(key_of(plan, family, *chunk.tracers[k], chunk.number),
+                                  chunk.tallies[k], seconds);
+            !logged)
+          return logged;
   }
   return {};
 }
@@ -122,15 +140,15 @@ Result<VerbOutput> run(const Arguments& arguments) {
   ReportTable table{
       {"family", "tracer", "rays", "hits", "wrong", "t_not_nearest", "t_off", "first_wrong"}, {}};
   std::uint64_t wrong = 0;
-  for (const oracle::Family* family : plan->families)
+  for (const oracle::Family* family : plan->families) {
+    if (auto done = run_chunks(*plan, *family, *log); !done) return fail(std::move(done));
     for (const Tracer* tracer : plan->tracers) {
-      if (auto done = run_chunks(*plan, *family, *tracer, *log); !done)
-        return fail(std::move(done));
       const StabilityTally sum = log->sum(key_of(*plan, *family, *tracer, 0), plan->chunks);
       wrong += sum.wrong + sum.off_by_more;
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong,
                             sum.not_nearest, sum.off_by_more, sum.first_wrong});
     }
+  }
   const int code = interrupted() ? 130 : wrong == 0 ? 0 : 1;
   if (arguments.has("json"))
     return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};

@@ -34,6 +34,10 @@ inline Mask negative(Float a) { return word_bits(a) < 0; }
 inline Mask odd(Float a) { return (word_bits(a) & 1) != 0; }
 inline Int next(Int a) { return a + 1; }
 inline Int low_seven(Int a) { return a & 127; }
+inline Mask second_bit(Int a) { return (a >> 30 & 1) != 0; }
+inline Float exponent_of(Int a) { return __builtin_bit_cast(Float, a & 0x7f800000); }
+inline Int sixteenfold(Int a) { return (a & 0x7fffff) << 4; }
+inline Int sum(Int a, Int b) { return a + b; }
 inline Int shifted(Int a, Int by) { return static_cast<Int>(static_cast<unsigned>(a) >> by); }
 inline Int gather(const unsigned* from, Int at) { return static_cast<Int>(from[at]); }
 inline Mask lanes_of(unsigned chosen) { return chosen != 0; }
@@ -81,6 +85,10 @@ inline Mask negative(Float a) { return negative(word_bits(a)); }
 inline Mask odd(Float a) { return negative(_mm_slli_epi32(word_bits(a), 31)); }
 inline Int next(Int a) { return _mm_add_epi32(a, all(1)); }
 inline Int low_seven(Int a) { return _mm_and_si128(a, _mm_set1_epi32(127)); }
+inline Mask second_bit(Int a) { return negative(_mm_slli_epi32(a, 1)); }
+inline Float exponent_of(Int a) { return _mm_castsi128_ps(_mm_and_si128(a, all(0x7f800000))); }
+inline Int sixteenfold(Int a) { return _mm_slli_epi32(_mm_and_si128(a, all(0x7fffff)), 4); }
+inline Int sum(Int a, Int b) { return _mm_add_epi32(a, b); }
 inline Int shifted(Int a, Int by) {
   alignas(16) unsigned word[4], count[4];
   store(word, a);
@@ -139,6 +147,12 @@ inline Mask negative(Float a) { return a; }
 inline Mask odd(Float a) { return _mm256_castsi256_ps(_mm256_slli_epi32(word_bits(a), 31)); }
 inline Int next(Int a) { return _mm256_add_epi32(a, all(1)); }
 inline Int low_seven(Int a) { return _mm256_and_si256(a, _mm256_set1_epi32(127)); }
+inline Mask second_bit(Int a) { return _mm256_castsi256_ps(_mm256_slli_epi32(a, 1)); }
+inline Float exponent_of(Int a) {
+  return _mm256_castsi256_ps(_mm256_and_si256(a, all(0x7f800000)));
+}
+inline Int sixteenfold(Int a) { return _mm256_slli_epi32(_mm256_and_si256(a, all(0x7fffff)), 4); }
+inline Int sum(Int a, Int b) { return _mm256_add_epi32(a, b); }
 inline Int shifted(Int a, Int by) { return _mm256_srlv_epi32(a, by); }
 inline Int gather(const unsigned* from, Int at) {
   alignas(32) unsigned i[8];
@@ -189,6 +203,14 @@ inline Mask negative(Float a) { return negative(word_bits(a)); }
 inline Mask odd(Float a) { return _mm512_test_epi32_mask(word_bits(a), all(1)); }
 inline Int next(Int a) { return _mm512_add_epi32(a, all(1)); }
 inline Int low_seven(Int a) { return _mm512_and_si512(a, all(127)); }
+inline Mask second_bit(Int a) { return _mm512_test_epi32_mask(a, all(0x40000000)); }
+inline Float exponent_of(Int a) {
+  return _mm512_castsi512_ps(_mm512_and_si512(a, all(0x7f800000)));
+}
+inline Int sixteenfold(Int a) {
+  return _mm512_maskz_slli_epi32(0xffff, _mm512_and_si512(a, all(0x7fffff)), 4);
+}
+inline Int sum(Int a, Int b) { return _mm512_add_epi32(a, b); }
 inline Int shifted(Int a, Int by) { return _mm512_maskz_srlv_epi32(0xffff, a, by); }
 inline Int gather(const unsigned* from, Int at) {
   return _mm512_mask_i32gather_epi32(all(0), 0xffff, at, from, 4);

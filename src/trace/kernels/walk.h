@@ -21,9 +21,10 @@
 //   no hit      a wall that is not surely crossed meets the ray, if at all, between t_A and t_B.
 //   place       the ray leaves a box of cells at the least t of its two exit planes as computed; up
 //               to there it is within 10 u M of the box, and the next cell is rounded from a place
-//               as near: 20 u M in all.
+//               as near: 20 u M in all. Cells of divided cells are found from the same place, by
+//               differences and powers of two without rounding.
 // A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
-// kNear + 20 <= kMargin. So a wall listed in two cells is not its own rival.
+// kNear + 20 <= kMargin. So a wall listed in two cells is rarely its own rival.
 namespace flatray::lanes {
 
 // A direction component no smaller than this has an inverse; over the way through any grid that
@@ -39,6 +40,9 @@ inline constexpr int kSide = 16, kTime = 33, kNear = 64, kMargin = 128;
 /// A cell of walls is the number of its first record; they go on to the one with an odd last word.
 /// An empty cell has the sign bit and four times seven bits: the side of the square of empty cells
 /// that grows from it towards +x +y, -x +y, +x -y, -x -y. In the ring the sides are 0.
+/// A crowded cell is divided: its word is the float n = 2, 4, ... with a sixteenth of the index of
+/// its n x n cells, row by row, in place of the fraction. Of its bits 31 and 30 only the second is
+/// set; of a cell of walls neither. Squares of empty cells end where the divided cell does.
 struct Grid {
   const unsigned* cells;
   const float* records;  ///< ax, ay, bx, by of a wall in a cell

@@ -20,7 +20,7 @@ struct Group {
   Float left_ax, left_ay, left_bx;
   Float ray;               // its number
   Int quadrant;            // shift of the word of an empty cell
-  Float x, y;              // corner of the cell just entered, turned
+  Float x, y;              // where a cell is entered, then its corner, turned
   Float exit_x, exit_y;    // planes by which its box is left
   Float exit, limit;       // t there; hits later than the limit wait
   Int record, best;        // to be tested next, or negative; of the best sure hit
@@ -74,24 +74,48 @@ inline void advance(Group& g) {
   g.live = but_not(g.live, stop);
   g.done = either(g.done, stop);
   g.moving = but_not(g.moving, stop);
-  const Float x = larger(floor(g.from_x + g.exit * g.step_x), g.x);
-  const Float y = larger(floor(g.from_y + g.exit * g.step_y), g.y);
+  const Float x = larger(g.from_x + g.exit * g.step_x, g.x);
+  const Float y = larger(g.from_y + g.exit * g.step_y, g.y);
   g.x = choose(g.moving, choose(g.across_x, g.exit_x, x), g.x);
   g.y = choose(g.moving, choose(g.across_x, y, g.exit_y), g.y);
 }
 
+// The words of the cells that rays enter, and the sides of these cells; moves the rays to their
+// corners.
+inline Int look_up(const unsigned* cells, Group& g, Float& cell) {
+  const Float one = all(1.0F), x = floor(g.x), y = floor(g.y);
+  const Int word = gather(cells, whole(g.turn_y * y + (g.turn_x * x + g.first)));
+  const Mask divided = second_bit(word);
+  if (bits(divided) == 0) {
+    g.x = x;
+    g.y = y;
+    cell = one;
+    return word;
+  }
+  const Float n = choose(divided, exponent_of(word), one);
+  const Float column = floor((g.x - x) * n), row = floor((g.y - y) * n);
+  const Float at_x = choose(negative(g.dx), n - one - column, column);
+  const Float at_y = choose(negative(g.dy), n - one - row, row);
+  const Int at = sum(sixteenfold(word), whole(at_y * n + at_x));
+  cell = one / n;
+  g.x = x + column * cell;
+  g.y = y + row * cell;
+  return choose(divided, gather(cells, choose(divided, at, all(0))), word);
+}
+
 // Looks up the cells just entered; of rays that stay in their cell the record alone is new.
 inline void enter(const Constants& c, const unsigned* cells, const float* records, Group& g) {
-  const Int word = gather(cells, whole(g.turn_y * g.y + (g.turn_x * g.x + g.first)));
+  Float cell;
+  const Int word = look_up(cells, g, cell);
   const Mask empty = negative(word);
-  const Float side = choose(empty, real(low_seven(shifted(word, g.quadrant))), all(1.0F));
+  const Float side = choose(empty, real(low_seven(shifted(word, g.quadrant))) * cell, cell);
   g.record = choose(g.moving, choose(empty, all(-1), word), g.record);
   g.exit_x = g.x + side;
   g.exit_y = g.y + side;
   const Float t_x = (g.exit_x - g.from_x) * g.inverse_x, t_y = (g.exit_y - g.from_y) * g.inverse_y;
   g.across_x = less(t_x, t_y);
   g.exit = smaller(t_x, t_y);
-  g.limit = choose(less(side, all(1.0F)), all(kEndless), g.exit - c.near);
+  g.limit = choose(less(all(0.0F), side), g.exit - c.near, all(kEndless));
   // The records are wanted when the other groups have looked up theirs.
   alignas(64) unsigned at[kLanes];
   store(at, choose(negative(g.record), all(0), g.record));
@@ -152,8 +176,8 @@ void take(const Constants& c, unsigned lanes, Group& g, Queue& queue) {
   const Int left = choose(negative(g.dx), all(21), all(14));
   g.quadrant = choose(negative(g.dy), left, right);
   const Mask fresh = lanes_of(lanes);
-  g.x = choose(fresh, floor(g.from_x), g.x);
-  g.y = choose(fresh, floor(g.from_y), g.y);
+  g.x = choose(fresh, g.from_x, g.x);
+  g.y = choose(fresh, g.from_y, g.y);
   g.low = choose(fresh, all(kFar), g.low);
   g.high = choose(fresh, all(kFar), g.high);
   g.other = choose(fresh, all(kFar), g.other);
