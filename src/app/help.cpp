@@ -12,8 +12,8 @@
 namespace flatray {
 namespace {
 
-Table key_table(std::span<const KeyInfo> keys) {
-  Table table{{"key", "takes", "default"}, {}};
+ReportTable key_table(std::span<const KeyInfo> keys) {
+  ReportTable table{{"key", "takes", "default"}, {}};
   for (const KeyInfo& key : keys) table.rows.push_back({key.name, key.takes, key.fallback});
   return table;
 }

@@ -48,7 +48,7 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
 
 /// As `flatray hit` prints it: for people, as rows, as an object.
 std::string text_of(const HitReport& report);
-Table csv_rows(const std::vector<HitReport>& reports);
+ReportTable csv_rows(const std::vector<HitReport>& reports);
 JsonValue as_value(const HitReport& report);
 
 }  // namespace flatray

@@ -21,8 +21,8 @@ std::string range_text(const Range& range) {
   return fmt::format("[{}, {}]", number_text(range.low), number_text(range.high));
 }
 
-Table step_table(const HitReport& report) {
-  Table table{{"edge", "numerator", "denominator", "t", "kind", "candidate"}, {}};
+ReportTable step_table(const HitReport& report) {
+  ReportTable table{{"edge", "numerator", "denominator", "t", "kind", "candidate"}, {}};
   for (const HitStep& step : report.steps)
     table.rows.push_back({step.edge ? JsonValue(*step.edge) : JsonValue("cut"), step.numerator,
                           step.denominator, step.t ? with_fraction(*step.t, step.exact_t) : "-",
@@ -102,10 +102,11 @@ std::string text_of(const HitReport& report) {
   return text + verdict_text(report);
 }
 
-Table csv_rows(const std::vector<HitReport>& reports) {
-  Table table{{"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
-               "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"},
-              {}};
+ReportTable csv_rows(const std::vector<HitReport>& reports) {
+  ReportTable table{
+      {"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
+       "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"},
+      {}};
   for (const HitReport& report : reports) {
     if (report.steps.empty()) table.rows.push_back(csv_row(report, nullptr));
     for (const HitStep& step : report.steps) table.rows.push_back(csv_row(report, &step));

@@ -21,18 +21,18 @@ void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), s
 
 }  // namespace
 
-std::string progress_bar(std::size_t done, std::size_t total, double seconds) {
+std::string progress_bar(std::size_t done, std::size_t total, double seconds, const char* unit) {
   const std::size_t filled = total == 0 ? kBarWidth : done * kBarWidth / total;
   std::string text = fmt::format("[{}{}]  {}/{}", std::string(filled, '#'),
                                  std::string(kBarWidth - filled, '.'), done, total);
   if (done == 0 || !(seconds > 0)) return text;
   const double rate = static_cast<double>(done) / seconds;
-  return text + fmt::format("  {:.1f} frames/s  {:.0f} s left", rate,
+  return text + fmt::format("  {:.1f} {}/s  {:.0f} s left", rate, unit,
                             static_cast<double>(total - done) / rate);
 }
 
-Progress::Progress(std::size_t total, ProgressMode mode)
-    : total_(total), style_(Style::none), start_(std::chrono::steady_clock::now()) {
+Progress::Progress(std::size_t total, ProgressMode mode, const char* unit)
+    : total_(total), unit_(unit), style_(Style::none), start_(std::chrono::steady_clock::now()) {
   if (mode == ProgressMode::never || total < 2) return;
   if (is_terminal())
     style_ = Style::bar;
@@ -41,7 +41,7 @@ Progress::Progress(std::size_t total, ProgressMode mode)
 }
 
 void Progress::draw_bar(std::size_t done, double seconds) const {
-  print("\r" + progress_bar(done, total_, seconds) + "   ");
+  print("\r" + progress_bar(done, total_, seconds, unit_) + "   ");
 }
 
 void Progress::step() {
@@ -56,7 +56,7 @@ void Progress::step() {
   if (style_ == Style::bar)
     draw_bar(done, elapsed.count());
   else
-    print(fmt::format("flatray: {} %, {} of {} frames\n", now * 25, done, total_));
+    print(fmt::format("flatray: {} %, {} of {} {}\n", now * 25, done, total_, unit_));
 }
 
 void Progress::finish() {

@@ -13,7 +13,7 @@ enum class ProgressMode { automatic, always, never };
 /// five lines. `step` may be called by several threads.
 class Progress {
  public:
-  Progress(std::size_t total, ProgressMode mode);
+  Progress(std::size_t total, ProgressMode mode, const char* unit = "frames");
   void step();
   /// Clears the bar, so that what follows begins a line.
   void finish();
@@ -23,6 +23,7 @@ class Progress {
   void draw_bar(std::size_t done, double seconds) const;
 
   std::size_t total_;
+  const char* unit_;
   Style style_;
   std::chrono::steady_clock::time_point start_;
   std::atomic<std::size_t> done_{0};
@@ -30,6 +31,7 @@ class Progress {
 };
 
 /// Text of the bar: "[#####.....]  60/120  24.1 frames/s  2 s left".
-std::string progress_bar(std::size_t done, std::size_t total, double seconds);
+std::string progress_bar(std::size_t done, std::size_t total, double seconds,
+                         const char* unit = "frames");
 
 }  // namespace flatray

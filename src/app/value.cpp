@@ -101,7 +101,7 @@ struct Column {
   bool numbers = false;
 };
 
-std::vector<Column> columns_of(const Table& table) {
+std::vector<Column> columns_of(const ReportTable& table) {
   std::vector<Column> columns(table.rows.empty() ? table.columns.size()
                                                  : table.rows.front().size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) columns[i].width = table.columns[i].size();
@@ -143,7 +143,7 @@ std::string indented_json(const JsonValue& value) {
   return Json::parse(json_text(value)).dump(2) + "\n";
 }
 
-std::string aligned_text(const Table& table, const std::string& indent) {
+std::string aligned_text(const ReportTable& table, const std::string& indent) {
   const std::vector<Column> columns = columns_of(table);
   std::string text;
   const auto add_line = [&](const Values& cells) {
@@ -160,13 +160,13 @@ std::string aligned_text(const Table& table, const std::string& indent) {
   return text;
 }
 
-std::string csv_text(const Table& table) {
+std::string csv_text(const ReportTable& table) {
   std::string text = csv_line(Values(table.columns.begin(), table.columns.end()));
   for (const Values& row : table.rows) text += csv_line(row);
   return text;
 }
 
-JsonValue as_objects(const Table& table) {
+JsonValue as_objects(const ReportTable& table) {
   Values objects;
   for (const Values& row : table.rows) {
     Fields fields;

@@ -55,16 +55,16 @@ tl::expected<JsonValue, JsonMistake> read_json(std::string_view text);
 std::optional<JsonValue> parse_json(std::string_view text);
 
 /// Rows of equal length under column names.
-struct Table {
+struct ReportTable {
   std::vector<std::string> columns;
   std::vector<Values> rows;
 };
 /// Columns lined up with blanks, those with numbers to the right; without names the rows alone.
 /// Each line begins with `indent`.
-std::string aligned_text(const Table& table, const std::string& indent = {});
+std::string aligned_text(const ReportTable& table, const std::string& indent = {});
 /// RFC 4180: a header line, quotes where needed.
-std::string csv_text(const Table& table);
+std::string csv_text(const ReportTable& table);
 /// One object a row.
-JsonValue as_objects(const Table& table);
+JsonValue as_objects(const ReportTable& table);
 
 }  // namespace flatray

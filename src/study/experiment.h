@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,16 +10,51 @@
 
 namespace flatray {
 
+/// Result of one block of work.
+using Numbers = std::vector<double>;
+
+/// What an experiment tells of its blocks, and asks. Its functions are called by several threads.
+class RunMonitor {
+ public:
+  virtual ~RunMonitor() = default;
+  virtual void begin(std::size_t blocks) = 0;
+  /// What an earlier run found for a block.
+  virtual std::optional<Numbers> kept(std::size_t block) = 0;
+  virtual void done(std::size_t block, const Numbers& result) = 0;
+  /// Whether no further block is to be begun.
+  virtual bool stopped() = 0;
+};
+
+/// What the pixels of a picture stand for, one orbit each.
+enum class PixelMap : std::uint8_t {
+  usual,     ///< as the experiment likes
+  position,  ///< starts at their places, all in the direction of the scene's first ray
+  angle      ///< starts on the line across that ray, as wide as the window, by column from left to
+             ///< right as seen along the ray, and at angles to it from 90 degrees, top, to -90
+};
+
 /// What an experiment is run with.
 struct ExperimentContext {
   const Scene& scene;
   std::uint64_t seed = 1;
   std::uint64_t count = 1'000'000;
   unsigned threads = 1;
+  std::optional<std::uint64_t> bounces{};  ///< of one orbit; each experiment has its own default
+  double apart = 1e-9;                     ///< of orbits that start near each other
+  PixelMap map = PixelMap::usual;
+  RunMonitor* monitor = nullptr;
 };
 
-/// Named files (CSV, JSON, SVG) and a text for people; `holds` is whether results agree with the
-/// closed form.
+/// A number found, with the error of its estimate, beside what must come out where that is known.
+struct Measure {
+  std::string name;
+  double value = 0;
+  double standard_error = 0;
+  std::optional<double> expected{};
+};
+
+/// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with
+/// the closed form.
 struct ExperimentResult {
   struct File {
     std::string name, content;
@@ -26,6 +62,7 @@ struct ExperimentResult {
   std::vector<File> files;
   std::string summary;
   bool holds = true;
+  std::vector<Measure> measures{};
 };
 
 struct Experiment {

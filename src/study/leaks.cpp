@@ -109,7 +109,8 @@ LeakTally count_leaks(const Tracer& tracer, const RoomPlace& place, std::uint64_
   tally.rays = rays.size();
   compare_first(tracer, walls, rays, tally);
   const std::vector<Material> mirrors(walls.size(), Material::mirror);
-  for (const Orbit& orbit : trace_orbits(walls, mirrors, rays, kLeakBounces, &tracer)) {
+  for (const Orbit& orbit :
+       trace_orbits(walls, mirrors, rays, kLeakBounces, {CornerRule::stop, &tracer})) {
     tally.bounces += orbit.bounces.size();
     if (orbit.end == OrbitEnd::corner) ++tally.corners;
     const bool out = !orbit.bounces.empty() && is_outside(walls, orbit.bounces.back().point);

@@ -18,6 +18,13 @@ enum class OrbitEnd {
 };
 const char* name(OrbitEnd end);
 
+/// What becomes of a ray that arrives exactly at an end of a wall, or where two meet.
+enum class CornerRule {
+  stop,  ///< the orbit ends there
+  back   ///< it returns the way it came, which is the limit from both sides where walls meet at
+         ///< pi / m, m even; listed as a bounce off the lowest wall of the corner
+};
+
 /// One reflection.
 struct Bounce {
   std::uint32_t surface;
@@ -26,6 +33,7 @@ struct Bounce {
   double path_length;  ///< from the start, world units
   Vec2 normal;         ///< unit, towards the side the ray came from
   double incidence;    ///< radians between the ray and the normal, [0, pi/2]
+  Vec2 out;            ///< direction after it, as long as that of the start
 };
 
 struct Orbit {
@@ -35,6 +43,14 @@ struct Orbit {
   Vec2 out{0, 0};                           ///< unit direction after the last bounce
   Vec2 end_point{0, 0};                     ///< where it was absorbed or met the corner
   std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
+};
+
+/// What an orbit does where its walls leave a choice.
+struct OrbitRules {
+  CornerRule corners = CornerRule::stop;
+  /// What finds the walls; nullptr: the one of choice. Of one that is not exact the walls are its
+  /// own.
+  const Tracer* tracer = nullptr;
 };
 
 /// Follows a ray from mirror to mirror in exact decisions and double constructions (design,
@@ -51,15 +67,13 @@ struct Orbit {
 ///         the inner side by at most 2 more; the length of the direction within 4 ulp of the
 ///         start's, after any number of bounces.
 /// Cost    a bounce 1 to 2 us, and a box test for every wall.
-/// `tracer` is what finds the walls, null: the one of choice. Of one that is not exact the walls are
-/// its own.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
-                  std::uint64_t bounces, const Tracer* tracer = nullptr);
+                  std::uint64_t bounces, const OrbitRules& rules = {});
 
 /// The orbits of many rays, advanced together so that the tracer gets them in batches. Each is what
 /// trace_orbit gives.
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
                                 std::span<const Ray> starts, std::uint64_t bounces,
-                                const Tracer* tracer = nullptr);
+                                const OrbitRules& rules = {});
 
 }  // namespace flatray

@@ -23,6 +23,32 @@ DoubleDouble add(const DoubleDouble& a, const DoubleDouble& b) {
   return two_sum(sum.hi, sum.lo + (a.lo + b.lo));
 }
 
+// A normal of a wall as it was met: to the left of a segment, or outward of a circle.
+struct Met {
+  std::uint32_t surface;
+  Sign side;
+  Vec2 normal;
+};
+
+Vec2 left_of(const Segment& wall) {
+  const Vec2 edge = wall.b - wall.a;
+  return {-edge.y(), edge.x()};
+}
+
+std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const Vec2& direction,
+                                    const Vec2& point, const Speed& speed) {
+  const Vec2 rounded = speed.restore(reflect(direction, {met.normal.y(), -met.normal.x()}));
+  const auto out = nearest_double(rounded, [&](const Vec2& candidate) {
+    return leads_away(walls, met.surface, met.side, point, candidate);
+  });
+  if (!out) return std::nullopt;
+  // Adding zero turns -0 into 0, which reads better.
+  const Vec2 normal = static_cast<double>(met.side) * unit(met.normal) + Vec2(0, 0);
+  const Vec2 in = speed.near_one(direction);
+  const double across = std::fabs(cross(normal, in)), against = std::fabs(normal.dot(in));
+  return Reflection{*out, normal, portable::atan2(across, against)};
+}
+
 }  // namespace
 
 Vec2 unit(const Vec2& v) {
@@ -63,25 +89,49 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const Vec2& point, const Speed& speed) {
-  const Sign side = inner_side(walls, ray, hit);
-  const std::uint32_t slot = walls.slot[hit.surface];
-  Vec2 left;  // normal to the wall, to the left of a segment and outward of a circle
-  if (walls.kinds[hit.surface] == SurfaceKind::segment) {
-    const Vec2 edge = walls.segments[slot].b - walls.segments[slot].a;
-    left = {-edge.y(), edge.x()};
-  } else {
-    left = exact_hit(walls, ray, hit).from_centre();
+  const bool straight = walls.kinds[hit.surface] == SurfaceKind::segment;
+  const Vec2 normal = straight ? left_of(walls.segments[walls.slot[hit.surface]])
+                               : exact_hit(walls, ray, hit).from_centre();
+  return reflected(walls, {hit.surface, inner_side(walls, ray, hit), normal}, ray.direction, point,
+                   speed);
+}
+
+std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
+                                        const Vec2& direction, const Speed& speed) {
+  const std::uint32_t slot = walls.slot[left.surface];
+  if (walls.kinds[left.surface] == SurfaceKind::segment) {
+    const Segment& wall = walls.segments[slot];
+    return reflected(walls,
+                     {left.surface, -turn_from_edge(wall.a, wall.b, direction), left_of(wall)},
+                     direction, point, speed);
   }
-  const Vec2 rounded = speed.restore(reflect(ray.direction, {left.y(), -left.x()}));
-  const auto direction = nearest_double(rounded, [&](const Vec2& candidate) {
-    return leads_away(walls, hit.surface, side, point, candidate);
-  });
-  if (!direction) return std::nullopt;
-  // Adding zero turns -0 into 0, which reads better.
-  const Vec2 normal = static_cast<double>(side) * unit(left) + Vec2(0, 0);
-  const Vec2 in = speed.near_one(ray.direction);
-  const double across = std::fabs(cross(normal, in)), against = std::fabs(normal.dot(in));
-  return Reflection{*direction, normal, portable::atan2(across, against)};
+  // Inside a circle a ray has left the first root.
+  const Sign side = left.root == Root::first ? Sign::negative : Sign::positive;
+  return reflected(walls, {left.surface, side, point - walls.circles[slot].centre}, direction,
+                   point, speed);
+}
+
+double moment_about(const Vec2& centre, const Ray& ray) {
+  const DoubleDouble x = two_sum(ray.origin.x(), -centre.x());
+  const DoubleDouble y = two_sum(ray.origin.y(), -centre.y());
+  const Vec2& d = ray.direction;
+  const DoubleDouble exact = add(two_product(x.hi, d.y()), two_product(-y.hi, d.x()));
+  return exact.hi + (exact.lo + (x.lo * d.y() - y.lo * d.x()));
+}
+
+Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
+                 double moment) {
+  constexpr double kGrazing = 0x1p-12, kRounding = 0x1p-36;
+  const Circle& circle = walls.circles[walls.slot[left.surface]];
+  const Vec2 from = point - circle.centre;
+  const double along = from.dot(direction);
+  const double sizes = std::sqrt(from.dot(from)) * std::sqrt(direction.dot(direction));
+  if (!(std::fabs(along) > kGrazing * sizes)) return direction;
+  const double turn = (moment - moment_about(circle.centre, {point, direction})) / along;
+  if (!(std::fabs(turn) < kRounding)) return direction;
+  const Vec2 turned = direction + turn * Vec2(-direction.y(), direction.x());
+  const Sign side = left.root == Root::first ? Sign::negative : Sign::positive;
+  return leads_away(walls, left.surface, side, point, turned) ? turned : direction;
 }
 
 }  // namespace flatray

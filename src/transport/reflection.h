@@ -44,6 +44,17 @@ struct Reflection {
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction);
 
+/// (origin - centre) x direction: r times the speed times the sine of the incidence at a circle,
+/// which its reflections keep. Error   1 ulp of its terms' squares.
+double moment_about(const Vec2& centre, const Ray& ray);
+
+/// `direction`, reflected at `point` of a circle, turned by as little as gives it `moment` again, so
+/// that rounding does not add up from bounce to bounce. Untouched where the ray grazes (under 2^-12
+/// of a right angle), where more than rounding would be turned, or where it would no longer lead
+/// away.
+Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
+                 double moment);
+
 /// Reflects `ray` where it meets the wall of `hit`, seen from `point`, the double kept for the
 /// exact hit.
 ///
@@ -53,5 +64,8 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const Vec2& point, const Speed& speed);
+/// The same of a ray that comes back along `direction` to a wall it has left at `point`.
+std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
+                                        const Vec2& direction, const Speed& speed);
 
 }  // namespace flatray

@@ -16,7 +16,7 @@ expect "--frames --format " "$(words flatray render --f)" options
 expect "png hdr " "$(words flatray render --format '')" "values of an option"
 expect "--progress=always " "$(words flatray render --progress=al)" "values after ="
 expect "always " "$(words flatray render --progress = al)" "values after =, as bash parts words"
-expect "markov " "$(words flatray experiment m)" experiments
+expect "markov " "$(words flatray experiment mar)" experiments
 expect "software " "$(words flatray render --backend s)" "back ends"
 expect "mean " "$(words flatray compare a b --metric me)" metrics
 expect "tracers " "$(words flatray list t)" lists

@@ -16,7 +16,7 @@ declare -A direct=(
   [precise]='transport collide'
   [render]='transport collide precise image'
   [oracle]='trace transport collide'
-  [study]='render oracle'
+  [study]='render oracle precise'
   [app]='study'
 )
 

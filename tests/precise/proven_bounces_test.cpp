@@ -50,7 +50,7 @@ TEST(ProvenBounces, AnOrbitOfDyadicPointsIsProvenToItsEnd) {
   const Surfaces square = room({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
   const Orbit orbit = orbit_in(square, {{15, 5}, {1, 1}}, 1000);
   ASSERT_EQ(orbit.bounces.size(), 1000U);
-  EXPECT_EQ(proven_bounces(square, orbit), 1000U);
+  EXPECT_EQ(proven_bounces(square, orbit).bounces, 1000U);
 }
 
 TEST(ProvenBounces, AreThoseOfTheRationals) {
@@ -58,7 +58,7 @@ TEST(ProvenBounces, AreThoseOfTheRationals) {
   for (const Vec2& towards : {Vec2(3, 1.7), Vec2(-1, 0.33), Vec2(0.01, 5)}) {
     const Ray start{{4, 3}, towards};
     const Orbit orbit = orbit_in(pentagon, start, 60);
-    const std::uint64_t proven = proven_bounces(pentagon, orbit);
+    const std::uint64_t proven = proven_bounces(pentagon, orbit).bounces;
     const auto truth = exact_walls(pentagon, start, 60);
     std::uint64_t right = 0;
     while (right < orbit.bounces.size() && orbit.bounces[right].surface == truth[right]) ++right;
@@ -74,7 +74,7 @@ TEST(ProvenBounces, EndAmongDiscsBeforeTheDoublesGoWrongForGood) {
   walls.add(Circle{{0, 0}, 1});
   const Orbit orbit = orbit_in(walls, {{-1.5, 0.3}, {1, 0.21}}, 400);
   ASSERT_EQ(orbit.bounces.size(), 400U);
-  const std::uint64_t proven = proven_bounces(walls, orbit);
+  const std::uint64_t proven = proven_bounces(walls, orbit).bounces;
   EXPECT_GE(proven, 10U);
   EXPECT_LT(proven, 200U);
 }
@@ -85,7 +85,7 @@ TEST(ProvenBounces, DoNotDependOnTheScale) {
         room({scale * Vec2(-2, -2), scale * Vec2(2, -2), scale * Vec2(2, 2), scale * Vec2(-2, 2)});
     walls.add(Circle{{0, 0}, scale});
     const Orbit orbit = orbit_in(walls, {scale * Vec2(-1.5, 0.3), {1, 0.21}}, 100);
-    return proven_bounces(walls, orbit);
+    return proven_bounces(walls, orbit).bounces;
   };
   EXPECT_EQ(proven_at(0x1p40), proven_at(1));
   EXPECT_EQ(proven_at(0x1p-40), proven_at(1));
@@ -95,14 +95,26 @@ TEST(ProvenBounces, InsideACircleTheRootLeftIsNotMetAgain) {
   Surfaces walls;
   walls.add(Circle{{0, 0}, 1});
   const Orbit from_inside = orbit_in(walls, {{0.25, 0}, {0.5, 1}}, 50);
-  EXPECT_EQ(proven_bounces(walls, from_inside), 50U);
+  EXPECT_EQ(proven_bounces(walls, from_inside).bounces, 50U);
   const Orbit from_wall = orbit_in(walls, {{1, 0}, {-1, 1}}, 50);
-  EXPECT_EQ(proven_bounces(walls, from_wall), 50U);
+  EXPECT_EQ(proven_bounces(walls, from_wall).bounces, 50U);
 }
 
 TEST(ProvenBounces, OfAnOrbitWithoutBouncesAreNone) {
   const Surfaces square = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  EXPECT_EQ(proven_bounces(square, orbit_in(square, {{0.5, 0.5}, {1, 1}}, 9)), 0U);
+  EXPECT_EQ(proven_bounces(square, orbit_in(square, {{0.5, 0.5}, {1, 1}}, 9)).bounces, 0U);
+}
+
+// Both ends of a mirror: beside one the ray is met again, beside the other it leaves.
+TEST(ProvenBounces, TellWhetherTheEndIsProvenToo) {
+  Surfaces walls;
+  walls.add(Segment{{0, 0}, {1, 0}});
+  walls.add(Circle{{4, 3}, 1});
+  Orbit orbit = orbit_in(walls, {{-1, 1}, {1.5, -1}}, 9);
+  ASSERT_EQ(orbit.end, OrbitEnd::escape);
+  EXPECT_TRUE(proven_bounces(walls, orbit).end);
+  orbit.bounces.pop_back();
+  EXPECT_FALSE(proven_bounces(walls, orbit).end);
 }
 
 }  // namespace

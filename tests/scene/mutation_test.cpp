@@ -85,6 +85,9 @@ void expect_answers(const std::string& name, const std::string& text, std::uint6
 
 TEST(Mutations, OfATomlSceneAreReadOrRefused) { expect_answers("m.toml", kToml, 1000); }
 TEST(Mutations, OfAnObjAreReadOrRefused) { expect_answers("m.obj", kObj, 1000); }
+TEST(Mutations, OfAChamberAreReadOrRefused) {
+  expect_answers("m.chamber", "2\n4 1 0 0.5\n0 0 8 0 8 6 0 6\n3 0 1 0\n1 1 2 1 1 2\n", 1000);
+}
 TEST(Mutations, OfAListAreReadOrRefused) { expect_answers("m.list", kList, 1000); }
 
 TEST(Mutations, TheSameSceneGivesTheSameMessages) {

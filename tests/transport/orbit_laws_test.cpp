@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "base/philox.h"
-#include "base/portable_math.h"
 #include "geom/exact.h"
 #include "trace/on_surface.h"
 #include "transport/chambers.h"
@@ -101,33 +100,6 @@ TEST(Leaks, NoneAtFractionsOfAnUlpFromACorner) {
         ASSERT_TRUE(inside_closed(vertices, bounce.point)) << "ray " << i;
     }
     EXPECT_EQ(corners, aimed);  // no other ray was rounded into the corner
-  }
-}
-
-// C12: the distance of every chord from the centre is that of the first.
-TEST(CircleOrbit, KeepsItsChordAndStaysInside) {
-  Surfaces walls;
-  walls.add(Circle{{0, 0}, 1});
-  const Orbit orbit = in_mirrors(walls, {{0.5, 0.25}, {-1, 2}}, 10'000);
-  ASSERT_EQ(orbit.bounces.size(), 10'000U);
-  const double caustic = 0.5590169943749474241, chord = 2 * std::sqrt(1 - 0.3125);
-  for (std::size_t i = 0; i + 1 < orbit.bounces.size(); ++i) {
-    const Vec2 &from = orbit.bounces[i].point, &to = orbit.bounces[i + 1].point;
-    const double tolerance = 1e4 * 0x1p-50;
-    ASSERT_NE(circle_side(from, walls.circles[0]), Sign::positive) << i;
-    ASSERT_NEAR((to - from).norm(), chord, tolerance) << i;
-    ASSERT_NEAR(std::fabs(cross(from, (to - from).normalized())), caustic, tolerance) << i;
-  }
-}
-
-TEST(CircleOrbit, WhisperingGalleryNeverLeaks) {
-  Surfaces walls;
-  walls.add(Circle{{0, 0}, 1});
-  const Orbit orbit = in_mirrors(walls, {{0, 1 - 0x1p-20}, {1, 0}}, 20'000);
-  ASSERT_EQ(orbit.bounces.size(), 20'000U);
-  for (const Bounce& bounce : orbit.bounces) {
-    ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::positive);
-    ASSERT_NEAR(portable::sin(bounce.incidence), 1 - 0x1p-20, 1e-12);
   }
 }
 

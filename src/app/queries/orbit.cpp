@@ -34,12 +34,12 @@ void add_corner(Fields& fields, const Vec2& corner, const std::vector<std::uint3
 Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces,
                   const Tracer* tracer) {
   const std::vector<Material> mirrors(walls.size(), Material::mirror);
-  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces, tracer);
+  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces, {CornerRule::stop, tracer});
   const bool escapes = orbit.end == OrbitEnd::escape;
   Fields fields = path(orbit.bounces, name(orbit.end), escapes ? as_json(orbit.out) : JsonValue());
   if (orbit.end == OrbitEnd::corner) add_corner(fields, orbit.end_point, orbit.end_surfaces);
   const bool exact = tracer == nullptr || tracer->exact;
-  fields.emplace_back("certain", exact ? proven_bounces(walls, orbit) : std::uint64_t{0});
+  fields.emplace_back("certain", exact ? proven_bounces(walls, orbit).bounces : std::uint64_t{0});
   return fields;
 }
 

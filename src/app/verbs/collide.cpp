@@ -15,10 +15,10 @@ constexpr auto kOptions =
                         kJsonOption,
                         kCsvOption});
 
-Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings) {
-  Table table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
-               "normal_y", "motion"},
-              {}};
+ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings) {
+  ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
+                     "normal_y", "motion"},
+                    {}};
   for (const Meeting& meeting : meetings) {
     const auto& [times, kind, start, point, normal] = meeting.part;
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
@@ -55,7 +55,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto last = arguments.whole("last", scene->frames, 1, scene->frames);
   if (!last) return tl::unexpected(last.error());
   const auto frames = static_cast<unsigned>(*last);
-  const Table table =
+  const ReportTable table =
       meeting_table(*scene, find_meetings(Timeline(*scene, *draws, frames), frames));
   if (const std::string note = left_out(*scene); !note.empty() && !arguments.has("quiet"))
     report_note(note);

@@ -4,21 +4,33 @@
 
 #include <chrono>
 
+#include "app/experiment_monitor.h"
+#include "app/experiment_sweep.h"
+#include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "app/version.h"
 #include "base/file.h"
+#include "base/number_text.h"
 
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions =
-    with_scene_options({{"output", 'o', "FOLDER", "where its files go (default out/NAME)"},
-                        {"count", '\0', "N", "how many to try (default 1000000)"},
-                        {"seed", '\0', "N", "seed of all draws (default 1)"},
-                        kThreadsOption,
-                        kJsonOption});
+constexpr auto kOptions = with_scene_options(
+    {{"output", 'o', "FOLDER", "where its files go (default out/NAME)"},
+     {"count", '\0', "N", "how many to try (default 1000000)"},
+     {"bounces", 'n', "N", "of one orbit (each experiment has its own default)"},
+     {"apart", '\0', "D", "of orbits that start near each other (default 1e-9)"},
+     {"map", '\0', "position|angle",
+      "what the pixels of a picture stand for, instead of what is usual"},
+     {"sweep", '\0', "KEY=A..B:STEP",
+      "once for every value of a key of the scene, also KEY=V,V,..."},
+     {"resume", '\0', "", "keep what is done, and go on from what was kept", OptionKind::flag},
+     {"seed", '\0', "N", "seed of all draws (default 1)"},
+     kThreadsOption,
+     kJsonOption});
 
 std::vector<std::string> experiment_names() { return names_of(flatray::experiments()); }
 
@@ -26,6 +38,10 @@ Result<const Experiment*> find_experiment(const std::string& name) {
   for (const Experiment* one : flatray::experiments())
     if (name == one->name) return one;
   return unknown_name(named_place("experiment"), "experiment", name, experiment_names());
+}
+
+std::filesystem::path folder_of(const Arguments& arguments, const Experiment& experiment) {
+  return arguments.text("output").value_or(fmt::format("out/{}", experiment.name));
 }
 
 Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder) {
@@ -38,28 +54,106 @@ Result<Values> write_files(const ExperimentResult& result, const std::filesystem
   return names;
 }
 
-Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& experiment) {
-  constexpr std::uint64_t kMostTries = std::uint64_t{1} << 32;
+// What a run is asked for beside its scene.
+struct Request {
+  std::uint64_t seed = 1, count = 0;
+  std::optional<std::uint64_t> bounces;
+  double apart = 0;
+  PixelMap map = PixelMap::usual;
+  unsigned threads = 1;
+};
+
+Result<Request> read_request(const Arguments& arguments) {
+  constexpr std::uint64_t kMostTries = std::uint64_t{1} << 40;
+  Request request;
   const auto seeded = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
   if (!seeded) return tl::unexpected(seeded.error());
   const auto count = arguments.whole("count", 1'000'000, 1, kMostTries);
   if (!count) return tl::unexpected(count.error());
+  const auto bounces = arguments.whole("bounces", 0, 1, kMostTries);
+  if (!bounces) return tl::unexpected(bounces.error());
   const auto width = threads(arguments);
   if (!width) return tl::unexpected(width.error());
-  const auto loaded = load_input(arguments, arguments.operands()[1]);
+  const auto apart = parse_number(arguments.text("apart").value_or("1e-9"));
+  if (!apart || !(*apart > 0 && *apart < 1))
+    return usage_error(arguments.where("apart"), "is no distance between 0 and 1", "say 1e-9");
+  const auto map = arguments.one_of("map", {"usual", "position", "angle"});
+  if (!map) return tl::unexpected(map.error());
+  request.map = *map == "position" ? PixelMap::position
+                : *map == "angle"  ? PixelMap::angle
+                                   : PixelMap::usual;
+  request.seed = *seeded;
+  request.count = *count;
+  if (arguments.has("bounces")) request.bounces = *bounces;
+  request.apart = *apart;
+  request.threads = *width;
+  return request;
+}
+
+// All that the numbers of a block depend on.
+std::string run_key(const Experiment& experiment, const Scene& scene, const Request& request) {
+  return fmt::format("flatray {} {} scene {:016x} seed {} count {} bounces {} apart {} map {}",
+                     kVersion, experiment.name, scene.hash, request.seed, request.count,
+                     request.bounces.value_or(0), number_text(request.apart),
+                     static_cast<int>(request.map));
+}
+
+Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& experiment,
+                                 const std::vector<Override>& more,
+                                 const std::filesystem::path& folder) {
+  const auto request = read_request(arguments);
+  if (!request) return tl::unexpected(request.error());
+  const auto loaded = load_input(arguments, arguments.operands()[1], more);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, arguments);
-  return experiment.run(
-      {.scene = loaded->scene, .seed = *seeded, .count = *count, .threads = *width});
+  std::optional<std::filesystem::path> kept_in;
+  if (arguments.has("resume")) kept_in = folder / (std::string(experiment.name) + ".blocks");
+  const auto monitor =
+      ExperimentMonitor::open(kept_in, run_key(experiment, loaded->scene, *request));
+  if (!monitor) return tl::unexpected(monitor.error());
+  auto result = experiment.run({.scene = loaded->scene,
+                                .seed = request->seed,
+                                .count = request->count,
+                                .threads = request->threads,
+                                .bounces = request->bounces,
+                                .apart = request->apart,
+                                .map = request->map,
+                                .monitor = monitor->get()});
+  if (auto finished = (*monitor)->finish(result.has_value()); !finished)
+    return fail(std::move(finished));
+  return result;
+}
+
+Result<ExperimentResult> measure_all(const Arguments& arguments, const Experiment& experiment,
+                                     const std::filesystem::path& folder) {
+  if (!arguments.has("sweep")) return measure(arguments, experiment, {}, folder);
+  const auto sweep = parse_sweep(*arguments.text("sweep"), arguments.where("sweep"));
+  if (!sweep) return tl::unexpected(sweep.error());
+  SweepResults results(experiment.name, *sweep);
+  for (const std::string& value : sweep->values) {
+    const auto changed = parse_overrides({sweep->key + "=" + value}, arguments.where("sweep"));
+    if (!changed) return tl::unexpected(changed.error());
+    auto one = measure(arguments, experiment, *changed, folder / value);
+    if (!one) return one;
+    results.add(value, *one);
+  }
+  return std::move(results).result();
+}
+
+int report_interrupted(const Diagnostics& why) {
+  report_note(why.front().message + ": nothing written, --resume keeps what is done");
+  return 130;
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const auto experiment = find_experiment(arguments.operands()[0]);
   if (!experiment) return tl::unexpected(experiment.error());
-  const auto result = measure(arguments, **experiment);
+  catch_interrupts();
+  const std::filesystem::path folder = folder_of(arguments, **experiment);
+  const auto result = measure_all(arguments, **experiment, folder);
+  if (!result && interrupted()) return VerbOutput{"", report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
-  const auto folder = arguments.text("output").value_or(fmt::format("out/{}", (*experiment)->name));
   auto files = write_files(*result, folder);
   if (!files) return fail(std::move(files));
   const int code = result->holds ? 0 : 1;
@@ -82,6 +176,9 @@ extern const Verb experiment = {
     2,
     2,
     kOptions,
+    "  flatray experiment mean-free-path scenes/chamber/sinai.toml -o out\n"
+    "  flatray experiment lyapunov scenes/chamber/sinai.toml "
+    "--sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.05\n"
     "  flatray experiment markov scenes/markov/runner.toml --seed 2\n",
     "nothing measured",
     &run,

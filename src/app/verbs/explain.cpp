@@ -34,9 +34,9 @@ TracerChoice tracer_of(const RenderJob& job) {
   return choice;
 }
 
-Table decisions(const RenderJob& job, unsigned threads) {
+ReportTable decisions(const RenderJob& job, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
-  Table table{{"part", "decision", "reason"}, {}};
+  ReportTable table{{"part", "decision", "reason"}, {}};
   const auto add = [&](std::string part, std::string decision, std::string reason) {
     table.rows.push_back({std::move(part), std::move(decision), std::move(reason)});
   };
@@ -63,7 +63,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!request) return tl::unexpected(request.error());
   const auto jobs = make_jobs(arguments, *request);
   if (!jobs) return tl::unexpected(jobs.error());
-  Table table = decisions(jobs->front(), request->threads);
+  ReportTable table = decisions(jobs->front(), request->threads);
   if (arguments.has("measure")) {
     RenderJob job = jobs->front();
     if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);

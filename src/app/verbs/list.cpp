@@ -17,33 +17,33 @@ namespace {
 constexpr Option kOptions[] = {kJsonOption};
 
 template <class Entries>
-Table described(const Entries& entries) {
-  Table table{{"name", "what"}, {}};
+ReportTable described(const Entries& entries) {
+  ReportTable table{{"name", "what"}, {}};
   for (const auto* one : entries) table.rows.push_back({one->name, one->summary});
   return table;
 }
 
-Table listed(const std::vector<Listed>& entries) {
-  Table table{{"name", "what"}, {}};
+ReportTable listed(const std::vector<Listed>& entries) {
+  ReportTable table{{"name", "what"}, {}};
   for (const Listed& one : entries) table.rows.push_back({one.name, one.usage});
   return table;
 }
 
-Table drawing_passes() {
-  Table table{{"name"}, {}};
+ReportTable drawing_passes() {
+  ReportTable table{{"name"}, {}};
   for (const Pass* one : flatray::passes()) table.rows.push_back({one->name});
   return table;
 }
 
-Table studies() {
-  Table table{{"name", "what"}, {}};
+ReportTable studies() {
+  ReportTable table{{"name", "what"}, {}};
   for (const Experiment* one : flatray::experiments())
     table.rows.push_back({one->name, one->question});
   return table;
 }
 
-Table isas() {
-  Table table{{"name", "what"}, {}};
+ReportTable isas() {
+  ReportTable table{{"name", "what"}, {}};
   for (const Isa one : available_isas())
     table.rows.push_back({isa_name(one), one == active_isa() ? "running" : ""});
   return table;
@@ -51,7 +51,7 @@ Table isas() {
 
 struct Kind {
   const char* name;
-  Table (*entries)();
+  ReportTable (*entries)();
 };
 constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends()); }},
                            {"experiments", &studies},
@@ -72,7 +72,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   std::string text;
   for (const Kind& kind : kKinds) {
     if (!wanted.empty() && wanted != kind.name) continue;
-    Table table = kind.entries();
+    ReportTable table = kind.entries();
     all.emplace_back(kind.name, as_objects(table));
     table.columns.clear();
     if (wanted.empty()) text += fmt::format("{}\n", kind.name);

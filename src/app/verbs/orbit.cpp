@@ -1,96 +1,27 @@
-#include "transport/orbit.h"
-
-#include <fmt/core.h>
-
-#include "anim/world.h"
 #include "app/option_values.h"
+#include "app/orbit_report.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
 #include "app/verb.h"
-#include "base/number_text.h"
-#include "geom/hit_interval.h"
+#include "precise/certified_orbit.h"
 
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions =
-    with_scene_options({{"ray", 'r', "RAY", "only this ray of the scene"},
-                        {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
-                        kTracerOption,
-                        kFrameOption,
-                        kSeedOption,
-                        kJsonOption,
-                        kCsvOption});
-
-constexpr double kDegreesInRadian = 57.29577951308232;
-
-std::string point_text(const Vec2& point) {
-  return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
-}
-
-// Name and edge of what stands behind a surface.
-struct Named {
-  std::string object;
-  JsonValue edge;
-};
-
-Named named(const Scene& scene, const SurfaceOwner& owner) {
-  std::string object;
-  switch (owner.kind) {
-    case SurfaceOwner::Kind::entity:
-      object = scene.entities[owner.index].name;
-      break;
-    case SurfaceOwner::Kind::chamber:
-      object = scene.chambers[owner.index].name;
-      break;
-    case SurfaceOwner::Kind::pillar: {
-      const Chamber& chamber = scene.chambers[owner.index];
-      object = fmt::format("{}/{}", chamber.name, chamber.pillars[owner.pillar].name);
-      break;
-    }
-  }
-  return {std::move(object), owner.edge == kNoEdge ? JsonValue("circle") : JsonValue(owner.edge)};
-}
-
-Table bounce_table(const Scene& scene, const World& world, const std::string& ray,
-                   const Orbit& orbit) {
-  Table table{{"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
-               "normal_y", "incidence_deg"},
-              {}};
-  unsigned number = 0;
-  for (const Bounce& bounce : orbit.bounces) {
-    const Named wall = named(scene, world.owners[bounce.surface]);
-    table.rows.push_back({ray, ++number, bounce.t, bounce.path_length, bounce.point.x(),
-                          bounce.point.y(), wall.object, wall.edge, bounce.normal.x(),
-                          bounce.normal.y(), bounce.incidence * kDegreesInRadian});
-  }
-  return table;
-}
-
-std::string walls_text(const Scene& scene, const World& world, const Orbit& orbit) {
-  std::string text;
-  for (const std::uint32_t surface : orbit.end_surfaces) {
-    const Named wall = named(scene, world.owners[surface]);
-    text += fmt::format("{}{} edge {}", text.empty() ? "" : " and ", wall.object,
-                        wall.edge.as_text().value_or(json_text(wall.edge)));
-  }
-  return text;
-}
-
-std::string status_line(const Scene& scene, const World& world, const RayPath& ray,
-                        const Orbit& orbit) {
-  std::string text =
-      fmt::format("{}: {} after {} bounces", ray.name, name(orbit.end), orbit.bounces.size());
-  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
-    text += fmt::format(" at {}, {}", point_text(orbit.end_point), walls_text(scene, world, orbit));
-  else
-    text += fmt::format(", leaving along {}", point_text(orbit.out));
-  if (!orbit.bounces.empty())
-    text += fmt::format(", path length {} to the last bounce",
-                        number_text(orbit.bounces.back().path_length));
-  return text + "\n";
-}
+constexpr auto kOptions = with_scene_options(
+    {{"ray", 'r', "RAY", "only this ray of the scene"},
+     {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
+     {"precision", '\0', "double|certified",
+      "certified proves every bounce, in as many bits as it takes"},
+     {"bits", '\0', "N", "most bits of a certified orbit (default 65536)"},
+     kTracerOption,
+     {"corner", '\0', "stop|back", "what a ray does in a corner: stop, or return the way it came"},
+     kFrameOption,
+     kSeedOption,
+     {"svg", '\0', "", "print a diagram in world coordinates", OptionKind::flag},
+     kJsonOption,
+     kCsvOption});
 
 Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, const Scene& scene) {
   const std::optional<std::string> wanted = arguments.text("ray");
@@ -107,78 +38,90 @@ Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, cons
   return unknown_name(arguments.where("ray"), "ray of the scene", *wanted, known);
 }
 
-JsonValue orbit_value(const Scene& scene, const World& world, const RayPath& ray,
-                      const Orbit& orbit) {
-  const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
-  return Fields{
-      {"ray", ray.name},
-      {"start", Values{orbit.start.x(), orbit.start.y()}},
-      {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
-      {"bounces", as_objects(bounce_table(scene, world, ray.name, orbit))},
-      {"end", name(orbit.end)},
-      {"out", Values{orbit.out.x(), orbit.out.y()}},
-      {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
-                                     : JsonValue()},
-      {"end_walls", walls_text(scene, world, orbit)}};
-}
-
-// What the three forms of output are made of, ray after ray.
-struct Report {
-  Values values;
-  Table table;
-  std::string text;
-
-  void add(const Scene& scene, const World& world, const RayPath& ray, const Orbit& orbit) {
-    values.push_back(orbit_value(scene, world, ray, orbit));
-    const Table bounces = bounce_table(scene, world, ray.name, orbit);
-    table.columns = bounces.columns;
-    table.rows.insert(table.rows.end(), bounces.rows.begin(), bounces.rows.end());
-    text += aligned_text(bounces) + status_line(scene, world, ray, orbit);
-  }
-};
-
-Result<Report> follow(const Arguments& arguments, const Scene& scene) {
-  constexpr std::uint64_t kMostBounces = 10'000'000;
-  const auto rays = chosen_rays(arguments, scene);
-  if (!rays) return tl::unexpected(rays.error());
-  const auto frame = frame_of(arguments, scene);
-  if (!frame) return tl::unexpected(frame.error());
+Result<OrbitRequest> read_request(const Arguments& arguments) {
+  const auto precision = arguments.one_of("precision", {"double", "certified"});
+  if (!precision) return tl::unexpected(precision.error());
+  const auto corner = arguments.one_of("corner", {"stop", "back"});
+  if (!corner) return tl::unexpected(corner.error());
+  const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
+  if (!bits) return tl::unexpected(bits.error());
   const auto tracer = chosen_tracer(arguments);
   if (!tracer) return tl::unexpected(tracer.error());
-  const World world = build_world(scene, *frame);
-  const std::vector<Material> materials = world.materials();
-  Report report;
+  const OrbitRequest request{*precision == "certified",
+                             static_cast<unsigned>(*bits),
+                             {*corner == "back" ? CornerRule::back : CornerRule::stop, *tracer}};
+  if (request.certified && request.rules.corners == CornerRule::back)
+    return usage_error(arguments.where("corner"), "a certified orbit ends in a corner",
+                       "leave --corner back out, or say --precision double");
+  return request;
+}
+
+Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitRoom& room,
+                                        const FrameState& frame) {
+  constexpr std::uint64_t kMostBounces = 10'000'000;
+  const auto request = read_request(arguments);
+  if (!request) return tl::unexpected(request.error());
+  const auto rays = chosen_rays(arguments, room.scene);
+  if (!rays) return tl::unexpected(rays.error());
+  std::vector<OrbitReport> reports;
   for (const RayPath* ray : *rays) {
     const auto bounces = arguments.whole("bounces", ray->bounces, 0, kMostBounces);
     if (!bounces) return tl::unexpected(bounces.error());
-    const Ray start{world_pose(*frame)(ray->at), ray->direction};
-    report.add(scene, world, *ray,
-               trace_orbit(world.surfaces, materials, start, *bounces, *tracer));
+    auto report = follow_orbit(room, ray->name, {world_pose(frame)(ray->at), ray->direction},
+                               *bounces, *request);
+    if (!report) return tl::unexpected(report.error());
+    if (report->starts_badly) report_note(ray->name + " starts " + report->start);
+    reports.push_back(std::move(*report));
   }
-  return report;
+  return reports;
+}
+
+std::string csv_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports) {
+  ReportTable all;
+  for (const OrbitReport& report : reports) {
+    ReportTable bounces = bounce_table(room, report);
+    all.columns = bounces.columns;
+    all.rows.insert(all.rows.end(), bounces.rows.begin(), bounces.rows.end());
+  }
+  return csv_text(all);
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
-  auto report = follow(arguments, *scene);
-  if (!report) return fail(std::move(report));
-  if (arguments.has("json"))
-    return VerbOutput{json_report("orbit", arguments, std::move(report->values), 0)};
-  return VerbOutput{arguments.has("csv") ? csv_text(report->table) : std::move(report->text)};
+  const auto frame = frame_of(arguments, *scene);
+  if (!frame) return tl::unexpected(frame.error());
+  const OrbitRoom room(*scene, *frame);
+  const auto reports = follow(arguments, room, *frame);
+  if (!reports) return tl::unexpected(reports.error());
+  if (arguments.has("svg")) return VerbOutput{svg_of(room, *reports)};
+  if (arguments.has("csv")) return VerbOutput{csv_of(room, *reports)};
+  Values values;
+  std::string text;
+  for (const OrbitReport& report : *reports) {
+    if (arguments.has("json"))
+      values.push_back(as_value(room, report));
+    else
+      text += aligned_text(bounce_table(room, report)) + status_line(room, report);
+  }
+  if (!arguments.has("json")) return VerbOutput{std::move(text)};
+  return VerbOutput{json_report("orbit", arguments, std::move(values), 0)};
 }
 
 }  // namespace
 
-extern const Verb orbit = {"orbit",
-                           "SCENE",
-                           "follow the rays of a scene from mirror to mirror",
-                           1,
-                           1,
-                           kOptions,
-                           "  flatray orbit scenes/chamber/hall.toml\n"
-                           "  flatray orbit scenes/chamber/hall.toml --ray probe -n 100 --csv\n",
-                           "nothing traced",
-                           &run};
+extern const Verb orbit = {
+    "orbit",
+    "SCENE",
+    "follow the rays of a scene from mirror to mirror",
+    1,
+    1,
+    kOptions,
+    "  flatray orbit scenes/chamber/hall.toml\n"
+    "  flatray orbit scenes/chamber/hall.toml --ray probe -n 100 --csv\n"
+    "  flatray orbit scenes/chamber/sinai.toml -n 200 --precision certified\n"
+    "  flatray orbit scenes/chamber/three_discs.toml --svg > orbit.svg\n",
+    "nothing traced",
+    &run};
 
 }  // namespace flatray::verbs

@@ -142,7 +142,7 @@ Result<void> run_chunks(const Plan& plan, const oracle::Family& family, Stabilit
   return {};
 }
 
-VerbOutput output(const Arguments& arguments, const Table& table, bool sound) {
+VerbOutput output(const Arguments& arguments, const ReportTable& table, bool sound) {
   const int code = interrupted() ? 130 : sound ? 0 : 1;
   if (arguments.has("json"))
     return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
@@ -172,7 +172,7 @@ Result<VerbOutput> run_leaks(const Arguments& arguments, const Plan& plan) {
   if (!rays) return tl::unexpected(rays.error());
   const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
   catch_interrupts();
-  Table table{
+  ReportTable table{
       {"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong", "first_t_off"},
       {}};
   bool sound = true;
@@ -193,9 +193,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
   auto log = StabilityLog::open(arguments.text("output"));
   if (!log) return fail(std::move(log));
   catch_interrupts();
-  Table table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
-               "t_not_nearest", "t_off", "first_wrong"},
-              {}};
+  ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
+                     "other_wall", "t_not_nearest", "t_off", "first_wrong"},
+                    {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
     if (auto done = run_chunks(*plan, *family, *log); !done) return fail(std::move(done));

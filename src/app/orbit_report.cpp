@@ -1,0 +1,208 @@
+#include "app/orbit_report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "base/portable_math.h"
+#include "geom/hit_interval.h"
+#include "precise/certified_orbit.h"
+#include "precise/proven_bounces.h"
+#include "study/wall_places.h"
+#include "transport/landing.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kDegreesInRadian = 57.29577951308232;
+constexpr std::size_t kMostProven = 10'000;
+
+std::string point_text(const Vec2& point) {
+  return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
+}
+
+std::string object_name(const Scene& scene, const SurfaceOwner& owner) {
+  switch (owner.kind) {
+    case SurfaceOwner::Kind::entity:
+      return scene.entities[owner.index].name;
+    case SurfaceOwner::Kind::chamber:
+      return scene.chambers[owner.index].name;
+    case SurfaceOwner::Kind::pillar:
+      break;
+  }
+  const Chamber& chamber = scene.chambers[owner.index];
+  return fmt::format("{}/{}", chamber.name, chamber.pillars[owner.pillar].name);
+}
+
+JsonValue edge_value(const SurfaceOwner& owner) {
+  return owner.edge == kNoEdge ? JsonValue("circle") : JsonValue(owner.edge);
+}
+
+std::string wall_text(const OrbitRoom& room, std::uint32_t surface) {
+  const SurfaceOwner& owner = room.world.owners[surface];
+  const JsonValue edge = edge_value(owner);
+  return fmt::format("{} edge {}", object_name(room.scene, owner),
+                     edge.as_text().value_or(json_text(edge)));
+}
+
+std::string walls_text(const OrbitRoom& room, const std::vector<std::uint32_t>& surfaces) {
+  std::string text;
+  for (const std::uint32_t surface : surfaces)
+    text += (text.empty() ? "" : " and ") + wall_text(room, surface);
+  return text;
+}
+
+void tell_start(const OrbitRoom& room, OrbitReport& report) {
+  const Vec2& start = report.orbit.start;
+  const auto walls = Lander(room.world.surfaces).walls_at(start);
+  const auto holder = room.solids.holder(start);
+  report.starts_badly = walls.empty() && (holder || !room.solids.in_chamber(start));
+  report.start = !walls.empty()        ? "on " + walls_text(room, walls)
+                 : holder              ? "inside " + object_name(room.scene, *holder)
+                 : report.starts_badly ? "outside " + room.scene.chambers.front().name
+                                       : "free";
+}
+
+// What an exact orbit has beside its points, from those.
+Bounce bounce_at(const OrbitRoom& room, const CertifiedOrbit::Bounce& there, const Vec2& in,
+                 double speed, double before) {
+  const Vec2 flight = there.point - in;
+  const double length = flight.norm();
+  Vec2 normal = wall_normal(room.world.surfaces, there.surface, there.point);
+  if (normal.dot(flight) > 0) normal = -normal;
+  const double cosine = length > 0 ? std::min(1.0, -normal.dot(flight) / length) : 0;
+  const Vec2 out = flight - 2 * flight.dot(normal) * normal;
+  const double sine = length > 0 ? std::fabs(cross(normal, flight)) / length : 1;
+  return {there.surface,         there.point, length / speed,
+          before + length,       normal,      portable::atan2(sine, cosine),
+          out * (speed / length)};
+}
+
+Orbit as_orbit(const OrbitRoom& room, const CertifiedOrbit& exact, const Ray& start) {
+  Orbit orbit{start.origin, start.direction,   {}, exact.end, exact.out,
+              exact.corner, exact.corner_walls};
+  Vec2 in = start.origin;
+  double length = 0;
+  for (const CertifiedOrbit::Bounce& there : exact.bounces) {
+    if (room.materials[there.surface] == Material::absorb) {
+      orbit.end = OrbitEnd::absorbed;
+      orbit.end_point = there.point;
+      orbit.end_surfaces = {there.surface};
+      return orbit;
+    }
+    orbit.bounces.push_back(bounce_at(room, there, in, start.direction.norm(), length));
+    in = there.point;
+    length = orbit.bounces.back().path_length;
+  }
+  const bool absorbed =
+      orbit.end == OrbitEnd::corner &&
+      std::all_of(exact.corner_walls.begin(), exact.corner_walls.end(),
+                  [&](std::uint32_t wall) { return room.materials[wall] == Material::absorb; });
+  if (absorbed) orbit.end = OrbitEnd::absorbed;
+  if (orbit.end == OrbitEnd::limit && !orbit.bounces.empty())
+    orbit.out = orbit.bounces.back().out.normalized();
+  return orbit;
+}
+
+Proven proven(const OrbitRoom& room, const Orbit& orbit) {
+  if (orbit.bounces.size() <= kMostProven) return proven_bounces(room.world.surfaces, orbit);
+  Orbit first = orbit;
+  first.bounces.resize(kMostProven, orbit.bounces.front());
+  return {proven_bounces(room.world.surfaces, first).bounces, false};
+}
+
+const char* end_text(const OrbitReport& report) {
+  return report.decided ? name(report.orbit.end) : "undecided";
+}
+
+}  // namespace
+
+OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
+    : scene(scene_),
+      world(build_world(scene_, state)),
+      materials(world.materials()),
+      solids(scene_, state),
+      window(state.window) {}
+
+Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
+                                 std::uint64_t bounces, const OrbitRequest& request) {
+  OrbitReport report{name, {}, "", false};
+  if (request.certified) {
+    const auto exact = certified_orbit(room.world.surfaces, start, bounces, request.most_bits);
+    if (!exact) return tl::unexpected(exact.error());
+    report.orbit = as_orbit(room, *exact, start);
+    report.bits = exact->bits;
+    report.decided = exact->decided || report.orbit.end == OrbitEnd::absorbed;
+    report.certain = report.orbit.bounces.size();
+  } else {
+    report.orbit = trace_orbit(room.world.surfaces, room.materials, start, bounces, request.rules);
+    const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
+    const Proven known = exact ? proven(room, report.orbit) : Proven{0, false};
+    report.certain = known.bounces;
+    report.end_certain = known.end;
+  }
+  tell_start(room, report);
+  return report;
+}
+
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
+  ReportTable table{{"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
+                     "normal_y", "incidence_deg", "certain"},
+                    {}};
+  std::uint64_t number = 0;
+  for (const Bounce& bounce : report.orbit.bounces) {
+    const SurfaceOwner& owner = room.world.owners[bounce.surface];
+    const bool certain = number++ < report.certain;
+    table.rows.push_back({report.ray, number, bounce.t, bounce.path_length, bounce.point.x(),
+                          bounce.point.y(), object_name(room.scene, owner), edge_value(owner),
+                          bounce.normal.x(), bounce.normal.y(), bounce.incidence * kDegreesInRadian,
+                          certain ? "yes" : "no"});
+  }
+  return table;
+}
+
+JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
+  const Orbit& orbit = report.orbit;
+  const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
+  return Fields{
+      {"ray", report.ray},
+      {"start", Values{orbit.start.x(), orbit.start.y()}},
+      {"start_place", report.start},
+      {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
+      {"precision", report.bits > 0 ? "certified" : "double"},
+      {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
+      {"bounces", as_objects(bounce_table(room, report))},
+      {"certain", report.certain},
+      {"end_certain", report.end_certain},
+      {"end", end_text(report)},
+      {"out", Values{orbit.out.x(), orbit.out.y()}},
+      {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
+                                     : JsonValue()},
+      {"end_walls", walls_text(room, orbit.end_surfaces)}};
+}
+
+std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
+  const Orbit& orbit = report.orbit;
+  std::string text =
+      fmt::format("{}: {} after {} bounces", report.ray, end_text(report), orbit.bounces.size());
+  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+    text += fmt::format(" at {}, {}", point_text(orbit.end_point),
+                        walls_text(room, orbit.end_surfaces));
+  else if (report.decided)
+    text += fmt::format(", leaving along {}", point_text(orbit.out));
+  if (!orbit.bounces.empty())
+    text += fmt::format(", path length {} to the last bounce",
+                        number_text(orbit.bounces.back().path_length));
+  if (report.bits > 0)
+    text += fmt::format("; certified in {} bits", report.bits);
+  else if (report.certain < std::min(orbit.bounces.size(), kMostProven))
+    text += fmt::format("; only the first {} are certain", report.certain);
+  else if (!report.end_certain && orbit.bounces.size() <= kMostProven)
+    text += "; that it ends there is not certain";
+  if (report.start != "free") text += "; started " + report.start;
+  return text + "\n";
+}
+
+}  // namespace flatray

@@ -1,0 +1,56 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "anim/solids.h"
+#include "app/value.h"
+#include "transport/orbit.h"
+
+namespace flatray {
+
+/// The walls orbits of a frame are followed among, and what stands behind them.
+struct OrbitRoom {
+  const Scene& scene;
+  World world;
+  std::vector<Material> materials;
+  Solids solids;
+  Bounds window;  ///< of the scene's film
+
+  OrbitRoom(const Scene& scene, const FrameState& state);
+};
+
+/// How an orbit is followed.
+struct OrbitRequest {
+  bool certified = false;
+  unsigned most_bits = 0;  ///< of a certified one
+  OrbitRules rules{};
+};
+
+/// One ray of a scene and what became of it.
+struct OrbitReport {
+  std::string ray;
+  Orbit orbit;
+  std::string start;  ///< "free", "on hall edge 2", "inside hall/post", "outside hall"
+  bool starts_badly;  ///< in an obstacle, or outside the chamber
+  std::uint64_t certain =
+      0;                    ///< bounces from the first on that are proven to be those of the exact
+                            ///< orbit; doubles are looked at for the first 10 000
+  bool end_certain = true;  ///< all bounces are, and it ends as the exact orbit does
+  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles
+  bool decided = true;      ///< false: the bits allowed were not enough for what comes next
+};
+
+/// Error   of certified orbits: Trouble::unavailable in a build without MPFR.
+Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
+                                 std::uint64_t bounces, const OrbitRequest& request);
+
+/// As `flatray orbit` prints it: rows, an object, and for people.
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report);
+JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
+std::string status_line(const OrbitRoom& room, const OrbitReport& report);
+
+/// Walls, paths, bounces by number where they are few, in the scene's window. World coordinates
+/// with all their digits; a ray that leaves ends at the border.
+std::string svg_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports);
+
+}  // namespace flatray

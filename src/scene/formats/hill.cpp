@@ -1,0 +1,171 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "scene/builder.h"
+#include "scene/format.h"
+#include "scene/numbers.h"
+
+namespace flatray::scene_formats {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr const char* kHint =
+    "the file reads: how many pillars, the first of them the chamber; for each: sides r g b, then "
+    "x y for every vertex";
+constexpr double kMostPillars = 100'000, kMostSides = 1'000'000;
+
+Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
+
+// The chamber of F. S. Hill's case study "Reflections in a chamber": convex polygons, the first of
+// which holds the others.
+class HillReader {
+ public:
+  explicit HillReader(SourcePtr source) : source_(std::move(source)), rest_(source_->text()) {}
+
+  Result<SceneDesc> read() {
+    const Place whole{source_, 0, 1};
+    const auto count = whole_number("how many pillars", 1, kMostPillars);
+    if (!count) return tl::unexpected(count.error());
+    for (int i = 0; i < *count; ++i)
+      if (auto read = read_pillar(i); !read) return fail(std::move(read));
+    if (const std::string_view more = next(); !more.empty())
+      return fail(place(more), "more than the pillars announced", kHint);
+    chamber_.push_back(member("pillars", array_value(whole, std::move(pillars_))));
+    std::vector<Member> root;
+    root.push_back({"flatray", whole, built_in_number(1)});
+    root.push_back(
+        member("chamber", array_value(whole, {table_value(whole, std::move(chamber_))})));
+    root.push_back(member("ray", array_value(whole, {ray(whole)})));
+    return SceneDesc{table_value(whole, std::move(root))};
+  }
+
+ private:
+  Place place(std::string_view part) const {
+    return {source_, static_cast<std::size_t>(part.data() - source_->text().data()), part.size()};
+  }
+  std::string_view next() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  struct Number {
+    double value;
+    Place where;
+  };
+  Result<Number> number(const char* what) {
+    const std::string_view word = next();
+    if (word.empty())
+      return fail(Place{source_, source_->text().size(), 0},
+                  fmt::format("the file ends where {} should stand", what), kHint);
+    const auto literal = parse_literal(word);
+    if (!literal)
+      return fail(place(word),
+                  fmt::format("'{}' is no finite number: {}", word.substr(0, 40), what), kHint);
+    return Number{literal->value, place(word)};
+  }
+  Result<int> whole_number(const char* what, double low, double high) {
+    const auto found = number(what);
+    if (!found) return tl::unexpected(found.error());
+    if (!(found->value >= low && found->value <= high) || found->value != std::floor(found->value))
+      return fail(found->where,
+                  fmt::format("{} must be a whole number from {} to {}", what, low, high), kHint);
+    return static_cast<int>(found->value);
+  }
+
+  // Parts of 1, as the book's programs give them to OpenGL.
+  Result<Value> colour() {
+    std::string text = "#";
+    Place where;
+    for (const char* part : {"red", "green", "blue"}) {
+      const auto found = number(part);
+      if (!found) return tl::unexpected(found.error());
+      if (!(found->value >= 0 && found->value <= 1))
+        return fail(found->where, fmt::format("{} must be from 0 to 1", part), kHint);
+      text += fmt::format("{:02x}", static_cast<int>(found->value * 255 + 0.5));
+      where = found->where;
+    }
+    return string_value(where, text);
+  }
+
+  Result<void> read_pillar(int index) {
+    const auto sides = whole_number("sides", 3, kMostSides);
+    if (!sides) return tl::unexpected(sides.error());
+    auto paint = colour();
+    if (!paint) return tl::unexpected(paint.error());
+    const Place where = paint->where;
+    std::vector<Value> points;
+    for (int i = 0; i < *sides; ++i) {
+      std::vector<Value> pair;
+      for (const char* axis : {"x", "y"}) {
+        const auto found = number(axis);
+        if (!found) return tl::unexpected(found.error());
+        pair.push_back({Value::Kind::number, found->where, {}, {}, {}});
+        if (index == 0) middle_[axis[0] == 'x' ? 0 : 1] += found->value / *sides;
+      }
+      const Place at = pair.front().where;
+      points.push_back(array_value(at, std::move(pair)));
+    }
+    Value ring = table_value(where, {member("points", array_value(where, std::move(points)))});
+    add(index, table_value(where, {member("convex", std::move(ring))}), std::move(*paint));
+    return {};
+  }
+
+  void add(int index, Value shape, Value paint) {
+    const Place where = paint.where;
+    if (index == 0) {
+      chamber_.push_back(member("name", string_value(where, "chamber")));
+      chamber_.push_back(member("shape", std::move(shape)));
+      std::vector<Member> stroke;
+      stroke.push_back(member("width_px", built_in_number(2)));
+      stroke.push_back(member("colour", std::move(paint)));
+      chamber_.push_back(member("stroke", table_value(where, std::move(stroke))));
+      return;
+    }
+    std::vector<Member> pillar;
+    pillar.push_back(member("name", string_value(where, fmt::format("pillar {}", index))));
+    pillar.push_back(member("shape", std::move(shape)));
+    pillar.push_back(member("fill", std::move(paint)));
+    pillars_.push_back(table_value(where, std::move(pillar)));
+  }
+
+  // The file has none: a start to be changed with -D.
+  Value ray(const Place& where) const {
+    const auto pair = [&](double x, double y) {
+      return array_value(where, {built_in_number(x), built_in_number(y)});
+    };
+    std::vector<Member> ray;
+    ray.push_back(member("name", string_value(where, "start")));
+    ray.push_back(member("at", pair(middle_[0], middle_[1])));
+    ray.push_back(member("direction", pair(1, 0.375)));
+    ray.push_back(member("bounces", built_in_number(30)));
+    return table_value(where, std::move(ray));
+  }
+
+  SourcePtr source_;
+  std::string_view rest_;
+  std::vector<Member> chamber_;
+  std::vector<Value> pillars_;
+  double middle_[2] = {0, 0};
+};
+
+Result<SceneDesc> read(const SourcePtr& source) { return HillReader(source).read(); }
+
+// A whole number, then four numbers: sides and a colour.
+bool recognises(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return !line.empty() && line.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+constexpr std::string_view kExtensions[] = {"chamber"};
+
+}  // namespace
+
+extern const Format hill = {
+    "hill",      "Hill's chamber: a count, then for each pillar sides r g b and its vertices",
+    kExtensions, &recognises,
+    &read,       nullptr};
+
+}  // namespace flatray::scene_formats

@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+
+#include "study/experiment.h"
+
+namespace flatray {
+
+/// Runs `task` for every block on the threads of the context, but for blocks its monitor has kept.
+///
+/// Needs   tasks whose numbers depend on their block alone; work cut by what it is, never by
+///         threads.
+/// Gives   their results by block.
+/// Error   when the monitor stops the run.
+Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
+                                        const std::function<Numbers(std::size_t)>& task);
+
+/// `items` cut into blocks of one size, the last one smaller.
+struct Blocks {
+  std::uint64_t items, size;
+
+  /// Some hundred blocks of at most 1024 items.
+  static Blocks of(std::uint64_t items) {
+    const std::uint64_t size = items / 128;
+    return {items, size < 16 ? 16 : size > 1024 ? 1024 : size};
+  }
+  std::size_t count() const { return static_cast<std::size_t>((items + size - 1) / size); }
+  std::uint64_t begin(std::size_t block) const { return block * size; }
+  std::uint64_t end(std::size_t block) const {
+    return begin(block) + size < items ? begin(block) + size : items;
+  }
+};
+
+}  // namespace flatray

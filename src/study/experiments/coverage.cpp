@@ -1,0 +1,110 @@
+#include <fmt/core.h>
+
+#include "study/blocks.h"
+#include "study/estimate.h"
+#include "study/line_density.h"
+#include "study/palette.h"
+#include "study/scene_orbits.h"
+#include "study/svg_plot.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kBounces = 10'000;
+constexpr int kCells = 160;  // along the longer side of the window
+
+// Cells of the room crossed by one path, as a share of those whose centre it could come to.
+class Crossed : public OrbitSink {
+ public:
+  Crossed(const Room& room, int width, int height, const Vec2& start)
+      : density_(room.state().window, width, height), last_(start) {}
+
+  void bounce(std::size_t, const Bounce& bounce) override {
+    density_.add(last_, bounce.point);
+    last_ = bounce.point;
+    if (++bounces_ < next_) return;
+    note();
+    next_ += (next_ + 3) / 4;
+  }
+  void end(std::size_t, const OrbitStop& stop) override {
+    if (stop.end == OrbitEnd::absorbed || stop.end == OrbitEnd::corner)
+      density_.add(last_, stop.point);
+    if (curve_.empty() || curve_[curve_.size() - 2] < static_cast<double>(bounces_)) note();
+  }
+  /// Pairs of bounces and cells crossed, then the density.
+  Numbers numbers() const {
+    Numbers all{static_cast<double>(curve_.size())};
+    all.insert(all.end(), curve_.begin(), curve_.end());
+    all.insert(all.end(), density_.cells().begin(), density_.cells().end());
+    return all;
+  }
+
+ private:
+  void note() {
+    double crossed = 0;
+    for (const double cell : density_.cells()) crossed += cell > 0 ? 1 : 0;
+    curve_.insert(curve_.end(), {static_cast<double>(bounces_), crossed});
+  }
+  LineDensity density_;
+  Vec2 last_;
+  std::uint64_t bounces_ = 0, next_ = 1;
+  Numbers curve_;
+};
+
+struct Grid {
+  int width, height;
+  double free = 0;  // cells whose centre lies in the room
+};
+
+Grid grid_of(const Room& room) {
+  const Bounds& window = room.state().window;
+  const double longer = window.size().maxCoeff() / kCells;
+  Grid grid{std::max(1, static_cast<int>(window.size().x() / longer + 0.5)),
+            std::max(1, static_cast<int>(window.size().y() / longer + 0.5))};
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) {
+      const Vec2 centre = window.low + Vec2((x + 0.5) / grid.width * window.size().x(),
+                                            (y + 0.5) / grid.height * window.size().y());
+      if (room.solids().in_chamber(centre) && !room.solids().holder(centre)) ++grid.free;
+    }
+  return grid;
+}
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  const Room room(context.scene);
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  const NamedOrbits orbits = orbits_to_watch(context, room, 1);
+  const Grid grid = grid_of(room);
+  const std::uint64_t bounces = context.bounces.value_or(kBounces);
+  auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
+    Crossed crossed(room, grid.width, grid.height, orbits.starts[i].ray.origin);
+    room.orbits().follow(std::span(&orbits.starts[i], 1), bounces, crossed);
+    return crossed.numbers();
+  });
+  if (!found) return fail(std::move(found));
+  Plot plot{"Part of the room a path has crossed", "bounces", "portion", {}};
+  std::vector<Measure> measures;
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    Plot::Series& series = plot.series.emplace_back(Plot::Series{orbits.names[i], {}});
+    const Numbers& numbers = (*found)[i];
+    for (std::size_t k = 1; k < 1 + static_cast<std::size_t>(numbers.front()); k += 2)
+      series.points.push_back({numbers[k], numbers[k + 1] / grid.free});
+    measures.push_back({orbits.names[i], series.points.back().y});
+  }
+  ExperimentResult result =
+      measured(context, "coverage",
+               fmt::format("Part of {} x {} cells, of which {:.0f} lie in the room, that each path "
+                           "crosses in {} bounces; those at the rim count too",
+                           grid.width, grid.height, grid.free, bounces),
+               std::move(measures));
+  result.files.push_back({"coverage.svg", svg(plot)});
+  return result;
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment coverage = {"coverage", "How much of the room does one path cross?", &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

@@ -1,0 +1,170 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/portable_math.h"
+#include "precise/certified_orbit.h"
+#include "precise/proven_bounces.h"
+#include "study/estimate.h"
+#include "study/scene_orbits.h"
+#include "study/svg_plot.h"
+#include "study/table.h"
+#include "transport/reflection.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kBounces = 200;
+constexpr std::uint64_t kRandomOrbits = 4;
+constexpr double kApart = 0.01;  // of the room: from here on orbits do not part at a rate any more
+
+// One orbit three times: without error, beside itself, and in doubles.
+struct Trio {
+  CertifiedOrbit exact, beside;
+  Orbit plain;
+};
+
+Result<Trio> trace(const Room& room, const Ray& start, std::uint64_t bounces, double apart) {
+  const Vec2 along = unit(start.direction);
+  const Ray moved{start.origin + apart * Vec2(-along.y(), along.x()), start.direction};
+  auto exact = certified_orbit(room.walls(), start, bounces);
+  if (!exact) return tl::unexpected(exact.error());
+  auto beside = certified_orbit(room.walls(), moved, bounces);
+  if (!beside) return tl::unexpected(beside.error());
+  const std::vector<Material> mirrors(room.walls().size(), Material::mirror);
+  return Trio{std::move(*exact), std::move(*beside),
+              trace_orbit(room.walls(), mirrors, start, bounces)};
+}
+
+// Off the wall that a random orbit starts on, so that its neighbour is not beyond it.
+class FirstPoint : public OrbitSink {
+ public:
+  explicit FirstPoint(const Vec2& start) : point(start) {}
+  void bounce(std::size_t, const Bounce& bounce) override { point = bounce.point; }
+  void end(std::size_t, const OrbitStop&) override {}
+  Vec2 point;
+};
+
+Ray half_way(const Room& room, const OrbitStart& start) {
+  FirstPoint first(start.ray.origin);
+  room.orbits().follow(std::span(&start, 1), 1, first);
+  return {0.5 * start.ray.origin + 0.5 * first.point, start.ray.direction};
+}
+
+double distance(const Vec2& a, const Vec2& b) {
+  const Vec2 d = a - b;
+  return std::sqrt(d.x() * d.x() + d.y() * d.y());
+}
+
+class Study {
+ public:
+  Study(const ExperimentContext& context, const Room& room) : context_(context), room_(room) {
+    Bounds box;
+    for (const Segment& wall : room.walls().segments) {
+      box.add(wall.a);
+      box.add(wall.b);
+    }
+    for (const Circle& wall : room.walls().circles) {
+      box.add(Vec2(wall.centre - Vec2::Constant(wall.radius)));
+      box.add(Vec2(wall.centre + Vec2::Constant(wall.radius)));
+    }
+    size_ = box.size().maxCoeff();
+  }
+
+  void add(const std::string& name, const Trio& trio) {
+    const std::uint64_t proven = proven_bounces(room_.walls(), trio.plain).bounces;
+    const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
+    Plot::Series parted{name + ": neighbours", {}}, error{name + ": doubles", {}};
+    std::uint64_t horizon = 0, same = 0;
+    bool near = true, right = true, known = true;
+    for (std::size_t i = 0; i < trio.exact.bounces.size(); ++i) {
+      const auto& exact = trio.exact.bounces[i];
+      const bool there = i < trio.plain.bounces.size();
+      right = right && there && trio.plain.bounces[i].surface == exact.surface;
+      const double off = there ? distance(trio.plain.bounces[i].point, exact.point) : size_;
+      near = near && i < both && trio.beside.bounces[i].surface == exact.surface;
+      const double apart = i < both ? distance(trio.beside.bounces[i].point, exact.point) : size_;
+      near = near && apart < kApart * size_;
+      if (near && apart > 0)
+        rate_points_.push_back({static_cast<double>(i + 1), portable::log(apart)});
+      known = known && right && off < kApart * size_;
+      if (known) horizon = i + 1;
+      if (right) same = i + 1;
+      table_.add({name, std::uint64_t{i + 1}, apart, off, right ? "yes" : "no",
+                  i < proven ? "yes" : "no"});
+      parted.points.push_back({static_cast<double>(i + 1), apart});
+      error.points.push_back({static_cast<double>(i + 1), off});
+    }
+    plot_.series.push_back(std::move(parted));
+    plot_.series.push_back(std::move(error));
+    const auto bounces = [](std::uint64_t n) { return static_cast<double>(n); };
+    measures_.push_back({name + ": doubles within 1 % of the room until bounce", bounces(horizon)});
+    measures_.push_back({name + ": walls of doubles right until bounce", bounces(same)});
+    measures_.push_back({name + ": bounces of doubles proven", bounces(proven)});
+    measures_.push_back({name + ": bits of the exact orbit", bounces(trio.exact.bits)});
+    measures_.push_back(slope(name));
+  }
+
+  ExperimentResult result() && {
+    ExperimentResult all = measured(
+        context_, "divergence",
+        fmt::format("Orbits {} apart at their start, and the error of doubles, beside exact ones",
+                    context_.apart),
+        std::move(measures_));
+    all.files.push_back({"divergence_bounces.csv", table_.csv()});
+    all.files.push_back({"divergence.svg", svg(plot_)});
+    return all;
+  }
+
+ private:
+  // Least squares of the logarithm of the distance.
+  Measure slope(const std::string& name) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    for (const auto& [at, log] : std::exchange(rate_points_, {})) {
+      ++n;
+      x += at;
+      y += log;
+      xx += at * at;
+      xy += at * log;
+      yy += log * log;
+    }
+    const double spread = n * xx - x * x;
+    if (!(n > 2 && spread > 0)) return {name + ": growth per bounce", 0, 0};
+    const double rate = (n * xy - x * y) / spread;
+    const double rest = std::max(0.0, (n * yy - y * y) / spread - rate * rate);
+    return {name + ": growth per bounce", rate, std::sqrt(rest / (n - 2))};
+  }
+
+  const ExperimentContext& context_;
+  const Room& room_;
+  double size_ = 1;
+  std::vector<std::pair<double, double>> rate_points_;
+  std::vector<Measure> measures_;
+  Table table_{{"orbit", "bounce", "neighbours_apart", "error_of_doubles", "wall_right", "proven"}};
+  Plot plot_{"How far orbits have parted", "bounce", "distance", {}, true};
+};
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  const Room room(context.scene);
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  const NamedOrbits orbits = orbits_to_watch(context, room, kRandomOrbits);
+  Study study(context, room);
+  for (std::size_t i = 0; i < orbits.starts.size(); ++i) {
+    const Ray start = orbits.random ? half_way(room, orbits.starts[i]) : orbits.starts[i].ray;
+    const auto trio = trace(room, start, context.bounces.value_or(kBounces), context.apart);
+    if (!trio) return tl::unexpected(trio.error());
+    study.add(orbits.names[i], *trio);
+  }
+  return std::move(study).result();
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment divergence = {
+    "divergence", "How soon do near orbits part, and until when do doubles know better?", &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

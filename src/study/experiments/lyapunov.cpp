@@ -1,0 +1,116 @@
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "study/blocks.h"
+#include "study/estimate.h"
+#include "study/room.h"
+#include "study/wall_places.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kBounces = 1000;  // of one orbit
+constexpr std::uint64_t kSettling = 20;   // bounces that turn any first difference to the fastest
+
+// How two orbits an infinitesimal way apart part, across the ray: apart by q, at an angle p. A
+// flight of length t adds t p to q; a mirror of curvature k adds 2 k q / cos(incidence) to p and
+// turns both round (Sinai 1970).
+struct Tangent {
+  double q = 1, p = 1;
+
+  void fly(double t) { q += t * p; }
+  void reflect(double bend) {
+    p = -(p + bend * q);
+    q = -q;
+  }
+  // Brings its length back to 1; gives the logarithm of what it was.
+  double restore() {
+    const double size = std::sqrt(q * q + p * p);
+    q /= size;
+    p /= size;
+    return portable::log(size);
+  }
+};
+
+class Growth : public OrbitSink {
+ public:
+  Growth(const Surfaces& walls, std::size_t orbits) : walls_(walls), states_(orbits) {}
+
+  void bounce(std::size_t number, const Bounce& bounce) override {
+    State& state = states_[number];
+    const double bend = curvature(walls_, bounce.surface, bounce.point, bounce.normal);
+    state.tangent.fly(bounce.t);
+    state.tangent.reflect(bend == 0 ? 0 : 2 * bend / portable::cos(bounce.incidence));
+    const double grown = state.tangent.restore();
+    if (++state.bounces <= kSettling) return;
+    state.grown += grown;
+    state.length += bounce.t;
+    state.curved += bend != 0 ? 1 : 0;
+  }
+  void end(std::size_t, const OrbitStop&) override {}
+
+  Numbers numbers() const {
+    RatioSums length, hits, curved;
+    for (const State& state : states_) {
+      if (state.bounces <= kSettling) continue;
+      length.add(state.grown, state.length);
+      hits.add(state.grown, static_cast<double>(state.bounces - kSettling));
+      curved.add(state.grown, state.curved);
+    }
+    Numbers all;
+    for (const RatioSums& sums : {length, hits, curved}) sums.append_to(all);
+    return all;
+  }
+
+ private:
+  struct State {
+    Tangent tangent;
+    std::uint64_t bounces = 0;
+    double grown = 0, length = 0, curved = 0;
+  };
+  const Surfaces& walls_;
+  std::vector<State> states_;
+};
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
+  const Room room(context.scene);
+  const auto plan = plan_orbits(context, kBounces + kSettling);
+  if (!plan) return tl::unexpected(plan.error());
+  if (plan->bounces < 2 * kSettling)
+    return fail(named_place("--bounces"), "too few for an exponent",
+                fmt::format("say {} or more: the first {} do not count", 2 * kSettling, kSettling),
+                Trouble::usage);
+  const Blocks blocks = Blocks::of(plan->orbits);
+  auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
+    Growth growth(room.walls(), static_cast<std::size_t>(blocks.end(block) - blocks.begin(block)));
+    follow_random(room, context.seed, blocks.begin(block), blocks.end(block), plan->bounces,
+                  growth);
+    return growth.numbers();
+  });
+  if (!found) return fail(std::move(found));
+  std::array<RatioSums, 3> sums;
+  for (const Numbers& block : *found)
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] += RatioSums::from(std::span(block).subspan(6 * i, 6));
+  std::vector<Measure> measures;
+  const std::array names = {"per_length", "per_hit", "per_curved_hit"};
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i].y > 0) measures.push_back({names[i], sums[i].ratio(), sums[i].standard_error()});
+  return measured(
+      context, "lyapunov",
+      fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits", sums[1].y, plan->orbits),
+      std::move(measures));
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment lyapunov = {
+    "lyapunov", "How fast do two orbits part that start next to each other?", &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

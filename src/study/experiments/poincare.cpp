@@ -1,0 +1,92 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "base/number_text.h"
+#include "base/portable_math.h"
+#include "study/boundary_orbits.h"
+#include "study/estimate.h"
+#include "study/palette.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kRandomOrbits = 64;
+constexpr int kWidth = 1200, kHeight = 600;
+constexpr std::size_t kRows = 100'000;  // of points listed, evenly over all
+
+// Light of every point on black: colours tell orbits apart, and add where orbits share a pixel.
+Image picture(const BoundaryOrbits& found) {
+  std::vector<Light> sum(static_cast<std::size_t>(kWidth) * kHeight);
+  double points = 0;
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+    for (const BoundaryPoint& point : found.points[i]) {
+      const int x = std::clamp(static_cast<int>(point.along * kWidth), 0, kWidth - 1);
+      const int y = std::clamp(static_cast<int>((1 - point.sine) * 0.5F * kHeight), 0, kHeight - 1);
+      sum[static_cast<std::size_t>(y * kWidth + x)] += nth_colour(i);
+      ++points;
+    }
+  // What a pixel would have if points filled the section evenly is a third of full light; a single
+  // point is seen.
+  const double scale = std::min(1.0, 0.33 * kWidth * kHeight / std::max(points, 1.0));
+  Image image(kWidth, kHeight, 3);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const Light light = sum[static_cast<std::size_t>(y * kWidth + x)] * scale;
+      set_pixel(image, x, y,
+                {1 - portable::exp(-2 * light.r), 1 - portable::exp(-2 * light.g),
+                 1 - portable::exp(-2 * light.b)});
+    }
+  return image;
+}
+
+std::string list(const BoundaryOrbits& found) {
+  std::size_t points = 0;
+  for (const auto& orbit : found.points) points += orbit.size();
+  const std::size_t every = std::max<std::size_t>(1, (points + kRows - 1) / kRows);
+  std::string text = "orbit,bounce,along,sine\n";
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+    for (std::size_t k = 0; k < found.points[i].size(); k += every)
+      text += fmt::format("{},{},{},{}\n", i + 1, k + 1, found.points[i][k].along,
+                          found.points[i][k].sine);
+  return text;
+}
+
+// Random starts have the measure that reflection keeps, in which the sine is uniform: the mean of
+// its square is 1/3 in every room, whatever orbits do there.
+Measure mean_square_sine(const BoundaryOrbits& found) {
+  RatioSums sums;
+  for (const auto& orbit : found.points) {
+    double squares = 0;
+    for (const BoundaryPoint& point : orbit) squares += double{point.sine} * double{point.sine};
+    if (!orbit.empty()) sums.add(squares, static_cast<double>(orbit.size()));
+  }
+  Measure measure{"mean_square_sine", sums.ratio(),
+                  found.points.size() > 1 ? sums.standard_error() : 0, std::nullopt};
+  if (found.orbits.random) measure.expected = 1.0 / 3;
+  return measure;
+}
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
+  const Room room(context.scene);
+  const auto found = boundary_orbits(context, room, kRandomOrbits);
+  if (!found) return tl::unexpected(found.error());
+  ExperimentResult result =
+      measured(context, "poincare",
+               fmt::format("Bounces of {} orbits by place along the walls and sine of the angle",
+                           found->points.size()),
+               {mean_square_sine(*found)});
+  result.files.push_back({"poincare_points.csv", list(*found)});
+  result.files.push_back(png_file("poincare.png", picture(*found), context.threads));
+  return result;
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment poincare = {
+    "poincare", "Where along the walls do orbits bounce, and at which angles?", &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

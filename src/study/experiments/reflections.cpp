@@ -1,0 +1,94 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "study/blocks.h"
+#include "study/estimate.h"
+#include "study/palette.h"
+#include "study/pixel_map.h"
+#include "study/scene_orbits.h"
+#include "study/wedge.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kPixelBounces = 1000, kRayBounces = std::uint64_t{1} << 30;
+
+class Counts : public OrbitSink {
+ public:
+  explicit Counts(std::size_t orbits) : counts_(orbits) {}
+  void bounce(std::size_t number, const Bounce&) override { ++counts_[number]; }
+  void end(std::size_t, const OrbitStop&) override {}
+  const Numbers& counts() const { return counts_; }
+
+ private:
+  Numbers counts_;
+};
+
+// A row for each ray of the scene, with the closed form where its walls are a wedge.
+std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& room) {
+  const NamedOrbits orbits = orbits_to_watch(context, room, 0);
+  Counts counts(orbits.starts.size());
+  room.orbits().follow(orbits.starts, context.bounces.value_or(kRayBounces), counts);
+  std::vector<Measure> measures;
+  for (std::size_t i = 0; i < orbits.starts.size(); ++i) {
+    Measure one{orbits.names[i], counts.counts()[i], 0, std::nullopt};
+    if (const auto known = wedge_reflections(room.walls(), orbits.starts[i].ray))
+      one.expected = static_cast<double>(*known);
+    measures.push_back(one);
+  }
+  return measures;
+}
+
+// Brightness by the logarithm of the count.
+Image picture(const Film& film, const std::vector<PixelOutcome>& pixels) {
+  std::uint32_t most = 1;
+  for (const PixelOutcome& pixel : pixels) most = std::max(most, pixel.bounces);
+  const double scale = 1 / portable::log(1.0 + most);
+  Image image(film.width, film.height, 3);
+  const auto width = static_cast<std::size_t>(film.width);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
+              pixels[i].kind == PixelOutcome::Kind::solid
+                  ? Light{0.02, 0.03, 0.08}
+                  : heat(scale * portable::log(1.0 + pixels[i].bounces)));
+  return image;
+}
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  const Room room(context.scene);
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  const auto pixels =
+      trace_pixels(context, room, context.bounces.value_or(kPixelBounces), PixelMap::position);
+  if (!pixels) return tl::unexpected(pixels.error());
+  std::vector<Measure> measures = ray_counts(context, room);
+  RatioSums mean;
+  double most = 0;
+  for (const PixelOutcome& pixel : *pixels) {
+    if (pixel.kind == PixelOutcome::Kind::solid) continue;
+    mean.add(pixel.bounces, 1);
+    most = std::max(most, static_cast<double>(pixel.bounces));
+  }
+  if (mean.samples > 1) {
+    measures.push_back({"pixels_mean", mean.ratio(), mean.standard_error(), std::nullopt});
+    measures.push_back({"pixels_most", most, 0, std::nullopt});
+  }
+  ExperimentResult result = measured(
+      context, "reflections",
+      "Reflections of the scene's rays, and of a ray in the direction of the first from each pixel",
+      std::move(measures));
+  result.files.push_back(
+      png_file("reflections.png", picture(context.scene.film, *pixels), context.threads));
+  return result;
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment reflections = {
+    "reflections", "How often is a ray reflected, from every pixel and of every ray?", &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+
+#include "geom/vec.h"
+#include "image/image.h"
+#include "study/experiment.h"
+
+namespace flatray {
+
+/// Linear light, 0 to 1 each.
+struct Light {
+  double r = 0, g = 0, b = 0;
+  Light operator*(double factor) const { return {r * factor, g * factor, b * factor}; }
+  Light& operator+=(const Light& other);
+};
+
+/// Full colours round the circle: hue 0 and 1 are the same.
+Light hue(double turn);
+/// Colours that are easy to tell apart, any number of them: the hue goes on by the golden section.
+Light nth_colour(std::size_t n);
+/// From black over red and yellow to white, for 0 to 1.
+Light heat(double level);
+
+/// Hue of a direction.
+Light hue_of(const Vec2& direction);
+
+void set_pixel(Image& image, int x, int y, const Light& light);
+
+/// A picture among the files of an experiment.
+ExperimentResult::File png_file(const std::string& name, const Image& image, unsigned threads);
+
+}  // namespace flatray

@@ -1,0 +1,117 @@
+#include "study/room.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/philox.h"
+#include "geom/predicates.h"
+#include "study/wall_places.h"
+#include "trace/on_surface.h"
+#include "transport/near_doubles.h"
+#include "transport/reflection.h"
+
+namespace flatray {
+namespace {
+
+Sign side_of(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  const std::uint32_t slot = walls.slot[surface];
+  if (walls.kinds[surface] == SurfaceKind::circle) return circle_side(point, walls.circles[slot]);
+  return orientation(walls.segments[slot].a, walls.segments[slot].b, point);
+}
+
+}  // namespace
+
+Room::Room(const Scene& scene)
+    : scene_(scene),
+      state_(at(Timeline(scene, scene.seed, 1), 1)),
+      world_(build_world(scene, state_)),
+      solids_(scene, state_),
+      materials_(world_.materials()) {
+  before_.push_back(0);
+  for (std::uint32_t i = 0; i < walls().size(); ++i)
+    before_.push_back(before_.back() + wall_length(walls(), i));
+  orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
+}
+
+// A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
+// run counter-clockwise; both sides of a lone segment are outside.
+bool Room::faces(std::uint32_t surface, Sign side) const {
+  const SurfaceOwner& owner = world_.owners[surface];
+  const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
+  const bool circle = walls().kinds[surface] == SurfaceKind::circle;
+  const ShapeId shape = chamber ? scene_.chambers[owner.index].shape
+                        : owner.kind == SurfaceOwner::Kind::pillar
+                            ? scene_.chambers[owner.index].pillars[owner.pillar].shape
+                            : state_.entities[owner.index].shape;
+  if (!circle && scene_.shapes[shape].vertices.empty()) return true;
+  return side == (chamber != circle ? Sign::positive : Sign::negative);
+}
+
+OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
+  for (std::uint32_t attempt = 0;; attempt += 4) {
+    const auto draw = [&](std::uint32_t which) {
+      return unit_double(
+          random_bits(seed, Stream::experiment, number >> 32, number, attempt + which));
+    };
+    const double along = draw(0) * perimeter(), sine = 2 * draw(1) - 1;
+    const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
+    const auto surface = static_cast<std::uint32_t>(above - before_.begin() - 1);
+    Sign side = draw(2) < 0.5 ? Sign::positive : Sign::negative;
+    if (!faces(surface, side)) side = -side;
+    const Vec2 place = wall_point(walls(), surface, along - before_[surface]);
+    const auto origin = nearest_double(
+        place, [&](const Vec2& point) { return side_of(walls(), surface, point) != -side; });
+    if (!origin) continue;
+    const Vec2 normal = static_cast<double>(side) * wall_normal(walls(), surface, *origin);
+    const Vec2 direction =
+        std::sqrt((1 - sine) * (1 + sine)) * normal + sine * Vec2(-normal.y(), normal.x());
+    if (!leads_away(walls(), surface, side, *origin, direction)) continue;
+    const bool circle = walls().kinds[surface] == SurfaceKind::circle;
+    const Root root = !circle ? Root::none : side == Sign::negative ? Root::first : Root::second;
+    return {{*origin, direction}, {surface, root}};
+  }
+}
+
+Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
+  if (room.walls().size() > 0) return {};
+  return fail(named_place(context.scene.name), "has no walls",
+              "add a [[chamber]], or give entities material = \"mirror\"");
+}
+
+Result<void> expect_closed(const ExperimentContext& context) {
+  const Scene& scene = context.scene;
+  const Place place = named_place(scene.name);
+  if (scene.chambers.empty())
+    return fail(place, "has no chamber for orbits to stay in", "add [[chamber]] with a shape");
+  const Chamber& chamber = scene.chambers.front();
+  const bool absorbs =
+      chamber.material == Material::absorb ||
+      std::any_of(chamber.pillars.begin(), chamber.pillars.end(),
+                  [](const Chamber::Pillar& one) { return one.material == Material::absorb; });
+  const bool others = std::any_of(scene.entities.begin(), scene.entities.end(),
+                                  [](const Entity& one) { return one.material.has_value(); });
+  if (absorbs) return fail(place, "has walls that absorb", "all must be mirrors here");
+  if (others)
+    return fail(place, "has entities that rays meet beside its chamber",
+                "write what stands in the chamber as its pillars: their areas count");
+  return {};
+}
+
+Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {
+  const std::uint64_t bounces = std::min(context.bounces.value_or(usual_bounces), context.count);
+  if (bounces == 0)
+    return fail(named_place("--bounces"), "an orbit without bounces measures nothing",
+                "say 1 or more", Trouble::usage);
+  return OrbitPlan{(context.count + bounces - 1) / bounces, bounces};
+}
+
+void follow_random(const Room& room, std::uint64_t seed, std::uint64_t begin, std::uint64_t end,
+                   std::uint64_t bounces, OrbitSink& sink) {
+  std::vector<OrbitStart> starts;
+  for (std::uint64_t i = begin; i < end; ++i) starts.push_back(room.draw_start(seed, i));
+  room.orbits().follow(starts, bounces, sink);
+}
+
+}  // namespace flatray

@@ -1,0 +1,59 @@
+#pragma once
+#include "anim/solids.h"
+#include "study/experiment.h"
+#include "transport/orbit_tracer.h"
+
+namespace flatray {
+
+/// The walls of a scene's first frame, ready for orbits of an experiment.
+class Room {
+ public:
+  /// Needs   `scene` to outlive it.
+  explicit Room(const Scene& scene);
+  Room(const Room&) = delete;
+  Room& operator=(const Room&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  const Surfaces& walls() const { return world_.surfaces; }
+  const SurfaceOwner& owner(std::uint32_t surface) const { return world_.owners[surface]; }
+  const FrameState& state() const { return state_; }
+  const Solids& solids() const { return solids_; }
+  const OrbitTracer& orbits() const { return *orbits_; }
+
+  /// Length of all walls, and of those before each.
+  double perimeter() const { return before_.back(); }
+  double length_before(std::uint32_t surface) const { return before_[surface]; }
+
+  /// A start on a wall such that bounces along its orbit have the measure that reflection keeps:
+  /// uniform in length of wall and in the sine of the angle. One for each number under one seed.
+  OrbitStart draw_start(std::uint64_t seed, std::uint64_t number) const;
+
+ private:
+  bool faces(std::uint32_t surface, Sign side) const;
+
+  const Scene& scene_;
+  FrameState state_;
+  World world_;
+  Solids solids_;
+  std::vector<Material> materials_;
+  std::vector<double> before_;
+  std::unique_ptr<OrbitTracer> orbits_;
+};
+
+/// Whether orbits stay within a scene: one chamber, and mirrors alone.
+Result<void> expect_closed(const ExperimentContext& context);
+/// Whether it has walls at all.
+Result<void> expect_walls(const ExperimentContext& context, const Room& room);
+
+/// Orbits that `count` bounces make, and how many each has.
+struct OrbitPlan {
+  std::uint64_t orbits, bounces;
+};
+/// Error   more orbits than 32 bits name.
+Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces);
+
+/// Follows the orbits [begin, end) of random starts.
+void follow_random(const Room& room, std::uint64_t seed, std::uint64_t begin, std::uint64_t end,
+                   std::uint64_t bounces, OrbitSink& sink);
+
+}  // namespace flatray

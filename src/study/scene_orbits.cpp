@@ -1,0 +1,23 @@
+#include "study/scene_orbits.h"
+
+#include <fmt/core.h>
+
+namespace flatray {
+
+NamedOrbits orbits_to_watch(const ExperimentContext& context, const Room& room,
+                            std::uint64_t random_orbits) {
+  NamedOrbits orbits;
+  for (const RayPath& ray : context.scene.rays) {
+    orbits.names.push_back(ray.name);
+    orbits.starts.push_back({{world_pose(room.state())(ray.at), ray.direction}});
+  }
+  if (!orbits.starts.empty()) return orbits;
+  orbits.random = true;
+  for (std::uint64_t i = 0; i < random_orbits; ++i) {
+    orbits.names.push_back(fmt::format("random {}", i + 1));
+    orbits.starts.push_back(room.draw_start(context.seed, i));
+  }
+  return orbits;
+}
+
+}  // namespace flatray

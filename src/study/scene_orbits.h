@@ -1,0 +1,16 @@
+#pragma once
+#include "study/room.h"
+
+namespace flatray {
+
+/// Orbits an experiment looks at one by one: the rays of the scene, or random ones where it has
+/// none.
+struct NamedOrbits {
+  std::vector<std::string> names;
+  std::vector<OrbitStart> starts;
+  bool random = false;
+};
+NamedOrbits orbits_to_watch(const ExperimentContext& context, const Room& room,
+                            std::uint64_t random_orbits);
+
+}  // namespace flatray

@@ -1,0 +1,157 @@
+#include "study/svg_plot.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "geom/bounds.h"
+#include "study/svg_text.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kWidth = 640, kHeight = 420, kLeft = 80, kRight = 20, kTop = 40, kBottom = 56;
+constexpr std::array kColours = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#555"};
+constexpr double kTicks = 6;
+constexpr double kLn10 = 0x1.26bb1bbb55516p+1;
+
+double log10_of(double x) { return portable::log(x) / kLn10; }
+
+// 1, 2 or 5 times a power of ten, near `span` / kTicks.
+double tick_step(double span) {
+  const double power = portable::pow(10, std::floor(log10_of(span / kTicks)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (span / (factor * power) <= kTicks) return factor * power;
+  return 10 * power;
+}
+
+class Drawing {
+ public:
+  explicit Drawing(const Plot& plot) : plot_(plot) {
+    for (const Plot::Series& series : plot.series)
+      for (const Plot::Point& point : series.points) {
+        if (!shown(point)) continue;
+        box_.add(Vec2(point.x, scaled(point.y)));
+        if (!plot.log_y) {
+          box_.add(Vec2(point.x, point.y - point.half));
+          box_.add(Vec2(point.x, point.y + point.half));
+        }
+      }
+    if (box_.empty()) box_.add(Vec2(0, 0));
+    for (int axis = 0; axis < 2; ++axis) {
+      const double span = box_.high[axis] - box_.low[axis];
+      const double margin = span > 0 ? 0.04 * span : std::max(std::fabs(box_.low[axis]), 1.0) / 2;
+      box_.low[axis] -= margin;
+      box_.high[axis] += margin;
+    }
+  }
+
+  std::string text() {
+    open();
+    axis(0);
+    axis(1);
+    std::size_t named = 0;
+    for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+      const Plot::Series& series = plot_.series[i];
+      if (series.points.empty()) continue;
+      const char* colour = kColours[i % kColours.size()];
+      series.marks ? marks(series, colour) : line(series, colour);
+      label({kLeft + 12, kTop + 16 + 16 * static_cast<double>(named++)}, series.name, "start",
+            colour);
+    }
+    return text_ + "</svg>\n";
+  }
+
+ private:
+  bool shown(const Plot::Point& point) const {
+    return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0);
+  }
+  double scaled(double y) const { return plot_.log_y ? log10_of(y) : y; }
+  Vec2 place(double x, double y) const {
+    const Vec2 size = box_.size();
+    return {kLeft + (x - box_.low.x()) / size.x() * (kWidth - kLeft - kRight),
+            kHeight - kBottom - (y - box_.low.y()) / size.y() * (kHeight - kTop - kBottom)};
+  }
+
+  void open() {
+    text_ = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+        "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
+        "<rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"{5}\" fill=\"none\" stroke=\"#444\"/>\n",
+        kWidth, kHeight, kLeft, kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
+    label({kWidth / 2, kTop / 2}, plot_.title, "middle", "#000");
+    label({(kLeft + kWidth - kRight) / 2, kHeight - 12}, plot_.x_label, "middle", "#000");
+    text_ += fmt::format(
+        "<text transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+        svg_number((kTop + kHeight - kBottom) / 2), svg_text(plot_.y_label));
+  }
+
+  void label(const Vec2& at, const std::string& words, const char* anchor, const char* colour) {
+    text_ += fmt::format(
+        "<text x=\"{}\" y=\"{}\" dy=\"0.35em\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n",
+        svg_number(at.x()), svg_number(at.y()), anchor, colour, svg_text(words));
+  }
+  void stroke(const Vec2& a, const Vec2& b, const char* colour) {
+    text_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\"/>\n",
+                         svg_number(a.x()), svg_number(a.y()), svg_number(b.x()), svg_number(b.y()),
+                         colour);
+  }
+
+  void axis(int which) {
+    const bool log = which == 1 && plot_.log_y;
+    const double low = box_.low[which], high = box_.high[which];
+    const double step =
+        log ? std::max(1.0, std::ceil((high - low) / kTicks)) : tick_step(high - low);
+    for (double k = std::ceil(low / step); k * step <= high; ++k) {
+      const double value = k * step + 0.0;
+      const std::string words = log ? fmt::format("1e{:.0f}", value) : fmt::format("{:.6g}", value);
+      if (which == 0) {
+        const Vec2 at = place(value, box_.low.y());
+        stroke(at, at + Vec2(0, 5), "#444");
+        label(at + Vec2(0, 16), words, "middle", "#000");
+      } else {
+        const Vec2 at = place(box_.low.x(), value);
+        stroke(at, at - Vec2(5, 0), "#444");
+        label(at - Vec2(9, 0), words, "end", "#000");
+      }
+    }
+  }
+
+  void marks(const Plot::Series& series, const char* colour) {
+    for (const Plot::Point& point : series.points) {
+      if (!shown(point)) continue;
+      const Vec2 at = place(point.x, scaled(point.y));
+      if (point.half > 0 && !plot_.log_y)
+        stroke(place(point.x, point.y - point.half), place(point.x, point.y + point.half), colour);
+      text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.5\" fill=\"{}\"/>\n",
+                           svg_number(at.x()), svg_number(at.y()), colour);
+    }
+  }
+
+  void line(const Plot::Series& series, const char* colour) {
+    std::string way;
+    for (const Plot::Point& point : series.points) {
+      if (!shown(point)) continue;
+      const Vec2 at = place(point.x, scaled(point.y));
+      way +=
+          fmt::format("{}{} {}", way.empty() ? "M" : "L", svg_number(at.x()), svg_number(at.y()));
+    }
+    if (!way.empty())
+      text_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", way, colour);
+  }
+
+  const Plot& plot_;
+  Bounds box_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string svg(const Plot& plot) { return Drawing(plot).text(); }
+
+}  // namespace flatray

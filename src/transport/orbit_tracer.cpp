@@ -1,0 +1,208 @@
+#include "transport/orbit_tracer.h"
+
+#include <algorithm>
+
+#include "geom/error_free.h"
+#include "transport/reflection.h"
+
+namespace flatray {
+namespace {
+
+void add(DoubleDouble& sum, double t) {
+  const DoubleDouble next = two_sum(sum.hi, t);
+  sum = two_sum(next.hi, next.lo + sum.lo);
+}
+
+bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  if (walls.kinds[surface] != SurfaceKind::segment) return false;
+  const Segment& wall = walls.segments[walls.slot[surface]];
+  return point == wall.a || point == wall.b;
+}
+
+// From a point on a circle a ray goes inward from the first root, or outward from the second;
+// `both` on the tangent.
+Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
+  if (walls.kinds[surface] != SurfaceKind::circle) return Root::none;
+  return leads_away(walls, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
+         : leads_away(walls, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
+                                                                                 : Root::both;
+}
+
+bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
+  if (walls.kinds[left.surface] == SurfaceKind::circle) return left.root == Root::both;
+  const Segment& wall = walls.segments[walls.slot[left.surface]];
+  return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
+}
+
+// Inside a circle the ray goes on from the root it would have entered by, outside from the other.
+Root root_left_by(Root met) {
+  return met == Root::none ? Root::none : met == Root::second ? Root::first : Root::second;
+}
+
+}  // namespace
+
+// A ray under way.
+struct OrbitTracer::Flight {
+  Ray ray;
+  Left left;
+  Speed speed;
+  DoubleDouble time{0, 0};  // sum of all t
+  double moment = 0;        // about the circle left, as it was when it was first met in a row
+  double before = 0;        // part of the next t that was flown before ray.origin
+  std::uint64_t bounces = 0;
+  std::size_t number;
+
+  double path_length() const { return (time.hi + time.lo) * speed.length(); }
+};
+
+class OrbitTracer::Wave {
+ public:
+  Wave(const OrbitTracer& orbits, std::uint64_t bounces, OrbitSink& sink)
+      : walls_(orbits.walls_), orbits_(orbits), limit_(bounces), sink_(sink) {}
+
+  void set_off(std::span<const OrbitStart> starts) {
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Flight flight{
+          starts[i].ray, starts[i].left, Speed(starts[i].ray.direction), {0, 0}, 0, 0, 0, i};
+      if (start(flight)) flights_.push_back(flight);
+    }
+  }
+
+  void run() {
+    RayBatch rays;
+    rays.tangents = false;
+    std::vector<NearestHit> hits;
+    while (!flights_.empty()) {
+      rays.resize(flights_.size());
+      hits.resize(flights_.size());
+      for (std::size_t i = 0; i < flights_.size(); ++i)
+        rays.set(i, flights_[i].ray, flights_[i].left);
+      orbits_.tracer_->nearest(rays, hits);
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < flights_.size(); ++i)
+        if (advance(flights_[i], hits[i])) flights_[kept++] = flights_[i];
+      flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(kept), flights_.end());
+    }
+  }
+
+ private:
+  // Whether the ray can set off.
+  bool start(Flight& flight) {
+    if (flight.left.surface == kNoSurface) {
+      const Vec2& origin = flight.ray.origin;
+      const std::vector<std::uint32_t> stood_on = orbits_.lander_.walls_at(origin);
+      const bool corner =
+          stood_on.size() > 1 || (stood_on.size() == 1 && is_end(walls_, stood_on.front(), origin));
+      if (corner) return stop(flight, OrbitEnd::corner, stood_on);
+      if (!stood_on.empty())
+        flight.left = {stood_on.front(), root_stood_on(walls_, stood_on.front(), flight.ray)};
+    }
+    if (flight.left.surface != kNoSurface && runs_along(walls_, flight.left, flight.ray.direction))
+      return stop(flight, OrbitEnd::along, {flight.left.surface});
+    return limit_ > 0 || stop(flight, OrbitEnd::limit, {});
+  }
+
+  // Takes the ray to its next wall; whether it goes on from there.
+  bool advance(Flight& flight, const NearestHit& hit) {
+    if (!hit) return stop(flight, OrbitEnd::escape, {});
+    Landing landing = orbits_.lander_.land(flight.ray, hit);
+    add(flight.time, hit.t);
+    if (landing.corner.empty()) {
+      if (is_mirror(hit.surface)) {
+        auto reflection = reflect_off(walls_, flight.ray, hit, landing.point, flight.speed);
+        const Left wall{hit.surface, root_left_by(hit.root)};
+        if (reflection && wall.root != Root::none)
+          keep_moment(flight, wall, landing.point, reflection->direction);
+        return bounce(flight, wall, landing.point, hit.t, reflection);
+      }
+      landing.corner = {hit.surface};
+    }
+    const bool absorbed = std::none_of(landing.corner.begin(), landing.corner.end(),
+                                       [&](std::uint32_t i) { return is_mirror(i); });
+    if (!absorbed && orbits_.corners_ == CornerRule::back) return turn_back(flight, landing, hit.t);
+    flight.ray.origin = landing.point;
+    return stop(flight, absorbed ? OrbitEnd::absorbed : OrbitEnd::corner,
+                std::move(landing.corner));
+  }
+
+  // From one bounce inside a circle to the next the moment stays, without drift.
+  void keep_moment(Flight& flight, const Left& wall, const Vec2& point, Vec2& direction) const {
+    if (flight.bounces == 0 || flight.left.surface != wall.surface)
+      flight.moment = moment_about(walls_.circles[walls_.slot[wall.surface]].centre, flight.ray);
+    direction = with_moment(walls_, wall, point, direction, flight.moment);
+  }
+
+  bool bounce(Flight& flight, const Left& wall, const Vec2& point, double t,
+              const std::optional<Reflection>& reflection) {
+    flight.ray.origin = point;
+    if (!reflection) return stop(flight, OrbitEnd::along, {wall.surface});
+    report(flight, {wall.surface, point, flight.before + t, flight.path_length(),
+                    reflection->normal, reflection->incidence, reflection->direction});
+    flight.before = 0;
+    flight.ray.direction = reflection->direction;
+    flight.left = wall;
+    return flight.bounces < limit_ || stop(flight, OrbitEnd::limit, {});
+  }
+
+  // From a corner the ray flies back to where it last was: a wall, off which it goes again, or its
+  // start.
+  bool turn_back(Flight& flight, const Landing& corner, double t) {
+    const Vec2 back = -flight.ray.direction;
+    report(flight, {corner.corner.front(), corner.point, flight.before + t, flight.path_length(),
+                    unit(back), 0, back});
+    flight.before = 0;
+    flight.ray.direction = back;
+    flight.moment = -flight.moment;
+    if (flight.bounces == limit_) {
+      flight.ray.origin = corner.point;
+      return stop(flight, OrbitEnd::limit, {});
+    }
+    add(flight.time, t);
+    if (flight.left.surface == kNoSurface) {
+      flight.before = t;
+      return true;
+    }
+    if (!is_mirror(flight.left.surface))
+      return stop(flight, OrbitEnd::absorbed, {flight.left.surface});
+    return bounce(flight, flight.left, flight.ray.origin, t,
+                  reflect_again(walls_, flight.left, flight.ray.origin, back, flight.speed));
+  }
+
+  void report(Flight& flight, const Bounce& bounce) {
+    ++flight.bounces;
+    sink_.bounce(flight.number, bounce);
+  }
+
+  bool stop(const Flight& flight, OrbitEnd end, std::vector<std::uint32_t> surfaces) {
+    sink_.end(flight.number,
+              {end, unit(flight.ray.direction), flight.ray.origin, std::move(surfaces)});
+    return false;
+  }
+
+  bool is_mirror(std::uint32_t surface) const {
+    return orbits_.materials_[surface] == Material::mirror;
+  }
+
+  const Surfaces& walls_;
+  const OrbitTracer& orbits_;
+  std::uint64_t limit_;
+  OrbitSink& sink_;
+  std::vector<Flight> flights_;  // still under way, in the order they were given
+};
+
+OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materials,
+                         const OrbitRules& rules)
+    : walls_(walls),
+      materials_(materials),
+      corners_(rules.corners),
+      lander_(walls),
+      tracer_(rules.tracer == nullptr ? accelerate(walls) : rules.tracer->build(walls)) {}
+
+void OrbitTracer::follow(std::span<const OrbitStart> starts, std::uint64_t bounces,
+                         OrbitSink& sink) const {
+  Wave wave(*this, bounces, sink);
+  wave.set_off(starts);
+  wave.run();
+}
+
+}  // namespace flatray

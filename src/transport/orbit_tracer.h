@@ -1,0 +1,58 @@
+#pragma once
+#include <memory>
+#include <span>
+
+#include "transport/landing.h"
+#include "transport/orbit.h"
+
+namespace flatray {
+
+/// Where a ray sets off.
+struct OrbitStart {
+  Ray ray;
+  /// What it has just left; without a surface the walls it starts on are looked for.
+  Left left{};
+};
+
+/// How an orbit came to an end.
+struct OrbitStop {
+  OrbitEnd end = OrbitEnd::limit;
+  Vec2 out{0, 0};    ///< unit direction after the last bounce
+  Vec2 point{0, 0};  ///< where it was absorbed or met the corner, or last bounced
+  std::vector<std::uint32_t> surfaces{};  ///< the absorbing surface; the walls of the corner
+};
+
+/// Sees orbits as they are made, so that long ones need no memory.
+class OrbitSink {
+ public:
+  virtual ~OrbitSink() = default;
+  /// Orbit `number` was reflected; its bounces come in order, those of other orbits in between.
+  virtual void bounce(std::size_t number, const Bounce& bounce) = 0;
+  virtual void end(std::size_t number, const OrbitStop& stop) = 0;
+};
+
+/// Walls made ready to follow orbits among them, once for any number of orbits and threads.
+class OrbitTracer {
+ public:
+  /// Needs   `walls` and `materials`, by surface, to outlive it.
+  OrbitTracer(const Surfaces& walls, std::span<const Material> materials,
+              const OrbitRules& rules = {});
+
+  /// Follows many orbits together, so that the tracer of walls gets them in batches. What each does
+  /// is as trace_orbit says and does not depend on the others.
+  ///
+  /// Needs   directions that are not zero.
+  void follow(std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink) const;
+
+ private:
+  struct Flight;
+  class Wave;
+
+  const Surfaces& walls_;
+  std::span<const Material> materials_;
+  CornerRule corners_;
+  Lander lander_;
+  std::unique_ptr<Accelerator> tracer_;
+};
+
+}  // namespace flatray

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Experiments on chambers as their users run them: files, progress kept, sweeps, mistakes.
+# needs: shapes/box shapes/circle
+source "$(dirname "$0")/lib.sh"
+sinai=$root/scenes/chamber/sinai.toml
+run 0 experiment mean-free-path "$sinai" --count 20000 -o whole
+says out "pi A / P"
+exists whole/mean_free_path.csv whole/mean_free_path.json
+# A run that is stopped goes on to the same bytes; what it kept is of no use to another.
+"$flatray" experiment mean-free-path "$sinai" --count 100000000 --resume -j 1 -o half > half.txt 2>&1 &
+running=$!
+for _ in {1..600}; do
+  [[ $(wc -l 2> /dev/null < half/mean-free-path.blocks || echo 0) -ge 3 ]] && break
+  sleep 0.1
+done
+kill -INT $running
+wait $running
+code=$?
+((code == 130)) || fail "stopped with exit code $code, expected 130"
+grep -q "stopped after" half.txt || fail "nothing was said of the stop"
+exists half/mean-free-path.blocks
+run 4 experiment mean-free-path "$sinai" --count 20000 --resume -o half
+says err "was kept by another run"
+rm -r half
+run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half
+cmp whole/mean_free_path.json half/mean_free_path.json || fail "a resumed run differs"
+[[ ! -e half/mean-free-path.blocks ]] || fail "the blocks were left behind"
+# Sweeps.
+run 0 experiment mean-free-path "$sinai" --count 5000 -o sweep --sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.1
+exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg
+(($(grep -c '^0.[1-4],mean_free_path' sweep/sweep.csv) == 4)) || fail "four values were asked for"
+run 2 experiment mean-free-path "$sinai" --sweep radius
+says err "write KEY=0.1..0.4:0.05"
+run 2 experiment mean-free-path "$sinai" --sweep radius=1..0:0.1
+run 2 experiment divergence "$sinai" --apart 0
+run 2 experiment mean-free-path "$sinai" --map angel
+says err "angle"
+scene box.toml 1
+run 4 experiment lyapunov box.toml
+says err "has no chamber"
+finish
