@@ -59,7 +59,6 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
 }
 
 std::string reason_to_move(const Scene& scene) {
-  if (scene.frames == 1) return {};
   if (moves(scene.camera)) return "the camera moves";
   for (const Entity& entity : scene.entities) {
     if (moves(entity)) return "'" + entity.name + "' moves";

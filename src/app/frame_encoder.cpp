@@ -33,6 +33,7 @@ Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
   Result<void> drawn =
       std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
   if (!drawn) return fail(std::move(drawn));
+  if (job_.renderer) return options_.stopped() ? nullptr : &out_;
   return std::visit([](const auto& drawer) { return drawer.whole(); }, drawer_) ? &out_ : nullptr;
 }
 
@@ -40,7 +41,7 @@ Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeli
                                             unsigned frame) {
   if (!job_.view) return encode(draw_list(plan, timeline, frame));
   const Image picture = draw_view(*job_.view, timeline.scene(), at(timeline, frame), options_);
-  if (options_.stop != nullptr && options_.stop()) return nullptr;
+  if (options_.stopped()) return nullptr;
   keep(picture, all_changed);
   return &out_;
 }

@@ -68,7 +68,7 @@ Result<ReadScene> read_input(const Arguments& arguments, const std::string& path
   if (!limits) return tl::unexpected(limits.error());
   std::optional<std::uint64_t> seeded;
   if (arguments.has("seed")) {
-    const auto given = arguments.whole("seed", 0, 0, ~std::uint64_t{0});
+    const auto given = arguments.whole("seed", 0, 0, kMostSeed);
     if (!given) return tl::unexpected(given.error());
     seeded = *given;
   }

@@ -13,8 +13,10 @@ struct FrameOptions {
   std::optional<PixelBox> crop;
   unsigned threads = 1;   ///< for the tiles of one frame
   bool keep_all = false;  ///< draw what is hidden and what has not changed, too
-  /// Asked before each band, by any thread: true leaves it and all after it undrawn.
+  /// Asked before each band or tile, by any thread: true leaves it and all after it undrawn.
   bool (*stop)() = nullptr;
+
+  bool stopped() const { return stop != nullptr && stop(); }
 };
 inline PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
   return options.crop.value_or(PixelBox{0, 0, list.width, list.height});

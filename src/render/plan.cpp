@@ -16,10 +16,9 @@ RenderPlan make_plan(const Scene& scene, bool keep_all) {
   const std::string motion = reason_to_move(scene);
   plan.still = motion.empty() && !keep_all;
   plan.choices.push_back({"frames", plan.still ? "drawn once" : "each drawn",
-                          !motion.empty()     ? motion
-                          : scene.frames == 1 ? "one frame"
-                          : keep_all          ? "nothing moves (asked)"
-                                              : "nothing moves"});
+                          !motion.empty() ? motion
+                          : keep_all      ? "nothing moves (asked)"
+                                          : "nothing moves"});
   return plan;
 }
 

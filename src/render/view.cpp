@@ -88,7 +88,7 @@ Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState
       scene, state, world, *surfaces, request.point, rims, options.crop.value_or(film)};
   Image image(context.crop.width, context.crop.height, 3);
   parallel_for(static_cast<std::size_t>(image.height), options.threads, [&](std::size_t i) {
-    if (options.stop != nullptr && options.stop()) return;
+    if (options.stopped()) return;
     const int y = static_cast<int>(i);
     request.view->draw_row(context, context.crop.y + y, image.at(0, y));
   });

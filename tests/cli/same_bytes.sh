@@ -24,6 +24,12 @@ for isa in $("$flatray" list isas | awk '{ print $1 }'); do
   same one "$isa" "FLATRAY_ISA=$isa"
 done
 
+# A scene of one frame shows more of them where they are asked for, each as when asked for alone.
+run 0 render box.toml -D frames=1 -f 1..13 -o 'asked/f_####.png'
+same one asked "frames beyond the scene's last"
+run 0 render box.toml -D frames=1 -f 7 -o 'asked_alone/f_####.png'
+cmp -s asked_alone/f_0007.png one/f_0007.png || fail "frame 7 alone of a scene of one frame differs"
+
 # A crop is a part of the whole: its pixels, not its bytes; cut into quarters it has as many rows and columns.
 run 0 render box.toml -f 7 --crop 10,20,40,48 -o crop.png
 [[ $(size_of crop.png) == 30x28 ]] || fail "crop of $(size_of crop.png)"

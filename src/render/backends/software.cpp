@@ -94,7 +94,7 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands,
     BandsOfTask painter(list, options, counts[task]);
     const std::size_t end = std::min(bands.count(), (task + 1) * each);
     for (std::size_t band = task * each; band < end; ++band) {
-      if (options.stop != nullptr && options.stop()) {
+      if (options.stopped()) {
         counts[task].stopped_bands += end - band;
         return;
       }

@@ -48,7 +48,7 @@ class GlRenderer final : public Renderer {
   Result<void> draw(const DrawList& list, const FrameOptions& options, Image& out) const override {
     const PixelBox crop = crop_of(list, options);
     out = Image(crop.width, crop.height, list.background.a == 1 ? 3 : 4);
-    return render(list, crop, out);
+    return render(list, crop, options, out);
   }
 
   Result<void> draw(const DrawList& list, const FrameOptions& options,
@@ -57,7 +57,7 @@ class GlRenderer final : public Renderer {
     out = {crop.width, crop.height, {}};
     out.pixels.resize(3 * static_cast<std::size_t>(crop.width) *
                       static_cast<std::size_t>(crop.height));
-    return render(list, crop, out);
+    return render(list, crop, options, out);
   }
 
   std::string description() const override {
@@ -67,12 +67,14 @@ class GlRenderer final : public Renderer {
  private:
   // Tiles are cut by the size of the picture alone.
   template <class Picture>
-  Result<void> render(const DrawList& list, const PixelBox& crop, Picture& out) const {
+  Result<void> render(const DrawList& list, const PixelBox& crop, const FrameOptions& options,
+                      Picture& out) const {
     const int width = std::min(crop.width, FLATRAY_GL_TILE);
     const int rows = std::clamp(kTilePixels / std::max(width, 1), 1, FLATRAY_GL_TILE);
     Tile tile;
     for (int y = 0; y < crop.height; y += rows)
       for (int x = 0; x < crop.width; x += width) {
+        if (options.stopped()) return {};
         const PixelBox box{crop.x + x, crop.y + y, std::min(width, crop.width - x),
                            std::min(rows, crop.height - y)};
         tile.x = x, tile.y = y, tile.width = box.width, tile.height = box.height;
