@@ -11,8 +11,7 @@
 namespace flatray {
 
 /// What a view is drawn from: one ray a pixel, cast from its centre among the outlines of all that
-/// the scene shows, but for what no ray meets yet: ellipses, arcs, sectors, capsules, rings that
-/// cross themselves. Where nothing else is said rays go to the right, t in pixels.
+/// the scene shows, but for what no ray meets: rings that cross themselves. Where nothing else is said rays go to the right, t in pixels.
 struct ViewContext {
   const Scene& scene;
   const FrameState& state;

@@ -70,7 +70,7 @@ class OrbitTracer {
                              (flight.time.hi + flight.time.lo) * flight.speed.length(),
                              reflection->normal, reflection->incidence});
     flight.ray.direction = reflection->direction;
-    // Inside a circle the ray goes on from the root it would have entered by, outside from the
+    // Inside a curve the ray goes on from the root it would have entered by, outside from the
     // other.
     flight.left = {hit.surface, hit.root == Root::none     ? Root::none
                                 : hit.root == Root::second ? Root::first
@@ -91,15 +91,16 @@ class OrbitTracer {
   }
 
   bool is_end(std::uint32_t surface, const Vec2& point) const {
-    if (walls_.kinds[surface] != SurfaceKind::segment) return false;
+    if (!walls_.is_straight(surface))
+      return place_on(walls_.arc(surface), point) == ArcPlace::at_end;
     const Segment& wall = walls_.segments[walls_.slot[surface]];
     return point == wall.a || point == wall.b;
   }
 
-  // From a point on a circle a ray goes inward from the first root, or outward from the second;
+  // From a point on a curve a ray goes inward from the first root, or outward from the second;
   // `both` on the tangent.
   Root root_stood_on(std::uint32_t surface, const Ray& ray) const {
-    if (walls_.kinds[surface] != SurfaceKind::circle) return Root::none;
+    if (walls_.is_straight(surface)) return Root::none;
     return leads_away(walls_, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
            : leads_away(walls_, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
                                                                                     : Root::both;
@@ -107,8 +108,7 @@ class OrbitTracer {
 
   bool runs_along(const Flight& flight) const {
     const std::uint32_t slot = walls_.slot[flight.left.surface];
-    if (walls_.kinds[flight.left.surface] == SurfaceKind::circle)
-      return flight.left.root == Root::both;
+    if (!walls_.is_straight(flight.left.surface)) return flight.left.root == Root::both;
     const Segment& wall = walls_.segments[slot];
     return turn_from_edge(wall.a, wall.b, flight.ray.direction) == Sign::zero;
   }

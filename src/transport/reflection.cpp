@@ -52,12 +52,13 @@ double Speed::length() const { return std::ldexp(std::sqrt(square_.hi), exponent
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction) {
   const std::uint32_t slot = walls.slot[surface];
-  if (walls.kinds[surface] == SurfaceKind::segment)
+  if (walls.is_straight(surface))
     return turn_from_edge(walls.segments[slot].a, walls.segments[slot].b, direction) != -side;
-  const Vec2& centre = walls.circles[slot].centre;
+  const Ellipse curve = walls.curve(surface);
   return side == decide([&](const auto& number) {
-           return (number(point.x()) - number(centre.x())) * number(direction.x()) +
-                  (number(point.y()) - number(centre.y())) * number(direction.y());
+           const auto from = pair_of(number, point) - pair_of(number, curve.centre);
+           return dot(curve_form(number, curve, from),
+                      curve_form(number, curve, pair_of(number, direction)));
          });
 }
 
@@ -65,12 +66,12 @@ std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, con
                                       const Vec2& point, const Speed& speed) {
   const Sign side = inner_side(walls, ray, hit);
   const std::uint32_t slot = walls.slot[hit.surface];
-  Vec2 left;  // normal to the wall, to the left of a segment and outward of a circle
-  if (walls.kinds[hit.surface] == SurfaceKind::segment) {
+  Vec2 left;  // normal to the wall, to the left of a segment and outward of a curve
+  if (walls.is_straight(hit.surface)) {
     const Vec2 edge = walls.segments[slot].b - walls.segments[slot].a;
     left = {-edge.y(), edge.x()};
   } else {
-    left = exact_hit(walls, ray, hit).from_centre();
+    left = exact_hit(walls, ray, hit).normal();
   }
   const Vec2 rounded = speed.restore(reflect(ray.direction, {left.y(), -left.x()}));
   const auto direction = nearest_double(rounded, [&](const Vec2& candidate) {

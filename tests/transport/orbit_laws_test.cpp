@@ -114,7 +114,7 @@ TEST(CircleOrbit, KeepsItsChordAndStaysInside) {
   for (std::size_t i = 0; i + 1 < orbit.bounces.size(); ++i) {
     const Vec2 &from = orbit.bounces[i].point, &to = orbit.bounces[i + 1].point;
     const double tolerance = 1e4 * 0x1p-50;
-    ASSERT_NE(circle_side(from, walls.circles[0]), Sign::positive) << i;
+    ASSERT_NE(curve_side(from, walls.circles[0]), Sign::positive) << i;
     ASSERT_NEAR((to - from).norm(), chord, tolerance) << i;
     ASSERT_NEAR(std::fabs(cross(from, (to - from).normalized())), caustic, tolerance) << i;
   }
@@ -126,7 +126,7 @@ TEST(CircleOrbit, WhisperingGalleryNeverLeaks) {
   const Orbit orbit = in_mirrors(walls, {{0, 1 - 0x1p-20}, {1, 0}}, 20'000);
   ASSERT_EQ(orbit.bounces.size(), 20'000U);
   for (const Bounce& bounce : orbit.bounces) {
-    ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::positive);
+    ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive);
     ASSERT_NEAR(portable::sin(bounce.incidence), 1 - 0x1p-20, 1e-12);
   }
 }
@@ -155,7 +155,7 @@ TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
   for (const Orbit& orbit : trace_orbits(walls, all_mirrors(walls), rays, 100)) {
     ASSERT_NE(orbit.end, OrbitEnd::escape);
     for (const Bounce& bounce : orbit.bounces) {
-      ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::negative);
+      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::negative);
       ASSERT_GE(bounce.point.y(), -1);
     }
   }
