@@ -31,7 +31,7 @@ bool Solids::Solid::holds(const Vec2& point) const {
   return std::any_of(pieces.begin(), pieces.end(),
                      [&](const auto& piece) { return flatray::holds(piece, point); }) ||
          std::any_of(circles.begin(), circles.end(), [&](const Circle& circle) {
-           return circle_side(point, circle) != Sign::positive;
+           return curve_side(point, circle) != Sign::positive;
          });
 }
 

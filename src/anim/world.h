@@ -9,7 +9,9 @@ struct SurfaceOwner {
   enum class Kind : std::uint8_t { entity, chamber, pillar } kind;
   std::uint32_t index;   ///< entity; chamber
   std::uint32_t pillar;  ///< of the chamber; 0 for what is no pillar
-  std::int32_t edge;  ///< of the shape as given; the number of a lone segment; kNoEdge for a circle
+  /// Of the shape as given; the number of a lone segment; of arcs and the lines that join them, in
+  /// turn; kNoEdge for a circle.
+  std::int32_t edge;
   Material material;  ///< of an entity without one: absorbs
 };
 
@@ -22,6 +24,9 @@ struct World {
   std::vector<Material> materials() const;
 };
 
+/// The whole curve of an arc in the world; one of a circle stays a circle.
+Ellipse curve_of(const EllipseArc& arc, const Pose& place);
+
 /// What a world is made of.
 enum class WorldOf : std::uint8_t {
   mirrors,    ///< entities with a material, as orbits meet them
@@ -33,7 +38,7 @@ enum class WorldOf : std::uint8_t {
 /// the world.
 ///
 /// Gives   entities, then chambers each with its pillars; of a shape its edges, its lone segments,
-///         its circles. Edges run counter-clockwise. Edges that share a vertex in the shape share
+///         its circles, its arcs with what joins them. Edges run counter-clockwise. Edges that share a vertex in the shape share
 ///         its doubles in the world.
 /// Cost    O(n log n) edges for shapes of several pieces, else O(n).
 World build_world(const Scene& scene, const FrameState& state, WorldOf of = WorldOf::mirrors);

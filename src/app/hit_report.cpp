@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "anim/world.h"
 #include "geom/cyrus_beck.h"
 #include "geom/exact.h"
 #include "scene/outline.h"
@@ -131,6 +132,10 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
   for (std::size_t i = 0; i < shape.circles.size(); ++i)
     add("circle", i,
         clip_circle(ray.ray, {place(shape.circles[i].centre), shape.circles[i].radius}, within));
+  std::size_t ellipses = 0;
+  for (const ArcPath& path : shape.arc_paths)
+    if (path.is_ellipse())
+      add("ellipse", ellipses++, clip_ellipse(ray.ray, curve_of(path.arcs.front(), place), within));
   for (std::size_t i = 0; i < shape.segments.size(); ++i)
     add("segment", i,
         clip_segment(ray.ray, {place(shape.segments[i].a), place(shape.segments[i].b)}, within));

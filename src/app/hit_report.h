@@ -26,12 +26,12 @@ struct HitStep {
   bool empty;               ///< the candidate is
 };
 
-/// One ray against one piece, circle or segment of an entity.
+/// One ray against one piece, circle, ellipse or segment of an entity.
 struct HitReport {
   NamedRay ray;
   std::string against;  ///< "polygon", "castle piece 2", "disc circle 0"
   Range within;
-  std::vector<HitStep> steps;  ///< none for circles and segments
+  std::vector<HitStep> steps;  ///< of pieces alone
   HitInterval hit;             ///< its edges are those of the shape as given
   std::string exact_enter, exact_exit;
 };
@@ -42,7 +42,7 @@ const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t
 /// Outline edges of an entity in the frame as rays whose t = 1 is the edge's end, by edge number.
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity);
 
-/// A ray against every piece, circle and segment of an entity.
+/// A ray against every piece, circle, ellipse and segment of an entity.
 std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
                                    std::uint32_t entity, Range within);
 

@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "geom/bounds.h"
 #include "study/svg_text.h"
+#include "study/wall_places.h"
 
 namespace flatray {
 namespace {
@@ -22,12 +23,19 @@ class OrbitDrawing {
 
   void draw_walls() {
     const Surfaces& walls = room_.world.surfaces;
-    for (const Segment& wall : walls.segments)
-      world_ += fmt::format("<path class=\"wall\" d=\"M{}L{}\"/>\n", text(wall.a), text(wall.b));
+    for (const std::uint32_t number : walls.segment_numbers) draw_wall(walls, number);
+    for (const std::uint32_t number : walls.arc_numbers) draw_wall(walls, number);
     for (const Circle& wall : walls.circles)
       world_ += fmt::format("<circle class=\"wall\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
                             number_text(wall.centre.x()), number_text(wall.centre.y()),
                             number_text(wall.radius));
+  }
+
+  void draw_wall(const Surfaces& walls, std::uint32_t surface) {
+    std::string way;
+    for (const Vec2& point : wall_outline(walls, surface))
+      way += (way.empty() ? "M" : "L") + text(point);
+    world_ += fmt::format("<path class=\"wall\" d=\"{}\"/>\n", way);
   }
 
   void draw(const OrbitReport& report, std::size_t number) {

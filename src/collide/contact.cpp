@@ -12,9 +12,9 @@ namespace flatray {
 namespace {
 
 // Two polygons and the outline of their difference, with the origin moving across it.
-class Pair {
+class MovingPair {
  public:
-  Pair(const MovingPolygon& a, const MovingPolygon& b)
+  MovingPair(const MovingPolygon& a, const MovingPolygon& b)
       : a_(a), b_(b), difference_(minkowski_difference(a.vertices, b.vertices)) {}
 
   // What the whole line of motion has in common with the difference; edges are its corners.
@@ -47,13 +47,13 @@ class Pair {
   const Difference difference_;
 };
 
-HitTime Pair::time_at(int number) const {
+HitTime MovingPair::time_at(int number) const {
   const Corner& c = corner(static_cast<std::size_t>(number));
   return time_on(vertex_a(c), vertex_b(c), edge(c));
 }
 
 // Everything lies on the line of motion.
-LineHit Pair::hit_along() const {
+LineHit MovingPair::hit_along() const {
   const int axis = a_.velocity.x() != b_.velocity.x() ? 0 : 1;
   const Segment across = {{0, 0}, axis == 0 ? Vec2(0, 1) : Vec2(1, 0)};
   const auto ends = [axis](std::span<const Vec2> ring) {
@@ -71,7 +71,7 @@ LineHit Pair::hit_along() const {
 
 // The sides of the corners tell the edges by which the origin comes in and goes out, so that no two
 // times are compared (geom/sides.h).
-LineHit Pair::hit_line() const {
+LineHit MovingPair::hit_line() const {
   int down = kNoEdge, up = kNoEdge;
   bool left = false, right = false, edge_on_line = false;
   Sign from = side(0);
@@ -94,7 +94,7 @@ LineHit Pair::hit_line() const {
                          : HitClass::touch};
 }
 
-StartPlace Pair::place() const {
+StartPlace MovingPair::place() const {
   if (difference_.has_area) {
     bool on_line = false;
     for (const Corner& c : difference_.corners) {
@@ -118,7 +118,7 @@ StartPlace Pair::place() const {
   return meet ? StartPlace::boundary : StartPlace::outside;
 }
 
-ContactFeature Pair::feature(int number) const {
+ContactFeature MovingPair::feature(int number) const {
   if (number == kNoEdge) return {};
   const Corner& c = corner(static_cast<std::size_t>(number));
   return {c.edge_of_a, static_cast<int>(c.edge), static_cast<int>(c.edge_of_a ? c.b : c.a)};
@@ -139,7 +139,7 @@ const char* contact_name(StartPlace start) {
 }
 
 Contact contact(const MovingPolygon& a, const MovingPolygon& b, Range within) {
-  const Pair pair(a, b);
+  const MovingPair pair(a, b);
   Contact found;
   if (a.velocity == b.velocity) {
     found.times = point_test(pair.place(), within);

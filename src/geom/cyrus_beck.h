@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
+#include "geom/arc.h"
 #include "geom/hit_interval.h"
-#include "geom/ray.h"
 
 namespace flatray {
 
@@ -24,6 +24,9 @@ HitInterval clip_convex(const Ray& ray, std::span<const Vec2> vertices, Range wi
 
 /// Part of `ray` inside a closed disc. Radius 0 is a point. Error as above; edges are kNoEdge.
 HitInterval clip_circle(const Ray& ray, const Circle& circle, Range within = kRay);
+
+/// The same inside a closed ellipse.
+HitInterval clip_ellipse(const Ray& ray, const Ellipse& ellipse, Range within = kRay);
 
 /// Part of `ray` on a closed segment: touch where they cross, along where they overlap.
 HitInterval clip_segment(const Ray& ray, const Segment& segment, Range within = kRay);

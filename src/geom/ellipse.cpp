@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "geom/turn.h"
 
 namespace flatray {
 namespace {
@@ -38,8 +39,10 @@ void flatten(const EllipseArc& arc, double sagitta, std::vector<Vec2>& points) {
 }  // namespace
 
 Vec2 EllipseArc::at(double t) const {
-  if (t == 0) return centre + u;
-  return centre + portable::cos(t) * u + portable::sin(t) * v;
+  const Turn turned = turn(t);
+  if (turned.sin == 0) return centre + turned.cos * u;
+  if (turned.cos == 0) return centre + turned.sin * v;
+  return centre + turned.cos * u + turned.sin * v;
 }
 
 std::vector<MonotoneArc> monotone_parts(const EllipseArc& arc) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -17,9 +18,11 @@ struct EllipseArc {
   Vec2 centre, u, v;
   double from = 0, sweep = 2 * std::numbers::pi;
 
+  /// Half-diameters exactly at quarter turns.
   Vec2 at(double t) const;
   Vec2 start() const { return at(from); }
   Vec2 end() const { return at(from + sweep); }
+  bool is_whole() const { return std::fabs(sweep) >= 2 * std::numbers::pi; }
 };
 
 /// Arcs in turn, joined by straight lines; a closed path's last to its first. A corner is an arc
@@ -27,6 +30,9 @@ struct EllipseArc {
 struct ArcPath {
   std::vector<EllipseArc> arcs;
   bool closed = true;
+
+  /// Whether it is the boundary of an ellipse.
+  bool is_ellipse() const { return closed && arcs.size() == 1 && arcs.front().is_whole(); }
 };
 
 /// A part of an arc on which x and y each only rise or only fall. Neighbours share their ends.

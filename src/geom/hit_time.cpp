@@ -25,20 +25,20 @@ LineTime<Number> line_time(const Make& number, const Ray& ray, const Vec2& p, co
           determinant(number, velocity, ray.direction, from, to)};
 }
 
-// t = (b +- sqrt(q)) / a on a circle.
+// t = (b +- sqrt(q)) / a on a curve, in the form in which it is a circle.
 template <class Number>
-struct CircleTime {
+struct CurveTime {
   Number a, b, q;
-  Number outside;  // |centre - origin|^2 - r^2: the product of the roots, times a
+  Number outside;  // of the origin: the product of the roots, times a
 };
 template <class Make, class Number = std::invoke_result_t<Make, double>>
-CircleTime<Number> circle_time(const Make& number, const Ray& ray, const Vec2& centre,
-                               double radius) {
-  const auto dx = number(ray.direction.x()), dy = number(ray.direction.y());
-  const auto wx = number(centre.x()) - number(ray.origin.x());
-  const auto wy = number(centre.y()) - number(ray.origin.y());
-  const auto r2 = number(radius) * number(radius), a = dx * dx + dy * dy, k = dx * wy - dy * wx;
-  return {a, dx * wx + dy * wy, r2 * a - k * k, wx * wx + wy * wy - r2};
+CurveTime<Number> curve_time(const Make& number, const Ray& ray, const Ellipse& curve) {
+  const auto d = curve_form(number, curve, pair_of(number, ray.direction));
+  const auto w =
+      curve_form(number, curve, pair_of(number, curve.centre) - pair_of(number, ray.origin));
+  const auto size = form_size(number, curve);
+  const auto r2 = size * size, a = dot(d, d), k = cross(d, w);
+  return {a, dot(d, w), r2 * a - k * k, dot(w, w) - r2};
 }
 
 // Sign of a + s1 sqrt(q1) + s2 sqrt(q2).
@@ -71,11 +71,8 @@ HitTime HitTime::on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from,
   return time;
 }
 
-HitTime HitTime::on_circle(const Ray& ray, const Circle& circle, Root root) {
-  HitTime time;
-  time.ray_ = ray;
-  time.p_ = circle.centre;
-  time.radius_ = circle.radius;
+HitTime HitTime::on_curve(const Ray& ray, const Ellipse& curve, Root root) {
+  HitTime time = on_line(ray, curve.centre, curve.u, curve.v);
   time.root_ = static_cast<int>(root);
   return time;
 }
@@ -93,18 +90,16 @@ std::strong_ordering HitTime::compare(double other) const {
     };
     return order(decide(ahead) * denom);
   }
-  // Between the roots the point at `other` is inside the circle; outside, the mid-point of the
+  // Between the roots the point at `other` is inside the curve; outside, the mid-point of the
   // chord tells the side.
   const Sign outside = decide([&](const auto& number) {
-    const auto x =
-        number(ray_.origin.x()) + number(other) * number(ray_.direction.x()) - number(p_.x());
-    const auto y =
-        number(ray_.origin.y()) + number(other) * number(ray_.direction.y()) - number(p_.y());
-    return x * x + y * y - number(radius_) * number(radius_);
+    return curve_power(number, curve(),
+                       pair_of(number, ray_.origin) +
+                           number(other) * pair_of(number, ray_.direction) - pair_of(number, p_));
   });
   if (outside == Sign::negative) return order(static_cast<Sign>(root_));
   const Sign middle = decide([&](const auto& number) {
-    const auto time = circle_time(number, ray_, p_, radius_);
+    const auto time = curve_time(number, ray_, curve());
     return time.b - number(other) * time.a;
   });
   if (outside == Sign::zero && static_cast<int>(middle) != root_)
@@ -117,7 +112,7 @@ Bounded HitTime::approximate() const {
     const auto time = line_time(kBounded, ray_, p_, from_, to_, velocity_);
     return time.numer / time.denom;
   }
-  const auto time = circle_time(kBounded, ray_, p_, radius_);
+  const auto time = curve_time(kBounded, ray_, curve());
   const Bounded root = root_ > 0 ? square_root(time.q) : -square_root(time.q);
   // b and the root may cancel: then the other root and the product of both.
   if ((time.b.hi() > 0) == (root_ > 0)) return (time.b + root) / time.a;
@@ -130,7 +125,7 @@ HitTime::Exact HitTime::exact() const {
     if (time.denom.sign() == Sign::negative) return {-time.numer, 0, 0, -time.denom};
     return {std::move(time.numer), 0, 0, std::move(time.denom)};
   }
-  auto time = circle_time(kRational, ray_, p_, radius_);
+  auto time = curve_time(kRational, ray_, curve());
   const int s = time.q.sign() == Sign::zero ? 0 : root_;
   return {std::move(time.b), s, std::move(time.q), std::move(time.a)};
 }
@@ -165,12 +160,38 @@ std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {
   return SegmentHit{a == Sign::zero ? Place::at_a : Place::at_b, HitTime::on_line(ray, segment)};
 }
 
-std::optional<CircleHit> hit_circle(const Ray& ray, const Circle& circle) {
-  const Sign chord = decide(
-      [&](const auto& number) { return circle_time(number, ray, circle.centre, circle.radius).q; });
+std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve) {
+  const Sign chord = decide([&](const auto& number) { return curve_time(number, ray, curve).q; });
   if (chord == Sign::negative) return std::nullopt;
-  return CircleHit{chord == Sign::zero, HitTime::on_circle(ray, circle, HitTime::Root::first),
-                   HitTime::on_circle(ray, circle, HitTime::Root::second)};
+  return CurveHit{chord == Sign::zero, HitTime::on_curve(ray, curve, HitTime::Root::first),
+                  HitTime::on_curve(ray, curve, HitTime::Root::second)};
+}
+
+std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end) {
+  const Vec2& centre = curve.centre;
+  const Sign place = curve_side(end, curve);
+  if (place == Sign::zero) return std::nullopt;
+  // The ray's line meets that of the centre c and the end e in c + s (e - c), s = side / turn.
+  const Sign turn = -turn_from_edge(centre, end, ray.direction);
+  const Sign side = side_of_ray(ray, centre);
+  if (turn == Sign::zero) {
+    if (side != Sign::zero) return std::nullopt;
+    return HitTime::on_line(ray, end, {0, 0}, {-ray.direction.y(), ray.direction.x()});
+  }
+  // Its sides: of the centre w0, of the end w0 + turn; s = -w0 / turn.
+  if (side * turn != Sign::negative) return std::nullopt;
+  const Sign beyond_end = -side_of_ray(ray, end) * turn;  // sign of s - 1
+  if (beyond_end == place) return std::nullopt;
+  const Sign power = decide([&](const auto& number) {
+    const auto e = pair_of(number, end) - pair_of(number, centre);
+    const auto d = pair_of(number, ray.direction);
+    const auto s = cross(d, pair_of(number, ray.origin) - pair_of(number, centre));
+    const auto form = curve_form(number, curve, e);
+    const auto size = form_size(number, curve) * cross(d, e);
+    return s * s * dot(form, form) - size * size;
+  });
+  if (power == -place) return std::nullopt;
+  return HitTime::on_line(ray, centre, centre, end);
 }
 
 }  // namespace flatray

@@ -2,6 +2,7 @@
 #include <compare>
 #include <optional>
 
+#include "geom/arc.h"
 #include "geom/bounded.h"
 #include "geom/exact.h"
 #include "geom/ray.h"
@@ -14,7 +15,7 @@ struct RoundedTime {
   bool overflows;
 };
 
-/// When a ray meets a line or a circle: the parameter t as an exact number, kept as the geometry
+/// When a ray meets a line or an ellipse: the parameter t as an exact number, kept as the geometry
 /// that defines it.
 ///
 /// Gives   comparisons without error, between walls of any kind and rays of any origin, and the
@@ -23,7 +24,7 @@ struct RoundedTime {
 class HitTime {
  public:
   HitTime() = default;  ///< No hit: only to be assigned to.
-  /// The first or second root on a circle; a tangent has both in one.
+  /// The first or second root on a curve; a tangent has both in one.
   enum class Root { first = -1, second = 1 };
 
   /// Where `ray` crosses the line through `p` along to - from. Needs a ray that is not parallel to
@@ -34,8 +35,8 @@ class HitTime {
   /// The same for a line that moves with `velocity`, and a point that moves along the ray.
   static HitTime on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
                                 const Vec2& velocity);
-  /// Where `ray` crosses a circle. Needs a line that meets it, and a direction that is not zero.
-  static HitTime on_circle(const Ray& ray, const Circle& circle, Root root);
+  /// Where `ray` crosses a curve. Needs a line that meets it, and a direction that is not zero.
+  static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root);
 
   /// t against `other`, which may be infinite. Exact.
   std::strong_ordering compare(double other) const;
@@ -58,10 +59,11 @@ class HitTime {
   Bounded approximate() const;
 
   Ray ray_;
-  Vec2 p_, from_, to_;   // the line; p_ is also the centre of a circle
+  Ellipse curve() const { return {p_, from_, to_}; }
+
+  Vec2 p_, from_, to_;   // the line; or centre and half-diameters of a curve
   Vec2 velocity_{0, 0};  // of the line
-  double radius_ = 0;
-  int root_ = 0;  // 0 for a line
+  int root_ = 0;         // 0 for a line
 };
 
 /// Which of two hits comes first. Exact.
@@ -78,14 +80,19 @@ struct SegmentHit {
 /// not zero.
 std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment);
 
-/// Where a ray's line meets a circle, the curve itself (t of any sign); both the same where it is
-/// tangent.
-struct CircleHit {
+/// Where a ray's line meets a whole ellipse, the curve itself (t of any sign); both the same where
+/// it is tangent.
+struct CurveHit {
   bool tangent;
   HitTime first, second;
 };
 
-/// nullopt where the line misses the circle. Exact. Needs a direction that is not zero.
-std::optional<CircleHit> hit_circle(const Ray& ray, const Circle& circle);
+/// nullopt where the line misses the curve. Exact. Needs a direction that is not zero.
+std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve);
+
+/// Where a ray's line meets what joins an arc to one of its ends, `end`, on the line to the centre
+/// (see Arc); nullopt where it misses it, or the end is on the curve. Exact.
+/// Needs   an arc between ends, a direction that is not zero.
+std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end);
 
 }  // namespace flatray

@@ -46,6 +46,11 @@ double largest_coordinate(const Surfaces& walls) {
     see(wall.b, 0);
   }
   for (const Circle& wall : walls.circles) see(wall.centre, wall.radius);
+  for (const Arc& wall : walls.arcs) {
+    const Bounds box = curve_bounds(wall.curve);
+    see(box.low, 0);
+    see(box.high, 0);
+  }
   return std::min(largest, std::numeric_limits<double>::max());
 }
 

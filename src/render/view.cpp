@@ -53,20 +53,22 @@ std::uint8_t grey_of(double value, double most) {
 namespace {
 
 // What is left of a world without the walls a point lies on.
-World without_walls_at(const Vec2& point, const World& all, std::vector<Circle>& rims) {
+World without_walls_at(const Vec2& point, const World& all, std::vector<Arc>& rims) {
   World rest;
   for (std::size_t i = 0; i < all.surfaces.size(); ++i) {
+    const auto number = static_cast<std::uint32_t>(i);
     const std::uint32_t slot = all.surfaces.slot[i];
-    if (all.surfaces.kinds[i] == SurfaceKind::segment) {
+    if (all.surfaces.is_straight(number)) {
       const Segment& wall = all.surfaces.segments[slot];
       if (lies_on(point, wall)) continue;
       rest.surfaces.add(wall);
+    } else if (const Arc wall = all.surfaces.arc(number);
+               place_on(wall, point) != ArcPlace::outside) {
+      rims.push_back(wall);
+      continue;
+    } else if (all.surfaces.kinds[i] == SurfaceKind::circle) {
+      rest.surfaces.add(all.surfaces.circles[slot]);
     } else {
-      const Circle& wall = all.surfaces.circles[slot];
-      if (circle_side(point, wall) == Sign::zero) {
-        rims.push_back(wall);
-        continue;
-      }
       rest.surfaces.add(wall);
     }
     rest.owners.push_back(all.owners[i]);
@@ -79,7 +81,7 @@ World without_walls_at(const Vec2& point, const World& all, std::vector<Circle>&
 Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState& state,
                 const FrameOptions& options) {
   World world = build_world(scene, state, WorldOf::everything);
-  std::vector<Circle> rims;
+  std::vector<Arc> rims;
   if (request.view->takes_point) world = without_walls_at(request.point, world, rims);
   const auto surfaces = request.tracer == nullptr ? accelerate(world.surfaces)
                                                   : request.tracer->build(world.surfaces);

@@ -11,15 +11,14 @@
 namespace flatray {
 
 /// What a view is drawn from: one ray a pixel, cast from its centre among the outlines of all that
-/// the scene shows, but for what no ray meets yet: ellipses, arcs, sectors, capsules, rings that
-/// cross themselves. Where nothing else is said rays go to the right, t in pixels.
+/// the scene shows, but for what no ray meets: rings that cross themselves. Where nothing else is said rays go to the right, t in pixels.
 struct ViewContext {
   const Scene& scene;
   const FrameState& state;
   const World& world;           ///< of everything, mirror or not, but for what `argument` lies on
   const Accelerator& surfaces;  ///< of `world`
   Vec2 argument;                ///< world point, for views that take one
-  std::vector<Circle> rims;     ///< circles that `argument` lies on; its segments are nowhere
+  std::vector<Arc> rims;     ///< circles that `argument` lies on; its segments are nowhere
   PixelBox crop;
 };
 

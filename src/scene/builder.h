@@ -37,9 +37,6 @@ std::optional<ShapeId> read_shape(Builder& builder, const Field& field);
 /// included first, copies by number.
 std::uint64_t draw_order(const Builder& builder, const Place& where, std::uint64_t number = 0);
 
-/// A problem at `where` if rays cannot meet the shape.
-void expect_traced(Builder& builder, ShapeId shape, const Place& where);
-
 /// Number of the entity of that name; unknown and ambiguous names are problems.
 std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field);
 

@@ -19,11 +19,7 @@ constexpr Key<Pillar> kPillarKeys[] = {
 void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
   each_table(builder, field, [&](const Value& table) {
     Pillar pillar;
-    const std::size_t problems = builder.in.problems.size();
     read_keys<Pillar>(builder, table, "pillar", kPillarKeys, pillar);
-    const Member* shape = table.find("shape");
-    if (shape != nullptr && builder.in.problems.size() == problems)
-      expect_traced(builder, pillar.shape, shape->value.where);
     if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
       pillar.fill = kPillarColour;
     chamber.pillars.push_back(std::move(pillar));
@@ -36,7 +32,6 @@ void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
   if (!builder.scene.shapes[*shape].crossing_rings.empty())
     builder.in.problem(field.value.where, "the walls of the chamber cross",
                        "a chamber needs an inside: part the edges that cross");
-  expect_traced(builder, *shape, field.value.where);
   chamber.shape = *shape;
 }
 

@@ -155,25 +155,13 @@ void add_entity(Builder& builder, Entity&& entity) {
   builder.scene.entities.push_back(std::move(entity));
 }
 
-void expect_traced(Builder& builder, const Entity& entity, const Value& table) {
-  const Place& where = table.find("material")->where;
-  expect_traced(builder, entity.shape, where);
-  if (!entity.markov) return;
-  for (const std::vector<Look>& looks : entity.markov->looks)
-    for (const Look& look : looks)
-      if (look.shape) expect_traced(builder, *look.shape, where);
-}
-
 void read_entity(Builder& builder, const Value& table) {
-  const std::size_t problems = builder.in.problems.size();
   const Member* states = table.find("states");
   if (states != nullptr && table.find("markov") == nullptr)
     builder.in.problem(states->where, "entity has states but no Markov chain",
                        R"(add markov = { chain = "CHAIN" })");
   const Scene& scene = builder.scene;
   const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
-    if (entity.material && builder.in.problems.size() == problems)
-      expect_traced(builder, entity, table);
     if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
     dress(scene, table, entity);
     entity.order = draw_order(builder, table.where, copy);
@@ -194,12 +182,6 @@ std::vector<std::string> some_names(const Builder& builder) {
 }
 
 }  // namespace
-
-void expect_traced(Builder& builder, ShapeId shape, const Place& where) {
-  if (shape < builder.scene.shapes.size() && !builder.scene.shapes[shape].arc_paths.empty())
-    builder.in.problem(where, "no ray meets an ellipse, arc, sector or capsule yet",
-                       "they are drawn only: leave this out, or write a circle or a polygon");
-}
 
 void read_entities(Builder& builder, const Field& field, Scene&) {
   each_table(builder, field, [&](const Value& table) { read_entity(builder, table); });

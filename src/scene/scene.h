@@ -80,7 +80,7 @@ struct Shape {
   std::vector<Circle> circles;
   std::vector<Segment> segments;
   std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
-  std::vector<ArcPath> arc_paths;  ///< drawn, never traced; closed ones do not cross themselves
+  std::vector<ArcPath> arc_paths;                 ///< closed ones do not cross themselves
 
   std::size_t piece_count() const { return begin.size() - 1; }
 };

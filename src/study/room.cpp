@@ -17,7 +17,7 @@ namespace {
 
 Sign side_of(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
   const std::uint32_t slot = walls.slot[surface];
-  if (walls.kinds[surface] == SurfaceKind::circle) return circle_side(point, walls.circles[slot]);
+  if (!walls.is_straight(surface)) return curve_side(point, walls.curve(surface));
   return orientation(walls.segments[slot].a, walls.segments[slot].b, point);
 }
 
@@ -36,17 +36,19 @@ Room::Room(const Scene& scene)
 }
 
 // A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
-// run counter-clockwise; both sides of a lone segment are outside.
+// run counter-clockwise; both sides of a lone segment or arc are outside.
 bool Room::faces(std::uint32_t surface, Sign side) const {
   const SurfaceOwner& owner = world_.owners[surface];
   const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
-  const bool circle = walls().kinds[surface] == SurfaceKind::circle;
+  const bool curved = !walls().is_straight(surface);
   const ShapeId shape = chamber ? scene_.chambers[owner.index].shape
                         : owner.kind == SurfaceOwner::Kind::pillar
                             ? scene_.chambers[owner.index].pillars[owner.pillar].shape
                             : state_.entities[owner.index].shape;
-  if (!circle && scene_.shapes[shape].vertices.empty()) return true;
-  return side == (chamber != circle ? Sign::positive : Sign::negative);
+  const Shape& whole = scene_.shapes[shape];
+  const bool closed = !whole.arc_paths.empty() && whole.arc_paths.front().closed;
+  if (whole.vertices.empty() && whole.circles.empty() && !closed) return true;
+  return side == (chamber != curved ? Sign::positive : Sign::negative);
 }
 
 OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
@@ -68,8 +70,9 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
     const Vec2 direction =
         std::sqrt((1 - sine) * (1 + sine)) * normal + sine * Vec2(-normal.y(), normal.x());
     if (!leads_away(walls(), surface, side, *origin, direction)) continue;
-    const bool circle = walls().kinds[surface] == SurfaceKind::circle;
-    const Root root = !circle ? Root::none : side == Sign::negative ? Root::first : Root::second;
+    const Root root = walls().is_straight(surface) ? Root::none
+                      : side == Sign::negative     ? Root::first
+                                                   : Root::second;
     return {{*origin, direction}, {surface, root}};
   }
 }

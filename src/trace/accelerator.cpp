@@ -1,5 +1,4 @@
 // Answers that every tracer gives by its nearest hits or by exact ones.
-#include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
 #include "trace/tracer.h"
 
@@ -41,7 +40,10 @@ bool Accelerator::any_of_one(const Ray& ray, double up_to, const Left& left, boo
 
 std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const Left& left,
                                                 bool tangents) const {
-  return CellSearch(walls_, nullptr).all(ray, left, tangents);
+  ExactHits every(walls_, ray, left, tangents);
+  every.offers().offer_segments();
+  every.offers().offer_curves();
+  return every.hits();
 }
 
 void Accelerator::all(const RayBatch& rays, std::vector<NearestHit>& hits,

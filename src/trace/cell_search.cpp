@@ -33,13 +33,19 @@ class Rivals {
   /// Whether nothing met later than t can be the nearest.
   bool settled(double t) const { return high_ < t; }
 
-  NearestHit decide(const Ray& ray, bool tangents) const {
+  NearestHit decide(const Ray& ray, bool tangents, const CurveCells& curves) const {
+    CurveCells::Rivals curved;
+    if (walls_.any_curves()) curved = curves.rivals(ray, left_, high_);
     const bool alone = open_.size() == 1 && high_ < kInfinity;
-    if (walls_.circles.empty() && open_.empty()) return {};
-    if (walls_.circles.empty() && alone) return crossing_hit(walls_, ray, open_.front().slot);
+    if (curved.surfaces.empty()) {
+      if (open_.empty()) return {};
+      if (alone) return crossing_hit(walls_, ray, open_.front().slot);
+    }
+    if (curved.sure && open_.empty())
+      return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
     ExactNearest search(walls_, ray, left_, tangents);
     for (const Rival& rival : open_) search.offer_segment(rival.slot);
-    search.offer_circles();
+    for (const std::uint32_t surface : curved.surfaces) search.offer_curve(surface);
     return search.hit();
   }
 
@@ -83,7 +89,7 @@ std::vector<NearestHit> CellSearch::all(const Ray& ray, const Left& left, bool t
   for (const std::uint32_t slot : segments_near(ray))
     if (filter(walls_.segments[slot]).verdict != FilteredHit::Verdict::missed)
       every.offers().offer_segment(slot);
-  every.offers().offer_circles();
+  every.offers().offer_curves();
   return every.hits();
 }
 
@@ -91,7 +97,7 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
   if (ray.direction == Vec2(0, 0)) {
     ExactNearest search(walls_, ray, left, tangents);
     search.offer_segments();
-    search.offer_circles();
+    search.offer_curves();
     return search.hit();
   }
   Rivals rivals(walls_, ray, left);
@@ -99,7 +105,7 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
   if (grid_ != nullptr) walk.emplace(*grid_, ray);
   if (!walk || walk->start() == CellWalk::Start::uncertain) {
     for (std::uint32_t slot = 0; slot < walls_.segments.size(); ++slot) rivals.offer(slot);
-    return rivals.decide(ray, tangents);
+    return rivals.decide(ray, tangents, curves_);
   }
   while (walk->next()) {
     for (std::size_t record = walk->record();; ++record) {
@@ -108,7 +114,7 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
     }
     if (rivals.settled(walk->limit())) break;
   }
-  return rivals.decide(ray, tangents);
+  return rivals.decide(ray, tangents, curves_);
 }
 
 }  // namespace flatray

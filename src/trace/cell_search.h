@@ -1,5 +1,6 @@
 #pragma once
 #include "trace/cells.h"
+#include "trace/curve_cells.h"
 #include "trace/hits.h"
 #include "trace/rays.h"
 
@@ -11,9 +12,11 @@ namespace flatray {
 /// Cost    about 1 us, some more where bounds do not decide; 15 ns a wall without cells.
 class CellSearch {
  public:
-  /// Needs   `walls` and `grid`, which may be null, to outlive it.
-  CellSearch(const Surfaces& walls, const CellGrid* grid)
-      : walls_(walls), grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
+  /// Needs   `walls`, `curves` and `grid`, which may be null, to outlive it.
+  CellSearch(const Surfaces& walls, const CellGrid* grid, const CurveCells& curves)
+      : walls_(walls),
+        curves_(curves),
+        grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
   NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
   /// Every hit, in order (Accelerator::all_of_one).
   std::vector<NearestHit> all(const Ray& ray, const Left& left, bool tangents) const;
@@ -22,6 +25,7 @@ class CellSearch {
   std::vector<std::uint32_t> segments_near(const Ray& ray) const;
 
   const Surfaces& walls_;
+  const CurveCells& curves_;
   const CellGrid* grid_;
 };
 

@@ -4,25 +4,36 @@
 #include <cmath>
 
 #include "geom/error_bounds.h"
+#include "geom/exact_hit.h"
 #include "trace/on_surface.h"
 
 namespace flatray {
 namespace {
 
-// Whether a ray surely misses a circle: its line passes the centre at more than the radius, or all
-// of the circle lies behind. Products d x w and d.w, w = centre - origin, are known to kDetFilter
-// of their terms; 2^-48 covers the rounding of |d|, of the products with it and of the comparison.
-// Outside the guarded sizes nothing is sure.
-bool surely_missed(const Ray& ray, const Circle& circle) {
+// Whether a ray surely misses all that is within `reach` of `centre`: its line passes at more than
+// that, or all of it lies behind. Products d x w and d.w, w = centre - origin, are known to
+// kDetFilter of their terms; 2^-48 covers the rounding of |d|, of the products with it and of the
+// comparison. Outside the guarded sizes nothing is sure.
+bool surely_missed(const Ray& ray, const Vec2& centre, double reach) {
   const Vec2& d = ray.direction;
-  const Vec2 w = circle.centre - ray.origin;
+  const Vec2 w = centre - ray.origin;
   const double square = d.x() * d.x() + d.y() * d.y();
   const double terms =
       (std::fabs(d.x()) + std::fabs(d.y())) * (std::fabs(w.x()) + std::fabs(w.y()));
   if (!(square > kDetFilterLeast && terms > kDetFilterLeast && terms < 1 / kDetFilterLeast))
     return false;
-  const double reach = circle.radius * std::sqrt(square) * (1 + 0x1p-48) + 2 * kDetFilter * terms;
-  return std::fabs(cross(d, w)) > reach || -d.dot(w) > reach;
+  const double bound = reach * std::sqrt(square) * (1 + 0x1p-48) + 2 * kDetFilter * terms;
+  return std::fabs(cross(d, w)) > bound || -d.dot(w) > bound;
+}
+
+// No point of the arc is farther from its centre, joints to its ends included.
+double reach_of(const Arc& arc) {
+  const Ellipse& curve = arc.curve;
+  const auto size = [](const Vec2& v) { return std::fabs(v.x()) + std::fabs(v.y()); };
+  double reach = curve.is_circle() ? curve.u.x() : size(curve.u) + size(curve.v);
+  if (arc.extent == Arc::Extent::between)
+    reach = std::max({reach, size(arc.from - curve.centre), size(arc.to - curve.centre)});
+  return reach * (1 + 0x1p-48);
 }
 
 }  // namespace
@@ -90,33 +101,54 @@ void ExactNearest::offer_segment(std::size_t slot) {
   }
 }
 
-void ExactNearest::offer_circle(std::size_t slot) {
-  const std::uint32_t number = walls_.circle_numbers[slot];
+void ExactNearest::offer_curve(std::uint32_t number) {
+  const Arc arc = walls_.arc(number);
+  if (number == left_.surface && left_.root == Root::both) return;
+  if (point_test_) {
+    const ArcPlace place = place_on(arc, ray_.origin);
+    return offer_point_test(number, place != ArcPlace::outside, place == ArcPlace::at_end);
+  }
+  if (surely_missed(ray_, arc.curve.centre, reach_of(arc))) return;
+  if (arc.extent == Arc::Extent::between)
+    for (const Vec2& end : {arc.from, arc.to})
+      if (const auto time = hit_joint(ray_, arc.curve, end))
+        offer({number, HitClass::touch, Root::none, true, 0}, *time);
+  if (const auto met = hit_curve(ray_, arc.curve)) offer_root(number, arc, *met);
+}
+
+// The first root ahead that is on the arc.
+void ExactNearest::offer_root(std::uint32_t number, const Arc& arc, const CurveHit& met) {
   const Root stood_on = number == left_.surface ? left_.root : Root::none;
-  if (stood_on == Root::both) return;
-  const Circle& circle = walls_.circles[slot];
-  if (point_test_)
-    return offer_point_test(number, circle_side(ray_.origin, circle) == Sign::zero, false);
-  if (surely_missed(ray_, circle)) return;
-  const auto met = hit_circle(ray_, circle);
-  if (!met) return;
-  if (met->tangent) {
-    if (tangents_ && stood_on == Root::none)
-      offer({number, HitClass::touch, Root::both, false, 0}, met->first);
+  const auto place = [&](HitTime::Root root) {
+    return arc.extent == Arc::Extent::whole ? ArcPlace::inner
+                                            : ExactHit(ray_, arc.curve, root).place_in(arc);
+  };
+  if (met.tangent) {
+    const bool passed_by = !tangents_ && arc.extent == Arc::Extent::whole;
+    if (passed_by || stood_on != Root::none || met.first.sign() == Sign::negative) return;
+    const ArcPlace there = place(HitTime::Root::first);
+    if (there == ArcPlace::at_end || (tangents_ && there == ArcPlace::inner))
+      offer({number, HitClass::touch, Root::both, there == ArcPlace::at_end, 0}, met.first);
     return;
   }
-  const bool enters = stood_on != Root::first && met->first.sign() != Sign::negative;
-  if (enters) offer({number, HitClass::through, Root::first, false, 0}, met->first);
-  if ((!enters || every_ != nullptr) && stood_on != Root::second)
-    offer({number, HitClass::through, Root::second, false, 0}, met->second);
+  for (const Root root : {Root::first, Root::second}) {
+    const bool first = root == Root::first;
+    const HitTime& time = first ? met.first : met.second;
+    if (stood_on == root || time.sign() == Sign::negative) continue;
+    const ArcPlace there = place(first ? HitTime::Root::first : HitTime::Root::second);
+    if (there == ArcPlace::outside) continue;
+    offer({number, HitClass::through, root, there == ArcPlace::at_end, 0}, time);
+    if (every_ == nullptr) return;
+  }
 }
 
 void ExactNearest::offer_segments() {
   for (std::size_t i = 0; i < walls_.segments.size(); ++i) offer_segment(i);
 }
 
-void ExactNearest::offer_circles() {
-  for (std::size_t i = 0; i < walls_.circles.size(); ++i) offer_circle(i);
+void ExactNearest::offer_curves() {
+  for (const std::uint32_t number : walls_.circle_numbers) offer_curve(number);
+  for (const std::uint32_t number : walls_.arc_numbers) offer_curve(number);
 }
 
 void ExactNearest::offer(std::uint32_t surface) {
@@ -124,7 +156,8 @@ void ExactNearest::offer(std::uint32_t surface) {
     case SurfaceKind::segment:
       return offer_segment(walls_.slot[surface]);
     case SurfaceKind::circle:
-      return offer_circle(walls_.slot[surface]);
+    case SurfaceKind::arc:
+      return offer_curve(surface);
   }
 }
 
@@ -160,6 +193,13 @@ std::vector<NearestHit> ExactHits::hits() {
 NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot) {
   const double t = HitTime::on_line(ray, walls.segments[slot]).nearest().t;
   return {walls.segment_numbers[slot], HitClass::touch, Root::none, false, t};
+}
+
+NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::uint32_t surface, Root root) {
+  const HitTime time =
+      HitTime::on_curve(ray, walls.curve(surface),
+                        root == Root::first ? HitTime::Root::first : HitTime::Root::second);
+  return {surface, HitClass::through, root, false, time.nearest().t};
 }
 
 }  // namespace flatray

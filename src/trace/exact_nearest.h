@@ -14,12 +14,13 @@ class ExactNearest {
   /// Needs   `walls` and what `left` names to outlive it.
   ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
 
-  /// Offers the wall in a slot of its kind; what the ray does not meet, or has just left, changes
+  /// Offers the segment in a slot; what the ray does not meet, or has just left, changes
   /// nothing.
   void offer_segment(std::size_t slot);
-  void offer_circle(std::size_t slot);
   void offer_segments();
-  void offer_circles();
+  /// The same for a curved wall by its number, and for all of them.
+  void offer_curve(std::uint32_t number);
+  void offer_curves();
   /// Offers the wall of a number.
   void offer(std::uint32_t surface);
 
@@ -32,6 +33,7 @@ class ExactNearest {
   void offer(const NearestHit& hit, const HitTime& time);
   void offer_point_test(std::uint32_t number, bool on_it, bool at_end);
   void offer_along(const Segment& segment, std::uint32_t number);
+  void offer_root(std::uint32_t number, const Arc& arc, const CurveHit& met);
   HitTime time_abreast_of(const Vec2& point) const;
 
   const Surfaces& walls_;
@@ -62,5 +64,7 @@ class ExactHits {
 
 /// The hit of a segment known to be the nearest wall, met ahead and between its ends.
 NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot);
+/// The hit of a curve without ends that is known to be the nearest wall, crossed in a root.
+NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::uint32_t surface, Root root);
 
 }  // namespace flatray

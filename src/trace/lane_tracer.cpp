@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geom/error_bounds.h"
 #include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
@@ -110,7 +111,8 @@ class LaneTracer : public Accelerator {
   LaneTracer(const Surfaces& walls, CellGrid cells, Isa isa)
       : Accelerator(walls),
         cells_(std::move(cells)),
-        search_(walls, &cells_),
+        curves_(walls),
+        search_(walls, &cells_, curves_),
         kernels_(lane_kernels(isa).walk) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
@@ -133,7 +135,7 @@ class LaneTracer : public Accelerator {
                                      bool tangents) const override {
     return search_.all(ray, left, tangents);
   }
-  std::size_t bytes() const override { return cells_.bytes(); }
+  std::size_t bytes() const override { return cells_.bytes() + curves_.bytes(); }
   std::string structure() const override {
     if (!cells_.has_cells()) return "one list";
     const std::string cells =
@@ -144,9 +146,9 @@ class LaneTracer : public Accelerator {
   }
 
  private:
-  // The usual case: sure of one segment, and of its t. (Without circles slots are numbers.)
+  // The usual case: sure of one segment, and of its t. (Without curves slots are numbers.)
   bool decided(const Block& block, std::size_t i, NearestHit& hit) const {
-    if (!walls_.circles.empty() || !block.is_certain(i)) return false;
+    if (walls_.any_curves() || !block.is_certain(i)) return false;
     if (block.is_hit(i) && std::isnan(block.t(i))) return false;
     hit.surface = block.is_hit(i) ? block.slot(i) : kNoSurface;
     hit.kind = block.is_hit(i) ? HitClass::touch : HitClass::miss;
@@ -159,14 +161,24 @@ class LaneTracer : public Accelerator {
   NearestHit decide(const Block& block, std::size_t i, const Ray& ray, const Left& left,
                     bool tangents) const {
     if (!block.is_certain(i)) return search_.nearest(ray, left, tangents);
-    if (walls_.circles.empty()) return crossing_hit(walls_, ray, block.slot(i));
-    ExactNearest with_circles(walls_, ray, left, tangents);
-    if (block.is_hit(i)) with_circles.offer_segment(block.slot(i));
-    with_circles.offer_circles();
-    return with_circles.hit();
+    // What t is known of is within an ulp, and what is not decides nothing.
+    const bool timed = block.is_hit(i) && !std::isnan(block.t(i));
+    const double t = timed ? block.t(i) : block.is_hit(i) ? 0 : kInfinity;
+    CurveCells::Rivals curved;
+    if (walls_.any_curves())
+      curved = curves_.rivals(ray, left, timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
+    if (curved.surfaces.empty())
+      return block.is_hit(i) ? crossing_hit(walls_, ray, block.slot(i)) : NearestHit{};
+    if (curved.sure && curved.high < t * (1 - 0x1p-50))
+      return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
+    ExactNearest search(walls_, ray, left, tangents);
+    if (block.is_hit(i)) search.offer_segment(block.slot(i));
+    for (const std::uint32_t surface : curved.surfaces) search.offer_curve(surface);
+    return search.hit();
   }
 
   const CellGrid cells_;
+  const CurveCells curves_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;
 };
@@ -174,7 +186,8 @@ class LaneTracer : public Accelerator {
 // Where coordinates leave no room for lanes.
 class OneByOne : public Accelerator {
  public:
-  explicit OneByOne(const Surfaces& walls) : Accelerator(walls), search_(walls, nullptr) {}
+  explicit OneByOne(const Surfaces& walls)
+      : Accelerator(walls), curves_(walls), search_(walls, nullptr, curves_) {}
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
       hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
@@ -182,9 +195,10 @@ class OneByOne : public Accelerator {
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     return search_.nearest(ray, left, tangents);
   }
-  std::size_t bytes() const override { return 0; }
+  std::size_t bytes() const override { return curves_.bytes(); }
 
  private:
+  const CurveCells curves_;
   const CellSearch search_;
 };
 

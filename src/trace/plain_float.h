@@ -31,21 +31,34 @@ inline float time_of(const Start& ray, const Edge& edge) {
   return t >= 0 && place >= 0 && place <= 1 ? t : kNever;  // parallel: infinite or no number
 }
 
-/// Puts the circles into competition with the best hit so far, whose t is `best.t`.
-inline void offer_circles(const Surfaces& walls, const Start& ray, const Left& left,
-                          NearestHit& best) {
-  for (std::size_t i = 0; i < walls.circles.size(); ++i) {
-    const Circle& circle = walls.circles[i];
-    const std::uint32_t number = walls.circle_numbers[i];
-    const float wx = ray.x - single(circle.centre.x()), wy = ray.y - single(circle.centre.y());
-    const float r = single(circle.radius);
-    const float a = ray.dx * ray.dx + ray.dy * ray.dy, b = wx * ray.dx + wy * ray.dy;
-    const float root = std::sqrt(b * b - a * (wx * wx + wy * wy - r * r));
+/// Whether a point, as seen from the centre of its curve, lies on the arc.
+inline bool is_on(const Arc& arc, const Pair<float>& w) {
+  return place_in_cone(arc, [&](const Vec2& p, const Vec2& a, const Vec2& b) {
+           const Vec2 from = p - arc.curve.centre, way = b - a;
+           return sign_of(static_cast<double>(single(way.x()) * (w.y - single(from.y())) -
+                                              single(way.y()) * (w.x - single(from.x()))));
+         }) != ArcPlace::outside;
+}
+
+/// Puts the curved walls into competition with the best hit so far, whose t is `best.t`.
+inline void offer_curves(const Surfaces& walls, const Ray& ray, const Left& left,
+                         NearestHit& best) {
+  if (!walls.any_curves()) return;
+  for (std::uint32_t number = 0; number < walls.size(); ++number) {
+    if (walls.is_straight(number)) continue;
+    const Arc arc = walls.arc(number);
+    const auto d = pair_of(single, ray.direction);
+    const auto w = pair_of(single, ray.origin) - pair_of(single, arc.curve.centre);
+    const auto form_d = curve_form(single, arc.curve, d), form_w = curve_form(single, arc.curve, w);
+    const float size = form_size(single, arc.curve);
+    const float a = dot(form_d, form_d), b = dot(form_d, form_w);
+    const float root = std::sqrt(b * b - a * (dot(form_w, form_w) - size * size));
     for (const Root which : {Root::first, Root::second}) {
-      const double t = static_cast<double>((which == Root::first ? -b - root : -b + root) / a);
+      const float time = (which == Root::first ? -b - root : -b + root) / a;
+      const double t = static_cast<double>(time);
       const bool stood_on =
           number == left.surface && (left.root == which || left.root == Root::both);
-      if (stood_on || !(t >= 0 && t < best.t)) continue;
+      if (stood_on || !(t >= 0 && t < best.t) || !is_on(arc, w + time * d)) continue;
       best = {number, HitClass::through, which, false, t};
     }
   }

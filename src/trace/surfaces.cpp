@@ -24,4 +24,9 @@ std::uint32_t Surfaces::add(const Circle& circle) {
   return append(*this, SurfaceKind::circle, circles.size() - 1, circle_numbers);
 }
 
+std::uint32_t Surfaces::add(const Arc& arc) {
+  arcs.push_back(arc);
+  return append(*this, SurfaceKind::arc, arcs.size() - 1, arc_numbers);
+}
+
 }  // namespace flatray

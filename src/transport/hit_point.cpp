@@ -19,35 +19,51 @@ Vec2 end_met(const Ray& ray, const Segment& wall) {
   return before(first, ray.origin) ? second : first;
 }
 
-// The foot of the perpendicular from the centre, where a tangent touches.
-Vec2 foot(const Ray& ray, const Circle& circle) {
+// Where a tangent touches: the middle between two roots that are one.
+Vec2 touched(const Ray& ray, const Ellipse& curve) {
   const auto coordinate = [&](int axis) {
-    return round_once([&](auto number) {
-      const auto dx = number(ray.direction.x()), dy = number(ray.direction.y());
-      const auto wx = number(circle.centre.x()) - number(ray.origin.x());
-      const auto wy = number(circle.centre.y()) - number(ray.origin.y());
-      return number(ray.origin[axis]) +
-             number(ray.direction[axis]) * ((wx * dx + wy * dy) / (dx * dx + dy * dy));
+    return round_once([&](const auto& number) {
+      const auto d = curve_form(number, curve, pair_of(number, ray.direction));
+      const auto w =
+          curve_form(number, curve, pair_of(number, curve.centre) - pair_of(number, ray.origin));
+      return number(ray.origin[axis]) + number(ray.direction[axis]) * (dot(w, d) / dot(d, d));
     });
   };
   return {coordinate(0), coordinate(1)};
 }
 
+// The end of an arc that a ray arrives at; of two at the same time the first.
+Vec2 end_met(const Ray& ray, const Arc& arc, Root root) {
+  const Vec2& centre = arc.curve.centre;
+  if (root == Root::none) {
+    const auto from = hit_joint(ray, arc.curve, arc.from), to = hit_joint(ray, arc.curve, arc.to);
+    return from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
+  }
+  const ExactHit exact(ray, arc.curve,
+                       root == Root::second ? HitTime::Root::second : HitTime::Root::first);
+  if (arc.extent == Arc::Extent::half) return exact.nearest();
+  const bool at_from = exact.turn(centre, centre, arc.from) == Sign::zero;
+  const bool at_to = exact.turn(centre, centre, arc.to) == Sign::zero;
+  if (at_from != at_to) return at_from ? arc.from : arc.to;
+  // Of a half turn: the ends lie opposite, and the arc is on the left of the line from `from`.
+  return exact.ahead(centre, centre, arc.from) == Sign::positive ? arc.from : arc.to;
+}
+
 }  // namespace
 
 ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  const std::uint32_t slot = walls.slot[hit.surface];
-  return walls.kinds[hit.surface] == SurfaceKind::segment
-             ? ExactHit(ray, walls.segments[slot])
-             : ExactHit(ray, walls.circles[slot], hit.root);
+  if (walls.is_straight(hit.surface)) return {ray, walls.segments[walls.slot[hit.surface]]};
+  return {ray, walls.curve(hit.surface),
+          hit.root == Root::second ? HitTime::Root::second : HitTime::Root::first};
 }
 
 Vec2 hit_point(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
   if (is_zero(ray.direction)) return ray.origin;
-  const std::uint32_t slot = walls.slot[hit.surface];
-  if (hit.at_end) return end_met(ray, walls.segments[slot]);
+  if (hit.at_end)
+    return walls.is_straight(hit.surface) ? end_met(ray, walls.segments[walls.slot[hit.surface]])
+                                          : end_met(ray, walls.arc(hit.surface), hit.root);
   if (hit.kind == HitClass::along) return ray.origin;
-  if (hit.root == Root::both) return foot(ray, walls.circles[slot]);
+  if (hit.root == Root::both) return touched(ray, walls.curve(hit.surface));
   return exact_hit(walls, ray, hit).nearest();
 }
 

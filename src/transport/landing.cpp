@@ -28,31 +28,65 @@ bool line_passes_far(const Segment& wall, const Vec2& point, const Vec2& reach) 
   return std::fabs(left - right) > bound + kDetFilterLeast;
 }
 
-// The same for a circle: |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares
-// of the reach.
-bool circle_passes_far(const Circle& wall, const Vec2& point, const Vec2& reach) {
-  const Vec2 w = point - wall.centre;
-  const double size = w.squaredNorm(), square = wall.radius * wall.radius;
-  const double change = std::fabs(w.x()) * reach.x() + std::fabs(w.y()) * reach.y();
-  const double bound = 4 * (change + reach.squaredNorm()) + 8 * kDetFilter * (size + square);
+// The same for a curve, by w = point - centre in the form in which it is a circle of radius r:
+// |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares of the reach. What w and r
+// are off by there is under kDetFilter of the terms, which `slack` counts as reach.
+bool curve_passes_far(const Ellipse& wall, const Vec2& point, const Vec2& reach) {
+  const auto plain = [](double x) { return x; };
+  const Vec2 from = point - wall.centre;
+  const auto w = curve_form(plain, wall, Pair<double>{from.x(), from.y()});
+  Vec2 within = reach;
+  double slack = 0;
+  if (!wall.is_circle()) {
+    const Vec2 u = wall.u.cwiseAbs(), v = wall.v.cwiseAbs(), far = from.cwiseAbs();
+    const Vec2 terms(far.x() * v.y() + far.y() * v.x(), u.x() * far.y() + u.y() * far.x());
+    within = Vec2(reach.x() * v.y() + reach.y() * v.x(), u.x() * reach.y() + u.y() * reach.x()) +
+             2 * kDetFilter * terms;
+    slack = 2 * kDetFilter * (u.x() * v.y() + u.y() * v.x());
+  }
+  const double r = std::fabs(form_size(plain, wall));
+  const double size = dot(w, w), square = r * r;
+  const double change = std::fabs(w.x) * within.x() + std::fabs(w.y) * within.y() + r * slack;
+  const double bound =
+      4 * (change + within.squaredNorm() + slack * slack) + 8 * kDetFilter * (size + square);
   return std::fabs(size - square) > bound + kDetFilterLeast;
+}
+
+// Whether an arc surely ends before it comes into the box: on the outer side of one end's line and
+// far from it, where the arc is less than a half turn.
+bool ends_before(const Arc& arc, const Vec2& point, const Vec2& reach) {
+  const Vec2& centre = arc.curve.centre;
+  if (arc.extent == Arc::Extent::whole) return false;
+  if (arc.extent == Arc::Extent::half)
+    return line_passes_far({Vec2(0, 0), Vec2(arc.from.y(), -arc.from.x())}, point - centre,
+                           reach) &&
+           arc.from.dot(point - centre) < 0;
+  if (orientation(centre, arc.from, arc.to) == Sign::negative) return false;
+  const Segment from{centre, arc.from}, to{arc.to, centre};
+  for (const Segment& end : {from, to})
+    if (line_passes_far(end, point, reach) && orientation(end.a, end.b, point) == Sign::negative)
+      return true;
+  return false;
 }
 
 }  // namespace
 
 // A wall that passes by the hit: the point must not lie on it, nor beyond it as seen from the exact
-// hit.
+// hit, nor, where it is an arc that goes on into another wall, on the other side of its end.
 struct Lander::Fence {
   std::uint32_t surface;
   Sign side;  // of the exact hit; zero where it is on the line of a segment, beyond its ends
   bool hit;   // the exact hit lies on the wall itself
+  ArcPlace cone = ArcPlace::at_end;  // in which the exact hit lies
 };
 
 Lander::Lander(const Surfaces& walls) : walls_(walls) {}
 
 bool Lander::passes_near(std::uint32_t surface, const Vec2& point, const Vec2& within) const {
-  if (walls_.kinds[surface] == SurfaceKind::circle)
-    return !circle_passes_far(walls_.circles[walls_.slot[surface]], point, within);
+  if (!walls_.is_straight(surface)) {
+    const Arc arc = walls_.arc(surface);
+    return !curve_passes_far(arc.curve, point, within) && !ends_before(arc, point, within);
+  }
   const Segment& wall = walls_.segments[walls_.slot[surface]];
   for (int axis = 0; axis < 2; ++axis) {
     const auto [low, high] = std::minmax(wall.a[axis], wall.b[axis]);
@@ -71,25 +105,33 @@ std::vector<std::uint32_t> Lander::walls_near(const Vec2& point, std::uint32_t h
 
 Lander::Fence Lander::fence(std::uint32_t surface, const ExactHit& hit) const {
   const std::uint32_t slot = walls_.slot[surface];
-  if (walls_.kinds[surface] == SurfaceKind::circle) {
-    const Sign side = hit.side_of(walls_.circles[slot]);
-    return {surface, side, side == Sign::zero};
-  }
-  return {surface, hit.side_of(walls_.segments[slot]), hit.on(walls_.segments[slot])};
+  if (walls_.is_straight(surface))
+    return {surface, hit.side_of(walls_.segments[slot]), hit.on(walls_.segments[slot])};
+  const Arc arc = walls_.arc(surface);
+  return {surface, hit.side_of(arc.curve), hit.place_on(arc) != ArcPlace::outside,
+          hit.place_in(arc)};
 }
 
 Sign Lander::side(std::uint32_t surface, const Vec2& point) const {
   const std::uint32_t slot = walls_.slot[surface];
-  if (walls_.kinds[surface] == SurfaceKind::circle) return circle_side(point, walls_.circles[slot]);
+  if (!walls_.is_straight(surface)) return curve_side(point, walls_.curve(surface));
   return orientation(walls_.segments[slot].a, walls_.segments[slot].b, point);
 }
 
 bool Lander::stands_on(std::uint32_t surface, const Vec2& point) const {
-  if (walls_.kinds[surface] == SurfaceKind::circle) return side(surface, point) == Sign::zero;
+  if (!walls_.is_straight(surface))
+    return place_on(walls_.arc(surface), point) != ArcPlace::outside;
   return lies_on(point, walls_.segments[walls_.slot[surface]]);
 }
 
-Landing Lander::land_at(const Vec2& exact) const { return {exact, walls_at(exact)}; }
+// The end of a wall need not be a double, and is not on its own wall then.
+Landing Lander::land_at(const Vec2& end, std::uint32_t surface) const {
+  Landing landing{end, walls_at(end)};
+  std::vector<std::uint32_t>& corner = landing.corner;
+  const auto place = std::lower_bound(corner.begin(), corner.end(), surface);
+  if (place == corner.end() || *place != surface) corner.insert(place, surface);
+  return landing;
+}
 
 std::vector<std::uint32_t> Lander::walls_at(const Vec2& point) const {
   std::vector<std::uint32_t> met;
@@ -100,15 +142,21 @@ std::vector<std::uint32_t> Lander::walls_at(const Vec2& point) const {
 
 bool Lander::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                        const std::vector<Fence>& fences) const {
-  return side(hit, point) != outer &&
+  const auto keeps_to_cone = [&](std::uint32_t surface, ArcPlace cone) {
+    if (walls_.is_straight(surface) || cone == ArcPlace::at_end) return true;
+    const ArcPlace place = place_in_cone(walls_.arc(surface), point);
+    return place == ArcPlace::at_end || place == cone;
+  };
+  return side(hit, point) != outer && keeps_to_cone(hit, ArcPlace::inner) &&
          std::all_of(fences.begin(), fences.end(), [&](const Fence& other) {
            return (other.side == Sign::zero || side(other.surface, point) == other.side) &&
-                  !stands_on(other.surface, point);
+                  !stands_on(other.surface, point) && keeps_to_cone(other.surface, other.cone);
          });
 }
 
 Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
-  if (hit.at_end || hit.kind == HitClass::along) return land_at(hit_point(walls_, ray, hit));
+  if (hit.at_end || hit.kind == HitClass::along)
+    return land_at(hit_point(walls_, ray, hit), hit.surface);
   const ExactHit exact = exact_hit(walls_, ray, hit);
   const Vec2 nearest = exact.nearest();
   std::vector<Fence> fences;
@@ -130,7 +178,7 @@ Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
 }
 
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  if (walls.kinds[hit.surface] == SurfaceKind::circle)
+  if (!walls.is_straight(hit.surface))
     return hit.root == Root::first ? Sign::positive : Sign::negative;
   const Segment& wall = walls.segments[walls.slot[hit.surface]];
   return -turn_from_edge(wall.a, wall.b, ray.direction);

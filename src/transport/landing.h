@@ -23,7 +23,7 @@ class Lander {
   /// Needs   `walls` to outlive it.
   explicit Lander(const Surfaces& walls);
 
-  /// Needs   a hit by `ray` that is no tangent of a circle.
+  /// Needs   a hit by `ray` that is no tangent of a curve.
   /// Cost    a box test for every wall; some 100 us for each wall within a few ulps of the point.
   Landing land(const Ray& ray, const NearestHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.
@@ -32,7 +32,7 @@ class Lander {
  private:
   struct Fence;
   std::vector<std::uint32_t> walls_near(const Vec2& point, std::uint32_t hit) const;
-  Landing land_at(const Vec2& exact) const;
+  Landing land_at(const Vec2& end, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                  const std::vector<Fence>& fences) const;
   bool passes_near(std::uint32_t surface, const Vec2& point, const Vec2& reach) const;
@@ -44,7 +44,7 @@ class Lander {
 };
 
 /// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a
-/// circle.
+/// curve.
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
 
 }  // namespace flatray

@@ -14,27 +14,27 @@ void add(DoubleDouble& sum, double t) {
 }
 
 bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  if (walls.kinds[surface] != SurfaceKind::segment) return false;
+  if (!walls.is_straight(surface)) return place_on(walls.arc(surface), point) == ArcPlace::at_end;
   const Segment& wall = walls.segments[walls.slot[surface]];
   return point == wall.a || point == wall.b;
 }
 
-// From a point on a circle a ray goes inward from the first root, or outward from the second;
+// From a point on a curve a ray goes inward from the first root, or outward from the second;
 // `both` on the tangent.
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
-  if (walls.kinds[surface] != SurfaceKind::circle) return Root::none;
+  if (walls.is_straight(surface)) return Root::none;
   return leads_away(walls, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
          : leads_away(walls, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
                                                                                  : Root::both;
 }
 
 bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  if (walls.kinds[left.surface] == SurfaceKind::circle) return left.root == Root::both;
+  if (!walls.is_straight(left.surface)) return left.root == Root::both;
   const Segment& wall = walls.segments[walls.slot[left.surface]];
   return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
 }
 
-// Inside a circle the ray goes on from the root it would have entered by, outside from the other.
+// Inside a curve the ray goes on from the root it would have entered by, outside from the other.
 Root root_left_by(Root met) {
   return met == Root::none ? Root::none : met == Root::second ? Root::first : Root::second;
 }
@@ -111,7 +111,7 @@ class OrbitTracer::Wave {
       if (is_mirror(hit.surface)) {
         auto reflection = reflect_off(walls_, flight.ray, hit, landing.point, flight.speed);
         const Left wall{hit.surface, root_left_by(hit.root)};
-        if (reflection && wall.root != Root::none)
+        if (reflection && wall.root != Root::none && walls_.curve(wall.surface).is_circle())
           keep_moment(flight, wall, landing.point, reflection->direction);
         return bounce(flight, wall, landing.point, hit.t, reflection);
       }
@@ -128,7 +128,7 @@ class OrbitTracer::Wave {
   // From one bounce inside a circle to the next the moment stays, without drift.
   void keep_moment(Flight& flight, const Left& wall, const Vec2& point, Vec2& direction) const {
     if (flight.bounces == 0 || flight.left.surface != wall.surface)
-      flight.moment = moment_about(walls_.circles[walls_.slot[wall.surface]].centre, flight.ray);
+      flight.moment = moment_about(walls_.curve(wall.surface).centre, flight.ray);
     direction = with_moment(walls_, wall, point, direction, flight.moment);
   }
 

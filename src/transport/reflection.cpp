@@ -35,6 +35,14 @@ Vec2 left_of(const Segment& wall) {
   return {-edge.y(), edge.x()};
 }
 
+// Outward at a point near the curve.
+Vec2 normal_at(const Ellipse& curve, const Vec2& point) {
+  const auto number = [](double x) { return x; };
+  const auto form = curve_form(number, curve, pair_of(number, Vec2(point - curve.centre)));
+  const auto normal = curve_normal(number, curve, form);
+  return {normal.x, normal.y};
+}
+
 std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const Vec2& direction,
                                     const Vec2& point, const Speed& speed) {
   const Vec2 rounded = speed.restore(reflect(direction, {met.normal.y(), -met.normal.x()}));
@@ -78,37 +86,37 @@ double Speed::length() const { return std::ldexp(std::sqrt(square_.hi), exponent
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction) {
   const std::uint32_t slot = walls.slot[surface];
-  if (walls.kinds[surface] == SurfaceKind::segment)
+  if (walls.is_straight(surface))
     return turn_from_edge(walls.segments[slot].a, walls.segments[slot].b, direction) != -side;
-  const Vec2& centre = walls.circles[slot].centre;
+  const Ellipse curve = walls.curve(surface);
   return side == decide([&](const auto& number) {
-           return (number(point.x()) - number(centre.x())) * number(direction.x()) +
-                  (number(point.y()) - number(centre.y())) * number(direction.y());
+           const auto from = pair_of(number, point) - pair_of(number, curve.centre);
+           return dot(curve_form(number, curve, from),
+                      curve_form(number, curve, pair_of(number, direction)));
          });
 }
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const Vec2& point, const Speed& speed) {
-  const bool straight = walls.kinds[hit.surface] == SurfaceKind::segment;
-  const Vec2 normal = straight ? left_of(walls.segments[walls.slot[hit.surface]])
-                               : exact_hit(walls, ray, hit).from_centre();
+  const Vec2 normal = walls.is_straight(hit.surface)
+                          ? left_of(walls.segments[walls.slot[hit.surface]])
+                          : exact_hit(walls, ray, hit).normal();
   return reflected(walls, {hit.surface, inner_side(walls, ray, hit), normal}, ray.direction, point,
                    speed);
 }
 
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
                                         const Vec2& direction, const Speed& speed) {
-  const std::uint32_t slot = walls.slot[left.surface];
-  if (walls.kinds[left.surface] == SurfaceKind::segment) {
-    const Segment& wall = walls.segments[slot];
+  if (walls.is_straight(left.surface)) {
+    const Segment& wall = walls.segments[walls.slot[left.surface]];
     return reflected(walls,
                      {left.surface, -turn_from_edge(wall.a, wall.b, direction), left_of(wall)},
                      direction, point, speed);
   }
-  // Inside a circle a ray has left the first root.
+  // Inside a curve a ray has left the first root.
   const Sign side = left.root == Root::first ? Sign::negative : Sign::positive;
-  return reflected(walls, {left.surface, side, point - walls.circles[slot].centre}, direction,
-                   point, speed);
+  return reflected(walls, {left.surface, side, normal_at(walls.curve(left.surface), point)},
+                   direction, point, speed);
 }
 
 double moment_about(const Vec2& centre, const Ray& ray) {
@@ -122,12 +130,12 @@ double moment_about(const Vec2& centre, const Ray& ray) {
 Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
                  double moment) {
   constexpr double kGrazing = 0x1p-12, kRounding = 0x1p-36;
-  const Circle& circle = walls.circles[walls.slot[left.surface]];
-  const Vec2 from = point - circle.centre;
+  const Vec2 centre = walls.curve(left.surface).centre;
+  const Vec2 from = point - centre;
   const double along = from.dot(direction);
   const double sizes = std::sqrt(from.dot(from)) * std::sqrt(direction.dot(direction));
   if (!(std::fabs(along) > kGrazing * sizes)) return direction;
-  const double turn = (moment - moment_about(circle.centre, {point, direction})) / along;
+  const double turn = (moment - moment_about(centre, {point, direction})) / along;
   if (!(std::fabs(turn) < kRounding)) return direction;
   const Vec2 turned = direction + turn * Vec2(-direction.y(), direction.x());
   const Sign side = left.root == Root::first ? Sign::negative : Sign::positive;

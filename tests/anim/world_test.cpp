@@ -160,5 +160,61 @@ TEST(World, EdgesThatVanishInTheDoublesAreLeftOutAndNothingOpens) {
     EXPECT_EQ(flat.surfaces.segments[i].b, flat.surfaces.segments[(i + 1) % 4].a);
 }
 
+World world_of_path(const ArcPath& path, const Vec2& place, double angle) {
+  Scene scene = small_scene();
+  add_box(scene, place);
+  scene.entities[0].angle = angle;
+  scene.shapes[0] = Shape{};
+  scene.shapes[0].arc_paths.push_back(path);
+  return world_of(scene);
+}
+
+// Two half circles of a capsule and its sides, in turn; they share the doubles they end at.
+TEST(World, ACapsuleIsTwoArcsAndTwoSides) {
+  const EllipseArc far{{2, 0}, {0, -1}, {1, 0}, 0, std::numbers::pi};
+  const EllipseArc near{{0, 0}, {0, 1}, {-1, 0}, 0, std::numbers::pi};
+  for (const double angle : {0.0, 0.7}) {
+    const World world = world_of_path({{far, near}, true}, {5, 3}, angle);
+    const Surfaces& walls = world.surfaces;
+    ASSERT_EQ(walls.size(), 4U);
+    ASSERT_EQ(walls.arcs.size(), 2U);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(walls.is_straight(i), i % 2 == 1);
+      EXPECT_EQ(world.owners[i].edge, static_cast<std::int32_t>(i));
+    }
+    EXPECT_EQ(walls.arcs[0].to, walls.segments[0].a);
+    EXPECT_EQ(walls.segments[0].b, walls.arcs[1].from);
+    EXPECT_EQ(walls.arcs[1].to, walls.segments[1].a);
+    EXPECT_EQ(walls.segments[1].b, walls.arcs[0].from);
+    EXPECT_TRUE(walls.arcs[0].curve.is_circle());  // in any pose
+    EXPECT_EQ(walls.arcs[0].curve.u, Vec2(1, 0));
+    if (angle == 0) {
+      EXPECT_EQ(walls.arcs[0].from, Vec2(7, 2));
+    }
+  }
+}
+
+TEST(World, AnEllipseIsOneWallAndAFlatOneASegment) {
+  const World world = world_of_path({{{{0, 0}, {3, 0}, {0, 2}}}, true}, {1, 1}, 0.3);
+  ASSERT_EQ(world.surfaces.arcs.size(), 1U);
+  EXPECT_EQ(world.surfaces.arcs[0].extent, Arc::Extent::whole);
+  EXPECT_EQ(world.surfaces.size(), 1U);
+  const World flat = world_of_path({{{{0, 0}, {3, 0}, {0, 0}}}, true}, {1, 1}, 0);
+  ASSERT_EQ(flat.surfaces.segments.size(), 1U);
+  EXPECT_EQ(flat.surfaces.segments[0].a, Vec2(-2, 1));
+  EXPECT_EQ(flat.surfaces.segments[0].b, Vec2(4, 1));
+}
+
+// The sides of a sector meet in its corner, which is an arc that is a point and has no number.
+TEST(World, ASectorIsAnArcAndTwoSides) {
+  const EllipseArc outer{{0, 0}, {2, 0}, {0, 2}, 0, std::numbers::pi / 2};
+  const EllipseArc corner{{0, 0}, {0, 0}, {0, 0}, std::numbers::pi / 2, -std::numbers::pi / 2};
+  const World world = world_of_path({{outer, corner}, true}, {1, 1}, 0);
+  ASSERT_EQ(world.surfaces.size(), 3U);
+  EXPECT_EQ(world.surfaces.segments[0].b, Vec2(1, 1));
+  EXPECT_EQ(world.surfaces.segments[1].a, Vec2(1, 1));
+  EXPECT_EQ(world.owners[2].edge, 2);
+}
+
 }  // namespace
 }  // namespace flatray

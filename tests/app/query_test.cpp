@@ -73,6 +73,54 @@ TEST(Query, ContactWithoutRelativeMotionHasNoEndsAndAMissNoTimes) {
       R"(unit"})");
 }
 
+TEST(Query, ArcsAreWalls) {
+  const std::string half =
+      R"("walls":[{"arc":{"center":[0,0],"radius":5,"towards":[0,1]}}],"origin":[0,0],)";
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + half + R"("direction":[0,2]})"),
+            R"({"wall":0,"t":2.5,"point":[0,5],"class":"through"})");
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + half + R"("direction":[0,-2]})"), R"({"wall":null})");
+  const std::string quarter =
+      R"("walls":[{"arc":{"center":[1,1],"radius":2,"from":270,"to":0}}],"origin":[1,1],)";
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + quarter + R"("direction":[1,0]})"),
+            R"({"wall":0,"t":2,"point":[3,1],"class":"through"})");
+  EXPECT_EQ(answer(R"({"op":"nearest",)" + quarter + R"("direction":[-1,0]})"), R"({"wall":null})");
+}
+
+// Back and forth between the ends of a stadium, in doubles and for certain.
+TEST(Query, OrbitsAreFollowedBetweenArcs) {
+  const std::string stadium =
+      R"("walls":[{"segment":[[-1,-1],[1,-1]]},{"arc":{"center":[1,0],"radius":1,"towards":[1,0]}},)"
+      R"({"segment":[[1,1],[-1,1]]},{"arc":{"center":[-1,0],"radius":1,"from":90,"to":270}}])";
+  const std::string question =
+      R"({"op":"orbit",)" + stadium + R"(,"origin":[0.25,0.125],"direction":[1,0.5],"bounces":12})";
+  const auto walls = [](const std::string& line) { return line.substr(0, line.find("points")); };
+  const std::string in_doubles = answer(question);
+  const Answer certain = answer_line(question, {true, 4096});
+  EXPECT_NE(certain.line.find(R"("certain":12)"), std::string::npos) << certain.line;
+  EXPECT_EQ(walls(certain.line), walls(in_doubles));
+  EXPECT_NE(
+      answer(R"({"op":"orbit",)" + stadium + R"(,"origin":[0,0],"direction":[1,1],"bounces":3})")
+          .find(R"("end":"corner","out":null,"corner":[1,1],"corner_walls":[1,2])"),
+      std::string::npos);
+}
+
+TEST(Query, ArcsThatAreNoneAreRefused) {
+  const auto refused = [](const std::string& arc) {
+    return answer(R"({"op":"nearest","walls":[{"arc":)" + arc +
+                  R"(}],"origin":[0,0],"direction":[1,0]})");
+  };
+  const std::pair<const char*, const char*> cases[] = {
+      {R"({"center":[0,0],"radius":1})", "walls[0].arc.from: is no number of degrees"},
+      {R"({"center":[0,0],"radius":1,"towards":[0,0]})", "walls[0].arc.towards: is zero"},
+      {R"({"center":[0,0],"radius":1,"from":0,"to":361})", "are no part of a turn"},
+      {R"({"center":[0,0],"radius":-1,"towards":[1,0]})", "radius: is no number of 0 or more"},
+      {R"({"center":[0,0],"radius":1,"towards":[1,0],"to":9})", "not both"},
+      {R"({"center":[1,0],"radius":1e-30,"from":0,"to":9})", "do not tell its ends apart"},
+  };
+  for (const auto& [arc, message] : cases)
+    EXPECT_NE(refused(arc).find(message), std::string::npos) << refused(arc);
+}
+
 TEST(Query, ATangentTouchesAtTheFootOfThePerpendicular) {
   EXPECT_EQ(answer(R"({"op":"nearest","walls":[{"circle":{"center":[0.5,2],"radius":0.5}}],)"
                    R"("origin":[1,5],"direction":[0,-2]})"),

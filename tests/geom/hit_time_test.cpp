@@ -31,13 +31,13 @@ TEST(HitSegment, APointOnTheLineIsMet) {
 }
 
 TEST(HitCircle, GivesBothRootsOfTheCurve) {
-  const auto hit = hit_circle({{0, 0}, {1, 0}}, {{3, 0}, 2});
+  const auto hit = hit_curve({{0, 0}, {1, 0}}, Circle{{3, 0}, 2});
   ASSERT_TRUE(hit);
   EXPECT_FALSE(hit->tangent);
   EXPECT_EQ(hit->first.nearest().t, 1);
   EXPECT_EQ(hit->second.nearest().t, 5);
-  EXPECT_EQ(hit_circle({{0, 2}, {1, 0}}, {{3, 0}, 2})->tangent, true);
-  EXPECT_FALSE(hit_circle({{0, 2 + 2 * kUlp}, {1, 0}}, {{3, 0}, 2}));
+  EXPECT_EQ(hit_curve({{0, 2}, {1, 0}}, Circle{{3, 0}, 2})->tangent, true);
+  EXPECT_FALSE(hit_curve({{0, 2 + 2 * kUlp}, {1, 0}}, Circle{{3, 0}, 2}));
 }
 
 TEST(HitTime, OneUlpBetweenParallelWallsIsSeen) {
@@ -65,37 +65,37 @@ TEST(HitTime, ACornerOfTwoWallsIsOneTime) {
 TEST(HitTime, CirclesAndLinesAreComparedExactly) {
   const Ray ray{{-5, 0}, {1, 0}};
   const Circle unit{{0, 0}, 1}, inside{{-0.5, 0}, 0.5};
-  const HitTime first = hit_circle(ray, unit)->first;
+  const HitTime first = hit_curve(ray, unit)->first;
   EXPECT_TRUE(compare(first, HitTime::on_line(ray, {{-1, -1}, {-1, 1}})) == 0);
-  EXPECT_TRUE(compare(first, hit_circle(ray, inside)->first) == 0);
+  EXPECT_TRUE(compare(first, hit_curve(ray, inside)->first) == 0);
   const Circle larger{{0, 0}, 1 + kUlp};
-  EXPECT_TRUE(compare(hit_circle(ray, larger)->first, first) < 0);
-  EXPECT_TRUE(compare(hit_circle(ray, larger)->second, hit_circle(ray, unit)->second) > 0);
+  EXPECT_TRUE(compare(hit_curve(ray, larger)->first, first) < 0);
+  EXPECT_TRUE(compare(hit_curve(ray, larger)->second, hit_curve(ray, unit)->second) > 0);
 }
 
 // sqrt(2) + sqrt(3) against sqrt(10): roots that are no rationals, on three circles met by rays of
 // their own.
 TEST(HitTime, IrrationalRootsThatAreEqualAreFoundEqual) {
   const Ray diagonal{{0, 0}, {1, 1}};
-  const HitTime a = hit_circle(diagonal, {{0, 0}, 3})->second;          // 3 / sqrt(2)
-  const HitTime b = hit_circle({{0, 0}, {2, 2}}, {{0, 0}, 6})->second;  // the same
+  const HitTime a = hit_curve(diagonal, Circle{{0, 0}, 3})->second;          // 3 / sqrt(2)
+  const HitTime b = hit_curve({{0, 0}, {2, 2}}, Circle{{0, 0}, 6})->second;  // the same
   EXPECT_TRUE(compare(a, b) == 0);
-  const HitTime c = hit_circle(diagonal, {{1, 1}, 3})->second;  // 1 + 3 / sqrt(2)
+  const HitTime c = hit_curve(diagonal, Circle{{1, 1}, 3})->second;  // 1 + 3 / sqrt(2)
   EXPECT_TRUE(compare(c, a) > 0);
-  const HitTime d = hit_circle({{-1, -1}, {1, 1}}, {{0, 0}, 3})->second;
+  const HitTime d = hit_curve({{-1, -1}, {1, 1}}, Circle{{0, 0}, 3})->second;
   EXPECT_TRUE(compare(c, d) == 0);
 }
 
 TEST(HitTime, OneUlpBetweenRadiiIsSeenFromAfar) {
   const Ray ray{{-99, -99}, {1, 1}};
-  const HitTime d = hit_circle(ray, {{0, 0}, 3})->second;
-  const HitTime e = hit_circle(ray, {{0, 0}, std::nextafter(3.0, 4.0)})->second;
+  const HitTime d = hit_curve(ray, Circle{{0, 0}, 3})->second;
+  const HitTime e = hit_curve(ray, Circle{{0, 0}, std::nextafter(3.0, 4.0)})->second;
   EXPECT_TRUE(compare(d, e) < 0);
   EXPECT_EQ(d.nearest().t, e.nearest().t);
 }
 
 TEST(HitTime, ComparesWithNumbers) {
-  const HitTime t = hit_circle({{0, 0}, {1, 1}}, {{0, 0}, 3})->second;  // 2.12...
+  const HitTime t = hit_curve({{0, 0}, {1, 1}}, Circle{{0, 0}, 3})->second;  // 2.12...
   const double rounded = t.nearest().t;
   EXPECT_TRUE(t.compare(rounded) != 0);  // irrational
   EXPECT_TRUE(t.compare(std::nextafter(rounded, 3.0)) < 0);
@@ -117,7 +117,7 @@ TEST(HitTime, OrdersGridHitsAsTheirDoubles) {
     for (std::size_t i = 0; i + 1 < c.polygon.size(); ++i)
       if (const auto hit = hit_segment(c.ray, {c.polygon[i], c.polygon[i + 1]}))
         times.push_back(hit->t);
-    if (const auto hit = hit_circle(c.ray, {c.polygon[0], draw.below(5)})) {
+    if (const auto hit = hit_curve(c.ray, Circle{c.polygon[0], draw.below(5)})) {
       times.push_back(hit->first);
       times.push_back(hit->second);
     }

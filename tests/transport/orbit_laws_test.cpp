@@ -127,7 +127,7 @@ TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
   for (const Orbit& orbit : trace_orbits(walls, all_mirrors(walls), rays, 100)) {
     ASSERT_NE(orbit.end, OrbitEnd::escape);
     for (const Bounce& bounce : orbit.bounces) {
-      ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::negative);
+      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::negative);
       ASSERT_GE(bounce.point.y(), -1);
     }
   }

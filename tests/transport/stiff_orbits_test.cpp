@@ -60,7 +60,7 @@ TEST(StiffCases, C12CircleCaustic) {
   Vec2 last(0, 0);
   std::uint64_t hit = 0;
   watch(walls, {{0.5, 0.25}, {-1, 2}}, kHits, [&](const Bounce& bounce) {
-    ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
+    ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
     ASSERT_NEAR(std::fabs(cross(bounce.point, bounce.out.normalized())), caustic, tolerance);
     if (hit++ > 0) {
       const double angle = std::atan2(cross(last, bounce.point), last.dot(bounce.point));
@@ -93,7 +93,7 @@ TEST(StiffCases, C14WhisperingGallery) {
   std::uint64_t hit = 0;
   double off = 0, chord_off = 0;
   watch(walls, {{0, caustic}, {1, 0}}, 1'000'000, [&](const Bounce& bounce) {
-    ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
+    ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
     off = std::max(
         off, std::fabs(std::fabs(cross(bounce.point, bounce.out)) / bounce.out.norm() - caustic));
     if (hit++ > 0)
@@ -226,8 +226,8 @@ TEST(StiffCases, C25NestedTangentCircles) {
     ASSERT_NE(orbit.end, OrbitEnd::escape);
     corners += orbit.end == OrbitEnd::corner ? 1 : 0;
     for (const Bounce& bounce : orbit.bounces) {
-      ASSERT_NE(circle_side(bounce.point, walls.circles[0]), Sign::positive);
-      ASSERT_NE(circle_side(bounce.point, walls.circles[1]), Sign::negative);
+      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive);
+      ASSERT_NE(curve_side(bounce.point, walls.circles[1]), Sign::negative);
     }
   }
   EXPECT_LE(corners, 1U);

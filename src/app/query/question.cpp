@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "geom/polygon.h"
+#include "scene/arcs.h"
 
 namespace flatray {
 namespace {
@@ -131,7 +132,6 @@ void Question::unknown_field(const std::string& where, const std::string& near) 
 }
 
 Circle Question::read_circle(const JsonValue& value, const std::string& where) {
-  check_fields(value, where, {"center", "radius"});
   const JsonValue* centre = value.find("center");
   const JsonValue* radius = value.find("radius");
   if (centre == nullptr || radius == nullptr) {
@@ -145,20 +145,70 @@ Circle Question::read_circle(const JsonValue& value, const std::string& where) {
 
 Circle Question::disc(std::string_view name) {
   const JsonValue* value = find(name);
-  return value == nullptr ? Circle{{0, 0}, 0} : read_circle(*value, std::string(name));
+  if (value == nullptr) return {{0, 0}, 0};
+  check_fields(*value, std::string(name), {"center", "radius"});
+  return read_circle(*value, std::string(name));
+}
+
+void Question::read_arc(const JsonValue& value, const std::string& where, Surfaces& walls) {
+  check_fields(value, where, {"center", "radius", "towards", "from", "to"});
+  const Circle circle = read_circle(value, where);
+  const JsonValue* towards = value.find("towards");
+  if (towards == nullptr) return read_degrees(value, where, circle, walls);
+  if (value.find("from") != nullptr || value.find("to") != nullptr)
+    mistake(where, "says towards, or from and to, not both");
+  const Vec2 way = read_point(*towards, where + ".towards");
+  if (way == Vec2(0, 0)) mistake(where + ".towards", "is zero: say where the half circle lies");
+  if (circle.radius == 0)
+    walls.add(circle);
+  else
+    walls.add(Arc{circle, Arc::Extent::half, way, {0, 0}});
+}
+
+void Question::read_degrees(const JsonValue& value, const std::string& where, const Circle& circle,
+                            Surfaces& walls) {
+  const auto degrees = [&](const char* name) {
+    const JsonValue* field = value.find(name);
+    const auto number = field == nullptr ? std::nullopt : number_in(*field);
+    if (!number) mistake(where + "." + name, "is no number of degrees, and nothing says towards");
+    return number.value_or(0);
+  };
+  const double from = degrees("from"), to = degrees("to");
+  if (!sound()) return;
+  const double sweep = to > from ? to - from : to - from + 360;
+  if (!(sweep > 0 && sweep <= 360) || to == from)
+    return mistake(where,
+                   "from and to are no part of a turn: say less than 360 degrees, or to = "
+                   "from + 360 for all of it");
+  if (sweep == 360 || circle.radius == 0) {
+    walls.add(circle);
+    return;
+  }
+  const Vec2 first = circle.centre + circle.radius * unit_at_degrees(from);
+  const Vec2 last = circle.centre + circle.radius * unit_at_degrees(to);
+  if (!first.allFinite() || !last.allFinite()) return mistake(where, "ends beyond the doubles");
+  if (first == last || first == circle.centre || last == circle.centre)
+    return mistake(where, "is so small that doubles do not tell its ends apart");
+  walls.add(Arc{circle, Arc::Extent::between, first, last});
 }
 
 void Question::read_wall(const JsonValue& value, const std::string& where, Surfaces& walls) {
-  check_fields(value, where, {"segment", "circle"});
-  if (value.find("circle") != nullptr && value.find("segment") != nullptr)
-    mistake(where, "is a segment or a circle, not both");
-  if (const JsonValue* circle = value.find("circle")) {
+  check_fields(value, where, {"segment", "circle", "arc"});
+  const JsonValue* circle = value.find("circle");
+  const JsonValue* arc = value.find("arc");
+  const JsonValue* segment = value.find("segment");
+  if ((circle != nullptr) + (arc != nullptr) + (segment != nullptr) > 1)
+    mistake(where, "is a segment, a circle or an arc: one of them");
+  if (arc != nullptr) return read_arc(*arc, where + ".arc", walls);
+  if (circle != nullptr) {
+    check_fields(*circle, where + ".circle", {"center", "radius"});
     walls.add(read_circle(*circle, where + ".circle"));
     return;
   }
-  const JsonValue* segment = value.find("segment");
   if (segment == nullptr) {
-    mistake(where, "is no wall: say {\"segment\": [[x1, y1], [x2, y2]]} or {\"circle\": ...}");
+    mistake(where,
+            "is no wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...} or "
+            "{\"arc\": ...}");
     return;
   }
   const auto* ends = std::get_if<Values>(&segment->data);

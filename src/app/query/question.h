@@ -48,8 +48,9 @@ class Question {
   Moving moving(std::string_view name);
   /// {"center":[x,y],"radius":r}
   Circle disc(std::string_view name);
-  /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}}, ...], numbered in
-  /// this order.
+  /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}},
+  /// {"arc":{"center":[x,y],"radius":r,"towards":[hx,hy]}}, {"arc":{...,"from":deg,"to":deg}}, ...],
+  /// numbered in this order.
   Surfaces walls(std::string_view name);
 
   /// Says what is wrong, and where: "direction: is missing".
@@ -67,6 +68,9 @@ class Question {
   Vec2 read_point(const JsonValue& value, const std::string& where);
   std::vector<Vec2> read_polygon(const JsonValue& value, const std::string& where);
   Circle read_circle(const JsonValue& value, const std::string& where);
+  void read_arc(const JsonValue& value, const std::string& where, Surfaces& walls);
+  void read_degrees(const JsonValue& value, const std::string& where, const Circle& circle,
+                    Surfaces& walls);
   void read_wall(const JsonValue& value, const std::string& where, Surfaces& walls);
 
   const JsonValue& whole_;

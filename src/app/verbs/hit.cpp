@@ -35,11 +35,13 @@ Result<std::uint32_t> find_entity(const Arguments& arguments, const char* option
   const std::string wanted = *arguments.text(option);
   std::vector<std::string> known;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
+    const std::vector<ArcPath>& paths = scene.shapes[scene.entities[i].shape].arc_paths;
     if (scene.entities[i].name == wanted &&
-        !scene.shapes[scene.entities[i].shape].arc_paths.empty())
+        !std::all_of(paths.begin(), paths.end(),
+                     [](const auto& path) { return path.is_ellipse(); }))
       return usage_error(arguments.where(option),
-                         "no ray meets an ellipse, arc, sector or capsule yet",
-                         "they are drawn only: ask for another entity");
+                         "no ray is clipped against an arc, sector or capsule yet",
+                         "ask for another entity, or where rays meet it: flatray orbit");
     if (scene.entities[i].name == wanted) return i;
     known.push_back(scene.entities[i].name);
   }
@@ -157,8 +159,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
     return usage_error(named_place("hit"), "there is no ray to ask about",
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
   if (reports.empty())
-    return usage_error(named_place("hit"), "nothing here has a convex piece or a circle to hit",
-                       "segments, even-odd polygons and arcs are drawn only");
+    return usage_error(named_place("hit"),
+                       "nothing here has a convex piece, a circle or an ellipse to hit",
+                       "segments, even-odd polygons and arcs have no inside to clip to");
   if (arguments.has("svg"))
     return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};
   return show(arguments, reports);

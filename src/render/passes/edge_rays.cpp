@@ -91,6 +91,11 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = clip_circle(rays[i], there, kSegment);
     keep();
   }
+  for (const ArcPath& path : shape.arc_paths) {
+    const Ellipse there = curve_of(path.arcs.front(), against.pose);  // whole: the scene says so
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = clip_ellipse(rays[i], there, kSegment);
+    keep();
+  }
   Found found;
   for (std::size_t i = 0; i < rays.size(); ++i)
     for (const Range& part : united(std::move(parts[i]))) found.add(rays[i], part);

@@ -37,6 +37,12 @@ void add_shape(const Shape& shape, const Pose& place, const RayBatch& rays, Part
     if (apart(y, there)) continue;
     for (std::size_t i = 0; i < rays.size(); ++i) add(clip_circle(rays.ray(i), there), parts[i]);
   }
+  for (const ArcPath& path : shape.arc_paths) {
+    if (!path.is_ellipse()) continue;
+    const Ellipse there = curve_of(path.arcs.front(), place);
+    if (apart(y, curve_bounds(there))) continue;
+    for (std::size_t i = 0; i < rays.size(); ++i) add(clip_ellipse(rays.ray(i), there), parts[i]);
+  }
 }
 
 void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {

@@ -66,10 +66,8 @@ class Study {
       box.add(wall.a);
       box.add(wall.b);
     }
-    for (const Circle& wall : room.walls().circles) {
-      box.add(Vec2(wall.centre - Vec2::Constant(wall.radius)));
-      box.add(Vec2(wall.centre + Vec2::Constant(wall.radius)));
-    }
+    for (std::uint32_t i = 0; i < room.walls().size(); ++i)
+      if (!room.walls().is_straight(i)) box.add(curve_bounds(room.walls().curve(i)));
     size_ = box.size().maxCoeff();
   }
 

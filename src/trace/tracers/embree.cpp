@@ -43,7 +43,7 @@ class Embree : public Accelerator {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const plain::Start ray = plain::start_of(rays.ray(i));
       const std::uint32_t left = rays.left[i].surface;
-      const bool segment = left != kNoSurface && walls_.kinds[left] == SurfaceKind::segment;
+      const bool segment = left != kNoSurface && walls_.is_straight(left);
       given.push_back({ray.x, ray.y, ray.dx, ray.dy, segment ? walls_.slot[left] : kNoSurface});
     }
     module_.nearest(scene_, given.data(), static_cast<unsigned>(given.size()), met.data());
@@ -52,7 +52,7 @@ class Embree : public Accelerator {
       if (met[i].segment != kNoSurface)
         hits[i] = {walls_.segment_numbers[met[i].segment], HitClass::touch, Root::none, false,
                    static_cast<double>(met[i].t)};
-      plain::offer_circles(walls_, plain::start_of(rays.ray(i)), rays.left[i], hits[i]);
+      plain::offer_curves(walls_, rays.ray(i), rays.left[i], hits[i]);
     }
   }
   std::size_t bytes() const override { return 0; }  // Embree does not say

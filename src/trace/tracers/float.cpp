@@ -27,7 +27,7 @@ class Float : public Accelerator {
       best = {walls_.segment_numbers[i], HitClass::touch, Root::none, false,
               static_cast<double>(t)};
     }
-    plain::offer_circles(walls_, start, left, best);
+    plain::offer_curves(walls_, ray, left, best);
     return best;
   }
   std::size_t bytes() const override { return edges_.size() * sizeof(plain::Edge); }

@@ -1,0 +1,108 @@
+#pragma once
+#include "geom/bounds.h"
+#include "geom/pair.h"
+#include "geom/predicates.h"
+
+namespace flatray {
+
+/// An ellipse as a curve: the points centre + a u + b v with a^2 + b^2 = 1.
+///
+/// Needs   half-diameters u and v that are not parallel, unless it is a circle of radius 0. They may
+///         be any two conjugate ones: rotated, scaled and sheared ellipses are of this kind too.
+struct Ellipse {
+  Vec2 centre{0, 0}, u{0, 0}, v{0, 0};
+
+  Ellipse() = default;
+  Ellipse(const Vec2& centre_, const Vec2& u_, const Vec2& v_) : centre(centre_), u(u_), v(v_) {}
+  Ellipse(const Circle& circle) : centre(circle.centre), u(circle.radius, 0), v(0, circle.radius) {}
+
+  /// Whether it is the circle of radius u.x(), as a Circle makes it.
+  bool is_circle() const { return u.y() == 0 && v.x() == 0 && u.x() == v.y(); }
+};
+
+/// A wall along an ellipse, or along the part of it in a closed cone at its centre.
+struct Arc {
+  enum class Extent : std::uint8_t {
+    whole,
+    half,    ///< the points X with (X - centre).from >= 0
+    between  ///< counter-clockwise from the direction of point `from` to that of point `to`
+  };
+  Ellipse curve;
+  Extent extent = Extent::whole;
+  /// Needs   of `between`: neither is the centre, and they lie in different directions from it.
+  ///         Where they are not on the curve they still end the arc: what lies on the line to the
+  ///         centre between each and the curve is part of it, so that walls that share an end have
+  ///         no gap.
+  Vec2 from{0, 0}, to{0, 0};
+};
+
+/// Where a point of its ellipse lies on an arc.
+enum class ArcPlace : std::uint8_t { outside, inner, at_end };
+
+/// A vector in the coordinates in which a curve is the circle |w| = form_size about its centre,
+/// linear in it: twice the areas spanned with v and u; for a circle the vector itself.
+template <class Make, class Number>
+Pair<Number> curve_form(const Make& number, const Ellipse& curve, const Pair<Number>& w) {
+  if (curve.is_circle()) return w;
+  return {cross(w, pair_of(number, curve.v)), cross(pair_of(number, curve.u), w)};
+}
+template <class Make>
+auto form_size(const Make& number, const Ellipse& curve) {
+  if (curve.is_circle()) return number(curve.u.x());
+  return cross(pair_of(number, curve.u), pair_of(number, curve.v));
+}
+/// Positive outside the curve, zero on it, for a point as seen from the centre.
+template <class Make, class Number>
+Number curve_power(const Make& number, const Ellipse& curve, const Pair<Number>& w) {
+  const Pair<Number> form = curve_form(number, curve, w);
+  const auto size = form_size(number, curve);
+  return dot(form, form) - size * size;
+}
+/// A normal of the curve at a point whose form is given, outward where u x v > 0.
+template <class Make, class Number>
+Pair<Number> curve_normal(const Make& number, const Ellipse& curve, const Pair<Number>& form) {
+  if (curve.is_circle()) return form;
+  const auto u = pair_of(number, curve.u), v = pair_of(number, curve.v);
+  return {form.x * v.y - form.y * u.y, form.y * u.x - form.x * v.x};
+}
+
+/// Side of a curve `point` lies on: positive outside, zero on it, negative inside. Exact.
+Sign curve_side(const Vec2& point, const Ellipse& curve);
+
+/// The place in the cone of an arc of a point given by where it lies: `turn(p, a, b)` is the sign of
+/// (b - a) x (point - p).
+template <class Turn>
+ArcPlace place_in_cone(const Arc& arc, const Turn& turn) {
+  const Vec2& centre = arc.curve.centre;
+  if (arc.extent == Arc::Extent::whole) return ArcPlace::inner;
+  if (arc.extent == Arc::Extent::half) {
+    const Sign side = turn(centre, Vec2(0, 0), Vec2(arc.from.y(), -arc.from.x()));
+    return side == Sign::positive ? ArcPlace::inner
+           : side == Sign::zero   ? ArcPlace::at_end
+                                  : ArcPlace::outside;
+  }
+  const Sign from = turn(centre, centre, arc.from), to = -turn(centre, centre, arc.to);
+  const Sign cone = orientation(centre, arc.from, arc.to);  // of less or more than a half turn
+  const bool past_from = from != Sign::negative, before_to = to != Sign::negative;
+  if (cone == Sign::negative) {
+    if (!past_from && !before_to) return ArcPlace::outside;
+    // On the line of an end, but behind the centre, it is on the inner side of the other's.
+    const bool at_end = (from == Sign::zero && !before_to) || (to == Sign::zero && !past_from);
+    return at_end ? ArcPlace::at_end : ArcPlace::inner;
+  }
+  if (!past_from || (cone == Sign::positive && !before_to)) return ArcPlace::outside;
+  return from == Sign::zero || to == Sign::zero ? ArcPlace::at_end : ArcPlace::inner;
+}
+
+inline ArcPlace place_in_cone(const Arc& arc, const Vec2& point) {
+  return place_in_cone(
+      arc, [&](const Vec2& p, const Vec2& a, const Vec2& b) { return cross_sign(a, b, p, point); });
+}
+
+/// Whether a point lies on an arc, and where. Exact.
+ArcPlace place_on(const Arc& arc, const Vec2& point);
+
+/// Box around the whole curve of an arc, rounded outward.
+Bounds curve_bounds(const Ellipse& curve);
+
+}  // namespace flatray

@@ -1,0 +1,142 @@
+#include "geom/exact_hit.h"
+
+#include "geom/decide.h"
+
+namespace flatray {
+namespace {
+
+const auto kBounded = [](double x) { return Bounded(x); };
+const auto kRational = [](double x) { return Rational(x); };
+
+}  // namespace
+
+// constant + slope * t
+struct ExactHit::LinearForm {
+  Rational constant, slope;
+};
+
+// t = numer / denom as in eq. 3 of the paper. A wall parallel to an axis gives one coordinate
+// without error, where 0 +- an error would need the rationals.
+ExactHit::ExactHit(const Ray& ray, const Segment& wall)
+    : ray_(ray), time_(HitTime::on_line(ray, wall)), form_{0, 0}, from_{0, 0} {
+  const Bounded t = determinant(kBounded, ray.origin, wall.a, wall.a, wall.b) /
+                    determinant(kBounded, Vec2(0, 0), ray.direction, wall.a, wall.b);
+  const auto coordinate = [&](int axis) {
+    if (wall.a[axis] == wall.b[axis]) return Bounded(wall.a[axis]);
+    return Bounded(ray.origin[axis]) + Bounded(ray.direction[axis]) * t;
+  };
+  from_ = {coordinate(0), coordinate(1)};
+}
+
+// In the form in which the curve is a circle of radius r: the foot of the perpendicular from the
+// centre to the ray is k d' / d.d with d' = (-d_y, d_x), k = d x w and w = o - c; from there the
+// point lies along the ray, by d / d.d times the root of r^2 d.d - k^2. A form (a, b) of a vector
+// says a u + b v = r times the vector.
+ExactHit::ExactHit(const Ray& ray, const Ellipse& wall, HitTime::Root root)
+    : ray_(ray), time_(HitTime::on_curve(ray, wall, root)), curve_(wall), form_{0, 0}, from_{0, 0} {
+  const auto d = curve_form(kBounded, wall, pair_of(kBounded, ray.direction));
+  const auto w =
+      curve_form(kBounded, wall, pair_of(kBounded, ray.origin) - pair_of(kBounded, wall.centre));
+  const Bounded r = form_size(kBounded, wall), size = dot(d, d), k = cross(d, w);
+  const Bounded length = square_root(r * r * size - k * k), s = static_cast<int>(root);
+  form_ = {(s * d.x * length - k * d.y) / size, (s * d.y * length + k * d.x) / size};
+  from_ = form_;
+  if (wall.is_circle()) return;
+  const auto u = pair_of(kBounded, wall.u), v = pair_of(kBounded, wall.v);
+  from_ = {(form_.x * u.x + form_.y * v.x) / r, (form_.x * u.y + form_.y * v.y) / r};
+}
+
+// constant + slope t by t = (p + s sqrt(q)) / a.
+double ExactHit::rounded(const LinearForm& form) const {
+  const HitTime::Exact t = time_.exact();
+  const Rational speed = form.slope / t.a;
+  return Rational::root_sum(form.constant + speed * t.p, t.s * static_cast<int>(speed.sign()),
+                            speed * speed * t.q);
+}
+
+Vec2 ExactHit::nearest() const {
+  const auto coordinate = [&](int axis, const Bounded& from) {
+    if (const auto value = (Bounded(curve_.centre[axis]) + from).nearest()) return *value;
+    return rounded({ray_.origin[axis], ray_.direction[axis]});
+  };
+  return {coordinate(0, from_.x), coordinate(1, from_.y)};
+}
+
+Vec2 ExactHit::normal() const {
+  // By the size of the form: else it might be beyond the doubles. It has the sign of u x v.
+  const auto normal_of = [&](const auto& number, const auto& form) {
+    const auto normal = curve_normal(number, curve_, form);
+    const auto size = form_size(number, curve_);
+    if (curve_.is_circle()) return normal;
+    return std::decay_t<decltype(normal)>{normal.x / size, normal.y / size};
+  };
+  const auto near = normal_of(kBounded, form_);
+  const auto x = near.x.nearest(), y = near.y.nearest();
+  if (x && y) return {*x, *y};
+  const auto at_origin = normal_of(
+      kRational, curve_form(kRational, curve_,
+                            pair_of(kRational, ray_.origin) - pair_of(kRational, curve_.centre)));
+  const auto rate =
+      normal_of(kRational, curve_form(kRational, curve_, pair_of(kRational, ray_.direction)));
+  return {rounded({at_origin.x, rate.x}), rounded({at_origin.y, rate.y})};
+}
+
+Sign ExactHit::sign(const LinearForm& form) const {
+  const HitTime::Exact t = time_.exact();
+  return Rational::root_sign(form.constant * t.a + form.slope * t.p,
+                             t.s * static_cast<int>(form.slope.sign()),
+                             form.slope * form.slope * t.q);
+}
+
+Sign ExactHit::turn(const Vec2& p, const Vec2& a, const Vec2& b) const {
+  const auto edge = pair_of(kBounded, b) - pair_of(kBounded, a);
+  const auto to_centre = pair_of(kBounded, curve_.centre) - pair_of(kBounded, p);
+  if (const auto sign = cross(edge, to_centre + from_).sign()) return *sign;
+  return this->sign({determinant(kRational, a, b, p, ray_.origin),
+                     determinant(kRational, a, b, Vec2(0, 0), ray_.direction)});
+}
+
+Sign ExactHit::ahead(const Vec2& p, const Vec2& a, const Vec2& b) const {
+  const Vec2 quarter_a(-a.y(), a.x()), quarter_b(-b.y(), b.x());
+  return -turn(p, quarter_a, quarter_b);  // (b - a)' x w = -(b - a) . w
+}
+
+Sign ExactHit::side_of(const Ellipse& curve) const {
+  const auto to_centre = pair_of(kBounded, curve_.centre) - pair_of(kBounded, curve.centre);
+  if (const auto sign = curve_power(kBounded, curve, to_centre + from_).sign()) return *sign;
+  // The power is c + 2 b t + a t^2, which is linear in the root of t once it is multiplied out.
+  const auto w = curve_form(kRational, curve,
+                            pair_of(kRational, ray_.origin) - pair_of(kRational, curve.centre));
+  const auto d = curve_form(kRational, curve, pair_of(kRational, ray_.direction));
+  const Rational size = form_size(kRational, curve);
+  const Rational c = dot(w, w) - size * size, b = dot(w, d), a = dot(d, d);
+  const HitTime::Exact t = time_.exact();
+  const Rational slope = Rational(2) * (b * t.a + a * t.p);
+  return Rational::root_sign(c * t.a * t.a + Rational(2) * b * t.a * t.p + a * (t.p * t.p + t.q),
+                             t.s * static_cast<int>(slope.sign()), slope * slope * t.q);
+}
+
+bool ExactHit::on(const Segment& segment) const {
+  return side_of(segment) == Sign::zero &&
+         ahead(segment.a, segment.a, segment.b) != Sign::negative &&
+         ahead(segment.b, segment.b, segment.a) != Sign::negative;
+}
+
+ArcPlace ExactHit::place_in(const Arc& arc) const {
+  return place_in_cone(arc,
+                       [&](const Vec2& p, const Vec2& a, const Vec2& b) { return turn(p, a, b); });
+}
+
+ArcPlace ExactHit::place_on(const Arc& arc) const {
+  const Vec2& centre = arc.curve.centre;
+  const Sign side = side_of(arc.curve);
+  if (side == Sign::zero) return place_in(arc);
+  if (arc.extent != Arc::Extent::between) return ArcPlace::outside;
+  for (const Vec2& end : {arc.from, arc.to})
+    if (curve_side(end, arc.curve) == side && turn(centre, centre, end) == Sign::zero &&
+        ahead(centre, centre, end) == Sign::positive && ahead(end, centre, end) != side)
+      return ArcPlace::at_end;
+  return ArcPlace::outside;
+}
+
+}  // namespace flatray

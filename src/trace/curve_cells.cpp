@@ -1,0 +1,216 @@
+#include "trace/curve_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trace/curve_filter.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kFew = 8;  // so many are looked at without cells
+constexpr double kCellsACurve = 2, kMostCells = 0x1p22;
+constexpr double kMargin = 0x1p-10;  // of a cell's side, by which lists reach beyond it
+constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-22
+constexpr double kSlack = 0x1p-12;   // cells, by which a walk may be off
+constexpr double kLeast = 0x1p-400, kMost = 0x1p400;
+
+// Box of all that belongs to an arc.
+Bounds box_of(const Arc& arc) {
+  Bounds box = curve_bounds(arc.curve);
+  if (arc.extent == Arc::Extent::between) {
+    box.add(arc.from);
+    box.add(arc.to);
+  }
+  return box;
+}
+
+// A vector in the form in which the curve is a circle, and the largest it may be in a box about it.
+struct Form {
+  double length, most;
+};
+Form form_of(const Ellipse& curve, const Vec2& w, const Vec2& half) {
+  const auto plain = [](double x) { return x; };
+  const Pair<double> form = curve_form(plain, curve, Pair<double>{w.x(), w.y()});
+  const double length = std::sqrt(dot(form, form));
+  if (curve.is_circle()) return {length, half.norm()};
+  const Vec2 u = curve.u.cwiseAbs(), v = curve.v.cwiseAbs(), far = w.cwiseAbs();
+  const Vec2 spread(half.x() * v.y() + half.y() * v.x(), u.x() * half.y() + u.y() * half.x());
+  const double terms = far.x() * v.y() + far.y() * v.x() + u.x() * far.y() + u.y() * far.x();
+  return {length, spread.norm() + 0x1p-48 * terms};
+}
+
+// Whether its ends are about as near to the curve as rounding leaves them: else it reaches beyond.
+bool ends_on_curve(const Arc& arc) {
+  if (arc.extent != Arc::Extent::between) return true;
+  const auto near = [&](const Vec2& end) {
+    const double length = form_of(arc.curve, end - arc.curve.centre, {0, 0}).length;
+    const double r = std::fabs(form_size([](double x) { return x; }, arc.curve));
+    return std::fabs(length - r) < 0x1p-40 * r;
+  };
+  return near(arc.from) && near(arc.to);
+}
+
+}  // namespace
+
+CurveCells::CurveCells(const Surfaces& walls) : walls_(walls) {
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
+    if (!walls.is_straight(i)) curves_.push_back(i);
+  if (curves_.size() > kFew) divide();
+}
+
+// Cells of one size, as many as the curves need, and one more all round.
+void CurveCells::divide() {
+  Bounds box;
+  for (const std::uint32_t i : curves_) box.add(box_of(walls_.arc(i)));
+  const Vec2 size = box.size();
+  const double larger = size.maxCoeff(),
+               magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+  if (!(larger > kLeast && magnitude < kMost)) return;
+  const double wanted = std::min(kCellsACurve * static_cast<double>(curves_.size()), kMostCells);
+  const double narrow = std::max(size.minCoeff(), larger / wanted);
+  side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
+  low_ = box.low - Vec2::Constant(side_);
+  // Where doubles are as far apart as cells, places in them mean nothing.
+  if (!(magnitude * 0x1p-30 < side_ * 0x1p10)) return;
+  columns_ = static_cast<int>(size.x() / side_) + 3;
+  rows_ = static_cast<int>(size.y() / side_) + 3;
+  const Rect all{0, 0, columns_, rows_};
+  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  begin_.assign(cells + 1, 0);
+  for (const std::uint32_t i : curves_)
+    visit_cells(walls_.arc(i), all, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
+  surfaces_.resize(begin_.back());
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  for (const std::uint32_t i : curves_)
+    visit_cells(walls_.arc(i), all, [&](std::size_t cell) { surfaces_[next[cell]++] = i; });
+}
+
+// Whether a part of the curve may lie in the cells, or within kMargin of them.
+bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
+  const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
+  const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
+  const Bounds box = box_of(arc);
+  const Vec2 below = box.low - low_ - middle, above = box.high - low_ - middle;
+  if (below.x() > half.x() || below.y() > half.y() || above.x() < -half.x() ||
+      above.y() < -half.y())
+    return false;
+  if (!ends_on_curve(arc)) return true;
+  const Form form = form_of(arc.curve, low_ - arc.curve.centre + middle, half);
+  const double r = std::fabs(form_size([](double x) { return x; }, arc.curve));
+  return form.length - form.most <= r * (1 + 0x1p-40) &&
+         form.length + form.most >= r * (1 - 0x1p-40);
+}
+
+template <class Visit>
+void CurveCells::visit_cells(const Arc& arc, const Rect& rect, const Visit& visit) const {
+  if (!may_pass(arc, rect)) return;
+  const auto [left, bottom, width, height] = rect;
+  if (width == 1 && height == 1)
+    return visit(static_cast<std::size_t>(bottom) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(left));
+  const int w = width >= height ? width / 2 : width, h = width >= height ? height : height / 2;
+  visit_cells(arc, {left, bottom, w, h}, visit);
+  visit_cells(arc,
+              width >= height ? Rect{left + w, bottom, width - w, height}
+                              : Rect{left, bottom + h, width, height - h},
+              visit);
+}
+
+// The curves in question as far as bounds can say.
+class CurveCells::Search {
+ public:
+  Search(const Surfaces& walls, const Ray& ray, const Left& left, double limit)
+      : walls_(walls), ray_(ray), left_(left), high_(limit) {}
+
+  void offer(std::uint32_t surface) {
+    if (surface == left_.surface && left_.root == Root::both) return;
+    if (std::find_if(open_.begin(), open_.end(),
+                     [&](const Rival& other) { return other.surface == surface; }) != open_.end())
+      return;
+    const Arc arc = walls_.arc(surface);
+    FilteredCurve hit = filter_curve(ray_, arc.curve);
+    const bool joined = arc.extent == Arc::Extent::between;
+    if (hit.verdict == FilteredCurve::Verdict::missed && !joined) return;
+    // What joins an arc to its ends is met at other times than its curve.
+    if (joined || surface == left_.surface) hit.low = -kInfinity;
+    if (hit.low > high_) return;
+    const bool sure = hit.verdict == FilteredCurve::Verdict::sure &&
+                      arc.extent == Arc::Extent::whole && surface != left_.surface;
+    open_.push_back({surface, hit.low, sure, hit.root});
+    if (!sure || hit.high >= high_) return;
+    high_ = hit.high;
+    std::erase_if(open_, [&](const Rival& other) { return other.low > high_; });
+  }
+  bool settled(double t) const { return high_ < t; }
+
+  Rivals rivals() const {
+    Rivals found;
+    for (const Rival& rival : open_) found.surfaces.push_back(rival.surface);
+    found.sure = open_.size() == 1 && open_.front().sure;
+    if (found.sure) found.root = open_.front().root;
+    found.high = high_;
+    return found;
+  }
+
+ private:
+  struct Rival {
+    std::uint32_t surface;
+    double low;
+    bool sure;
+    Root root;
+  };
+  const Surfaces& walls_;
+  const Ray& ray_;
+  const Left& left_;
+  double high_;
+  std::vector<Rival> open_;
+};
+
+CurveCells::Rivals CurveCells::rivals(const Ray& ray, const Left& left, double limit) const {
+  Search search(walls_, ray, left, limit);
+  const Vec2 origin = (ray.origin - low_) / side_, way = ray.direction / side_;
+  const double speed = way.norm();
+  const Vec2 all(columns_, rows_);
+  if (begin_.empty() || !(speed > kLeast && speed < kMost) ||
+      !(origin.cwiseAbs().maxCoeff() < kFar)) {
+    for (const std::uint32_t surface : curves_) search.offer(surface);
+    return search.rivals();
+  }
+  // t of what is to come on each axis: the side of the grid, then of each cell.
+  double enter = 0, leave = kInfinity;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double o = origin[axis], d = way[axis];
+    if (d == 0) {
+      if (o < 0 || o > all[axis]) return {};
+      continue;
+    }
+    enter = std::max(enter, ((d > 0 ? 0 : all[axis]) - o) / d);
+    leave = std::min(leave, ((d > 0 ? all[axis] : 0) - o) / d);
+  }
+  const double slack = kSlack / speed;
+  if (!(enter <= leave)) return {};
+  int cell[2];
+  for (int axis = 0; axis < 2; ++axis)
+    cell[axis] = static_cast<int>(
+        std::clamp(std::floor(origin[axis] + enter * way[axis]), 0.0, all[axis] - 1));
+  const auto next = [&](int axis) {
+    if (way[axis] == 0) return kInfinity;
+    return (cell[axis] + (way[axis] > 0 ? 1 : 0) - origin[axis]) / way[axis];
+  };
+  for (;;) {
+    const std::size_t here =
+        static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(columns_) +
+        static_cast<std::size_t>(cell[0]);
+    for (std::uint32_t i = begin_[here]; i < begin_[here + 1]; ++i) search.offer(surfaces_[i]);
+    const double x = next(0), y = next(1);
+    if (search.settled(std::min(x, y) - slack)) break;
+    const int axis = x < y ? 0 : 1;
+    cell[axis] += way[axis] > 0 ? 1 : -1;
+    if (cell[axis] < 0 || cell[axis] >= (axis == 0 ? columns_ : rows_)) break;
+  }
+  return search.rivals();
+}
+
+}  // namespace flatray

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geom/bounds.h"
+#include "trace/rays.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// The curved walls of a scene by the cells of a grid that they pass, walked by one ray at a time in
+/// double precision.
+///
+/// Gives   lists that hold every curve within 2^-10 of a cell's side of it; some 2 cells a curve.
+///         Few curves, and those whose coordinates leave no room for sound arithmetic, are in no
+///         cells: all of them are looked at.
+/// Cost    to build O(n) for curves of a few cells each, and what they pass else. A ray: 20 ns a
+///         curve near it, and what the exact decision of those in question takes.
+class CurveCells {
+ public:
+  /// Needs   `walls` to outlive it.
+  explicit CurveCells(const Surfaces& walls);
+
+  /// All curves that may be the first wall, if one is met at t <= `limit`.
+  struct Rivals {
+    std::vector<std::uint32_t> surfaces;
+    bool sure = false;  ///< it is one, and surely crossed, at `high` at the latest
+    Root root = Root::none;
+    double high = kInfinity;
+  };
+  /// Needs   a direction that is not zero.
+  Rivals rivals(const Ray& ray, const Left& left, double limit) const;
+  std::size_t bytes() const { return 4 * (begin_.size() + surfaces_.size()); }
+
+ private:
+  class Search;
+  struct Rect {
+    int left, bottom, width, height;  // in cells
+  };
+  void divide();
+  template <class Visit>
+  void visit_cells(const Arc& arc, const Rect& rect, const Visit& visit) const;
+  bool may_pass(const Arc& arc, const Rect& rect) const;
+
+  const Surfaces& walls_;
+  std::vector<std::uint32_t> curves_;            // all of them
+  std::vector<std::uint32_t> begin_, surfaces_;  // of each cell, row by row
+  int columns_ = 0, rows_ = 0;
+  Vec2 low_{0, 0};
+  double side_ = 1;  // of a cell
+};
+
+}  // namespace flatray

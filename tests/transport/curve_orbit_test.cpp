@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include "anim/timeline.h"
+#include "anim/world.h"
+#include "base/portable_math.h"
+#include "scene/scene_text.h"
+#include "trace/random_rays.h"
+#include "transport/chambers.h"
+
+namespace flatray {
+namespace {
+
+Surfaces of_ellipse(const Ellipse& curve) {
+  Surfaces walls;
+  walls.add(Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}});
+  return walls;
+}
+
+Surfaces stadium() {
+  Surfaces walls;
+  walls.add(Segment{{-1, -1}, {1, -1}});
+  walls.add(Arc{Circle{{1, 0}, 1}, Arc::Extent::half, {1, 0}, {0, 0}});
+  walls.add(Segment{{1, 1}, {-1, 1}});
+  walls.add(Arc{Circle{{-1, 0}, 1}, Arc::Extent::half, {-1, 0}, {0, 0}});
+  return walls;
+}
+
+bool in_stadium(const Vec2& p) {
+  if (std::fabs(p.x()) <= 1) return std::fabs(p.y()) <= 1;
+  return curve_side(p, Circle{{p.x() < 0 ? -1.0 : 1.0, 0}, 1}) != Sign::positive;
+}
+
+Vec2 any_direction(Draws& draw) {
+  const double angle = 6.283185307179586 * draw.unit();
+  return {portable::cos(angle), portable::sin(angle)};
+}
+
+// C17: the product of the angular momenta about the foci is the same on every chord.
+TEST(StiffCases, C17EllipseKeepsTheProductOfItsMomenta) {
+  constexpr int kBounces = 20'000;
+  const double focus = std::sqrt(5.0);
+  for (const Ellipse& curve : {Ellipse({0, 0}, {3, 0}, {0, 2}), Ellipse({0, 0}, {0, -2}, {3, 0})}) {
+    const Surfaces walls = of_ellipse(curve);
+    const Orbit orbit = in_mirrors(walls, {{1, 0.5}, {1, 1}}, kBounces);
+    ASSERT_EQ(orbit.bounces.size(), static_cast<std::size_t>(kBounces));
+    for (std::size_t i = 0; i + 1 < orbit.bounces.size(); ++i) {
+      const Vec2 &from = orbit.bounces[i].point, &to = orbit.bounces[i + 1].point;
+      ASSERT_NE(curve_side(from, curve), Sign::positive) << i;
+      const Vec2 way = (to - from).normalized();
+      const double product = cross(from - Vec2(focus, 0), way) * cross(from + Vec2(focus, 0), way);
+      ASSERT_NEAR(product, -2.375, kBounces * 9 * 0x1p-50) << i;
+    }
+  }
+}
+
+TEST(EllipseOrbit, ThroughAFocusComesThroughTheOther) {
+  const Ellipse curve({0, 0}, {5, 0}, {0, 3});
+  const Orbit orbit = in_mirrors(of_ellipse(curve), {{-4, 0}, {3, 4}}, 1);
+  ASSERT_EQ(orbit.bounces.size(), 1U);
+  const Vec2 to_focus = Vec2(4, 0) - orbit.bounces[0].point;
+  EXPECT_NEAR(cross(to_focus, orbit.out), 0, 1e-14);
+  EXPECT_GT(to_focus.dot(orbit.out), 0);
+}
+
+TEST(EllipseOrbit, ByACircleKeepsItsChord) {
+  const Surfaces circle = of_ellipse({{0, 0}, {0, 1}, {-1, 0}});
+  const Orbit orbit = in_mirrors(circle, {{0.5, 0.25}, {-1, 2}}, 5'000);
+  ASSERT_EQ(orbit.bounces.size(), 5'000U);
+  for (std::size_t i = 0; i + 1 < orbit.bounces.size(); ++i)
+    ASSERT_NEAR((orbit.bounces[i + 1].point - orbit.bounces[i].point).norm(),
+                2 * std::sqrt(1 - 0.3125), 1e4 * 0x1p-50);
+}
+
+TEST(StadiumOrbit, NeverLeaks) {
+  Draws draw(50);
+  const Surfaces walls = stadium();
+  std::vector<Ray> rays;
+  for (int i = 0; i < 300; ++i)
+    rays.push_back(
+        {Vec2(1.8, 0.9).cwiseProduct(2 * draw.point() - Vec2(1, 1)), any_direction(draw)});
+  std::erase_if(rays, [](const Ray& ray) { return !in_stadium(ray.origin); });
+  // Aimed at where a half circle and a side meet, and at the doubles about it.
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 from = 0.9 * (2 * draw.point() - Vec2(1, 1));
+    const Vec2 join(draw.whole(0, 1) == 0 ? -1 : 1, draw.whole(0, 1) == 0 ? -1 : 1);
+    rays.push_back({from, join - from + 0x1p-53 * draw.grid_point(-4, 4)});
+  }
+  const std::vector<Orbit> orbits = trace_orbits(walls, all_mirrors(walls), rays, 200);
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    ASSERT_NE(orbits[i].end, OrbitEnd::escape) << i;
+    for (std::size_t k = 0; k < orbits[i].bounces.size(); ++k) {
+      const Bounce& bounce = orbits[i].bounces[k];
+      ASSERT_TRUE(in_stadium(bounce.point))
+          << i << " bounce " << k << " on " << bounce.surface << " at 1 - "
+          << (1 - std::fabs(bounce.point.x())) / 0x1p-53 << ", 1 - "
+          << (1 - std::fabs(bounce.point.y())) / 0x1p-53 << " units of 2^-53";
+    }
+  }
+}
+
+TEST(StadiumOrbit, AnEndOfAHalfCircleIsACorner) {
+  const Orbit orbit = in_mirrors(stadium(), {{0, 0}, {1, 1}}, 10);
+  EXPECT_EQ(orbit.end, OrbitEnd::corner);
+  EXPECT_EQ(orbit.end_point, Vec2(1, 1));
+  EXPECT_EQ(orbit.end_surfaces, (std::vector<std::uint32_t>{1, 2}));
+  const Orbit open = in_mirrors(stadium(), {{0, 0}, {3, 0}}, 2);
+  EXPECT_EQ(open.bounces.size(), 2U);
+  EXPECT_EQ(open.bounces[0].point, Vec2(2, 0));
+  EXPECT_EQ(open.bounces[1].point, Vec2(-2, 0));
+}
+
+// C23 among curves: the way back meets the same walls.
+TEST(StadiumOrbit, IsRetracedBackwards) {
+  Draws draw(51);
+  const Surfaces walls = stadium();
+  for (int i = 0; i < 100; ++i) {
+    const Ray start{{0.5 * draw.unit(), 0.5 * draw.unit()}, any_direction(draw)};
+    const Orbit there = in_mirrors(walls, start, 12);
+    if (there.end != OrbitEnd::limit) continue;
+    const Orbit back = in_mirrors(
+        walls, {there.bounces[10].point, there.bounces[9].point - there.bounces[10].point}, 10);
+    ASSERT_EQ(back.bounces.size(), 10U);
+    for (std::size_t k = 0; k < 10; ++k)
+      ASSERT_EQ(back.bounces[k].surface, there.bounces[9 - k].surface) << i;
+    ASSERT_LT((back.bounces[9].point - there.bounces[0].point).norm(), 1e-5);
+  }
+}
+
+World world_of(const std::string& shape, const std::string& pose) {
+  const Scene scene = loaded(with_shape(shape) + "material = \"mirror\"\n" + pose).scene;
+  return build_world(scene, at(Timeline(scene, 0, 1), 1));
+}
+
+// Shapes in any pose, whose arcs end at doubles that are not on them: rays from inside are aimed at
+// the ends of walls.
+TEST(CurvedShapes, NeverLeakInAnyPose) {
+  Draws draw(52);
+  const struct {
+    std::string shape;
+    Vec2 inside;
+  } shapes[] = {
+      {"capsule = { from = [-1, 0], to = [1, 0.5], radius = 0.7 }", {0, 0.25}},
+      {"sector = { radius = 2, from = 10, to = 85 }", {0.5, 0.5}},
+      {"sector = { radius = 2, from = 40, to = 310 }", {-1, 0}},
+      {"sector = { radius = 2, inner = 1.3, from = 20, to = 140 }", {0.3, 1.6}},
+      {"arc = { radius = 1.1, from = 30, to = 200, chord = true }", {0, 0.6}},
+      {"ellipse = { radii = [1.5, 0.4], angle = 33 }", {0, 0}},
+  };
+  for (const auto& [shape, inside] : shapes)
+    for (const std::string pose :
+         {"", "angle = 17.3\nat = [0.1, 0.7]\n", "angle = -111\nat = [1e6, 3e5]\n"}) {
+      const World world = world_of(shape, pose);
+      const Scene scene = loaded(with_shape(shape) + pose).scene;
+      const Vec2 from = entity_pose(at(Timeline(scene, 0, 1), 1), 0)(inside);
+      std::vector<Vec2> ends;
+      for (const Segment& wall : world.surfaces.segments) ends.insert(ends.end(), {wall.a, wall.b});
+      for (const Arc& wall : world.surfaces.arcs) ends.insert(ends.end(), {wall.from, wall.to});
+      std::vector<Ray> rays;
+      for (int i = 0; i < 150; ++i) rays.push_back({from, any_direction(draw)});
+      for (const Vec2& end : ends)
+        for (int i = 0; i < 40; ++i) {
+          const double ulp = 0x1p-52 * std::max(1.0, end.cwiseAbs().maxCoeff());
+          rays.push_back({from, end - from + 0.25 * ulp * draw.grid_point(-8, 8)});
+        }
+      const std::vector<Orbit> orbits = trace_orbits(world.surfaces, world.materials(), rays, 20);
+      for (std::size_t i = 0; i < orbits.size(); ++i)
+        ASSERT_NE(orbits[i].end, OrbitEnd::escape)
+            << shape << " " << pose << " ray " << i << " after " << orbits[i].bounces.size()
+            << " bounces, from " << rays[i].origin.transpose() << " along "
+            << rays[i].direction.transpose();
+    }
+}
+
+// C25 with the inner circle as two halves: into the cusp and out again.
+TEST(StiffCases, C25NestedTangentHalves) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  walls.add(Arc{Circle{{0.5, 0}, 0.5}, Arc::Extent::half, {0, 1}, {0, 0}});
+  walls.add(Arc{Circle{{0.5, 0}, 0.5}, Arc::Extent::half, {0, -1}, {0, 0}});
+  std::vector<Ray> rays;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 6.283185307179586 * k / 200;
+    rays.push_back({{0, -0.75}, {portable::cos(angle), portable::sin(angle)}});
+  }
+  for (const Orbit& orbit : trace_orbits(walls, all_mirrors(walls), rays, 100)) {
+    ASSERT_NE(orbit.end, OrbitEnd::escape);
+    for (const Bounce& bounce : orbit.bounces) {
+      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive);
+      ASSERT_NE(curve_side(bounce.point, walls.arcs[0].curve), Sign::negative);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flatray
