@@ -2,7 +2,6 @@
 
 #include "base/hash.h"
 #include "image/hdr.h"
-#include "image/png.h"
 
 namespace flatray {
 namespace {
@@ -12,10 +11,7 @@ std::string hash_of(const LinearImage& image) {
   return Hash().add(std::as_bytes(std::span(image.pixels))).hex();
 }
 
-std::vector<std::byte> file_bytes(const Image& image, unsigned threads) {
-  return encode_png(image, threads);
-}
-std::vector<std::byte> file_bytes(const LinearImage& image, unsigned) { return encode_hdr(image); }
+bool all_changed(int, int) { return true; }
 
 using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
 
@@ -29,7 +25,8 @@ Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
 FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)())
     : job_(job),
       options_{job.crop, threads, job.keep_all, stop},
-      drawer_(drawer_for(job, options_)) {}
+      drawer_(drawer_for(job, options_)),
+      png_(threads) {}
 
 Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
   if (!list) return fail(std::move(list));
@@ -44,7 +41,7 @@ Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeli
   if (!job_.view) return encode(draw_list(plan, timeline, frame));
   const Image picture = draw_view(*job_.view, timeline.scene(), at(timeline, frame), options_);
   if (options_.stop != nullptr && options_.stop()) return nullptr;
-  keep(picture);
+  keep(picture, all_changed);
   return &out_;
 }
 
@@ -53,17 +50,25 @@ Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
   if (job_.renderer) {
     Picture picture;
     if (auto drawn = job_.renderer->draw(list, options_, picture); !drawn) return drawn;
-    keep(picture);
+    keep(picture, all_changed);
     return {};
   }
   const Picture& picture = drawer.draw(std::move(list));
-  if (drawer.changed() && drawer.whole()) keep(picture);
+  if (drawer.changed() && drawer.whole())
+    keep(picture, [&drawer](int begin, int end) { return drawer.changed(begin, end); });
   return {};
 }
 
+std::vector<std::byte> FrameEncoder::file_bytes(const Image& image, const RowsChanged& changed) {
+  return png_.encode(image, changed);
+}
+std::vector<std::byte> FrameEncoder::file_bytes(const LinearImage& image, const RowsChanged&) {
+  return encode_hdr(image);
+}
+
 template <class Picture>
-void FrameEncoder::keep(const Picture& picture) {
-  out_.bytes = file_bytes(picture, options_.threads);
+void FrameEncoder::keep(const Picture& picture, const RowsChanged& changed) {
+  out_.bytes = file_bytes(picture, changed);
   out_.record.pixels = hash_of(picture);
   out_.record.width = picture.width;
   out_.record.height = picture.height;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/render_job.h"
+#include "image/png.h"
 
 namespace flatray {
 
@@ -13,7 +14,7 @@ struct Encoded {
 };
 
 /// Draws frames of a job one after another and encodes them in its format; a frame that shows what
-/// the one before did is not encoded again.
+/// the one before did is not encoded again, nor are the bands of a PNG that do.
 class FrameEncoder {
  public:
   /// `stop` is FrameOptions::stop.
@@ -25,17 +26,21 @@ class FrameEncoder {
   Result<const Encoded*> encode(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
   const DrawCounts& counts() const;
   std::size_t encoded() const { return encoded_; }  ///< pictures encoded so far
+  const PngEncoder& png() const { return png_; }
 
  private:
   Result<const Encoded*> encode(Result<DrawList> list);
   template <class Picture>
   Result<void> encode(FrameDrawer<Picture>& drawer, DrawList list);
   template <class Picture>
-  void keep(const Picture& picture);
+  void keep(const Picture& picture, const RowsChanged& changed);
+  std::vector<std::byte> file_bytes(const Image& image, const RowsChanged& changed);
+  std::vector<std::byte> file_bytes(const LinearImage& image, const RowsChanged& changed);
 
   const RenderJob& job_;
   const FrameOptions options_;
   std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>> drawer_;
+  PngEncoder png_;
   Encoded out_;
   std::size_t encoded_ = 0;
 };

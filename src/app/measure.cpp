@@ -19,6 +19,7 @@ struct Measured {
   std::vector<std::string> files;  // hashes of their bytes
   DrawCounts counts;
   std::size_t encoded = 0;
+  std::uint64_t packed = 0, kept = 0;  // bands of PNGs
   std::array<double, kRounds> seconds{};
 
   double median() const {
@@ -49,6 +50,8 @@ Result<void> measure(const RenderJob& job, std::size_t round, Measured& out) {
   }
   out.counts = encoder.counts();
   out.encoded = encoder.encoded();
+  out.packed = encoder.png().packed();
+  out.kept = encoder.png().kept();
   out.seconds[round] = processor_seconds() - start;
   return {};
 }
@@ -82,6 +85,12 @@ Result<std::vector<Saving>> measured_savings(const RenderJob& job) {
       {"measured: bands carried", share(counts.kept_bands, counts.bands + counts.kept_bands),
        fmt::format("{} of {} bands of rows show what they showed", counts.kept_bands,
                    counts.bands + counts.kept_bands)},
+      {"measured: bands of PNGs carried", share(some.kept, some.packed + some.kept),
+       fmt::format("{} of {} bands of the frames encoded have the bytes they had", some.kept,
+                   some.packed + some.kept)},
+      {"measured: items still", share(counts.still_items, counts.items),
+       fmt::format("{} of {} pieces in the bands drawn lie still below all that moves there",
+                   counts.still_items, counts.items)},
       {"measured: items hidden", share(counts.hidden_items, counts.items),
        fmt::format("{} of {} pieces in the bands drawn lie below one that hides them",
                    counts.hidden_items, counts.items)},

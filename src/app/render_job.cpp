@@ -23,15 +23,19 @@ namespace fs = std::filesystem;
 // Frames are drawn side by side as long as their pictures together stay under this.
 constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
-// What one picture takes at its peak, for pixels that do not compress.
-std::uint64_t bytes_of_frame(const RenderJob& job) {
+// What one picture takes at its peak, for pixels that do not compress, and what lies still below
+// moving things, kept from frame to frame.
+std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
   constexpr std::uint64_t kPngBytes = 3 + 3 + 3;  // picture, its bands packed, joined
   constexpr std::uint64_t kHdrBytes =
       12 + 12 + 12;  // picture, without what RGBE lacks, growing file
   const PixelBox box = job.picture();
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-  return pixels * (job.output.format() == PictureFormat::png ? kPngBytes : kHdrBytes);
+  const std::uint64_t picture =
+      pixels * (job.output.format() == PictureFormat::png ? kPngBytes : kHdrBytes);
+  if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture;
+  return picture + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
 }
 
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
@@ -190,14 +194,15 @@ bool RenderJob::makes(const FrameRecord& record) const {
 }
 
 Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
-  const std::uint64_t fit = std::max<std::uint64_t>(kMemoryAtOnce / bytes_of_frame(job), 1);
+  const std::uint64_t fit =
+      std::max<std::uint64_t>(kMemoryAtOnce / bytes_of_frame(job, frame_count), 1);
   const std::uint64_t at_once =
       std::min({std::uint64_t{threads}, fit, std::max<std::uint64_t>(frame_count, 1)});
   return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
 }
 
 std::uint64_t peak_bytes(const RenderJob& job, std::size_t frame_count, unsigned threads) {
-  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job);
+  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job, frame_count);
 }
 
 Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, unsigned threads) {

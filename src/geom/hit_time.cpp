@@ -20,10 +20,9 @@ struct LineTime {
 };
 template <class Make, class Number = std::invoke_result_t<Make, double>>
 LineTime<Number> line_time(const Make& number, const Ray& ray, const Vec2& p, const Vec2& from,
-                           const Vec2& to) {
-  const Vec2 zero(0, 0);
+                           const Vec2& to, const Vec2& velocity) {
   return {determinant(number, ray.origin, p, from, to),
-          determinant(number, zero, ray.direction, from, to)};
+          determinant(number, velocity, ray.direction, from, to)};
 }
 
 // t = (b +- sqrt(q)) / a on a circle.
@@ -65,6 +64,13 @@ HitTime HitTime::on_line(const Ray& ray, const Vec2& p, const Vec2& from, const 
   return time;
 }
 
+HitTime HitTime::on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
+                                const Vec2& velocity) {
+  HitTime time = on_line(ray, p, from, to);
+  time.velocity_ = velocity;
+  return time;
+}
+
 HitTime HitTime::on_circle(const Ray& ray, const Circle& circle, Root root) {
   HitTime time;
   time.ray_ = ray;
@@ -79,10 +85,10 @@ Sign HitTime::sign() const { return sign_of(compare(0)); }
 std::strong_ordering HitTime::compare(double other) const {
   if (std::isinf(other)) return 0 <=> (other > 0 ? 1 : -1);
   if (root_ == 0) {
-    const Sign denom = -turn_from_edge(from_, to_, ray_.direction);
+    const Sign denom = cross_sign(velocity_, ray_.direction, from_, to_);
     if (other == 0) return order(cross_sign(ray_.origin, p_, from_, to_) * denom);
     const auto ahead = [&](const auto& number) {
-      const auto time = line_time(number, ray_, p_, from_, to_);
+      const auto time = line_time(number, ray_, p_, from_, to_, velocity_);
       return time.numer - number(other) * time.denom;
     };
     return order(decide(ahead) * denom);
@@ -108,7 +114,7 @@ std::strong_ordering HitTime::compare(double other) const {
 
 Bounded HitTime::approximate() const {
   if (root_ == 0) {
-    const auto time = line_time(kBounded, ray_, p_, from_, to_);
+    const auto time = line_time(kBounded, ray_, p_, from_, to_, velocity_);
     return time.numer / time.denom;
   }
   const auto time = circle_time(kBounded, ray_, p_, radius_);
@@ -120,7 +126,7 @@ Bounded HitTime::approximate() const {
 
 HitTime::Exact HitTime::exact() const {
   if (root_ == 0) {
-    auto time = line_time(kRational, ray_, p_, from_, to_);
+    auto time = line_time(kRational, ray_, p_, from_, to_, velocity_);
     if (time.denom.sign() == Sign::negative) return {-time.numer, 0, 0, -time.denom};
     return {std::move(time.numer), 0, 0, std::move(time.denom)};
   }

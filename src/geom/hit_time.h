@@ -31,6 +31,9 @@ class HitTime {
   static HitTime on_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to);
   /// Where `ray` crosses the line through a segment. Needs a ray that is not parallel to it.
   static HitTime on_line(const Ray& ray, const Segment& s) { return on_line(ray, s.a, s.a, s.b); }
+  /// The same for a line that moves with `velocity`, and a point that moves along the ray.
+  static HitTime on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
+                                const Vec2& velocity);
   /// Where `ray` crosses a circle. Needs a line that meets it, and a direction that is not zero.
   static HitTime on_circle(const Ray& ray, const Circle& circle, Root root);
 
@@ -55,7 +58,8 @@ class HitTime {
   Bounded approximate() const;
 
   Ray ray_;
-  Vec2 p_, from_, to_;  // the line; p_ is also the centre of a circle
+  Vec2 p_, from_, to_;   // the line; p_ is also the centre of a circle
+  Vec2 velocity_{0, 0};  // of the line
   double radius_ = 0;
   int root_ = 0;  // 0 for a line
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "image/image.h"
@@ -18,11 +19,26 @@ struct PngBand {
   std::uint64_t unpacked_bytes = 0;
 };
 
-/// Packs the rows [y, y + band_rows(width)) of a picture (image/tile.h), fewer at its end.
-PngBand pack_png_band(const Image& image, int y);
-/// Joins all bands of a picture, from top to bottom.
-std::vector<std::byte> join_png(int width, int height, int channels,
-                                std::span<const PngBand> bands);
+/// Whether rows [begin, end) may differ from those of the picture before.
+using RowsChanged = std::function<bool(int begin, int end)>;
+
+/// Encodes pictures of a sequence: bands of rows that did not change keep their chunks. The bytes
+/// are those of `encode_png`.
+class PngEncoder {
+ public:
+  explicit PngEncoder(unsigned threads) : threads_(threads) {}
+
+  /// `changed` is only asked of pictures of the same size and channels.
+  std::vector<std::byte> encode(const Image& image, const RowsChanged& changed);
+  std::uint64_t packed() const { return packed_; }  ///< bands, of all pictures
+  std::uint64_t kept() const { return kept_; }
+
+ private:
+  unsigned threads_;
+  int width_ = 0, height_ = 0, channels_ = 0;  ///< of the picture before
+  std::vector<PngBand> bands_;
+  std::uint64_t packed_ = 0, kept_ = 0;
+};
 
 /// Reads a PNG of 1 to 4 channels as RGB, or RGBA if it has alpha.
 /// Error   Trouble::invalid for what is no whole PNG (checksums included) or exceeds `max_pixels`,

@@ -105,18 +105,13 @@ void put_end(Packed& out, std::uint32_t adler) {
   Chunk(out, "IEND").end();
 }
 
-}  // namespace
-
-PngBand pack_png_band(const Image& image, int y) { return BandPacker(image).pack(y); }
-
-std::vector<std::byte> join_png(int width, int height, int channels,
-                                std::span<const PngBand> bands) {
+std::vector<std::byte> joined(const Image& image, std::span<const PngBand> bands) {
   constexpr std::size_t kFrame = 128;  // what stands around the bands
   std::size_t size = kFrame;
   for (const PngBand& band : bands) size += band.chunk.size();
   Packed out;
   out.reserve(size);
-  put_header(out, width, height, channels);
+  put_header(out, image.width, image.height, image.channels);
   std::uint32_t adler = 1;
   for (const PngBand& band : bands) {
     out.insert(out.end(), band.chunk.begin(), band.chunk.end());
@@ -126,17 +121,31 @@ std::vector<std::byte> join_png(int width, int height, int channels,
   return out;
 }
 
-std::vector<std::byte> encode_png(const Image& image, unsigned threads) {
+}  // namespace
+
+std::vector<std::byte> PngEncoder::encode(const Image& image, const RowsChanged& changed) {
   constexpr std::size_t kBandsATask = 4;  // which share their room
   const int rows = band_rows(image.width);
-  std::vector<PngBand> bands(static_cast<std::size_t>((image.height + rows - 1) / rows));
-  parallel_for((bands.size() + kBandsATask - 1) / kBandsATask, threads, [&](std::size_t task) {
+  const bool alike =
+      image.width == width_ && image.height == height_ && image.channels == channels_;
+  width_ = image.width, height_ = image.height, channels_ = image.channels;
+  bands_.resize(static_cast<std::size_t>((image.height + rows - 1) / rows));
+  std::vector<int> tops;  // of what is to pack
+  for (int y = 0; y < image.height; y += rows)
+    if (!alike || changed(y, std::min(y + rows, image.height))) tops.push_back(y);
+  packed_ += tops.size();
+  kept_ += bands_.size() - tops.size();
+  parallel_for((tops.size() + kBandsATask - 1) / kBandsATask, threads_, [&](std::size_t task) {
     BandPacker packer(image);
-    const std::size_t end = std::min(bands.size(), (task + 1) * kBandsATask);
-    for (std::size_t band = task * kBandsATask; band < end; ++band)
-      bands[band] = packer.pack(static_cast<int>(band) * rows);
+    const std::size_t end = std::min(tops.size(), (task + 1) * kBandsATask);
+    for (std::size_t i = task * kBandsATask; i < end; ++i)
+      bands_[static_cast<std::size_t>(tops[i] / rows)] = packer.pack(tops[i]);
   });
-  return join_png(image.width, image.height, image.channels, bands);
+  return joined(image, bands_);
+}
+
+std::vector<std::byte> encode_png(const Image& image, unsigned threads) {
+  return PngEncoder(threads).encode(image, [](int, int) { return true; });
 }
 
 }  // namespace flatray

@@ -1,5 +1,7 @@
 #include "precise/certified_orbit.h"
 
+#include <algorithm>
+
 #ifdef FLATRAY_HAVE_MPFR
 #include "precise/ball.h"
 #include "precise/flight.h"
@@ -11,6 +13,11 @@ namespace flatray {
 namespace {
 
 constexpr unsigned kFirstBits = 128;
+
+std::uint64_t work_for(unsigned most_bits) {
+  constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
+  return kMostWork / kMostBits * std::max(most_bits, kMostBits);
+}
 
 struct MakeBall {
   int bits;
@@ -46,13 +53,18 @@ double largest_coordinate(const Surfaces& walls) {
 class Follower {
  public:
   Follower(const Surfaces& walls, const Ray& start, unsigned bits)
-      : flight_(walls, start, MakeBall{static_cast<int>(bits)}), scale_(largest_coordinate(walls)) {
+      : flight_(walls, start, MakeBall{static_cast<int>(bits)}),
+        scale_(largest_coordinate(walls)),
+        work_of_step_(std::uint64_t{bits} * (walls.size() + 1)) {
     orbit_.bits = bits;
   }
 
-  CertifiedOrbit follow(std::uint64_t bounces) {
-    while (orbit_.decided && orbit_.end == OrbitEnd::limit && orbit_.bounces.size() < bounces)
-      orbit_.decided = step();
+  // Takes what it does from `work`, and is undecided where none is left.
+  CertifiedOrbit follow(std::uint64_t bounces, std::uint64_t& work) {
+    while (orbit_.decided && orbit_.end == OrbitEnd::limit && orbit_.bounces.size() < bounces) {
+      orbit_.decided = work >= work_of_step_ && step();
+      work -= std::min(work, work_of_step_);
+    }
     return std::move(orbit_);
   }
 
@@ -88,13 +100,15 @@ class Follower {
 
   BallFlight flight_;
   double scale_;
+  std::uint64_t work_of_step_;
   CertifiedOrbit orbit_;
 };
 
 }  // namespace
 
 Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
-                                       std::uint64_t bounces, unsigned most_bits) {
+                                       std::uint64_t bounces, unsigned most_bits,
+                                       std::optional<std::uint64_t> most_work) {
   const std::vector<Material> mirrors(walls.size(), Material::mirror);
   const Orbit at_start = trace_orbit(walls, mirrors, start, 0);
   if (at_start.end != OrbitEnd::limit) {
@@ -104,15 +118,26 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
     stays.corner_walls = at_start.end_surfaces;
     return stays;
   }
+  std::uint64_t work = most_work.value_or(work_for(most_bits));
+  CertifiedOrbit best;
   for (unsigned bits = kFirstBits;; bits = std::min(2 * bits, most_bits)) {
-    CertifiedOrbit orbit = Follower(walls, start, bits).follow(bounces);
-    if (orbit.decided || bits >= most_bits) return orbit;
+    CertifiedOrbit orbit = Follower(walls, start, bits).follow(bounces, work);
+    const bool last = orbit.decided || bits >= most_bits || work == 0;
+    if (orbit.decided || orbit.bounces.size() >= best.bounces.size()) best = std::move(orbit);
+    if (last) return best;
   }
 }
+
+Result<void> can_certify() { return {}; }
 #else
-Result<CertifiedOrbit> certified_orbit(const Surfaces&, const Ray&, std::uint64_t, unsigned) {
+Result<void> can_certify() {
   return fail(named_place("certified orbits"), "this build has no MPFR",
               "install it (tools/setup does) and configure again", Trouble::unavailable);
+}
+
+Result<CertifiedOrbit> certified_orbit(const Surfaces&, const Ray&, std::uint64_t, unsigned,
+                                       std::optional<std::uint64_t>) {
+  return tl::unexpected(can_certify().error());
 }
 #endif
 

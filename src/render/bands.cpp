@@ -152,8 +152,8 @@ void Bands::add(std::size_t index, const DrawItem& item, std::vector<Corner>& ro
     band.items.push_back(entry);
     band.corners.insert(band.corners.end(), room.begin(), room.end());
     if (edges) band.edges.emplace_back();
-    band.opaque = band.opaque && item.colour.a == 1;
-    band.flat = band.flat && !item.gradient && item.layer == 0;
+    if (item.colour.a != 1) band.opaque_from = band.items.size();
+    if (item.gradient || item.layer != 0) band.flat_from = band.items.size();
   }
   if (edges) sort_edges(*path);
 }
@@ -172,20 +172,35 @@ std::size_t Bands::band_of(double y) const {
   return static_cast<std::size_t>(row) / static_cast<std::size_t>(rows_);
 }
 
-std::vector<bool> unchanged_bands(const DrawList& now, const Bands& now_bands,
-                                  const DrawList& before, const Bands& before_bands) {
-  std::vector<bool> unchanged(now_bands.count());
+namespace {
+
+// Layers are painted whole.
+std::size_t without_part_of_layer(const DrawList& list, const Band& band, std::size_t items) {
+  const auto layer = [&](std::size_t i) { return list.items[band.items[i].item].layer; };
+  while (items > 0 && items < band.items.size() && layer(items - 1) != 0 &&
+         layer(items - 1) == layer(items))
+    --items;
+  return items;
+}
+
+}  // namespace
+
+std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_bands,
+                                      const DrawList& before, const Bands& before_bands) {
+  std::vector<BandChange> changes(now_bands.count());
   if (now.width != before.width || now.height != before.height || now.coverage != before.coverage ||
       !same(now.background, before.background) || now_bands.count() != before_bands.count())
-    return unchanged;
+    return changes;
   ItemComparison items(now, before);
-  for (std::size_t band = 0; band < unchanged.size(); ++band) {
+  for (std::size_t band = 0; band < changes.size(); ++band) {
     const auto &shown = now_bands[band].items, &kept = before_bands[band].items;
-    unchanged[band] = std::equal(
-        shown.begin(), shown.end(), kept.begin(), kept.end(),
-        [&](const BandItem& a, const BandItem& b) { return items.same(a.item, b.item); });
+    const std::size_t both = std::min(shown.size(), kept.size());
+    std::size_t still = 0;
+    while (still < both && items.same(shown[still].item, kept[still].item)) ++still;
+    changes[band].unchanged = still == shown.size() && still == kept.size();
+    changes[band].still = without_part_of_layer(now, now_bands[band], still);
   }
-  return unchanged;
+  return changes;
 }
 
 }  // namespace flatray

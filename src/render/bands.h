@@ -23,8 +23,8 @@ struct Band {
   std::vector<BandItem> items;
   std::vector<std::vector<std::uint32_t>> edges;  ///< of long paths, those that meet the band
   std::vector<Corner> corners;                    ///< of monotone rings
-  bool flat = true;                               ///< no item has a gradient or is on a layer
-  bool opaque = true;                             ///< all colours are
+  std::size_t flat_from = 0;    ///< from here up no item has a gradient or is on a layer
+  std::size_t opaque_from = 0;  ///< from here up all colours are
 
   MonotoneRing ring(const BandItem& item) const {
     return MonotoneRing(corners).subspan(item.first, item.count);
@@ -52,9 +52,15 @@ class Bands {
   std::vector<Band> bands_;
 };
 
-/// By band of `now`: whether it shows what it showed before, so that its pixels may be kept.
+/// What of a band is as it was before.
+struct BandChange {
+  bool unchanged = false;  ///< all: its pixels may be kept
+  std::size_t still = 0;   ///< how many of its items, from the lowest up, and no layer in part
+};
+
+/// By band of `now`.
 /// Needs   bands of the same crop.
-std::vector<bool> unchanged_bands(const DrawList& now, const Bands& now_bands,
-                                  const DrawList& before, const Bands& before_bands);
+std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_bands,
+                                      const DrawList& before, const Bands& before_bands);
 
 }  // namespace flatray

@@ -8,7 +8,6 @@ namespace {
 
 constexpr unsigned kWordPixels = 64;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
-constexpr std::size_t kTooMany = ~std::size_t{0};
 
 std::uint64_t from_bit(unsigned x) { return kAll << (x % kWordPixels); }
 std::uint64_t to_bit(unsigned x) { return kAll >> (kWordPixels - 1 - x % kWordPixels); }
@@ -28,29 +27,29 @@ Light blended(const Light& colour, float share, const Light& below) {
 
 }  // namespace
 
-FlatPainter::FlatPainter(const DrawList& list, DrawCounts& counts)
-    : list_(list), counts_(counts), scan_(list) {}
+FlatPainter::FlatPainter(const DrawList& list) : list_(list), scan_(list) {}
 
-bool FlatPainter::paint(const PixelBox& box, const Band& band, int y, Image& out) {
+std::optional<std::size_t> FlatPainter::paint(const PixelBox& box, const Band& band,
+                                              const StillBand* still, int y, Image& out) {
   box_ = box;
+  still_ = still;
+  lowest_ = still == nullptr ? 0 : still->items();
   channels_ = out.channels;
   pixels_ = static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
-  if (pixels_ == 0) return true;
+  if (pixels_ == 0) return 0;
   first_ = out.at(0, y);
-  const bool whole_pixels = list_.coverage == Coverage::centre && band.opaque;
-  const std::size_t hidden = whole_pixels ? write_in_order(band) : settle_from_above(band);
-  if (hidden == kTooMany) return false;
-  ++counts_.bands;
-  counts_.items += band.items.size();
-  counts_.hidden_items += hidden;
-  return true;
+  const bool whole_pixels = list_.coverage == Coverage::centre && band.opaque_from <= lowest_;
+  return whole_pixels ? write_in_order(band) : settle_from_above(band);
 }
 
 std::size_t FlatPainter::write_in_order(const Band& band) {
   const std::size_t hidden = first_seen(band);
   const auto channels = static_cast<std::size_t>(channels_);
-  put_run(shown_colour(premultiplied(list_.background), channels_), channels * pixels_, first_);
-  for (std::size_t i = hidden; i < band.items.size(); ++i) {
+  if (still_ == nullptr)
+    put_run(shown_colour(premultiplied(list_.background), channels_), channels * pixels_, first_);
+  else if (hidden == 0)
+    std::copy_n(still_->shown().data(), channels * pixels_, first_);
+  for (std::size_t i = std::max(hidden, lowest_); i < band.items.size(); ++i) {
     runs_.clear();
     scan_.scan(band, band.items[i], box_, runs_);
     const ShownColour colour = shown_colour(premultiplied(band.items[i].colour), channels_);
@@ -63,7 +62,7 @@ std::size_t FlatPainter::write_in_order(const Band& band) {
 
 // The uppermost item that hides all below it, or the first.
 std::size_t FlatPainter::first_seen(const Band& band) {
-  for (std::size_t i = band.items.size(); i-- > 0;) {
+  for (std::size_t i = band.items.size(); i-- > lowest_;) {
     if (!band.items[i].may_cover) continue;
     runs_.clear();
     scan_.scan(band, band.items[i], box_, runs_);
@@ -72,19 +71,23 @@ std::size_t FlatPainter::first_seen(const Band& band) {
   return 0;
 }
 
-// How many items are hidden, or kTooMany fragments.
-std::size_t FlatPainter::settle_from_above(const Band& band) {
+std::optional<std::size_t> FlatPainter::settle_from_above(const Band& band) {
   constexpr std::size_t kMostAPixel = 8;
   begin();
   std::size_t i = band.items.size();
-  while (i > 0 && open_ > 0) {
+  while (i > lowest_ && open_ > 0) {
     const BandItem& item = band.items[--i];
     runs_.clear();
     scan_.scan(band, item, box_, runs_);
     lay(item.colour.a == 1, add_colour(item.colour));
-    if (fragment_count_ > kMostAPixel * pixels_) return kTooMany;
+    if (fragment_count_ > kMostAPixel * pixels_) return std::nullopt;
   }
-  settle_background();
+  shared_ = static_cast<std::uint32_t>(colours_.size());
+  blended_.clear();
+  if (still_ == nullptr)
+    settle_background();
+  else
+    settle_still();
   blend_fragments();
   return open_ == 0 ? i : 0;
 }
@@ -101,6 +104,8 @@ void FlatPainter::begin() {
   fragment_count_ = 0;
   colours_.clear();
   add_colour(list_.background);
+  if (still_ != nullptr)
+    std::copy_n(still_->shown().data(), static_cast<std::size_t>(channels_) * pixels_, first_);
 }
 
 std::uint32_t FlatPainter::add_colour(const LinearColour& c) {
@@ -187,15 +192,28 @@ void FlatPainter::settle_background() {
   open_ = open;
 }
 
+// What is open shows the still items already: `begin` wrote them. Where more lies over that in part
+// their light is what it is laid on.
+void FlatPainter::settle_still() {
+  for (int row = 0; row < box_.height; ++row)
+    for (std::size_t i = 0; i < row_words_; ++i) {
+      const Word& word = words(row)[i];
+      const std::uint32_t first = pixel(row, 0) + kWordPixels * static_cast<std::uint32_t>(i);
+      each_bit(word.in_part & ~word.settled, [&](unsigned bit) {
+        names_[first + bit] = static_cast<std::uint32_t>(colours_.size());
+        colours_.push_back(still_->light(first + bit));
+        blended_.push_back(first + bit);
+      });
+    }
+}
+
 // The last of a pixel's fragments lies lowest. With the first, the pixel gets a colour of its own.
 void FlatPainter::blend_fragments() {
-  const auto shared = static_cast<std::uint32_t>(colours_.size());
-  blended_.clear();
   for (std::size_t i = fragment_count_; i-- > 0;) {
     const Fragment* const it = &fragments_[i];
     std::uint32_t& name = names_[it->pixel];
     const Light mixed = blended(colours_[it->name], coverage_share(it->steps), colours_[name]);
-    if (name >= shared) {
+    if (name >= shared_) {
       colours_[name] = mixed;
     } else {
       name = static_cast<std::uint32_t>(colours_.size());
@@ -203,7 +221,7 @@ void FlatPainter::blend_fragments() {
       blended_.push_back(it->pixel);
     }
   }
-  put_pixels(std::span(colours_).subspan(shared), blended_, channels_, first_);
+  put_pixels(std::span(colours_).subspan(shared_), blended_, channels_, first_);
 }
 
 }  // namespace flatray

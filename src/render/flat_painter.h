@@ -1,11 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "image/pixel_runs.h"
-#include "render/frame.h"
 #include "render/item_scan.h"
+#include "render/still_layer.h"
 
 namespace flatray {
 
@@ -16,12 +17,14 @@ namespace flatray {
 /// `SpanKernels::blend_runs`, so that the pixels are those of drawing everything in order as light.
 class FlatPainter {
  public:
-  FlatPainter(const DrawList& list, DrawCounts& counts);
+  explicit FlatPainter(const DrawList& list);
 
-  /// Draws the items of a band into the rows of `out`, as wide as the band, from `y` on. False
-  /// where so many items lie over one another in part that blending them in order costs less: the
-  /// pixels of the band are then still to be drawn.
-  bool paint(const PixelBox& box, const Band& band, int y, Image& out);
+  /// Draws the items of a band, those above `still` where there is one, into the rows of `out`, as
+  /// wide as the band, from `y` on. Gives how many of its items others hide; nothing where so many
+  /// lie over one another in part that blending them in order costs less: the pixels of the band
+  /// are then still to be drawn.
+  std::optional<std::size_t> paint(const PixelBox& box, const Band& band, const StillBand* still,
+                                   int y, Image& out);
 
  private:
   /// A share of a pixel in the colour of an item.
@@ -36,11 +39,12 @@ class FlatPainter {
 
   std::size_t write_in_order(const Band& band);
   std::size_t first_seen(const Band& band);
-  std::size_t settle_from_above(const Band& band);
+  std::optional<std::size_t> settle_from_above(const Band& band);
   void begin();
   void lay(bool opaque, std::uint32_t name);
   void settle(int row, int x_begin, int x_end, std::uint32_t name, const ShownColour& colour);
   void settle_background();
+  void settle_still();
   void blend_fragments();
   std::uint32_t add_colour(const LinearColour& colour);
   Word* words(int row) { return words_.data() + static_cast<std::size_t>(row) * row_words_; }
@@ -49,7 +53,8 @@ class FlatPainter {
   }
 
   const DrawList& list_;
-  DrawCounts& counts_;
+  const StillBand* still_ = nullptr;
+  std::size_t lowest_ = 0;  ///< item above it
   ItemScan scan_;
   RunList runs_;
   PixelBox box_;
@@ -64,6 +69,7 @@ class FlatPainter {
   /// Of settled pixels with fragments; room for all.
   std::unique_ptr<std::uint32_t[]> names_;
   std::size_t names_room_ = 0;
+  std::uint32_t shared_ = 0;            ///< names of items, and of the background
   std::vector<std::uint32_t> blended_;  ///< pixels with a colour of their own
 };
 

@@ -4,6 +4,7 @@
 #include "image/image.h"
 #include "render/bands.h"
 #include "render/plan.h"
+#include "render/still_layer.h"
 
 namespace flatray {
 
@@ -24,12 +25,14 @@ struct DrawCounts {
   std::uint64_t bands = 0;          ///< drawn
   std::uint64_t kept_bands = 0;     ///< not drawn: they show what they showed in the frame before
   std::uint64_t items = 0;          ///< items of the bands drawn
+  std::uint64_t still_items = 0;    ///< of these, as they lay still below all that moved: not drawn
   std::uint64_t hidden_items = 0;   ///< of these, left out: one above covers the whole band, opaque
   std::uint64_t stopped_bands = 0;  ///< not drawn: FrameOptions::stop said so
 
   DrawCounts& operator+=(const DrawCounts& more) {
     bands += more.bands, kept_bands += more.kept_bands;
-    items += more.items, hidden_items += more.hidden_items;
+    items += more.items, still_items += more.still_items;
+    hidden_items += more.hidden_items;
     stopped_bands += more.stopped_bands;
     return *this;
   }
@@ -40,7 +43,10 @@ struct DrawCounts {
 Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
 
 /// The software back end for frames drawn one after another: bands in which nothing changed keep
-/// their pixels. Same pixels whatever was drawn before.
+/// their pixels, and in others what lies still below all that moves is drawn once. Same pixels
+/// whatever was drawn before.
+///
+/// Cost    room for the picture, and StillLayer's.
 template <class Picture>  // Image or LinearImage
 class FrameDrawer {
  public:
@@ -50,15 +56,19 @@ class FrameDrawer {
   const Picture& draw(DrawList list);
   /// Whether the last frame may differ from the one before.
   bool changed() const { return changed_; }
+  /// The same of its rows [begin, end), counted from the top of the picture.
+  bool changed(int begin, int end) const;
   /// Whether no frame was stopped: what follows one that was is no picture either.
   bool whole() const { return counts_.stopped_bands == 0; }
   const DrawCounts& counts() const { return counts_; }
 
  private:
   FrameOptions options_;
-  bool drawn_ = false, changed_ = true;
+  bool changed_ = true;
   DrawList list_;
   Bands bands_;
+  std::vector<BandChange> changes_;
+  StillLayer still_;
   Picture picture_;
   DrawCounts counts_;
 };

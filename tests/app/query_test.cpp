@@ -52,6 +52,27 @@ TEST(Query, TheFirstWallIsTheNearestAndTheLowestOfEqualOnes) {
             R"({"wall":null})");
 }
 
+TEST(Query, ThePapersBoxesMeetAt571Of635) {
+  EXPECT_EQ(answer(R"({"op":"contact","a":{"polygon":[[250,200],[314,200],[314,328],[250,328]],)"
+                   R"("velocity":[635,178]},"b":{"polygon":[[885,378],[949,378],[949,506],)"
+                   R"([885,506]],"velocity":[0,0]}})"),
+            R"({"class":"through","t_first":0.8992125984251969,"t_last":1.1007874015748031,)"
+            R"("start":"apart"})");
+}
+
+TEST(Query, ContactWithoutRelativeMotionHasNoEndsAndAMissNoTimes) {
+  const std::string square = R"("polygon":[[0,0],[1,0],[1,1],[0,1]],"velocity":[1,2]})";
+  const std::string ask = R"({"op":"contact","domain":"always","a":{)" + square;
+  EXPECT_EQ(answer(ask + R"(,"b":{)" + square + "}"),
+            R"({"class":"through","t_first":null,"t_last":null,"start":"overlapping"})");
+  EXPECT_EQ(answer(ask + R"(,"b":{"polygon":[[5,5]],"velocity":[1,2]}})"),
+            R"({"class":"miss","t_first":null,"t_last":null,"start":"apart"})");
+  EXPECT_EQ(
+      answer(R"({"op":"contact","a":{"polygon":[[0,0]]},"b":{)" + square + R"(,"domain":"ray"})"),
+      R"({"error":"a: needs a polygon and a velocity; domain: is none of always, future, )"
+      R"(unit"})");
+}
+
 TEST(Query, ATangentTouchesAtTheFootOfThePerpendicular) {
   EXPECT_EQ(answer(R"({"op":"nearest","walls":[{"circle":{"center":[0.5,2],"radius":0.5}}],)"
                    R"("origin":[1,5],"direction":[0,-2]})"),

@@ -11,7 +11,7 @@ PATH=$(dirname "$flatray"):$PATH
 words() { "$flatray" completion words -- "$@" | cut -f1 | tr '\n' ' '; }
 # expect WANTED GOT WHAT
 expect() { [[ $2 == "$1" ]] || fail "$3: got '$2', wanted '$1'"; }
-expect "check compare completion " "$(words flatray c | sed "s/convert //")" verbs
+expect "check collide compare completion " "$(words flatray c | sed "s/convert //")" verbs
 expect "--frames --format " "$(words flatray render --f)" options
 expect "png hdr " "$(words flatray render --format '')" "values of an option"
 expect "--progress=always " "$(words flatray render --progress=al)" "values after ="

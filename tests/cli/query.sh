@@ -18,6 +18,25 @@ says out '"id":3,"class":"along"'
 says out '"id":4,"class":"miss"'
 [[ $(wc -l < out.txt) == 4 ]] || fail "four lines, $(wc -l < out.txt) answers"
 
+# Nor does a line above 16 MB end the stream, or take more room than one of 16 MB.
+{ question 1 2; head -c 40000000 /dev/zero | tr '\0' '['; echo; question 3 4; head -c 17000000 /dev/zero | tr '\0' '['; } > long.jsonl
+run 1 query long.jsonl
+[[ $(grep -c '"error":"a line holds 16777216 bytes at most"' out.txt) == 2 ]] || fail 'a long line is not answered'
+[[ $(wc -l < out.txt) == 4 ]] || fail "four lines, $(wc -l < out.txt) answers"
+says out '"id":3,"class":"along"'
+if [[ -z $sanitizers ]]; then
+  (ulimit -v 100000 && "$flatray" query long.jsonl) | cmp - out.txt || fail 'in 100 MB of address space'
+fi
+rm long.jsonl
+
+# Without MPFR nothing is read.
+if "$flatray" query --precision certified /dev/null 2> none.txt; then
+  run 0 query --precision certified one.jsonl
+else
+  run 5 query --precision certified one.jsonl
+  says err 'MPFR'
+fi
+
 run 3 query nowhere.jsonl
 says err 'nowhere.jsonl'
 run 2 query one.jsonl mixed.jsonl

@@ -143,16 +143,30 @@ TEST(Png, SamePictureSameBytesWhateverTheThreads) {
   for (const unsigned threads : {2U, 3U, 7U}) EXPECT_EQ(encode_png(image, threads), expected);
 }
 
-TEST(Png, ABandDependsOnItsOwnRowsAlone) {
+// The encoder is told that the second band stays, and it does: its chunk depends on its rows alone.
+TEST(PngEncoder, BandsThatStayKeepTheirBytesAndTheFileIsThatOfThePictureAlone) {
   const int rows = band_rows(640);
-  Image image = noise(640, 3 * rows, 3), other = noise(640, 3 * rows, 3);
+  Image image = noise(640, 3 * rows - 5, 3);
+  PngEncoder encoder(2);
+  EXPECT_EQ(encoder.encode(image, [](int, int) { return false; }), encode_png(image))
+      << "nothing is kept of no picture";
   for (int x = 0; x < 640; ++x)
     for (int c = 0; c < 3; ++c) {
       ++image.at(x, rows - 1)[c];
       ++image.at(x, 2 * rows)[c];
     }
-  EXPECT_EQ(pack_png_band(image, rows).chunk, pack_png_band(other, rows).chunk);
-  EXPECT_NE(pack_png_band(image, 0).chunk, pack_png_band(other, 0).chunk);
+  const auto changed = [rows](int begin, int) { return begin != rows; };
+  EXPECT_EQ(encoder.encode(image, changed), encode_png(image));
+  EXPECT_EQ(encoder.packed(), 5U);
+  EXPECT_EQ(encoder.kept(), 1U);
+}
+
+TEST(PngEncoder, AnotherSizeOrNumberOfChannelsKeepsNothing) {
+  PngEncoder encoder(1);
+  const auto stays = [](int, int) { return false; };
+  for (const Image& image :
+       {noise(64, 300, 3), noise(64, 299, 3), noise(96, 299, 3), noise(96, 299, 4)})
+    EXPECT_EQ(encoder.encode(image, stays), encode_png(image));
 }
 
 TEST(Png, BandsAreWholeTiles) {

@@ -102,6 +102,18 @@ TEST(CertifiedOrbit, TooFewBitsLeaveItUndecidedAndWhatIsToldIsTrue) {
     EXPECT_EQ(some->bounces[i].point, all->bounces[i].point);
 }
 
+// Ten bounces among five walls in 128 bits are 10 * 6 * 128 of work: the eleventh is left undecided,
+// and so is all that more bits would have told.
+TEST(CertifiedOrbit, SpentWorkLeavesItUndecidedWithWhatIsProven) {
+  const Surfaces walls = sinai();
+  const std::uint64_t step = 128 * (walls.size() + 1);
+  const auto orbit = certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, 200, kMostBits, 10 * step);
+  ASSERT_TRUE(orbit);
+  EXPECT_FALSE(orbit->decided);
+  EXPECT_EQ(orbit->bounces.size(), 10U);
+  EXPECT_TRUE(certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, 10, kMostBits, 10 * step)->decided);
+}
+
 // A coordinate exactly between two doubles: no number of bits tells to which it rounds.
 TEST(CertifiedOrbit, ATieIsRoundedToEvenAndDoesNotStopIt) {
   for (const Ray& start : {Ray{{-0.4, -0.30000000000000004}, {0.1, 0.4}},

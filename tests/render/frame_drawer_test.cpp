@@ -45,6 +45,102 @@ TEST(FrameDrawer, PicturesDoNotDependOnTheFramesBefore) {
   }
 }
 
+// Of a list of still items with one that moves over them, how many were taken from the still layer
+// in each of six frames, all of them as if drawn alone.
+template <class Move>
+std::vector<std::uint64_t> still_items(DrawList list, const Move& move, unsigned threads = 1) {
+  FrameOptions options;
+  options.threads = threads;
+  FrameDrawer<Image> drawer(options);
+  FrameDrawer<LinearImage> light(options);
+  std::vector<std::uint64_t> counts;
+  for (int frame = 0; frame < 6; ++frame) {
+    move(frame, list);
+    const std::uint64_t before = drawer.counts().still_items;
+    EXPECT_EQ(drawer.draw(list), render_image(list, {})) << frame;
+    EXPECT_EQ(light.draw(list).pixels, render_linear(list, {}).pixels) << frame;
+    counts.push_back(drawer.counts().still_items - before);
+  }
+  return counts;
+}
+
+// Forty discs and boxes over a film of one band, veils among them, below one that moves.
+DrawList floor_list(Coverage coverage = Coverage::area, float alpha = 0.4F) {
+  DrawList list{128, 64, {0.2F, 0.3F, 0.4F, 1}, coverage, {}};
+  for (std::uint64_t item = 0; item < 40; ++item) {
+    Draws draws(5, item);
+    const double x = 128 * draws.unit(), y = 64 * draws.unit(), size = 2 + 20 * draws.unit();
+    const LinearColour colour{static_cast<float>(draws.unit()), 0.5F, 1, item % 3 ? 1.0F : alpha};
+    if (item % 2)
+      list.items.push_back({box_path(x, y, x + size, y + size / 2), colour});
+    else
+      list.items.push_back({FillRing{{x, y}, size}, colour});
+  }
+  list.items.push_back({});
+  return list;
+}
+
+void move_last(int frame, DrawList& list) {
+  list.items.back() = {FillRing{{20.0 + 9 * frame, 30.25}, 12.5}, {1, 0, 0, 0.75F}};
+}
+
+// Still in two comparisons: from the third frame on.
+TEST(FrameDrawer, WhatLiesStillBelowWhatMovesIsDrawnOnce) {
+  using Counts = std::vector<std::uint64_t>;
+  for (const unsigned threads : {1U, 3U})
+    EXPECT_EQ(still_items(floor_list(), &move_last, threads), (Counts{0, 0, 40, 40, 40, 40}));
+  EXPECT_EQ(still_items(floor_list(Coverage::centre, 1), &move_last),
+            (Counts{0, 0, 40, 40, 40, 40}));
+  EXPECT_EQ(still_items(floor_list(Coverage::centre), &move_last), (Counts{0, 0, 40, 40, 40, 40}));
+}
+
+// What is left of it is kept at once; to make it anew for less than twice as much does not pay.
+TEST(FrameDrawer, OfAFloorThatStirsOnlyWhatLiesBelowIsKept) {
+  const auto stir = [](int frame, DrawList& list) {
+    move_last(frame, list);
+    if (frame == 3) list.items[37].colour = {0, 1, 0, 0.5F};
+  };
+  EXPECT_EQ(still_items(floor_list(), stir), (std::vector<std::uint64_t>{0, 0, 40, 37, 37, 37}));
+}
+
+TEST(FrameDrawer, WhatMovesLowestLeavesNothingStillBelowIt) {
+  const auto lowest = [](int frame, DrawList& list) {
+    list.items.front() = {FillRing{{20.0 + 9 * frame, 30.25}, 12.5}, {1, 0, 0, 1}};
+    list.items.back() = {box_path(1, 1, 9, 9), {0, 0, 0, 1}};
+  };
+  EXPECT_EQ(still_items(floor_list(), lowest), (std::vector<std::uint64_t>(6, 0)));
+}
+
+// A layer of which the upper half moves is painted whole; a gradient below does not keep what
+// moves from being settled from above.
+TEST(FrameDrawer, StillItemsEndBelowALayerAndMayHaveGradients) {
+  DrawList list = floor_list();
+  FilmGradient gradient;
+  gradient.axis = {1.0 / 128, 0};
+  gradient.stops = {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 1}}};
+  list.items[5].gradient = gradient;
+  for (std::size_t i = 36; i < 40; ++i) list.items[i].layer = 1, list.items[i].opacity = 0.5F;
+  const auto move = [](int frame, DrawList& moved) {
+    move_last(frame, moved);
+    moved.items.back().layer = 1, moved.items.back().opacity = 0.5F;
+  };
+  EXPECT_EQ(still_items(list, move), (std::vector<std::uint64_t>{0, 0, 36, 36, 36, 36}));
+  EXPECT_EQ(still_items(list, &move_last), (std::vector<std::uint64_t>{0, 0, 40, 40, 40, 40}));
+}
+
+TEST(FrameDrawer, SaysWhichRowsMayHaveChanged) {
+  FrameDrawer<Image> drawer({PixelBox{0, 30, 1000, 600}, 1});
+  DrawList list{1000, 640, {1, 1, 1, 1}, Coverage::area, {}};
+  list.items.push_back({box_path(100, 100, 110, 110), {1, 0, 0, 1}});
+  drawer.draw(list);
+  EXPECT_TRUE(drawer.changed(0, 1));
+  std::get<FillPath>(list.items[0].region) = box_path(101, 100, 111, 110);
+  drawer.draw(list);
+  EXPECT_TRUE(drawer.changed(64, 96)) << "rows 94 to 126 of the film";
+  EXPECT_FALSE(drawer.changed(0, 64));
+  EXPECT_FALSE(drawer.changed(96, 600));
+}
+
 TEST(FrameDrawer, WhatMovesAloneIsDrawnAgain) {
   FrameDrawer<Image> drawer({});
   DrawList list{1000, 640, {1, 1, 1, 1}, Coverage::area, {}};

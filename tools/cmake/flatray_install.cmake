@@ -2,7 +2,7 @@
 # The targets are flatray::geom, flatray::trace and so on, one for each module.
 include(CMakePackageConfigHelpers)
 
-foreach(module base geom trace image scene anim transport precise render oracle study app)
+foreach(module base geom trace image scene anim collide transport precise render oracle study app)
   if(NOT TARGET flatray_${module})
     continue()
   endif()

@@ -4,16 +4,11 @@
 namespace flatray::queries {
 namespace {
 
-// null where there is no end.
-JsonValue time(const HitInterval& hit, double t) {
-  return hit && std::isfinite(t) ? JsonValue(t) : JsonValue();
-}
-
 JsonValue edge(int number) { return number == kNoEdge ? JsonValue() : JsonValue(number); }
 
 Fields answer(Question& question) {
   const Ray ray = question.ray();
-  const Range within = question.domain();
+  const Range within = question.domain("line", "ray", "segment");
   HitInterval hit;
   if (question.has("disc")) {
     const Circle disc = question.disc("disc");
@@ -28,9 +23,12 @@ Fields answer(Question& question) {
     if (!question.sound()) return {};
     hit = clip_convex(ray, corners, within);
   }
-  Fields fields = {{"class", name(hit.kind)},          {"t_enter", time(hit, hit.t_enter)},
-                   {"t_exit", time(hit, hit.t_exit)},  {"edge_enter", edge(hit.edge_enter)},
-                   {"edge_exit", edge(hit.edge_exit)}, {"start", name(hit.start)}};
+  Fields fields = {{"class", name(hit.kind)},
+                   {"t_enter", interval_end(hit, hit.t_enter)},
+                   {"t_exit", interval_end(hit, hit.t_exit)},
+                   {"edge_enter", edge(hit.edge_enter)},
+                   {"edge_exit", edge(hit.edge_exit)},
+                   {"start", name(hit.start)}};
   if (hit.enter_overflows || hit.exit_overflows) fields.emplace_back("overflow", true);
   return fields;
 }

@@ -43,6 +43,10 @@ std::string unknown_op(const std::string& op) {
 
 }  // namespace
 
+Answer answer_to_long_line(std::size_t most) {
+  return mistake(nullptr, fmt::format("a line holds {} bytes at most", most));
+}
+
 Answer answer_line(std::string_view line, const Precision& precision) {
   const auto json = read_json(line);
   if (!json)

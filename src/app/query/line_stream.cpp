@@ -49,9 +49,24 @@ Result<bool> LineStream::fill() {
   return count > 0;
 }
 
-Result<std::vector<std::string_view>> LineStream::next() {
-  room_.erase(0, used_);
+// To the end of a line, however long, in the room of a block.
+Result<void> LineStream::skip_line() {
   std::size_t end = std::string::npos;
+  while (!ended_ && end == std::string::npos) {
+    room_.clear();
+    const auto more = fill();
+    if (!more) return tl::unexpected(more.error());
+    ended_ = !*more;
+    end = room_.find('\n');
+  }
+  room_.erase(0, end == std::string::npos ? end : end + 1);
+  return {};
+}
+
+Result<std::vector<StreamLine>> LineStream::next() {
+  room_.erase(0, used_);
+  used_ = 0;
+  std::size_t end = room_.rfind('\n');
   while (!ended_ && end == std::string::npos) {
     const std::size_t before = room_.size();
     const auto more = fill();
@@ -59,15 +74,15 @@ Result<std::vector<std::string_view>> LineStream::next() {
     ended_ = !*more;
     const std::size_t last = std::string_view(room_).substr(before).rfind('\n');
     if (last != std::string_view::npos) end = before + last;
-    if (end == std::string::npos && room_.size() > kLongest)
-      return fail(named_place(name_), fmt::format("a line is longer than {} bytes", kLongest),
-                  "one question a line");
+    if (end != std::string::npos || room_.size() <= kLongest) continue;
+    if (auto skipped = skip_line(); !skipped) return tl::unexpected(skipped.error());
+    return std::vector<StreamLine>{{{}, true}};
   }
   used_ = end == std::string::npos ? room_.size() : end + 1;
-  std::vector<std::string_view> lines;
+  std::vector<StreamLine> lines;
   for (std::string_view rest(room_.data(), used_); !rest.empty();) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
-    lines.push_back(rest.substr(0, length));
+    lines.push_back({rest.substr(0, length)});
     rest.remove_prefix(std::min(length + 1, rest.size()));
   }
   return lines;

@@ -8,6 +8,12 @@
 
 namespace flatray {
 
+/// A line of a stream, without its end.
+struct StreamLine {
+  std::string_view text;
+  bool too_long = false;  ///< above LineStream::kLongest: what it held is gone
+};
+
 /// Lines of a file or of standard input, block after block, in memory that does not grow with
 /// their number. A block is what has arrived: a program that asks one question and waits gets its
 /// answer.
@@ -20,16 +26,17 @@ class LineStream {
   LineStream& operator=(LineStream&&) = delete;
   ~LineStream();
 
-  /// The next whole lines, without their ends, at most some hundred kilobytes unless one line is
-  /// longer; empty at the end. They last until the next call.
-  /// Error   Trouble::missing where it cannot be read; Trouble::invalid for a line above kLongest.
-  Result<std::vector<std::string_view>> next();
+  /// The next whole lines, at most some hundred kilobytes unless one line is longer; empty at the
+  /// end. They last until the next call.
+  /// Error   Trouble::missing where it cannot be read.
+  Result<std::vector<StreamLine>> next();
 
   static constexpr std::size_t kLongest = std::size_t{1} << 24;
 
  private:
   LineStream(int file, std::string name) : file_(file), name_(std::move(name)) {}
   Result<bool> fill();
+  Result<void> skip_line();
 
   int file_;
   std::string name_;

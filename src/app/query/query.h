@@ -1,9 +1,11 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/query/question.h"
+#include "geom/hit_interval.h"
 
 namespace flatray {
 
@@ -19,6 +21,11 @@ struct Query {
 /// Registered queries by name.
 std::vector<const Query*> all_queries();
 
+/// An end of an interval: null where there is none, or no interval.
+inline JsonValue interval_end(const HitInterval& interval, double t) {
+  return interval && std::isfinite(t) ? JsonValue(t) : JsonValue();
+}
+
 /// A line of answer, without its end.
 struct Answer {
   std::string line;
@@ -30,5 +37,7 @@ struct Answer {
 /// Gives   the answer's fields after the question's own id, where it has one; {"id":..,"error":..}
 ///         for what is no question. Never fails otherwise, whatever the line holds.
 Answer answer_line(std::string_view line, const Precision& precision = {});
+/// The answer to a line that is longer than `most` bytes.
+Answer answer_to_long_line(std::size_t most);
 
 }  // namespace flatray

@@ -64,30 +64,47 @@ std::uint64_t Question::whole(std::string_view name) {
 
 Ray Question::ray() { return {point("origin"), point("direction")}; }
 
-Range Question::domain() {
+Range Question::domain(const char* line, const char* ray, const char* segment) {
   asked_.emplace_back("domain");
   if (!has("domain")) return kRay;
   const std::string name = word("domain");
-  if (name == "line") return kLine;
-  if (name == "segment") return kSegment;
-  if (name != "ray") mistake("domain", "is none of line, ray, segment");
+  if (name == line) return kLine;
+  if (name == segment) return kSegment;
+  if (name != ray) mistake("domain", fmt::format("is none of {}, {}, {}", line, ray, segment));
   return kRay;
 }
 
 std::vector<Vec2> Question::polygon(std::string_view name) {
   const JsonValue* value = find(name);
-  if (value == nullptr) return {};
-  const auto* items = std::get_if<Values>(&value->data);
+  return value == nullptr ? std::vector<Vec2>{} : read_polygon(*value, std::string(name));
+}
+
+std::vector<Vec2> Question::read_polygon(const JsonValue& value, const std::string& where) {
+  const auto* items = std::get_if<Values>(&value.data);
   if (items == nullptr || items->empty()) {
-    mistake(name, "is no list of points: say [[x, y], ...]");
+    mistake(where, "is no list of points: say [[x, y], ...]");
     return {};
   }
   std::vector<Vec2> corners;
   for (std::size_t i = 0; i < items->size(); ++i)
-    corners.push_back(read_point((*items)[i], fmt::format("{}[{}]", name, i)));
+    corners.push_back(read_point((*items)[i], fmt::format("{}[{}]", where, i)));
   if (const auto vertex = non_convex_vertex(corners))
-    mistake(fmt::format("{}[{}]", name, *vertex), "the polygon is not convex at this vertex");
+    mistake(fmt::format("{}[{}]", where, *vertex), "the polygon is not convex at this vertex");
   return corners;
+}
+
+Question::Moving Question::moving(std::string_view name) {
+  const JsonValue* value = find(name);
+  if (value == nullptr) return {{}, {0, 0}};
+  const std::string where(name);
+  check_fields(*value, where, {"polygon", "velocity"});
+  const JsonValue* polygon = value->find("polygon");
+  const JsonValue* velocity = value->find("velocity");
+  if (polygon == nullptr || velocity == nullptr) {
+    mistake(where, "needs a polygon and a velocity");
+    return {{}, {0, 0}};
+  }
+  return {read_polygon(*polygon, where + ".polygon"), read_point(*velocity, where + ".velocity")};
 }
 
 // Says which fields of an object are none of `known`.

@@ -35,10 +35,17 @@ class Question {
   std::uint64_t whole(std::string_view name);
   /// origin, direction.
   Ray ray();
-  /// "line", "ray" or "segment" of `domain`; a ray where it is absent.
-  Range domain();
+  /// One of three words of `domain`, which stand for all t, t >= 0 (also where it is absent) and
+  /// 0 <= t <= 1.
+  Range domain(const char* line, const char* ray, const char* segment);
   /// Corners of a convex polygon, at least one.
   std::vector<Vec2> polygon(std::string_view name);
+  /// {"polygon":[[x,y],...],"velocity":[vx,vy]}
+  struct Moving {
+    std::vector<Vec2> polygon;
+    Vec2 velocity;
+  };
+  Moving moving(std::string_view name);
   /// {"center":[x,y],"radius":r}
   Circle disc(std::string_view name);
   /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}}, ...], numbered in
@@ -58,6 +65,7 @@ class Question {
                     const std::vector<std::string>& known);
   void unknown_field(const std::string& where, const std::string& near);
   Vec2 read_point(const JsonValue& value, const std::string& where);
+  std::vector<Vec2> read_polygon(const JsonValue& value, const std::string& where);
   Circle read_circle(const JsonValue& value, const std::string& where);
   void read_wall(const JsonValue& value, const std::string& where, Surfaces& walls);
 

@@ -53,7 +53,8 @@ Table decisions(const RenderJob& job, unsigned threads) {
       fmt::format("{} threads, {} to draw", threads, count));
   add("memory",
       fmt::format("{:.1f} MB", static_cast<double>(peak_bytes(job, count, threads)) / 1e6),
-      fmt::format("pictures of {}x{} at their peak", job.picture().width, job.picture().height));
+      fmt::format("pictures of {}x{} and what lies still in them, at most", job.picture().width,
+                  job.picture().height));
   return table;
 }
 

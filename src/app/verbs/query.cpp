@@ -28,15 +28,15 @@ struct Answers {
   std::vector<char> sound;
 };
 
-Answers answer(std::span<const std::string_view> lines, const Precision& precision,
-               unsigned threads) {
+Answers answer(std::span<const StreamLine> lines, const Precision& precision, unsigned threads) {
   const std::size_t tasks = (lines.size() + kLinesATask - 1) / kLinesATask;
   Answers answers{std::vector<std::string>(tasks), std::vector<char>(tasks, 1)};
   parallel_for(tasks, std::min<unsigned>(threads, static_cast<unsigned>(tasks)),
                [&](std::size_t task) {
                  const std::size_t last = std::min(lines.size(), (task + 1) * kLinesATask);
                  for (std::size_t i = task * kLinesATask; i < last; ++i) {
-                   const Answer one = answer_line(lines[i], precision);
+                   const Answer one = lines[i].too_long ? answer_to_long_line(LineStream::kLongest)
+                                                        : answer_line(lines[i].text, precision);
                    answers.texts[task] += one.line;
                    answers.texts[task] += '\n';
                    if (!one.ok) answers.sound[task] = 0;
@@ -62,6 +62,8 @@ Result<void> write(const Answers& answers) {
 Result<Precision> read_precision(const Arguments& arguments) {
   const auto word = arguments.one_of("precision", {"double", "certified"});
   if (!word) return tl::unexpected(word.error());
+  if (*word == "certified")
+    if (auto able = can_certify(); !able) return tl::unexpected(able.error());
   const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
   if (!bits) return tl::unexpected(bits.error());
   const auto tracer = chosen_tracer(arguments);
@@ -82,7 +84,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     const auto lines = stream->next();
     if (!lines) return tl::unexpected(lines.error());
     if (lines->empty()) return VerbOutput{"", sound ? 0 : 1};
-    for (std::span<const std::string_view> rest = *lines; !rest.empty();) {
+    for (std::span<const StreamLine> rest = *lines; !rest.empty();) {
       const std::size_t wave = std::min(rest.size(), std::size_t{*count} * lines_at_once);
       const Answers answers = answer(rest.first(wave), *precision, *count);
       if (auto written = write(answers); !written) return tl::unexpected(written.error());

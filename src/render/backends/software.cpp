@@ -1,110 +1,14 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "base/parallel.h"
-#include "image/tile.h"
 #include "render/backend.h"
-#include "render/bands.h"
+#include "render/band_painter.h"
 #include "render/flat_painter.h"
-#include "render/gradient.h"
-#include "render/item_scan.h"
-#include "render/layer.h"
-#include "render/select_kernels.h"
 
 namespace flatray {
 namespace {
 
 constexpr std::size_t kBandsATask = 4;  // which share their room; one thread does all in one
-
-// Draws bands one after another; its room is kept from one to the next.
-class BandPainter {
- public:
-  BandPainter(const DrawList& list, bool hide, DrawCounts& counts)
-      : list_(list),
-        hide_(hide),
-        counts_(counts),
-        kernels_(span_kernels(active_isa())),
-        item_scan_(list) {}
-
-  const Tile& paint(const PixelBox& box, const Band& band) {
-    tile_.width = box.width;
-    tile_.height = box.height;
-    const std::size_t pixels =
-        static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
-    tile_.rgba.resize(4 * pixels);
-    ++counts_.bands;
-    counts_.items += band.items.size();
-    if (!scan(box, band)) kernels_.fill(tile_.rgba.data(), pixels, background().data());
-    blend_all({tile_.rgba.data(), box.x, box.y, box.width}, box.height);
-    return tile_;
-  }
-  Tile& tile() { return tile_; }
-
- private:
-  struct Scanned {
-    const DrawItem* item;
-    std::size_t begin, end;  ///< of its runs
-  };
-
-  // From the uppermost item down, to the one that hides all below it; whether there is one.
-  bool scan(const PixelBox& box, const Band& band) {
-    runs_.clear();
-    scanned_.clear();
-    for (std::size_t i = band.items.size(); i-- > 0;) {
-      const DrawItem& item = list_.items[band.items[i].item];
-      const std::size_t begin = runs_.start();
-      item_scan_.scan(band, band.items[i], box, runs_);
-      scanned_.push_back({&item, begin, runs_.runs().size()});
-      if (!hide_ || item.colour.a != 1 || item.opacity != 1 ||
-          !covers_all(runs_.runs().subspan(begin), box))
-        continue;
-      counts_.hidden_items += i;
-      return true;
-    }
-    return false;
-  }
-
-  void blend_all(const kernels::Target& target, int rows) {
-    for (auto it = scanned_.rbegin(); it != scanned_.rend();) {
-      const std::uint32_t layer = it->item->layer;
-      if (layer == 0) {
-        blend(*it++, target);
-        continue;
-      }
-      const auto end = std::find_if(it, scanned_.rend(),
-                                    [&](const Scanned& next) { return next.item->layer != layer; });
-      const std::size_t begin = (end - 1)->begin;
-      const PixelBox part = box_around(runs_.runs().subspan(begin, it->end - begin));
-      layer_.clear(target, part, rows);
-      const float opacity = it->item->opacity;
-      for (; it != end; ++it) blend(*it, layer_.target());
-      layer_.lay_over(target, part, opacity);
-    }
-  }
-
-  void blend(const Scanned& scanned, const kernels::Target& target) {
-    const std::span<const Run> runs =
-        runs_.runs().subspan(scanned.begin, scanned.end - scanned.begin);
-    if (scanned.item->gradient)
-      GradientPainter(*scanned.item->gradient).blend_runs(target, runs);
-    else
-      kernels_.blend_runs(target, runs.data(), runs.size(),
-                          premultiplied(scanned.item->colour).data());
-  }
-
-  std::array<float, 4> background() const { return premultiplied(list_.background); }
-
-  const DrawList& list_;
-  const bool hide_;
-  DrawCounts& counts_;
-  const kernels::SpanKernels& kernels_;
-  Tile tile_;
-  ItemScan item_scan_;
-  RunList runs_;
-  std::vector<Scanned> scanned_;
-  Layer layer_;
-};
 
 void shape_picture(const PixelBox& crop, const DrawList& list, Image& image) {
   const int channels = list.background.a == 1 ? 3 : 4;
@@ -118,35 +22,68 @@ void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
                       static_cast<std::size_t>(crop.height));
 }
 
+int channels_of(const Image& image) { return image.channels; }
+int channels_of(const LinearImage&) { return 0; }
+
+// A band to draw into the rows of a picture from `y` on.
+struct BandTask {
+  const PixelBox box;
+  const Band& band;
+  const StillBand* still;  // its lowest items, or null
+  int y;
+
+  std::size_t first() const { return still == nullptr ? 0 : still->items(); }
+};
+
 // The two ways to draw give the same pixels. Light, all that shall be drawn even if hidden, and
 // bands with gradients or layers go by blending every item in order.
 class BandsOfTask {
  public:
   BandsOfTask(const DrawList& list, const FrameOptions& options, DrawCounts& counts)
-      : flat_(list, counts), blended_(list, !options.keep_all, counts), plain_(!options.keep_all) {}
+      : flat_(list),
+        blended_(list, !options.keep_all),
+        plain_(!options.keep_all),
+        counts_(counts) {}
 
-  void draw(const PixelBox& box, const Band& band, int y, Image& out) {
-    if (!plain_ || !band.flat || !flat_.paint(box, band, y, out)) draw_blended(box, band, y, out);
+  template <class Picture>
+  void draw(const BandTask& task, Picture& out) {
+    const std::size_t hidden = paint(task, out);
+    ++counts_.bands;
+    counts_.items += task.band.items.size();
+    counts_.hidden_items += hidden;
+    if (hidden < task.first()) counts_.still_items += task.first() - hidden;
   }
-  void draw(const PixelBox& box, const Band& band, int y, LinearImage& out) {
-    draw_blended(box, band, y, out);
+
+  void keep(const PixelBox& box, const Band& band, std::size_t items, int channels,
+            StillBand& out) {
+    out.keep(items, blended_.paint(box, band, items, nullptr, 0), channels);
   }
 
  private:
+  std::size_t paint(const BandTask& task, Image& out) {
+    if (plain_ && task.band.flat_from <= task.first())
+      if (const auto hidden = flat_.paint(task.box, task.band, task.still, task.y, out))
+        return *hidden;
+    return blend(task, out);
+  }
+  std::size_t paint(const BandTask& task, LinearImage& out) { return blend(task, out); }
+
   template <class Picture>
-  void draw_blended(const PixelBox& box, const Band& band, int y, Picture& out) {
-    blended_.tile().x = 0;
-    blended_.tile().y = y;
-    develop(blended_.paint(box, band), out);
+  std::size_t blend(const BandTask& task, Picture& out) {
+    develop(blended_.paint(task.box, task.band, task.band.items.size(), task.still, task.y), out);
+    return blended_.hidden();
   }
 
   FlatPainter flat_;
   BandPainter blended_;
   const bool plain_;
+  DrawCounts& counts_;
 };
 
+// `still` may be null; its bands are made and used.
 template <class Picture>
-DrawCounts draw_bands(const DrawList& list, const Bands& bands, const std::vector<bool>& keep,
+DrawCounts draw_bands(const DrawList& list, const Bands& bands,
+                      const std::vector<BandChange>& changes, StillLayer* still,
                       const FrameOptions& options, Picture& out) {
   const std::size_t each =
       options.threads == 1 ? std::max<std::size_t>(bands.count(), 1) : kBandsATask;
@@ -161,12 +98,16 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands, const std::vecto
         counts[task].stopped_bands += end - band;
         return;
       }
-      if (keep[band]) {
+      if (changes[band].unchanged) {
         ++counts[task].kept_bands;
         continue;
       }
       const PixelBox box = bands.box(band);
-      painter.draw(box, bands[band], box.y - top, out);
+      StillBand* const below = still == nullptr ? nullptr : &(*still)[band];
+      if (below != nullptr && still->wanted(band) > 0)
+        painter.keep(box, bands[band], still->wanted(band), channels_of(out), *below);
+      const bool kept = below != nullptr && below->items() > 0;
+      painter.draw({box, bands[band], kept ? below : nullptr, box.y - top}, out);
     }
   });
   DrawCounts sum;
@@ -180,15 +121,28 @@ template <class Picture>
 const Picture& FrameDrawer<Picture>::draw(DrawList list) {
   const PixelBox crop = crop_of(list, options_);
   Bands bands(list, crop);
-  std::vector<bool> keep(bands.count());
-  if (drawn_ && !options_.keep_all) keep = unchanged_bands(list, bands, list_, bands_);
+  if (options_.keep_all)
+    changes_.assign(bands.count(), {});
+  else
+    changes_ = compare_bands(list, bands, list_, bands_);
   list_ = std::move(list);
   bands_ = std::move(bands);
+  still_.follow(bands_, changes_);
   shape_picture(crop, list_, picture_);
-  counts_ += draw_bands(list_, bands_, keep, options_, picture_);
-  changed_ = !drawn_ || std::find(keep.begin(), keep.end(), false) != keep.end();
-  drawn_ = true;
+  counts_ += draw_bands(list_, bands_, changes_, &still_, options_, picture_);
+  changed_ = changed(0, crop.height);
   return picture_;
+}
+
+template <class Picture>
+bool FrameDrawer<Picture>::changed(int begin, int end) const {
+  const int top = crop_of(list_, options_).y;
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    const PixelBox box = bands_.box(i);
+    if (!changes_[i].unchanged && box.y - top < end && box.y - top + box.height > begin)
+      return true;
+  }
+  return false;
 }
 
 template class FrameDrawer<Image>;
@@ -199,7 +153,7 @@ void render_into(const DrawList& list, const FrameOptions& options, Picture& pic
   const PixelBox crop = crop_of(list, options);
   const Bands bands(list, crop);
   shape_picture(crop, list, picture);
-  draw_bands(list, bands, std::vector<bool>(bands.count()), options, picture);
+  draw_bands(list, bands, std::vector<BandChange>(bands.count()), nullptr, options, picture);
 }
 template void render_into(const DrawList&, const FrameOptions&, Image&);
 template void render_into(const DrawList&, const FrameOptions&, LinearImage&);

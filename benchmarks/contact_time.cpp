@@ -1,0 +1,121 @@
+// S12: when two moving convex polygons first meet. Nanoseconds a pair, polygons of 3 to 8 vertices, translation only;
+// answers are compared with exact rationals before the clock starts.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "base/philox.h"
+#include "collide/contact.h"
+#include "geom/polygon.h"
+#include "measure.h"
+#include "oracle/contact.h"
+
+#ifdef BENCH_BOX2D
+#include "peers/box2d.h"
+#endif
+
+namespace {
+
+using namespace flatray;
+
+struct Body {
+  std::vector<Vec2> vertices;
+  Vec2 velocity;
+};
+struct BodyPair {
+  Body a, b;
+};
+
+// Coordinates are floats, so that all contenders are asked the same.
+double draw(std::uint64_t item, std::uint32_t k, double low, double high) {
+  const double x = low + (high - low) * unit_double(random_bits(1, Stream::test, 12, item, k));
+  return static_cast<double>(static_cast<float>(x));
+}
+
+Body body(std::uint64_t item, std::uint32_t k) {
+  const Vec2 centre(draw(item, k, -4, 4), draw(item, k + 1, -4, 4));
+  const auto count = static_cast<std::size_t>(draw(item, k + 2, 3, 8.99));
+  for (std::uint32_t attempt = 0;; ++attempt) {
+    Body made{{}, {draw(item, k + 3, -6, 6), draw(item, k + 4, -6, 6)}};
+    const double turn = draw(item, k + 5 + attempt, 0, 6.28);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle =
+          turn + 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+      made.vertices.emplace_back(static_cast<float>(centre.x() + std::cos(angle)),
+                                 static_cast<float>(centre.y() + std::sin(angle)));
+    }
+    if (!non_convex_vertex(made.vertices)) return made;
+  }
+}
+
+// First times in [0, 1]; above 1 for none.
+double first_time(const BodyPair& pair) {
+  const HitInterval met =
+      contact({pair.a.vertices, pair.a.velocity}, {pair.b.vertices, pair.b.velocity}, kSegment)
+          .times;
+  return met ? met.t_enter : 2;
+}
+
+double exact_time(const BodyPair& pair) {
+  const auto truth = oracle::contact_truth(pair.a.vertices, pair.a.velocity, pair.b.vertices,
+                                           pair.b.velocity, kSegment);
+  return truth.kind == HitClass::miss ? 2 : truth.first->nearest();
+}
+
+struct Verdicts {
+  int wrong = 0, hits = 0;
+  double worst = 0;
+
+  void add(double t, double truth) {
+    if ((t > 1) != (truth > 1)) {
+      ++wrong;
+      return;
+    }
+    if (truth > 1) return;
+    ++hits;
+    worst = std::max(worst, std::fabs(t - truth));
+  }
+};
+
+}  // namespace
+
+int main() {
+  std::vector<BodyPair> pairs;
+  for (std::uint64_t item = 0; item < 2048; ++item)
+    pairs.push_back({body(item, 0), body(item, 20)});
+  Verdicts own;
+  for (const BodyPair& pair : pairs) own.add(first_time(pair), exact_time(pair));
+  double sum = 0;
+  std::vector<bench::Contender> contenders = {{"flatray, contact", [&] {
+                                                 for (const BodyPair& pair : pairs)
+                                                   sum += first_time(pair);
+                                               }}};
+  std::vector<Verdicts> verdicts = {own};
+#ifdef BENCH_BOX2D
+  const bench::Box2dPairs box2d = [&] {
+    bench::Box2dPairs made;
+    for (const BodyPair& pair : pairs)
+      made.add(pair.a.vertices, pair.a.velocity, pair.b.vertices, pair.b.velocity);
+    return made;
+  }();
+  Verdicts peer;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    peer.add(box2d.first_time(i), exact_time(pairs[i]));
+  verdicts.push_back(peer);
+  contenders.push_back({"Box2D, b2TimeOfImpact", [&] {
+                          for (std::size_t i = 0; i < pairs.size(); ++i) sum += box2d.first_time(i);
+                        }});
+#endif
+  const std::vector<double> times = bench::compare(contenders, 9);
+  fmt::print("S12: {} pairs, {} meet within t = 1\n", pairs.size(), own.hits);
+  fmt::print(
+      "| who                   | ns a pair | wrong | worst error of t |\n|---|---|---|---|\n");
+  for (std::size_t i = 0; i < contenders.size(); ++i)
+    fmt::print("| {:<21} | {:>9.1f} | {:>5} | {:>16.1e} |\n", contenders[i].name,
+               times[i] / static_cast<double>(pairs.size()) * 1e9, verdicts[i].wrong,
+               verdicts[i].worst);
+  if (times.size() > 1)
+    fmt::print("ratio {:.2f} (must 13, aim 27){}\n", times[1] / times[0],
+               std::isnan(sum) ? " " : "");
+  return own.wrong == 0 ? 0 : 1;
+}

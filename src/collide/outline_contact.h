@@ -1,0 +1,35 @@
+#pragma once
+#include <vector>
+
+#include "anim/frame_state.h"
+#include "collide/contact.h"
+
+namespace flatray {
+
+/// A shape that moves along a straight line without turning.
+struct MovingShape {
+  const Shape* shape;
+  Pose place;  ///< at t = 0
+  Vec2 velocity;
+};
+
+/// A time in which two shapes have a point in common.
+struct MeetingPart {
+  Range times;
+  HitClass kind;
+  StartPlace start;  ///< how they lie at t = 0
+  Vec2 point;        ///< where they first meet in this part, about; of an overlap a vertex inside
+  Vec2 normal;       ///< unit, out of the first shape; 0 where they overlap from the start
+};
+
+/// Every time within a range in which two shapes meet, ascending and apart: the times of their
+/// convex pieces and segments together.
+///
+/// Gives   kind: through where any pieces overlap, else along where any touch for a while.
+/// Error   as contact(); shapes with circles or arcs are taken without those.
+std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
+
+/// Whether a shape has parts that shapes_meet leaves out.
+bool has_parts_left_out(const Shape& shape);
+
+}  // namespace flatray
