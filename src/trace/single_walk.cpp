@@ -85,7 +85,8 @@ class Walk {
   }
   std::uint32_t look_up_divided(std::uint32_t word, float left, float low, float& x, float& y) {
     const auto n = std::bit_cast<float>(word & 0x7f800000U);
-    const float column = floor((x - left) * n), row = floor((y - low) * n);
+    const float column = std::min(floor((x - left) * n), n - 1);
+    const float row = std::min(floor((y - low) * n), n - 1);
     cell_ = 1 / n;
     x = left + column * cell_;
     y = low + row * cell_;
