@@ -114,7 +114,9 @@ CellGrid::Cell CellGrid::cell_at(const Vec2& place, const Turn& turn) const {
   if ((word >> 30) != 1) return {corner, 1, word};
   const auto n = static_cast<double>(std::bit_cast<float>(word & 0x7f800000U));
   const Vec2 part = n * (place - corner);
-  const double column = std::floor(part.x()), row = std::floor(part.y());
+  // Of a place just below a whole number the difference may round to 1.
+  const double column = std::min(std::floor(part.x()), n - 1);
+  const double row = std::min(std::floor(part.y()), n - 1);
   const double at = index(row, turn.y, n) * n + index(column, turn.x, n);
   return {corner + Vec2(column, row) / n, 1 / n,
           words_[16 * std::size_t{word & 0x7fffffU} + static_cast<std::size_t>(at)]};

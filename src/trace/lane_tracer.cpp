@@ -1,12 +1,15 @@
 #include "trace/lane_tracer.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "geom/error_bounds.h"
 #include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
+#include "trace/single_walk.h"
 
 namespace flatray {
 namespace {
@@ -16,6 +19,43 @@ constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
 constexpr std::size_t kVector = 16;  // floats of the widest tier
 
 std::size_t whole_vectors(std::size_t count) { return (count + kWide - 1) / kWide * kWide; }
+
+// What the lanes say of a ray.
+struct Verdict {
+  int found;
+  std::uint32_t slot;  // of a wall, and t
+  double t;
+
+  bool is_certain() const { return found != lanes::kDoubt; }
+  bool is_hit() const { return found >= 0; }
+};
+
+// What tells the lanes which wall a ray has just left; whether it has left one.
+bool mark_left(const Surfaces& walls, const CellGrid& grid, const Left& left,
+               const lanes::Walking& to, std::size_t i, int& fate) {
+  CellGrid::Mark mark{NAN, NAN, NAN};
+  const bool segment =
+      left.surface != kNoSurface && walls.kinds[left.surface] == SurfaceKind::segment;
+  if (segment) {
+    const std::uint32_t slot = walls.slot[left.surface];
+    mark = grid.mark(walls.segments[slot]);
+    if (grid.is_twin(slot)) fate = lanes::kDoubt;
+  }
+  to.left_ax[i] = mark.ax;
+  to.left_ay[i] = mark.ay;
+  to.left_bx[i] = mark.bx;
+  return segment;
+}
+
+// Columns of some rays one after the other, `room` floats each.
+lanes::Walking columns_of(float* column, const float* numbers, std::size_t room) {
+  lanes::Walking w{};
+  w.number = numbers;
+  for (float** each :
+       {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax, &w.left_ay, &w.left_bx})
+    *each = std::exchange(column, column + room);
+  return w;
+}
 
 // Some rays of a batch on their way through the kernels.
 class Block {
@@ -47,15 +87,13 @@ class Block {
 
   // Walls that may be the first of each ray: the record, or what is not certain.
   void walk(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels) {
-    float* column = columns_.data();
-    lanes::Walking w{};
-    w.number = numbers_.data();
-    for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
-                         &w.left_ay, &w.left_bx})
-      *each = std::exchange(column, column + room_);
+    lanes::Walking w = columns_of(columns_.data(), numbers_.data(), room_);
     w.count = static_cast<int>(count_);
     kernels.prepare(grid.view(), given_, w, fate_.data());
-    if (!mark_left(walls, grid, w)) w.left_ax = nullptr;
+    bool any = false;
+    for (std::size_t i = 0; i < count_; ++i)
+      any = mark_left(walls, grid, rays_->left[begin_ + i], w, i, fate_[i]) || any;
+    if (!any) w.left_ax = nullptr;
     (grid.has_cells() ? kernels.walk : kernels.scan)(grid.view(), w, found_.data());
   }
 
@@ -69,32 +107,9 @@ class Block {
     kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
   }
 
-  // Whether the lanes are certain of what ray i meets.
-  bool is_certain(std::size_t i) const { return found_[i] != lanes::kDoubt; }
-  // Whether it is a wall, given by slot and t.
-  bool is_hit(std::size_t i) const { return found_[i] >= 0; }
-  std::uint32_t slot(std::size_t i) const { return slots_[i]; }
-  double t(std::size_t i) const { return t_[i]; }
+  Verdict verdict(std::size_t i) const { return {found_[i], slots_[i], t_[i]}; }
 
  private:
-  // What tells the lanes which wall each ray has just left; false where none has left any.
-  bool mark_left(const Surfaces& walls, const CellGrid& grid, const lanes::Walking& to) {
-    bool any = false;
-    for (std::size_t i = 0; i < count_; ++i) {
-      CellGrid::Mark mark{NAN, NAN, NAN};
-      const std::uint32_t left = rays_->left[begin_ + i].surface;
-      if (left != kNoSurface && walls.kinds[left] == SurfaceKind::segment) {
-        any = true;
-        mark = grid.mark(walls.segments[walls.slot[left]]);
-        if (grid.is_twin(walls.slot[left])) fate_[i] = lanes::kDoubt;
-      }
-      to.left_ax[i] = mark.ax;
-      to.left_ay[i] = mark.ay;
-      to.left_bx[i] = mark.bx;
-    }
-    return any;
-  }
-
   std::size_t room_;
   std::vector<float> numbers_, columns_;
   std::vector<int> fate_, found_;
@@ -111,6 +126,7 @@ class LaneTracer : public Accelerator {
   LaneTracer(const Surfaces& walls, CellGrid cells, Isa isa)
       : Accelerator(walls),
         cells_(std::move(cells)),
+        view_(cells_.view()),
         curves_(walls),
         search_(walls, &cells_, curves_),
         kernels_(lane_kernels(isa).walk) {}
@@ -123,13 +139,29 @@ class LaneTracer : public Accelerator {
       block.walk(walls_, cells_, kernels_);
       block.finish(walls_, cells_, kernels_);
       for (std::size_t i = 0; i < count; ++i)
-        if (!decided(block, i, hits[begin + i]))
+        if (const Verdict verdict = block.verdict(i); !decided(verdict, hits[begin + i]))
           hits[begin + i] =
-              decide(block, i, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
+              decide_exactly(verdict, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
     }
   }
+  // Before and after the walk the portable kernels, which are those of a single lane.
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
-    return search_.nearest(ray, left, tangents);
+    const lanes::WalkKernels& kernels = lane_kernels(Isa::portable).walk;
+    const lanes::Rays given = {&ray.origin.x(), &ray.origin.y(), &ray.direction.x(),
+                               &ray.direction.y(), 1};
+    std::array<float, 9> columns;
+    const float number = 0;
+    lanes::Walking w = columns_of(columns.data(), &number, 1);
+    w.count = 1;
+    int fate = 0;
+    kernels.prepare(view_, given, w, &fate);
+    if (!mark_left(walls_, cells_, left, w, 0, fate)) w.left_ax = nullptr;
+    if (fate != 0) return search_.nearest(ray, left, tangents);
+    const int found = cells_.has_cells() ? walk_single(view_, w) : scan_single(view_, w);
+    Verdict verdict = {found, found < 0 ? 0 : cells_.slot(static_cast<std::size_t>(found)), 0};
+    if (verdict.is_hit())
+      kernels.finish(given, {walls_.segments.front().a.data(), &verdict.slot, &verdict.t});
+    return decide(verdict, ray, left, tangents);
   }
   std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
                                      bool tangents) const override {
@@ -146,38 +178,44 @@ class LaneTracer : public Accelerator {
   }
 
  private:
+  NearestHit decide(const Verdict& verdict, const Ray& ray, const Left& left, bool tangents) const {
+    NearestHit hit;
+    return decided(verdict, hit) ? hit : decide_exactly(verdict, ray, left, tangents);
+  }
+
   // The usual case: sure of one segment, and of its t. (Without curves slots are numbers.)
-  bool decided(const Block& block, std::size_t i, NearestHit& hit) const {
-    if (walls_.any_curves() || !block.is_certain(i)) return false;
-    if (block.is_hit(i) && std::isnan(block.t(i))) return false;
-    hit.surface = block.is_hit(i) ? block.slot(i) : kNoSurface;
-    hit.kind = block.is_hit(i) ? HitClass::touch : HitClass::miss;
+  bool decided(const Verdict& verdict, NearestHit& hit) const {
+    if (walls_.any_curves() || !verdict.is_certain()) return false;
+    if (verdict.is_hit() && std::isnan(verdict.t)) return false;
+    hit.surface = verdict.is_hit() ? verdict.slot : kNoSurface;
+    hit.kind = verdict.is_hit() ? HitClass::touch : HitClass::miss;
     hit.root = Root::none;
     hit.at_end = false;
-    hit.t = block.is_hit(i) ? block.t(i) : kInfinity;
+    hit.t = verdict.is_hit() ? verdict.t : kInfinity;
     return true;
   }
 
-  NearestHit decide(const Block& block, std::size_t i, const Ray& ray, const Left& left,
-                    bool tangents) const {
-    if (!block.is_certain(i)) return search_.nearest(ray, left, tangents);
+  NearestHit decide_exactly(const Verdict& verdict, const Ray& ray, const Left& left,
+                            bool tangents) const {
+    if (!verdict.is_certain()) return search_.nearest(ray, left, tangents);
     // What t is known of is within an ulp, and what is not decides nothing.
-    const bool timed = block.is_hit(i) && !std::isnan(block.t(i));
-    const double t = timed ? block.t(i) : block.is_hit(i) ? 0 : kInfinity;
+    const bool timed = verdict.is_hit() && !std::isnan(verdict.t);
+    const double t = timed ? verdict.t : verdict.is_hit() ? 0 : kInfinity;
     CurveCells::Rivals curved;
     if (walls_.any_curves())
       curved = curves_.rivals(ray, left, timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
     if (curved.surfaces.empty())
-      return block.is_hit(i) ? crossing_hit(walls_, ray, block.slot(i)) : NearestHit{};
+      return verdict.is_hit() ? crossing_hit(walls_, ray, verdict.slot) : NearestHit{};
     if (curved.sure && curved.high < t * (1 - 0x1p-50))
       return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
     ExactNearest search(walls_, ray, left, tangents);
-    if (block.is_hit(i)) search.offer_segment(block.slot(i));
+    if (verdict.is_hit()) search.offer_segment(verdict.slot);
     for (const std::uint32_t surface : curved.surfaces) search.offer_curve(surface);
     return search.hit();
   }
 
   const CellGrid cells_;
+  const lanes::Grid view_;
   const CurveCells curves_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;

@@ -230,6 +230,30 @@ TEST(Tracers, AgreeWhereWallsCrowd) {
   }
 }
 
+// Found by `stability --families sliver`: just below the middle, a place is a whole cell from the
+// corner of its crowded cell, as far as doubles can say.
+TEST(Tracers, AgreeJustBelowTheBorderOfACrowdedCell) {
+  Case c;
+  const double tiny = 0x1p-400;
+  for (int i = 0; i < 40; ++i) {
+    const double x = i - 20;
+    c.walls.add(Segment{{x, -4 * tiny}, {x + 0.75, 4 * tiny}});
+    c.walls.add(Segment{{4 * tiny, x}, {-4 * tiny, x + 0.75}});
+    for (int k = 0; k < 4; ++k)
+      c.walls.add(Segment{{-0.25 + 0.1 * k, -3 * tiny}, {-0.2 + 0.1 * k, 3 * tiny}});
+    for (const double y : {-5 * tiny, -1 * tiny, 1 * tiny, 5 * tiny}) {
+      c.rays.add({{x / 40, y}, {0, -y}});
+      c.rays.add({{x / 40, y}, {1, -y}});
+      c.rays.add({{x / 40, y}, {-1, y}});
+      c.rays.add({{y, x / 40}, {-y, 0}});
+    }
+  }
+  const auto grid = CellGrid::build(c.walls);
+  ASSERT_TRUE(grid);
+  EXPECT_GT(grid->divided(), 0U);
+  expect_all_tiers_exact(c);
+}
+
 // A segment is listed in every cell it comes near to, whatever its slope: points all along it are
 // in cells that have it.
 TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {

@@ -21,8 +21,8 @@
 //   no hit      a wall that is not surely crossed meets the ray, if at all, between t_A and t_B.
 //   place       the ray leaves a box of cells at the least t of its two exit planes as computed; up
 //               to there it is within 10 u M of the box, and the next cell is rounded from a place
-//               as near: 20 u M in all. Cells of divided cells are found from the same place, by
-//               differences and powers of two without rounding.
+//               as near: 20 u M in all. Cells of divided cells are found from the same place, but
+//               for one rounding of its distance from the cell's corner, by u / 2 at most.
 // A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
 // kNear + 20 <= kMargin. So a wall listed in two cells is rarely its own rival.
 namespace flatray::lanes {

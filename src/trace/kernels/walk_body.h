@@ -93,7 +93,9 @@ inline Int look_up(const unsigned* cells, Group& g, Float& cell) {
     return word;
   }
   const Float n = choose(divided, exponent_of(word), one);
-  const Float column = floor((g.x - x) * n), row = floor((g.y - y) * n);
+  // Of a place just below a whole number the difference may round to 1.
+  const Float column = smaller(floor((g.x - x) * n), n - one);
+  const Float row = smaller(floor((g.y - y) * n), n - one);
   const Float at_x = choose(negative(g.dx), n - one - column, column);
   const Float at_y = choose(negative(g.dy), n - one - row, row);
   const Int at = sum(sixteenfold(word), whole(at_y * n + at_x));
