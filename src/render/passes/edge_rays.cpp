@@ -69,27 +69,63 @@ std::vector<Range> united(std::vector<Range> parts) {
   return whole;
 }
 
+// Rays of one entity, and which of them a piece may meet: those whose box meets its own. Rounding
+// an end is monotone, so that no box of doubles tells two apart that meet.
+class RayBoxes {
+ public:
+  explicit RayBoxes(std::span<const Ray> rays) {
+    for (const Ray& ray : rays) {
+      boxes_.emplace_back();
+      boxes_.back().add(ray.origin);
+      boxes_.back().add(ray.origin + ray.direction);
+      all_.add(boxes_.back());
+    }
+  }
+
+  std::vector<std::size_t> near(const Bounds& piece) const {
+    std::vector<std::size_t> found;
+    if (!meet(all_, piece)) return found;
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (meet(boxes_[i], piece)) found.push_back(i);
+    return found;
+  }
+
+ private:
+  static bool meet(const Bounds& a, const Bounds& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+  }
+
+  std::vector<Bounds> boxes_;
+  Bounds all_;
+};
+
 Found clip_all(std::span<const Ray> rays, const InWorld& against) {
-  RayBatch batch;
-  for (const Ray& ray : rays) batch.add(ray);
+  const RayBoxes boxes(rays);
   std::vector<std::vector<Range>> parts(rays.size());
-  std::vector<HitInterval> hits(rays.size());
-  const auto keep = [&] {
-    for (std::size_t i = 0; i < hits.size(); ++i)
-      if (hits[i]) parts[i].push_back({hits[i].t_enter, hits[i].t_exit});
+  const auto keep = [&](std::size_t ray, const HitInterval& hit) {
+    if (hit) parts[ray].push_back({hit.t_enter, hit.t_exit});
   };
   const Shape& shape = against.shape;
+  std::vector<Vec2> vertices;
+  std::vector<HitInterval> hits;
   for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    std::vector<Vec2> vertices;
-    for (std::size_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i)
+    vertices.clear();
+    Bounds box;
+    for (std::size_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i) {
       vertices.push_back(against.pose(shape.vertices[i]));
+      box.add(vertices.back());
+    }
+    const std::vector<std::size_t> near = boxes.near(box);
+    if (near.empty()) continue;
+    RayBatch batch;
+    for (const std::size_t i : near) batch.add(rays[i]);
+    hits.resize(near.size());
     clip_convex_batch(batch, vertices, kSegment, hits);
-    keep();
+    for (std::size_t i = 0; i < near.size(); ++i) keep(near[i], hits[i]);
   }
   for (const Circle& circle : shape.circles) {
     const Circle there{against.pose(circle.centre), circle.radius};
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = clip_circle(rays[i], there, kSegment);
-    keep();
+    for (std::size_t i = 0; i < rays.size(); ++i) keep(i, clip_circle(rays[i], there, kSegment));
   }
   for (const ArcPath& path : shape.arc_paths) {
     const Ellipse there = curve_of(path.arcs.front(), against.pose);  // whole: the scene says so
