@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The hall's diamond: twelve bounces, back at (10, 0), having travelled 115 sqrt(2).
-# needs: shapes/box
+# needs: shapes/box shapes/circle
 source "$(dirname "$0")/lib.sh"
 hall=$root/scenes/chamber/hall.toml
 run 0 orbit "$hall" --csv
@@ -11,6 +11,30 @@ run 0 orbit "$hall" --ray probe -n 100
 says out "probe: limit after 100 bounces"
 run 0 orbit "$hall" --json
 says out '"end":"limit"'
+# What is certain, where it starts (C29), and what becomes of a ray in a corner (C7).
+run 0 orbit "$hall" -D 'ray.0.at=[15,15]' -n 3
+says out "probe: corner after 0 bounces at (20, 20), hall edge 1 and hall edge 2"
+run 0 orbit "$hall" -D 'ray.0.at=[15,15]' -n 3 --corner back
+says out "limit after 3 bounces"
+run 0 orbit "$hall" -D 'ray.0.at=[25,5]' -n 3
+says err "probe starts outside hall"
+says out "started outside hall"
+run 0 orbit "$hall" -D 'ray.0.at=[20,5]' -D 'ray.0.direction=[-1,1]' -n 3
+says out "started on hall edge 1"
+sinai=$root/scenes/chamber/sinai.toml
+run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]'
+says err "one starts inside box/disc"
+run 0 orbit "$sinai" --ray one -n 60
+says out "only the first 4"
+if "$flatray" --version | grep -q "MPFR"; then
+  run 0 orbit "$sinai" --ray one -n 60 --precision certified --csv
+  (($(grep -c ',yes$' out.txt) == 60)) || fail "a certified orbit has bounces that are not"
+fi
+run 2 orbit "$sinai" --precision certified --corner back
+says err "leave --corner back out"
+run 0 orbit "$sinai" --svg
+says out "<svg xmlns"
+(($(grep -c 'class="ray"' out.txt) == 2)) || fail "two rays were to be drawn"
 run 2 orbit "$hall" --ray prob
 says err "did you mean 'probe'?"
 scene box.toml 1

@@ -58,7 +58,8 @@ Measure mean_square_sine(const BoundaryOrbits& found) {
   RatioSums sums;
   for (const auto& orbit : found.points) {
     double squares = 0;
-    for (const BoundaryPoint& point : orbit) squares += double{point.sine} * double{point.sine};
+    for (const BoundaryPoint& point : orbit)
+      squares += static_cast<double>(point.sine) * static_cast<double>(point.sine);
     if (!orbit.empty()) sums.add(squares, static_cast<double>(orbit.size()));
   }
   Measure measure{"mean_square_sine", sums.ratio(),
