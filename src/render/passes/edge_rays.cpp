@@ -129,8 +129,7 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
   }
   for (const ArcPath& path : shape.arc_paths) {
     const Ellipse there = curve_of(path.arcs.front(), against.pose);  // whole: the scene says so
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = clip_ellipse(rays[i], there, kSegment);
-    keep();
+    for (std::size_t i = 0; i < rays.size(); ++i) keep(i, clip_ellipse(rays[i], there, kSegment));
   }
   Found found;
   for (std::size_t i = 0; i < rays.size(); ++i)
