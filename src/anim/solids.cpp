@@ -5,6 +5,7 @@
 #include "geom/hit_interval.h"
 #include "geom/predicates.h"
 #include "trace/on_surface.h"
+#include "trace/tracer.h"
 
 namespace flatray {
 namespace {
@@ -25,25 +26,54 @@ double area_of(const std::vector<Vec2>& ring) {
   return 0.5 * twice;
 }
 
+// Whether a point lies inside or on closed outlines: by the parity of what a ray from it meets, in a
+// direction in which it meets no end and no tangent.
+bool is_within(const Surfaces& outline, const Vec2& point) {
+  if (outline.size() == 0) return false;
+  const auto walls = accelerate(outline);
+  for (double turn = 1;; turn += 1) {
+    const std::vector<NearestHit> hits = walls->all_of_one({point, {turn, 1}});
+    if (!hits.empty() && hits.front().t == 0) return true;
+    const bool doubtful = std::any_of(hits.begin(), hits.end(), [](const NearestHit& hit) {
+      return hit.at_end || hit.root == Root::both || hit.kind == HitClass::along;
+    });
+    if (!doubtful) return hits.size() % 2 == 1;
+  }
+}
+
+// By Green's theorem; an ellipse is c + cos t u + sin t v.
+double area_of(const ArcPath& path) {
+  double twice = 0;
+  for (std::size_t i = 0; i < path.arcs.size(); ++i) {
+    const EllipseArc& arc = path.arcs[i];
+    const Vec2 next = path.arcs[(i + 1) % path.arcs.size()].start();
+    twice += cross(arc.centre, Vec2(arc.end() - arc.start())) + cross(arc.u, arc.v) * arc.sweep +
+             cross(arc.end(), next);
+  }
+  return std::fabs(0.5 * twice);
+}
+
 }  // namespace
 
 bool Solids::Solid::holds(const Vec2& point) const {
   return std::any_of(pieces.begin(), pieces.end(),
                      [&](const auto& piece) { return flatray::holds(piece, point); }) ||
-         std::any_of(circles.begin(), circles.end(), [&](const Circle& circle) {
-           return curve_side(point, circle) != Sign::positive;
-         });
+         std::any_of(
+             circles.begin(), circles.end(),
+             [&](const Circle& circle) { return curve_side(point, circle) != Sign::positive; }) ||
+         is_within(outline.surfaces, point);
 }
 
 double Solids::Solid::area() const {
   double sum = 0;
   for (const std::vector<Vec2>& piece : pieces) sum += area_of(piece);
   for (const Circle& circle : circles) sum += kPi * circle.radius * circle.radius;
+  for (const ArcPath& path : paths) sum += area_of(path);
   return sum;
 }
 
 Solids::Solid Solids::solid(const Shape& shape, const Pose& place, const SurfaceOwner& owner) {
-  Solid solid{owner, {}, {}};
+  Solid solid{owner, {}, {}, {}, {}};
   for (std::size_t i = 0; i < shape.piece_count(); ++i) {
     std::vector<Vec2> piece;
     for (std::uint32_t k = shape.begin[i]; k < shape.begin[i + 1]; ++k)
@@ -52,6 +82,13 @@ Solids::Solid Solids::solid(const Shape& shape, const Pose& place, const Surface
   }
   for (const Circle& circle : shape.circles)
     solid.circles.push_back({place(circle.centre), circle.radius});
+  Shape curved;
+  for (const ArcPath& path : shape.arc_paths) {
+    if (!path.closed) continue;
+    curved.arc_paths.push_back(path);
+    solid.paths.push_back(posed(path, place));
+  }
+  add_shape(solid.outline, curved, place, owner);
   return solid;
 }
 

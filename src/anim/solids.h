@@ -26,6 +26,8 @@ class Solids {
     SurfaceOwner owner;
     std::vector<std::vector<Vec2>> pieces;  // convex, counter-clockwise
     std::vector<Circle> circles;
+    std::vector<ArcPath> paths;  // closed, in the world
+    World outline;               // of these
     bool holds(const Vec2& point) const;
     double area() const;
   };

@@ -57,6 +57,8 @@ void add_path(World& world, const ArcPath& path, const Pose& place, SurfaceOwner
   }
 }
 
+}  // namespace
+
 void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner owner) {
   for (const OutlineEdge& edge : outline(shape)) {
     owner.edge = edge.number;
@@ -74,8 +76,6 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
   }
   for (const ArcPath& path : shape.arc_paths) add_path(world, path, place, owner);
 }
-
-}  // namespace
 
 Ellipse curve_of(const EllipseArc& arc, const Pose& place) {
   if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x())) {

@@ -33,6 +33,9 @@ enum class WorldOf : std::uint8_t {
   everything  ///< entities without one, too
 };
 
+/// Adds the outline of a shape, all with one owner but for the edge.
+void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner owner);
+
 /// Outlines of every chamber and pillar, and of entities as `of` says. Left out: cuts and shared
 /// edges between the pieces of one shape, crossing rings, and edges whose ends are one point in
 /// the world.

@@ -126,8 +126,8 @@ Result<void> write_file(const fs::path& path, const std::string& text) {
 
 void remove_leftovers(const fs::path& folder) {
   std::error_code error;
-  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
-       entry.increment(error)) {
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end;
+       !error && entry != end; entry.increment(error)) {
     const fs::path path = entry->path();
     const std::optional<pid_t> writer = writer_of(path.filename().string());
     if (!writer || ::kill(*writer, 0) == 0 || errno != ESRCH) continue;

@@ -18,7 +18,7 @@ struct ViewContext {
   const World& world;           ///< of everything, mirror or not, but for what `argument` lies on
   const Accelerator& surfaces;  ///< of `world`
   Vec2 argument;                ///< world point, for views that take one
-  std::vector<Arc> rims;     ///< circles that `argument` lies on; its segments are nowhere
+  std::vector<Arc> rims;        ///< circles that `argument` lies on; its segments are nowhere
   PixelBox crop;
 };
 

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/polygon
+// needs: shapes/capsule shapes/ellipse shapes/sector shapes/box shapes/circle shapes/polygon
 #include "anim/solids.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +40,28 @@ TEST(Solids, HoldTheirBorderAndNothingElse) {
   ASSERT_TRUE(mirror);
   EXPECT_EQ(mirror->index, 1U);
   EXPECT_NEAR(solids.free_area(), 12 - 0.25 * 3.141592653589793, 1e-15);
+}
+
+Solids solids_of(const std::string& shape) {
+  auto loaded =
+      load_scene_text("t.toml", "flatray = 1\n[[chamber]]\nname = \"room\"\nshape = " + shape);
+  EXPECT_TRUE(loaded) << format(loaded.error());
+  return {loaded->scene, at(Timeline(loaded->scene, 0, 1), 1)};
+}
+
+TEST(Solids, CurvedRoomsHoldWhatIsBetweenTheirWalls) {
+  constexpr double pi = 3.141592653589793;
+  const Solids stadium = solids_of("{ capsule = { from = [-1, 0], to = [1, 0], radius = 1 } }");
+  for (const Vec2& inside : {Vec2(0, 0), Vec2(1.5, 0.5), Vec2(2, 0), Vec2(0, 1), Vec2(1, -1)})
+    EXPECT_TRUE(stadium.in_chamber(inside)) << inside.transpose();
+  for (const Vec2& outside : {Vec2(2 + 0x1p-50, 0), Vec2(1.9, 0.9), Vec2(0, 1 + 0x1p-50)})
+    EXPECT_FALSE(stadium.in_chamber(outside)) << outside.transpose();
+  EXPECT_NEAR(stadium.free_area(), 4 + pi, 1e-14);
+  EXPECT_NEAR(solids_of("{ ellipse = { radii = [3, 2] } }").free_area(), 6 * pi, 1e-13);
+  const Solids ring = solids_of("{ sector = { radius = 2, inner = 1, from = 0, to = 90 } }");
+  EXPECT_TRUE(ring.in_chamber({1, 1}));
+  EXPECT_FALSE(ring.in_chamber({0.5, 0.5}));
+  EXPECT_NEAR(ring.free_area(), 0.75 * pi, 1e-14);
 }
 
 }  // namespace

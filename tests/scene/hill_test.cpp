@@ -7,8 +7,7 @@
 namespace flatray {
 namespace {
 
-constexpr const char* kRoom =
-    "2\n4 1 0 0.5\n0 0\n8 0\n8 6\n0 6\n\n3 0 1 0\n1 1 2 1 1 2\n";
+constexpr const char* kRoom = "2\n4 1 0 0.5\n0 0\n8 0\n8 6\n0 6\n\n3 0 1 0\n1 1 2 1 1 2\n";
 
 Result<LoadedScene> room(std::string text) {
   return load_scene_text("room.chamber", std::move(text));

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/ngon shapes/segment
+// needs: shapes/box shapes/capsule shapes/circle shapes/ngon shapes/segment
 // Experiments on chambers: known numbers, and the same bytes from any number of threads.
 #include <gtest/gtest.h>
 
@@ -27,7 +27,23 @@ void expect_mean_free_path(const Scene& scene, double expected, std::uint64_t hi
 TEST(StiffCases, C19MeanFreePath) {
   expect_mean_free_path(room("box = { min = [0, 0], max = [1, 1] }"), kPi / 4, 100'000);
   expect_mean_free_path(room("circle = { centre = [0, 0], radius = 1 }"), kPi / 2, 100'000);
-  expect_mean_free_path(sinai("0.25"), kPi * (1 - kPi / 16) / (4 + kPi / 2), 1'000'000);
+  expect_mean_free_path(sinai("0.25"), kPi * (1 - kPi / 16) / (4 + kPi / 2), 300'000);
+}
+
+TEST(StiffCases, C19MeanFreePathOfTheStadium) {
+  expect_mean_free_path(room("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }"),
+                        kPi * (4 + kPi) / (2 * kPi + 4), 100'000);
+}
+
+TEST(StiffCases, C20LyapunovOfTheStadium) {
+  const Scene stadium = room("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }");
+  const ExperimentResult result = run("lyapunov", {stadium, 1, 200'000, 2});
+  for (const auto& [name, expected] :
+       {std::pair("per_length", 0.4294), std::pair("per_hit", 0.9370)}) {
+    const Measure found = measure(result, name);
+    EXPECT_NEAR(found.value, expected, 0.005 * expected + 3 * found.standard_error) << name;
+    EXPECT_LT(found.standard_error, 0.01 * expected) << name;
+  }
 }
 
 // Unfolded, the room is the unit torus: the exponent of a hit of the disc is the same.
