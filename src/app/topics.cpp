@@ -46,6 +46,7 @@ constexpr WrittenTopic kTopics[] = {
      "  .toml         flatray's own scenes: flatray help scene\n"
      "  .obj, .obj2d  Wavefront outlines, as a scene or as shape = { import = { file = ... } }\n"
      "  .txt, .list   the paper's objects, a line { NAME, x, y } each\n"
+     "  .chamber      Hill's chambers: a count, then sides, colour and vertices of each\n"
      "What an import cannot honour is listed on standard error. flatray list formats: this "
      "build's.\n",
      "import"},
@@ -54,7 +55,7 @@ constexpr WrittenTopic kTopics[] = {
      "start.\n"
      "  -f 17            only frame 17\n"
      "  -f 1..240:2,300  every second one of 1 to 240, and 300\n"
-     "  --shard 0/3      the first third of the work; 1/3 and 2/3 elsewhere\n"
+     "  --shard 0/3      every third frame from the first; 1/3 and 2/3 elsewhere\n"
      "  --resume         keeps the frames that are there, whole and of this very scene\n"
      "Frames are independent: any order, any machine, the same bytes.\n",
      ""},

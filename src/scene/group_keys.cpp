@@ -44,7 +44,10 @@ class Nesting {
   std::size_t size() const { return tables_.items.size(); }
   const Member* name(std::size_t i) const { return tables_.items[i].find("name"); }
 
+  // Known from here on, also where a mistake or a limit leaves it without copies: what stands in it
+  // is no second mistake.
   void add_name(std::size_t i) {
+    if (name(i) != nullptr) builder_.groups[name(i)->value.text];
     if (name(i) == nullptr || numbers_.emplace(name(i)->value.text, i).second) return;
     builder_.in.problem(name(i)->value.where,
                         fmt::format("two groups are named '{}'", name(i)->value.text),
@@ -71,7 +74,6 @@ class Nesting {
                               fmt::format("group {} stands in itself{}", name_of(at), way(at)),
                               "break the circle");
           parents_[at].reset();
-          builder_.groups[tables_.items[at].find("group")->value.text];
           break;
         }
         at = *parents_[at];
