@@ -31,7 +31,7 @@ EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned 
     state.at = held(state.at + entity.velocity * time);
     return state;
   }
-  const Timeline::MarkovFrame& walk = timeline.markov(index, frame);
+  const Timeline::MarkovFrame walk = timeline.markov(index, frame);
   state.at = held(state.at + walk.moved);
   state.state = walk.state;
   state.sub_state = walk.sub_state;

@@ -1,5 +1,7 @@
 #include "anim/timeline.h"
 
+#include <algorithm>
+
 #include "anim/camera.h"
 #include "anim/step.h"
 #include "base/philox.h"
@@ -10,14 +12,17 @@ namespace {
 // One entity's way through its chain, a frame at a time.
 class Walk {
  public:
-  Walk(const Scene& scene, std::uint64_t seed, std::uint32_t index)
+  /// From `frames` after the first on, where it was at `then`.
+  Walk(const Scene& scene, std::uint64_t seed, std::uint32_t index, std::uint64_t frames,
+       const Timeline::MarkovFrame& then)
       : entity_(scene.entities[index]),
         use_(*entity_.markov),
         chain_(scene.chains[use_.chain]),
         fps_(scene.fps),
         seed_(seed),
         index_(index),
-        now_{use_.start, 0, {0, 0}} {}
+        frames_(frames),
+        now_(then) {}
 
   const Timeline::MarkovFrame& now() const { return now_; }
 
@@ -52,32 +57,55 @@ class Walk {
   double fps_;
   std::uint64_t seed_;
   std::uint32_t index_;
-  std::uint64_t frames_ = 0;  ///< since the first
+  std::uint64_t frames_;  ///< since the first
   Timeline::MarkovFrame now_;
 };
 
+// Frames 1, 1 + every, 1 + 2 every...
 std::vector<Timeline::MarkovFrame> replay(const Scene& scene, std::uint64_t seed,
-                                          std::uint32_t index, unsigned last_frame) {
-  std::vector<Timeline::MarkovFrame> frames;
-  frames.reserve(last_frame);
-  Walk walk(scene, seed, index);
-  for (frames.push_back(walk.now()); frames.size() < last_frame; frames.push_back(walk.now()))
+                                          std::uint32_t index, unsigned last_frame,
+                                          unsigned every) {
+  std::vector<Timeline::MarkovFrame> kept;
+  kept.reserve((last_frame - 1) / every + 1);
+  Walk walk(scene, seed, index, 0, {scene.entities[index].markov->start, 0, {0, 0}});
+  kept.push_back(walk.now());
+  for (unsigned frame = 2; frame <= last_frame; ++frame) {
     walk.advance();
-  return frames;
+    if ((frame - 1) % every == 0) kept.push_back(walk.now());
+  }
+  return kept;
+}
+
+// So that no more than kMostKept are kept.
+unsigned frames_between(const Scene& scene, unsigned last_frame) {
+  const auto walks = std::count_if(scene.entities.begin(), scene.entities.end(),
+                                   [](const Entity& entity) { return entity.markov.has_value(); });
+  const std::uint64_t frames = static_cast<std::uint64_t>(walks) * last_frame;
+  const std::uint64_t every = (frames + Timeline::kMostKept - 1) / Timeline::kMostKept;
+  return static_cast<unsigned>(
+      std::max<std::uint64_t>(std::min<std::uint64_t>(every, last_frame), 1));
 }
 
 }  // namespace
 
 Timeline::Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame)
-    : scene_(&scene), seed_(seed), markov_(scene.entities.size()) {
+    : scene_(&scene),
+      seed_(seed),
+      last_frame_(last_frame),
+      every_(frames_between(scene, last_frame)),
+      markov_(scene.entities.size()) {
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (scene.entities[i].markov) markov_[i] = replay(scene, seed, i, last_frame);
+    if (scene.entities[i].markov) markov_[i] = replay(scene, seed, i, last_frame, every_);
   content_ = content_bounds(scene, entity_states(*this, 1));
 }
 
-const Timeline::MarkovFrame& Timeline::markov(std::uint32_t index, unsigned frame) const {
-  FLATRAY_CHECK(frame >= 1 && frame <= markov_[index].size());
-  return markov_[index][frame - 1];
+Timeline::MarkovFrame Timeline::markov(std::uint32_t index, unsigned frame) const {
+  FLATRAY_CHECK(frame >= 1 && frame <= last_frame_);
+  const unsigned kept = (frame - 1) / every_;
+  if (kept * every_ == frame - 1) return markov_[index][kept];
+  Walk walk(*scene_, seed_, index, std::uint64_t{kept} * every_, markov_[index][kept]);
+  for (unsigned at = kept * every_; at < frame - 1; ++at) walk.advance();
+  return walk.now();
 }
 
 }  // namespace flatray

@@ -3,13 +3,15 @@
 
 namespace flatray {
 
-/// A scene in motion. Kinematic scenes need nothing stored but the Markov states, replayed once up
-/// to the last frame; contact responses will add piecewise motion here.
+/// A scene in motion. Kinematic scenes need nothing stored but Markov states: all up to the last
+/// frame, or where those are many every n-th, from which the frames between are replayed; contact
+/// responses will add piecewise motion here.
 class Timeline {
  public:
   /// Needs   `scene` to outlive the timeline. `seed` replaces the scene's own where the command
   ///         line gives one.
-  /// Cost    32 bytes and at most one draw for each frame and entity with a chain.
+  /// Cost    at most one draw for each frame and entity with a chain, and 32 bytes for each that is
+  ///         kept: at most kMostKept and one for each entity.
   Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame);
 
   const Scene& scene() const { return *scene_; }
@@ -24,13 +26,18 @@ class Timeline {
   /// floor((k-1)/hold) draws, draw s (from 0) named random_bits(seed, Stream::markov, s, index).
   /// The sub-states of a state follow in order, one a frame, round and round; they start over when
   /// the state is entered from another one, so a transition to itself does not start them over.
-  const MarkovFrame& markov(std::uint32_t index, unsigned frame) const;
+  /// Cost    O(1); where more than kMostKept frames of entities were to be kept, draws as many as
+  ///         frames since the one kept.
+  MarkovFrame markov(std::uint32_t index, unsigned frame) const;
+  static constexpr std::uint64_t kMostKept = std::uint64_t{1} << 21;
 
   const Bounds& content() const { return content_; }  ///< of frame 1, for scenes without a window
 
  private:
   const Scene* scene_;
   std::uint64_t seed_;
+  unsigned last_frame_;
+  unsigned every_ = 1;                            ///< frames from one kept to the next
   std::vector<std::vector<MarkovFrame>> markov_;  ///< by entity, empty without a chain
   Bounds content_;
 };

@@ -32,6 +32,25 @@ unsigned number_of(const JsonValue& record, const char* field) {
   return number > kMostPixels ? 0 : static_cast<unsigned>(number);
 }
 
+// None where there is no file.
+template <class Take>
+Result<void> each_line(const fs::path& path, const Take& take) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return {};
+  Result<std::string> text = read_file(path);
+  if (!text) {
+    for (Diagnostic& problem : text.error()) problem.trouble = Trouble::output;
+    return fail(std::move(text));
+  }
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    take(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
+}
+
 }  // namespace
 
 JsonValue as_value(const FrameRecord& record) {
@@ -69,21 +88,24 @@ fs::path timings_path(const fs::path& folder, const Shard& shard) {
 
 Result<Records> read_manifest(const fs::path& path) {
   Records records;
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) return records;
-  Result<std::string> text = read_file(path);
-  if (!text) {
-    for (Diagnostic& problem : text.error()) problem.trouble = Trouble::output;
-    return fail<std::string>(std::move(text));
-  }
-  std::string_view rest = *text;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    if (std::optional<FrameRecord> record = parse_manifest_line(rest.substr(0, end)))
+  auto read = each_line(path, [&](std::string_view line) {
+    if (std::optional<FrameRecord> record = parse_manifest_line(line))
       records[record->file] = *record;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
+  });
+  if (!read) return fail(std::move(read));
   return records;
+}
+
+Result<Timings> read_timings(const fs::path& path) {
+  Timings timings;
+  auto read = each_line(path, [&](std::string_view line) {
+    if (line.size() > kLongestLine) return;
+    const std::optional<JsonValue> value = parse_json(line);
+    if (!value || value->find("seconds") == nullptr) return;
+    if (const unsigned frame = number_of(*value, "frame"); frame != 0) timings[frame] = line;
+  });
+  if (!read) return fail(std::move(read));
+  return timings;
 }
 
 Result<void> write_manifest(const fs::path& path, const Records& records) {

@@ -38,6 +38,10 @@ std::filesystem::path timings_path(const std::filesystem::path& folder, const Sh
 using Records = std::map<std::string, FrameRecord>;
 Result<Records> read_manifest(const std::filesystem::path& path);
 
+/// Lines of a list of timings by frame, likewise.
+using Timings = std::map<unsigned, std::string>;
+Result<Timings> read_timings(const std::filesystem::path& path);
+
 /// Replaces a manifest by these records, atomically; sorted by frame.
 Result<void> write_manifest(const std::filesystem::path& path, const Records& records);
 

@@ -24,16 +24,17 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
 // What one picture takes at its peak, for pixels that do not compress, and what lies still below
-// moving things, kept from frame to frame.
+// moving things, kept from frame to frame. Not what the scene and its outlines take.
 std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
-  constexpr std::uint64_t kPngBytes = 3 + 3 + 3;  // picture, its bands packed, joined
+  const std::uint64_t channels = job.scene.film.background.a == 255 ? 3 : 4;
+  const std::uint64_t png_bytes = 3 * channels;  // picture, its bands packed, joined
   constexpr std::uint64_t kHdrBytes =
       12 + 12 + 12;  // picture, without what RGBE lacks, growing file
   const PixelBox box = job.picture();
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
   const std::uint64_t picture =
-      pixels * (job.output.format() == PictureFormat::png ? kPngBytes : kHdrBytes);
+      pixels * (job.output.format() == PictureFormat::png ? png_bytes : kHdrBytes);
   if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture;
   return picture + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
 }
@@ -51,37 +52,35 @@ class FrameMaker {
         plan_(make_plan(job.scene, job.keep_all)),
         timeline_(job.scene, job.seed, job.last_frame),
         manifest_(job.manifest()),
-        records_(frames.size()),
-        problems_(frames.size()),
-        seconds_(frames.size()) {
+        made_((frames.size() + run_ - 1) / run_) {
     if (plan_.still && !frames.empty()) draw_still(threads);
   }
 
   void make_all() {
-    parallel_for((frames_.size() + run_ - 1) / run_, spread_.frames_at_once,
-                 [this](std::size_t task) { make_run(task * run_); });
+    parallel_for(made_.size(), spread_.frames_at_once,
+                 [this](std::size_t run) { make_run(run * run_, made_[run]); });
   }
 
-  JobResult result() const {
+  JobResult result() {
     JobResult result;
-    for (const FrameRecord& record : records_)
-      if (record.frame != 0) result.written.push_back(record);
-    for (const Diagnostics& problems : problems_)
-      result.problems.insert(result.problems.end(), problems.begin(), problems.end());
-    if (!result.problems.empty())
-      result.problems.resize(1);  // every thread meets the same full disk
+    for (Made& made : made_) {
+      result.written.insert(result.written.end(), std::move_iterator(made.records.begin()),
+                            std::move_iterator(made.records.end()));
+      result.seconds.insert(result.seconds.end(), made.seconds.begin(), made.seconds.end());
+      if (result.problems.empty() && !made.problems.empty())
+        result.problems.push_back(made.problems.front());  // all threads meet the same full disk
+    }
     return result;
   }
 
-  std::string timings() const {
-    std::string lines;
-    for (std::size_t i = 0; i < frames_.size(); ++i)
-      if (records_[i].frame != 0)
-        lines += json_text(Fields{{"frame", frames_[i]}, {"seconds", seconds_[i]}}) + "\n";
-    return lines;
-  }
-
  private:
+  // Of one run.
+  struct Made {
+    std::vector<FrameRecord> records;
+    std::vector<double> seconds;
+    Diagnostics problems;
+  };
+
   // Enough runs for each thread to find work to the end.
   static std::size_t run_length(std::size_t count, const Spread& spread) {
     constexpr std::size_t kRunsAThread = 4, kLongest = 32;
@@ -93,26 +92,27 @@ class FrameMaker {
     FrameEncoder encoder(job_, threads, &interrupted);
     Result<const Encoded*> made = encoder.encode(plan_, timeline_, frames_.front());
     if (!made)
-      problems_.front() = std::move(made).error();
+      made_.front().problems = std::move(made).error();
     else if (*made != nullptr)
       still_ = **made;
     stopped_ = !still_;
   }
 
-  void make_run(std::size_t begin) {
+  void make_run(std::size_t begin, Made& made) {
     FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
       const auto start = std::chrono::steady_clock::now();
       if (Result<FrameRecord> record = write(frames_[i], encoder)) {
         if (record->frame == 0) return;
-        records_[i] = std::move(*record);
+        made.records.push_back(std::move(*record));
+        made.seconds.push_back(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         done_();
       } else {
-        problems_[i] = std::move(record).error();
+        made.problems = std::move(record).error();
         stopped_ = true;
       }
-      seconds_[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
   }
 
@@ -142,9 +142,7 @@ class FrameMaker {
   const RenderPlan plan_;
   const Timeline timeline_;
   const fs::path manifest_;
-  std::vector<FrameRecord> records_;
-  std::vector<Diagnostics> problems_;
-  std::vector<double> seconds_;
+  std::vector<Made> made_;
   std::optional<Encoded> still_;
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
@@ -174,6 +172,25 @@ Records still_valid(const Records& old, std::span<const RenderJob> jobs, bool re
   return kept;
 }
 
+// Those of frames made before stay as long as the manifest has these.
+Result<void> write_timings(const RenderJob& job, const JobResult& result) {
+  const fs::path path = timings_path(job.folder(), job.shard);
+  Result<Timings> before = read_timings(path);
+  if (!before) return fail(std::move(before));
+  Result<Records> records = read_manifest(job.manifest());
+  if (!records) return fail(std::move(records));
+  Timings timings;
+  for (const auto& [file, record] : *records)
+    if (const auto kept = before->find(record.frame); kept != before->end()) timings.insert(*kept);
+  for (std::size_t i = 0; i < result.written.size(); ++i) {
+    const unsigned frame = result.written[i].frame;
+    timings[frame] = json_text(Fields{{"frame", frame}, {"seconds", result.seconds[i]}});
+  }
+  std::string lines;
+  for (const auto& [frame, line] : timings) lines += line + "\n";
+  return write_file(path, lines);
+}
+
 }  // namespace
 
 std::string RenderJob::fingerprint() const {
@@ -201,7 +218,8 @@ Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
   return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
 }
 
-std::uint64_t peak_bytes(const RenderJob& job, std::size_t frame_count, unsigned threads) {
+std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_count,
+                                    unsigned threads) {
   return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job, frame_count);
 }
 
@@ -232,7 +250,7 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
   maker.make_all();
   JobResult result = maker.result();
   if (job.output.has_frame() && result.problems.empty() && !frames.empty())
-    if (auto written = write_file(timings_path(job.folder(), job.shard), maker.timings()); !written)
+    if (auto written = write_timings(job, result); !written)
       result.problems = std::move(written).error();
   return result;
 }

@@ -52,8 +52,10 @@ struct Spread {
 };
 Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads);
 
-/// Bytes a render needs at its peak, as announced by --dry-run and explain.
-std::uint64_t peak_bytes(const RenderJob& job, std::size_t frame_count, unsigned threads);
+/// Bytes the pictures of a render take at its peak, with what lies still in them, as announced by
+/// --dry-run and explain. The scene and its outlines come on top: `flatray help limits`.
+std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_count,
+                                    unsigned threads);
 
 /// By path of the manifest, the records that stay in it: of frames the jobs make only with
 /// `resume`, and only where record and file agree; of other frames of the same scenes all.
@@ -65,6 +67,7 @@ std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept
 
 struct JobResult {
   std::vector<FrameRecord> written;  ///< by frame
+  std::vector<double> seconds;       ///< each took
   Diagnostics problems;              ///< why writing stopped
 };
 /// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,

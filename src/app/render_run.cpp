@@ -27,12 +27,12 @@ JsonValue dry_value(const Work& work, unsigned threads) {
                 {"height", size.height},
                 {"files", std::move(files)},
                 {"kept", kept_count(work)},
-                {"peak_bytes", peak_bytes(*work.job, work.frames.size(), threads)}};
+                {"picture_bytes", picture_bytes_at_once(*work.job, work.frames.size(), threads)}};
 }
 
 std::string dry_text(const Work& work, unsigned threads) {
   const PixelBox size = work.job->picture();
-  const std::uint64_t bytes = peak_bytes(*work.job, work.frames.size(), threads);
+  const std::uint64_t bytes = picture_bytes_at_once(*work.job, work.frames.size(), threads);
   std::string text =
       fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
                   work.job->scene.name, counted(work.frames.size(), "frame"), size.width,

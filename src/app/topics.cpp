@@ -66,8 +66,9 @@ constexpr WrittenTopic kTopics[] = {
      "  --max-corners   kept with all copies, and drawn in one frame with all dashes: 33554432\n"
      "  --max-depth     groups in groups, and files in files: 64\n"
      "  --max-bytes     of a scene with all files it names: 1073741824\n"
-     "A scene keeps about 24 bytes a corner and 600 an entity, a frame 40 bytes a corner drawn;\n"
-     "flatray render --dry-run SCENE says what pictures take.\n",
+     "A scene keeps about 24 bytes a corner and 600 an entity, a frame 60 bytes a corner drawn,\n"
+     "twice where frames follow one another; chains at most 64 MB of states, and 32 bytes each.\n"
+     "flatray render --dry-run SCENE says what pictures take besides.\n",
      ""},
     {"markov", "chains that choose looks at random, by the seed",
      "A chain has a row for each state; a row sums to 1. It draws once every hold frames; an "

@@ -19,62 +19,67 @@ const Tile& BandPainter::paint(const PixelBox& box, const Band& band, std::size_
   const std::size_t pixels =
       static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
   tile_.rgba.resize(4 * pixels);
-  const std::size_t first = still == nullptr ? 0 : still->items();
-  if (!scan(box, band, first, items)) {
+  const std::size_t lowest = still == nullptr ? 0 : still->items();
+  const std::optional<std::size_t> hiding = hiding_item(box, band, lowest, items);
+  hidden_ = hiding.value_or(0);
+  if (!hiding) {
     if (still == nullptr)
       kernels_.fill(tile_.rgba.data(), pixels, premultiplied(list_.background).data());
     else
       still->copy_light(tile_.rgba.data());
   }
-  blend_all({tile_.rgba.data(), box.x, box.y, box.width}, box.height);
+  blend_all(box, band, hiding.value_or(lowest), items);
   return tile_;
 }
 
-// From the uppermost item down, to the one that hides all below it; whether there is one.
-bool BandPainter::scan(const PixelBox& box, const Band& band, std::size_t first, std::size_t last) {
-  runs_.clear();
-  scanned_.clear();
-  hidden_ = 0;
+// The uppermost item that hides all below it.
+std::optional<std::size_t> BandPainter::hiding_item(const PixelBox& box, const Band& band,
+                                                    std::size_t first, std::size_t last) {
+  if (!hide_) return std::nullopt;
   for (std::size_t i = last; i-- > first;) {
-    const DrawItem& item = list_.items[band.items[i].item];
-    const std::size_t begin = runs_.start();
-    item_scan_.scan(band, band.items[i], box, runs_);
-    scanned_.push_back({&item, begin, runs_.runs().size()});
-    if (!hide_ || item.colour.a != 1 || item.opacity != 1 ||
-        !covers_all(runs_.runs().subspan(begin), box))
+    if (band[i].colour.a != 1 || list_.items[band[i].item].opacity != 1 || !band[i].may_cover(box))
       continue;
-    hidden_ = i;
-    return true;
+    scan(box, band, i);
+    if (covers_all(runs_.runs(), box)) return i;
   }
-  return false;
+  return std::nullopt;
 }
 
-void BandPainter::blend_all(const kernels::Target& target, int rows) {
-  for (auto it = scanned_.rbegin(); it != scanned_.rend();) {
-    const std::uint32_t layer = it->item->layer;
+void BandPainter::scan(const PixelBox& box, const Band& band, std::size_t i) {
+  runs_.clear();
+  item_scan_.scan(band, band[i], box, runs_);
+}
+
+void BandPainter::blend_all(const PixelBox& box, const Band& band, std::size_t first,
+                            std::size_t last) {
+  const kernels::Target target{tile_.rgba.data(), box.x, box.y, box.width};
+  const auto item = [&](std::size_t i) -> const DrawItem& { return list_.items[band[i].item]; };
+  for (std::size_t i = first; i < last;) {
+    const std::uint32_t layer = item(i).layer;
     if (layer == 0) {
-      blend(*it++, target);
+      scan(box, band, i);
+      blend(item(i++), target);
       continue;
     }
-    const auto end = std::find_if(it, scanned_.rend(),
-                                  [&](const Scanned& next) { return next.item->layer != layer; });
-    const std::size_t begin = (end - 1)->begin;
-    const PixelBox part = box_around(runs_.runs().subspan(begin, it->end - begin));
-    layer_.clear(target, part, rows);
-    const float opacity = it->item->opacity;
-    for (; it != end; ++it) blend(*it, layer_.target());
-    layer_.lay_over(target, part, opacity);
+    const std::size_t begin = i;
+    Bounds around;
+    for (; i < last && item(i).layer == layer; ++i) around.add(band[i].bounds);
+    const PixelBox part = pixels_around(around, box);
+    layer_.clear(target, part, box.height);
+    for (std::size_t k = begin; k < i; ++k) {
+      scan(box, band, k);
+      blend(item(k), layer_.target());
+    }
+    layer_.lay_over(target, part, item(begin).opacity);
   }
 }
 
-void BandPainter::blend(const Scanned& scanned, const kernels::Target& target) {
-  const std::span<const Run> runs =
-      runs_.runs().subspan(scanned.begin, scanned.end - scanned.begin);
-  if (scanned.item->gradient)
-    GradientPainter(*scanned.item->gradient).blend_runs(target, runs);
+void BandPainter::blend(const DrawItem& item, const kernels::Target& target) {
+  const std::span<const Run> runs = runs_.runs();
+  if (item.gradient)
+    GradientPainter(*item.gradient).blend_runs(target, runs);
   else
-    kernels_.blend_runs(target, runs.data(), runs.size(),
-                        premultiplied(scanned.item->colour).data());
+    kernels_.blend_runs(target, runs.data(), runs.size(), premultiplied(item.colour).data());
 }
 
 }  // namespace flatray

@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include <optional>
 
 #include "image/tile.h"
 #include "render/item_scan.h"
@@ -21,14 +21,11 @@ class BandPainter {
   std::size_t hidden() const { return hidden_; }
 
  private:
-  struct Scanned {
-    const DrawItem* item;
-    std::size_t begin, end;  ///< of its runs
-  };
-
-  bool scan(const PixelBox& box, const Band& band, std::size_t first, std::size_t last);
-  void blend_all(const kernels::Target& target, int rows);
-  void blend(const Scanned& scanned, const kernels::Target& target);
+  std::optional<std::size_t> hiding_item(const PixelBox& box, const Band& band, std::size_t first,
+                                         std::size_t last);
+  void scan(const PixelBox& box, const Band& band, std::size_t i);
+  void blend_all(const PixelBox& box, const Band& band, std::size_t first, std::size_t last);
+  void blend(const DrawItem& item, const kernels::Target& target);
 
   const DrawList& list_;
   const bool hide_;
@@ -36,8 +33,7 @@ class BandPainter {
   const kernels::SpanKernels& kernels_;
   Tile tile_;
   ItemScan item_scan_;
-  RunList runs_;
-  std::vector<Scanned> scanned_;
+  RunList runs_;  ///< of one item
   Layer layer_;
 };
 

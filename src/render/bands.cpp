@@ -35,12 +35,6 @@ Bounds region_bounds(const FillArcs& arcs) {
   return {bounds.low - margin, bounds.high + margin};
 }
 
-// Whether a region in the bounds may hold the centres of all pixels.
-bool may_cover(const Bounds& bounds, const PixelBox& box) {
-  return bounds.low.x() <= box.x + 0.5 && bounds.low.y() <= box.y + 0.5 &&
-         bounds.high.x() >= box.x + box.width - 0.5 && bounds.high.y() >= box.y + box.height - 0.5;
-}
-
 // Equal bits, not equal numbers: -0 is not 0, and nothing needs to be known of either.
 template <class T>
 bool same_bits(const T& a, const T& b) {
@@ -113,12 +107,24 @@ class ItemComparison {
 
 }  // namespace
 
+bool BandItem::may_cover(const PixelBox& box) const {
+  return bounds.low.x() <= box.x + 0.5 && bounds.low.y() <= box.y + 0.5 &&
+         bounds.high.x() >= box.x + box.width - 0.5 && bounds.high.y() >= box.y + box.height - 0.5;
+}
+
+std::span<const std::uint32_t> Band::edges(const BandItem& item) const {
+  const auto begin = std::lower_bound(edges_.begin(), edges_.end(), item.first);
+  const auto end = std::lower_bound(begin, edges_.end(), item.first + item.count);
+  return {begin, end};
+}
+
 Bands::Bands(const DrawList& list, const PixelBox& crop)
     : crop_(crop),
       rows_(tile_rows(crop.width)),
-      bands_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)) {
-  std::vector<Corner> room;
-  for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i], room);
+      count_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)),
+      items_of_(count_),
+      edges_of_(count_) {
+  for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i]);
 }
 
 PixelBox Bands::box(std::size_t band) const {
@@ -126,44 +132,60 @@ PixelBox Bands::box(std::size_t band) const {
   return {crop_.x, crop_.y + top, crop_.width, std::min(rows_, crop_.height - top)};
 }
 
-void Bands::add(std::size_t index, const DrawItem& item, std::vector<Corner>& room) {
-  room.clear();
+void Bands::list(std::size_t band, Band& out) const {
+  out.all_ = items_.data();
+  out.corners_ = corners_;
+  items_of_.list(band, out.items_);
+  edges_of_.list(band, out.edges_);
+  out.flat_from_ = out.opaque_from_ = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (out[i].blended) out.flat_from_ = i + 1;
+    if (out[i].colour.a != 1) out.opaque_from_ = i + 1;
+  }
+}
+
+void Bands::add(std::size_t index, const DrawItem& item) {
+  const std::size_t corner = corners_.size();
   const FillPath* path = std::get_if<FillPath>(&item.region);
-  const bool ring = path != nullptr && append_monotone_ring(*path, kFewEdges, room);
+  const bool ring = path != nullptr && append_monotone_ring(*path, kFewEdges, corners_);
+  const auto own = MonotoneRing(corners_).subspan(corner);
   const Bounds bounds =
-      ring ? ring_bounds(room)
+      ring ? ring_bounds(own)
            : std::visit([](const auto& region) { return region_bounds(region); }, item.region);
   if (item.colour.a == 0 || bounds.empty() || bounds.high.x() <= crop_.x ||
       bounds.low.x() >= crop_.x + crop_.width || bounds.high.y() <= crop_.y ||
-      bounds.low.y() >= crop_.y + crop_.height)
+      bounds.low.y() >= crop_.y + crop_.height) {
+    corners_.resize(corner);
     return;
+  }
   const bool edges = path != nullptr && path->edges.size() > kFewEdges;
   BandItem entry;
   entry.item = static_cast<std::uint32_t>(index);
-  entry.count = static_cast<std::uint32_t>(room.size());
   entry.colour = item.colour;
-  if (ring) entry.part = BandItem::Part::ring;
-  if (edges) entry.part = BandItem::Part::edges;
-  const std::size_t first = band_of(bounds.low.y()), last = band_of(bounds.high.y());
-  for (std::size_t i = first; i <= last; ++i) {
-    Band& band = bands_[i];
-    entry.may_cover = may_cover(bounds, box(i));
-    entry.first = static_cast<std::uint32_t>(ring ? band.corners.size() : band.edges.size());
-    band.items.push_back(entry);
-    band.corners.insert(band.corners.end(), room.begin(), room.end());
-    if (edges) band.edges.emplace_back();
-    if (item.colour.a != 1) band.opaque_from = band.items.size();
-    if (item.gradient || item.layer != 0) band.flat_from = band.items.size();
+  entry.bounds = bounds;
+  entry.blended = item.gradient || item.layer != 0;
+  if (ring) {
+    entry.part = BandItem::Part::ring;
+    entry.first = static_cast<std::uint32_t>(corner);
+    entry.count = static_cast<std::uint32_t>(own.size());
   }
-  if (edges) sort_edges(*path);
+  if (edges) {
+    entry.part = BandItem::Part::edges;
+    entry.first = edges_;
+    entry.count = static_cast<std::uint32_t>(path->edges.size());
+    add_edges(*path);
+  }
+  items_of_.add(static_cast<std::uint32_t>(items_.size()), band_of(bounds.low.y()),
+                band_of(bounds.high.y()));
+  items_.push_back(entry);
 }
 
-void Bands::sort_edges(const FillPath& path) {
-  for (std::uint32_t i = 0; i < path.edges.size(); ++i) {
-    const auto [low, high] = std::minmax(path.edges[i].a.y(), path.edges[i].b.y());
+void Bands::add_edges(const FillPath& path) {
+  for (const Segment& edge : path.edges) {
+    const auto [low, high] = std::minmax(edge.a.y(), edge.b.y());
+    const std::uint32_t number = edges_++;
     if (high < crop_.y || low > crop_.y + crop_.height) continue;
-    for (std::size_t band = band_of(low); band <= band_of(high); ++band)
-      bands_[band].edges.back().push_back(i);
+    edges_of_.add(number, band_of(low), band_of(high));
   }
 }
 
@@ -176,8 +198,8 @@ namespace {
 
 // Layers are painted whole.
 std::size_t without_part_of_layer(const DrawList& list, const Band& band, std::size_t items) {
-  const auto layer = [&](std::size_t i) { return list.items[band.items[i].item].layer; };
-  while (items > 0 && items < band.items.size() && layer(items - 1) != 0 &&
+  const auto layer = [&](std::size_t i) { return list.items[band[i].item].layer; };
+  while (items > 0 && items < band.size() && layer(items - 1) != 0 &&
          layer(items - 1) == layer(items))
     --items;
   return items;
@@ -192,13 +214,15 @@ std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_band
       !same(now.background, before.background) || now_bands.count() != before_bands.count())
     return changes;
   ItemComparison items(now, before);
+  Band shown, kept;
   for (std::size_t band = 0; band < changes.size(); ++band) {
-    const auto &shown = now_bands[band].items, &kept = before_bands[band].items;
+    now_bands.list(band, shown);
+    before_bands.list(band, kept);
     const std::size_t both = std::min(shown.size(), kept.size());
     std::size_t still = 0;
     while (still < both && items.same(shown[still].item, kept[still].item)) ++still;
     changes[band].unchanged = still == shown.size() && still == kept.size();
-    changes[band].still = without_part_of_layer(now, now_bands[band], still);
+    changes[band].still = without_part_of_layer(now, shown, still);
   }
   return changes;
 }

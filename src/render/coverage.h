@@ -40,7 +40,7 @@ using RunSink = std::function<void(int y, int x_begin, int x_end, std::uint32_t 
 /// Gives   Coverage::area: floor(kFullCoverage * area of region inside the pixel), exact for paths
 ///         for the doubles given. Coverage::centre: full where the pixel's centre is inside, exact;
 ///         a centre on an outline belongs to the region right of or below it (top-left rule).
-/// Error   paths exact; rings in area mode within one step (double, <= 1e-9 of a pixel); arcs in
+/// Error   paths exact, but for pixels crowded with edges (docs/NUMERICS.md); rings in area mode within one step (double, <= 1e-9 of a pixel); arcs in
 ///         both modes in doubles: docs/NUMERICS.md.
 /// Cost    O(edges in the rows + edge pixels); rationals for pixels within the error bound of a
 ///         step.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/coverage_crowded.h"
 #include "render/coverage_exact.h"
 
 namespace flatray {
@@ -174,9 +175,19 @@ std::uint32_t AreaScan::steps(const FillPath& path, std::span<const SimpleCell> 
 
 std::uint32_t AreaScan::steps(const FillPath& path, std::span<const Piece> cell, int winding,
                               int row) {
+  const int column = cell.front().column;
+  if (cell.size() > kCrowd && audit_ == nullptr) {
+    gather(cell);
+    const int outer = without_touching(winding, column, row);
+    if (is_crowded(exact_edges_, column, row)) {
+      ++stats_.edge_pixels;
+      if (path.rule == FillRule::nonzero && certainly_full(cell, winding)) return kFullCoverage;
+      return crowded_steps(exact_edges_, outer, column, row, path.rule);
+    }
+  }
   return decide(
       cell_area(cell, winding, path.rule, slabs_), [&] { gather(cell); }, path.rule, winding,
-      cell.front().column, row);
+      column, row);
 }
 
 template <class Touching>
@@ -189,6 +200,8 @@ std::uint32_t AreaScan::decide(const CellArea& area, const Touching& touching, F
   winding = without_touching(winding, column, row);
   if (audit_ != nullptr) audit_->see(area, exact_area(exact_edges_, winding, column, row, rule));
   if (certain) return *certain;
+  if (is_crowded(exact_edges_, column, row))  // of a simple path: within a step
+    return static_cast<std::uint32_t>(kFullCoverage * area.area);
   ++stats_.exact_fallbacks;
   return exact_steps(exact_edges_, winding, column, row, rule);
 }

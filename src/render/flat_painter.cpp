@@ -38,7 +38,7 @@ std::optional<std::size_t> FlatPainter::paint(const PixelBox& box, const Band& b
   pixels_ = static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
   if (pixels_ == 0) return 0;
   first_ = out.at(0, y);
-  const bool whole_pixels = list_.coverage == Coverage::centre && band.opaque_from <= lowest_;
+  const bool whole_pixels = list_.coverage == Coverage::centre && band.opaque_from() <= lowest_;
   return whole_pixels ? write_in_order(band) : settle_from_above(band);
 }
 
@@ -49,10 +49,10 @@ std::size_t FlatPainter::write_in_order(const Band& band) {
     put_run(shown_colour(premultiplied(list_.background), channels_), channels * pixels_, first_);
   else if (hidden == 0)
     std::copy_n(still_->shown().data(), channels * pixels_, first_);
-  for (std::size_t i = std::max(hidden, lowest_); i < band.items.size(); ++i) {
+  for (std::size_t i = std::max(hidden, lowest_); i < band.size(); ++i) {
     runs_.clear();
-    scan_.scan(band, band.items[i], box_, runs_);
-    const ShownColour colour = shown_colour(premultiplied(band.items[i].colour), channels_);
+    scan_.scan(band, band[i], box_, runs_);
+    const ShownColour colour = shown_colour(premultiplied(band[i].colour), channels_);
     for (const Run& run : runs_.runs())
       put_run(colour, channels * static_cast<std::size_t>(run.x_end - run.x_begin),
               first_ + channels * pixel(run.y - box_.y, run.x_begin - box_.x));
@@ -62,10 +62,10 @@ std::size_t FlatPainter::write_in_order(const Band& band) {
 
 // The uppermost item that hides all below it, or the first.
 std::size_t FlatPainter::first_seen(const Band& band) {
-  for (std::size_t i = band.items.size(); i-- > lowest_;) {
-    if (!band.items[i].may_cover) continue;
+  for (std::size_t i = band.size(); i-- > lowest_;) {
+    if (!band[i].may_cover(box_)) continue;
     runs_.clear();
-    scan_.scan(band, band.items[i], box_, runs_);
+    scan_.scan(band, band[i], box_, runs_);
     if (covers_all(runs_.runs(), box_)) return i;
   }
   return 0;
@@ -74,9 +74,9 @@ std::size_t FlatPainter::first_seen(const Band& band) {
 std::optional<std::size_t> FlatPainter::settle_from_above(const Band& band) {
   constexpr std::size_t kMostAPixel = 8;
   begin();
-  std::size_t i = band.items.size();
+  std::size_t i = band.size();
   while (i > lowest_ && open_ > 0) {
-    const BandItem& item = band.items[--i];
+    const BandItem& item = band[--i];
     runs_.clear();
     scan_.scan(band, item, box_, runs_);
     lay(item.colour.a == 1, add_colour(item.colour));

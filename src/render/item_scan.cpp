@@ -20,7 +20,12 @@ void ItemScan::scan(const Band& band, const BandItem& band_item, const PixelBox&
     return;
   const DrawItem& item = list_.items[band_item.item];
   if (const FillPath* path = std::get_if<FillPath>(&item.region)) {
-    const auto* chosen = band_item.part == Part::edges ? &band.edges[band_item.first] : nullptr;
+    const bool some = band_item.part == Part::edges;
+    chosen_.clear();
+    if (some)
+      for (const std::uint32_t edge : band.edges(band_item))
+        chosen_.push_back(edge - band_item.first);
+    const auto* const chosen = some ? &chosen_ : nullptr;
     if (list_.coverage == Coverage::area)
       area_scan_.scan(*path, chosen, box, out);
     else

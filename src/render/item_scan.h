@@ -19,6 +19,7 @@ class ItemScan {
   AreaScan area_scan_;
   CentreScan centre_scan_;
   ArcScan arc_scan_;
+  std::vector<std::uint32_t> chosen_;
 };
 
 /// Whether the runs of a region cover every pixel of the box.

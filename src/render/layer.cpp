@@ -1,6 +1,7 @@
 #include "render/layer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flatray {
 namespace {
@@ -11,17 +12,15 @@ std::ptrdiff_t index_of(int x, int y, const kernels::Target& target) {
 
 }  // namespace
 
-PixelBox box_around(std::span<const kernels::Run> runs) {
-  if (runs.empty()) return {};
-  int left = runs.front().x_begin, right = runs.front().x_end;
-  int top = runs.front().y, bottom = runs.front().y;
-  for (const kernels::Run& run : runs) {
-    left = std::min(left, run.x_begin);
-    right = std::max(right, run.x_end);
-    top = std::min(top, run.y);
-    bottom = std::max(bottom, run.y);
-  }
-  return {left, top, right - left, bottom - top + 1};
+PixelBox pixels_around(const Bounds& bounds, const PixelBox& box) {
+  const auto within = [](double v, int low, int size) {
+    return static_cast<int>(std::clamp<double>(v, low, low + size));
+  };
+  const int left = within(std::floor(bounds.low.x()), box.x, box.width);
+  const int top = within(std::floor(bounds.low.y()), box.y, box.height);
+  const int right = within(std::ceil(bounds.high.x()), box.x, box.width);
+  const int bottom = within(std::ceil(bounds.high.y()), box.y, box.height);
+  return {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
 }
 
 void Layer::clear(const kernels::Target& band, const PixelBox& part, int rows) {

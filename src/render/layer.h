@@ -5,8 +5,8 @@
 
 namespace flatray {
 
-/// Smallest box around runs; without pixels where there are none.
-PixelBox box_around(std::span<const kernels::Run> runs);
+/// The pixels of a box that bounds reach into; none where they lie beside it.
+PixelBox pixels_around(const Bounds& bounds, const PixelBox& box);
 
 /// A clear layer over a band, on which items are painted before all of them are faded as one.
 class Layer {

@@ -12,13 +12,13 @@ std::size_t corners_of(const Band& band, std::size_t items) {
   constexpr std::size_t kOfOthers = 16;
   std::size_t corners = 0;
   for (std::size_t i = 0; i < items; ++i) {
-    const BandItem& item = band.items[i];
+    const BandItem& item = band[i];
     switch (item.part) {
       case BandItem::Part::ring:
         corners += item.count;
         break;
       case BandItem::Part::edges:
-        corners += band.edges[item.first].size();
+        corners += band.edges(item).size();
         break;
       case BandItem::Part::whole:
         corners += kOfOthers;
@@ -66,13 +66,15 @@ void StillLayer::follow(const Bands& bands, const std::vector<BandChange>& chang
     if (bands_[i].items() > changes[i].still) bands_[i].drop();
     if (bands_[i].items() > 0) room -= std::min(room, size_of(i));
   }
+  Band band;
   for (std::size_t i = 0; i < bands.count(); ++i) {
     const std::size_t still = changes[i].still, kept = bands_[i].items();
     const bool lasts = still <= std::exchange(still_before_[i], still);
     if (!lasts || changes[i].unchanged || still <= kept) continue;
     constexpr std::size_t kFewestCorners = 64;  // less is as soon drawn as looked up
-    const std::size_t corners = corners_of(bands[i], still);
-    if (corners < kFewestCorners || corners < 2 * corners_of(bands[i], kept)) continue;
+    bands.list(i, band);
+    const std::size_t corners = corners_of(band, still);
+    if (corners < kFewestCorners || corners < 2 * corners_of(band, kept)) continue;
     const std::uint64_t more = kept > 0 ? 0 : size_of(i);
     if (more > room) continue;
     room -= more;

@@ -29,11 +29,27 @@ TEST(Timeline, FrameSeventeenAloneEqualsFrameSeventeenOfALongerRun) {
   const Scene scene = with_chain(runner_chain());
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const Timeline alone(scene, seed, 17), run(scene, seed, 240);
-    const auto &a = alone.markov(0, 17), &b = run.markov(0, 17);
+    const auto a = alone.markov(0, 17), b = run.markov(0, 17);
     EXPECT_EQ(a.state, b.state);
     EXPECT_EQ(a.sub_state, b.sub_state);
     EXPECT_EQ(a.moved, b.moved);
   }
+}
+
+TEST(Timeline, FramesBetweenThoseKeptAreThoseOfARunThatKeepsAll) {
+  Look moving;
+  moving.velocity = Vec2(3, 1);
+  const Scene scene = with_chain(runner_chain(), {{Look{}, Look{}, Look{}}, {moving}});
+  const auto last = static_cast<unsigned>(2 * Timeline::kMostKept + 77);
+  const Timeline dense(scene, 5, 4000), sparse(scene, 5, last);
+  for (unsigned k = 1; k <= 4000; ++k) {
+    const auto a = dense.markov(0, k), b = sparse.markov(0, k);
+    ASSERT_EQ(a.state, b.state) << "frame " << k;
+    ASSERT_EQ(a.sub_state, b.sub_state) << "frame " << k;
+    ASSERT_EQ(a.moved, b.moved) << "frame " << k;
+  }
+  const Timeline longer(scene, 5, last + 1000);
+  EXPECT_EQ(sparse.markov(0, last).moved, longer.markov(0, last).moved);
 }
 
 TEST(Timeline, StatesFollowTheDrawsByTheirNames) {

@@ -42,4 +42,12 @@ echo '{"frame":' >> out/manifest.jsonl
 run 0 render box.toml -o 'out/f_####.png' --resume
 says err "1 frame written, 5 kept"
 same_manifest out fresh "torn manifest"
+(($(wc -l < out/timings.jsonl) == 6)) || fail "timings of $(wc -l < out/timings.jsonl) frames, not of 6"
+
+# Timings stay where their frames do.
+rm out/f_0004.png
+run 0 render box.toml -o 'out/f_####.png' --resume
+(($(wc -l < out/timings.jsonl) == 6)) || fail "a resumed render forgot timings"
+run 0 render box.toml --size 32x24 -f 1,2 -o 'out/f_####.png'
+(($(wc -l < out/timings.jsonl) == 2)) || fail "timings of frames of another render were kept"
 finish

@@ -52,9 +52,11 @@ ReportTable decisions(const RenderJob& job, unsigned threads) {
       fmt::format("{} frames at once, {} threads each", spread.frames_at_once, spread.threads_each),
       fmt::format("{} threads, {} to draw", threads, count));
   add("memory",
-      fmt::format("{:.1f} MB", static_cast<double>(peak_bytes(job, count, threads)) / 1e6),
-      fmt::format("pictures of {}x{} and what lies still in them, at most", job.picture().width,
-                  job.picture().height));
+      fmt::format("{:.1f} MB of pictures",
+                  static_cast<double>(picture_bytes_at_once(job, count, threads)) / 1e6),
+      fmt::format("of {}x{} and what lies still in them, at most; scene and outlines come on top: "
+                  "flatray help limits",
+                  job.picture().width, job.picture().height));
   return table;
 }
 

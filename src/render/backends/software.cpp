@@ -49,7 +49,7 @@ class BandsOfTask {
   void draw(const BandTask& task, Picture& out) {
     const std::size_t hidden = paint(task, out);
     ++counts_.bands;
-    counts_.items += task.band.items.size();
+    counts_.items += task.band.size();
     counts_.hidden_items += hidden;
     if (hidden < task.first()) counts_.still_items += task.first() - hidden;
   }
@@ -61,7 +61,7 @@ class BandsOfTask {
 
  private:
   std::size_t paint(const BandTask& task, Image& out) {
-    if (plain_ && task.band.flat_from <= task.first())
+    if (plain_ && task.band.flat_from() <= task.first())
       if (const auto hidden = flat_.paint(task.box, task.band, task.still, task.y, out))
         return *hidden;
     return blend(task, out);
@@ -70,7 +70,7 @@ class BandsOfTask {
 
   template <class Picture>
   std::size_t blend(const BandTask& task, Picture& out) {
-    develop(blended_.paint(task.box, task.band, task.band.items.size(), task.still, task.y), out);
+    develop(blended_.paint(task.box, task.band, task.band.size(), task.still, task.y), out);
     return blended_.hidden();
   }
 
@@ -92,6 +92,7 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands,
   const int top = crop_of(list, options).y;
   parallel_for(tasks, options.threads, [&](std::size_t task) {
     BandsOfTask painter(list, options, counts[task]);
+    Band items;
     const std::size_t end = std::min(bands.count(), (task + 1) * each);
     for (std::size_t band = task * each; band < end; ++band) {
       if (options.stopped()) {
@@ -103,11 +104,12 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands,
         continue;
       }
       const PixelBox box = bands.box(band);
+      bands.list(band, items);
       StillBand* const below = still == nullptr ? nullptr : &(*still)[band];
       if (below != nullptr && still->wanted(band) > 0)
-        painter.keep(box, bands[band], still->wanted(band), channels_of(out), *below);
+        painter.keep(box, items, still->wanted(band), channels_of(out), *below);
       const bool kept = below != nullptr && below->items() > 0;
-      painter.draw({box, bands[band], kept ? below : nullptr, box.y - top}, out);
+      painter.draw({box, items, kept ? below : nullptr, box.y - top}, out);
     }
   });
   DrawCounts sum;
