@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Memory grows with the items of a scene, not with the bands of rows they cover, their pixels or the frames of a chain.
+# needs: shapes/box shapes/polygon
 source "$(dirname "$0")/lib.sh"
 
 # 20000 boxes over 512 bands.
