@@ -108,6 +108,13 @@ Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar) {
 
 Pose world_pose(const FrameState& state) { return {state.displaced}; }
 
+std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose& place) {
+  std::vector<Vec2> vertices;
+  for (std::uint32_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i)
+    vertices.push_back(place(shape.vertices[i]));
+  return vertices;
+}
+
 Bounds shape_bounds(const Shape& shape, const Pose& place) {
   Bounds box;
   for (const Vec2& vertex : shape.vertices) box.add(place(vertex));

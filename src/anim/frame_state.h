@@ -56,6 +56,8 @@ Pose entity_pose(const FrameState& state, std::size_t entity);
 Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar);
 Pose world_pose(const FrameState& state);
 
+/// Vertices of a convex piece of a shape in the world.
+std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose& place);
 /// Arcs in the world.
 ArcPath posed(ArcPath path, const Pose& place);
 

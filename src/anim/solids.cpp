@@ -3,21 +3,13 @@
 #include <algorithm>
 
 #include "geom/hit_interval.h"
-#include "geom/predicates.h"
-#include "trace/on_surface.h"
-#include "trace/tracer.h"
+#include "geom/polygon_edges.h"
+#include "trace/exact_nearest.h"
 
 namespace flatray {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
-
-bool holds(const std::vector<Vec2>& convex, const Vec2& point) {
-  for (std::size_t i = 0; i < convex.size(); ++i)
-    if (orientation(convex[i], convex[(i + 1) % convex.size()], point) == Sign::negative)
-      return false;
-  return true;
-}
 
 double area_of(const std::vector<Vec2>& ring) {
   double twice = 0;
@@ -30,9 +22,11 @@ double area_of(const std::vector<Vec2>& ring) {
 // direction in which it meets no end and no tangent.
 bool is_within(const Surfaces& outline, const Vec2& point) {
   if (outline.size() == 0) return false;
-  const auto walls = accelerate(outline);
   for (double turn = 1;; turn += 1) {
-    const std::vector<NearestHit> hits = walls->all_of_one({point, {turn, 1}});
+    ExactHits every(outline, {point, {turn, 1}}, {}, true);
+    every.offers().offer_segments();
+    every.offers().offer_curves();
+    const std::vector<NearestHit> hits = every.hits();
     if (!hits.empty() && hits.front().t == 0) return true;
     const bool doubtful = std::any_of(hits.begin(), hits.end(), [](const NearestHit& hit) {
       return hit.at_end || hit.root == Root::both || hit.kind == HitClass::along;
@@ -57,7 +51,9 @@ double area_of(const ArcPath& path) {
 
 bool Solids::Solid::holds(const Vec2& point) const {
   return std::any_of(pieces.begin(), pieces.end(),
-                     [&](const auto& piece) { return flatray::holds(piece, point); }) ||
+                     [&](const auto& piece) {
+                       return place_in_convex(point, piece) != StartPlace::outside;
+                     }) ||
          std::any_of(
              circles.begin(), circles.end(),
              [&](const Circle& circle) { return curve_side(point, circle) != Sign::positive; }) ||
@@ -74,12 +70,8 @@ double Solids::Solid::area() const {
 
 Solids::Solid Solids::solid(const Shape& shape, const Pose& place, const SurfaceOwner& owner) {
   Solid solid{owner, {}, {}, {}, {}};
-  for (std::size_t i = 0; i < shape.piece_count(); ++i) {
-    std::vector<Vec2> piece;
-    for (std::uint32_t k = shape.begin[i]; k < shape.begin[i + 1]; ++k)
-      piece.push_back(place(shape.vertices[k]));
-    solid.pieces.push_back(std::move(piece));
-  }
+  for (std::size_t i = 0; i < shape.piece_count(); ++i)
+    solid.pieces.push_back(posed_piece(shape, i, place));
   for (const Circle& circle : shape.circles)
     solid.circles.push_back({place(circle.centre), circle.radius});
   Shape curved;

@@ -42,16 +42,10 @@ Result<std::unique_ptr<ExperimentMonitor>> ExperimentMonitor::open(
   return monitor;
 }
 
-// A last line without its end, as a killed run or a full disk leaves it, is taken away.
 Result<void> ExperimentMonitor::read(const std::string& key) {
-  const auto text = read_file(path_);
+  const auto text = read_whole_lines(path_);
   if (!text) return tl::unexpected(text.error());
-  std::string_view rest = std::string_view(*text).substr(0, text->rfind('\n') + 1);
-  if (rest.size() < text->size()) {
-    std::error_code error;
-    std::filesystem::resize_file(path_, rest.size(), error);
-    if (error) return fail(named_place(path_.string()), error.message(), "", Trouble::output);
-  }
+  std::string_view rest = *text;
   if (rest.empty()) return append_line(path_, key);
   if (next_line(rest) != key)
     return fail(named_place(path_.string()), "was kept by another run",

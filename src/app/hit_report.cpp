@@ -42,11 +42,8 @@ struct Piece {
   std::span<const std::int32_t> edges;
 
   Piece(const Shape& shape, std::size_t piece, const Pose& place)
-      : edges(std::span(shape.edges)
-                  .subspan(shape.begin[piece], shape.begin[piece + 1] - shape.begin[piece])) {
-    for (std::size_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i)
-      vertices.push_back(place(shape.vertices[i]));
-  }
+      : vertices(posed_piece(shape, piece, place)),
+        edges(std::span(shape.edges).subspan(shape.begin[piece], vertices.size())) {}
   Segment edge(std::size_t i) const {
     return {vertices[i], vertices[i + 1 < vertices.size() ? i + 1 : 0]};
   }

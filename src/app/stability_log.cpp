@@ -66,14 +66,9 @@ Result<StabilityLog> StabilityLog::open(const std::optional<std::string>& folder
 }
 
 Result<void> StabilityLog::read() {
-  const auto text = read_file(path_);
+  const auto text = read_whole_lines(path_);
   if (!text) return tl::unexpected(text.error());
-  std::string_view rest = std::string_view(*text).substr(0, text->rfind('\n') + 1);
-  if (rest.size() < text->size()) {
-    std::error_code error;
-    std::filesystem::resize_file(path_, rest.size(), error);
-    if (error) return fail(named_place(path_.string()), error.message(), "", Trouble::output);
-  }
+  std::string_view rest = *text;
   if (rest.empty()) return append_line(path_, kHeader);
   for (int line = 1; !rest.empty(); ++line) {
     const std::string_view row = rest.substr(0, rest.find('\n'));

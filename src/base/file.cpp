@@ -136,6 +136,19 @@ void remove_leftovers(const fs::path& folder) {
   }
 }
 
+Result<std::string> read_whole_lines(const fs::path& path) {
+  Result<std::string> text = read_file(path);
+  if (!text) return text;
+  const std::size_t whole = text->rfind('\n') + 1;
+  if (whole < text->size()) {
+    std::error_code error;
+    fs::resize_file(path, whole, error);
+    if (error) return fail(named_place(path.string()), error.message(), "", Trouble::output);
+    text->resize(whole);
+  }
+  return text;
+}
+
 Result<void> append_line(const fs::path& path, const std::string& line) {
   std::error_code error;
   fs::create_directories(folder_of(path), error);

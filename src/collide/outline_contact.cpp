@@ -11,12 +11,8 @@ using Ring = std::vector<Vec2>;
 std::vector<Ring> rings(const MovingShape& moving) {
   const Shape& shape = *moving.shape;
   std::vector<Ring> all;
-  for (std::size_t i = 0; i < shape.piece_count(); ++i) {
-    Ring ring;
-    for (std::uint32_t k = shape.begin[i]; k < shape.begin[i + 1]; ++k)
-      ring.push_back(moving.place(shape.vertices[k]));
-    all.push_back(std::move(ring));
-  }
+  for (std::size_t i = 0; i < shape.piece_count(); ++i)
+    all.push_back(posed_piece(shape, i, moving.place));
   for (const Segment& s : shape.segments) all.push_back({moving.place(s.a), moving.place(s.b)});
   return all;
 }

@@ -106,15 +106,11 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
     if (hit) parts[ray].push_back({hit.t_enter, hit.t_exit});
   };
   const Shape& shape = against.shape;
-  std::vector<Vec2> vertices;
   std::vector<HitInterval> hits;
   for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    vertices.clear();
+    const std::vector<Vec2> vertices = posed_piece(shape, piece, against.pose);
     Bounds box;
-    for (std::size_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i) {
-      vertices.push_back(against.pose(shape.vertices[i]));
-      box.add(vertices.back());
-    }
+    for (const Vec2& vertex : vertices) box.add(vertex);
     const std::vector<std::size_t> near = boxes.near(box);
     if (near.empty()) continue;
     RayBatch batch;

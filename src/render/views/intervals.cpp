@@ -22,12 +22,9 @@ void add_shape(const Shape& shape, const Pose& place, const RayBatch& rays, Part
   const double y = rays.oy.front();
   std::vector<HitInterval> intervals(rays.size());
   for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    std::vector<Vec2> corners;
+    const std::vector<Vec2> corners = posed_piece(shape, piece, place);
     Bounds box;
-    for (std::uint32_t k = shape.begin[piece]; k < shape.begin[piece + 1]; ++k) {
-      corners.push_back(place(shape.vertices[k]));
-      box.add(corners.back());
-    }
+    for (const Vec2& corner : corners) box.add(corner);
     if (apart(y, box)) continue;
     clip_convex_batch(rays, corners, kRay, intervals);
     for (std::size_t i = 0; i < intervals.size(); ++i) add(intervals[i], parts[i]);
