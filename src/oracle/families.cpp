@@ -81,7 +81,7 @@ AimedScene near_parallel(Draw& draw) {
   return aimed(grid_walls(draw), [&](const AimedScene& scene) {
     const Segment& wall = any_wall(scene, draw);
     const Vec2 e = wall.b - wall.a;
-    const double tilt = std::ldexp(draw.sign(), -static_cast<int>(draw.below(60)));
+    const double sign = draw.sign(), tilt = std::ldexp(sign, -static_cast<int>(draw.below(60)));
     return Ray{wall.a - e, e + tilt * Vec2(-e.y(), e.x())};
   });
 }
@@ -134,13 +134,14 @@ AimedScene mixed_magnitude(Draw& draw) {
   for (int i = 0; i < kPolygonsAScene; ++i) {
     std::vector<Vec2> ring;
     for (int k = 0; k < 3; ++k) {
-      const Vec2 place(2 * draw.unit() - 1, 2 * draw.unit() - 1);
+      const Vec2 place{2 * draw.unit() - 1, 2 * draw.unit() - 1};
       ring.push_back(magnitude(draw) * place);
     }
     add_ring(scene, ring);
   }
   return aimed(std::move(scene), [&](const AimedScene& made) {
-    const Vec2 origin = any_wall(made, draw).a + magnitude(draw) * Vec2(draw.sign(), draw.unit());
+    const Vec2 from = any_wall(made, draw).a, along{draw.sign(), draw.unit()};
+    const Vec2 origin = from + magnitude(draw) * along;
     const Vec2 to = any_wall(made, draw).b;
     return Ray{origin, to - origin};
   });
@@ -199,7 +200,7 @@ AimedScene many_gon(Draw& draw) {
     add_ring(scene, ring);
   }
   return aimed(std::move(scene), [&](const AimedScene& made) {
-    const Vec2 origin(9 * draw.unit() - 1, 4 * draw.unit() - 1);
+    const Vec2 origin{9 * draw.unit() - 1, 4 * draw.unit() - 1};
     const Vec2 to = any_wall(made, draw).a;
     return Ray{origin, draw.unit() < 0.5 ? to - origin : nudge(to - origin, draw)};
   });

@@ -10,7 +10,8 @@
 
 namespace flatray::oracle {
 
-/// Draws of one scene, one after the other.
+/// Draws of one scene, one after the other. Two in the arguments of one call, or on two sides of an
+/// operator, have no order that compilers agree on; between braces they have.
 class Draw {
  public:
   Draw(std::uint64_t seed, std::uint64_t family, std::uint64_t item)
