@@ -26,7 +26,7 @@ class ContentBox {
 };
 
 double world_width(const std::optional<Stroke>& stroke) {
-  return stroke && !stroke->in_pixels ? stroke->width : 0;
+  return stroke && !stroke->in_pixels ? stroke->scale * stroke->width : 0;
 }
 
 // A box with a margin; what has no size gets one that its position can carry.
@@ -89,9 +89,9 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
   ContentBox box(scene);
   for (std::size_t i = 0; i < entities.size(); ++i) {
     const EntityState& entity = entities[i];
-    const double stroke =
-        std::max(world_width(entity.stroke), world_width(scene.entities[i].bounding_box));
-    box.add(entity.shape, pose(entity.at, entity.angle), stroke);
+    const double stroke = std::max(world_width(entity.stroke),
+                                   entity.scale * world_width(scene.entities[i].bounding_box));
+    box.add(entity.shape, pose(entity.at, entity.angle, entity.scale), stroke);
   }
   for (const Chamber& chamber : scene.chambers) {
     box.add(chamber.shape, {Vec2(0, 0)}, world_width(chamber.stroke));

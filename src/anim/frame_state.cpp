@@ -51,6 +51,8 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
   if (!group) return state;
   state.at = held(groups[*group].pose(state.at));
   state.angle += groups[*group].angle;
+  state.scale = groups[*group].pose.scale;
+  if (state.stroke) state.stroke->scale = state.scale;
   return state;
 }
 
@@ -92,14 +94,14 @@ FrameState at(const Timeline& timeline, unsigned frame) {
   return state;
 }
 
-Pose pose(const Vec2& at, double angle) {
+Pose pose(const Vec2& at, double angle, double scale) {
   const Turn turned = turn(angle);
-  return {at, turned.cos, turned.sin};
+  return {at, turned.cos, turned.sin, scale};
 }
 
 Pose entity_pose(const FrameState& state, std::size_t entity) {
   const EntityState& placed = state.entities[entity];
-  return pose(placed.at + state.displaced, placed.angle);
+  return pose(placed.at + state.displaced, placed.angle, placed.scale);
 }
 
 Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar) {
@@ -123,11 +125,16 @@ Bounds shape_bounds(const Shape& shape, const Pose& place) {
   for (const Segment& segment : shape.segments)
     box.add(place(segment.a)), box.add(place(segment.b));
   for (const Circle& circle : shape.circles) {
-    const Vec2 reach(circle.radius, circle.radius), centre = place(circle.centre);
-    box.add(Bounds{centre - reach, centre + reach});
+    const Circle there = posed(circle, place);
+    const Vec2 reach(there.radius, there.radius);
+    box.add(Bounds{there.centre - reach, there.centre + reach});
   }
   for (const ArcPath& path : shape.arc_paths) box.add(path_bounds(posed(path, place)));
   return box;
+}
+
+Circle posed(const Circle& circle, const Pose& place) {
+  return {place(circle.centre), place.length(circle.radius)};
 }
 
 ArcPath posed(ArcPath path, const Pose& place) {

@@ -10,6 +10,7 @@ namespace flatray {
 struct EntityState {
   Vec2 at{0, 0};
   double angle = 0;
+  double scale = 1;  ///< of the groups it stands in
   ShapeId shape = 0;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
@@ -34,21 +35,30 @@ FrameState at(const Timeline& timeline, unsigned frame);
 /// Its entities alone, before the camera displaces anything.
 std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame);
 
-/// Point of an entity's own coordinates in the world of the frame: at + R(angle) * local.
+/// Kept where the scene's own coordinates must be, within kFarthest; so written that a NaN is, too.
+inline double held(double v) {
+  return v > -kFarthest ? (v < kFarthest ? v : kFarthest) : -kFarthest;
+}
+inline Vec2 held(const Vec2& point) { return {held(point.x()), held(point.y())}; }
+
+/// Point of an entity's own coordinates in the world of the frame: at + scale * R(angle) * local.
 struct Pose {
   Vec2 at;
   double cos = 1, sin = 0;
+  double scale = 1;
   Vec2 operator()(const Vec2& local) const {
-    if (sin == 0 && cos == 1) return at + local;  // keeps dyadic positions dyadic
+    if (sin == 0 && cos == 1 && scale == 1) return at + local;  // keeps dyadic positions dyadic
     return at + turned(local);
   }
   /// A difference of points.
   Vec2 turned(const Vec2& local) const {
-    return {cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y()};
+    const Vec2 there(cos * local.x() - sin * local.y(), sin * local.x() + cos * local.y());
+    return scale == 1 ? there : held(scale * there);
   }
+  double length(double local) const { return scale == 1 ? local : held(scale * local); }
 };
 /// Multiples of 90 degrees turn exactly, as in geom/turn.h.
-Pose pose(const Vec2& at, double angle);
+Pose pose(const Vec2& at, double angle, double scale = 1);
 
 /// The same with the frame's displacement: of an entity, of a pillar, and of what stands in world
 /// coordinates (chambers, rays). Everything drawn or traced goes through one of these three.
@@ -58,7 +68,8 @@ Pose world_pose(const FrameState& state);
 
 /// Vertices of a convex piece of a shape in the world.
 std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose& place);
-/// Arcs in the world.
+/// Circles and arcs in the world.
+Circle posed(const Circle& circle, const Pose& place);
 ArcPath posed(ArcPath path, const Pose& place);
 
 /// Box around a posed shape, without its stroke; empty for a shape without content.

@@ -1,5 +1,7 @@
 #include "anim/motion.h"
 
+#include <algorithm>
+
 #include "anim/curve.h"
 #include "base/portable_math.h"
 
@@ -23,14 +25,6 @@ bool moves(const Camera& camera) {
 
 }  // namespace
 
-// So written that a NaN is held, too.
-Vec2 held(const Vec2& point) {
-  const auto within = [](double v) {
-    return v > -kFarthest ? (v < kFarthest ? v : kFarthest) : -kFarthest;
-  };
-  return {within(point.x()), within(point.y())};
-}
-
 Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time) {
   Placed now{{plus(scene, at.x(), motion.x, time), plus(scene, at.y(), motion.y, time)},
              plus(scene, angle, motion.angle, time)};
@@ -48,12 +42,13 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
   for (const Group& group : scene.groups) {
     const Placed now = placed(scene, group.at, group.angle, group.motion, time);
     Vec2 at = held(now.at + group.velocity * time);
-    double angle = now.angle + group.angular_velocity * time;
+    double angle = now.angle + group.angular_velocity * time, scale = group.scale;
     if (group.group) {
       at = held(poses[*group.group].pose(at));
       angle += poses[*group.group].angle;
+      scale = std::max(held(scale * poses[*group.group].pose.scale), 1 / kFarthest);
     }
-    poses.push_back({pose(at, angle), angle});
+    poses.push_back({pose(at, angle, scale), angle});
   }
   return poses;
 }

@@ -17,9 +17,6 @@ struct Placed {
 };
 Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& motion, double time);
 
-/// Kept where the scene's own coordinates must be, within kFarthest.
-Vec2 held(const Vec2& point);
-
 /// Why the frames of a scene differ, or "" when they are all one picture.
 std::string reason_to_move(const Scene& scene);
 

@@ -72,8 +72,7 @@ Solids::Solid Solids::solid(const Shape& shape, const Pose& place, const Surface
   Solid solid{owner, {}, {}, {}, {}};
   for (std::size_t i = 0; i < shape.piece_count(); ++i)
     solid.pieces.push_back(posed_piece(shape, i, place));
-  for (const Circle& circle : shape.circles)
-    solid.circles.push_back({place(circle.centre), circle.radius});
+  for (const Circle& circle : shape.circles) solid.circles.push_back(posed(circle, place));
   Shape curved;
   for (const ArcPath& path : shape.arc_paths) {
     if (!path.closed) continue;

@@ -71,7 +71,7 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
   }
   owner.edge = kNoEdge;
   for (const Circle& circle : shape.circles) {
-    world.surfaces.add(Circle{place(circle.centre), circle.radius});
+    world.surfaces.add(posed(circle, place));
     world.owners.push_back(owner);
   }
   for (const ArcPath& path : shape.arc_paths) add_path(world, path, place, owner);
@@ -81,7 +81,7 @@ Ellipse curve_of(const EllipseArc& arc, const Pose& place) {
   if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x())) {
     const double radius =
         arc.u.y() == 0 || arc.u.x() == 0 ? arc.u.cwiseAbs().maxCoeff() : arc.u.stableNorm();
-    return Circle{place(arc.centre), radius};
+    return posed(Circle{arc.centre, radius}, place);
   }
   return {place(arc.centre), place.turned(arc.u), place.turned(arc.v)};
 }

@@ -127,8 +127,7 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
     reports.push_back({ray, fmt::format("{} {} {}", name, what, i), within, {}, hit, "", ""});
   };
   for (std::size_t i = 0; i < shape.circles.size(); ++i)
-    add("circle", i,
-        clip_circle(ray.ray, {place(shape.circles[i].centre), shape.circles[i].radius}, within));
+    add("circle", i, clip_circle(ray.ray, posed(shape.circles[i], place), within));
   std::size_t ellipses = 0;
   for (const ArcPath& path : shape.arc_paths)
     if (path.is_ellipse())

@@ -27,9 +27,11 @@ class Diagram {
       box_.add(place(segment.a));
       box_.add(place(segment.b));
     }
-    for (const Circle& circle : shape.circles)
+    for (const Circle& circle : shape.circles) {
+      const Circle there = posed(circle, place);
       for (const double side : {-1.0, 1.0})
-        box_.add(place(circle.centre) + Vec2::Constant(side * circle.radius));
+        box_.add(there.centre + Vec2::Constant(side * there.radius));
+    }
   }
   void see(const HitReport& report) {
     box_.add(report.ray.ray.origin);
@@ -51,10 +53,11 @@ class Diagram {
       line(place(shape.vertices[edge.from]), place(shape.vertices[edge.to]), "wall");
     for (const Segment& segment : shape.segments) line(place(segment.a), place(segment.b), "wall");
     for (const Circle& circle : shape.circles) {
-      const Vec2 centre = film(place(circle.centre));
+      const Circle there = posed(circle, place);
+      const Vec2 centre = film(there.centre);
       body_ += fmt::format("<circle class=\"wall\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
                            svg_number(centre.x()), svg_number(centre.y()),
-                           svg_number(circle.radius * scale_));
+                           svg_number(there.radius * scale_));
     }
   }
   void draw_ray(const HitReport& report) {

@@ -64,8 +64,11 @@ FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
     std::vector<Vec2>& points = there.crossing_rings.emplace_back();
     for (const Vec2& point : ring) points.push_back(film(point));
   }
-  for (const Circle& circle : shape.circles)
-    there.circles.push_back({film(circle.centre), film_from_world.length(circle.radius)});
+  for (const Circle& circle : shape.circles) {
+    const Circle in_world = posed(circle, world_from_shape);
+    there.circles.push_back(
+        {film_from_world(in_world.centre), film_from_world.length(in_world.radius)});
+  }
   for (const Segment& segment : shape.segments)
     there.segments.push_back({film(segment.a), film(segment.b)});
   for (const ArcPath& path : shape.arc_paths)
@@ -151,8 +154,9 @@ bool beside_film(const Shape& shape, const Pose& world_from_shape,
     return on.add(there, there);
   };
   const auto circle_seen = [&](const Circle& circle) {
-    const Vec2 centre = film_from_world(world_from_shape(circle.centre)),
-               half = Vec2::Constant(film_from_world.length(circle.radius));
+    const Circle in_world = posed(circle, world_from_shape);
+    const Vec2 centre = film_from_world(in_world.centre),
+               half = Vec2::Constant(film_from_world.length(in_world.radius));
     return on.add(centre - half, centre + half);
   };
   const auto any = [](const auto& things, const auto& is_seen) {

@@ -85,13 +85,16 @@ Result<std::vector<DrawItem>> DrawContext::sorted_items() && {
 }
 
 double DrawContext::half_width_px(const Stroke& stroke) const {
-  return 0.5 * (stroke.in_pixels ? stroke.width : film_from_world.length(stroke.width));
+  return 0.5 *
+         (stroke.in_pixels ? stroke.width : film_from_world.length(stroke.scale * stroke.width));
 }
 
 LineLook DrawContext::look_of(const Stroke& stroke) const {
   LineLook look{{half_width_px(stroke), stroke.joins, stroke.caps, stroke.miter_limit}, {}, 0};
   if (stroke.dashes == kNoEntry) return look;
-  const auto length = [&](double d) { return stroke.in_pixels ? d : film_from_world.length(d); };
+  const auto length = [&](double d) {
+    return stroke.in_pixels ? d : film_from_world.length(stroke.scale * d);
+  };
   for (const double d : scene.dashes[stroke.dashes]) look.dashes.push_back(length(d));
   look.dash_offset = length(stroke.dash_offset);
   return look;

@@ -9,11 +9,23 @@
 namespace flatray {
 namespace {
 
+// A mirrored group would turn the outlines of what it holds inside out.
+void read_scale(Builder& builder, const Field& field, Group& group) {
+  const auto scale = builder.in.number(field);
+  if (!scale) return;
+  if (*scale > 0 && *scale <= kFarthest)
+    group.scale = *scale;
+  else
+    builder.in.problem(field.value.where, field.name + " is not above 0 and at most 1e300",
+                       "write how many times larger what is in it is, 0.5 for half");
+}
+
 constexpr Key<Group> kGroupKeys[] = {
     {{"name", "\"NAME\"", kRequired}, &set<&Group::name>},
     kGroupKey<Group>,
     kMovingAtKey<Group>,
     kMovingAngleKey<Group>,
+    {{"scale", "number above 0", "1"}, &read_scale},
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Group::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Group::angular_velocity>},
     kLayerKey<Group>,

@@ -52,6 +52,7 @@ struct Stroke {
   double width = 1;
   bool in_pixels = false;  ///< width and dashes in pixels of the film, else world units
   Paint colour;
+  double scale = 1;  ///< of width and dashes that are not in pixels
   LineJoin joins = LineJoin::round;
   LineCap caps = LineCap::round;
   double miter_limit = 4;           ///< times the width; longer miters are bevels
@@ -155,6 +156,7 @@ struct Group {
   std::optional<std::uint32_t> group;  ///< it stands in, of a lower number
   Vec2 at{0, 0};                       ///< of its origin, in the group it stands in
   double angle = 0;                    ///< radians; what is in it turns about its origin
+  double scale = 1;                    ///< > 0; what is in it grows about its origin
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
   Motion motion;

@@ -80,6 +80,45 @@ TEST(Groups, MoveByCurvesAndPathsToo) {
   EXPECT_NE(reason_to_move(scene), "");
 }
 
+// 2 * 1.5 = 3: places and velocities grow with what they are seen from, circles stay circles.
+TEST(Groups, ScaleWhatTheyHoldAboutTheirOrigin) {
+  Scene scene = small_scene();
+  scene.film.world.reset();
+  Group outer, inner;
+  outer.at = {10, 0};
+  outer.scale = 2;
+  inner.at = {1, 4};
+  inner.velocity = {0, 1};
+  inner.scale = 1.5;
+  inner.group = add_group(scene, outer);
+  scene.entities[add_box(scene, {1, 2}, {1, 0})].group = add_group(scene, inner);
+  scene.shapes[0].circles.push_back({{1, 1}, 0.5});
+  const Timeline timeline(scene, 0, 2);
+  const FrameState state = at(timeline, 2);
+  EXPECT_EQ(state.entities[0].at, Vec2(10 + 2 * (1 + 1.5 * 2), 2 * (5 + 1.5 * 2)));
+  const World world = build_world(scene, state);
+  ASSERT_EQ(world.surfaces.segments.size(), 4u);
+  ASSERT_EQ(world.surfaces.circles.size(), 1u);
+  EXPECT_EQ(world.surfaces.circles[0].centre, Vec2(18 + 3, 16 + 3));
+  EXPECT_EQ(world.surfaces.circles[0].radius, 1.5);
+  EXPECT_EQ(timeline.content().high, Vec2(10 + 2 * (1 + 1.5) + 4.5, 2 * (4 + 3) + 4.5));
+}
+
+TEST(Groups, ScalesBeyondAllMeasureStayFinite) {
+  Scene scene = small_scene();
+  for (const double scale : {1e300, 1e-300}) {
+    scene.groups.clear();
+    scene.entities.clear();
+    Group outer, inner;
+    outer.scale = inner.scale = scale;
+    inner.group = add_group(scene, outer);
+    scene.entities[add_box(scene, {3, 4})].group = add_group(scene, inner);
+    const Pose pose = entity_pose(at(Timeline(scene, 0, 1), 1), 0);
+    EXPECT_TRUE(pose(Vec2(1e300, -7)).allFinite());
+    EXPECT_GT(pose.scale, 0);
+  }
+}
+
 TEST(Groups, CarryWallsCameraAndContent) {
   Scene scene = small_scene();
   scene.film.world.reset();

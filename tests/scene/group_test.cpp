@@ -33,6 +33,14 @@ TEST(Groups, MayStandAnywhereInTheFile) {
   EXPECT_EQ(scene.entities[0].layer, -2);
 }
 
+TEST(Groups, HaveAScaleAboveZero) {
+  const Scene scene = loaded(kHead + group("a", "scale = 2.5") + group("b")).scene;
+  EXPECT_EQ(scene.groups[0].scale, 2.5);
+  EXPECT_EQ(scene.groups[1].scale, 1);
+  for (const char* wrong : {"0", "-1", "1e301"})
+    EXPECT_FALSE(load(kHead + group("a", std::string("scale = ") + wrong))) << wrong;
+}
+
 TEST(Groups, CopiesHoldAllTheirThings) {
   const Scene scene = loaded(kHead + group("arm", ring(2)) + disc("hand", "group = \"arm\"") +
                              disc("leaf", "group = \"arm\"\n" + ring(3)))

@@ -26,8 +26,9 @@ void draw(DrawContext& context) {
     const Vec2 a = box.low, b(box.high.x(), box.low.y()), c = box.high,
                d(box.low.x(), box.high.y());
     context.place(entity.layer, entity.order, entity.where);
-    context.add_lines(std::array<Segment, 4>{{{a, b}, {b, c}, {c, d}, {d, a}}},
-                      *entity.bounding_box);
+    Stroke stroke = *entity.bounding_box;
+    stroke.scale = context.state.entities[i].scale;
+    context.add_lines(std::array<Segment, 4>{{{a, b}, {b, c}, {c, d}, {d, a}}}, stroke);
   }
 }
 

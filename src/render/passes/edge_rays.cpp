@@ -120,7 +120,7 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
     for (std::size_t i = 0; i < near.size(); ++i) keep(near[i], hits[i]);
   }
   for (const Circle& circle : shape.circles) {
-    const Circle there{against.pose(circle.centre), circle.radius};
+    const Circle there = posed(circle, against.pose);
     for (std::size_t i = 0; i < rays.size(); ++i) keep(i, clip_circle(rays[i], there, kSegment));
   }
   for (const ArcPath& path : shape.arc_paths) {

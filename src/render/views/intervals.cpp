@@ -30,7 +30,7 @@ void add_shape(const Shape& shape, const Pose& place, const RayBatch& rays, Part
     for (std::size_t i = 0; i < intervals.size(); ++i) add(intervals[i], parts[i]);
   }
   for (const Circle& circle : shape.circles) {
-    const Circle there{place(circle.centre), circle.radius};
+    const Circle there = posed(circle, place);
     if (apart(y, there)) continue;
     for (std::size_t i = 0; i < rays.size(); ++i) add(clip_circle(rays.ray(i), there), parts[i]);
   }
