@@ -96,6 +96,24 @@ Result<Records> read_manifest(const fs::path& path) {
   return records;
 }
 
+Result<Records> read_other_manifests(const fs::path& path) {
+  std::vector<fs::path> others;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_of(path), ignored)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with("manifest.") && name.ends_with(".jsonl") && name != path.filename())
+      others.push_back(entry.path());
+  }
+  std::sort(others.begin(), others.end());
+  Records records;
+  for (const fs::path& other : others) {
+    Result<Records> more = read_manifest(other);
+    if (!more) return more;
+    records.merge(*more);
+  }
+  return records;
+}
+
 Result<Timings> read_timings(const fs::path& path) {
   Timings timings;
   auto read = each_line(path, [&](std::string_view line) {

@@ -38,6 +38,9 @@ std::filesystem::path timings_path(const std::filesystem::path& folder, const Sh
 using Records = std::map<std::string, FrameRecord>;
 Result<Records> read_manifest(const std::filesystem::path& path);
 
+/// The same of all other manifests in its folder: those of shards, or of the whole.
+Result<Records> read_other_manifests(const std::filesystem::path& path);
+
 /// Lines of a list of timings by frame, likewise.
 using Timings = std::map<unsigned, std::string>;
 Result<Timings> read_timings(const std::filesystem::path& path);

@@ -172,6 +172,15 @@ Records still_valid(const Records& old, std::span<const RenderJob> jobs, bool re
   return kept;
 }
 
+// Whoever made a picture of this job, another shard or a run of all, it need not be made again.
+Result<void> take_others(Records& records, const RenderJob& job) {
+  Result<Records> others = read_other_manifests(job.manifest());
+  if (!others) return fail(std::move(others));
+  for (const auto& entry : *others)
+    if (job.makes(entry.second)) records.insert(entry);
+  return {};
+}
+
 // Those of frames made before stay as long as the manifest has these.
 Result<void> write_timings(const RenderJob& job, const JobResult& result) {
   const fs::path path = timings_path(job.folder(), job.shard);
@@ -229,6 +238,8 @@ Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, uns
     if (!job.output.has_frame() || manifests.count(job.manifest()) != 0) continue;
     Result<Records> old = read_manifest(job.manifest());
     if (!old) return fail(std::move(old));
+    if (resume)
+      if (auto taken = take_others(*old, job); !taken) return fail(std::move(taken));
     manifests[job.manifest()] = still_valid(*old, jobs, resume, threads);
   }
   return manifests;

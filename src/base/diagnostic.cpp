@@ -91,13 +91,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 // The way from the file of a mistake to the one the user named: the nearest steps of a long one.
-std::string included_from(const Place& where) {
+std::string named_from(const Place& where) {
   constexpr int kShown = 8;
   std::string all;
-  const Place* at = where.source->included();
-  for (int i = 0; at != nullptr && at->source && i < kShown; ++i, at = at->source->included()) {
+  const Place* at = where.source->named_at();
+  for (int i = 0; at != nullptr && at->source && i < kShown; ++i, at = at->source->named_at()) {
     const SourceText::Position position = at->source->position(at->offset);
-    all += fmt::format("    included at {}:{}:{}\n", printable(at->source->name()), position.line,
+    all += fmt::format("    named at {}:{}:{}\n", printable(at->source->name()), position.line,
                        position.column);
   }
   return all;
@@ -111,11 +111,11 @@ std::string format(const Diagnostic& diagnostic, const char* severity) {
     const std::string name = where ? printable(where.source->name()) + ": " : "";
     const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", printable(hint));
     return fmt::format("{}{}: {}{}\n{}", name, severity, printable(message), tail,
-                       where ? included_from(where) : "");
+                       where ? named_from(where) : "");
   }
   const SourceText::Position at = where.source->position(where.offset);
   return fmt::format("{}:{}:{}: {}: {}\n{}{}", printable(where.source->name()), at.line, at.column,
-                     severity, printable(message), excerpt(where, at, hint), included_from(where));
+                     severity, printable(message), excerpt(where, at, hint), named_from(where));
 }
 
 std::string format(const Diagnostics& diagnostics, const char* severity) {

@@ -58,10 +58,6 @@ std::size_t size_now(const Descriptor& file) {
   return known && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 // The process number in a name of `write_file`'s, ".NAME.1234.part".
 std::optional<pid_t> writer_of(std::string_view name) {
   constexpr std::string_view kEnd = ".part";
@@ -134,6 +130,10 @@ void remove_leftovers(const fs::path& folder) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (file && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
   }
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 Result<std::string> read_whole_lines(const fs::path& path) {

@@ -25,6 +25,9 @@ Result<void> write_file(const std::filesystem::path& path, const std::string& te
 /// whose process is gone and that nobody holds locked. What cannot be removed stays.
 void remove_leftovers(const std::filesystem::path& folder);
 
+/// The folder a file stands in, "." for a bare name.
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
 /// The lines of a file that append_line has made longer. A last line without its end, as a killed
 /// run or a full disk leaves it, is taken away from the file, too.
 Result<std::string> read_whole_lines(const std::filesystem::path& path);

@@ -17,12 +17,12 @@ class SourceText {
     int line = 0, column = 0;
   };
 
-  /// `included` is where another text asks for this one, if one does.
-  SourceText(std::string name, std::string text, std::shared_ptr<const Place> included = nullptr);
+  /// `named_at` is where another text names this one, if one does: includes or imports it.
+  SourceText(std::string name, std::string text, std::shared_ptr<const Place> named_at = nullptr);
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return text_; }
-  const Place* included() const { return included_.get(); }
+  const Place* named_at() const { return named_at_.get(); }
   /// Line and column of a byte. `offset` past the end is the end.
   Position position(std::size_t offset) const;
   /// Byte at a line and column, clamped to that line: the inverse of `position`.
@@ -32,7 +32,7 @@ class SourceText {
 
  private:
   std::string name_, text_;
-  std::shared_ptr<const Place> included_;
+  std::shared_ptr<const Place> named_at_;
   std::vector<std::size_t> line_starts_;
 };
 

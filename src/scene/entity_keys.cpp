@@ -27,7 +27,8 @@ constexpr Key<Look> kLookKeys[] = {
     {{"shape", "{ KIND = { ... } }", "the entity's"}, &set_shape<Look>},
     {{"fill", R"("#rrggbb", "none", { linear = { ... } } or { radial = { ... } })", "the entity's"},
      &read_look_fill},
-    {{"stroke", R"({ width = w, colour = "#rrggbb" })", "the entity's"}, &read_look_stroke},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", "the entity's"},
+     &read_look_stroke},
     {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
 };
 
@@ -99,7 +100,8 @@ void read_changing_stroke(Builder& builder, const Field& field, Entity& entity) 
 }
 
 constexpr Key<Entity> changing_stroke_key(const char* fallback) {
-  return {{"stroke", "{ width = w, colour = \"#rrggbb\" }", fallback}, &read_changing_stroke};
+  return {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", fallback},
+          &read_changing_stroke};
 }
 
 void read_moving_opacity(Builder& builder, const Field& field, Entity& entity) {
@@ -123,7 +125,7 @@ constexpr Key<Entity> kEntityKeys[] = {
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
     fill_key<Entity>("\"#333333\" without a stroke, else \"none\""),
     changing_stroke_key("\"none\"; a segment without fill and stroke has one"),
-    {{"bounding_box", R"({ width = w, colour = "#rrggbb" })", "\"none\""},
+    {{"bounding_box", R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
     {{"opacity", "number or a curve", "1"}, &read_moving_opacity},
     kLayerKey<Entity>,

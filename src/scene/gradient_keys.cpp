@@ -116,8 +116,8 @@ std::optional<Paint> read_paint(Builder& builder, const Field& field) {
 }
 
 std::vector<TableInfo> gradient_tables() {
-  return {{"linear", key_infos<Gradient>(kLinearKeys)},
-          {"radial", key_infos<RadialWords>(kRadialKeys)}};
+  return {{"linear", key_infos<Gradient>(kLinearKeys), true},
+          {"radial", key_infos<RadialWords>(kRadialKeys), true}};
 }
 
 }  // namespace flatray

@@ -25,7 +25,7 @@ constexpr Key<Group> kGroupKeys[] = {
     kGroupKey<Group>,
     kMovingAtKey<Group>,
     kMovingAngleKey<Group>,
-    {{"scale", "number above 0", "1"}, &read_scale},
+    {{"scale", "number", "1"}, &read_scale},
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Group::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Group::angular_velocity>},
     kLayerKey<Group>,

@@ -54,9 +54,8 @@ Result<SourcePtr> Imports::read(const std::string& file, const std::string& path
   }
   if (included && text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
   bytes_left_ -= text->size();
-  auto source = std::make_shared<const SourceText>(
-      full.string(), std::move(*text),
-      included ? std::make_shared<const Place>(where) : std::shared_ptr<const Place>());
+  auto source = std::make_shared<const SourceText>(full.string(), std::move(*text),
+                                                   std::make_shared<const Place>(where));
   return files_.emplace(path, std::move(source)).first->second;
 }
 

@@ -68,7 +68,8 @@ constexpr Key<T> fill_key(const char* fallback) {
 }
 template <class T>
 constexpr Key<T> stroke_key(const char* fallback) {
-  return {{"stroke", "{ width = w, colour = \"#rrggbb\" }", fallback}, &set_stroke<&T::stroke>};
+  return {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", fallback},
+          &set_stroke<&T::stroke>};
 }
 
 std::vector<TableInfo> look_tables();

@@ -226,7 +226,7 @@ void read_follow_path(Builder& builder, const Field& field, Motion& motion) {
 
 std::vector<TableInfo> motion_tables() {
   return {{"curve", key_infos<CurveWords>(kCurveKeys), true},
-          {"follow", key_infos<FollowWords>(kFollowKeys)}};
+          {"follow", key_infos<FollowWords>(kFollowKeys), true}};
 }
 
 }  // namespace flatray

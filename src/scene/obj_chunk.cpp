@@ -47,6 +47,14 @@ class ChunkReader {
     return std::move(chunk_);
   }
 
+  // Offset of the record of a kind with that number.
+  std::size_t find(std::string_view record, std::size_t number) {
+    for (; at_ < text_.size(); skip_line())
+      if (const std::string_view word = next_word(); word == record && number-- == 0)
+        return offset_of(word);
+    return text_.size();
+  }
+
   // Blanks and continued lines ("\" before the line end) part words; "" at the end of the record.
   std::string_view next_word() {
     for (; at_ < text_.size(); ++at_) {
@@ -233,6 +241,11 @@ std::size_t end_of_records(std::string_view text, std::size_t offset) {
     if (!is_continued(text, at)) return at + 1;
   }
   return text.size();
+}
+
+Place obj_record_place(const SourcePtr& source, std::string_view record, std::size_t number) {
+  ChunkReader reader(source, 0, source->text().size(), false);
+  return {source, reader.find(record, number), record.size()};
 }
 
 Place obj_corner_place(const SourcePtr& source, std::size_t offset) {

@@ -34,6 +34,9 @@ ObjChunk read_obj_chunk(const SourcePtr& source, std::size_t begin, std::size_t 
 /// The first byte after `offset` at which a record of its own begins; the text's end if none does.
 std::size_t end_of_records(std::string_view text, std::size_t offset);
 
+/// The record of a kind ("v", "f") with a number from 0, for a message. Reads all before it.
+Place obj_record_place(const SourcePtr& source, std::string_view record, std::size_t number);
+
 /// The corner written at `offset`, for a message.
 Place obj_corner_place(const SourcePtr& source, std::size_t offset);
 

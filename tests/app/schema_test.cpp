@@ -229,9 +229,21 @@ TEST(SceneSchema, EveryTableRefusesAnUnknownKey) {
 // Two ways to read each key, the program's and the editor's, tried with values of every kind.
 TEST(SceneSchema, AgreesWithTheProgramAboutTheKindOfEveryKey) {
   const SchemaCheck check = schema();
-  const char* const values[] = {"1",    "0.5", "\"x\"",  "\"#ffffff\"",
-                                "true", "[1]", "[1, 2]", "[[1, 2], [3, 4]]",
-                                "{}",   "[{}]"};
+  const char* const values[] = {"1",
+                                "0.5",
+                                "\"x\"",
+                                "\"none\"",
+                                "\"#ffffff\"",
+                                "true",
+                                "[1]",
+                                "[1, 2]",
+                                "[[1, 2], [3, 4]]",
+                                "{}",
+                                "[{}]",
+                                "{ uniform = [1, 2] }",
+                                "[{ uniform = [1, 2] }, { normal = [0, 1] }]",
+                                "{ choice = [1, 2] }",
+                                "{ choice = [\"#ffffff\", \"#000000\"] }"};
   std::size_t accepted = 0, refused = 0;
   for (const TableInfo& table : vocabulary())
     for (const KeyInfo& key : table.keys)

@@ -11,6 +11,14 @@ same one shards "shards"
 same_manifest one shards "shards"
 exists shards/manifest.{0,1,2}-of-3.jsonl
 (($(ls shards/*.png | wc -l) == 13)) || fail "shards made $(ls shards/*.png | wc -l) frames"
+
+# What shards made need not be made again by a run of all, nor by other shards; what is not whole is.
+rm shards/f_0004.png
+run 0 render box.toml --resume -o 'shards/f_####.png' --json
+[[ $(grep -c '"pixels"' out.txt) == 1 ]] || fail "resumed after shards: $(grep -c '"pixels"' out.txt) made, not 1"
+[[ $(sort shards/manifest.jsonl) == "$(sort one/manifest.jsonl)" ]] || fail "the manifest of all is not that of the whole run"
+same one shards "resumed after shards"
+
 run 0 render box.toml -f 7 -o 'alone/f_####.png'
 cmp -s alone/f_0007.png one/f_0007.png || fail "frame 7 alone differs"
 run 0 render box.toml -f 7 -o - > /dev/null

@@ -120,8 +120,8 @@ TEST_F(Includes, MistakesNameTheFileAndTheWayToIt) {
   EXPECT_EQ(refused(), R"(b.toml:2:7: error: fps is not above 0
     fps = 0
           ^  write frames a second
-    included at a.toml:2:12
-    included at main.toml:3:12
+    named at a.toml:2:12
+    named at main.toml:3:12
 main.toml:6:8: error: entity.name is a number, not a string
     name = 3
            ^  write name = "NAME"
@@ -165,8 +165,8 @@ TEST_F(Includes, E6ACircleOfFilesIsRefused) {
   EXPECT_EQ(refused(), R"(b.toml:2:12: error: 'a.toml' includes itself
     include = ["a.toml"]
                ^~~~~~~~  take this include out
-    included at a.toml:2:12
-    included at main.toml:2:12
+    named at a.toml:2:12
+    named at main.toml:2:12
 )");
 }
 

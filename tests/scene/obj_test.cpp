@@ -75,8 +75,20 @@ TEST(Obj, FacesWithoutAreaAndCrossingOnesAreCounted) {
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->scene.shapes[0].piece_count(), 1u);
   ASSERT_EQ(scene->warnings.size(), 2u);
-  EXPECT_EQ(scene->warnings[0].message, "3 faces without area left out");
+  EXPECT_EQ(scene->warnings[0].message, "3 faces without area left out; this is the first");
   EXPECT_EQ(scene->warnings[1].message, "1 face left out for edges that cross");
+  for (int i : {0, 1}) {
+    const Place& where = scene->warnings[static_cast<std::size_t>(i)].where;
+    EXPECT_EQ(where.source->position(where.offset).line, i == 0 ? 7 : 10);
+  }
+}
+
+TEST(Obj, AVertexTooFarAwayIsShownInItsLine) {
+  EXPECT_EQ(obj_refusal("v 0 0\nv 1 \\\n0\nv 0 1e301\nf 1 2 3\n"),
+            R"(dir/part.obj:4:1: error: this vertex comes to lie beyond 1e300
+    v 0 1e301
+    ^  choose a smaller scale
+)");
 }
 
 TEST(Obj, PolylinesAreSegments) {
@@ -199,7 +211,7 @@ TEST(ObjFiles, FacesWithoutAreaAreCounted) {
   const Result<LoadedScene> scene = load_scene(shared_obj("stanford-bunny.obj"));
   ASSERT_TRUE(scene);
   ASSERT_EQ(scene->warnings.size(), 1u);
-  EXPECT_EQ(scene->warnings[0].message, "2 faces without area left out");
+  EXPECT_EQ(scene->warnings[0].message, "2 faces without area left out; this is the first");
 }
 
 }  // namespace

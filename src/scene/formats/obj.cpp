@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "scene/format.h"
+#include "scene/obj_chunk.h"
 #include "scene/obj_text.h"
 #include "scene/ring.h"
 
@@ -8,18 +9,17 @@ namespace flatray::scene_formats {
 namespace {
 
 // Where the vertices go before any decision is made about them, so that decisions are about the
-// final doubles.
-bool lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
+// final doubles. Gives the number of the first that lies too far away, or how many there are.
+std::size_t lay(std::vector<Vec2>& vertices, const OutlineOptions& options) {
   Bounds bounds;
   for (const Vec2& vertex : vertices) bounds.add(vertex);
   const Vec2 origin = options.centre && !bounds.empty() ? bounds.centre() : Vec2(0, 0);
-  bool finite = true;
-  for (Vec2& vertex : vertices) {
-    if (options.centre) vertex -= origin;
-    vertex *= options.scale;
-    finite = finite && vertex.cwiseAbs().maxCoeff() <= kFarthest;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (options.centre) vertices[i] -= origin;
+    vertices[i] *= options.scale;
+    if (!(vertices[i].cwiseAbs().maxCoeff() <= kFarthest)) return i;
   }
-  return finite;
+  return vertices.size();
 }
 
 // Makes a shape of faces and lines, counting what it must leave out.
@@ -27,7 +27,8 @@ struct ShapeMaker {
   const ObjText& obj;
   Shape shape{};
   std::int32_t next_edge = 0;
-  std::size_t flat = 0, crossing = 0;
+  std::vector<std::size_t> flat{}, crossing{};  ///< numbers of the faces left out
+  std::size_t face = 0;
 
   void add_face(std::span<const std::uint32_t> corners) {
     const auto count = static_cast<std::int32_t>(corners.size());
@@ -36,6 +37,7 @@ struct ShapeMaker {
     else
       add_many(corners);
     next_edge += count;
+    ++face;
   }
 
   void add_three(std::span<const std::uint32_t> corners) {
@@ -43,7 +45,7 @@ struct ShapeMaker {
                                         obj.vertices[corners[2]]};
     const Sign turn = orientation(points[0], points[1], points[2]);
     if (turn == Sign::zero)
-      ++flat;
+      flat.push_back(face);
     else
       add_triangle(shape, points, turn == Sign::negative, next_edge);
   }
@@ -53,9 +55,9 @@ struct ShapeMaker {
     points.reserve(corners.size());
     for (const std::uint32_t corner : corners) points.push_back(obj.vertices[corner]);
     if (is_flat(points))
-      ++flat;
+      flat.push_back(face);
     else if (non_convex_vertex(points) && crossing_edges(points))
-      ++crossing;
+      crossing.push_back(face);
     else
       add_ring(shape, points, next_edge);
   }
@@ -78,13 +80,19 @@ std::string plural(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-void warn(const ShapeMaker& maker, const ObjText& obj, const Place& file, Diagnostics& warnings) {
-  if (maker.flat > 0)
-    warnings.push_back({file, plural(maker.flat, "face") + " without area left out",
-                        "z is dropped: faces seen edge-on have none"});
-  if (maker.crossing > 0)
-    warnings.push_back(
-        {file, plural(maker.crossing, "face") + " left out for edges that cross", ""});
+void warn(const ShapeMaker& maker, const ObjText& obj, const SourcePtr& source,
+          Diagnostics& warnings) {
+  const auto left_out = [&](const std::vector<std::size_t>& faces, const char* why,
+                            const char* hint) {
+    if (!faces.empty())
+      warnings.push_back(
+          {obj_record_place(source, "f", faces.front()),
+           plural(faces.size(), "face") + why + (faces.size() == 1 ? "" : "; this is the first"),
+           hint});
+  };
+  left_out(maker.flat, " without area left out", "z is dropped: faces seen edge-on have none");
+  left_out(maker.crossing, " left out for edges that cross", "cut it where they do");
+  const Place file = named_place(source->name());
   std::string ignored;
   for (const std::string& record : obj.ignored) ignored += (ignored.empty() ? "" : ", ") + record;
   if (!ignored.empty()) warnings.push_back({file, ignored + " ignored", "v, f and l are read"});
@@ -95,15 +103,16 @@ Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
   Result<ObjText> obj = parse_obj(source, options.threads);
   if (!obj) return fail(std::move(obj));
   const Place file = named_place(source->name());
-  if (!lay(obj->vertices, options))
-    return fail(file, "vertices lie beyond 1e300", "choose a smaller scale");
+  if (const std::size_t far = lay(obj->vertices, options); far < obj->vertices.size())
+    return fail(obj_record_place(source, "v", far), "this vertex comes to lie beyond 1e300",
+                "choose a smaller scale");
   ShapeMaker maker{*obj};
   maker.shape.vertices.reserve(obj->faces.corners.size());
   maker.shape.edges.reserve(obj->faces.corners.size());
   maker.shape.begin.reserve(obj->faces.size() + 1);
   each(obj->faces, [&](auto corners) { maker.add_face(corners); });
   each(obj->lines, [&](auto corners) { maker.add_line(corners); });
-  warn(maker, *obj, file, warnings);
+  warn(maker, *obj, source, warnings);
   if (maker.shape.piece_count() == 0 && maker.shape.segments.empty())
     return fail(file, "the file holds no face or line with extent", "v, f and l records are read");
   return std::move(maker.shape);
