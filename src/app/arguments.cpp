@@ -59,4 +59,18 @@ tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const st
                      known.empty() ? "there is none" : "there are: " + comma_list(known));
 }
 
+Result<std::vector<std::string>> chosen_names(const Arguments& arguments, const char* option,
+                                              const char* what,
+                                              const std::vector<std::string>& known) {
+  const auto text = arguments.text(option);
+  if (!text) return known;
+  std::vector<std::string> names;
+  for (const std::string_view word : split_commas(*text)) {
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      return unknown_name(arguments.where(option), what, std::string(word), known);
+    if (std::find(names.begin(), names.end(), word) == names.end()) names.emplace_back(word);
+  }
+  return names;
+}
+
 }  // namespace flatray

@@ -105,4 +105,10 @@ inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,
 tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
                                          const std::vector<std::string>& known);
 
+/// The names between commas that an option gives, each once; all `known` without the option.
+/// Error   a name that is not known.
+Result<std::vector<std::string>> chosen_names(const Arguments& arguments, const char* option,
+                                              const char* what,
+                                              const std::vector<std::string>& known);
+
 }  // namespace flatray

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 
 #include "app/frame_encoder.h"
 #include "base/check.h"
+#include "base/processor_time.h"
 
 namespace flatray {
 namespace {
@@ -28,10 +28,6 @@ struct Measured {
     return sorted[kRounds / 2];
   }
 };
-
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
 
 Result<void> measure(const RenderJob& job, std::size_t round, Measured& out) {
   const double start = processor_seconds();

@@ -107,6 +107,20 @@ std::vector<SamplePlace> sample_places(Coverage coverage, unsigned count) {
   return places;
 }
 
+LinearImage mean_light(const DrawList& list, std::span<const SamplePlace> places,
+                       unsigned threads) {
+  std::vector<double> sum;
+  LinearImage mean;
+  for (const SamplePlace& place : places) {
+    mean = render_linear(seen_from(list, place), {std::nullopt, threads});
+    sum.resize(mean.pixels.size());
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(mean.pixels[i]);
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    mean.pixels[i] = static_cast<float>(sum[i] / static_cast<double>(places.size()));
+  return mean;
+}
+
 PointSampled point_sampled(const DrawList& list, std::span<const SamplePlace> places,
                            unsigned threads) {
   const auto pixels = static_cast<std::size_t>(list.width) * static_cast<std::size_t>(list.height);

@@ -15,6 +15,9 @@ using SamplePlace = std::array<double, 2>;
 /// they move the picture. One, the centre, for scenes that ask for pixel centres.
 std::vector<SamplePlace> sample_places(Coverage coverage, unsigned count);
 
+/// Mean light of samples at these places, each seen by the software back end's rule for centres.
+LinearImage mean_light(const DrawList& list, std::span<const SamplePlace> places, unsigned threads);
+
 /// What samples see, drawn by the software back end's exact rule for centres.
 struct PointSampled {
   Image picture;           ///< the mean light of the samples

@@ -34,10 +34,10 @@ class Drawing {
     for (const Plot::Series& series : plot.series)
       for (const Plot::Point& point : series.points) {
         if (!shown(point)) continue;
-        box_.add(Vec2(point.x, scaled(point.y)));
+        box_.add(Vec2(along(point.x), scaled(point.y)));
         if (!plot.log_y) {
-          box_.add(Vec2(point.x, point.y - point.half));
-          box_.add(Vec2(point.x, point.y + point.half));
+          box_.add(Vec2(along(point.x), point.y - point.half));
+          box_.add(Vec2(along(point.x), point.y + point.half));
         }
       }
     if (box_.empty()) box_.add(Vec2(0, 0));
@@ -67,8 +67,10 @@ class Drawing {
 
  private:
   bool shown(const Plot::Point& point) const {
-    return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0);
+    return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0) &&
+           (!plot_.log_x || point.x > 0);
   }
+  double along(double x) const { return plot_.log_x ? log10_of(x) : x; }
   double scaled(double y) const { return plot_.log_y ? log10_of(y) : y; }
   Vec2 place(double x, double y) const {
     const Vec2 size = box_.size();
@@ -103,31 +105,43 @@ class Drawing {
   }
 
   void axis(int which) {
-    const bool log = which == 1 && plot_.log_y;
     const double low = box_.low[which], high = box_.high[which];
-    const double step =
-        log ? std::max(1.0, std::ceil((high - low) / kTicks)) : tick_step(high - low);
-    for (double k = std::ceil(low / step); k * step <= high; ++k) {
-      const double value = k * step + 0.0;
-      const std::string words = log ? fmt::format("1e{:.0f}", value) : fmt::format("{:.6g}", value);
-      if (which == 0) {
-        const Vec2 at = place(value, box_.low.y());
-        stroke(at, at + Vec2(0, 5), "#444");
-        label(at + Vec2(0, 16), words, "middle", "#000");
-      } else {
-        const Vec2 at = place(box_.low.x(), value);
-        stroke(at, at - Vec2(5, 0), "#444");
-        label(at - Vec2(9, 0), words, "end", "#000");
+    if (which == 1 ? plot_.log_y : plot_.log_x) return log_axis(which, low, high);
+    const double step = tick_step(high - low);
+    for (double k = std::ceil(low / step); k * step <= high; ++k)
+      tick(which, k * step + 0.0, fmt::format("{:.6g}", k * step + 0.0));
+  }
+
+  // Powers of ten; with their 2 and 5 times where there are few.
+  void log_axis(int which, double low, double high) {
+    const double step = std::max(1.0, std::ceil((high - low) / kTicks));
+    for (double k = std::floor(low / step) * step; k <= high; k += step)
+      for (const int factor : {1, 2, 5}) {
+        const double at = k + log10_of(factor);
+        if (at < low || at > high || (factor > 1 && high - low > kTicks / 2)) continue;
+        tick(which, at, fmt::format("{}e{:.0f}", factor, k));
       }
+  }
+
+  void tick(int which, double value, const std::string& words) {
+    if (which == 0) {
+      const Vec2 at = place(value, box_.low.y());
+      stroke(at, at + Vec2(0, 5), "#444");
+      label(at + Vec2(0, 16), words, "middle", "#000");
+    } else {
+      const Vec2 at = place(box_.low.x(), value);
+      stroke(at, at - Vec2(5, 0), "#444");
+      label(at - Vec2(9, 0), words, "end", "#000");
     }
   }
 
   void marks(const Plot::Series& series, const char* colour) {
     for (const Plot::Point& point : series.points) {
       if (!shown(point)) continue;
-      const Vec2 at = place(point.x, scaled(point.y));
+      const Vec2 at = place(along(point.x), scaled(point.y));
       if (point.half > 0 && !plot_.log_y)
-        stroke(place(point.x, point.y - point.half), place(point.x, point.y + point.half), colour);
+        stroke(place(along(point.x), point.y - point.half),
+               place(along(point.x), point.y + point.half), colour);
       text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.5\" fill=\"{}\"/>\n",
                            svg_number(at.x()), svg_number(at.y()), colour);
     }
@@ -137,7 +151,7 @@ class Drawing {
     std::string way;
     for (const Plot::Point& point : series.points) {
       if (!shown(point)) continue;
-      const Vec2 at = place(point.x, scaled(point.y));
+      const Vec2 at = place(along(point.x), scaled(point.y));
       way +=
           fmt::format("{}{} {}", way.empty() ? "M" : "L", svg_number(at.x()), svg_number(at.y()));
     }

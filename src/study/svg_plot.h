@@ -17,6 +17,7 @@ struct Plot {
   };
   std::vector<Series> series;
   bool log_y = false;  ///< points with y <= 0 are left out
+  bool log_x = false;  ///< likewise
 };
 
 /// The plot as a picture with axes, ticks and a legend of the series that have points.

@@ -9,10 +9,10 @@
 #include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/report.h"
+#include "app/result_files.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "app/version.h"
-#include "base/file.h"
 #include "base/number_text.h"
 
 namespace flatray::verbs {
@@ -42,16 +42,6 @@ Result<const Experiment*> find_experiment(const std::string& name) {
 
 std::filesystem::path folder_of(const Arguments& arguments, const Experiment& experiment) {
   return arguments.text("output").value_or(fmt::format("out/{}", experiment.name));
-}
-
-Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder) {
-  Values names;
-  for (const ExperimentResult::File& file : result.files) {
-    if (auto written = write_file(folder / file.name, file.content); !written)
-      return fail(std::move(written));
-    names.emplace_back((folder / file.name).string());
-  }
-  return names;
 }
 
 // What a run is asked for beside its scene.

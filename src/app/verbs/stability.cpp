@@ -55,25 +55,11 @@ struct Plan {
   unsigned threads = 1;
 };
 
-// Names between commas, or all of them.
-Result<std::vector<std::string>> chosen(const Arguments& arguments, const char* option,
-                                        const char* what, const std::vector<std::string>& known) {
-  const auto text = arguments.text(option);
-  if (!text) return known;
-  std::vector<std::string> names;
-  for (const std::string_view word : split_commas(*text)) {
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      return unknown_name(arguments.where(option), what, std::string(word), known);
-    if (std::find(names.begin(), names.end(), word) == names.end()) names.emplace_back(word);
-  }
-  return names;
-}
-
 Result<Plan> read_plan(const Arguments& arguments) {
   Plan plan;
-  const auto families = chosen(arguments, "families", "family", family_names());
+  const auto families = chosen_names(arguments, "families", "family", family_names());
   if (!families) return tl::unexpected(families.error());
-  const auto names = chosen(arguments, "tracer", "tracer", tracer_names());
+  const auto names = chosen_names(arguments, "tracer", "tracer", tracer_names());
   if (!names) return tl::unexpected(names.error());
   const auto seed = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
   if (!seed) return tl::unexpected(seed.error());

@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+
+#include "app/value.h"
+#include "study/experiment.h"
+
+namespace flatray {
+
+/// Writes the files of a result into a folder.
+/// Gives   their paths.
+Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder);
+
+}  // namespace flatray

@@ -1,0 +1,81 @@
+#include "study/accuracy.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/option_values.h"
+#include "app/report.h"
+#include "app/result_files.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/number_text.h"
+#include "study/accuracy_report.h"
+
+namespace flatray::verbs {
+namespace {
+
+std::vector<std::string> choice_names() { return names_of(flatray::choices()); }
+
+constexpr auto kOptions = with_scene_options(
+    {{"output", 'o', "FOLDER", "where its files go (default out/accuracy)"},
+     {"budget", '\0', "SECONDS", "of processor time for all choices together (default 60s)"},
+     {"choice", '\0', "NAME,NAME", "only these choices", OptionKind::text, &choice_names},
+     {"seed", '\0', "N", "seed of all draws (default 1)"},
+     kThreadsOption,
+     kJsonOption});
+
+// "60s" or "60".
+Result<double> read_budget(const Arguments& arguments) {
+  std::string text = arguments.text("budget").value_or("60s");
+  if (text.ends_with('s')) text.pop_back();
+  const auto seconds = parse_number(text);
+  if (!seconds || !(*seconds > 0 && *seconds <= 1e6))
+    return usage_error(arguments.where("budget"), "is no time above 0", "say 60s");
+  return *seconds;
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto names = chosen_names(arguments, "choice", "choice", choice_names());
+  if (!names) return tl::unexpected(names.error());
+  const auto budget = read_budget(arguments);
+  if (!budget) return tl::unexpected(budget.error());
+  const auto seed = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
+  if (!seed) return tl::unexpected(seed.error());
+  const auto width = threads(arguments);
+  if (!width) return tl::unexpected(width.error());
+  const auto loaded = load_input(arguments, arguments.operands()[0]);
+  if (!loaded) return tl::unexpected(loaded.error());
+  report_warnings(loaded->warnings, arguments);
+  const AccuracyContext context{loaded->scene, *seed, *width,
+                                *budget / static_cast<double>(names->size())};
+  std::vector<ChoiceReport> reports;
+  for (const Choice* choice : flatray::choices())
+    if (std::find(names->begin(), names->end(), choice->name) != names->end())
+      reports.push_back(measure_choice(*choice, context));
+  const ExperimentResult result = accuracy_report(loaded->scene.name, reports);
+  auto files = write_files(result, arguments.text("output").value_or("out/accuracy"));
+  if (!files) return fail(std::move(files));
+  if (!arguments.has("json")) return VerbOutput{result.summary, 0};
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  Fields fields{{"summary", result.summary}, {"files", std::move(*files)}};
+  return VerbOutput{json_report("accuracy", arguments, std::move(fields), time.count()), 0};
+}
+
+}  // namespace
+
+extern const Verb accuracy = {
+    "accuracy",
+    "SCENE",
+    "measure error against run time of every choice a scene has",
+    1,
+    1,
+    kOptions,
+    "  flatray accuracy scenes/demo.toml -o out/accuracy\n"
+    "  flatray accuracy scenes/chamber/sinai.toml --choice samples,precision --budget 10s\n",
+    "nothing measured",
+    &run};
+
+}  // namespace flatray::verbs

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace flatray {
+
+/// Seconds of processor time that all threads of the program have used. For reports, never for
+/// results.
+double processor_seconds();
+
+}  // namespace flatray

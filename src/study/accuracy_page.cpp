@@ -1,0 +1,120 @@
+#include "study/accuracy_page.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "image/png.h"
+#include "study/svg_plot.h"
+#include "study/svg_text.h"
+
+namespace flatray {
+namespace {
+
+// RFC 4648.
+std::string base64(std::span<const std::byte> bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      group = group << 8U | (k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : kDigits[group >> (18U - 6U * k) & 63U];
+  }
+  return text;
+}
+
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="icon" href="data:,">
+<title>{0}: error against run time</title>
+<style>
+:root {{ color-scheme: light dark; --ink: #1a1a1a; --paper: #fff; --line: #767676; --best: #e8f0ff; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --ink: #eee; --paper: #16181c; --line: #8a8a8a; --best: #22324d; }} }}
+body {{ font: 16px/1.5 sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto; padding: 1rem; max-width: 60rem; }}
+.wide {{ overflow-x: auto; }}
+table {{ border-collapse: collapse; }}
+th, td {{ border-bottom: 1px solid var(--line); padding: .2rem .8rem .2rem 0; text-align: right; white-space: nowrap; }}
+th:first-child, td:first-child {{ text-align: left; }}
+tr.best {{ background: var(--best); }}
+svg, img {{ max-width: 100%; height: auto; }}
+</style>
+</head>
+<body>
+<main>
+<h1>{0}: error against run time</h1>
+<p>Seconds are processor time: the median of three rounds in turn. Marked rows are best: no other setting of the choice is both as
+fast and as near.</p>
+)";
+
+// The svg element alone, without the declaration of a file of its own.
+std::string inline_svg(const std::string& file) { return file.substr(file.find("<svg")); }
+
+std::string picture(const AccuracyPoint& point) {
+  if (!point.outcome.picture) return "";
+  return fmt::format(
+      "<details><summary>{0}</summary><img alt=\"the picture by {0}\" "
+      "src=\"data:image/png;base64,{1}\"></details>\n",
+      svg_text(point.setting), base64(encode_png(*point.outcome.picture)));
+}
+
+std::string rows(const ChoiceReport& report) {
+  std::string text;
+  for (const AccuracyPoint& point : report.points)
+    text += fmt::format("<tr{}><td>{}</td><td>{:.3g} &plusmn; {:.1g}</td><td>{:.3g}</td></tr>\n",
+                        point.best ? " class=\"best\"" : "", svg_text(point.setting), point.seconds,
+                        point.spread, point.outcome.error);
+  return text;
+}
+
+std::string section(const ChoiceReport& report) {
+  std::string text = fmt::format("<section>\n<h2>{}</h2>\n<p>{}</p>\n", svg_text(report.name),
+                                 svg_text(report.question));
+  if (!report.left_out.empty())
+    return text + fmt::format("<p>Left out: {}.</p>\n</section>\n", svg_text(report.left_out));
+  text += fmt::format("<p>Error of {}: {}; against {}.</p>\n", name(report.kind),
+                      svg_text(report.unit), svg_text(report.reference));
+  text += "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"points of " +
+          svg_text(report.name) +
+          "\"><table>\n<thead><tr><th scope=\"col\">setting</th><th scope=\"col\">seconds</th>"
+          "<th scope=\"col\">error</th></tr></thead>\n<tbody>\n" +
+          rows(report) + "</tbody>\n</table></div>\n";
+  if (report.order)
+    text += fmt::format("<p>The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
+                        svg_text(report.grows), report.order->slope, report.order->standard_error);
+  if (!report.cut.empty())
+    text += fmt::format("<p>Not within the budget: {}.</p>\n", svg_text(report.cut));
+  text += "<figure role=\"img\" aria-label=\"error against seconds of " + svg_text(report.name) +
+          "\">\n" + inline_svg(accuracy_plot(report)) + "</figure>\n";
+  for (const AccuracyPoint& point : report.points) text += picture(point);
+  return text + "</section>\n";
+}
+
+}  // namespace
+
+std::string accuracy_plot(const ChoiceReport& report) {
+  Plot plot{fmt::format("{}: {}", report.name, name(report.kind)), "seconds", report.unit, {}};
+  plot.log_x = plot.log_y = true;
+  Plot::Series all{"settings", {}, true}, best{"best", {}};
+  for (const AccuracyPoint& point : report.points) {
+    all.points.push_back({point.seconds, point.outcome.error});
+    if (point.best) best.points.push_back(all.points.back());
+  }
+  std::sort(best.points.begin(), best.points.end(),
+            [](const auto& a, const auto& b) { return a.x < b.x; });
+  plot.series = {std::move(all), std::move(best)};
+  return svg(plot);
+}
+
+std::string accuracy_page(const std::string& scene, std::span<const ChoiceReport> reports) {
+  std::string text = fmt::format(kHead, svg_text(scene));
+  for (const ChoiceReport& report : reports) text += section(report);
+  return text + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace flatray

@@ -1,0 +1,78 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "study/accuracy.h"
+#include "study/experiment.h"
+#include "study/room.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kSeeds = 16;
+constexpr std::uint64_t kFlights = 100;  // of one orbit
+
+// Mean free paths found under so many seeds.
+struct Paths {
+  std::vector<double> found;
+  double expected = 0;
+};
+
+const Experiment* experiment() {
+  for (const Experiment* one : experiments())
+    if (std::string_view(one->name) == "mean-free-path") return one;
+  return nullptr;
+}
+
+// Root mean square over the seeds; its own relative error is 1 / sqrt(2 N).
+Outcome judge(const Paths& paths) {
+  double sum = 0;
+  for (const double path : paths.found) sum += (path - paths.expected) * (path - paths.expected);
+  const auto count = static_cast<double>(paths.found.size());
+  const double rms = std::sqrt(sum / count);
+  return {rms / paths.expected, 1.96 * rms / paths.expected / std::sqrt(2 * count), {}};
+}
+
+std::string left_out(const Scene& scene) {
+  if (experiment() == nullptr) return "this build has no experiment mean-free-path";
+  const auto closed = expect_closed({.scene = scene});
+  return closed ? "" : closed.error().front().message;
+}
+
+Setting flights(const AccuracyContext& context, std::uint64_t count) {
+  const auto paths = std::make_shared<Paths>();
+  const Scene& scene = context.scene;
+  const auto work = [paths, count, &scene, seed = context.seed, threads = context.threads] {
+    paths->found.clear();
+    for (std::uint64_t k = 0; k < kSeeds; ++k) {
+      const auto result =
+          experiment()->run({.scene = scene, .seed = seed + k, .count = count, .threads = threads});
+      if (!result) continue;
+      paths->found.push_back(result->measures.front().value);
+      paths->expected = result->measures.front().expected.value_or(0);
+    }
+  };
+  return {fmt::format("--count {}", count), static_cast<double>(count), work,
+          [paths] { return judge(*paths); }};
+}
+
+Result<ChoiceSettings> settings(const AccuracyContext& context) {
+  ChoiceSettings made;
+  made.unit = "of the mean free path";
+  made.reference = fmt::format("pi A / P (Santalo), over {} seeds", kSeeds);
+  made.grows = "flights";
+  for (std::uint64_t count = 10 * kFlights; count <= 10'000 * kFlights; count *= 4)
+    made.settings.push_back(flights(context, count));
+  return made;
+}
+
+}  // namespace
+
+namespace choice_entries {
+extern const Choice samples = {"samples", "What does it cost to know a mean by random orbits?",
+                               ErrorKind::sampling, &left_out, &settings};
+}  // namespace choice_entries
+
+}  // namespace flatray

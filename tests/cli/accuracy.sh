@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# `flatray accuracy`: files, a table for people, a budget that cuts, and what it refuses.
+source "$(dirname "$0")/lib.sh"
+scene box.toml 3
+run 0 accuracy box.toml -o out --budget 5s
+says out "coverage: What does it cost"
+says out "left out: "
+exists out/accuracy.{csv,json,html} out/accuracy_coverage.svg
+head -1 out/accuracy.csv | grep -q '^choice,setting,n,seconds' || fail "header of accuracy.csv"
+run 0 accuracy box.toml -o json --choice coverage --budget 5 --json
+says out '"files":'
+run 0 accuracy box.toml -o cut --choice coverage --budget 0.000001s
+says out "not within the budget: exact area"
+run 2 accuracy box.toml --choice covrage
+says err "did you mean 'coverage'?"
+run 2 accuracy box.toml --budget soon
+says err "is no time above 0"
+finish

@@ -1,0 +1,136 @@
+// needs: shapes/box shapes/circle
+#include "study/accuracy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/processor_time.h"
+#include "scene/scene_text.h"
+#include "study/accuracy_report.h"
+
+namespace flatray {
+namespace {
+
+AccuracyPoint point(double n, double error) {
+  AccuracyPoint made;
+  made.n = n;
+  made.outcome.error = error;
+  return made;
+}
+
+TEST(FittedOrder, IsTheExponentOfAPowerAndHasNoDoubtOfIt) {
+  std::vector<AccuracyPoint> points;
+  for (const double n : {1.0, 4.0, 64.0, 1000.0}) points.push_back(point(n, 3 / std::sqrt(n)));
+  points.push_back(point(0, 7));   // beside the row
+  points.push_back(point(16, 0));  // no error has no logarithm
+  const auto order = fit_order(points);
+  ASSERT_TRUE(order);
+  EXPECT_NEAR(order->slope, -0.5, 1e-14);
+  EXPECT_LT(order->standard_error, 1e-14);
+}
+
+TEST(FittedOrder, OfTwoPointsIsNone) {
+  EXPECT_FALSE(fit_order({point(1, 1), point(2, 0.5)}));
+  EXPECT_FALSE(fit_order({point(2, 1), point(2, 0.5), point(2, 0.25)}));
+}
+
+std::string always(const Scene&) { return ""; }
+
+void spin(double seconds) {
+  for (const double end = processor_seconds() + seconds; processor_seconds() < end;) {
+  }
+}
+
+Setting setting(const char* words, double n, double seconds, double error) {
+  return {words, n, [seconds] { spin(seconds); }, [error] { return Outcome{error}; }};
+}
+
+Result<ChoiceSettings> three(const AccuracyContext&) {
+  return ChoiceSettings{"the truth",
+                        "m",
+                        "steps",
+                        {setting("short", 1, 0, 0.5), setting("long and far", 2, 0.01, 0.75),
+                         setting("long and near", 4, 0.01, 0.25)}};
+}
+
+TEST(Accuracy, BestIsWhatNoOtherSettingBeatsInBothTimeAndError) {
+  const Choice choice{"three", "?", ErrorKind::truncation, &always, &three};
+  const Scene scene;
+  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 1e6});
+  ASSERT_EQ(report.points.size(), 3U);
+  EXPECT_TRUE(report.points[0].best);
+  EXPECT_FALSE(report.points[1].best);
+  EXPECT_TRUE(report.points[2].best);
+  EXPECT_GE(report.points[2].seconds, 0.01);
+  EXPECT_EQ(report.cut, "");
+}
+
+TEST(Accuracy, WhatTheBudgetCutsIsNamed) {
+  const Choice choice{"three", "?", ErrorKind::truncation, &always, &three};
+  const Scene scene;
+  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 1e-9});
+  EXPECT_EQ(report.points.size(), 1U);
+  EXPECT_EQ(report.cut, "long and far, long and near");
+}
+
+constexpr const char* kHead =
+    "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n";
+
+ChoiceReport coverage_of(const std::string& text) {
+  const Scene scene = loaded(kHead + text).scene;
+  for (const Choice* choice : choices())
+    if (std::string_view(choice->name) == "coverage") return measure_choice(*choice, {scene});
+  return {};
+}
+
+double error_of(const ChoiceReport& report, const std::string& setting) {
+  for (const AccuracyPoint& one : report.points)
+    if (one.setting == setting) return one.outcome.error;
+  return std::nan("");
+}
+
+TEST(Accuracy, OfCoverageIsNothingWhereOutlinesLieBetweenPixels) {
+  const ChoiceReport report =
+      coverage_of("[[entity]]\nshape = { box = { min = [3, 2], max = [9, 7] } }\n");
+  EXPECT_EQ(error_of(report, "pixel centres"), 0);
+  EXPECT_EQ(error_of(report, "exact area"), 0);
+  EXPECT_EQ(error_of(report, "64 samples a pixel"), 0);
+}
+
+TEST(Accuracy, ExactAreaIsNearerThanFewSamplesToADisc) {
+  const ChoiceReport report =
+      coverage_of("[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n");
+  const double area = error_of(report, "exact area");
+  EXPECT_GT(area, 0);
+  EXPECT_LT(area, error_of(report, "16 samples a pixel"));
+  EXPECT_LT(error_of(report, "16 samples a pixel"), error_of(report, "pixel centres"));
+}
+
+// Red over blue in one place: areas let blue show at the rim, samples do not.
+TEST(Accuracy, AreasOfThingsOnEachOtherAreBlendedAsIfTheyWereIndependent) {
+  const std::string disc =
+      "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n";
+  const ChoiceReport report =
+      coverage_of(disc + "fill = \"#0000ff\"\n" + disc + "fill = \"#ff0000\"\n");
+  EXPECT_GT(error_of(report, "exact area"), 2 * error_of(report, "64 samples a pixel"));
+}
+
+TEST(Accuracy, AChoiceASceneLacksIsLeftOutWithItsReason) {
+  const Scene scene = loaded(kHead).scene;
+  std::vector<ChoiceReport> reports;
+  for (const Choice* choice : choices()) reports.push_back(measure_choice(*choice, {scene}));
+  for (const ChoiceReport& report : reports)
+    if (report.name != "coverage") {
+      EXPECT_TRUE(report.points.empty()) << report.name;
+      EXPECT_NE(report.left_out, "") << report.name;
+    }
+  const ExperimentResult result = accuracy_report("<&>", reports);
+  const std::string& page = result.files.back().content;
+  EXPECT_NE(page.find("&lt;&amp;&gt;: error against run time"), std::string::npos);
+  EXPECT_EQ(page.find("http:"), page.find("http://www.w3.org"));  // a name, nothing to fetch
+  EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace flatray
