@@ -10,9 +10,10 @@
 // Directions are scaled by a power of two so that the greater component is in [1/2, 1). All bounds of
 // walk.h are in proportion to the length of the direction, which |d_x| + |d_y| is not below; t counts
 // cells times that length squared.
+// clang-format off
 #include "trace/kernels/vector.h"
-// Over the lanes of the former.
 #include "trace/kernels/quotient_body.h"
+// clang-format on
 
 using records::kFar;
 using records::Line;

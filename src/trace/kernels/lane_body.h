@@ -65,7 +65,13 @@ void clip(const Polygon& polygon, const Rays& rays, const Clip& result) {
 #include "trace/kernels/grid_body.h"
 
 namespace single {
+// Each over the former.
+// clang-format off
+#include "trace/kernels/single_moves.h"
+#include "trace/kernels/group_body.h"
+#include "trace/kernels/judge_body.h"
 #include "trace/kernels/walk_body.h"
+// clang-format on
 }  // namespace single
 
 // One ray alone in doubles, and records in lanes: four where there are vectors.
