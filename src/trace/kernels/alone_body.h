@@ -45,9 +45,9 @@ inline double floor_of(double x) {  // of what an int can hold
 #endif
 }
 
-// A ray in cells, turned: what is known of it in doubles.
+// A ray in cells, as it is and turned: what is known of it in doubles.
 struct Start {
-  double from_x, from_y, step_x, step_y, turn_x, turn_y;
+  double x, y, from_x, from_y, step_x, step_y, turn_x, turn_y;
 };
 
 enum class Fate { walks, misses, uncertain };
@@ -63,12 +63,14 @@ inline Fate bring_in(const Grid& grid, Start& s) {
   const auto inside = [](double at, double half) { return larger(-half, smaller(at, half)); };
   s.from_x = inside(s.from_x + into * s.step_x, grid.half_x);
   s.from_y = inside(s.from_y + into * s.step_y, grid.half_y);
+  s.x = s.turn_x * s.from_x;
+  s.y = s.turn_y * s.from_y;
   return Fate::walks;
 }
 
 inline Fate prepare(const Grid& grid, const AloneRay& ray, Start& s) {
-  const double x = (ray.ox - grid.centre_x) * grid.scale_x;
-  const double y = (ray.oy - grid.centre_y) * grid.scale_y;
+  const double x = s.x = (ray.ox - grid.centre_x) * grid.scale_x;
+  const double y = s.y = (ray.oy - grid.centre_y) * grid.scale_y;
   const double dx = ray.dx * grid.scale_x, dy = ray.dy * grid.scale_y;
   const double most = larger(size(dx), size(dy));
   if (!(kLeastSize < most && most < kLargestSize && size(x) < grid.far && size(y) < grid.far))
@@ -88,8 +90,8 @@ inline Fate prepare(const Grid& grid, const AloneRay& ray, Start& s) {
 inline Line line_of(const Grid& grid, const Start& s, unsigned left) {
   const auto in_all = [](double value) { return records::all(static_cast<float>(value)); };
   const double unit = static_cast<double>(grid.unit) * (s.step_x + s.step_y);
-  return {in_all(s.turn_x * s.from_x),
-          in_all(s.turn_y * s.from_y),
+  return {in_all(s.x),
+          in_all(s.y),
           in_all(s.turn_x * s.step_x),
           in_all(s.turn_y * s.step_y),
           in_all(kSide * unit),
@@ -158,30 +160,32 @@ class Walk {
 
   // The cells of a cell. They are entered a little early and left as the cell itself is: so the way
   // has no gap, whatever rounding says of ways close to the borders.
-  void cross_divided(unsigned word, long at, bool leave_across) {
+  __attribute__((noinline)) void cross_divided(unsigned word, long at, bool leave_across) {
     const auto n = static_cast<double>(__builtin_bit_cast(float, word & 0x7f800000U));
     const unsigned* cells = grid_.cells + 16 * static_cast<unsigned long>(word & 0x7fffffU);
     // Of the lower corner of the cell, as seen from the start.
-    const double low_x = way(at, true) - 1, low_y = way(at, false) - 1;
+    const double low_x = way(at, true) - 1, low_y = way(at, false) - 1, part = 1 / n;
     const double into = larger(larger((low_x - kEarly) / step_[1], (low_y - kEarly) / step_[0]), 0);
-    const auto part = [&](double within) {
+    const auto place = [&](double within) {
       return static_cast<int>(larger(0, smaller(within * n, n - 1)));
     };
     const int end = static_cast<int>(n);
-    int x = part(into * step_[1] - low_x), y = part(into * step_[0] - low_y);
-    for (;;) {
+    int x = place(into * step_[1] - low_x), y = place(into * step_[0] - low_y);
+    const auto way_x = [&] { return low_x + (x + 1) * part; };
+    const auto way_y = [&] { return low_y + (y + 1) * part; };
+    const double p = step_[1] * part, q = step_[0] * part;
+    for (double e = way_x() * step_[0] - way_y() * step_[1];;) {
       const int column = start_.turn_x < 0 ? end - 1 - x : x;
       const int row = start_.turn_y < 0 ? end - 1 - y : y;
       const unsigned inner = cells[row * end + column];
-      const double way_x = low_x + (x + 1) / n, way_y = low_y + (y + 1) / n;
-      bool is_across = way_x * step_[0] < way_y * step_[1];
+      const bool is_across =
+          (e < 0 && (leave_across || x + 1 < end)) || (leave_across && y + 1 == end);
       if ((inner >> 31) == 0) {
         test_list(grid_, line_, inner, rivals_);
-        if (rivals_.least() < kFar && is_before(is_across ? way_x / step_[1] : way_y / step_[0]))
+        if (rivals_.least() < kFar && is_before(e < 0 ? way_x() / step_[1] : way_y() / step_[0]))
           return;
       }
-      if (is_across && !leave_across && x + 1 == end) is_across = false;
-      if (!is_across && leave_across && y + 1 == end) is_across = true;
+      e += is_across ? q : -p;
       if ((is_across ? ++x : ++y) == end) return;
     }
   }

@@ -55,6 +55,7 @@ inline void weigh(const Grid& grid, const Line& line, const Open& o, unsigned re
 
 // Counts the walls of a list, from its first record.
 inline void test_list(const Grid& grid, const Line& line, unsigned record, Rivals& r) {
+  __builtin_prefetch(grid.slots + record);
   for (;; record += kLanes) {
     unsigned at[kLanes];
     for (unsigned lane = 0; lane < kLanes; ++lane) at[lane] = record + lane;
