@@ -1,4 +1,4 @@
-// Goals S1 to S5: what rays meet first, by every exact tracer and by Embree as far as it is
+// Goals S1 to S6: what rays meet first, by every exact tracer and by Embree as far as it is
 // built in, in million rays a second of one thread; then the memory and the time to build (S15).
 //   trace_nearest [--cells RAYS,SCENE] [--most N]     e.g. --cells random,uniform --most 4096
 #include <fmt/core.h>
@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "measure.h"
+#include "plain_lanes.h"
 #include "trace/tracer.h"
 #include "trace_scenes.h"
 #include "tracing.h"
@@ -127,6 +128,7 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
         (segments <= 256 && std::strcmp(tracer->name, "brute") == 0))
       all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
   all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
+  bench::add_plain_lanes(room.walls, all);
 #ifdef BENCH_EMBREE
   bench::add_embree(room.walls, 0.5, all);
 #endif
@@ -207,7 +209,7 @@ Options read_options(int count, char** arguments) {
 int main(int count, char** arguments) {
   const Options options = read_options(count, arguments);
   fmt::print(
-      "\nS1, S2, S4, S5: million rays a second, medians of rounds in turn, CPU time of one "
+      "\nS1 to S6: million rays a second, medians of rounds in turn, CPU time of one "
       "thread;\n"
       "ratio: to the best of Embree in that row; differ: share of rays whose t is not the first\n"
       "row's to 0.1 % (floats tie, and miss).\n"

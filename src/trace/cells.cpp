@@ -85,8 +85,9 @@ Vec2 CellGrid::half() const {
 
 lanes::Grid CellGrid::view() const {
   lanes::Grid grid{};
-  grid.cells = words_.data();
+  grid.cells = words_.empty() ? nullptr : words_.data();
   grid.records = records_.data();
+  grid.slots = slots_.data();
   grid.centre_x = centre_.x();
   grid.centre_y = centre_.y();
   grid.scale_x = scale_.x();
@@ -147,7 +148,7 @@ std::optional<CellGrid> CellGrid::build_list(const Surfaces& walls) {
   const std::size_t count = walls.segments.size();
   grid.slots_.resize(count);
   std::iota(grid.slots_.begin(), grid.slots_.end(), 0U);
-  grid.records_.resize(4 * count);
+  grid.records_.resize(4 * (count + kBeyond));
   for (std::size_t i = 0; i < count; ++i)
     grid.write_record(grid.ends(walls.segments[i]), i + 1 == count, i);
   grid.find_twins(walls);

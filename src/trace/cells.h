@@ -86,6 +86,8 @@ class CellGrid {
   void write_record(const Ends& ends, bool is_last, std::size_t record);
   void find_twins(const Surfaces& walls);
 
+  static constexpr std::size_t kBeyond = 3;  // records read beyond the last
+
   Vec2 centre_, size_, scale_;
   std::int32_t columns_ = 0, rows_ = 0;  // without the ring
   double stride_ = 0, first_ = 0, unit_ = 0;

@@ -168,7 +168,7 @@ void CellGrid::fill(const Surfaces& walls) {
     }
   });
   slots_.reserve(lists.slots.size());
-  records_.reserve(4 * lists.slots.size());
+  records_.reserve(4 * (lists.slots.size() + kBeyond));
   words_.assign((cells + 15) / 16 * 16, kEmpty);
   for (std::int32_t row = 0; row < rows_; ++row)
     for (std::int32_t column = 0; column < columns_; ++column) {
@@ -180,6 +180,7 @@ void CellGrid::fill(const Surfaces& walls) {
       divided_ += n > 1 ? 1 : 0;
     }
   mark_empty(&words_[index(0, 0)], static_cast<std::ptrdiff_t>(stride), raster);
+  records_.resize(4 * (slots_.size() + kBeyond));
 }
 
 void CellGrid::write_record(const Ends& e, bool is_last, std::size_t record) {

@@ -1,6 +1,5 @@
 #include "trace/lane_tracer.h"
 
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
-#include "trace/single_walk.h"
 
 namespace flatray {
 namespace {
@@ -144,24 +142,13 @@ class LaneTracer : public Accelerator {
               decide_exactly(verdict, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
     }
   }
-  // Before and after the walk the portable kernels, which are those of a single lane.
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
-    const lanes::WalkKernels& kernels = lane_kernels(Isa::portable).walk;
-    const lanes::Rays given = {&ray.origin.x(), &ray.origin.y(), &ray.direction.x(),
-                               &ray.direction.y(), 1};
-    std::array<float, 9> columns;
-    const float number = 0;
-    lanes::Walking w = columns_of(columns.data(), &number, 1);
-    w.count = 1;
-    int fate = 0;
-    kernels.prepare(view_, given, w, &fate);
-    if (!mark_left(walls_, cells_, left, w, 0, fate)) w.left_ax = nullptr;
-    if (fate != 0) return search_.nearest(ray, left, tangents);
-    const int found = cells_.has_cells() ? walk_single(view_, w) : scan_single(view_, w);
-    Verdict verdict = {found, found < 0 ? 0 : cells_.slot(static_cast<std::size_t>(found)), 0};
-    if (verdict.is_hit())
-      kernels.finish(given, {walls_.segments.front().a.data(), &verdict.slot, &verdict.t});
-    return decide(verdict, ray, left, tangents);
+    const bool segment = left.surface != kNoSurface && walls_.is_straight(left.surface);
+    const lanes::AloneHit found =
+        kernels_.alone(view_, walls_.segments.front().a.data(),
+                       {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(),
+                        segment ? walls_.slot[left.surface] : kNoSurface});
+    return decide({found.found, found.slot, found.t}, ray, left, tangents);
   }
   std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
                                      bool tangents) const override {

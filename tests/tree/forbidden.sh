@@ -58,8 +58,8 @@ rule 'the build downloads nothing' code "$build" "$none" \
   'FetchContent|ExternalProject|file\(DOWNLOAD|CPMAddPackage' \
   'include(FetchContent)' 'find_package(fmt REQUIRED)'
 rule 'flags that change the bits' code "$build|^tools/|^\\.ci/" "$none" \
-  '-ffast-math|-Ofast|-march=native|-mfma|-ffp-contract=(fast|on)|-funsafe-math' \
-  'add_compile_options(-march=native)' 'add_compile_options(-ffp-contract=off -mavx2)'
+  '-ffast-math|-Ofast|-march=native|-ffp-contract=(fast|on)|-funsafe-math' \
+  'add_compile_options(-march=native)' 'add_compile_options(-ffp-contract=off -mavx2 -mfma)'
 rule 'a bare epsilon' code '^src/(geom|trace|image|scene|anim|collide|transport|precise|render)/.*\.(h|cpp)$' \
   '^src/geom/error_bounds\.h$' \
   '[0-9.]e-(0?[4-9]|[1-9][0-9])([^0-9]|$)|numeric_limits<(double|float)>::epsilon' \

@@ -1,5 +1,6 @@
 // What comes before and after the walk, in double precision, written once over the lanes of
 // vector.h: rays into the coordinates of the grid, and t of the walls found.
+#include "trace/kernels/quotient_body.h"
 
 struct Placed {
   Real x, y, dx, dy;
@@ -51,69 +52,10 @@ void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
   }
 }
 
-// An unevaluated sum; `low` is what rounding to `high` left out.
-struct Pair {
-  Real high, low;
-};
-Pair difference(Real a, Real b) {
-  const Real d = a - b, from_b = d - a;
-  return {d, (a - (d - from_b)) - (b + from_b)};
-}
-// Halves of 26 bits, whose products are exact. Source: Veltkamp, Dekker.
-Pair halves(Real a) {
-  const Real c = a * all(0x1p27 + 1), high = c - (c - a);
-  return {high, a - high};
-}
-Pair product(Real a, Real b) {
-  const Real p = a * b;
-  const Pair x = halves(a), y = halves(b);
-  return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
-}
-
-// A number known to 2^-100 of `terms`.
-struct Known {
-  Pair value;
-  Real terms;
-};
-// a x b. Of the low parts: each of nine terms is at most 2 u of the products and is rounded some
-// eight times by u, what is left out is u^2 of them; 64 u^2 = 2^-100 covers it.
-inline Known cross(const Pair& ax, const Pair& ay, const Pair& bx, const Pair& by) {
-  const Pair p = product(ax.high, by.high), q = product(ay.high, bx.high);
-  const Pair high = difference(p.high, q.high);
-  const Real mixed = (ax.high * by.low + ax.low * by.high) - (ay.high * bx.low + ay.low * bx.high);
-  return {{high.high, high.low + (p.low - q.low) + mixed}, size(p.high) + size(q.high)};
-}
-
-// N / D rounded once, NaN where it is not certain which way. With q1 = N / D as far as the high
-// parts say and q2 the rest, q1 + q2 is off by what N, D and the remainder are, over D, and by
-// what D is off by in q2; twice that is allowed for. Products may underflow only far below the
-// bound. Infinities make NaNs, and no comparison holds.
-inline Real quotient(const Known& n, const Known& d) {
-  const Real inverse = all(1) / d.value.high, q1 = n.value.high * inverse;
-  const Pair p = product(q1, d.value.high);
-  const Real high = n.value.high - p.high, carried = q1 * d.value.low;
-  const Real rest = (high - p.low) + (n.value.low - carried);
-  const Real rest_terms = size(high) + size(p.low) + size(n.value.low) + size(carried);
-  const Real divisor = size(inverse), q2 = rest * inverse;
-  const Real known = (n.terms + size(q1) * d.terms) * all(0x1p-99) + rest_terms * all(0x1p-50);
-  const Real reach =
-      known * divisor + size(q2) * (all(0x1p-49) + all(4) * size(d.value.low) * divisor);
-  const Real sum = q1 + q2, low = q2 - (sum - q1);
-  const Mask normal = both(both(less(all(0x1p-800), n.terms), less(all(0x1p-800), d.terms)),
-                           both(less(all(0x1p-800), sum), less(sum, all(0x1p900))));
-  const Mask certain = both(equal(sum + (low + reach), sum), equal(sum + (low - reach), sum));
-  const Mask small = both(less(size(d.value.low) * divisor, all(0x1p-3)), less(size(q2), size(q1)));
-  return choose(both(both(normal, certain), small), sum, all(__builtin_nan("")));
-}
-
-// t = ((a - o) x (b - a)) / (d x (b - a)).
+// t of the walls found.
 void finish(const Rays& rays, const Finish& walls) {
-  const Real zero = all(0);
-  for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
-    const Ends e = fetch_ends(walls.ends, walls.slots + i);
-    const Pair ex = difference(e.bx, e.ax), ey = difference(e.by, e.ay);
-    const Pair wx = difference(e.ax, load(rays.ox + i)), wy = difference(e.ay, load(rays.oy + i));
-    const Pair dx = {load(rays.dx + i), zero}, dy = {load(rays.dy + i), zero};
-    store(walls.t + i, quotient(cross(wx, wy, ex, ey), cross(dx, dy, ex, ey)));
-  }
+  for (int i = 0; i < rays.count; i += FLATRAY_LANES)
+    store(walls.t + i, crossing_time({load(rays.ox + i), load(rays.oy + i), load(rays.dx + i),
+                                      load(rays.dy + i)},
+                                     fetch_ends(walls.ends, walls.slots + i)));
 }

@@ -65,12 +65,36 @@ void clip(const Polygon& polygon, const Rays& rays, const Clip& result) {
 #include "trace/kernels/grid_body.h"
 
 namespace single {
+// Each over the former.
+// clang-format off
+#include "trace/kernels/single_moves.h"
+#include "trace/kernels/group_body.h"
+#include "trace/kernels/judge_body.h"
 #include "trace/kernels/walk_body.h"
+// clang-format on
 }  // namespace single
+
+// One ray alone in doubles, and records in lanes: four where there are vectors.
+#if FLATRAY_LANES > 1
+#define FLATRAY_RECORD_LANES 2
+#else
+#define FLATRAY_RECORD_LANES 1
+#endif
+#undef FLATRAY_LANES
+#define FLATRAY_LANES FLATRAY_RECORD_LANES
+namespace records {
+#include "trace/kernels/rivals_body.h"
+}  // namespace records
+#undef FLATRAY_LANES
+#define FLATRAY_LANES 1
+namespace alone {
+#include "trace/kernels/alone_body.h"
+}  // namespace alone
 
 }  // namespace
 
 extern const Kernels kKernels;
-const Kernels kKernels = {&clip, {&prepare, &single::walk, &single::scan, &finish}};
+const Kernels kKernels = {&clip,
+                          {&prepare, &single::walk, &single::scan, &finish, &alone::nearest}};
 
 }  // namespace flatray::lanes::FLATRAY_TIER

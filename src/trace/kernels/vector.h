@@ -21,6 +21,9 @@ inline Real larger(Real a, Real b) { return a > b ? a : b; }
 inline Real size(Real a) { return __builtin_fabs(a); }
 inline Real with_sign_of(Real size, Real sign) { return __builtin_copysign(size, sign); }
 inline Real root(Real a) { return __builtin_sqrt(a); }
+#ifdef __FMA__
+inline Real fused_difference(Real a, Real b, Real c) { return __builtin_fma(a, b, -c); }
+#endif
 inline void store_single(float* to, Real value) { *to = static_cast<float>(value); }
 inline Ends fetch_ends(const double* ends, const unsigned* slot) {
   const double* e = ends + 4 * static_cast<long>(*slot);
@@ -84,6 +87,7 @@ inline Real with_sign_of(Real size, Real sign) {
   return _mm256_or_pd(size, _mm256_and_pd(_mm256_set1_pd(-0.0), sign));
 }
 inline Real root(Real a) { return _mm256_sqrt_pd(a); }
+inline Real fused_difference(Real a, Real b, Real c) { return _mm256_fmsub_pd(a, b, c); }
 inline void store_single(float* to, Real value) { _mm_storeu_ps(to, _mm256_cvtpd_ps(value)); }
 inline Ends fetch_ends(const double* ends, const unsigned* slot) {
   const auto row = [&](int lane) { return load(ends + 4 * static_cast<long>(slot[lane])); };
@@ -116,6 +120,7 @@ inline Real with_sign_of(Real size, Real sign) {
   return _mm512_or_pd(size, _mm512_and_pd(_mm512_set1_pd(-0.0), sign));
 }
 inline Real root(Real a) { return _mm512_maskz_sqrt_pd(255, a); }
+inline Real fused_difference(Real a, Real b, Real c) { return _mm512_fmsub_pd(a, b, c); }
 inline void store_single(float* to, Real value) {
   _mm256_storeu_ps(to, _mm512_maskz_cvtpd_ps(255, value));
 }

@@ -45,7 +45,8 @@ inline constexpr int kSide = 16, kTime = 33, kNear = 64, kMargin = 128;
 /// set; of a cell of walls neither. Squares of empty cells end where the divided cell does.
 struct Grid {
   const unsigned* cells;
-  const float* records;  ///< ax, ay, bx, by of a wall in a cell
+  const float* records;   ///< ax, ay, bx, by of a wall in a cell; three more may be read
+  const unsigned* slots;  ///< of the segments of records
   double centre_x, centre_y, scale_x, scale_y;
   double half_x, half_y;  ///< rays from farther out start where they enter this box
   double ring_x, ring_y;  ///< a place in the ring
@@ -79,6 +80,19 @@ struct Finish {
   double* t;              ///< the nearest double, or NaN where that is not certain
 };
 
+/// A ray alone.
+struct AloneRay {
+  double ox, oy, dx, dy;
+  unsigned left;  ///< slot of the segment just left, or none
+};
+
+/// What it meets: `found` as of rays that walk in lanes, the slot of the segment, its t as in Finish.
+struct AloneHit {
+  int found;
+  unsigned slot;
+  double t;
+};
+
 struct WalkKernels {
   /// Fills `walking` but for the walls left; `fate` of rays that cannot walk is kDoubt, else 0. Rays
   /// that miss the grid start in the ring.
@@ -88,6 +102,8 @@ struct WalkKernels {
   /// whole vector.
   void (*scan)(const Grid&, const Walking&, int* found);
   void (*finish)(const Rays&, const Finish&);
+  /// All of it for one ray; of every record where there are no cells. `ends` as in Finish.
+  AloneHit (*alone)(const Grid&, const double* ends, const AloneRay&);
 };
 
 }  // namespace flatray::lanes

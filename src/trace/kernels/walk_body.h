@@ -1,59 +1,5 @@
-// The walk through the grid, written once over the lanes of single_vector.h. Bounds: walk.h.
-#include "trace/kernels/single_moves.h"
-
-// Groups of lanes are under way together, phase by phase, so that one computes while another waits
-// for memory.
-constexpr int kGroups = FLATRAY_LANES == 1 ? 1 : 3;
-constexpr int kRefill = kLanes / 4 + 1;  // lanes that wait before new rays are put into them
-constexpr float kFar = 1e30F, kEndless = __builtin_inff();
-
-struct Constants {
-  Float side, time, near, stride, first;
-};
-
-// A ray in every lane.
-struct Group {
-  Float ox, oy, dx, dy;
-  // Turned so that it goes up and to the right: cells are entered in rising order.
-  Float from_x, from_y, step_x, step_y, inverse_x, inverse_y;
-  Float turn_x, turn_y, first;  // cell of corner (x, y), turned: first + turn_x x + turn_y y
-  Float left_ax, left_ay, left_bx;
-  Float ray;               // its number
-  Int quadrant;            // shift of the word of an empty cell
-  Float x, y;              // where a cell is entered, then its corner, turned
-  Float exit_x, exit_y;    // planes by which its box is left
-  Float exit, limit;       // t there; hits later than the limit wait
-  Int record, best;        // to be tested next, or negative; of the best sure hit
-  Float low, high, other;  // of that; least t any other wall not ruled out could have
-  Mask live, done;         // under way; finished and not yet written
-  Mask moving, across_x;   // between two cells; by a change of x
-};
-
-// Counts a wall for the rays that it is not ruled out for.
-template <bool some_left>
-inline void judge(const Constants& c, const Record& r, Mask idle, Group& g) {
-  const Float ax = r.ax - g.ox, ay = r.ay - g.oy, bx = r.bx - g.ox, by = r.by - g.oy;
-  const Float side_a = g.dx * ay - g.dy * ax, side_b = g.dx * by - g.dy * bx;
-  const Float t_a = g.dx * ax + g.dy * ay, t_b = g.dx * bx + g.dy * by;
-  const Float lower = smaller(side_a, side_b), upper = larger(side_a, side_b);
-  const Float minus_side = all(0.0F) - c.side;
-  const Mask missed = either(less(c.side, lower), less(upper, minus_side));
-  const Mask sure = both(less(lower, minus_side), less(c.side, upper));
-  const Float slope = (t_b - t_a) / (side_a - side_b), t = t_a + side_a * slope;
-  const Float error = c.time + c.side * size(slope);
-  const Float low = choose(sure, t - error, smaller(t_a, t_b) - c.time);
-  const Float high = choose(sure, t + error, larger(t_a, t_b) + c.time);
-  Mask out = either(either(idle, missed), either(less(high, all(0.0F)), less(g.limit, low)));
-  if (some_left)
-    out = either(
-        out, both(both(equal(r.ax, g.left_ax), equal(r.ay, g.left_ay)), equal(r.bx, g.left_bx)));
-  const Mask closer = but_not(both(both(sure, less(all(0.0F), low)), less(high, g.high)), out);
-  const Float loser = choose(closer, g.low, low);
-  g.other = choose(out, g.other, smaller(g.other, loser));
-  g.low = choose(closer, low, g.low);
-  g.high = choose(closer, high, g.high);
-  g.best = choose(closer, g.record, g.best);
-}
+// The walk through the grid, written once over the lanes of single_vector.h, the groups of group_body.h
+// and the judge of judge_body.h.
 
 template <bool some_left>
 inline void test(const Constants& c, const float* records, Group& g) {
@@ -259,7 +205,7 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
   }
 }
 
-void scan(const Grid& grid, const Walking& rays, int* found) {
+[[maybe_unused]] void scan(const Grid& grid, const Walking& rays, int* found) {
   if (rays.left_ax != nullptr)
     scan_all<true>(grid, rays, found);
   else

@@ -1,0 +1,215 @@
+// The nearest segment of one ray alone, whose way may branch where lanes may not. Bounds: walk.h.
+//
+// Cells are crossed one by one, turned as in walk_body.h. With a direction (p, q), p, q >= 0, from f,
+// of the planes by which the cell at (X, Y) is left the ray meets that of x first where
+//   e = (X + 1 - f_x) q - (Y + 1 - f_y) p < 0;
+// crossing it adds q to e, crossing the other takes p away. e, p and q are whole numbers of 2^-40, off
+// by half of one: over the 2^13 cells a ray can cross by 2^-27 cells in all, which lists allow for
+// some hundred times. So a step is a few additions that wait for no memory.
+//
+// Directions are scaled by a power of two so that the greater component is in [1/2, 1). All bounds of
+// walk.h are in proportion to the length of the direction, which |d_x| + |d_y| is not below; t counts
+// cells times that length squared.
+// clang-format off
+#include "trace/kernels/vector.h"
+#include "trace/kernels/quotient_body.h"
+// clang-format on
+
+using records::kFar;
+using records::Line;
+using records::Rivals;
+using records::test_list;
+
+constexpr unsigned kOutside = 0x80000000U;  // the word of a cell in the ring
+constexpr double kFixed = 0x1p40;
+constexpr double kEarly = 0x1p-20;  // in cells: divided cells are entered as much earlier
+constexpr double kLeastSize = 0x1p-450, kLargestSize = 0x1p450;
+
+// The cell a ray is in, and how many it has crossed in x and in y, in one word: counted by one
+// addition.
+constexpr int kCountX = 26, kCountY = 45;
+constexpr long kCell = (1L << kCountX) - 1, kCount = (1L << (kCountY - kCountX)) - 1;
+
+// 1 or -1, by which places are turned so that rays go up and to the right. Not by branches: which way
+// a ray goes cannot be foreseen.
+inline double turn_of(double along) { return with_sign_of(1, along); }
+// A turned cell, by its lower corner, as it is counted in the grid.
+inline double unturned(double corner, double turn) { return turn * corner + 0.5 * (turn - 1); }
+
+inline double floor_of(double x) {  // of what an int can hold
+#ifdef __SSE4_1__
+  return __builtin_floor(x);
+#else
+  const auto down = static_cast<double>(static_cast<int>(x));
+  return down - static_cast<double>(static_cast<int>(x < down));
+#endif
+}
+
+// A ray in cells, as it is and turned: what is known of it in doubles.
+struct Start {
+  double x, y, from_x, from_y, step_x, step_y, turn_x, turn_y;
+};
+
+enum class Fate { walks, misses, uncertain };
+
+// Starts a ray from beyond the grid where it enters it.
+inline Fate bring_in(const Grid& grid, Start& s) {
+  const double x_in = (-grid.half_x - s.from_x) / s.step_x;
+  const double y_in = (-grid.half_y - s.from_y) / s.step_y;
+  const double x_out = (grid.half_x - s.from_x) / s.step_x;
+  const double y_out = (grid.half_y - s.from_y) / s.step_y;
+  const double into = larger(larger(x_in, y_in), 0);
+  if (smaller(x_out, y_out) < into) return Fate::misses;
+  const auto inside = [](double at, double half) { return larger(-half, smaller(at, half)); };
+  s.from_x = inside(s.from_x + into * s.step_x, grid.half_x);
+  s.from_y = inside(s.from_y + into * s.step_y, grid.half_y);
+  s.x = s.turn_x * s.from_x;
+  s.y = s.turn_y * s.from_y;
+  return Fate::walks;
+}
+
+inline Fate prepare(const Grid& grid, const AloneRay& ray, Start& s) {
+  const double x = s.x = (ray.ox - grid.centre_x) * grid.scale_x;
+  const double y = s.y = (ray.oy - grid.centre_y) * grid.scale_y;
+  const double dx = ray.dx * grid.scale_x, dy = ray.dy * grid.scale_y;
+  const double most = larger(size(dx), size(dy));
+  if (!(kLeastSize < most && most < kLargestSize && size(x) < grid.far && size(y) < grid.far))
+    return Fate::uncertain;
+  const auto exponent = __builtin_bit_cast(unsigned long, most) >> 52;
+  const auto scale = __builtin_bit_cast(double, (2045 - exponent) << 52);
+  s.turn_x = turn_of(dx);
+  s.turn_y = turn_of(dy);
+  s.step_x = larger(size(dx) * scale, kLeastStep);
+  s.step_y = larger(size(dy) * scale, kLeastStep);
+  s.from_x = s.turn_x * x;
+  s.from_y = s.turn_y * y;
+  if (size(x) < grid.half_x && size(y) < grid.half_y) return Fate::walks;
+  return bring_in(grid, s);
+}
+
+inline Line line_of(const Grid& grid, const Start& s, unsigned left) {
+  const auto in_all = [](double value) { return records::all(static_cast<float>(value)); };
+  const double unit = static_cast<double>(grid.unit) * (s.step_x + s.step_y);
+  return {in_all(s.x),
+          in_all(s.y),
+          in_all(s.turn_x * s.step_x),
+          in_all(s.turn_y * s.step_y),
+          in_all(kSide * unit),
+          in_all(kTime * unit),
+          left};
+}
+
+class Walk {
+ public:
+  Walk(const Grid& grid, const Start& start, const Line& line)
+      : grid_(grid),
+        start_(start),
+        line_(line),
+        square_(start.step_x * start.step_x + start.step_y * start.step_y),
+        near_(kNear * static_cast<double>(grid.unit) * (start.step_x + start.step_y)) {}
+
+  Rivals run() {
+    const double x = floor_of(start_.from_x), y = floor_of(start_.from_y);
+    const double stride = static_cast<double>(grid_.stride);
+    step_[0] = start_.step_y;
+    step_[1] = start_.step_x;
+    gap_[0] = y + 1 - start_.from_y;
+    gap_[1] = x + 1 - start_.from_x;
+    const auto p = static_cast<long>(start_.step_x * kFixed + 0.5);
+    const auto q = static_cast<long>(start_.step_y * kFixed + 0.5);
+    auto e = static_cast<long>((gap_[1] * step_[0] - gap_[0] * step_[1]) * kFixed);
+    const long up = static_cast<long>(stride * start_.turn_y) + (1L << kCountY);
+    const long across = static_cast<long>(start_.turn_x) + (1L << kCountX);
+    auto at = static_cast<long>(static_cast<double>(grid_.first) +
+                                stride * unturned(y, start_.turn_y) + unturned(x, start_.turn_x));
+    const long turn_e = p + q, turn_at = across - up;
+    const unsigned* const cells = grid_.cells;
+    for (unsigned word = cells[at & kCell];;) {
+      if (word <= kOutside) {
+        if (word == kOutside || visit(word, at, e < 0)) return rivals_;
+      }
+      do {
+        const long is_across = e >> 63;  // all bits
+        e += (is_across & turn_e) - p;
+        at += up + (is_across & turn_at);
+        word = cells[at & kCell];
+      } while (word > kOutside);
+    }
+  }
+
+ private:
+  // Tests the walls of a cell; whether nothing can come before what was met.
+  __attribute__((noinline)) bool visit(unsigned word, long at, bool is_across) {
+    if ((word >> 30) == 0)
+      test_list(grid_, line_, word, rivals_);
+    else
+      cross_divided(word, at, is_across);
+    if (!(rivals_.least() < kFar)) return false;
+    return is_before(way(at, is_across) / step_[is_across]);
+  }
+
+  // Cells in x (or y) between the start and the plane by which the cell is left.
+  double way(long at, bool in_x) const {
+    return gap_[in_x] + static_cast<double>(at >> (in_x ? kCountX : kCountY) & kCount);
+  }
+
+  // Whether what was met surely lies before the ray leaves a cell.
+  bool is_before(double exit) const {
+    return static_cast<double>(rivals_.least()) < exit * square_ - near_;
+  }
+
+  // The cells of a cell. They are entered a little early and left as the cell itself is: so the way
+  // has no gap, whatever rounding says of ways close to the borders.
+  __attribute__((noinline)) void cross_divided(unsigned word, long at, bool leave_across) {
+    const auto n = static_cast<double>(__builtin_bit_cast(float, word & 0x7f800000U));
+    const unsigned* cells = grid_.cells + 16 * static_cast<unsigned long>(word & 0x7fffffU);
+    // Of the lower corner of the cell, as seen from the start.
+    const double low_x = way(at, true) - 1, low_y = way(at, false) - 1, part = 1 / n;
+    const double into = larger(larger((low_x - kEarly) / step_[1], (low_y - kEarly) / step_[0]), 0);
+    const auto place = [&](double within) {
+      return static_cast<int>(larger(0, smaller(within * n, n - 1)));
+    };
+    const int end = static_cast<int>(n);
+    int x = place(into * step_[1] - low_x), y = place(into * step_[0] - low_y);
+    const auto way_x = [&] { return low_x + (x + 1) * part; };
+    const auto way_y = [&] { return low_y + (y + 1) * part; };
+    const double p = step_[1] * part, q = step_[0] * part;
+    for (double e = way_x() * step_[0] - way_y() * step_[1];;) {
+      const int column = start_.turn_x < 0 ? end - 1 - x : x;
+      const int row = start_.turn_y < 0 ? end - 1 - y : y;
+      const unsigned inner = cells[row * end + column];
+      const bool is_across =
+          (e < 0 && (leave_across || x + 1 < end)) || (leave_across && y + 1 == end);
+      if ((inner >> 31) == 0) {
+        test_list(grid_, line_, inner, rivals_);
+        if (rivals_.least() < kFar && is_before(e < 0 ? way_x() / step_[1] : way_y() / step_[0]))
+          return;
+      }
+      e += is_across ? q : -p;
+      if ((is_across ? ++x : ++y) == end) return;
+    }
+  }
+
+  const Grid& grid_;
+  const Start& start_;
+  const Line& line_;
+  const double square_, near_;
+  double step_[2] = {}, gap_[2] = {};  // in y, in x
+  Rivals rivals_;
+};
+
+AloneHit nearest(const Grid& grid, const double* ends, const AloneRay& ray) {
+  Start start;
+  const Fate fate = prepare(grid, ray, start);
+  if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};
+  const Line line = line_of(grid, start, ray.left);
+  Rivals rivals;
+  if (grid.cells == nullptr)
+    test_list(grid, line, 0, rivals);
+  else
+    rivals = Walk(grid, start, line).run();
+  AloneHit hit{rivals.verdict(), rivals.slot, 0};
+  if (hit.found >= 0)
+    hit.t = crossing_time({ray.ox, ray.oy, ray.dx, ray.dy}, fetch_ends(ends, &hit.slot));
+  return hit;
+}
