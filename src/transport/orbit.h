@@ -66,7 +66,7 @@ struct OrbitRules {
 /// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on
 ///         the inner side by at most 2 more; the length of the direction within 4 ulp of the
 ///         start's, after any number of bounces.
-/// Cost    a bounce 1 to 2 us, and a box test for every wall.
+/// Cost    a bounce 1 to 2 us; the walls are sorted into cells once, O(n).
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
                   std::uint64_t bounces, const OrbitRules& rules = {});
 
