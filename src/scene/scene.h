@@ -126,7 +126,11 @@ struct MarkovUse {
 };
 
 /// What a ray does on arrival.
-enum class Material { absorb, mirror };
+enum class Material {
+  absorb,
+  mirror,
+  periodic  ///< of a chamber that is an upright box: who leaves by one wall enters by that opposite
+};
 
 /// A way of straight edges, every one longer than 0. A closed one ends where it begins.
 struct Path {
