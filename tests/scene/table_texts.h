@@ -51,6 +51,11 @@ inline constexpr TableText kTables[] = {
      "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "
      "{ circle = { radius = 1 } }\n@"},
     {"ray", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\n@"},
+    {"ray.fan",
+     "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\nfan = { count = 2, @ }"},
+    {"ray.ball",
+     "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\nball = { speed = 1, radius = 1, @ "
+     "}"},
     {"edge_rays",
      "flatray = 1\n[[entity]]\nname = \"a\"\nshape = { circle = { radius = 1 } "
      "}\n[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n@"},
