@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The hall's diamond: twelve bounces, back at (10, 0), having travelled 115 sqrt(2).
-# needs: shapes/box shapes/circle
+# needs: shapes/box shapes/circle shapes/polygon
 source "$(dirname "$0")/lib.sh"
 hall=$root/scenes/chamber/hall.toml
 run 0 orbit "$hall" --csv
