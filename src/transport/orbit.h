@@ -11,7 +11,7 @@ namespace flatray {
 
 enum class OrbitEnd {
   limit,     ///< all bounces asked for were made
-  escape,    ///< nothing lies ahead; between periodic walls, not in a million crossings
+  escape,    ///< nothing lies ahead; between periodic walls, not in 2^18 crossings
   absorbed,  ///< arrived at a surface that absorbs
   corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
   along      ///< starts on a wall and runs along it

@@ -21,7 +21,7 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
 
 // A ray between periodic walls that crosses as many of them and meets nothing else never will, as
 // far as anyone can wait.
-constexpr std::uint32_t kMostCrossings = 1U << 20;
+constexpr std::uint32_t kMostCrossings = 1U << 18;
 
 // From a point on a curve a ray goes inward from the first root, or outward from the second;
 // `both` on the tangent.
@@ -55,6 +55,8 @@ struct OrbitTracer::Flight {
   double before = 0;        // part of the next t that was flown before ray.origin
   std::uint64_t bounces = 0;
   std::uint32_t crossings = 0;  // since the last bounce
+  Vec2 entry{0, 0};             // to which the first of them led
+  bool circles = false;         // came back there: it does so for ever
   std::size_t number;
 
   double path_length() const { return (time.hi + time.lo) * speed.length(); }
@@ -67,8 +69,17 @@ class OrbitTracer::Wave {
 
   void set_off(std::span<const OrbitStart> starts) {
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      Flight flight{
-          starts[i].ray, starts[i].left, Speed(starts[i].ray.direction), {0, 0}, 0, 0, 0, 0, i};
+      Flight flight{starts[i].ray,
+                    starts[i].left,
+                    Speed(starts[i].ray.direction),
+                    {0, 0},
+                    0,
+                    0,
+                    0,
+                    0,
+                    {0, 0},
+                    false,
+                    i};
       if (start(flight)) flights_.push_back(flight);
     }
   }
@@ -142,7 +153,8 @@ class OrbitTracer::Wave {
     }
     if (is_all(landing.corner, Material::periodic) &&
         cross(flight, landing.point, landing.corner, hit.t))
-      return flight.crossings < kMostCrossings || stop(flight, OrbitEnd::escape, {});
+      return !(flight.circles || flight.crossings == kMostCrossings) ||
+             stop(flight, OrbitEnd::escape, {});
     const bool absorbed = is_all(landing.corner, Material::absorb);
     if (!absorbed && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any())
       return turn_back(flight, landing, hit.t);
@@ -159,7 +171,8 @@ class OrbitTracer::Wave {
     flight.ray.origin = entry->point;
     flight.left = {entry->surface, Root::none};
     flight.before += t;
-    ++flight.crossings;
+    flight.circles = flight.crossings > 0 && entry->point == flight.entry;
+    if (flight.crossings++ == 0) flight.entry = entry->point;
     return true;
   }
 

@@ -62,11 +62,17 @@ TEST(PeriodicWalls, AreCrossedTwoAtATimeInACornerOfTheBox) {
   EXPECT_NEAR(orbit.bounces[0].point.y(), orbit.bounces[0].point.x(), 1e-15);
 }
 
-TEST(PeriodicWalls, LetARayThatMeetsNothingGoAfterAMillionCrossings) {
+TEST(PeriodicWalls, LetARayThatComesBackGo) {
   const Orbit orbit = Torus({{{0.5, 0.5}, 0.25}}).orbit({{0.125, 0.5}, {0, 1}}, 1);
   EXPECT_EQ(orbit.end, OrbitEnd::escape);
-  EXPECT_EQ(orbit.crossings.size(), std::size_t{1} << 20);
+  ASSERT_EQ(orbit.crossings.size(), 2U);
   EXPECT_EQ(orbit.crossings.back().to, Vec2(0.125, 0));
+}
+
+TEST(PeriodicWalls, LetARayThatMeetsNothingGoAfterManyCrossings) {
+  const Orbit orbit = Torus({}).orbit({{0.125, 0.5}, {1, 0.6180339887498949}}, 1);
+  EXPECT_EQ(orbit.end, OrbitEnd::escape);
+  EXPECT_EQ(orbit.crossings.size(), std::size_t{1} << 18);
 }
 
 TEST(PeriodicWalls, StartedOnAreCrossedOrEnteredBy) {
