@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "chamber.h"
 #include "measure.h"
 #include "plain_lanes.h"
 #include "trace/tracer.h"
@@ -13,40 +14,9 @@
 
 namespace {
 
-using flatray::NearestHit;
+using bench::Chamber;
+using bench::Flatray;
 using flatray::RayBatch;
-using flatray::Surfaces;
-using flatray::Vec2;
-
-class Flatray : public bench::Tracing {
- public:
-  Flatray(const flatray::Tracer& tracer, const Surfaces& walls) : name_(tracer.name) {
-    const double start = bench::seconds(CLOCK_THREAD_CPUTIME_ID);
-    walls_ = tracer.build(walls);
-    const double spent = bench::seconds(CLOCK_THREAD_CPUTIME_ID) - start;
-    remark_ = fmt::format("{:.1f} bytes a segment, built in {:.2f} ms",
-                          static_cast<double>(walls_->bytes()) / static_cast<double>(walls.size()),
-                          1e3 * spent);
-  }
-  std::string name() const override { return "flatray, " + name_; }
-  std::string remark() const override { return remark_; }
-  void take(const RayBatch& rays) override {
-    rays_ = rays;
-    hits_.resize(rays.size());
-  }
-  void trace() override { walls_->nearest(rays_, hits_); }
-  bench::Met met(std::size_t ray) const override { return {hits_[ray].surface, hits_[ray].t}; }
-  void turn(std::size_t ray, const Vec2& origin, const Vec2& direction,
-            std::uint32_t left) override {
-    rays_.set(ray, {origin, direction}, {left, flatray::Root::none});
-  }
-
- protected:
-  std::string name_, remark_;
-  std::unique_ptr<flatray::Accelerator> walls_;
-  RayBatch rays_;
-  std::vector<NearestHit> hits_;
-};
 
 // The same, a call a ray (goal S3).
 class OneByOne : public Flatray {
@@ -58,43 +28,6 @@ class OneByOne : public Flatray {
   void trace() override {
     for (std::size_t i = 0; i < hits_.size(); ++i) hits_[i] = walls_->nearest_of_one(rays_.ray(i));
   }
-};
-
-// Every wall a mirror: rays in blocks, all one bounce on, then all again.
-class Chamber {
- public:
-  static constexpr std::size_t kBlock = 1024;
-  static constexpr int kBounces = 200;
-
-  Chamber(bench::Tracing& tracing, const bench::Room& room)
-      : tracing_(tracing), room_(room), start_(bench::random_rays(kBlock, room.side, 7)) {}
-  void run() {
-    RayBatch rays = start_;
-    tracing_.take(rays);
-    for (int bounce = 0; bounce < kBounces; ++bounce) {
-      tracing_.trace();
-      for (std::size_t i = 0; i < kBlock; ++i) bounce_ray(rays, i);
-    }
-  }
-
- private:
-  void bounce_ray(RayBatch& rays, std::size_t i) {
-    const bench::Met met = tracing_.met(i);
-    if (met.surface == flatray::kNoSurface) {  // a leak of floats: begin anew
-      rays.set(i, start_.ray(i), {});
-      return tracing_.turn(i, start_.ray(i).origin, start_.ray(i).direction, met.surface);
-    }
-    const flatray::Segment& wall = room_.walls.segments[met.surface];
-    const Vec2 along = wall.b - wall.a, normal(along.y(), -along.x());
-    const flatray::Ray ray = rays.ray(i);
-    const Vec2 out =
-        ray.direction - (2 * ray.direction.dot(normal) / normal.squaredNorm()) * normal;
-    rays.set(i, {ray.origin + met.t * ray.direction, out / std::sqrt(out.squaredNorm())}, {});
-    tracing_.turn(i, rays.ray(i).origin, rays.ray(i).direction, met.surface);
-  }
-  bench::Tracing& tracing_;
-  const bench::Room& room_;
-  RayBatch start_;
 };
 
 // Answers of all against the first's: what differs by more than float can tell, by ray.

@@ -129,6 +129,11 @@ OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
 Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
                                  std::uint64_t bounces, const OrbitRequest& request) {
   OrbitReport report{name, {}, "", false};
+  const bool periodic = std::find(room.materials.begin(), room.materials.end(),
+                                  Material::periodic) != room.materials.end();
+  if (request.certified && periodic)
+    return fail(named_place(room.scene.name), "has periodic walls, which certified orbits know not",
+                "say --precision double");
   if (request.certified) {
     const auto exact = certified_orbit(room.world.surfaces, start, bounces, request.most_bits);
     if (!exact) return tl::unexpected(exact.error());
@@ -138,7 +143,8 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
     report.certain = report.orbit.bounces.size();
   } else {
     report.orbit = trace_orbit(room.world.surfaces, room.materials, start, bounces, request.rules);
-    const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
+    const bool exact =
+        !periodic && (request.rules.tracer == nullptr || request.rules.tracer->exact);
     const Proven known = exact ? proven(room, report.orbit) : Proven{0, false};
     report.certain = known.bounces;
     report.end_certain = known.end;

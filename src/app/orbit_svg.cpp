@@ -41,12 +41,16 @@ class OrbitDrawing {
   void draw(const OrbitReport& report, std::size_t number) {
     const Orbit& orbit = report.orbit;
     const char* colour = kColours[number % kColours.size()];
+    std::vector<OrbitLine> lines = orbit_lines(orbit);
+    if (orbit.end == OrbitEnd::escape)
+      lines.back().line.b = border(lines.back().line.a, orbit.out);
     std::string way = "M" + text(orbit.start);
-    for (const Bounce& bounce : orbit.bounces) way += "L" + text(bounce.point);
-    const Vec2 last = orbit.bounces.empty() ? orbit.start : orbit.bounces.back().point;
-    if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
-      way += "L" + text(orbit.end_point);
-    if (orbit.end == OrbitEnd::escape) way += "L" + text(border(last, orbit.out));
+    Vec2 last = orbit.start;
+    for (const OrbitLine& part : lines) {
+      if (part.line.a != last) way += "M" + text(part.line.a);
+      way += "L" + text(part.line.b);
+      last = part.line.b;
+    }
     world_ += fmt::format("<path class=\"ray\" stroke=\"{}\" d=\"{}\"><title>{}</title></path>\n",
                           colour, way, svg_text(report.ray));
     mark(orbit.start, colour, 3.5);

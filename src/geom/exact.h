@@ -12,7 +12,7 @@ namespace flatray {
 ///
 /// Cost    some 50 ns for a sum or product of doubles, more where there was a division: only where
 ///         an error bound could not decide.
-/// Source  GMP, which no other file includes.
+/// Source  GMP, which no other file includes but the oracle for long orbits.
 class Rational {
  public:
   Rational(double finite = 0);

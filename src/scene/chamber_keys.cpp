@@ -35,10 +35,27 @@ void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
   chamber.shape = *shape;
 }
 
+// Four edges along the axes.
+bool is_upright_box(const Shape& shape) {
+  const std::vector<Vec2>& at = shape.vertices;
+  if (at.size() != 4 || shape.piece_count() != 1 || !shape.segments.empty() ||
+      !shape.circles.empty() || !shape.arc_paths.empty())
+    return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 edge = at[(i + 1) % 4] - at[i];
+    if ((edge.x() == 0) == (edge.y() == 0)) return false;
+  }
+  return true;
+}
+
+constexpr Word<Material> kChamberMaterials[] = {
+    {"absorb", Material::absorb}, {"mirror", Material::mirror}, {"periodic", Material::periodic}};
+
 constexpr Key<Chamber> kChamberKeys[] = {
     kNameKey<Chamber>,
     {{"shape", "{ KIND = { ... } }", kRequired}, &read_walls},
-    material_key<Chamber>("\"mirror\""),
+    {{"material", R"("absorb", "mirror" or "periodic")", "\"mirror\""},
+     &set_word<&Chamber::material, kChamberMaterials>},
     fill_key<Chamber>("\"none\""),
     stroke_key<Chamber>("{ width_px = 1.5, colour = \"#333333\" } without a fill"),
     kOpacityKey<Chamber>,
@@ -53,6 +70,11 @@ void read_chamber(Builder& builder, const Value& table) {
   read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
   if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
     chamber.stroke = kDefaultStroke;
+  const Member* shape = table.find("shape");
+  if (chamber.material == Material::periodic && shape != nullptr && !builder.scene.shapes.empty() &&
+      !is_upright_box(builder.scene.shapes[chamber.shape]))
+    builder.in.problem(shape->value.where, "walls that are not an upright box cannot be periodic",
+                       "write shape = { box = { min = [0, 0], max = [1, 1] } }");
   builder.scene.chambers.push_back(std::move(chamber));
 }
 

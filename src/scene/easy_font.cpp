@@ -48,4 +48,19 @@ FontLine font_line(std::string_view text) {
   return result;
 }
 
+void add_line(Shape& shape, const FontLine& line, const Vec2& start, double scale) {
+  const auto corner = [&](int x, int y) {
+    return Vec2((start.x() + x) * scale, (start.y() + y) * scale);
+  };
+  for (const FontPixel& pixel : line.pixels) {
+    const int x = pixel.x, y = pixel.y;
+    for (const Vec2& at :
+         {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)}) {
+      shape.edges.push_back(static_cast<std::int32_t>(shape.vertices.size()));
+      shape.vertices.push_back(at);
+    }
+    shape.begin.push_back(static_cast<std::uint32_t>(shape.vertices.size()));
+  }
+}
+
 }  // namespace flatray

@@ -2,6 +2,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/scene.h"
+
 namespace flatray {
 
 /// A text in the font that comes with stb: squares on a grid, the same on every machine.
@@ -17,5 +19,10 @@ inline constexpr int kFontLineStep = 12;  ///< from baseline to baseline
 
 /// Needs   a line of characters from ' ' to '~', at most 4096.
 FontLine font_line(std::string_view text);
+
+/// Adds the pixels of a line to a shape as squares of side `scale`, `start` pixels from its origin.
+/// Neighbours share their corners to the bit, so that the outline of the shape is that of their
+/// union.
+void add_line(Shape& shape, const FontLine& line, const Vec2& start, double scale);
 
 }  // namespace flatray

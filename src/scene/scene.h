@@ -126,7 +126,11 @@ struct MarkovUse {
 };
 
 /// What a ray does on arrival.
-enum class Material { absorb, mirror };
+enum class Material {
+  absorb,
+  mirror,
+  periodic  ///< of a chamber that is an upright box: who leaves by one wall enters by that opposite
+};
 
 /// A way of straight edges, every one longer than 0. A closed one ends where it begins.
 struct Path {
@@ -215,7 +219,24 @@ struct RayPath {
   unsigned bounces = 0;
   Stroke stroke;
   std::optional<Colour> hit_points;  ///< marks where it bounces
-  double opacity = 1;                ///< of the line and its marks together
+  std::optional<Colour> end_colour;  ///< of the line after its last bounce, gone over to evenly
+  std::optional<Colour> numbers;     ///< counts its bounces
+  /// Goes along the path as time goes by; the path is drawn as far as it has come.
+  struct Ball {
+    double speed = 1;  ///< world units a second
+    double radius = 1;
+    Colour colour;
+  };
+  std::optional<Ball> ball;
+  /// Rays from one start that were written as one: a scene holds each by itself, without a fan.
+  struct Fan {
+    unsigned count = 1;
+    double spread = 0;  ///< radians from the first direction to the last
+    double width = 0;   ///< from the first start to the last, across the direction
+  };
+  std::optional<Fan> fan;
+  std::string written_name;  ///< of the fan it is one of; else its own
+  double opacity = 1;        ///< of the line and its marks together
   int layer = 0;
   Place where;
   std::uint64_t order = 0;

@@ -15,7 +15,11 @@ constexpr double kTurn = 6.283185307179586;
 constexpr RoomPlace kPlaces[] = {{"origin", 1, 0, 0},
                                  {"shifted by 1e6", 1, 1e6, -1e6},
                                  {"scaled by 1e-5", 1e-5, 0, 0},
-                                 {"scaled by 1e15", 1e15, 0, 0}};
+                                 {"scaled by 1e15", 1e15, 0, 0},
+                                 {"round", 1, 0, 0, true},
+                                 {"round, shifted by 1e6", 1, 1e6, -1e6, true},
+                                 {"round, scaled by 1e-5", 1e-5, 0, 0, true},
+                                 {"round, scaled by 1e15", 1e15, 0, 0, true}};
 
 class Draw {
  public:
@@ -29,6 +33,10 @@ class Draw {
 
 void add_ring(Surfaces& walls, const RoomPlace& place, const Vec2& centre, double radius,
               int count) {
+  if (place.round) {
+    walls.add(Circle{place.scale * centre + Vec2(place.x, place.y), place.scale * radius});
+    return;
+  }
   std::vector<Vec2> ring;
   for (int i = 0; i < count; ++i) {
     const double angle = kTurn * i / count;
@@ -51,6 +59,17 @@ Surfaces sealed_room(const RoomPlace& place, std::uint64_t seed) {
   return walls;
 }
 
+// Towards the end of a wall, or along a tangent from outside; from inside a circle to its centre.
+Vec2 aimed(Draw& draw, const Surfaces& walls, const RoomPlace& place, const Vec2& from) {
+  if (!place.round) return walls.segments[draw.bits() % walls.segments.size()].a - from;
+  const std::uint64_t bits = draw.bits();
+  const Circle& circle = walls.circles[(bits >> 1) % walls.circles.size()];
+  const Vec2 to = circle.centre - from, left(-to.y(), to.x());
+  const double square = to.squaredNorm() - circle.radius * circle.radius;
+  if (!(square > 0)) return to;
+  return std::sqrt(square) * to + (bits % 2 == 0 ? 1 : -1) * circle.radius * left;
+}
+
 std::vector<Ray> aimed_rays(const Surfaces& walls, const RoomPlace& place, std::uint64_t seed,
                             std::uint64_t block) {
   Draw draw(seed, block);
@@ -58,13 +77,19 @@ std::vector<Ray> aimed_rays(const Surfaces& walls, const RoomPlace& place, std::
   while (rays.size() < kRaysALeakBlock) {
     const double x = draw.unit(), y = draw.unit();
     const Vec2 from = place.scale * (0.65 * Vec2(2 * x - 1, 2 * y - 1)) + Vec2(place.x, place.y);
-    const Segment& aim = walls.segments[draw.bits() % walls.segments.size()];
-    rays.push_back({from, aim.a - from});
+    rays.push_back({from, aimed(draw, walls, place, from)});
   }
   return rays;
 }
 
-bool is_outside(const Surfaces& walls, const Vec2& point) {
+// Also where it has come from one side of a disc to the other.
+bool is_outside(const Surfaces& walls, const Vec2& start, const Vec2& point) {
+  for (std::size_t i = 0; i < walls.circles.size(); ++i) {
+    const Sign side = curve_side(point, walls.circles[i]);
+    const Sign before = curve_side(start, walls.circles[i]);
+    if (side != Sign::zero && side == -(i == 0 ? Sign::negative : before)) return true;
+  }
+  if (!walls.circles.empty()) return false;
   for (int i = 0; i < kCorners; ++i) {
     const Segment& wall = walls.segments[static_cast<std::size_t>(i)];
     if (orientation(wall.a, wall.b, point) == Sign::negative) return true;
@@ -112,8 +137,9 @@ LeakTally count_leaks(const Tracer& tracer, const RoomPlace& place, std::uint64_
   for (const Orbit& orbit :
        trace_orbits(walls, mirrors, rays, kLeakBounces, {CornerRule::stop, &tracer})) {
     tally.bounces += orbit.bounces.size();
-    if (orbit.end == OrbitEnd::corner) ++tally.corners;
-    const bool out = !orbit.bounces.empty() && is_outside(walls, orbit.bounces.back().point);
+    if (orbit.end == OrbitEnd::corner || orbit.end == OrbitEnd::along) ++tally.corners;
+    const bool out =
+        !orbit.bounces.empty() && is_outside(walls, orbit.start, orbit.bounces.back().point);
     if (orbit.end == OrbitEnd::escape || out) ++tally.leaks;
   }
   return tally;

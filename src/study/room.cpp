@@ -31,7 +31,8 @@ Room::Room(const Scene& scene)
       materials_(world_.materials()) {
   before_.push_back(0);
   for (std::uint32_t i = 0; i < walls().size(); ++i)
-    before_.push_back(before_.back() + wall_length(walls(), i));
+    before_.push_back(before_.back() +
+                      (materials_[i] == Material::periodic ? 0 : wall_length(walls(), i)));
   orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
 }
 
@@ -78,7 +79,7 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
 }
 
 Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
-  if (room.walls().size() > 0) return {};
+  if (room.perimeter() > 0) return {};
   return fail(named_place(context.scene.name), "has no walls",
               "add a [[chamber]], or give entities material = \"mirror\"");
 }
@@ -99,6 +100,14 @@ Result<void> expect_closed(const ExperimentContext& context) {
   if (others)
     return fail(place, "has entities that rays meet beside its chamber",
                 "write what stands in the chamber as its pillars: their areas count");
+  return {};
+}
+
+Result<void> expect_not_periodic(const ExperimentContext& context) {
+  for (const Chamber& chamber : context.scene.chambers)
+    if (chamber.material == Material::periodic)
+      return fail(chamber.where, "this experiment knows no periodic walls",
+                  "leave material = \"periodic\" out");
   return {};
 }
 

@@ -20,7 +20,7 @@ class Room {
   const Solids& solids() const { return solids_; }
   const OrbitTracer& orbits() const { return *orbits_; }
 
-  /// Length of all walls, and of those before each.
+  /// Length of all walls but periodic ones, and of those before each.
   double perimeter() const { return before_.back(); }
   double length_before(std::uint32_t surface) const { return before_[surface]; }
 
@@ -42,6 +42,8 @@ class Room {
 
 /// Whether orbits stay within a scene: one chamber, and mirrors alone.
 Result<void> expect_closed(const ExperimentContext& context);
+/// Refused where opposite walls are one, by what asks where exact orbits or straight lines go.
+Result<void> expect_not_periodic(const ExperimentContext& context);
 /// Whether it has walls at all.
 Result<void> expect_walls(const ExperimentContext& context, const Room& room);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,28 @@ class CurveCells {
   };
   /// Needs   a direction that is not zero.
   Rivals rivals(const Ray& ray, const Left& left, double limit) const;
+  /// Shows every curve that comes within 4 ulps of a point, and others near it; some twice.
+  template <class Visit>
+  void visit_near(const Vec2& point, const Visit& visit) const {
+    if (begin_.empty()) {
+      for (const std::uint32_t surface : curves_) visit(surface);
+      return;
+    }
+    // Where there are cells, 4 ulps of a place in them and its own rounding are under 2^-9 each.
+    const Vec2 at = (point - low_) / side_;
+    const auto last = [](double place, int count) {
+      return static_cast<int>(std::clamp(place, -1.0, static_cast<double>(count)));
+    };
+    constexpr double kAround = 0x1p-7;
+    for (int y = std::max(0, last(at.y() - kAround, rows_));
+         y <= std::min(rows_ - 1, last(at.y() + kAround, rows_)); ++y)
+      for (int x = std::max(0, last(at.x() - kAround, columns_));
+           x <= std::min(columns_ - 1, last(at.x() + kAround, columns_)); ++x) {
+        const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                                 static_cast<std::size_t>(x);
+        for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) visit(surfaces_[i]);
+      }
+  }
   std::size_t bytes() const { return 4 * (begin_.size() + surfaces_.size()); }
 
  private:

@@ -80,7 +80,7 @@ struct Lander::Fence {
   ArcPlace cone = ArcPlace::at_end;  // in which the exact hit lies
 };
 
-Lander::Lander(const Surfaces& walls) : walls_(walls) {}
+Lander::Lander(const Surfaces& walls) : walls_(walls), cells_(walls) {}
 
 bool Lander::passes_near(std::uint32_t surface, const Vec2& point, const Vec2& within) const {
   if (!walls_.is_straight(surface)) {
@@ -97,10 +97,8 @@ bool Lander::passes_near(std::uint32_t surface, const Vec2& point, const Vec2& w
 
 std::vector<std::uint32_t> Lander::walls_near(const Vec2& point, std::uint32_t hit) const {
   const Vec2 within(reach(point.x()), reach(point.y()));
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t i = 0; i < walls_.size(); ++i)
-    if (i != hit && passes_near(i, point, within)) near.push_back(i);
-  return near;
+  return cells_.near(point, within,
+                     [&](std::uint32_t i) { return i != hit && passes_near(i, point, within); });
 }
 
 Lander::Fence Lander::fence(std::uint32_t surface, const ExactHit& hit) const {
@@ -134,10 +132,7 @@ Landing Lander::land_at(const Vec2& end, std::uint32_t surface) const {
 }
 
 std::vector<std::uint32_t> Lander::walls_at(const Vec2& point) const {
-  std::vector<std::uint32_t> met;
-  for (std::uint32_t i = 0; i < walls_.size(); ++i)
-    if (stands_on(i, point)) met.push_back(i);
-  return met;
+  return cells_.near(point, Vec2(0, 0), [&](std::uint32_t i) { return stands_on(i, point); });
 }
 
 bool Lander::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,

@@ -4,6 +4,7 @@
 #include "trace/hits.h"
 #include "trace/surfaces.h"
 #include "transport/hit_point.h"
+#include "transport/wall_cells.h"
 
 namespace flatray {
 
@@ -24,7 +25,7 @@ class Lander {
   explicit Lander(const Surfaces& walls);
 
   /// Needs   a hit by `ray` that is no tangent of a curve.
-  /// Cost    a box test for every wall; some 100 us for each wall within a few ulps of the point.
+  /// Cost    a look at the walls of a cell; some 100 us for each wall within a few ulps of the point.
   Landing land(const Ray& ray, const NearestHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.
   std::vector<std::uint32_t> walls_at(const Vec2& point) const;
@@ -41,6 +42,7 @@ class Lander {
   bool stands_on(std::uint32_t surface, const Vec2& point) const;
 
   const Surfaces& walls_;
+  WallCells cells_;
 };
 
 /// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a

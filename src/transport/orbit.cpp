@@ -17,6 +17,10 @@ class OrbitKeeper : public OrbitSink {
   void bounce(std::size_t number, const Bounce& bounce) override {
     orbits_[number].bounces.push_back(bounce);
   }
+  void cross(std::size_t number, const Vec2& from, const Vec2& to) override {
+    Orbit& orbit = orbits_[number];
+    orbit.crossings.push_back({orbit.bounces.size(), from, to});
+  }
   void end(std::size_t number, const OrbitStop& stop) override {
     Orbit& orbit = orbits_[number];
     orbit.end = stop.end;
@@ -46,6 +50,25 @@ const char* name(OrbitEnd end) {
       return "along";
   }
   unreachable();
+}
+
+std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {
+  std::vector<OrbitLine> lines;
+  Vec2 last = orbit.start;
+  auto crossing = orbit.crossings.begin();
+  for (std::size_t i = 0; i <= orbit.bounces.size(); ++i) {
+    for (; crossing != orbit.crossings.end() && crossing->bounces == i; ++crossing) {
+      lines.push_back({{last, crossing->from}, false});
+      last = crossing->to;
+    }
+    if (i == orbit.bounces.size()) break;
+    lines.push_back({{last, orbit.bounces[i].point}, true});
+    last = orbit.bounces[i].point;
+  }
+  if (orbit.end == OrbitEnd::escape) lines.push_back({{last, last + orbit.out}, false});
+  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+    lines.push_back({{last, orbit.end_point}, false});
+  return lines;
 }
 
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,

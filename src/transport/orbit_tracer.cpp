@@ -19,6 +19,10 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
   return point == wall.a || point == wall.b;
 }
 
+// A ray between periodic walls that crosses as many of them and meets nothing else never will, as
+// far as anyone can wait.
+constexpr std::uint32_t kMostCrossings = 1U << 18;
+
 // From a point on a curve a ray goes inward from the first root, or outward from the second;
 // `both` on the tangent.
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
@@ -50,6 +54,9 @@ struct OrbitTracer::Flight {
   double moment = 0;        // about the circle left, as it was when it was first met in a row
   double before = 0;        // part of the next t that was flown before ray.origin
   std::uint64_t bounces = 0;
+  std::uint32_t crossings = 0;  // since the last bounce
+  Vec2 entry{0, 0};             // to which the first of them led
+  bool circles = false;         // came back there: it does so for ever
   std::size_t number;
 
   double path_length() const { return (time.hi + time.lo) * speed.length(); }
@@ -62,8 +69,17 @@ class OrbitTracer::Wave {
 
   void set_off(std::span<const OrbitStart> starts) {
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      Flight flight{
-          starts[i].ray, starts[i].left, Speed(starts[i].ray.direction), {0, 0}, 0, 0, 0, i};
+      Flight flight{starts[i].ray,
+                    starts[i].left,
+                    Speed(starts[i].ray.direction),
+                    {0, 0},
+                    0,
+                    0,
+                    0,
+                    0,
+                    {0, 0},
+                    false,
+                    i};
       if (start(flight)) flights_.push_back(flight);
     }
   }
@@ -96,6 +112,7 @@ class OrbitTracer::Wave {
       if (corner) return stop(flight, OrbitEnd::corner, stood_on);
       if (!stood_on.empty())
         flight.left = {stood_on.front(), root_stood_on(walls_, stood_on.front(), flight.ray)};
+      cross(flight, origin, stood_on, 0);
     }
     if (flight.left.surface != kNoSurface && runs_along(walls_, flight.left, flight.ray.direction))
       return stop(flight, OrbitEnd::along, {flight.left.surface});
@@ -104,6 +121,23 @@ class OrbitTracer::Wave {
 
   // Takes the ray to its next wall; whether it goes on from there.
   bool advance(Flight& flight, const NearestHit& hit) {
+    if (!hit) return stop(flight, OrbitEnd::escape, {});
+    if (orbits_.periodic_.has(hit.surface) && enters_by(flight, hit.surface))
+      return arrive(flight, next_inside(flight));
+    return arrive(flight, hit);
+  }
+
+  // From a corner of periodic walls, where only one of the two is the wall just left.
+  bool enters_by(const Flight& flight, std::uint32_t surface) const {
+    return !orbits_.periodic_.leads_out(surface, flight.ray.direction);
+  }
+  NearestHit next_inside(const Flight& flight) const {
+    for (const NearestHit& hit : orbits_.tracer_->all_of_one(flight.ray, flight.left, false))
+      if (!orbits_.periodic_.has(hit.surface) || !enters_by(flight, hit.surface)) return hit;
+    return {};
+  }
+
+  bool arrive(Flight& flight, const NearestHit& hit) {
     if (!hit) return stop(flight, OrbitEnd::escape, {});
     Landing landing = orbits_.lander_.land(flight.ray, hit);
     add(flight.time, hit.t);
@@ -117,12 +151,29 @@ class OrbitTracer::Wave {
       }
       landing.corner = {hit.surface};
     }
-    const bool absorbed = std::none_of(landing.corner.begin(), landing.corner.end(),
-                                       [&](std::uint32_t i) { return is_mirror(i); });
-    if (!absorbed && orbits_.corners_ == CornerRule::back) return turn_back(flight, landing, hit.t);
+    if (is_all(landing.corner, Material::periodic) &&
+        cross(flight, landing.point, landing.corner, hit.t))
+      return !(flight.circles || flight.crossings == kMostCrossings) ||
+             stop(flight, OrbitEnd::escape, {});
+    const bool absorbed = is_all(landing.corner, Material::absorb);
+    if (!absorbed && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any())
+      return turn_back(flight, landing, hit.t);
     flight.ray.origin = landing.point;
     return stop(flight, absorbed ? OrbitEnd::absorbed : OrbitEnd::corner,
                 std::move(landing.corner));
+  }
+
+  // Goes on from the opposite walls; false where none of these leads out.
+  bool cross(Flight& flight, const Vec2& point, std::span<const std::uint32_t> surfaces, double t) {
+    const auto entry = orbits_.periodic_.cross(point, flight.ray.direction, surfaces);
+    if (!entry) return false;
+    sink_.cross(flight.number, point, entry->point);
+    flight.ray.origin = entry->point;
+    flight.left = {entry->surface, Root::none};
+    flight.before += t;
+    flight.circles = flight.crossings > 0 && entry->point == flight.entry;
+    if (flight.crossings++ == 0) flight.entry = entry->point;
+    return true;
   }
 
   // From one bounce inside a circle to the next the moment stays, without drift.
@@ -139,6 +190,7 @@ class OrbitTracer::Wave {
     report(flight, {wall.surface, point, flight.before + t, flight.path_length(),
                     reflection->normal, reflection->incidence, reflection->direction});
     flight.before = 0;
+    flight.crossings = 0;
     flight.ray.direction = reflection->direction;
     flight.left = wall;
     return flight.bounces < limit_ || stop(flight, OrbitEnd::limit, {});
@@ -179,6 +231,10 @@ class OrbitTracer::Wave {
     return false;
   }
 
+  bool is_all(std::span<const std::uint32_t> surfaces, Material material) const {
+    return std::all_of(surfaces.begin(), surfaces.end(),
+                       [&](std::uint32_t i) { return orbits_.materials_[i] == material; });
+  }
   bool is_mirror(std::uint32_t surface) const {
     return orbits_.materials_[surface] == Material::mirror;
   }
@@ -196,7 +252,8 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
       materials_(materials),
       corners_(rules.corners),
       lander_(walls),
-      tracer_(rules.tracer == nullptr ? accelerate(walls) : rules.tracer->build(walls)) {}
+      tracer_(rules.tracer == nullptr ? accelerate(walls) : rules.tracer->build(walls)),
+      periodic_(walls, materials) {}
 
 void OrbitTracer::follow(std::span<const OrbitStart> starts, std::uint64_t bounces,
                          OrbitSink& sink) const {

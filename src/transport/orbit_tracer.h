@@ -4,6 +4,7 @@
 
 #include "transport/landing.h"
 #include "transport/orbit.h"
+#include "transport/periodic_walls.h"
 
 namespace flatray {
 
@@ -28,6 +29,8 @@ class OrbitSink {
   virtual ~OrbitSink() = default;
   /// Orbit `number` was reflected; its bounces come in order, those of other orbits in between.
   virtual void bounce(std::size_t number, const Bounce& bounce) = 0;
+  /// Orbit `number` left by a periodic wall and goes on from that opposite.
+  virtual void cross(std::size_t, const Vec2& /*from*/, const Vec2& /*to*/) {}
   virtual void end(std::size_t number, const OrbitStop& stop) = 0;
 };
 
@@ -53,6 +56,7 @@ class OrbitTracer {
   CornerRule corners_;
   Lander lander_;
   std::unique_ptr<Accelerator> tracer_;
+  PeriodicWalls periodic_;
 };
 
 }  // namespace flatray

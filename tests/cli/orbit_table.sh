@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The hall's diamond: twelve bounces, back at (10, 0), having travelled 115 sqrt(2).
-# needs: shapes/box shapes/circle
+# needs: shapes/box shapes/circle shapes/polygon
 source "$(dirname "$0")/lib.sh"
 hall=$root/scenes/chamber/hall.toml
 run 0 orbit "$hall" --csv
@@ -35,6 +35,18 @@ says err "leave --corner back out"
 run 0 orbit "$sinai" --svg
 says out "<svg xmlns"
 (($(grep -c 'class="ray"' out.txt) == 2)) || fail "two rays were to be drawn"
+# A fan by its name, or one ray of it; periodic walls are crossed, and not certified.
+gallery=$root/scenes/chamber/kaleidoscope.toml
+run 0 orbit "$gallery" --ray 'side by side'
+(($(grep -c 'limit after 12 bounces' out.txt) == 3)) || fail "three rays of the fan were to be followed"
+run 0 orbit "$gallery" --ray 'side by side 2'
+says out "side by side 2: limit after 12 bounces"
+lorentz=$root/scenes/chamber/lorentz.toml
+run 0 orbit "$lorentz"
+says out "cell/disc"
+says out "only the first 0 are certain"
+run 4 orbit "$lorentz" --precision certified
+says err "has periodic walls"
 run 2 orbit "$hall" --ray prob
 says err "did you mean 'probe'?"
 scene box.toml 1

@@ -31,7 +31,7 @@ run 1 stability --families vertex --count 10 --tracer float
 says out 'float'
 
 # Sealed rooms: no ray gets out, by any exact tracer.
-run 0 stability --leaks 1000 --tracer grid
+run 0 stability --leaks 1000 --tracer grid  # 1.6 million bounces
 says out 'scaled by 1e15'
 [[ $(awk 'NR > 1 { leaks += $(NF - 3) } END { print leaks }' "$work/out.txt") == 0 ]] || fail 'a ray leaked'
 run 2 stability --leaks 10 --families vertex

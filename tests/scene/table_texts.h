@@ -51,6 +51,10 @@ inline constexpr TableText kTables[] = {
      "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "
      "{ circle = { radius = 1 } }\n@"},
     {"ray", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\n@"},
+    {"ray.fan", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\nfan = { count = 2, @ }"},
+    {"ray.ball",
+     "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\nball = { speed = 1, radius = 1, @ "
+     "}"},
     {"edge_rays",
      "flatray = 1\n[[entity]]\nname = \"a\"\nshape = { circle = { radius = 1 } "
      "}\n[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n@"},
@@ -72,6 +76,10 @@ inline constexpr TableText kTables[] = {
      "}"},
     {"ellipse", "flatray = 1\n[[entity]]\nshape = { ellipse = { radii = [2, 1], @ } }"},
     {"sector", "flatray = 1\n[[entity]]\nshape = { sector = { radius = 1, from = 0, to = 9, @ } }"},
+    {"mushroom",
+     "flatray = 1\n[[entity]]\nshape = { mushroom = { radius = 2, width = 1, height = 1, @ } }"},
+    {"penrose", "flatray = 1\n[[entity]]\nshape = { penrose = { size = 1, @ } }"},
+    {"tokarsky", "flatray = 1\n[[entity]]\nshape = { tokarsky = { size = 1, @ } }"},
     {"text", "flatray = 1\n[[entity]]\nshape = { text = { string = \"a\", size = 1, @ } }"},
     {"import", "flatray = 1\n[[entity]]\nshape = { import = { file = \"a.obj\", @ } }"},
 };

@@ -23,6 +23,16 @@ inline Scene sinai(const std::string& radius) {
               "{ shape = { circle = { centre = [0.5, 0.5], radius = " + radius + " } } }");
 }
 
+inline Scene stadium() { return room("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }"); }
+
+/// Sinai's torus: a disc in a box of which opposite sides are one.
+inline Scene torus(const std::string& radius) {
+  return scene_of(
+      "film = { size = [32, 24] }\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
+      "material = \"periodic\"\npillars = [{ shape = { circle = { centre = [0.5, 0.5], radius = " +
+      radius + " } } }]\n");
+}
+
 inline const Experiment& experiment(const std::string& name) {
   for (const Experiment* one : experiments())
     if (name == one->name) return *one;

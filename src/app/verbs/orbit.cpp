@@ -10,7 +10,7 @@ namespace flatray::verbs {
 namespace {
 
 constexpr auto kOptions = with_scene_options(
-    {{"ray", 'r', "RAY", "only this ray of the scene"},
+    {{"ray", 'r', "RAY", "only this ray of the scene, or this fan"},
      {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
      {"precision", '\0', "double|certified",
       "certified proves every bounce, in as many bits as it takes"},
@@ -28,7 +28,7 @@ Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, cons
   std::vector<const RayPath*> rays;
   std::vector<std::string> known;
   for (const RayPath& ray : scene.rays) {
-    if (!wanted || *wanted == ray.name) rays.push_back(&ray);
+    if (!wanted || *wanted == ray.name || *wanted == ray.written_name) rays.push_back(&ray);
     known.push_back(ray.name);
   }
   if (!rays.empty()) return rays;

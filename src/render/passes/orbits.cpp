@@ -1,7 +1,9 @@
+#include <cmath>
 #include <map>
 #include <span>
 
 #include "render/pass.h"
+#include "scene/easy_font.h"
 #include "transport/orbit.h"
 
 namespace flatray {
@@ -15,34 +17,91 @@ Need need(const Scene& scene) {
   return run(std::to_string(scene.rays.size()) + " rays");
 }
 
-// Farther along the ray than anything the window shows.
+// As far along the ray as anything the window shows, and farther.
 Vec2 beyond_window(const Bounds& window, const Vec2& from, const Vec2& out) {
   const double reach = window.size().lpNorm<1>() + (from - window.centre()).lpNorm<1>();
   return from + reach * out;
 }
 
-std::vector<Segment> path(const Orbit& orbit, const Bounds& window) {
-  std::vector<Segment> lines;
-  Vec2 last = orbit.start;
-  for (const Bounce& bounce : orbit.bounces) {
-    lines.push_back({last, bounce.point});
-    last = bounce.point;
+// Lines of a path from `length` world units on are not flown yet.
+void cut_to(std::vector<OrbitLine>& path, double length) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    Segment& line = path[i].line;
+    const Vec2 way = line.b - line.a;
+    const double size = std::sqrt(way.dot(way));
+    if (size > length) {
+      line.b = line.a + length / size * way;
+      path[i].reflected = false;
+      path.resize(i + 1);
+      return;
+    }
+    length -= size;
   }
+}
+
+std::vector<OrbitLine> shown_path(const DrawContext& context, const RayPath& ray,
+                                  const Orbit& orbit) {
+  std::vector<OrbitLine> path = orbit_lines(orbit);
   if (orbit.end == OrbitEnd::escape)
-    lines.push_back({last, beyond_window(window, last, orbit.out)});
-  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
-    lines.push_back({last, orbit.end_point});
-  return lines;
+    path.back().line.b =
+        beyond_window(context.state.window, path.back().line.a, orbit.out);
+  if (ray.ball) cut_to(path, ray.ball->speed * context.state.time);
+  return path;
+}
+
+std::uint8_t between(std::uint8_t a, std::uint8_t b, double part) {
+  return static_cast<std::uint8_t>(a + part * (b - a) + 0.5);
+}
+
+// Lines of one colour after another, at most kShades of them.
+void add_shaded(DrawContext& context, const RayPath& ray, std::span<const Segment> lines) {
+  constexpr std::size_t kShades = 64;
+  const std::size_t shades = std::min(kShades, lines.size());
+  const Colour &from = ray.stroke.colour, &to = *ray.end_colour;
+  for (std::size_t i = 0; i < shades; ++i) {
+    const std::size_t begin = i * lines.size() / shades, end = (i + 1) * lines.size() / shades;
+    const double part = shades == 1 ? 0 : static_cast<double>(i) / static_cast<double>(shades - 1);
+    Stroke stroke = ray.stroke;
+    stroke.colour = Colour{between(from.r, to.r, part), between(from.g, to.g, part),
+                           between(from.b, to.b, part), between(from.a, to.a, part)};
+    context.add_lines(lines.subspan(begin, end - begin), stroke);
+  }
+}
+
+// A number beside a point, in letters of the film's pixels.
+void add_number(DrawContext& context, const Vec2& point, std::size_t number, const Colour& colour) {
+  constexpr double kBeside = 3;
+  Shape shape;
+  add_line(shape, font_line(std::to_string(number)), {kBeside, kBeside},
+           1 / context.film_from_world.length(1));
+  context.add_shape(shape, {point}, Paint(colour), std::nullopt);
 }
 
 void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
-  context.add_lines(path(orbit, context.state.window), ray.stroke);
-  if (!ray.hit_points) return;
+  constexpr std::size_t kMostNumbers = 999;
+  const std::vector<OrbitLine> path = shown_path(context, ray, orbit);
+  std::vector<Segment> lines;
+  for (const OrbitLine& part : path) lines.push_back(part.line);
+  if (ray.end_colour)
+    add_shaded(context, ray, lines);
+  else
+    context.add_lines(lines, ray.stroke);
   const double radius_px = kMarkWidths * context.half_width_px(ray.stroke);
-  for (const Bounce& bounce : orbit.bounces)
-    context.add_mark(bounce.point, radius_px, *ray.hit_points);
-  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+  std::size_t bounces = 0;
+  for (const OrbitLine& part : path) {
+    if (!part.reflected) continue;
+    ++bounces;
+    if (ray.hit_points) context.add_mark(part.line.b, radius_px, *ray.hit_points);
+    if (ray.numbers && bounces <= kMostNumbers)
+      add_number(context, part.line.b, bounces, *ray.numbers);
+  }
+  const bool whole = path.empty() || path.back().line.b == orbit.end_point;
+  if (ray.hit_points && whole &&
+      (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner))
     context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
+  if (ray.ball)
+    context.add_mark(path.empty() ? orbit.start : path.back().line.b,
+                     context.film_from_world.length(ray.ball->radius), ray.ball->colour);
 }
 
 // Rays of as many bounces are advanced together, a few at a time: orbits are long.

@@ -33,23 +33,6 @@ std::string printable(Args& args, const std::string& text) {
   return shown;
 }
 
-// A pixel is a square; neighbours share their corners to the bit, so that the outline of the shape
-// is that of their union.
-void add_line(Shape& shape, const FontLine& line, double left, int baseline, double scale) {
-  const auto corner = [&](int x, int y) {
-    return Vec2((left + x) * scale, (baseline + y) * scale);
-  };
-  for (const FontPixel& pixel : line.pixels) {
-    const int x = pixel.x, y = pixel.y;
-    for (const Vec2& at :
-         {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)}) {
-      shape.edges.push_back(static_cast<std::int32_t>(shape.vertices.size()));
-      shape.vertices.push_back(at);
-    }
-    shape.begin.push_back(static_cast<std::uint32_t>(shape.vertices.size()));
-  }
-}
-
 Result<Shape> build(Args& args) {
   const std::string text = printable(args, args.string("string"));
   const double scale = args.size("size") / kFontCapitals;
@@ -59,7 +42,7 @@ Result<Shape> build(Args& args) {
   for (std::size_t begin = 0; begin <= text.size(); baseline -= kFontLineStep) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const FontLine line = font_line(std::string_view(text).substr(begin, end - begin));
-    add_line(shape, line, -before * line.width, baseline, scale);
+    add_line(shape, line, {-before * line.width, baseline}, scale);
     begin = end + 1;
   }
   if (shape.piece_count() == 0)

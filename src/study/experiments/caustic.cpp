@@ -29,6 +29,10 @@ class Lines : public OrbitSink {
     last_ = bounce.point;
     see(bounce.out);
   }
+  void cross(std::size_t, const Vec2& from, const Vec2& to) override {
+    density_.add(last_, from);
+    last_ = to;
+  }
   void end(std::size_t, const OrbitStop& stop) override {
     if (stop.end == OrbitEnd::absorbed || stop.end == OrbitEnd::corner)
       density_.add(last_, stop.point);
@@ -42,7 +46,7 @@ class Lines : public OrbitSink {
  private:
   void see(const Vec2& direction) {
     const double size = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-    const double distance = std::fabs(cross(Vec2(last_ - middle_), direction)) / size;
+    const double distance = std::fabs(flatray::cross(Vec2(last_ - middle_), direction)) / size;
     if (nearest_ > farthest_) first_ = distance;
     nearest_ = std::min(nearest_, distance);
     farthest_ = std::max(farthest_, distance);

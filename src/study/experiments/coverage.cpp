@@ -26,6 +26,10 @@ class Crossed : public OrbitSink {
     note();
     next_ += (next_ + 3) / 4;
   }
+  void cross(std::size_t, const Vec2& from, const Vec2& to) override {
+    density_.add(last_, from);
+    last_ = to;
+  }
   void end(std::size_t, const OrbitStop& stop) override {
     if (stop.end == OrbitEnd::absorbed || stop.end == OrbitEnd::corner)
       density_.add(last_, stop.point);

@@ -145,6 +145,7 @@ class Study {
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto plain = expect_not_periodic(context); !plain) return fail(std::move(plain));
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const NamedOrbits orbits = orbits_to_watch(context, room, kRandomOrbits);

@@ -1,0 +1,127 @@
+#include "oracle/long_orbit.h"
+
+#include <gmpxx.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace flatray::oracle {
+namespace {
+
+using Long = mpf_class;
+
+// A point or vector.
+struct Place {
+  Long x, y;
+};
+Place operator+(const Place& a, const Place& b) { return {a.x + b.x, a.y + b.y}; }
+Place operator-(const Place& a, const Place& b) { return {a.x - b.x, a.y - b.y}; }
+Place operator*(const Long& s, const Place& a) { return {s * a.x, s * a.y}; }
+Long inner(const Place& a, const Place& b) { return a.x * b.x + a.y * b.y; }
+Long area(const Place& a, const Place& b) { return a.x * b.y - a.y * b.x; }
+
+// mpf's own conversion cuts off.
+double nearest(const Long& x) {
+  if (sgn(x) == 0) return 0;
+  const double low = x.get_d();
+  const double high = std::nextafter(low, sgn(x) * std::numeric_limits<double>::infinity());
+  const Long beyond = abs(x - low), to_next = abs(high - x);
+  const int order = cmp(beyond, to_next);
+  if (order != 0) return order > 0 ? high : low;
+  return std::fmod(low / std::fabs(high - low), 2) == 0 ? low : high;
+}
+
+class Walker {
+ public:
+  Walker(const Surfaces& walls, const Ray& start, unsigned bits)
+      : walls_(walls),
+        bits_(bits),
+        point_(place(start.origin)),
+        way_(place(start.direction)),
+        soon_(number(std::ldexp(1.0, -static_cast<int>(bits / 4 < 1000 ? bits / 4 : 1000)))) {}
+
+  std::optional<LongOrbit::Bounce> bounce() {
+    std::optional<Long> first;
+    std::uint32_t met = 0;
+    for (std::uint32_t i = 0; i < walls_.size(); ++i)
+      for (const Long& t : times(i))
+        if (t > soon_ && (!first || t < *first)) {
+          first = t;
+          met = i;
+        }
+    if (!first) return std::nullopt;
+    point_ = point_ + *first * way_;
+    const Place normal = normal_of(met);
+    const Long twice = 2 * inner(way_, normal) / inner(normal, normal);
+    way_ = way_ - twice * normal;
+    return LongOrbit::Bounce{met, {nearest(point_.x), nearest(point_.y)}};
+  }
+
+ private:
+  Long number(double x) const { return {x, bits_}; }
+  Place place(const Vec2& v) const { return {number(v.x()), number(v.y())}; }
+  const Segment& segment(std::uint32_t i) const { return walls_.segments[walls_.slot[i]]; }
+
+  std::vector<Long> times(std::uint32_t i) const {
+    return walls_.is_straight(i) ? times_on_line(segment(i)) : times_on_circle(walls_.arc(i));
+  }
+
+  std::vector<Long> times_on_line(const Segment& wall) const {
+    const Place along = place(wall.b) - place(wall.a), to = place(wall.a) - point_;
+    const Long across = area(way_, along);
+    if (sgn(across) == 0) return {};
+    const Long part = area(to, way_) / across;
+    if (part < 0 || part > 1) return {};
+    return {area(to, along) / across};
+  }
+
+  std::vector<Long> times_on_circle(const Arc& arc) const {
+    const Place from = point_ - place(arc.curve.centre);
+    const Long radius = number(arc.curve.u.x());
+    const Long a = inner(way_, way_), b = inner(way_, from);
+    const Long quarter = b * b - a * (inner(from, from) - radius * radius);
+    if (sgn(quarter) <= 0) return {};
+    const Long root = sqrt(quarter);
+    std::vector<Long> times;
+    for (const Long& t : {Long((-b - root) / a), Long((root - b) / a)})
+      if (is_on(arc, point_ + t * way_)) times.push_back(t);
+    return times;
+  }
+
+  // A point of the circle is on an arc if it is to the right of the chord from end to end.
+  bool is_on(const Arc& arc, const Place& point) const {
+    if (arc.extent == Arc::Extent::whole) return true;
+    if (arc.extent == Arc::Extent::half)
+      return sgn(inner(point - place(arc.curve.centre), place(arc.from))) >= 0;
+    const Place from = place(arc.from);
+    return sgn(area(place(arc.to) - from, point - from)) <= 0;
+  }
+
+  Place normal_of(std::uint32_t i) const {
+    if (!walls_.is_straight(i)) return point_ - place(walls_.curve(i).centre);
+    const Place along = place(segment(i).b) - place(segment(i).a);
+    return {-along.y, along.x};
+  }
+
+  const Surfaces& walls_;
+  mp_bitcnt_t bits_;
+  Place point_, way_;
+  Long soon_;  // what is met before is the wall just left
+};
+
+}  // namespace
+
+LongOrbit long_orbit(const Surfaces& walls, const Ray& start, std::uint64_t bounces,
+                     unsigned bits) {
+  LongOrbit orbit;
+  Walker walker(walls, start, bits);
+  while (orbit.bounces.size() < bounces) {
+    const auto bounce = walker.bounce();
+    if (!bounce) break;
+    orbit.bounces.push_back(*bounce);
+  }
+  return orbit;
+}
+
+}  // namespace flatray::oracle

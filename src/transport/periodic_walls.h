@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/bounds.h"
+#include "scene/scene.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// The walls of an upright box of which opposite ones are the same: a torus.
+class PeriodicWalls {
+ public:
+  /// Needs   the periodic ones of `walls` to be the sides of one upright box, or none.
+  PeriodicWalls(const Surfaces& walls, std::span<const Material> materials);
+
+  bool any() const { return !sides_.empty(); }
+  bool has(std::uint32_t surface) const { return find(surface) != nullptr; }
+  /// Whether a direction leads out of the box by a wall; not along it.
+  bool leads_out(std::uint32_t surface, const Vec2& direction) const;
+
+  /// Where a ray that arrives at a point of some of them goes on.
+  struct Entry {
+    Vec2 point;
+    std::uint32_t surface;  ///< the wall it comes in by, the last one where it was in a corner
+  };
+  /// Gives   nothing where none of them leads out.
+  std::optional<Entry> cross(const Vec2& point, const Vec2& direction,
+                             std::span<const std::uint32_t> surfaces) const;
+
+ private:
+  struct Side {
+    std::uint32_t surface, opposite;
+    int axis;         // across it
+    double out, far;  // sign of the way out; place of the opposite one on the axis
+  };
+  const Side* find(std::uint32_t surface) const;
+  std::vector<Side> sides_;
+};
+
+}  // namespace flatray

@@ -1,0 +1,74 @@
+#include "transport/wall_cells.h"
+
+#include <cmath>
+
+namespace flatray {
+namespace {
+
+// Fewer walls than this are looked at one by one.
+constexpr std::size_t kFewWalls = 16;
+constexpr double kMostSide = 2048, kCellsAWall = 4;
+constexpr double kLeast = 0x1p-900, kMost = 0x1p900;
+
+Bounds box_of(const Segment& wall) { return {wall.a.cwiseMin(wall.b), wall.a.cwiseMax(wall.b)}; }
+
+}  // namespace
+
+// Beyond sound arithmetic, as where a few walls are all there is, one cell holds them all.
+WallCells::WallCells(const Surfaces& walls) : curves_(walls) {
+  if (walls.segments.size() > kFewWalls) divide(walls);
+  std::vector<std::uint32_t> next(side_ * side_ + 1);
+  for (const Segment& wall : walls.segments)
+    for (const std::size_t cell : cells_of(wall)) ++next[cell + 1];
+  for (std::size_t cell = 1; cell < next.size(); ++cell) next[cell] += next[cell - 1];
+  begin_ = next;
+  segments_.resize(next.back());
+  for (std::size_t slot = 0; slot < walls.segments.size(); ++slot)
+    for (const std::size_t cell : cells_of(walls.segments[slot]))
+      segments_[next[cell]++] = walls.segment_numbers[slot];
+}
+
+// As many cells as walls, or fewer, so that walls that go through many cells have kCellsAWall on
+// average.
+void WallCells::divide(const Surfaces& walls) {
+  Bounds all;
+  for (const Segment& wall : walls.segments) all.add(box_of(wall));
+  const double largest = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
+  const Vec2 size = all.size();
+  if (!(largest < kMost && size.minCoeff() > kLeast)) return;
+  double crossed = 0;  // borders, a cell's side being that of all
+  for (const Segment& wall : walls.segments)
+    crossed += box_of(wall).size().cwiseQuotient(size).sum();
+  const auto count = static_cast<double>(walls.segments.size());
+  side_ = static_cast<std::size_t>(
+              std::min({kMostSide, std::sqrt(count), kCellsAWall * count / crossed})) +
+          1;
+  low_ = all.low;
+  scale_ = static_cast<double>(side_) * size.cwiseInverse();
+  slack_ = 0x1p-48 * largest;
+}
+
+// In parts about as long as a cell, so that a slanted wall is not in all cells of its box.
+std::vector<std::size_t> WallCells::cells_of(const Segment& wall) const {
+  const Bounds box = box_of(wall);
+  const auto columns = [&](int axis) {
+    return column(axis, box.high[axis]) - column(axis, box.low[axis]);
+  };
+  const std::size_t parts = std::min(columns(0), columns(1)) + 1;
+  std::vector<std::size_t> met;
+  const Vec2 way = wall.b - wall.a, slack = Vec2::Constant(parts == 1 ? 0 : slack_);
+  const auto at = [&](std::size_t k) {
+    if (k == 0 || k == parts) return k == 0 ? wall.a : wall.b;
+    return Vec2(wall.a + static_cast<double>(k) / static_cast<double>(parts) * way);
+  };
+  for (std::size_t i = 0; i < parts; ++i) {
+    const Bounds part = box_of({at(i), at(i + 1)});
+    visit_cells({part.low - slack, part.high + slack},
+                [&](std::size_t cell) { met.push_back(cell); });
+  }
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  return met;
+}
+
+}  // namespace flatray
