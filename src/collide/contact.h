@@ -17,6 +17,8 @@ struct ContactFeature {
   bool edge_of_a = true;
   int edge = kNoEdge;    ///< as the polygon is given; kNoEdge where none of them matters
   int vertex = kNoEdge;  ///< of the other
+
+  bool operator==(const ContactFeature&) const = default;
 };
 
 /// When two closed polygons have a point in common.
@@ -27,6 +29,8 @@ struct Contact {
   ///         (boundary) or overlap (inside) at t = 0. Edges are kNoEdge.
   HitInterval times;
   ContactFeature first, last;  ///< at t_enter and t_exit, where those lie within the range
+
+  bool operator==(const Contact&) const = default;
 };
 
 /// "apart", "touching" or "overlapping".

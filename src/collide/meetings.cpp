@@ -26,7 +26,8 @@ struct Stretch {
 
 class Search {
  public:
-  explicit Search(const Timeline& timeline) : timeline_(timeline), scene_(timeline.scene()) {
+  Search(const Timeline& timeline, Outline outline)
+      : timeline_(timeline), scene_(timeline.scene()), outline_(outline) {
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
       straight_.push_back(keeps_velocity(scene_, i));
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i) rests_.push_back(rests(scene_, i));
@@ -66,7 +67,8 @@ class Search {
     Stretch stretch{{}, {0, (last_frame - 1.0) / scene_.fps}};
     for (std::uint32_t i = 0; i < states.size(); ++i)
       stretch.bodies.push_back({straight_[i] ? shape(states[i]) : nullptr,
-                                pose(states[i].at, states[i].angle), scene_.entities[i].velocity});
+                                pose(states[i].at, states[i].angle, states[i].scale),
+                                scene_.entities[i].velocity});
     for (const Pair& pair : close_pairs(stretch)) {
       if (rests_[pair.first] && rests_[pair.second]) continue;
       for (const MeetingPart& part : meet(stretch, pair)) add(pair, part);
@@ -79,7 +81,7 @@ class Search {
     Stretch stretch{{}, {0, 1}};
     for (std::uint32_t i = 0; i < now.size(); ++i)
       stretch.bodies.push_back(
-          {shape(now[i]), pose(now[i].at, now[i].angle), next[i].at - now[i].at});
+          {shape(now[i]), pose(now[i].at, now[i].angle, now[i].scale), next[i].at - now[i].at});
     for (const Pair& pair : close_pairs(stretch)) {
       if (straight_[pair.first] && straight_[pair.second]) continue;
       for (MeetingPart part : meet(stretch, pair)) {
@@ -99,8 +101,10 @@ class Search {
     return overlapping_pairs(boxes);
   }
 
-  static std::vector<MeetingPart> meet(const Stretch& stretch, const Pair& pair) {
-    return shapes_meet(stretch.bodies[pair.first], stretch.bodies[pair.second], stretch.within);
+  std::vector<MeetingPart> meet(const Stretch& stretch, const Pair& pair) const {
+    const MovingShape &a = stretch.bodies[pair.first], &b = stretch.bodies[pair.second];
+    return outline_ == Outline::own ? shapes_meet(a, b, stretch.within)
+                                    : boxes_meet(a, b, stretch.within);
   }
 
   // In the order of time; what goes on from one frame to the next is one part.
@@ -116,6 +120,7 @@ class Search {
 
   const Timeline& timeline_;
   const Scene& scene_;
+  const Outline outline_;
   std::vector<bool> straight_, rests_;
   std::map<Pair, std::vector<MeetingPart>> parts_;
 };
@@ -133,8 +138,8 @@ bool rests(const Scene& scene, std::uint32_t entity) {
   return keeps_velocity(scene, entity) && scene.entities[entity].velocity.isZero(0);
 }
 
-std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame) {
-  Search search(timeline);
+std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame, Outline outline) {
+  Search search(timeline, outline);
   search.run(last_frame);
   return std::move(search).found();
 }

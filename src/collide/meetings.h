@@ -13,6 +13,9 @@ struct Meeting {
   bool straight;  ///< both keep their velocity: exact. Else motion is straight from frame to frame
 };
 
+/// What stands for an entity: its own outline, or the box around it in each frame.
+enum class Outline : std::uint8_t { own, box };
+
 /// Whether an entity keeps one velocity and its looks as long as the scene goes.
 bool keeps_velocity(const Scene& scene, std::uint32_t entity);
 
@@ -28,6 +31,7 @@ bool rests(const Scene& scene, std::uint32_t entity);
 ///         place in the next.
 /// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp.
 /// Cost    a sweep over boxes, for scenes where all keep their velocity once, else once a frame.
-std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame);
+std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame,
+                                   Outline outline = Outline::own);
 
 }  // namespace flatray

@@ -17,20 +17,6 @@ bool is_lower(const Vec2& a, const Vec2& b) {
   return a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
 }
 
-// The vertices of a ring counter-clockwise without repeated ones; without area its two ends.
-Numbers turned(Ring ring, Sign sense) {
-  if (sense == Sign::zero) {
-    const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), is_lower);
-    const auto first = static_cast<std::uint32_t>(low - ring.begin());
-    const auto last = static_cast<std::uint32_t>(high - ring.begin());
-    return *low == *high ? Numbers{first} : Numbers{first, last};
-  }
-  Numbers numbers;
-  for (const std::size_t i : proper_edges(ring)) numbers.push_back(static_cast<std::uint32_t>(i));
-  if (sense == Sign::negative) std::reverse(numbers.begin(), numbers.end());
-  return numbers;
-}
-
 // The edges of one of the two, in the order of their angles from 0 to a full turn.
 class Walk {
  public:
@@ -38,7 +24,7 @@ class Walk {
   Walk(Ring ring, bool opposite)
       : ring_(ring),
         sense_(ring_orientation(ring)),
-        numbers_(turned(ring, sense_)),
+        numbers_(turned_ring(ring, sense_)),
         opposite_(opposite) {
     const auto before = [&](std::uint32_t i, std::uint32_t k) {
       return opposite ? is_lower(ring[k], ring[i]) : is_lower(ring[i], ring[k]);
@@ -85,6 +71,19 @@ bool spans_area(const Walk& a, const Walk& b) {
 }
 
 }  // namespace
+
+Numbers turned_ring(Ring ring, Sign sense) {
+  if (sense == Sign::zero) {
+    const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), is_lower);
+    const auto first = static_cast<std::uint32_t>(low - ring.begin());
+    const auto last = static_cast<std::uint32_t>(high - ring.begin());
+    return *low == *high ? Numbers{first} : Numbers{first, last};
+  }
+  Numbers numbers;
+  for (const std::size_t i : proper_edges(ring)) numbers.push_back(static_cast<std::uint32_t>(i));
+  if (sense == Sign::negative) std::reverse(numbers.begin(), numbers.end());
+  return numbers;
+}
 
 Difference minkowski_difference(Ring a, Ring b) {
   Walk of_a(a, false), of_b(b, true);

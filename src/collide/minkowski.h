@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/vec.h"
+#include "geom/predicates.h"
 
 namespace flatray {
 
@@ -22,6 +22,10 @@ struct Difference {
   std::vector<DifferenceCorner> corners;
   bool has_area;
 };
+
+/// Vertices of a convex ring counter-clockwise, without those that repeat the one before; without
+/// area (`sense` zero) its two ends, or one. Needs   sense as ring_orientation gives it.
+std::vector<std::uint32_t> turned_ring(std::span<const Vec2> ring, Sign sense);
 
 /// Needs   convex rings as clip_convex does, at least one vertex each.
 /// Gives   exactly the outline: directions are compared, not computed.

@@ -7,34 +7,17 @@ namespace {
 
 using Ring = std::vector<Vec2>;
 
-// The convex pieces of a shape in the world, its segments among them.
-std::vector<Ring> rings(const MovingShape& moving) {
-  const Shape& shape = *moving.shape;
-  std::vector<Ring> all;
-  for (std::size_t i = 0; i < shape.piece_count(); ++i)
-    all.push_back(posed_piece(shape, i, moving.place));
-  for (const Segment& s : shape.segments) all.push_back({moving.place(s.a), moving.place(s.b)});
-  return all;
-}
-
-// Where a contact begins: the vertex that meets an edge, and that edge's normal.
-void set_place(const Contact& met, const Ring& a, const Vec2& velocity_a, const Ring& b,
-               const Vec2& velocity_b, MeetingPart& part) {
-  const ContactFeature& feature = met.first;
-  if (feature.vertex == kNoEdge) {
-    part.point = a.front() + part.times.low * velocity_a;
-    part.normal = {0, 0};
-    return;
+MeetingPart meeting_part(const RoundContact& met, const RoundBody& a, const RoundBody& b) {
+  const HitInterval& times = met.times;
+  MeetingPart part{{times.t_enter, times.t_exit}, times.kind, times.start, {0, 0}, {0, 0}};
+  if (met.first) {
+    const RoundPlace place = place_at(*met.first, a, b, times.t_enter);
+    part.point = place.point;
+    part.normal = place.normal;
+  } else {
+    part.point = a.core.vertices.front() + part.times.low * a.core.velocity;
   }
-  const Ring &edges = feature.edge_of_a ? a : b, &vertices = feature.edge_of_a ? b : a;
-  const Vec2& velocity = feature.edge_of_a ? velocity_b : velocity_a;
-  part.point = vertices[static_cast<std::size_t>(feature.vertex)] + part.times.low * velocity;
-  const auto i = static_cast<std::size_t>(feature.edge);
-  const Vec2 along = edges[(i + 1) % edges.size()] - edges[i];
-  const Vec2 across = Vec2(along.y(), -along.x()).normalized();
-  // Out of the first shape: against the way in which it is met.
-  const Vec2 towards = velocity_a - velocity_b;
-  part.normal = across.dot(towards) < 0 ? Vec2(-across) : across;
+  return part;
 }
 
 void join(std::vector<MeetingPart>& parts) {
@@ -54,26 +37,51 @@ void join(std::vector<MeetingPart>& parts) {
   if (!parts.empty()) parts.resize(kept + 1);
 }
 
-}  // namespace
-
-std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within) {
+std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const Vec2& velocity_a,
+                                    const std::vector<ShapePart>& parts_b, const Vec2& velocity_b,
+                                    Range within) {
   std::vector<MeetingPart> parts;
-  const std::vector<Ring> rings_a = rings(a), rings_b = rings(b);
-  for (const Ring& p : rings_a)
-    for (const Ring& q : rings_b) {
-      const Contact met = contact({p, a.velocity}, {q, b.velocity}, within);
-      if (!met.times) continue;
-      MeetingPart part{
-          {met.times.t_enter, met.times.t_exit}, met.times.kind, met.times.start, {0, 0}, {0, 0}};
-      set_place(met, p, a.velocity, q, b.velocity, part);
-      parts.push_back(part);
+  for (const ShapePart& p : parts_a)
+    for (const ShapePart& q : parts_b) {
+      const RoundBody one{{p.ring, velocity_a}, p.radius}, other{{q.ring, velocity_b}, q.radius};
+      const RoundContact met = round_contact(one, other, within);
+      if (met.times) parts.push_back(meeting_part(met, one, other));
     }
   join(parts);
   return parts;
 }
 
+std::vector<ShapePart> box_of(const MovingShape& moving) {
+  const Bounds box = shape_bounds(*moving.shape, moving.place);
+  if (box.empty()) return {};
+  return {{{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}}};
+}
+
+}  // namespace
+
+std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
+  std::vector<ShapePart> all;
+  for (std::size_t i = 0; i < shape.piece_count(); ++i)
+    all.push_back({posed_piece(shape, i, place)});
+  for (const Segment& s : shape.segments) all.push_back({{place(s.a), place(s.b)}});
+  for (const Circle& c : shape.circles) {
+    const Circle there = posed(c, place);
+    all.push_back({{there.centre}, there.radius});
+  }
+  return all;
+}
+
+std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within) {
+  return parts_meet(parts_of(*a.shape, a.place), a.velocity, parts_of(*b.shape, b.place),
+                    b.velocity, within);
+}
+
+std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within) {
+  return parts_meet(box_of(a), a.velocity, box_of(b), b.velocity, within);
+}
+
 bool has_parts_left_out(const Shape& shape) {
-  return !shape.circles.empty() || !shape.arc_paths.empty() || !shape.crossing_rings.empty();
+  return !shape.arc_paths.empty() || !shape.crossing_rings.empty();
 }
 
 }  // namespace flatray

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "anim/frame_state.h"
-#include "collide/contact.h"
+#include "collide/round_contact.h"
 
 namespace flatray {
 
@@ -12,6 +12,13 @@ struct MovingShape {
   Pose place;  ///< at t = 0
   Vec2 velocity;
 };
+
+/// The convex parts of a shape as placed: pieces, segments, discs.
+struct ShapePart {
+  std::vector<Vec2> ring;
+  double radius = 0;
+};
+std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place);
 
 /// A time in which two shapes have a point in common.
 struct MeetingPart {
@@ -23,11 +30,14 @@ struct MeetingPart {
 };
 
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their
-/// convex pieces and segments together.
+/// convex pieces, segments and discs together.
 ///
 /// Gives   kind: through where any pieces overlap, else along where any touch for a while.
-/// Error   as contact(); shapes with circles or arcs are taken without those.
+/// Error   as round_contact(); shapes with arcs are taken without those.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
+
+/// The same of the boxes around both shapes.
+std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
 /// Whether a shape has parts that shapes_meet leaves out.
 bool has_parts_left_out(const Shape& shape);

@@ -325,6 +325,18 @@ Sign Rational::root_sign(const Rational& p, int s, const Rational& q) {
   return larger > 0 ? p.sign() : larger < 0 ? root : Sign::zero;
 }
 
+Sign Rational::two_root_sign(const Rational& a, int s1, const Rational& q1, int s2,
+                             const Rational& q2) {
+  if (s1 == 0) return root_sign(a, s2, q2);
+  if (s2 == 0) return root_sign(a, s1, q1);
+  const auto larger = q1 <=> q2;
+  const Sign roots = static_cast<Sign>(s1 == s2 || larger > 0 ? s1 : larger < 0 ? s2 : 0);
+  if (roots == Sign::zero) return a.sign();
+  if (a.sign() == Sign::zero || a.sign() == roots) return roots;
+  // They differ in sign: compare a^2 with the square of the roots' sum.
+  return a.sign() * root_sign(a * a - q1 - q2, -s1 * s2, Rational(4) * q1 * q2);
+}
+
 double Rational::root_sum(const Rational& p, int s, const Rational& q) {
   if (root_sign(p, s, q) == Sign::zero) return 0;
   if (s == 0 || q.sign() == Sign::zero) return p.nearest();

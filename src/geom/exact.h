@@ -46,6 +46,10 @@ class Rational {
   /// Sign of p + s * sqrt(q), s = -1, 0 or 1. Exact. Needs q >= 0.
   static Sign root_sign(const Rational& p, int s, const Rational& q);
 
+  /// Sign of a + s1 * sqrt(q1) + s2 * sqrt(q2). Exact. Needs q1, q2 >= 0.
+  static Sign two_root_sign(const Rational& a, int s1, const Rational& q1, int s2,
+                            const Rational& q2);
+
   /// Nearest double to p + s * sqrt(q), halves to even, also where the two cancel. Needs q >= 0.
   static double root_sum(const Rational& p, int s, const Rational& q);
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "geom/decide.h"
+#include "geom/quick_quotient.h"
 
 namespace flatray {
 namespace {
@@ -39,18 +40,6 @@ CurveTime<Number> curve_time(const Make& number, const Ray& ray, const Ellipse& 
   const auto size = form_size(number, curve);
   const auto r2 = size * size, a = dot(d, d), k = cross(d, w);
   return {a, dot(d, w), r2 * a - k * k, dot(w, w) - r2};
-}
-
-// Sign of a + s1 sqrt(q1) + s2 sqrt(q2).
-Sign two_root_sign(const Rational& a, int s1, const Rational& q1, int s2, const Rational& q2) {
-  if (s1 == 0) return Rational::root_sign(a, s2, q2);
-  if (s2 == 0) return Rational::root_sign(a, s1, q1);
-  const auto larger = q1 <=> q2;
-  const Sign roots = static_cast<Sign>(s1 == s2 || larger > 0 ? s1 : larger < 0 ? s2 : 0);
-  if (roots == Sign::zero) return a.sign();
-  if (a.sign() == Sign::zero || a.sign() == roots) return roots;
-  // They differ in sign: compare a^2 with the square of the roots' sum.
-  return a.sign() * Rational::root_sign(a * a - q1 - q2, -s1 * s2, Rational(4) * q1 * q2);
 }
 
 }  // namespace
@@ -131,6 +120,10 @@ HitTime::Exact HitTime::exact() const {
 }
 
 RoundedTime HitTime::nearest() const {
+  if (root_ == 0)
+    if (const double t = quick_quotient(ray_.origin, p_, velocity_, ray_.direction, from_, to_);
+        !std::isnan(t))
+      return {t, false};
   const auto rounded = approximate().nearest();
   if (rounded && std::fabs(*rounded) < kLargest) return {*rounded, false};
   const Exact time = exact();
@@ -143,8 +136,8 @@ RoundedTime HitTime::nearest() const {
 std::strong_ordering compare(const HitTime& a, const HitTime& b) {
   if (const auto sign = (a.approximate() - b.approximate()).sign()) return order(*sign);
   const HitTime::Exact ta = a.exact(), tb = b.exact();
-  return order(two_root_sign(ta.p * tb.a - tb.p * ta.a, ta.s, ta.q * tb.a * tb.a, -tb.s,
-                             tb.q * ta.a * ta.a));
+  return order(Rational::two_root_sign(ta.p * tb.a - tb.p * ta.a, ta.s, ta.q * tb.a * tb.a, -tb.s,
+                                       tb.q * ta.a * ta.a));
 }
 
 std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {

@@ -1,31 +1,15 @@
 #include "geom/predicates.h"
 
 #include "geom/decide.h"
-#include "geom/error_bounds.h"
 
 namespace flatray {
-namespace {
-
-// (b - a) x (d - c) where the filter could not tell.
-[[gnu::noinline]] Sign uncertain_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+Sign uncertain_cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   // Signs of differences are always right, so products of opposite signs need no arithmetic:
   // axis-parallel input, and a product that under- or overflowed.
   const Sign left = sign_of(b.x() - a.x()) * sign_of(d.y() - c.y());
   const Sign right = sign_of(b.y() - a.y()) * sign_of(d.x() - c.x());
   if (left != right || left == Sign::zero) return sign_of(left <=> right);
   return decide([&](const auto& number) { return determinant(number, a, b, c, d); });
-}
-
-}  // namespace
-
-Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const double left = (b.x() - a.x()) * (d.y() - c.y());
-  const double right = (b.y() - a.y()) * (d.x() - c.x());
-  const double size = std::fabs(left) + std::fabs(right), difference = left - right;
-  // An overflow makes `size` infinite or NaN, and no comparison holds.
-  if (size >= kDetFilterLeast && std::fabs(difference) > kDetFilter * size)
-    return sign_of(difference);
-  return uncertain_sign(a, b, c, d);
 }
 
 Sign orientation(const Vec2& a, const Vec2& b, const Vec2& c) { return cross_sign(a, b, a, c); }

@@ -1,7 +1,9 @@
 #pragma once
+#include <cmath>
 #include <compare>
 #include <cstdint>
 
+#include "geom/error_bounds.h"
 #include "geom/ray.h"
 
 namespace flatray {
@@ -20,8 +22,19 @@ inline Sign sign_of(double x) {
   return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
 }
 
+/// What cross_sign gives where its filter could not tell.
+Sign uncertain_cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
 /// Sign of (b - a) x (d - c), which the others are made of. Exact for all finite doubles.
-Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+inline Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double left = (b.x() - a.x()) * (d.y() - c.y());
+  const double right = (b.y() - a.y()) * (d.x() - c.x());
+  const double size = std::fabs(left) + std::fabs(right), difference = left - right;
+  // An overflow makes `size` infinite or NaN, and no comparison holds.
+  if (size >= kDetFilterLeast && std::fabs(difference) > kDetFilter * size)
+    return sign_of(difference);
+  return uncertain_cross_sign(a, b, c, d);
+}
 
 /// Side of `c` seen from a to b: positive to the left, zero on the line. Exact for all finite
 /// doubles.

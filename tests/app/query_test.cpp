@@ -69,7 +69,7 @@ TEST(Query, ContactWithoutRelativeMotionHasNoEndsAndAMissNoTimes) {
             R"({"class":"miss","t_first":null,"t_last":null,"start":"apart"})");
   EXPECT_EQ(
       answer(R"({"op":"contact","a":{"polygon":[[0,0]]},"b":{)" + square + R"(,"domain":"ray"})"),
-      R"({"error":"a: needs a polygon and a velocity; domain: is none of always, future, )"
+      R"({"error":"a: needs a velocity, and a polygon or a disc; domain: is none of always, future, )"
       R"(unit"})");
 }
 

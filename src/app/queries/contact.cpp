@@ -1,6 +1,5 @@
-#include "collide/contact.h"
-
 #include "app/query/query.h"
+#include "collide/round_contact.h"
 
 namespace flatray::queries {
 namespace {
@@ -9,7 +8,9 @@ Fields answer(Question& question) {
   const Question::Moving a = question.moving("a"), b = question.moving("b");
   const Range within = question.domain("always", "future", "unit");
   if (!question.sound()) return {};
-  const HitInterval times = contact({a.polygon, a.velocity}, {b.polygon, b.velocity}, within).times;
+  const HitInterval times = round_contact({{a.polygon, a.velocity}, a.radius},
+                                          {{b.polygon, b.velocity}, b.radius}, within)
+                                .times;
   Fields fields = {{"class", name(times.kind)},
                    {"t_first", interval_end(times, times.t_enter)},
                    {"t_last", interval_end(times, times.t_exit)},
@@ -21,6 +22,7 @@ Fields answer(Question& question) {
 }  // namespace
 
 extern const Query contact = {
-    "contact", "when two moving convex polygons meet, from the first instant to the last", &answer};
+    "contact", "when two moving convex polygons or discs meet, from the first instant to the last",
+    &answer};
 
 }  // namespace flatray::queries

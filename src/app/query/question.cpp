@@ -98,14 +98,23 @@ Question::Moving Question::moving(std::string_view name) {
   const JsonValue* value = find(name);
   if (value == nullptr) return {{}, {0, 0}};
   const std::string where(name);
-  check_fields(*value, where, {"polygon", "velocity"});
-  const JsonValue* polygon = value->find("polygon");
-  const JsonValue* velocity = value->find("velocity");
-  if (polygon == nullptr || velocity == nullptr) {
-    mistake(where, "needs a polygon and a velocity");
+  check_fields(*value, where, {"polygon", "disc", "radius", "velocity"});
+  const JsonValue *polygon = value->find("polygon"), *disc = value->find("disc");
+  const JsonValue *velocity = value->find("velocity"), *radius = value->find("radius");
+  if ((polygon == nullptr) == (disc == nullptr) || velocity == nullptr) {
+    mistake(where, "needs a velocity, and a polygon or a disc");
     return {{}, {0, 0}};
   }
-  return {read_polygon(*polygon, where + ".polygon"), read_point(*velocity, where + ".velocity")};
+  const Vec2 way = read_point(*velocity, where + ".velocity");
+  if (disc != nullptr) {
+    check_fields(*disc, where + ".disc", {"center", "radius"});
+    if (radius != nullptr) mistake(where + ".radius", "stands in the disc");
+    const Circle circle = read_circle(*disc, where + ".disc");
+    return {{circle.centre}, way, circle.radius};
+  }
+  const auto length = radius == nullptr ? std::optional<double>(0) : number_in(*radius);
+  if (!length || *length < 0) mistake(where + ".radius", "is no number of 0 or more");
+  return {read_polygon(*polygon, where + ".polygon"), way, length.value_or(0)};
 }
 
 // Says which fields of an object are none of `known`.

@@ -40,10 +40,12 @@ class Question {
   Range domain(const char* line, const char* ray, const char* segment);
   /// Corners of a convex polygon, at least one.
   std::vector<Vec2> polygon(std::string_view name);
-  /// {"polygon":[[x,y],...],"velocity":[vx,vy]}
+  /// {"polygon":[[x,y],...],"velocity":[vx,vy]}, also with a "radius" that is laid round it, or with
+  /// "disc":{"center":[x,y],"radius":r} in place of the polygon.
   struct Moving {
     std::vector<Vec2> polygon;
     Vec2 velocity;
+    double radius = 0;
   };
   Moving moving(std::string_view name);
   /// {"center":[x,y],"radius":r}

@@ -1,19 +1,29 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/option_values.h"
+#include "app/paper_table.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
-#include "collide/meetings.h"
+#include "collide/edge_ray_meetings.h"
+#include "collide/simulate.h"
 
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions =
-    with_scene_options({{"last", '\0', "K", "frame at which to stop (default: the scene's last)"},
-                        kSeedOption,
-                        kJsonOption,
-                        kCsvOption});
+constexpr auto kOptions = with_scene_options(
+    {{"last", '\0', "K", "frame at which to stop (default: the scene's last)"},
+     {"method", '\0', "minkowski|edge-rays|boxes",
+      "exact (default), as the paper's rays in each frame, or of bounding boxes"},
+     {"response", '\0', "mark|stop|bounce", "what those do that meet; mass is area"},
+     {"fixed", '\0', "NAME", "with --response: an entity that nothing moves", OptionKind::list},
+     {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
+      OptionKind::flag},
+     kSeedOption,
+     kJsonOption,
+     kCsvOption});
 
 ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings) {
   ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
@@ -43,38 +53,90 @@ std::string left_out(const Scene& scene) {
                                                      : scene.entities[i].name);
   }
   if (names.empty()) return {};
-  return fmt::format("circles and curves are left out: {}{}", comma_list(names),
+  return fmt::format("curves are left out: {}{}", comma_list(names),
                      more == 0 ? "" : fmt::format(" and {} more", more));
+}
+
+ReportTable event_table(const Scene& scene, const Simulation& done) {
+  ReportTable table{{"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
+                     "a_velocity_y", "b_velocity_x", "b_velocity_y"},
+                    {}};
+  for (const CollisionEvent& e : done.events)
+    table.rows.push_back({scene.entities[e.a].name, scene.entities[e.b].name, e.time,
+                          1 + e.time * scene.fps, e.point.x(), e.point.y(), e.normal.x(),
+                          e.normal.y(), e.velocity_a.x(), e.velocity_a.y(), e.velocity_b.x(),
+                          e.velocity_b.y()});
+  return table;
+}
+
+Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline, unsigned frames) {
+  const auto word = arguments.one_of("response", {"mark", "stop", "bounce"});
+  if (!word) return tl::unexpected(word.error());
+  const std::vector<std::string> fixed = arguments.list("fixed");
+  const std::vector<std::string> known = names_of(timeline.scene().entities);
+  for (const std::string& entity : fixed)
+    if (std::find(known.begin(), known.end(), entity) == known.end())
+      return unknown_name(arguments.where("fixed"), "entity", entity, known);
+  const auto bodies = bodies_of(timeline, fixed);
+  if (!bodies) return tl::unexpected(bodies.error());
+  const Response response = *word == "mark"   ? Response::mark
+                            : *word == "stop" ? Response::stop
+                                              : Response::bounce;
+  const double end = (frames - 1) / timeline.scene().fps;
+  const Simulation done = simulate(*bodies, response, end);
+  if (!done.complete && !arguments.has("quiet"))
+    report_note(fmt::format("stopped after {} events", done.events.size()));
+  return event_table(timeline.scene(), done);
+}
+
+Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timeline,
+                             unsigned frames) {
+  const auto method = arguments.one_of("method", {"minkowski", "edge-rays", "boxes"});
+  if (!method) return tl::unexpected(method.error());
+  const Scene& scene = timeline.scene();
+  if (*method == "edge-rays") return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
+  const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
+  if (const std::string note = left_out(scene); !note.empty() && !arguments.has("quiet"))
+    report_note(note);
+  return meeting_table(scene, find_meetings(timeline, frames, outline));
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
+  if (arguments.has("table")) {
+    auto text = paper_table(*scene, arguments.where("table"));
+    if (!text) return tl::unexpected(text.error());
+    return VerbOutput{*std::move(text)};
+  }
   const auto draws = seed(arguments, *scene);
   if (!draws) return tl::unexpected(draws.error());
   const auto last = arguments.whole("last", scene->frames, 1, scene->frames);
   if (!last) return tl::unexpected(last.error());
   const auto frames = static_cast<unsigned>(*last);
-  const ReportTable table =
-      meeting_table(*scene, find_meetings(Timeline(*scene, *draws, frames), frames));
-  if (const std::string note = left_out(*scene); !note.empty() && !arguments.has("quiet"))
-    report_note(note);
+  const Timeline timeline(*scene, *draws, frames);
+  const auto table = arguments.has("response") ? events(arguments, timeline, frames)
+                                               : meetings(arguments, timeline, frames);
+  if (!table) return tl::unexpected(table.error());
   if (arguments.has("json"))
-    return VerbOutput{json_report("collide", arguments, as_objects(table), 0)};
-  return VerbOutput{arguments.has("csv") ? csv_text(table) : aligned_text(table)};
+    return VerbOutput{json_report("collide", arguments, as_objects(*table), 0)};
+  return VerbOutput{arguments.has("csv") ? csv_text(*table) : aligned_text(*table)};
 }
 
 }  // namespace
 
-extern const Verb collide = {"collide",
-                             "SCENE",
-                             "say when the entities of a scene meet, and where",
-                             1,
-                             1,
-                             kOptions,
-                             "  flatray collide scenes/paper/case_two.toml\n"
-                             "  flatray collide scenes/demo.toml --last 60 --csv\n",
-                             "nothing looked for",
-                             &run};
+extern const Verb collide = {
+    "collide",
+    "SCENE",
+    "say when the entities of a scene meet, and where",
+    1,
+    1,
+    kOptions,
+    "  flatray collide scenes/paper/case_two.toml\n"
+    "  flatray collide scenes/paper/case_two.toml --table\n"
+    "  flatray collide scenes/collision/cradle.toml --response bounce --fixed wall\n"
+    "  flatray collide scenes/demo.toml --last 60 --csv\n",
+    "nothing looked for",
+    &run};
 
 }  // namespace flatray::verbs

@@ -1,0 +1,68 @@
+#include "collide/edge_ray_meetings.h"
+
+#include <algorithm>
+#include <map>
+
+#include "collide/broad_phase.h"
+#include "geom/cyrus_beck.h"
+
+namespace flatray {
+namespace {
+
+using Entities = std::pair<std::uint32_t, std::uint32_t>;
+using Ring = std::vector<Vec2>;
+
+std::vector<Ring> pieces(const Shape& shape, const Pose& place) {
+  std::vector<Ring> all;
+  for (std::size_t i = 0; i < shape.piece_count(); ++i) all.push_back(posed_piece(shape, i, place));
+  return all;
+}
+
+bool any_edge_hits(const std::vector<Ring>& from, const std::vector<Ring>& against) {
+  for (const Ring& ring : from)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Ray edge{ring[i], ring[(i + 1) % ring.size()] - ring[i]};
+      for (const Ring& other : against)
+        if (clip_convex(edge, other, kSegment)) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Meeting> find_edge_ray_meetings(const Timeline& timeline, unsigned last_frame) {
+  const Scene& scene = timeline.scene();
+  std::map<Entities, std::vector<MeetingPart>> found;
+  for (unsigned frame = 1; frame <= last_frame; ++frame) {
+    const std::vector<EntityState> states = entity_states(timeline, frame);
+    std::vector<Bounds> boxes;
+    std::vector<Pose> poses;
+    for (const EntityState& state : states) {
+      poses.push_back(pose(state.at, state.angle, state.scale));
+      boxes.push_back(shape_bounds(scene.shapes[state.shape], poses.back()));
+    }
+    const double time = (frame - 1) / scene.fps;
+    for (const Entities& pair : overlapping_pairs(boxes)) {
+      const auto [a, b] = pair;
+      if (rests(scene, a) && rests(scene, b)) continue;
+      if (!any_edge_hits(pieces(scene.shapes[states[a].shape], poses[a]),
+                         pieces(scene.shapes[states[b].shape], poses[b])))
+        continue;
+      std::vector<MeetingPart>& parts = found[pair];
+      const bool goes_on = !parts.empty() && parts.back().times.high == (frame - 2) / scene.fps;
+      if (goes_on)
+        parts.back().times.high = time;
+      else
+        parts.push_back({{time, time}, HitClass::through, StartPlace::boundary, {0, 0}, {0, 0}});
+    }
+  }
+  std::vector<Meeting> all;
+  for (const auto& [pair, parts] : found)
+    for (const MeetingPart& part : parts) all.push_back({pair.first, pair.second, part, false});
+  std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
+    return p.part.times.low < q.part.times.low;
+  });
+  return all;
+}
+
+}  // namespace flatray

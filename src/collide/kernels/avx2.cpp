@@ -1,0 +1,3 @@
+#define FLATRAY_TIER avx2
+#define FLATRAY_LANES 8
+#include "collide/kernels/sweep_body.h"

@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+
+#include "geom/exact.h"
+#include "geom/ray.h"
+
+namespace flatray::oracle {
+
+/// A convex core that moves, with all points within `radius` of it.
+struct RoundCore {
+  std::span<const Vec2> ring;
+  Vec2 velocity;
+  double radius;
+};
+
+/// How two such bodies lie at time t: negative where they overlap, zero where they touch.
+///
+/// Source  squared distances of points from segments, in rationals; no difference of shapes and no
+///         quadratic in t.
+Sign apart_at(const RoundCore& a, const RoundCore& b, const Rational& t);
+
+/// Whether they never meet for t in (-inf, inf). Needs   relative motion.
+/// Source  the distance is convex in t, so where it never falls to the sum of the radii it does not do
+///         so when any two vertices are nearest, nor when the cores cross.
+bool never_meet(const RoundCore& a, const RoundCore& b);
+
+}  // namespace flatray::oracle

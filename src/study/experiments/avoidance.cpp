@@ -1,0 +1,134 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "collide/broad_phase.h"
+#include "collide/meetings.h"
+#include "study/blocks.h"
+#include "study/estimate.h"
+#include "study/palette.h"
+#include "study/table.h"
+
+namespace flatray {
+namespace {
+
+constexpr int kTenths = 10;
+constexpr double kFree = -1;
+constexpr Light kClear{0.55, 0.75, 0.9};
+
+// The first entity as it would move to each pixel of the film by the last frame, and what it meets.
+class Choices {
+ public:
+  explicit Choices(const ExperimentContext& context)
+      : scene_(context.scene),
+        timeline_(scene_, context.seed, scene_.frames),
+        state_(at(timeline_, 1)),
+        duration_((scene_.frames - 1) / scene_.fps) {
+    for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
+      bodies_.push_back(
+          {&scene_.shapes[state_.entities[i].shape],
+           pose(state_.entities[i].at, state_.entities[i].angle, state_.entities[i].scale),
+           scene_.entities[i].velocity});
+    for (std::size_t i = 1; i < bodies_.size(); ++i)
+      boxes_.push_back(
+          swept(shape_bounds(*bodies_[i].shape, bodies_[i].place), bodies_[i].velocity, duration_));
+  }
+
+  Vec2 velocity(int x, int y) const {
+    const Vec2 size = state_.window.size();
+    const Vec2 pixel(state_.window.low.x() + (x + 0.5) / scene_.film.width * size.x(),
+                     state_.window.high.y() - (y + 0.5) / scene_.film.height * size.y());
+    return (pixel - state_.entities[0].at) / duration_;
+  }
+
+  // When it first meets another with this velocity; kFree for never.
+  double first_time(const Vec2& velocity) const {
+    MovingShape mover = bodies_[0];
+    mover.velocity = velocity;
+    const Bounds box = swept(shape_bounds(*mover.shape, mover.place), velocity, duration_);
+    double first = kInfinity;
+    for (std::size_t i = 1; i < bodies_.size(); ++i) {
+      const Bounds& other = boxes_[i - 1];
+      if (box.low.x() > other.high.x() || other.low.x() > box.high.x() ||
+          box.low.y() > other.high.y() || other.low.y() > box.high.y())
+        continue;
+      const auto parts = shapes_meet(mover, bodies_[i], {0, duration_});
+      if (!parts.empty()) first = std::min(first, parts.front().times.low);
+    }
+    return first == kInfinity ? kFree : first;
+  }
+  double duration() const { return duration_; }
+
+ private:
+  const Scene& scene_;
+  const Timeline timeline_;
+  const FrameState state_;
+  const double duration_;
+  std::vector<MovingShape> bodies_;
+  std::vector<Bounds> boxes_;
+};
+
+Result<void> expect_movers(const Scene& scene) {
+  if (scene.entities.size() < 2 || scene.frames < 2)
+    return fail({}, "avoidance needs two entities and two frames",
+                "the first entity is the one that is to choose its velocity");
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (!keeps_velocity(scene, i) || has_parts_left_out(scene.shapes[scene.entities[i].shape]))
+      return fail(scene.entities[i].where, "this entity does not keep one velocity, or has curves",
+                  "avoidance is for polygons, segments and circles in straight motion");
+  return {};
+}
+
+ExperimentResult results(const ExperimentContext& context, double duration, const Numbers& times) {
+  const Film& film = context.scene.film;
+  Image image(film.width, film.height, 3);
+  std::uint64_t free = 0, by_tenth[kTenths] = {};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double share = times[i] / duration;
+    if (times[i] == kFree)
+      ++free;
+    else
+      ++by_tenth[std::min(kTenths - 1, static_cast<int>(share * kTenths))];
+    const auto width = static_cast<std::size_t>(film.width);
+    set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
+              times[i] == kFree ? kClear : heat(0.1 + 0.6 * share));
+  }
+  Table table({"met_before", "velocities"});
+  for (int k = 0; k < kTenths; ++k) table.add({(k + 1) * duration / kTenths, by_tenth[k]});
+  const double all = static_cast<double>(times.size()), part = static_cast<double>(free) / all;
+  ExperimentResult result =
+      measured(context, "avoidance",
+               fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width,
+                           film.height, context.scene.entities[0].name, duration),
+               {{"meets nothing", part, std::sqrt(part * (1 - part) / all)}});
+  result.files.push_back({"avoidance_times.csv", table.csv()});
+  result.files.push_back(png_file("avoidance.png", image, context.threads));
+  return result;
+}
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto movers = expect_movers(context.scene); !movers) return fail(std::move(movers));
+  const Choices choices(context);
+  const Film& film = context.scene.film;
+  const auto rows = run_blocks(context, static_cast<std::size_t>(film.height), [&](std::size_t y) {
+    Numbers row;
+    for (int x = 0; x < film.width; ++x)
+      row.push_back(choices.first_time(choices.velocity(x, static_cast<int>(y))));
+    return row;
+  });
+  if (!rows) return tl::unexpected(rows.error());
+  Numbers times;
+  for (const Numbers& row : *rows) times.insert(times.end(), row.begin(), row.end());
+  return results(context, choices.duration(), times);
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment avoidance = {
+    "avoidance", "Which velocities of the first entity meet nothing, and when do the others?",
+    &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

@@ -1,0 +1,132 @@
+#include "collide/contact_batch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "geom/polygon.h"
+#include "oracle/contact.h"
+#include "oracle/families.h"
+
+namespace flatray {
+namespace {
+
+using oracle::Draw;
+using Ring = std::vector<Vec2>;
+
+struct Question {
+  PolygonSet shapes;
+  std::vector<MovingPair> pairs;
+
+  void add(const Ring& a, const Vec2& va, const Ring& b, const Vec2& vb) {
+    const std::uint32_t first = shapes.add(a), second = shapes.add(b);
+    pairs.push_back({first, second, va, vb});
+  }
+};
+
+void expect_same_as_one_by_one(const Question& asked, Range within, Isa isa) {
+  std::vector<Contact> together(asked.pairs.size());
+  contacts(asked.shapes, asked.pairs, within, together, isa);
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    const MovingPair& pair = asked.pairs[i];
+    const Contact alone = contact({asked.shapes.ring(pair.a), pair.velocity_a},
+                                  {asked.shapes.ring(pair.b), pair.velocity_b}, within);
+    ASSERT_EQ(together[i], alone) << "pair " << i << ", " << isa_name(isa);
+  }
+}
+
+// A convex polygon of any sense: corners on an ellipse, or of whole numbers, so that edges and
+// motions are often parallel and corners often meet.
+Ring polygon(Draw& draw, bool whole) {
+  const double x = draw.below(9), y = draw.below(9);
+  const Vec2 at(x, y);
+  if (whole) {
+    const double w = 1 + draw.below(3), h = 1 + draw.below(3), shear = draw.below(2);
+    Ring ring = {at, at + Vec2(w, 0), at + Vec2(w + shear, h), at + Vec2(shear, h)};
+    if (draw.below(2) == 0) std::reverse(ring.begin(), ring.end());
+    return ring;
+  }
+  const double stretch = 0.25 + draw.unit();
+  const int above = 2 + static_cast<int>(draw.below(4)),
+            all = above + static_cast<int>(draw.below(4));
+  std::vector<double> places;
+  for (int i = 0; i < all; ++i) places.push_back(1 - 2 * draw.unit());
+  std::sort(places.begin(), places.begin() + above, std::greater());
+  std::sort(places.begin() + above, places.end());
+  Ring ring;
+  for (int i = 0; i < all; ++i) {
+    const double p = places[static_cast<std::size_t>(i)], height = stretch * std::sqrt(1 - p * p);
+    ring.push_back(at + Vec2(p, i < above ? height : -height));
+  }
+  return ring;
+}
+
+Question questions(std::uint32_t stream, double scale, const Vec2& by) {
+  Question asked;
+  for (std::uint64_t item = 0; asked.pairs.size() < 1500 && item < 6000; ++item) {
+    Draw draw(31, stream, item);
+    const bool whole = item % 2 == 0;
+    Ring a = polygon(draw, whole), b = polygon(draw, whole);
+    for (Ring* ring : {&a, &b})
+      for (Vec2& p : *ring) p = scale * p + by;
+    if (non_convex_vertex(a) || non_convex_vertex(b)) continue;
+    const double ax = draw.below(7) - 3, ay = draw.below(7) - 3;
+    const double bx = whole ? draw.below(7) - 3 : draw.unit(), by_way = draw.below(3) - 1;
+    asked.add(a, scale * Vec2(ax, ay), b, scale * Vec2(bx, by_way));
+  }
+  return asked;
+}
+
+TEST(ContactBatch, GivesTheBitsOfOnePairACallOnEveryTier) {
+  const Question asked = questions(40, 1, {0, 0});
+  for (const Isa isa : available_isas())
+    for (const Range within : {kSegment, kRay, Range{0, 7}, kLine, Range{0.25, 2}})
+      expect_same_as_one_by_one(asked, within, isa);
+}
+
+TEST(ContactBatch, GivesTheSameBitsFarAwayAndAtEveryScale) {
+  for (const double scale : {1e-300, 0x1p-70, 1e-9, 1e12, 0x1p59, 1e150})
+    expect_same_as_one_by_one(questions(41, scale, {0, 0}), kSegment, active_isa());
+  for (const Vec2& far : {Vec2(0x1p40, -0x1p39), Vec2(1e15, 1), Vec2(-3, 1e9)})
+    expect_same_as_one_by_one(questions(42, 1, far), kRay, active_isa());
+}
+
+TEST(ContactBatch, TakesWhatTheLanesDoNot) {
+  Question asked;
+  Ring round;
+  for (int i = 0; i < 9; ++i)
+    round.emplace_back(i - 4.0, (i - 4.0) * (i - 4.0));  // nine corners on a parabola
+  const Ring point = {{0.5, 3}}, segment = {{0, 3}, {1, 3}},
+             square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const Ring& a : {round, point, segment, square})
+    for (const Ring& b : {round, point, segment, square})
+      for (const Vec2& way : {Vec2(0, 0), Vec2(0, -1), Vec2(1e-200, 0), Vec2(1e200, 1e200)})
+        asked.add(a, way, b, {0, 0});
+  for (const Range within : {kSegment, kRay, Range{0, 0}, Range{1, 0}})
+    expect_same_as_one_by_one(asked, within, active_isa());
+}
+
+TEST(ContactBatch, AgreesWithSeparatingAxesInRationals) {
+  const Question asked = questions(43, 1, {0, 0});
+  std::vector<Contact> met(asked.pairs.size());
+  contacts(asked.shapes, asked.pairs, kSegment, met);
+  int hits = 0;
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    const MovingPair& pair = asked.pairs[i];
+    const oracle::ContactTruth truth =
+        oracle::contact_truth(asked.shapes.ring(pair.a), pair.velocity_a, asked.shapes.ring(pair.b),
+                              pair.velocity_b, kSegment);
+    ASSERT_EQ(met[i].times.kind, truth.kind) << i;
+    ASSERT_EQ(met[i].times.start, truth.start) << i;
+    if (!met[i].times) continue;
+    ++hits;
+    ASSERT_EQ(met[i].times.t_enter, truth.first->nearest()) << i;
+    ASSERT_EQ(met[i].times.t_exit, truth.last->nearest()) << i;
+  }
+  EXPECT_GT(hits, 200);
+}
+
+}  // namespace
+}  // namespace flatray

@@ -1,0 +1,131 @@
+#include "collide/round_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geom/polygon.h"
+#include "oracle/families.h"
+#include "oracle/round_contact.h"
+
+namespace flatray {
+namespace {
+
+using oracle::Draw;
+using Ring = std::vector<Vec2>;
+
+struct Body {
+  Ring ring;
+  Vec2 velocity;
+  double radius;
+
+  operator RoundBody() const { return {{ring, velocity}, radius}; }
+  operator oracle::RoundCore() const { return {ring, velocity, radius}; }
+};
+const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+Body disc(const Vec2& at, double radius, const Vec2& velocity) { return {{at}, velocity, radius}; }
+
+HitInterval meet(const Body& a, const Body& b, Range within = kRay) {
+  return round_contact(a, b, within).times;
+}
+
+TEST(RoundContact, DiscsMeetWhereTheirCentresAreBothRadiiApart) {
+  // 3-4-5: the centre passes at distance 3 from one that is 5 in reach.
+  const HitInterval met = meet(disc({-10, 3}, 2, {2, 0}), disc({0, 0}, 3, {0, 0}));
+  EXPECT_EQ(met.kind, HitClass::through);
+  EXPECT_EQ(met.t_enter, 3);
+  EXPECT_EQ(met.t_exit, 7);
+  EXPECT_EQ(met.start, StartPlace::outside);
+}
+
+TEST(RoundContact, DiscsThatPassTouchOrMissByOneUlp) {
+  const Body still = disc({0, 0}, 2, {0, 0});
+  EXPECT_EQ(meet(disc({-10, 5}, 3, {1, 0}), still).kind, HitClass::touch);
+  EXPECT_EQ(meet(disc({-10, 5}, 3, {1, 0}), still).t_enter, 10);
+  EXPECT_EQ(meet(disc({-10, 5}, std::nextafter(3, 4), {1, 0}), still).kind, HitClass::through);
+  EXPECT_EQ(meet(disc({-10, 5}, std::nextafter(3, 2), {1, 0}), still).kind, HitClass::miss);
+}
+
+TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
+  const Body square = {kSquare, {0, 0}, 0};
+  EXPECT_EQ(meet(disc({-5, 0.5}, 1, {1, 0}), square).t_enter, 4);
+  EXPECT_EQ(meet(disc({-5, 0.5}, 1, {1, 0}), square).t_exit, 7);
+  // Round the corner (0, 1) by 3-4-5.
+  const Body high = disc({-10, 4}, 5, {1, 0});
+  EXPECT_EQ(meet(high, square).t_enter, 6);
+  const RoundContact met = round_contact(high, square);
+  ASSERT_TRUE(met.first);
+  EXPECT_FALSE(met.first->on_edge);
+  const RoundPlace place = place_at(*met.first, high, square, met.times.t_enter);
+  EXPECT_NEAR((place.point - Vec2(0, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((place.normal - Vec2(0.8, -0.6)).norm(), 0, 1e-15);
+}
+
+TEST(RoundContact, ADiscThatSlidesAlongASideIsAlong) {
+  const HitInterval slide = meet(disc({-5, 3}, 2, {1, 0}), {kSquare, {0, 0}, 0});
+  EXPECT_EQ(slide.kind, HitClass::along);
+  EXPECT_EQ(slide.t_enter, 5);
+  EXPECT_EQ(slide.t_exit, 6);
+}
+
+TEST(RoundContact, ACapsuleIsASegmentWithARadius) {
+  const Body capsule = {{{0, -1}, {0, 1}}, {0, 0}, 1};
+  EXPECT_EQ(meet(disc({-8, 0.5}, 1, {2, 0}), capsule).t_enter, 3);
+  EXPECT_EQ(meet(disc({-8, 2.2}, 1, {2, 0}), capsule).t_enter, 4 - 0.8);
+  EXPECT_EQ(meet({{{-8, 5}, {-6, 5}}, {1, -1}, 0.5}, capsule).kind, HitClass::through);
+}
+
+TEST(RoundContact, WithoutRelativeMotionTheStartDecides) {
+  const Vec2 v(1, 2);
+  EXPECT_EQ(meet(disc({0, 0}, 2, v), disc({3, 4}, 3, v), kLine).kind, HitClass::touch);
+  EXPECT_EQ(meet(disc({0, 0}, 2, v), disc({3, 4}, 3.5, v), kLine).kind, HitClass::through);
+  EXPECT_EQ(meet(disc({0, 0}, 2, v), disc({3, 4}, 2.5, v), kLine).kind, HitClass::miss);
+  EXPECT_EQ(meet(disc({0.5, 0.5}, 0.1, v), {kSquare, v, 0}, kLine).kind, HitClass::through);
+  EXPECT_EQ(meet(disc({0.5, 2}, 1, v), {kSquare, v, 0}, kLine).kind, HitClass::touch);
+}
+
+// A core of whole numbers with a radius, so that touching is frequent.
+Body drawn_body(Draw& draw) {
+  const double x = draw.below(14) - 7, y = draw.below(14) - 7;
+  const double vx = draw.below(5) - 2, vy = draw.below(5) - 2;
+  const double radius = draw.below(3) * 0.5 + (draw.below(4) == 0 ? 1e-3 : 0);
+  const Vec2 at(x, y);
+  const int n = static_cast<int>(draw.below(3));
+  if (n == 0) return {{at}, {vx, vy}, radius};
+  const double w = 1 + draw.below(3), h = draw.below(3);
+  if (n == 1) return {{at, at + Vec2(w, h)}, {vx, vy}, radius};
+  return {{at, at + Vec2(w, 0), at + Vec2(w, 1 + h), at + Vec2(0, 1)}, {vx, vy}, radius};
+}
+
+TEST(RoundContact, AgreesWithDistancesInRationals) {
+  int met_count = 0, missed = 0;
+  for (std::uint64_t item = 0; item < 1500; ++item) {
+    Draw draw(51, 40, item);
+    const Body a = drawn_body(draw), b = drawn_body(draw);
+    if (non_convex_vertex(a.ring) || non_convex_vertex(b.ring)) continue;
+    if (a.velocity == b.velocity || a.radius + b.radius == 0) continue;
+    SCOPED_TRACE(item);
+    const HitInterval met = meet(a, b, kLine);
+    ASSERT_EQ(met.kind == HitClass::miss, oracle::never_meet(a, b));
+    ++(met ? met_count : missed);
+    if (!met) continue;
+    // One ulp before the first time they are apart, one after it no more.
+    const Rational before(std::nextafter(met.t_enter, -kInfinity)),
+        after(std::nextafter(met.t_exit, kInfinity));
+    ASSERT_EQ(oracle::apart_at(a, b, before), Sign::positive);
+    ASSERT_EQ(oracle::apart_at(a, b, after), Sign::positive);
+    const double in = std::nextafter(met.t_enter, kInfinity),
+                 out = std::nextafter(met.t_exit, -kInfinity);
+    if (in > out) continue;
+    const Sign inside = met.kind == HitClass::through ? Sign::negative : Sign::zero;
+    ASSERT_EQ(oracle::apart_at(a, b, Rational(in)), inside);
+    ASSERT_EQ(oracle::apart_at(a, b, Rational(out)), inside);
+    ASSERT_EQ(met, meet(b, a, kLine));
+  }
+  EXPECT_GT(met_count, 200);
+  EXPECT_GT(missed, 200);
+}
+
+}  // namespace
+}  // namespace flatray

@@ -1,0 +1,132 @@
+#include "collide/simulate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracle/families.h"
+
+namespace flatray {
+namespace {
+
+using oracle::Draw;
+
+SimulatedBody disc(const Vec2& at, double radius, const Vec2& velocity, double mass = 1) {
+  return {{{{{0, 0}}, radius}}, at, velocity, mass};
+}
+SimulatedBody box(const Vec2& at, const Vec2& half, const Vec2& velocity, double mass) {
+  return {{{{-half, {half.x(), -half.y()}, half, {-half.x(), half.y()}}, 0}}, at, velocity, mass};
+}
+
+TEST(Simulate, EqualDiscsExchangeTheirVelocities) {
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), disc({6, 0}, 1, {-1, 0})};
+  const Simulation done = simulate(bodies, Response::bounce, 10);
+  ASSERT_EQ(done.events.size(), 1U);
+  EXPECT_EQ(done.events[0].time, 2);
+  EXPECT_EQ(done.events[0].point, Vec2(3, 0));
+  EXPECT_EQ(done.events[0].normal, Vec2(1, 0));
+  EXPECT_EQ(done.events[0].velocity_a, Vec2(-1, 0));
+  EXPECT_EQ(done.events[0].velocity_b, Vec2(1, 0));
+  EXPECT_EQ(place_at(done.stages[0], 1), Vec2(1, 0));
+  EXPECT_EQ(place_at(done.stages[0], 5), Vec2(-1, 0));
+}
+
+TEST(Simulate, WhatStopsStandsStillAndWhatIsMarkedGoesOn) {
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), disc({6, 0}, 1, {-1, 0})};
+  const Simulation stopped = simulate(bodies, Response::stop, 10);
+  EXPECT_EQ(place_at(stopped.stages[0], 9), Vec2(2, 0));
+  EXPECT_EQ(place_at(stopped.stages[1], 9), Vec2(4, 0));
+  const Simulation marked = simulate(bodies, Response::mark, 10);
+  ASSERT_EQ(marked.events.size(), 1U);
+  EXPECT_EQ(place_at(marked.stages[0], 9), Vec2(9, 0));
+}
+
+TEST(Simulate, AThrustGoesThroughARowOfDiscsThatTouch) {
+  std::vector<SimulatedBody> row = {disc({0, 0}, 1, {1, 0})};
+  for (int i = 0; i < 5; ++i) row.push_back(disc({4.0 + 2 * i, 0}, 1, {0, 0}));
+  const Simulation done = simulate(row, Response::bounce, 100);
+  ASSERT_EQ(done.events.size(), 5U);
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(done.events[i].time, 2);
+    EXPECT_EQ(done.events[i].a, i);
+    EXPECT_EQ(done.events[i].b, i + 1);
+  }
+  EXPECT_EQ(done.stages[0].back().velocity, Vec2(0, 0));
+  EXPECT_EQ(done.stages[5].back().velocity, Vec2(1, 0));
+}
+
+TEST(Simulate, AWallThinnerThanAnyStepStopsABodyOf300000KilometresASecond) {
+  const SimulatedBody bodies[] = {box({0, 0}, {0x1p-10, 0x1p-10}, {3e8, 0}, 1),
+                                  box({1, 0}, {0x1p-41, 8}, {0, 0}, kInfinity)};
+  const Simulation done = simulate(bodies, Response::bounce, 1);
+  ASSERT_EQ(done.events.size(), 1U);
+  EXPECT_EQ(done.events[0].time, (1 - 0x1p-10 - 0x1p-41) / 3e8);
+  EXPECT_EQ(done.events[0].velocity_a, Vec2(-3e8, 0));
+}
+
+struct Sums {
+  Vec2 momentum{0, 0};
+  double energy = 0;
+};
+
+// Four walls of infinite mass about [0, 20]^2, discs and boxes on a grid in them.
+std::vector<SimulatedBody> gas(std::uint64_t seed, int across) {
+  std::vector<SimulatedBody> bodies = {
+      box({-1, 10}, {1, 12}, {0, 0}, kInfinity), box({21, 10}, {1, 12}, {0, 0}, kInfinity),
+      box({10, -1}, {12, 1}, {0, 0}, kInfinity), box({10, 21}, {12, 1}, {0, 0}, kInfinity)};
+  const double cell = 20.0 / across;
+  for (int i = 0; i < across * across; ++i) {
+    Draw draw(seed, 1, static_cast<std::uint64_t>(i));
+    const Vec2 at((i % across + 0.5) * cell, (std::floor(i / across) + 0.5) * cell);
+    const double vx = 2 * draw.unit() - 1, vy = 2 * draw.unit() - 1, mass = 0.5 + draw.unit();
+    const double size = 0.2 * cell;
+    bodies.push_back(i % 2 == 0 ? disc(at, size, {vx, vy}, mass)
+                                : box(at, {size, 0.7 * size}, {vx, vy}, mass));
+  }
+  return bodies;
+}
+
+double energy(const std::vector<SimulatedBody>& bodies, const Simulation& done) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].mass < kInfinity)
+      sum += 0.5 * bodies[i].mass * done.stages[i].back().velocity.squaredNorm();
+  return sum;
+}
+
+TEST(Simulate, AGasKeepsItsEnergyAndLeavesNoOverlapAndStaysInItsRoom) {
+  const std::vector<SimulatedBody> bodies = gas(3, 10);
+  const Simulation none = simulate(bodies, Response::bounce, 0);
+  const Simulation done = simulate(bodies, Response::bounce, 200, 5000);
+  ASSERT_EQ(done.events.size(), 5000U);
+  const double before = energy(bodies, none);
+  EXPECT_LE(std::fabs(energy(bodies, done) - before), 1e-12 * before);
+  for (std::size_t i = 1; i < done.events.size(); ++i)
+    ASSERT_LE(done.events[i - 1].time, done.events[i].time);
+  const double now = done.events.back().time;
+  for (std::size_t i = 4; i < bodies.size(); ++i) {
+    const Vec2 at = place_at(done.stages[i], now);
+    EXPECT_TRUE((at.array() > 0).all() && (at.array() < 20).all()) << i;
+    for (std::size_t k = i + 1; k < bodies.size(); ++k) {
+      if (bodies[i].parts[0].radius == 0 || bodies[k].parts[0].radius == 0) continue;
+      EXPECT_GE((place_at(done.stages[k], now) - at).norm(),
+                2 * bodies[i].parts[0].radius * (1 - 1e-12));
+    }
+  }
+}
+
+TEST(Simulate, ABounceKeepsMomentumWhateverTheMasses) {
+  for (std::uint64_t item = 0; item < 50; ++item) {
+    Draw draw(9, 2, item);
+    const double vx = draw.unit(), vy = draw.unit() - 0.5, heavy = 1 + 100 * draw.unit();
+    const SimulatedBody bodies[] = {disc({0, 0}, 1, {vx, vy}, heavy),
+                                    disc({5, 0.5}, 1, {-1, 0}, 1)};
+    const Simulation done = simulate(bodies, Response::bounce, 20);
+    const Vec2 before = heavy * bodies[0].velocity + bodies[1].velocity;
+    const Vec2 after = heavy * done.stages[0].back().velocity + done.stages[1].back().velocity;
+    EXPECT_NEAR((after - before).norm(), 0, 1e-13 * heavy);
+  }
+}
+
+}  // namespace
+}  // namespace flatray
