@@ -32,7 +32,9 @@ template <auto Pointer>
 void set_entity(Builder& builder, const Field& field, EdgeRays& rays) {
   const auto entity = find_entity(builder, field);
   if (!entity) return;
-  const Shape& shape = builder.scene.shapes[builder.scene.entities[*entity].shape];
+  const ShapeId id = builder.scene.entities[*entity].shape;
+  if (id >= builder.scene.shapes.size()) return;  // a mistake that has been told
+  const Shape& shape = builder.scene.shapes[id];
   if (!std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
                    [](const ArcPath& path) { return path.is_ellipse(); }))
     return builder.in.problem(field.value.where,

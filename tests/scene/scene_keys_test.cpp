@@ -296,5 +296,16 @@ TEST(SceneKeys, StatesNeedAChainAndItsStates) {
             std::string::npos);
 }
 
+// Found by fuzzing: the rays asked the only shape of the scene, which there was not.
+TEST(Scenes, EdgeRaysOfAnEntityWithoutAShapeTellTheShapesMistakeAlone) {
+  EXPECT_EQ(refusal("flatray = 1\n"
+                    "[[entity]]\nname = \"a\"\nshape = { segment = { from = [1, 2] } }\n"
+                    "[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n"),
+            R"(t.toml:4:21: error: segment needs 'to'
+    shape = { segment = { from = [1, 2] } }
+                        ^~~~~~~~~~~~~~~~~  write to = [x, y]
+)");
+}
+
 }  // namespace
 }  // namespace flatray

@@ -47,8 +47,9 @@ Setting certified(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
 
 std::string left_out(const Scene& scene) {
   if (const auto can = can_certify(); !can) return can.error().front().message;
-  const auto closed = expect_closed({.scene = scene});
-  return closed ? "" : closed.error().front().message;
+  for (const auto expected : {&expect_closed, &expect_not_periodic})
+    if (const auto met = expected({.scene = scene}); !met) return met.error().front().message;
+  return "";
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
