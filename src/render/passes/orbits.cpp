@@ -43,8 +43,7 @@ std::vector<OrbitLine> shown_path(const DrawContext& context, const RayPath& ray
                                   const Orbit& orbit) {
   std::vector<OrbitLine> path = orbit_lines(orbit);
   if (orbit.end == OrbitEnd::escape)
-    path.back().line.b =
-        beyond_window(context.state.window, path.back().line.a, orbit.out);
+    path.back().line.b = beyond_window(context.state.window, path.back().line.a, orbit.out);
   if (ray.ball) cut_to(path, ray.ball->speed * context.state.time);
   return path;
 }
@@ -96,8 +95,7 @@ void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
       add_number(context, part.line.b, bounces, *ray.numbers);
   }
   const bool whole = path.empty() || path.back().line.b == orbit.end_point;
-  if (ray.hit_points && whole &&
-      (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner))
+  if (ray.hit_points && whole && (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner))
     context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
   if (ray.ball)
     context.add_mark(path.empty() ? orbit.start : path.back().line.b,
