@@ -42,7 +42,7 @@ class OrbitDrawing {
     const Orbit& orbit = report.orbit;
     const char* colour = kColours[number % kColours.size()];
     std::vector<OrbitLine> lines = orbit_lines(orbit);
-    if (orbit.end == OrbitEnd::escape) lines.back().line.b = border(lines.back().line.a, orbit.out);
+    if (leaves(orbit)) lines.back().line.b = border(lines.back().line.a, orbit.out);
     std::string way = "M" + text(orbit.start);
     Vec2 last = orbit.start;
     for (const OrbitLine& part : lines) {

@@ -152,7 +152,8 @@ class Run {
     const auto [a, b] = met.pair;
     Vec2 va = stages_[a].back().velocity, vb = stages_[b].back().velocity;
     if (response_ == Response::stop) {
-      va = vb = {0, 0};
+      const Vec2 together = is_fixed(a) ? va : is_fixed(b) ? vb : Vec2(0, 0);
+      va = vb = together;
     } else {
       const double inverse_a = 1 / bodies_[a].mass, inverse_b = 1 / bodies_[b].mass;
       const double push = 2 * met.normal.dot(va - vb) / (inverse_a + inverse_b);

@@ -11,8 +11,8 @@ namespace flatray {
 
 /// What two bodies do that meet.
 enum class Response : std::uint8_t {
-  mark,   ///< go on
-  stop,   ///< stand still from then on
+  mark,   ///< go on; of each pair the first meeting is told
+  stop,   ///< stand still from then on, or go with the one that nothing moves
   bounce  ///< elastically, without friction and turning
 };
 
@@ -45,11 +45,11 @@ struct Simulation {
 ///
 /// Needs   finite places and velocities, masses > 0.
 /// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide. Bodies
-///         that overlap at time 0 are left alone until they have parted. Nothing is ever passed
-///         through, however fast.
-/// Error   each meeting exact for the doubles at the last event of either; bodies are then placed by
-///         at + velocity * time, rounded. A pair that rounding has laid into each other by that meets at once
-///         if the way out is back, not forward. Momentum and energy to rounding.
+///         that overlap at time 0 are left alone until one of them changes its way after they have
+///         parted; all others pass through nothing, however fast.
+/// Error   each meeting exact for the doubles at the last event of either; bodies are then placed
+///         by at + velocity * time, rounded. A pair that rounding has laid into each other by that
+///         meets at once if the way out is back, not forward. Momentum and energy to rounding.
 /// Cost    n comparisons of discs for an event, a contact for each that is near.
 Simulation simulate(std::span<const SimulatedBody> bodies, Response response, double end,
                     std::size_t most_events = 1'000'000);

@@ -13,7 +13,8 @@ struct RoundCore {
   double radius;
 };
 
-/// How two such bodies lie at time t: negative where they overlap, zero where they touch.
+/// How two such bodies lie at time t: negative where they overlap, zero where they touch. Needs
+/// cores that are apart or touch.
 ///
 /// Source  squared distances of points from segments, in rationals; no difference of shapes and no
 ///         quadratic in t.

@@ -67,11 +67,13 @@ void read_chamber(Builder& builder, const Value& table) {
   Chamber chamber;
   chamber.where = table.where;
   chamber.order = draw_order(builder, table.where);
+  const std::size_t problems = builder.in.problems.size();
   read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
   if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
     chamber.stroke = kDefaultStroke;
   const Member* shape = table.find("shape");
-  if (chamber.material == Material::periodic && shape != nullptr && !builder.scene.shapes.empty() &&
+  if (chamber.material == Material::periodic && shape != nullptr &&
+      builder.in.problems.size() == problems &&
       !is_upright_box(builder.scene.shapes[chamber.shape]))
     builder.in.problem(shape->value.where, "walls that are not an upright box cannot be periodic",
                        "write shape = { box = { min = [0, 0], max = [1, 1] } }");

@@ -49,7 +49,7 @@ svg, img {{ max-width: 100%; height: auto; }}
 <main>
 <h1>{0}: error against run time</h1>
 <p>Seconds are processor time: the median of three rounds in turn. Marked rows are best: no other setting of the choice is both as
-fast and as near.</p>
+fast and as near. Points without any error are in the tables, not in the plots, whose axes are logarithms.</p>
 )";
 
 // The svg element alone, without the declaration of a file of its own.

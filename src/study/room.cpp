@@ -97,6 +97,8 @@ Result<void> expect_closed(const ExperimentContext& context) {
   const bool others = std::any_of(scene.entities.begin(), scene.entities.end(),
                                   [](const Entity& one) { return one.material.has_value(); });
   if (absorbs) return fail(place, "has walls that absorb", "all must be mirrors here");
+  if (chamber.material == Material::periodic && chamber.pillars.empty())
+    return fail(place, "has nothing to bounce off", "add pillars between the periodic walls");
   if (others)
     return fail(place, "has entities that rays meet beside its chamber",
                 "write what stands in the chamber as its pillars: their areas count");

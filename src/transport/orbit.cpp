@@ -65,7 +65,7 @@ std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {
     lines.push_back({{last, orbit.bounces[i].point}, true});
     last = orbit.bounces[i].point;
   }
-  if (orbit.end == OrbitEnd::escape) lines.push_back({{last, last + orbit.out}, false});
+  if (leaves(orbit)) lines.push_back({{last, last + orbit.out}, false});
   if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
     lines.push_back({{last, orbit.end_point}, false});
   return lines;

@@ -60,6 +60,11 @@ struct OrbitLine {
 /// The way of an orbit; where it escapes, the last line is of length 1.
 std::vector<OrbitLine> orbit_lines(const Orbit& orbit);
 
+/// Whether it goes on into the open after its last bounce, and not from periodic wall to wall.
+inline bool leaves(const Orbit& orbit) {
+  return orbit.end == OrbitEnd::escape && orbit.crossings.empty();
+}
+
 /// What an orbit does where its walls leave a choice.
 struct OrbitRules {
   CornerRule corners = CornerRule::stop;

@@ -16,6 +16,10 @@ run 0 collide "$scenes/bullet.toml" --csv
 says out "bullet,wall,through,3.330078125e-09,"
 run 0 collide "$scenes/bullet.toml" --method edge-rays --csv
 (($(wc -l < out.txt) == 1)) || fail "rays in each frame see the bullet"
+run 2 collide "$scenes/bullet.toml" --method boxes --response stop
+says err "does not go with --response"
+run 2 collide "$scenes/bullet.toml" --fixed wall
+says err "needs --response"
 run 0 collide "$root/scenes/paper/case_two.toml" --table
 says out "-49530 | -47580"
 run 2 collide "$scenes/bullet.toml" --table

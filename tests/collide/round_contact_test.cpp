@@ -89,7 +89,7 @@ TEST(RoundContact, WithoutRelativeMotionTheStartDecides) {
 Body drawn_body(Draw& draw) {
   const double x = draw.below(14) - 7, y = draw.below(14) - 7;
   const double vx = draw.below(5) - 2, vy = draw.below(5) - 2;
-  const double radius = draw.below(3) * 0.5 + (draw.below(4) == 0 ? 1e-3 : 0);
+  const double half = draw.below(3) * 0.5, radius = half + (draw.below(4) == 0 ? 1e-3 : 0);
   const Vec2 at(x, y);
   const int n = static_cast<int>(draw.below(3));
   if (n == 0) return {{at}, {vx, vy}, radius};

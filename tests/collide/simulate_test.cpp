@@ -41,6 +41,14 @@ TEST(Simulate, WhatStopsStandsStillAndWhatIsMarkedGoesOn) {
   EXPECT_EQ(place_at(marked.stages[0], 9), Vec2(9, 0));
 }
 
+TEST(Simulate, WhatStopsAtSomethingFixedThatMovesGoesWithIt) {
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}, kInfinity), disc({6, 0}, 1, {-1, 0})};
+  const Simulation stopped = simulate(bodies, Response::stop, 10);
+  ASSERT_EQ(stopped.events.size(), 1U);
+  EXPECT_EQ(place_at(stopped.stages[0], 9), Vec2(9, 0));
+  EXPECT_EQ(place_at(stopped.stages[1], 9), Vec2(11, 0));
+}
+
 TEST(Simulate, AThrustGoesThroughARowOfDiscsThatTouch) {
   std::vector<SimulatedBody> row = {disc({0, 0}, 1, {1, 0})};
   for (int i = 0; i < 5; ++i) row.push_back(disc({4.0 + 2 * i, 0}, 1, {0, 0}));

@@ -20,7 +20,9 @@ std::vector<std::string> choice_names() { return names_of(flatray::choices()); }
 
 constexpr auto kOptions = with_scene_options(
     {{"output", 'o', "FOLDER", "where its files go (default out/accuracy)"},
-     {"budget", '\0', "SECONDS", "of processor time for all choices together (default 60s)"},
+     {"budget", '\0', "SECONDS",
+      "of processor time for the settings tried, without what they are compared with (default "
+      "60s)"},
      {"choice", '\0', "NAME,NAME", "only these choices", OptionKind::text, &choice_names},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
      kThreadsOption,

@@ -94,7 +94,10 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
   const auto method = arguments.one_of("method", {"minkowski", "edge-rays", "boxes"});
   if (!method) return tl::unexpected(method.error());
   const Scene& scene = timeline.scene();
-  if (*method == "edge-rays") return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
+  if (*method == "edge-rays") {
+    if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
+    return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
+  }
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (const std::string note = left_out(scene); !note.empty() && !arguments.has("quiet"))
     report_note(note);
@@ -109,6 +112,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!text) return tl::unexpected(text.error());
     return VerbOutput{*std::move(text)};
   }
+  for (const char* other : {"method", "fixed"})
+    if (arguments.has(other) && arguments.has("response") == (std::string_view(other) == "method"))
+      return usage_error(
+          arguments.where(other),
+          arguments.has("response") ? "does not go with --response" : "needs --response",
+          "say flatray help collide");
   const auto draws = seed(arguments, *scene);
   if (!draws) return tl::unexpected(draws.error());
   const auto last = arguments.whole("last", scene->frames, 1, scene->frames);

@@ -42,7 +42,7 @@ void cut_to(std::vector<OrbitLine>& path, double length) {
 std::vector<OrbitLine> shown_path(const DrawContext& context, const RayPath& ray,
                                   const Orbit& orbit) {
   std::vector<OrbitLine> path = orbit_lines(orbit);
-  if (orbit.end == OrbitEnd::escape)
+  if (leaves(orbit))
     path.back().line.b = beyond_window(context.state.window, path.back().line.a, orbit.out);
   if (ray.ball) cut_to(path, ray.ball->speed * context.state.time);
   return path;

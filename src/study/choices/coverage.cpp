@@ -1,9 +1,9 @@
-
 #include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
 
+#include "base/check.h"
 #include "image/tile.h"
 #include "render/backend.h"
 #include "study/accuracy.h"
@@ -68,8 +68,9 @@ void add_gl(std::vector<Setting>& settings, const std::shared_ptr<Film>& film) {
       auto opened = backend->open({film->threads, count});
       if (!opened) return;
       const std::shared_ptr<Renderer> gl = std::move(*opened);
+      if (!gl->draw(film->list, {std::nullopt, film->threads}, film->drawn)) return;
       const auto work = [film, gl] {
-        if (!gl->draw(film->list, {std::nullopt, film->threads}, film->drawn)) film->drawn = {};
+        FLATRAY_CHECK(gl->draw(film->list, {std::nullopt, film->threads}, film->drawn));
       };
       settings.push_back({fmt::format("--backend gl, {} samples", count), 0, work, judged(film)});
     }

@@ -60,7 +60,9 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   pair->exact = std::move(exact->bounces);
   ChoiceSettings made;
   made.unit = "world units between places";
-  made.reference = fmt::format("the exact orbit, proven with {} bits", exact->bits);
+  made.reference =
+      fmt::format("the exact orbit, proven with {} bits, which is also what certified orbits give",
+                  exact->bits);
   made.grows = "bounces";
   made.one_question = false;
   made.ordered = false;  // in a chaotic room it grows like e^n, not like a power

@@ -46,6 +46,7 @@ double wrong_share(const Shots& shots) {
 }
 
 std::string left_out(const Scene& scene) {
+  if (find_tracer("exact") == nullptr) return "this build has no exact tracer to compare with";
   const FrameState state = at(Timeline(scene, scene.seed, 1), 1);
   return build_world(scene, state, WorldOf::everything).surfaces.size() == 0
              ? "the scene has no outline a ray could meet"
