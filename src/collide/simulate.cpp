@@ -54,12 +54,16 @@ class Run {
 
   Simulation run(std::size_t most_events) {
     Simulation done;
+    done.overlaps = !left_alone_.empty();
+    std::size_t at_once = 0;
     while (!ahead_.empty()) {
       const Prospect next = ahead_.top();
       ahead_.pop();
       const auto [a, b] = next.pair;
       if (stages_[a].size() != next.stage_a || stages_[b].size() != next.stage_b) continue;
-      if (done.events.size() == most_events) {
+      at_once = !done.events.empty() && done.events.back().time == next.time ? at_once + 1 : 0;
+      done.jammed = at_once > kJamEvents * bodies_.size();
+      if (done.jammed || done.events.size() == most_events) {
         done.complete = false;
         break;
       }

@@ -38,8 +38,13 @@ struct Stage {
 struct Simulation {
   std::vector<CollisionEvent> events;      ///< by time, then by bodies
   std::vector<std::vector<Stage>> stages;  ///< by body, the first from 0
-  bool complete = true;                    ///< false: as many events as were allowed came first
+  bool complete = true;                    ///< false: as many events as were allowed came first, or
+  bool jammed = false;    ///< the last of them again and again, and time stood still
+  bool overlaps = false;  ///< some lie in each other at time 0
 };
+
+/// Events at one time after which bodies count as jammed, for each body.
+inline constexpr std::size_t kJamEvents = 1024;
 
 /// Bodies in straight motion from time 0 to `end`, and what they do where they meet.
 ///

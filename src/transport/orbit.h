@@ -69,7 +69,7 @@ inline bool leaves(const Orbit& orbit) {
 struct OrbitRules {
   CornerRule corners = CornerRule::stop;
   /// What finds the walls; nullptr: the one of choice. Of one that is not exact the walls are its
-  /// own.
+  /// own; one it only believes to be crossed ends the orbit there, as a corner.
   const Tracer* tracer = nullptr;
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "geom/cyrus_beck.h"
 #include "geom/error_free.h"
+#include "geom/predicates.h"
 #include "transport/reflection.h"
 
 namespace flatray {
@@ -137,8 +139,19 @@ class OrbitTracer::Wave {
     return {};
   }
 
+  // An inexact tracer may name a wall that the ray runs along, or misses: there is no place to land.
+  bool is_crossed(const Ray& ray, const NearestHit& hit) const {
+    if (walls_.is_straight(hit.surface)) {
+      const Segment& wall = walls_.segments[walls_.slot[hit.surface]];
+      return turn_from_edge(wall.a, wall.b, ray.direction) != Sign::zero;
+    }
+    return clip_ellipse(ray, walls_.curve(hit.surface), kLine).kind == HitClass::through;
+  }
+
   bool arrive(Flight& flight, const NearestHit& hit) {
     if (!hit) return stop(flight, OrbitEnd::escape, {});
+    if (!orbits_.exact_ && !is_crossed(flight.ray, hit))
+      return stop(flight, OrbitEnd::corner, {hit.surface});
     Landing landing = orbits_.lander_.land(flight.ray, hit);
     add(flight.time, hit.t);
     if (landing.corner.empty()) {
@@ -251,6 +264,7 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
     : walls_(walls),
       materials_(materials),
       corners_(rules.corners),
+      exact_(rules.tracer == nullptr || rules.tracer->exact),
       lander_(walls),
       tracer_(rules.tracer == nullptr ? accelerate(walls) : rules.tracer->build(walls)),
       periodic_(walls, materials) {}

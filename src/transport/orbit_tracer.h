@@ -54,6 +54,7 @@ class OrbitTracer {
   const Surfaces& walls_;
   std::span<const Material> materials_;
   CornerRule corners_;
+  bool exact_;  ///< the tracer: else what it finds may not be there
   Lander lander_;
   std::unique_ptr<Accelerator> tracer_;
   PeriodicWalls periodic_;

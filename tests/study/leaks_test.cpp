@@ -21,5 +21,13 @@ TEST(Leaks, AreCountedWhereFirstWallsAreWrong) {
   EXPECT_GT(tally.leaks, 0U);
 }
 
+// Where it names a wall that the exact ray misses, there is no exact place to go on from.
+TEST(Leaks, InexactTracersAreFollowedInEveryPlace) {
+  for (const RoomPlace& place : room_places()) {
+    const LeakTally tally = count_leaks(*find_tracer("float"), place, 1, 0);
+    EXPECT_EQ(tally.rays, kRaysALeakBlock) << place.name;
+  }
+}
+
 }  // namespace
 }  // namespace flatray

@@ -17,8 +17,10 @@ constexpr auto kOptions = with_scene_options(
     {{"last", '\0', "K", "frame at which to stop (default: the scene's last)"},
      {"method", '\0', "minkowski|edge-rays|boxes",
       "exact (default), as the paper's rays in each frame, or of bounding boxes"},
-     {"response", '\0', "mark|stop|bounce", "what those do that meet; mass is area"},
-     {"fixed", '\0', "NAME", "with --response: an entity that nothing moves", OptionKind::list},
+     {"response", '\0', "mark|stop|bounce",
+      "what those do that meet; mass is area, and nothing moves what has none"},
+     {"fixed", '\0', "NAME", "with --response: an entity that nothing moves; may be said again",
+      OptionKind::list},
      {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
       OptionKind::flag},
      kSeedOption,
@@ -84,8 +86,14 @@ Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline,
                                               : Response::bounce;
   const double end = (frames - 1) / timeline.scene().fps;
   const Simulation done = simulate(*bodies, response, end);
-  if (!done.complete && !arguments.has("quiet"))
-    report_note(fmt::format("stopped after {} events", done.events.size()));
+  if (arguments.has("quiet")) return event_table(timeline.scene(), done);
+  if (done.overlaps)
+    report_note("what lies in each other at the start is left alone until it has parted");
+  const CollisionEvent* last = done.events.empty() ? nullptr : &done.events.back();
+  if (!done.complete && last != nullptr)
+    report_note(fmt::format("stopped after {} events{}: entities {} and {} met last, at t = {}",
+                            done.events.size(), done.jammed ? ", jammed" : "", last->a + 1,
+                            last->b + 1, last->time));
   return event_table(timeline.scene(), done);
 }
 
@@ -99,7 +107,8 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
     return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
   }
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
-  if (const std::string note = left_out(scene); !note.empty() && !arguments.has("quiet"))
+  if (const std::string note = left_out(scene);
+      outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);
   return meeting_table(scene, find_meetings(timeline, frames, outline));
 }
