@@ -1,3 +1,4 @@
+// needs: shapes/circle shapes/polygon
 #include "collide/edge_ray_meetings.h"
 
 #include <gtest/gtest.h>
