@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What follows from meetings, other methods, the paper's tables, and the map of velocities, as their users run them.
-# needs: shapes/box shapes/circle shapes/polygon
+# needs: shapes/box shapes/circle shapes/polygon shapes/segment shapes/import formats/obj formats/list
 source "$(dirname "$0")/lib.sh"
 scenes=$root/scenes/collision
 run 0 collide "$scenes/cradle.toml" --response bounce --fixed wall --csv
