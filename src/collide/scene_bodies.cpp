@@ -5,18 +5,10 @@
 
 #include "collide/meetings.h"
 #include "collide/simulate.h"
+#include "geom/polygon.h"
 
 namespace flatray {
 namespace {
-
-double ring_area(const std::vector<Vec2>& ring) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    const Vec2 a = ring[i] - ring[0], b = ring[i + 1] - ring[0];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
-}
 
 double area(const std::vector<ShapePart>& parts) {
   double sum = 0;

@@ -52,6 +52,7 @@ struct OrbitTracer::Flight {
   Ray ray;
   Left left;
   Speed speed;
+  std::size_t number;
   DoubleDouble time{0, 0};  // sum of all t
   double moment = 0;        // about the circle left, as it was when it was first met in a row
   double before = 0;        // part of the next t that was flown before ray.origin
@@ -59,7 +60,6 @@ struct OrbitTracer::Flight {
   std::uint32_t crossings = 0;  // since the last bounce
   Vec2 entry{0, 0};             // to which the first of them led
   bool circles = false;         // came back there: it does so for ever
-  std::size_t number;
 
   double path_length() const { return (time.hi + time.lo) * speed.length(); }
 };
@@ -71,17 +71,7 @@ class OrbitTracer::Wave {
 
   void set_off(std::span<const OrbitStart> starts) {
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      Flight flight{starts[i].ray,
-                    starts[i].left,
-                    Speed(starts[i].ray.direction),
-                    {0, 0},
-                    0,
-                    0,
-                    0,
-                    0,
-                    {0, 0},
-                    false,
-                    i};
+      Flight flight{starts[i].ray, starts[i].left, Speed(starts[i].ray.direction), i};
       if (start(flight)) flights_.push_back(flight);
     }
   }

@@ -121,20 +121,20 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!text) return tl::unexpected(text.error());
     return VerbOutput{*std::move(text)};
   }
-  for (const char* other : {"method", "fixed"})
-    if (arguments.has(other) && arguments.has("response") == (std::string_view(other) == "method"))
-      return usage_error(
-          arguments.where(other),
-          arguments.has("response") ? "does not go with --response" : "needs --response",
-          "say flatray help collide");
+  const bool responds = arguments.has("response");
+  if (responds && arguments.has("method"))
+    return usage_error(arguments.where("method"), "does not go with --response",
+                       "say flatray help collide");
+  if (!responds && arguments.has("fixed"))
+    return usage_error(arguments.where("fixed"), "needs --response", "say flatray help collide");
   const auto draws = seed(arguments, *scene);
   if (!draws) return tl::unexpected(draws.error());
   const auto last = arguments.whole("last", scene->frames, 1, scene->frames);
   if (!last) return tl::unexpected(last.error());
   const auto frames = static_cast<unsigned>(*last);
   const Timeline timeline(*scene, *draws, frames);
-  const auto table = arguments.has("response") ? events(arguments, timeline, frames)
-                                               : meetings(arguments, timeline, frames);
+  const auto table =
+      responds ? events(arguments, timeline, frames) : meetings(arguments, timeline, frames);
   if (!table) return tl::unexpected(table.error());
   if (arguments.has("json"))
     return VerbOutput{json_report("collide", arguments, as_objects(*table), 0)};

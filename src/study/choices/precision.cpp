@@ -22,27 +22,30 @@ struct Pair {
   Vec2 last{0, 0};
 };
 
-double distance(const Vec2& a, const Vec2& b) { return (a - b).stableNorm(); }
+std::function<Outcome()> judged(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
+  return [pair, bounces] {
+    return Outcome{(pair->last - pair->exact[bounces - 1].point).stableNorm()};
+  };
+}
 
 // The last bounce of an orbit of so many; an orbit that ends before has no right place.
 Setting doubles(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
-  return {
-      fmt::format("doubles, bounce {}", bounces), static_cast<double>(bounces),
-      [pair, bounces] {
-        const Orbit orbit = trace_orbit(pair->room.walls(), pair->mirrors, pair->start, bounces);
-        pair->last = orbit.bounces.empty() ? pair->start.origin : orbit.bounces.back().point;
-      },
-      [pair, bounces] { return Outcome{distance(pair->last, pair->exact[bounces - 1].point)}; }};
+  return {fmt::format("doubles, bounce {}", bounces), static_cast<double>(bounces),
+          [pair, bounces] {
+            const Orbit orbit =
+                trace_orbit(pair->room.walls(), pair->mirrors, pair->start, bounces);
+            pair->last = orbit.bounces.empty() ? pair->start.origin : orbit.bounces.back().point;
+          },
+          judged(pair, bounces)};
 }
 
 Setting certified(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
-  return {
-      fmt::format("certified, bounce {}", bounces), 0,
-      [pair, bounces] {
-        const auto orbit = certified_orbit(pair->room.walls(), pair->start, bounces);
-        pair->last = orbit->bounces.back().point;
-      },
-      [pair, bounces] { return Outcome{distance(pair->last, pair->exact[bounces - 1].point)}; }};
+  return {fmt::format("certified, bounce {}", bounces), 0,
+          [pair, bounces] {
+            const auto orbit = certified_orbit(pair->room.walls(), pair->start, bounces);
+            pair->last = orbit->bounces.back().point;
+          },
+          judged(pair, bounces)};
 }
 
 std::string left_out(const Scene& scene) {
