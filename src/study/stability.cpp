@@ -17,7 +17,7 @@ double as_double(double t) { return std::min(t, std::numeric_limits<double>::max
 
 void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityTally& tally) {
   ++tally.rays;
-  if (!truth.by_whole_numbers) ++tally.by_rationals;
+  if (truth.by == oracle::NearestWall::By::rationals) ++tally.by_rationals;
   if (!agrees(hit, truth)) {
     ++tally.wrong;
     if (!hit)
@@ -44,7 +44,8 @@ void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScen
   RayBatch rays;
   for (const Ray& ray : scene.rays) rays.add(ray);
   std::vector<oracle::NearestWall> truth;
-  for (const Ray& ray : scene.rays) truth.push_back(oracle::nearest_wall(ray, scene.walls));
+  oracle::NearestWalls oracle(scene.walls);
+  for (const Ray& ray : scene.rays) truth.push_back(oracle.of(ray));
   std::vector<NearestHit> hits(rays.size());
   for (std::size_t k = 0; k < tracers.size(); ++k) {
     tracers[k]->build(walls)->nearest(rays, hits);
