@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geom/exact.h"
+#include "oracle/curves.h"
 #include "oracle/whole.h"
 
 namespace flatray::oracle {
@@ -110,6 +111,8 @@ class Search {
   Point<Number> origin_, direction_;
 };
 
+Point<Rational> exact(const Vec2& v) { return {v.x(), v.y()}; }
+
 // The first of the walls that are suspected.
 template <class Kind, class Make>
 NearestWall search(const Make& point, std::span<const Suspect> suspects) {
@@ -155,14 +158,56 @@ NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
   return exact_search(ray, walls, all);
 }
 
+NearestWalls::NearestWalls(const Surfaces& walls) : walls_(walls) {
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
+    if (!walls.is_straight(i)) {
+      curves_.push_back(i);
+      reaches_.push_back(reach_of(walls.arc(i)));
+    }
+}
+
 NearestWall NearestWalls::of(const Ray& ray) {
-  find_suspects(ray, walls_, suspects_);
-  if (suspects_.empty()) return {};
-  const Suspect& first = suspects_.front();
-  const double t = static_cast<double>(first.low);
-  if (suspects_.size() == 1 && first.sure && t == static_cast<double>(first.high))
-    return {first.wall, HitClass::touch, false, t};
-  return exact_search(ray, walls_, suspects_);
+  find_suspects(ray, walls_.segments, straight_);
+  long double first = std::numeric_limits<long double>::infinity();
+  for (const Suspect& each : straight_) first = std::min(first, each.sure ? each.high : first);
+  find_suspects(ray, reaches_, first, round_);
+  if (!round_.empty()) return among_curves(ray);
+  if (straight_.empty()) return {};
+  const Suspect& only = straight_.front();
+  const double t = static_cast<double>(only.low);
+  const bool settled = straight_.size() == 1 && only.sure && t == static_cast<double>(only.high);
+  NearestWall nearest = settled ? NearestWall{only.wall, HitClass::touch, false, t}
+                                : exact_search(ray, walls_.segments, straight_);
+  if (nearest) nearest.wall = walls_.segment_numbers[static_cast<std::size_t>(nearest.wall)];
+  return nearest;
+}
+
+NearestWall NearestWalls::among_curves(const Ray& ray) const {
+  Search<Rationals> straight(exact(ray.origin), exact(ray.direction));
+  for (const Suspect& each : straight_) {
+    const Segment& wall = walls_.segments[static_cast<std::size_t>(each.wall)];
+    straight.offer(each.wall, exact(wall.a), exact(wall.b));
+  }
+  NearestWall nearest;
+  std::optional<Surd> best;
+  if (straight.best) {
+    best = Surd{*straight.best, 0, 0};
+    nearest = {walls_.segment_numbers[static_cast<std::size_t>(straight.wall)], straight.kind,
+               straight.at_end};
+  }
+  for (const Suspect& each : round_) {
+    const std::uint32_t number = curves_[static_cast<std::size_t>(each.wall)];
+    auto met = first_meeting(ray, walls_.arc(number));
+    if (!met) continue;
+    const auto order = best ? met->t <=> *best : std::strong_ordering::less;
+    if (order > 0 || (order == 0 && number > nearest.wall)) continue;
+    best = std::move(met->t);
+    nearest = {number, met->kind, met->at_end};
+    nearest.root = met->root;
+  }
+  nearest.by = NearestWall::By::rationals;
+  if (best) nearest.t = best->nearest();
+  return nearest;
 }
 
 }  // namespace flatray::oracle

@@ -5,6 +5,8 @@
 #include "geom/hit_interval.h"
 #include "geom/ray.h"
 #include "oracle/suspects.h"
+#include "trace/rays.h"
+#include "trace/surfaces.h"
 
 namespace flatray::oracle {
 
@@ -18,6 +20,7 @@ struct NearestWall {
   bool at_end = false;
   double t = 0;  ///< the nearest double; infinite beyond the doubles
   By by = By::bounds;
+  Root root = Root::none;
 
   explicit operator bool() const { return wall >= 0; }
 };
@@ -30,19 +33,23 @@ struct NearestWall {
 /// Cost    some 40 ns a wall; rationals some 2 us.
 NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls);
 
-/// The same for many rays: walls that bounds rule out are not put to exact arithmetic, which most
-/// rays do without.
+/// The same for many rays and walls of every kind, which may be curved (oracle/curves.h): walls
+/// that bounds rule out are not put to exact arithmetic, which most rays do without.
 ///
-/// Cost    some 10 ns a wall.
+/// Cost    some 10 ns a wall; some 30 us for a curve not ruled out.
 class NearestWalls {
  public:
   /// Needs   `walls` to outlive it.
-  explicit NearestWalls(std::span<const Segment> walls) : walls_(walls) {}
+  explicit NearestWalls(const Surfaces& walls);
   NearestWall of(const Ray& ray);
 
  private:
-  std::span<const Segment> walls_;
-  std::vector<Suspect> suspects_;
+  NearestWall among_curves(const Ray& ray) const;
+
+  const Surfaces& walls_;
+  std::vector<std::uint32_t> curves_;  // ascending
+  std::vector<Reach> reaches_;         // of each
+  std::vector<Suspect> straight_, round_;
 };
 
 }  // namespace flatray::oracle

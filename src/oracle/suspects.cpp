@@ -32,6 +32,12 @@ Known area(Long ax, Long ay, Long bx, Long by) {
   return {left - right, 5 * kRounding * (std::fabs(left) + std::fabs(right))};
 }
 
+// The same for ax bx + ay by.
+Known inner(Long ax, Long ay, Long bx, Long by) { return area(ax, ay, -by, bx); }
+
+// sqrt(x^2 + y^2), which rounds three times, and not less.
+Long length_above(Long x, Long y) { return std::sqrt(x * x + y * y) * (1 + 8 * kRounding); }
+
 // Whether all of a wall lies behind the ray's start on one axis.
 bool is_behind(double origin, double direction, double a, double b) {
   if (direction >= 0 && a < origin && b < origin) return true;
@@ -78,6 +84,54 @@ void find_suspects(const Ray& ray, std::span<const Segment> walls, std::vector<S
     const Suspect found = suspect(ray, wall, static_cast<std::int64_t>(i));
     if (found.wall < 0 || found.low > first) continue;
     if (found.sure) first = std::min(first, found.high);
+    suspects.push_back(found);
+  }
+  std::erase_if(suspects, [&](const Suspect& each) { return each.low > first; });
+}
+
+Reach reach_of(const Arc& arc) {
+  const Ellipse& curve = arc.curve;
+  const auto length = [&](const Vec2& to, const Vec2& from) {
+    const Point p = wide(to), q = wide(from);
+    return length_above(p.x - q.x, p.y - q.y);
+  };
+  const Vec2 none(0, 0);
+  Reach reach{curve.centre, 0, curve.is_circle() && arc.extent == Arc::Extent::whole};
+  reach.radius = curve.is_circle()
+                     ? static_cast<Long>(curve.u.x())
+                     : (length(curve.u, none) + length(curve.v, none)) * (1 + kRounding * 4);
+  if (arc.extent == Arc::Extent::between)
+    for (const Vec2& end : {arc.from, arc.to})
+      reach.radius = std::max(reach.radius, length(end, curve.centre));
+  return reach;
+}
+
+// With w from the start to the centre, all of a disc lies where t d.d is between d.w - r |d| and
+// d.w + r |d|, and nowhere if |d x w| is more than r |d|.
+void find_suspects(const Ray& ray, std::span<const Reach> curves, long double first,
+                   std::vector<Suspect>& suspects) {
+  suspects.clear();
+  const Point o = wide(ray.origin), d = wide(ray.direction);
+  const Long length = length_above(d.x, d.y), square = length * length;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Reach& disc = curves[i];
+    const Point c = wide(disc.centre);
+    const Long wx = c.x - o.x, wy = c.y - o.y, margin = disc.radius * (1 + 8 * kRounding);
+    if (std::max(std::fabs(wx), std::fabs(wy)) > margin && length == 0) continue;
+    const Known beside = area(d.x, d.y, wx, wy), ahead = inner(d.x, d.y, wx, wy);
+    const Long reach = margin * length;
+    if (std::fabs(beside.value) - beside.error > reach) continue;
+    if (-ahead.value - ahead.error > reach) continue;
+    Suspect found{static_cast<std::int64_t>(i)};
+    if (length > 0)
+      found.low =
+          std::max<Long>(0, (ahead.value - ahead.error - reach) / square * (1 - 64 * kRounding));
+    found.sure = disc.is_circle && ahead.positive() &&
+                 std::fabs(beside.value) + beside.error < reach * (1 - 64 * kRounding);
+    if (found.sure) {
+      found.high = (ahead.value + ahead.error + reach) / square * (1 + 64 * kRounding);
+      first = std::min(first, found.high);
+    }
     suspects.push_back(found);
   }
   std::erase_if(suspects, [&](const Suspect& each) { return each.low > first; });

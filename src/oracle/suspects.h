@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/arc.h"
 #include "geom/ray.h"
 
 namespace flatray::oracle {
@@ -23,5 +24,17 @@ struct Suspect {
 /// Gives   every wall met first, and few others: all if the direction is zero.
 /// Cost    some 10 ns a wall.
 void find_suspects(const Ray& ray, std::span<const Segment> walls, std::vector<Suspect>& suspects);
+
+/// A disc that holds a curved wall.
+struct Reach {
+  Vec2 centre;
+  long double radius = 0;
+  bool is_circle = false;  ///< the wall is the whole border of the disc
+};
+Reach reach_of(const Arc& arc);
+
+/// The same for curved walls, each by its disc: those that may be met at `first` or before.
+void find_suspects(const Ray& ray, std::span<const Reach> curves, long double first,
+                   std::vector<Suspect>& suspects);
 
 }  // namespace flatray::oracle
