@@ -32,7 +32,8 @@ std::vector<std::string> exact_tracers() {
 }
 
 constexpr std::array kOptions = {
-    Option{"families", '\0', "NAME,NAME", "only these families of inputs", OptionKind::text,
+    Option{"families", '\0', "NAME,NAME",
+           "only these families of inputs, as docs/NUMERICS.md names them", OptionKind::text,
            &family_names},
     Option{"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
            &tracer_names},
@@ -207,6 +208,7 @@ extern const Verb stability = {
     kOptions,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
+    "  flatray stability --families tangents,arc-ends,ellipses\n"
     "  flatray stability --leaks 100000 --tracer grid\n",
     "",
     &run};
