@@ -10,13 +10,10 @@ using Ring = std::vector<Vec2>;
 MeetingPart meeting_part(const RoundContact& met, const RoundBody& a, const RoundBody& b) {
   const HitInterval& times = met.times;
   MeetingPart part{{times.t_enter, times.t_exit}, times.kind, times.start, {0, 0}, {0, 0}};
-  if (met.first) {
-    const RoundPlace place = place_at(*met.first, a, b, times.t_enter);
-    part.point = place.point;
-    part.normal = place.normal;
-  } else {
-    part.point = a.core.vertices.front() + part.times.low * a.core.velocity;
-  }
+  const RoundPlace place =
+      met.first ? place_at(*met.first, a, b, times.t_enter) : resting_place(a, b, part.times.low);
+  part.point = place.point;
+  part.normal = place.normal;
   return part;
 }
 

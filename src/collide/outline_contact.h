@@ -26,7 +26,8 @@ struct MeetingPart {
   HitClass kind;
   StartPlace start;  ///< how they lie at t = 0
   Vec2 point;        ///< where they first meet in this part, about; of an overlap a vertex inside
-  Vec2 normal;       ///< unit, out of the first shape; 0 where they overlap from the start
+  Vec2 normal;       ///< unit, out of the first shape; of those that meet from the start that of the
+                     ///< shortest way apart
 };
 
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their

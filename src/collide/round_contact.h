@@ -41,4 +41,8 @@ struct RoundPlace {
 };
 RoundPlace place_at(const RoundFeature& feature, const RoundBody& a, const RoundBody& b, double t);
 
+/// Where bodies touch or overlap at a time, whatever way they came: the normal of the shortest way
+/// apart, about; 0 for two points that coincide.
+RoundPlace resting_place(const RoundBody& a, const RoundBody& b, double t);
+
 }  // namespace flatray
