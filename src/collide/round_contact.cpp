@@ -218,20 +218,6 @@ StartPlace place(const RoundPair& pair) {
   return within ? StartPlace::inside : on_border ? StartPlace::boundary : StartPlace::outside;
 }
 
-RoundContact without_radius(const RoundBody& a, const RoundBody& b, Range within) {
-  const Contact met = contact(a.core, b.core, within);
-  const auto feature = [&](const ContactFeature& f) -> std::optional<RoundFeature> {
-    if (f.edge == kNoEdge) return std::nullopt;
-    const auto edge = static_cast<std::uint32_t>(f.edge),
-               vertex = static_cast<std::uint32_t>(f.vertex);
-    const auto& ring = f.edge_of_a ? a.core.vertices : b.core.vertices;
-    const std::uint32_t end = edge + 1 == ring.size() ? 0 : edge + 1;
-    return RoundFeature{
-        {f.edge_of_a ? edge : vertex, f.edge_of_a ? vertex : edge, f.edge_of_a, end, edge}, true};
-  };
-  return {met.times, feature(met.first), feature(met.last)};
-}
-
 // The outward normal of the side of A - B that begins at a corner.
 Vec2 side_normal(const DifferenceCorner& c, const RoundBody& a, const RoundBody& b) {
   const Vec2 along = c.edge_of_a ? Vec2(a.core.vertices[c.along] - a.core.vertices[c.a])
@@ -271,8 +257,21 @@ RoundPlace place_on(const RoundFeature& feature, const RoundBody& a, const Round
 
 }  // namespace
 
+RoundContact round_contact(const Contact& met, const RoundBody& a, const RoundBody& b) {
+  const auto feature = [&](const ContactFeature& f) -> std::optional<RoundFeature> {
+    if (f.edge == kNoEdge) return std::nullopt;
+    const auto edge = static_cast<std::uint32_t>(f.edge),
+               vertex = static_cast<std::uint32_t>(f.vertex);
+    const auto& ring = f.edge_of_a ? a.core.vertices : b.core.vertices;
+    const std::uint32_t end = edge + 1 == ring.size() ? 0 : edge + 1;
+    return RoundFeature{
+        {f.edge_of_a ? edge : vertex, f.edge_of_a ? vertex : edge, f.edge_of_a, end, edge}, true};
+  };
+  return {met.times, feature(met.first), feature(met.last)};
+}
+
 RoundContact round_contact(const RoundBody& a, const RoundBody& b, Range within) {
-  if (a.radius == 0 && b.radius == 0) return without_radius(a, b, within);
+  if (a.radius == 0 && b.radius == 0) return round_contact(contact(a.core, b.core, within), a, b);
   const RoundPair pair(a, b);
   if (a.core.velocity == b.core.velocity) return {point_test(place(pair), within), {}, {}};
   const RoundLine line = hit_line(pair);

@@ -26,6 +26,9 @@ struct RoundContact {
   std::optional<RoundFeature> first, last;
 };
 
+/// What contact() has told of two bodies without radius.
+RoundContact round_contact(const Contact& met, const RoundBody& a, const RoundBody& b);
+
 /// First and last instant within a range at which two bodies meet, in linear motion.
 ///
 /// Needs   as contact() does; radii finite.
