@@ -12,4 +12,8 @@ namespace flatray {
 /// Gives   the summary as text for a terminal.
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports);
 
+/// What is to be said of a choice beside its table, a line each: what is missing here, what the
+/// budget cut, what is best, what the reference took.
+std::vector<std::string> remarks(const ChoiceReport& report);
+
 }  // namespace flatray

@@ -62,6 +62,7 @@ class Drawing {
       label({kLeft + 12, kTop + 16 + 16 * static_cast<double>(named++)}, series.name, "start",
             colour);
     }
+    for (const Plot::Note& note : plot_.notes) ring(note);
     return text_ + "</svg>\n";
   }
 
@@ -145,6 +146,16 @@ class Drawing {
       text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.5\" fill=\"{}\"/>\n",
                            svg_number(at.x()), svg_number(at.y()), colour);
     }
+  }
+
+  // The words are on the side that has more room.
+  void ring(const Plot::Note& note) {
+    if (!shown({note.x, note.y})) return;
+    const Vec2 at = place(along(note.x), scaled(note.y));
+    text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"6\" fill=\"none\" stroke=\"#000\"/>\n",
+                         svg_number(at.x()), svg_number(at.y()));
+    const bool left = at.x() > (kLeft + kWidth - kRight) / 2;
+    label(at + Vec2(left ? -10 : 10, 0), note.words, left ? "end" : "start", "#000");
   }
 
   void line(const Plot::Series& series, const char* colour) {

@@ -74,6 +74,72 @@ TEST(Accuracy, WhatTheBudgetCutsIsNamed) {
   EXPECT_EQ(report.cut, "long and far, long and near");
 }
 
+Result<ChoiceSettings> dear(const AccuracyContext& context) {
+  spin(0.05);
+  auto made = three(context);
+  made->missing.push_back({"far", "no road"});
+  made->cut = "reference of less";
+  return made;
+}
+
+TEST(Accuracy, TheBudgetIsOfTheReferenceToo) {
+  const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
+  const Scene scene;
+  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 0.04});
+  EXPECT_GE(report.reference_seconds, 0.05);
+  EXPECT_GE(report.seconds, report.reference_seconds);
+  EXPECT_EQ(report.points.size(), 1U);
+  EXPECT_EQ(report.cut, "reference of less, long and far, long and near");
+  EXPECT_EQ(report.rounds, 1U);
+}
+
+TEST(Accuracy, WhatIsMissingHereIsNamedWithItsReason) {
+  const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
+  const Scene scene;
+  const ChoiceReport reports[] = {measure_choice(choice, {scene, 1, 1, 1e6})};
+  const ExperimentResult result = accuracy_report("scene", reports);
+  EXPECT_NE(result.summary.find("not here: far: no road"), std::string::npos);
+  for (const ExperimentResult::File& file : result.files)
+    if (file.name == "accuracy.json" || file.name == "accuracy.html") {
+      EXPECT_NE(file.content.find("far: no road"), std::string::npos) << file.name;
+    }
+}
+
+TEST(Accuracy, TheBestUnderASecondAndTheCheapestUnderAThousandthAreMarked) {
+  ChoiceReport report;
+  const auto add = [&](const char* words, double seconds, double error) {
+    report.points.push_back({words, 0, seconds, 0, {error}, true});
+  };
+  add("fast", 0.5, 0.1);
+  add("fair", 0.9, 0.01);
+  add("near", 2, 0.0009);
+  add("nearest", 9, 0.0001);
+  EXPECT_EQ(advice(report, report.points[0]), "");
+  EXPECT_EQ(advice(report, report.points[1]), "best under 1 s");
+  EXPECT_EQ(advice(report, report.points[2]), "cheapest under 0.001");
+  report.points[2].seconds = 0.95;
+  EXPECT_EQ(advice(report, report.points[2]), "best under 1 s and cheapest under 0.001");
+}
+
+// 20 rays of each tracer of this build, against arithmetic that none of them has.
+TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
+  const Scene scene =
+      loaded(
+          "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n"
+          "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n"
+          "[[entity]]\nshape = { box = { min = [3, 2], max = [9, 7] } }\n")
+          .scene;
+  for (const Choice* choice : choices()) {
+    if (std::string_view(choice->name) != "tracer") continue;
+    const ChoiceReport report = measure_choice(*choice, {scene, 1, 1, 0.5});
+    EXPECT_NE(report.reference.find("oracle/long_orbit"), std::string::npos);
+    for (const AccuracyPoint& one : report.points)
+      if (one.setting == "--tracer exact" || one.setting == "--tracer brute") {
+        EXPECT_EQ(one.outcome.error, 0) << one.setting;
+      }
+  }
+}
+
 constexpr const char* kHead =
     "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n";
 

@@ -21,8 +21,7 @@ std::vector<std::string> choice_names() { return names_of(flatray::choices()); }
 constexpr auto kOptions = with_scene_options(
     {{"output", 'o', "FOLDER", "where its files go (default out/accuracy)"},
      {"budget", '\0', "SECONDS",
-      "of processor time for the settings tried, without what they are compared with (default "
-      "60s)"},
+      "of processor time for all of it, what settings are compared with among it (default 60s)"},
      {"choice", '\0', "NAME,NAME", "only these choices", OptionKind::text, &choice_names},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
      kThreadsOption,
@@ -51,12 +50,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto loaded = load_input(arguments, arguments.operands()[0]);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, arguments);
-  const AccuracyContext context{loaded->scene, *seed, *width,
-                                *budget / static_cast<double>(names->size())};
-  std::vector<ChoiceReport> reports;
+  std::vector<const Choice*> chosen;
   for (const Choice* choice : flatray::choices())
     if (std::find(names->begin(), names->end(), choice->name) != names->end())
-      reports.push_back(measure_choice(*choice, context));
+      chosen.push_back(choice);
+  const std::vector<ChoiceReport> reports =
+      measure_choices(chosen, {loaded->scene, *seed, *width, *budget});
   const ExperimentResult result = accuracy_report(loaded->scene.name, reports);
   auto files = write_files(result, arguments.text("output").value_or("out/accuracy"));
   if (!files) return fail(std::move(files));
