@@ -143,12 +143,13 @@ TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
 constexpr const char* kHead =
     "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n";
 
-ChoiceReport coverage_of(const std::string& text) {
+ChoiceReport report_of(std::string_view name, const std::string& text) {
   const Scene scene = loaded(kHead + text).scene;
   for (const Choice* choice : choices())
-    if (std::string_view(choice->name) == "coverage") return measure_choice(*choice, {scene});
+    if (name == choice->name) return measure_choice(*choice, {scene});
   return {};
 }
+ChoiceReport coverage_of(const std::string& text) { return report_of("coverage", text); }
 
 double error_of(const ChoiceReport& report, const std::string& setting) {
   for (const AccuracyPoint& one : report.points)
@@ -180,6 +181,62 @@ TEST(Accuracy, AreasOfThingsOnEachOtherAreBlendedAsIfTheyWereIndependent) {
   const ChoiceReport report =
       coverage_of(disc + "fill = \"#0000ff\"\n" + disc + "fill = \"#ff0000\"\n");
   EXPECT_GT(error_of(report, "exact area"), 2 * error_of(report, "64 samples a pixel"));
+}
+
+TEST(Accuracy, OfChordsFallsLikeTheSquareOfTheirNumber) {
+  const ChoiceReport report = report_of(
+      "flattening", "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n");
+  ASSERT_TRUE(report.order);
+  EXPECT_NEAR(report.order->slope, -2, 0.2);
+  EXPECT_LT(error_of(report, "curves as they are"), 1e-4);
+  EXPECT_NE(report_of("flattening", "").left_out, "");
+}
+
+// A small box flies over a thin wall between two frames, and past a triangle whose box it enters.
+constexpr const char* kBullet = R"(
+[[entity]]
+shape    = { box = { min = [0, 4], max = [0.25, 4.25] } }
+velocity = [15.5, 0]
+[[entity]]
+shape = { box = { min = [8, 0], max = [8.125, 8] } }
+[[entity]]
+shape = { polygon = { points = [[14, 0], [18, 0], [14, 4.5]] } }
+at    = [0, 4.125]
+[[entity]]
+shape = { polygon = { points = [[24, 3.5], [24, 16], [12, 16]] } }
+)";
+
+TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) {
+  const std::string text = std::string("fps = 1\nframes = 2\n") + kBullet;
+  const Scene scene = loaded("flatray = 1\n" + text).scene;
+  for (const Choice* choice : choices()) {
+    const ChoiceReport report = measure_choice(*choice, {scene});
+    if (report.name == "contact") {
+      EXPECT_EQ(error_of(report, "--method minkowski"), 0);
+      EXPECT_GT(error_of(report, "--method boxes"), 0);
+      EXPECT_GT(error_of(report, "--method edge-rays"), 0);
+    }
+    if (report.name == "motion") {
+      EXPECT_EQ(error_of(report, "all instants"), 0);
+      EXPECT_GT(error_of(report, "1 instant a frame"), 0);
+      EXPECT_EQ(error_of(report, "64 instants a frame"), 0);
+    }
+  }
+}
+
+TEST(Accuracy, OfDepthIsTheShareOfOrbitsThatAreStillInside) {
+  const ChoiceReport report = report_of("depth", R"(
+[[entity]]
+shape    = { segment = { from = [2, 2], to = [2, 14] } }
+material = "mirror"
+[[ray]]
+at        = [12, 8]
+direction = [-1, 0]
+bounces   = 3
+)");
+  // 22 of 24 columns of pixels are right of the mirror, 12 of 16 rows between its ends.
+  EXPECT_EQ(error_of(report, "1 bounce"), 22 * 12.0 / (24 * 16));
+  EXPECT_EQ(error_of(report, "4 bounces"), 0);
 }
 
 TEST(Accuracy, AChoiceASceneLacksIsLeftOutWithItsReason) {

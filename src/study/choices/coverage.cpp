@@ -1,14 +1,13 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <cmath>
 #include <memory>
 
 #include "base/check.h"
 #include "base/processor_time.h"
-#include "image/tile.h"
 #include "render/backend.h"
 #include "study/accuracy.h"
+#include "study/linear_error.h"
 #include "study/point_samples.h"
 
 namespace flatray {
@@ -23,27 +22,10 @@ struct Film {
   unsigned threads = 1;
 };
 
-double rms(const LinearImage& a, const LinearImage& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const double off = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
-    sum += off * off;
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(a.pixels.size(), 1)));
-}
-
-Image developed(const LinearImage& light) {
-  Image image(light.width, light.height, 3);
-  Tile tile{0, 0, light.width, light.height, {}};
-  for (std::size_t i = 0; i < light.pixels.size(); i += 3)
-    tile.rgba.insert(tile.rgba.end(),
-                     {light.pixels[i], light.pixels[i + 1], light.pixels[i + 2], 1.0F});
-  develop(tile, image);
-  return image;
-}
-
 std::function<Outcome()> judged(const std::shared_ptr<Film>& film) {
-  return [film] { return Outcome{rms(film->drawn, film->truth), 0, developed(film->drawn)}; };
+  return [film] {
+    return Outcome{rms_difference(film->drawn, film->truth), 0, developed(film->drawn)};
+  };
 }
 
 std::vector<SamplePlace> grid(int side) {
@@ -103,7 +85,7 @@ Truth find_truth(Film& film, double seconds) {
   const auto* side = kTruthSides.begin();
   while (side + 1 != kTruthSides.end() && 1.25 * *side * *side * one > seconds) ++side;
   film.truth = mean_light(film.list, grid(*side), film.threads);
-  return {*side, rms(film.truth, mean_light(film.list, grid(*side / 2), film.threads))};
+  return {*side, rms_difference(film.truth, mean_light(film.list, grid(*side / 2), film.threads))};
 }
 
 std::string left_out(const Scene& scene) {
