@@ -37,7 +37,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 <style>
 :root {{ color-scheme: light dark; --ink: #1a1a1a; --paper: #fff; --line: #767676; --best: #e8f0ff; }}
 @media (prefers-color-scheme: dark) {{ :root {{ --ink: #eee; --paper: #16181c; --line: #8a8a8a; --best: #22324d; }} }}
-body {{ font: 16px/1.5 sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto; padding: 1rem; max-width: 60rem; }}
+body {{ font: 16px/1.5 sans-serif; color: var(--ink); background: var(--paper); margin: 0 auto; padding: 1rem; max-width: 72rem; }}
 .wide {{ overflow-x: auto; }}
 table {{ border-collapse: collapse; }}
 th, td {{ border-bottom: 1px solid var(--line); padding: .2rem .8rem .2rem 0; text-align: right; white-space: nowrap; }}
@@ -77,7 +77,7 @@ std::string picture(const ChoiceReport& report, const AccuracyPoint& point) {
       picture_id(report, point));
 }
 
-std::string rows(const ChoiceReport& report) {
+std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kinds) {
   std::string text;
   for (const AccuracyPoint& point : report.points) {
     std::string words = svg_text(point.setting);
@@ -87,8 +87,8 @@ std::string rows(const ChoiceReport& report) {
         fmt::format("<tr{}><th scope=\"row\">{}</th><td>{:.3g} &plusmn; {:.1g}</td><td>{:.3g}</td>",
                     point.best ? " class=\"best\"" : "", words, point.seconds, point.spread,
                     point.outcome.error);
-    for (const double part : error_parts(report, point))
-      text += fmt::format("<td>{:.3g}</td>", part);
+    for (const std::size_t kind : kinds)
+      text += fmt::format("<td>{:.3g}</td>", error_parts(report, point)[kind]);
     text += fmt::format("<td>{}{}</td></tr>\n", advice(report, point),
                         point.own_reference ? " its own reference" : "");
   }
@@ -101,10 +101,20 @@ std::string table(const ChoiceReport& report) {
       "<thead><tr><th scope=\"col\">setting</th><th scope=\"col\">seconds</th>"
       "<th scope=\"col\">error</th>",
       svg_text(report.name));
-  for (std::size_t k = 0; k < kErrorKinds; ++k)
-    text += fmt::format("<th scope=\"col\">{}</th>", name(static_cast<ErrorKind>(k)));
-  return text + "<th scope=\"col\">remark</th></tr></thead>\n<tbody>\n" + rows(report) +
+  const std::vector<std::size_t> kinds = kinds_of_error(report);
+  for (const std::size_t kind : kinds)
+    text += fmt::format("<th scope=\"col\">{}</th>", name(static_cast<ErrorKind>(kind)));
+  return text + "<th scope=\"col\">remark</th></tr></thead>\n<tbody>\n" + rows(report, kinds) +
          "</tbody>\n</table></div>\n";
+}
+
+// Nothing where logarithms leave nothing to plot.
+std::string figure(const ChoiceReport& report) {
+  if (std::none_of(report.points.begin(), report.points.end(),
+                   [](const AccuracyPoint& point) { return point.outcome.error > 0; }))
+    return "<p>No setting has an error, so there is no plot.</p>\n";
+  return "<figure role=\"img\" aria-label=\"error against seconds of " + svg_text(report.name) +
+         "\">\n" + inline_svg(accuracy_plot(report)) + "</figure>\n";
 }
 
 std::string section(const ChoiceReport& report) {
@@ -120,8 +130,7 @@ std::string section(const ChoiceReport& report) {
                         svg_text(report.grows), report.order->slope, report.order->standard_error);
   text += "<ul>\n";
   for (const std::string& line : remarks(report)) text += "<li>" + svg_text(line) + "</li>\n";
-  text += "</ul>\n<figure role=\"img\" aria-label=\"error against seconds of " +
-          svg_text(report.name) + "\">\n" + inline_svg(accuracy_plot(report)) + "</figure>\n";
+  text += "</ul>\n" + figure(report);
   for (const AccuracyPoint& point : report.points) text += picture(report, point);
   return text + "</section>\n";
 }

@@ -47,23 +47,15 @@ Table choices_table(std::span<const ChoiceReport> reports) {
   return table;
 }
 
-// Errors of other kinds than the choice's have columns where any point knows them.
 Table settings_table(const ChoiceReport& report) {
-  const auto kind = static_cast<std::size_t>(report.kind);
-  std::vector<std::size_t> others;
-  for (std::size_t k = 0; k < kErrorKinds; ++k)
-    if (std::any_of(report.points.begin(), report.points.end(), [&](const AccuracyPoint& point) {
-          return k != kind && error_parts(report, point)[k] > 0;
-        }))
-      others.push_back(k);
-  if (!others.empty()) others.insert(others.begin(), kind);
+  const std::vector<std::size_t> kinds = kinds_of_error(report);
   std::vector<std::string> columns{"setting", "seconds", "error"};
-  for (const std::size_t k : others) columns.emplace_back(name(static_cast<ErrorKind>(k)));
+  for (const std::size_t k : kinds) columns.emplace_back(name(static_cast<ErrorKind>(k)));
   columns.insert(columns.end(), {"best", ""});
   Table table(columns);
   for (const AccuracyPoint& point : report.points) {
     std::vector<Cell> row{point.setting, point.seconds, point.outcome.error};
-    for (const std::size_t k : others) row.emplace_back(error_parts(report, point)[k]);
+    for (const std::size_t k : kinds) row.emplace_back(error_parts(report, point)[k]);
     row.emplace_back(std::string(point.best ? "*" : ""));
     row.emplace_back(advice(report, point) + (point.own_reference ? " its own reference" : ""));
     table.add(std::move(row));
@@ -92,6 +84,16 @@ std::string summary(std::span<const ChoiceReport> reports) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> kinds_of_error(const ChoiceReport& report) {
+  std::vector<std::size_t> kinds;
+  for (std::size_t k = 0; k < kErrorKinds; ++k)
+    if (k == static_cast<std::size_t>(report.kind) ||
+        std::any_of(report.points.begin(), report.points.end(),
+                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k] > 0; }))
+      kinds.push_back(k);
+  return kinds;
+}
 
 std::vector<std::string> remarks(const ChoiceReport& report) {
   std::vector<std::string> lines;
