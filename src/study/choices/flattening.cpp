@@ -102,7 +102,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   for (const int part : {1, 4, 16, 64, 256, 1024}) made.settings.push_back(chords(curves, part));
   made.settings.push_back({"curves as they are", 0,
                            [curves] { curves->drawn = drawn(*curves, curves->list); },
-                           judged(curves), false, RenderOptions{}});
+                           judged(curves)});
   return made;
 }
 
