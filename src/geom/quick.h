@@ -38,7 +38,7 @@ void with_fused(const Work& work) {
 ///         underflow is in it.
 /// Error   of each operation: kDoubleDoubleError of what goes in or comes out, what the operands are
 ///         off by, and kUnderflowError. The error is itself rounded, for which kQuickSlack stands
-///         in up to 2^10 operations.
+///         in up to 2^30 operations.
 class Quick {
  public:
   Quick(double exact) : Quick(exact, 0, 0) {}
@@ -79,7 +79,7 @@ class Quick {
     const DoubleDouble value = two_sum(first, rest / b.hi_);
     // |a / b - q| = |a - b q| / |b|: the errors of a and b, what rounding `rest` loses, and underflow
     // in `back` and `first * b.lo`.
-    const double least = b.size() * (1 - 0x1p-50) - b.error_;
+    const double least = b.size() * (1 - 0x1p-50) - b.error();
     const double miss = a.error_ + std::fabs(first) * 2 * b.error_ +
                         kDoubleDoubleError * (a.size() + std::fabs(back.hi)) + kUnderflowError;
     return {value.hi, value.lo, least > 0 ? miss / least + kUnderflowError : kUnknown};
@@ -114,7 +114,7 @@ class Quick {
   double size() const { return std::fabs(hi_); }
 
  private:
-  static constexpr double kQuickSlack = 1 + 0x1p-40;
+  static constexpr double kQuickSlack = 1 + 0x1p-20;
   static constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
   Quick(double hi, double lo, double error) : hi_(hi), lo_(lo), error_(error) {}

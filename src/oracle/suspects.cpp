@@ -53,7 +53,7 @@ Suspect crossing(std::int64_t wall, Known time, const Known& from, const Known& 
     time.value = -time.value;
   }
   if (time.negative()) return {};
-  if (!time.positive()) return {wall};
+  if (!time.positive() || !across.positive()) return {wall};
   // Differences and quotients round three times.
   const Long low = (time.value - time.error) / (across.value + across.error);
   const Long high = (time.value + time.error) / (across.value - across.error);

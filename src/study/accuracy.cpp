@@ -66,8 +66,8 @@ Rounds first_round(const std::vector<Setting>& settings, const Budget& budget,
     if (setting.n > 0) per_n = taken / setting.n;
     round.settings.push_back(&setting);
     round.seconds.push_back({taken});
-    report.points.push_back({setting.words, setting.n, 0, 0, setting.judge(), false,
-                             setting.own_reference, setting.options});
+    report.points.push_back(
+        {setting.words, setting.n, 0, 0, setting.judge(), false, setting.options});
   }
   return round;
 }

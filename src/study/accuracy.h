@@ -41,7 +41,6 @@ struct Setting {
   double n = 0;                    ///< what grows from setting to setting; 0 for one beside the row
   std::function<void()> work;      ///< what is timed; may run again
   std::function<Outcome()> judge;  ///< of the last `work`
-  bool own_reference = false;      ///< what it is compared with was found by the same formulas
   /// What chooses it in `flatray render`; absent where nothing does.
   std::optional<RenderOptions> options{};
 };
@@ -59,8 +58,7 @@ struct AccuracyPoint {
   std::string setting;
   double n = 0, seconds = 0, spread = 0;
   Outcome outcome;
-  bool best = false;           ///< no other of its choice is both as fast and as near
-  bool own_reference = false;  ///< as Setting has it
+  bool best = false;  ///< no other of its choice is both as fast and as near
   std::optional<RenderOptions> options{};
 };
 
@@ -130,7 +128,7 @@ std::vector<const Choice*> choices();
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context);
 
 /// Several choices within the budget of the context together, the last one first: each has an equal
-/// part of what those before it have left, so that coverage, with the dearest reference, has most.
+/// part of what those before it have left.
 std::vector<ChoiceReport> measure_choices(std::span<const Choice* const> choices,
                                           const AccuracyContext& context);
 

@@ -89,8 +89,7 @@ std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kin
                     point.outcome.error);
     for (const std::size_t kind : kinds)
       text += fmt::format("<td>{:.3g}</td>", error_parts(report, point)[kind]);
-    text += fmt::format("<td>{}{}</td></tr>\n", advice(report, point),
-                        point.own_reference ? " its own reference" : "");
+    text += fmt::format("<td>{}</td></tr>\n", advice(report, point));
   }
   return text;
 }

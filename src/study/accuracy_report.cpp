@@ -20,14 +20,14 @@ std::string missing_words(const ChoiceReport& report) {
 Table points_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "setting", "n", "seconds", "seconds_half_range", "error",
                "error_half_interval", "sampling", "truncation", "discretisation", "rounding",
-               "best", "advice", "own_reference"});
+               "best", "advice"});
   const auto yes_or_no = [](bool yes) { return std::string(yes ? "yes" : "no"); };
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
       table.add({report.name, point.setting, point.n, point.seconds, point.spread,
                  point.outcome.error, point.outcome.half, parts[0], parts[1], parts[2], parts[3],
-                 yes_or_no(point.best), advice(report, point), yes_or_no(point.own_reference)});
+                 yes_or_no(point.best), advice(report, point)});
     }
   return table;
 }
@@ -57,7 +57,7 @@ Table settings_table(const ChoiceReport& report) {
     std::vector<Cell> row{point.setting, point.seconds, point.outcome.error};
     for (const std::size_t k : kinds) row.emplace_back(error_parts(report, point)[k]);
     row.emplace_back(std::string(point.best ? "*" : ""));
-    row.emplace_back(advice(report, point) + (point.own_reference ? " its own reference" : ""));
+    row.emplace_back(advice(report, point));
     table.add(std::move(row));
   }
   return table;

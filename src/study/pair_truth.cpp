@@ -62,7 +62,8 @@ class Search {
       std::vector<Whereabouts>& places = places_.emplace_back();
       for (std::size_t i = 0; i < frame.size(); ++i) {
         const Shape& shape = scene_.shapes[frame[i].shape];
-        if (has_parts_left_out(shape) || !shape.circles.empty()) round_[i] = true;
+        const bool turns = frame[i].angle != states_.front()[i].angle;
+        if (has_parts_left_out(shape) || !shape.circles.empty() || turns) round_[i] = true;
         const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
         places.push_back({box.centre(), box.size().norm()});
       }
@@ -146,7 +147,8 @@ std::string PairTruth::words() const {
   std::string text =
       fmt::format("{} pairs of polygons by shadows in rationals (oracle/contact), of which {} meet",
                   compared.size(), meet.size());
-  if (round > 0) text += fmt::format("; {} pairs with discs or curves are left out", round);
+  if (round > 0)
+    text += fmt::format("; {} pairs with discs, curves or what turns are left out", round);
   return text;
 }
 

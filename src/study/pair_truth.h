@@ -11,7 +11,7 @@ struct PairTruth {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< entities, ascending
   std::set<Pair> compared;                               ///< all pairs looked at
   std::set<Pair> meet;                                   ///< of these
-  std::size_t round = 0;  ///< pairs with discs or curves, which are not looked at
+  std::size_t round = 0;  ///< pairs with discs, curves or what turns, which are not looked at
   std::size_t cut = 0;    ///< pairs that there was no time for
 
   /// "12 pairs of polygons by shadows in rationals (oracle/contact), of which 3 meet; ..."

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/circle shapes/polygon shapes/convex shapes/segment
 # accuracy.sh FLATRAY ROOT [FOLDER]: the pages of `flatray accuracy` for three scenes, in a real browser. FOLDER takes
 # pictures of them.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/convex shapes/segment
 # explain --measure draws, writes nothing, and counts what was left out; keep-all leaves nothing out.
 source "$(dirname "$0")/lib.sh"
 cat > hold.toml <<'TOML'

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/circle
 # `flatray accuracy --profile` and `flatray render --profile`: what is chosen, and refused with its place.
 source "$(dirname "$0")/lib.sh"
 [[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0  # Mesa keeps some memory

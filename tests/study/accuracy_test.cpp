@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle
+// needs: shapes/box shapes/circle shapes/polygon shapes/segment
 #include "study/accuracy.h"
 
 #include <gtest/gtest.h>
