@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/hit_interval.h"
+#include "geom/polygon.h"
 #include "geom/polygon_edges.h"
 #include "trace/exact_nearest.h"
 
@@ -10,13 +11,6 @@ namespace flatray {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
-
-double area_of(const std::vector<Vec2>& ring) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return 0.5 * twice;
-}
 
 // Whether a point lies inside or on closed outlines: by the parity of what a ray from it meets, in a
 // direction in which it meets no end and no tangent.
@@ -62,7 +56,7 @@ bool Solids::Solid::holds(const Vec2& point) const {
 
 double Solids::Solid::area() const {
   double sum = 0;
-  for (const std::vector<Vec2>& piece : pieces) sum += area_of(piece);
+  for (const std::vector<Vec2>& piece : pieces) sum += ring_area(piece);
   for (const Circle& circle : circles) sum += kPi * circle.radius * circle.radius;
   for (const ArcPath& path : paths) sum += area_of(path);
   return sum;

@@ -63,6 +63,13 @@ Sign ring_orientation(std::span<const Vec2> ring) {
   });
 }
 
+double ring_area(std::span<const Vec2> ring) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+    twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  return 0.5 * twice;
+}
+
 std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring) {
   const std::vector<std::size_t> edges = proper_edges(ring);
   if (edges.size() < 3) return std::nullopt;

@@ -11,6 +11,9 @@ namespace flatray {
 /// Twice the signed area's sign: positive where the ring runs counter-clockwise. Exact.
 Sign ring_orientation(std::span<const Vec2> ring);
 
+/// Area of a ring, positive where it runs counter-clockwise. Rounded.
+double ring_area(std::span<const Vec2> ring);
+
 /// First vertex at which a ring is not convex (turns the wrong way, or winds round twice), in
 /// either orientation; repeated and collinear vertices are passed over. nullopt: convex. Exact.
 /// Cost O(n).

@@ -132,11 +132,29 @@ class Nesting {
   bool too_deep_ = false;  // told
 };
 
+// How many times larger what is in a group is, by all it stands in.
+double whole_scale(const Scene& scene, const Group& group) {
+  double scale = group.scale;
+  for (auto outer = group.group; outer; outer = scene.groups[*outer].group)
+    scale *= scene.groups[*outer].scale;
+  return scale;
+}
+
 void read_group(Builder& builder, const Value& table, std::uint32_t number) {
   constexpr std::uint32_t kGroupTables = std::uint32_t{1} << 31;
   Scene& scene = builder.scene;
+  bool too_far = false;  // told
   const auto add = [&](Group&& group, std::uint64_t, std::string suffix) {
     if (!take_corners(builder, corner_count(group.name), table.where)) return;
+    const double scale = whole_scale(scene, group);
+    if (const Member* own = table.find("scale");
+        own != nullptr && !too_far && !(scale >= 1 / kFarthest && scale <= kFarthest)) {
+      too_far = true;
+      builder.in.problem(
+          own->value.where,
+          fmt::format("scale, times those of the groups this one stands in, is {}", scale),
+          "keep the product between 1e-300 and 1e300");
+    }
     if (group.group) group.layer += scene.groups[*group.group].layer;
     const Member* base = table.find("name");
     builder.groups[base == nullptr ? "" : base->value.text].push_back(

@@ -120,8 +120,9 @@ class ChunkReader {
       ignored.emplace_back(name);
   }
 
+  // A vertex that is wrong keeps its number: faces after it are no second mistake.
   void read_vertex(std::string_view record) {
-    double xy[2] = {0, 0};
+    Vec2& vertex = chunk_.vertices.emplace_back(0, 0);
     std::size_t count = 0;
     for (std::string_view word; !(word = next_word()).empty(); ++count) {
       const std::optional<double> value = parse_number(word);
@@ -130,11 +131,9 @@ class ChunkReader {
                        value ? "a vertex has too many numbers"
                              : fmt::format("'{}' is no finite number", word.substr(0, 40)),
                        "a vertex reads v x y [z [w]]");
-      if (count < 2) xy[count] = *value;
+      if (count < 2) vertex[static_cast<Eigen::Index>(count)] = *value;
     }
-    if (count < 2)
-      return problem(record, "a vertex has no x and y", "a vertex reads v x y [z [w]]");
-    chunk_.vertices.emplace_back(xy[0], xy[1]);
+    if (count < 2) problem(record, "a vertex has no x and y", "a vertex reads v x y [z [w]]");
   }
 
   void read_chain(std::string_view record, ObjChunk::Chains& chains, std::size_t least) {
@@ -168,9 +167,9 @@ class ChunkReader {
     bool good = take_index(rest, index);
     for (int part = 0; good && !rest.empty() && part < 2; ++part) {
       std::int64_t unused = 0;
-      good = rest.front() == '/';
+      good = rest.front() == '/' && rest.size() > 1;
       rest.remove_prefix(1);
-      if (good && !rest.empty() && rest.front() != '/') good = take_index(rest, unused);
+      if (good && rest.front() != '/') good = take_index(rest, unused);
     }
     const bool forward = index >= base_, backward = base_ == 1 && index < 0;
     if (!good || !rest.empty() || !(forward || backward)) {

@@ -41,6 +41,18 @@ TEST(Groups, HaveAScaleAboveZero) {
     EXPECT_FALSE(load(kHead + group("a", std::string("scale = ") + wrong))) << wrong;
 }
 
+TEST(Groups, KeepTheProductOfTheirScalesWithin1e300) {
+  for (const char* scale : {"1e300", "1e-300"}) {
+    const std::string grown = std::string("scale = ") + scale;
+    const auto scene = load(kHead + group("outer", grown) +
+                            group("inner", "group = \"outer\"\n" + grown + "\n" + ring(3)) +
+                            group("within", "group = \"inner\"") + disc("e", "group = \"within\""));
+    ASSERT_FALSE(scene);
+    ASSERT_EQ(scene.error().size(), 1u) << format(scene.error());
+    EXPECT_NE(scene.error()[0].message.find("times those of the groups"), std::string::npos);
+  }
+}
+
 TEST(Groups, CopiesHoldAllTheirThings) {
   const Scene scene = loaded(kHead + group("arm", ring(2)) + disc("hand", "group = \"arm\"") +
                              disc("leaf", "group = \"arm\"\n" + ring(3)))

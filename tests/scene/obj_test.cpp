@@ -127,6 +127,8 @@ TEST(Obj, MistakesHaveALineAndAColumn) {
       {"v 0 0\nv 1 0\nv 0 1\nf 1 2 4\n", "4:7: error: there is no such vertex"},
       {"v 0 0\nv 1 0\nv 0 1\nf 1 2 -4\n", "4:7: error: there is no such vertex"},
       {"v 0 0\nf 1 1/x 1\n", "2:5: error: '1/x' is no vertex number"},
+      {"v 0 0\nf 1 1/ 1\n", "2:5: error: '1/' is no vertex number"},
+      {"v 0 0\nf 1 1// 1\n", "2:5: error: '1//' is no vertex number"},
       {"v 0 0\nf 1 1/1/1/1 1\n", "2:5: error: '1/1/1/1' is no vertex number"},
       {"v 0 0\nf 1 99999999999999999999 1\n",
        "2:5: error: '99999999999999999999' is no vertex number"},
@@ -134,6 +136,12 @@ TEST(Obj, MistakesHaveALineAndAColumn) {
       {"v 0 0\n", "the file holds no face or line"},
   };
   expect_refused(cases, obj_refusal);
+}
+
+TEST(Obj, AVertexThatIsWrongKeepsItsNumber) {
+  const auto scene = load_obj("v 0 0\nv 1 x\nv 0 1\nv 1 1\nf 1 3 4\n");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().size(), 1u) << format(scene.error());
 }
 
 TEST(Obj, AtMostTwentyMistakesAreTold) {

@@ -93,7 +93,7 @@ TEST(ObjText, MistakesOfAllChunksAreToldInTheOrderOfTheText) {
   std::string text;
   for (std::size_t i = 0; i < kCount; ++i)
     text += i % 6000 == 5999 ? fmt::format("v {} x\n", i) : fmt::format("v {0} {0} 0.5\n", i);
-  text += "f 1 2 59990\nf 1 2 59991\nl -59990 -59991\n";
+  text += "f 1 2 60000\nf 1 2 60001\nl -60000 -60001\n";
   const Diagnostics one = mistakes(text, 1);
   ASSERT_EQ(one.size(), 12u);
   for (std::size_t i = 0; i < 10; ++i) {
@@ -106,7 +106,7 @@ TEST(ObjText, MistakesOfAllChunksAreToldInTheOrderOfTheText) {
             std::string::npos);
   EXPECT_NE(format(one[11]).find("m.obj:60003:10: error: there is no such vertex"),
             std::string::npos);
-  EXPECT_EQ(one[10].hint, "the file has 59990");
+  EXPECT_EQ(one[10].hint, "the file has 60000");
   for (const unsigned threads : {2u, 5u}) EXPECT_EQ(format(mistakes(text, threads)), format(one));
 }
 

@@ -24,19 +24,21 @@ constexpr auto kOptions = with_scene_options(
      {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
       OptionKind::flag},
      kSeedOption,
+     kThreadsOption,
      kJsonOption,
      kCsvOption});
 
 ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings) {
   ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
-                     "normal_y", "motion"},
+                     "normal_y", "motion", "width"},
                     {}};
   for (const Meeting& meeting : meetings) {
-    const auto& [times, kind, start, point, normal] = meeting.part;
+    const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
-                          name(kind), times.low, times.high, 1 + times.low * scene.fps,
-                          times.low > 0 ? "apart" : contact_name(start), point.x(), point.y(),
-                          normal.x(), normal.y(), meeting.straight ? "straight" : "by frames"});
+                          certain ? name(kind) : "undecided", times.low, times.high,
+                          1 + times.low * scene.fps, times.low > 0 ? "apart" : contact_name(start),
+                          point.x(), point.y(), normal.x(), normal.y(),
+                          meeting.straight ? "straight" : "by frames", width});
   }
   return table;
 }
@@ -106,11 +108,13 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
     if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
     return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
   }
+  const auto width = threads(arguments);
+  if (!width) return tl::unexpected(width.error());
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (const std::string note = left_out(scene);
       outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);
-  return meeting_table(scene, find_meetings(timeline, frames, outline));
+  return meeting_table(scene, find_meetings(timeline, frames, outline, *width));
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -121,20 +125,20 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!text) return tl::unexpected(text.error());
     return VerbOutput{*std::move(text)};
   }
-  for (const char* other : {"method", "fixed"})
-    if (arguments.has(other) && arguments.has("response") == (std::string_view(other) == "method"))
-      return usage_error(
-          arguments.where(other),
-          arguments.has("response") ? "does not go with --response" : "needs --response",
-          "say flatray help collide");
+  const bool responds = arguments.has("response");
+  if (responds && arguments.has("method"))
+    return usage_error(arguments.where("method"), "does not go with --response",
+                       "say flatray help collide");
+  if (!responds && arguments.has("fixed"))
+    return usage_error(arguments.where("fixed"), "needs --response", "say flatray help collide");
   const auto draws = seed(arguments, *scene);
   if (!draws) return tl::unexpected(draws.error());
   const auto last = arguments.whole("last", scene->frames, 1, scene->frames);
   if (!last) return tl::unexpected(last.error());
   const auto frames = static_cast<unsigned>(*last);
   const Timeline timeline(*scene, *draws, frames);
-  const auto table = arguments.has("response") ? events(arguments, timeline, frames)
-                                               : meetings(arguments, timeline, frames);
+  const auto table =
+      responds ? events(arguments, timeline, frames) : meetings(arguments, timeline, frames);
   if (!table) return tl::unexpected(table.error());
   if (arguments.has("json"))
     return VerbOutput{json_report("collide", arguments, as_objects(*table), 0)};

@@ -87,6 +87,14 @@ void release(FlatrayEmbreeScene* scene) {
   delete scene;
 }
 
+// What Embree takes: with more it stops the program, where it was built with its checks.
+bool is_valid(const FlatrayEmbreeRay& ray) {
+  constexpr float kLargest = 1.844e18F;
+  for (const float number : {ray.ox, ray.oy, ray.dx, ray.dy})
+    if (!(std::fabs(number) <= kLargest)) return false;
+  return true;
+}
+
 void nearest(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsigned count,
              FlatrayEmbreeHit* hits) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
@@ -101,6 +109,10 @@ void nearest(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsi
 #endif
   for (unsigned i = 0; i < count; ++i) {
     const FlatrayEmbreeRay& ray = rays[i];
+    if (!is_valid(ray)) {
+      hits[i] = {kNever, 0xffffffffU};
+      continue;
+    }
     RTCRayHit r{};
     r.ray = {ray.ox, ray.oy, 0, 0, ray.dx, ray.dy, 0, 0, kNever, ~0U, 0, 0};
     r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
