@@ -83,8 +83,9 @@ Image draw_view(const ViewRequest& request, const Tracer* tracer, const Scene& s
   World world = build_world(scene, state, WorldOf::everything);
   std::vector<Arc> rims;
   if (request.view->takes_point) world = without_walls_at(request.point, world, rims);
-  const auto surfaces =
-      tracer == nullptr ? accelerate(world.surfaces) : tracer->build(world.surfaces);
+  const auto surfaces = tracer == nullptr
+                            ? accelerate(world.surfaces, options.threads)
+                            : tracer->build(world.surfaces, active_isa(), options.threads);
   const PixelBox film{0, 0, scene.film.width, scene.film.height};
   const ViewContext context{
       scene, state, world, *surfaces, request.point, rims, options.crop.value_or(film)};

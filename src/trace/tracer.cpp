@@ -46,8 +46,8 @@ TracerChoice choose_tracer(const Surfaces& walls) {
   return {grid, many + ": more than " + std::to_string(kFewSegments)};
 }
 
-std::unique_ptr<Accelerator> accelerate(const Surfaces& walls) {
-  return choose_tracer(walls).tracer->build(walls);
+std::unique_ptr<Accelerator> accelerate(const Surfaces& walls, unsigned threads) {
+  return choose_tracer(walls).tracer->build(walls, active_isa(), threads);
 }
 
 }  // namespace flatray
