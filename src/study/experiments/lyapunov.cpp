@@ -109,8 +109,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment lyapunov = {
-    "lyapunov", "How fast do two orbits part that start next to each other?", &run};
+extern const Experiment lyapunov = {"lyapunov",
+                                    "How fast do two orbits part that start next to each other?",
+                                    &run,
+                                    {.count = true, .bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray
