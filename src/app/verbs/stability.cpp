@@ -14,12 +14,14 @@
 #include "base/isa.h"
 #include "base/parallel.h"
 #include "study/leaks.h"
+#include "study/pair_stability.h"
 
 namespace flatray::verbs {
 namespace {
 
 constexpr std::uint64_t kScenesAChunk = 256;
 constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
+constexpr std::uint64_t kPairsAChunk = 1024;
 
 std::vector<std::string> family_names() { return names_of(oracle::families()); }
 
@@ -42,6 +44,8 @@ constexpr std::array kOptions = {
     Option{
         "leaks", '\0', "N",
         "instead, for each tracer N rays aimed at the vertices of sealed rooms, in blocks of 1024"},
+    Option{"pairs", '\0', "N",
+           "instead, N moving pairs of each family, in chunks of 1024, against exact contacts"},
     Option{"seed", '\0', "N", "seed of all draws (default 1)"},
     Option{"output", 'o', "FOLDER",
            "where stability.csv goes, a row a chunk; a run with the same seed goes on from it"},
@@ -173,9 +177,69 @@ Result<VerbOutput> run_leaks(const Arguments& arguments, const Plan& plan) {
   return output(arguments, table, sound);
 }
 
+StabilityLog::Key key_of(const Plan& plan, const PairFamily& family, std::size_t method,
+                         std::uint64_t chunk) {
+  return {"pairs-" + family.name, family.methods[method], isa_name(active_isa()), plan.seed, chunk};
+}
+
+// Chunks not yet in the log, a round of `threads` at a time.
+Result<void> run_pair_chunks(const Plan& plan, const PairFamily& family, std::uint64_t chunks,
+                             StabilityLog& log) {
+  std::vector<std::uint64_t> open;
+  for (std::uint64_t chunk = 0; chunk < chunks; ++chunk)
+    if (!log.has(key_of(plan, family, 0, chunk))) open.push_back(chunk);
+  for (std::size_t begin = 0; begin < open.size() && !interrupted(); begin += plan.threads) {
+    const std::size_t count = std::min<std::size_t>(plan.threads, open.size() - begin);
+    std::vector<std::vector<StabilityTally>> tallies(count);
+    const auto start = std::chrono::steady_clock::now();
+    parallel_for(count, plan.threads, [&](std::size_t i) {
+      tallies[i] = check_pairs(family, plan.seed, open[begin + i] * kPairsAChunk, kPairsAChunk);
+    });
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    for (std::size_t i = 0; i < count; ++i)
+      // That of the first method last: it tells whether a chunk is done.
+      for (std::size_t k = family.methods.size(); k-- > 0;)
+        if (auto logged = log.add(key_of(plan, family, k, open[begin + i]), tallies[i][k],
+                                  time.count() / static_cast<double>(count));
+            !logged)
+          return logged;
+  }
+  return {};
+}
+
+Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
+  for (const char* other : {"families", "count", "tracer", "leaks"})
+    if (arguments.has(other))
+      return usage_error(arguments.where(other), "does not go with --pairs",
+                         "leave one of them out");
+  const auto pairs = arguments.whole("pairs", 1, 1, std::uint64_t{1} << 40);
+  if (!pairs) return tl::unexpected(pairs.error());
+  const std::uint64_t chunks = (*pairs + kPairsAChunk - 1) / kPairsAChunk;
+  auto log = StabilityLog::open(arguments.text("output"));
+  if (!log) return fail(std::move(log));
+  catch_interrupts();
+  ReportTable table{{"family", "method", "pairs", "meet", "wrong", "missed", "invented",
+                     "other_class", "t_not_nearest_or_wide", "t_off", "first_wrong"},
+                    {}};
+  std::uint64_t wrong = 0;
+  for (const PairFamily& family : pair_families()) {
+    if (auto done = run_pair_chunks(plan, family, chunks, *log); !done)
+      return fail(std::move(done));
+    for (std::size_t k = 0; k < family.methods.size(); ++k) {
+      const StabilityTally sum = log->sum(key_of(plan, family, k, 0), chunks);
+      wrong += sum.wrong + sum.off_by_more;
+      table.rows.push_back({family.name, family.methods[k], sum.rays, sum.hits, sum.wrong,
+                            sum.missed, sum.invented, sum.other_wall, sum.not_nearest,
+                            sum.off_by_more, sum.first_wrong});
+    }
+  }
+  return output(arguments, table, wrong == 0);
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto plan = read_plan(arguments);
   if (!plan) return tl::unexpected(plan.error());
+  if (arguments.has("pairs")) return run_pairs(arguments, *plan);
   if (arguments.has("leaks")) return run_leaks(arguments, *plan);
   auto log = StabilityLog::open(arguments.text("output"));
   if (!log) return fail(std::move(log));
@@ -202,14 +266,15 @@ Result<VerbOutput> run(const Arguments& arguments) {
 extern const Verb stability = {
     "stability",
     "",
-    "compare the tracers with exact arithmetic on inputs made to be hard",
+    "compare tracers and contacts with exact arithmetic on inputs made to be hard",
     0,
     0,
     kOptions,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
     "  flatray stability --families tangents,arc-ends,ellipses\n"
-    "  flatray stability --leaks 100000 --tracer grid\n",
+    "  flatray stability --leaks 100000 --tracer grid\n"
+    "  flatray stability --pairs 10000 -o out/pairs\n",
     "",
     &run};
 

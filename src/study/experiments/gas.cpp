@@ -1,0 +1,110 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/hash.h"
+#include "collide/simulate.h"
+#include "study/estimate.h"
+
+namespace flatray {
+namespace {
+
+// Differences allowed, in standard errors of which four are a fault.
+constexpr double kEnergyError = 0.25e-9, kOverlapError = 0.25e-12;
+constexpr double kEnd = 0x1p40;  // seconds: the count ends it before
+
+std::vector<std::string> names_at_rest(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Entity& entity : scene.entities)
+    if (entity.velocity.isZero(0)) names.push_back(entity.name);
+  return names;
+}
+
+double energy(std::span<const SimulatedBody> bodies, const Simulation& done, bool first) {
+  double sum = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Stage& stage = first ? done.stages[i].front() : done.stages[i].back();
+    if (bodies[i].mass < kInfinity) sum += 0.5 * bodies[i].mass * stage.velocity.squaredNorm();
+  }
+  return sum;
+}
+
+// How far two bodies lie in each other, by the shorter way out along their motion; 0 apart.
+double depth(const SimulatedBody& a, const Stage& now_a, const SimulatedBody& b,
+             const Stage& now_b) {
+  const double speed = (now_b.velocity - now_a.velocity).norm();
+  double most = 0;
+  const auto placed = [](const ShapePart& part, const Vec2& at) {
+    std::vector<Vec2> ring;
+    for (const Vec2& p : part.ring) ring.emplace_back(at + p);
+    return ring;
+  };
+  for (const ShapePart& p : a.parts)
+    for (const ShapePart& q : b.parts) {
+      const std::vector<Vec2> ring_a = placed(p, now_a.at), ring_b = placed(q, now_b.at);
+      const HitInterval met = round_contact({{ring_a, now_a.velocity}, p.radius},
+                                            {{ring_b, now_b.velocity}, q.radius}, kLine)
+                                  .times;
+      if (met.kind == HitClass::through && met.t_enter < 0 && met.t_exit > 0)
+        most = std::max(most, speed * std::min(-met.t_enter, met.t_exit));
+    }
+  return most;
+}
+
+double deepest(std::span<const SimulatedBody> bodies, const Simulation& done, double time) {
+  std::vector<Stage> now;
+  for (const std::vector<Stage>& stages : done.stages)
+    now.push_back({time, place_at(stages, time), stages.back().velocity});
+  double most = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t k = i + 1; k < bodies.size(); ++k)
+      if (bodies[i].mass < kInfinity || bodies[k].mass < kInfinity)
+        most = std::max(most, depth(bodies[i], now[i], bodies[k], now[k]));
+  return most;
+}
+
+std::string fingerprint(const Simulation& done) {
+  Hash hash;
+  const auto add = [&hash](double x) { hash.add(std::bit_cast<std::uint64_t>(x)); };
+  for (const CollisionEvent& event : done.events) {
+    hash.add(std::uint64_t{event.a}).add(std::uint64_t{event.b});
+    add(event.time);
+    for (const Vec2& v : {event.point, event.normal, event.velocity_a, event.velocity_b}) {
+      add(v.x());
+      add(v.y());
+    }
+  }
+  return hash.hex();
+}
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  const Timeline timeline(context.scene, context.seed, 1);
+  const auto bodies = bodies_of(timeline, names_at_rest(context.scene));
+  if (!bodies) return tl::unexpected(bodies.error());
+  const Simulation done = simulate(*bodies, Response::bounce, kEnd, context.count);
+  if (done.events.empty())
+    return fail(context.scene.entities.empty() ? Place{} : context.scene.entities.front().where,
+                "nothing ever meets", "give the entities velocities, and walls that keep them in");
+  const double time = done.events.back().time, before = energy(*bodies, done, true);
+  return measured(
+      context, "gas",
+      fmt::format("{} events of {} bodies in {:.6g} s{}; fingerprint of all {}", done.events.size(),
+                  bodies->size(), time, done.overlaps ? ", some in each other at the start" : "",
+                  fingerprint(done)),
+      {{"energy_off", energy(*bodies, done, false) / before - 1, kEnergyError, 0},
+       {"deepest_overlap", deepest(*bodies, done, time), kOverlapError, 0},
+       {"events_a_second", static_cast<double>(done.events.size()) / time, 0, std::nullopt},
+       {"jammed", done.jammed ? 1.0 : 0.0, 0, 0}});
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment gas = {
+    "gas", "What do a million elastic bounces leave of the energy, and do bodies stay apart?",
+    &run};
+}  // namespace experiment_entries
+
+}  // namespace flatray

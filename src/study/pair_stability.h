@@ -1,0 +1,23 @@
+#pragma once
+#include "study/stability.h"
+
+namespace flatray {
+
+/// A kind of moving pairs that are hard to tell about: in straight motion, asked one by one
+/// ("contact") and together ("contacts"), or turning ("turning").
+struct PairFamily {
+  std::string name;
+  std::vector<std::string> methods;
+};
+std::vector<PairFamily> pair_families();
+
+/// Pairs `first` to `first + count - 1` of a family against the oracle.
+///
+/// Gives   a tally for each method, pairs as rays: `other_wall` counts classes and starts that are wrong,
+///         times are those of the first and the last touch. Of turning pairs `not_nearest` counts
+///         intervals wider than asked, `by_rationals` what either side leaves undecided.
+/// Cost    some 100 us a pair, a ms for turning ones.
+std::vector<StabilityTally> check_pairs(const PairFamily& family, std::uint64_t seed,
+                                        std::uint64_t first, std::uint64_t count);
+
+}  // namespace flatray
