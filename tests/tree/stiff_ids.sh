@@ -15,4 +15,16 @@ for id in "${ids[@]}"; do
   grep -qE "^$id([^0-9]|\$)" <<<"$names" || missing+=("$id")
 done
 echo "stiff cases: ${#ids[@]} numbers, ${#missing[@]} without a test${missing[*]:+: ${missing[*]}}"
-((${#missing[@]} == 0))
+# The tests that the shipped catalogue names are there.
+gone=()
+for test in $(grep -ohE '"(cli\.e[0-9]+_[a-z_]+|[a-z]+\.[A-Za-z]+\.[A-E][0-9]+[A-Za-z0-9]*)"' ../src/oracle/catalogue*.cpp | tr -d '"' | sort -u); do
+  case $test in
+    cli.*) [[ -e cli/${test#cli.}.sh ]] || gone+=("$test") ;;
+    *)
+      name=${test#*.}
+      cat "${test%%.*}"/*_test.cpp | tr '\n' ' ' |
+        grep -qE "TEST\(${name%.*},[[:space:]]*${name#*.}\)" || gone+=("$test") ;;
+  esac
+done
+echo "tests that the catalogue names: ${#gone[@]} are not there${gone[*]:+: ${gone[*]}}"
+((${#missing[@]} + ${#gone[@]} == 0))
