@@ -53,7 +53,7 @@ std::vector<Kept> omissions(const RenderJob& job) {
 }
 
 RenderPlan plan_with(const RenderJob& job, const Kept& kept) {
-  RenderPlan plan = make_plan(job.scene, job.keep_all);
+  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
   if (kept.each_frame) plan.still = false;
   if (kept.pass == nullptr) return plan;
   const std::vector<const Pass*> needed = std::move(plan.passes);

@@ -1,7 +1,9 @@
 #include "collide/meetings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "collide/broad_phase.h"
 
@@ -16,7 +18,23 @@ bool stands_still(const Scene& scene, std::optional<std::uint32_t> group) {
   return true;
 }
 
-Bounds box_of(const MovingShape& moving) { return shape_bounds(*moving.shape, moving.place); }
+// Of what turns a box around all its angles.
+Bounds box_of(const MovingShape& moving) {
+  if (moving.spin == 0) return shape_bounds(*moving.shape, moving.place);
+  const Bounds own = shape_bounds(*moving.shape, {{0, 0}, 1, 0, moving.place.scale});
+  if (own.empty()) return own;
+  const Vec2 farthest = own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs());
+  const double reach = (1 + 0x1p-40) * farthest.stableNorm();
+  return {moving.place.at - Vec2(reach, reach), moving.place.at + Vec2(reach, reach)};
+}
+
+bool follows_path(const Scene& scene, std::uint32_t entity) {
+  const Entity& e = scene.entities[entity];
+  bool follows = e.motion.follow.has_value();
+  for (auto group = e.group; group; group = scene.groups[*group].group)
+    follows |= scene.groups[*group].motion.follow.has_value();
+  return follows;
+}
 
 // Where everything is, for a stretch of time in which motion is straight.
 struct Stretch {
@@ -26,8 +44,8 @@ struct Stretch {
 
 class Search {
  public:
-  Search(const Timeline& timeline, Outline outline)
-      : timeline_(timeline), scene_(timeline.scene()), outline_(outline) {
+  Search(const Timeline& timeline, Outline outline, unsigned threads)
+      : timeline_(timeline), scene_(timeline.scene()), outline_(outline), threads_(threads) {
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
       straight_.push_back(keeps_velocity(scene_, i));
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i) rests_.push_back(rests(scene_, i));
@@ -69,10 +87,8 @@ class Search {
       stretch.bodies.push_back({straight_[i] ? shape(states[i]) : nullptr,
                                 pose(states[i].at, states[i].angle, states[i].scale),
                                 scene_.entities[i].velocity});
-    for (const Pair& pair : close_pairs(stretch)) {
-      if (rests_[pair.first] && rests_[pair.second]) continue;
-      for (const MeetingPart& part : meet(stretch, pair)) add(pair, part);
-    }
+    for_meetings(stretch, rests_,
+                 [this](const Pair& pair, const MeetingPart& part) { add(pair, part); });
   }
 
   // What does not, against everything, from one frame to the next: t counts frames.
@@ -80,16 +96,23 @@ class Search {
                  const std::vector<EntityState>& next) {
     Stretch stretch{{}, {0, 1}};
     for (std::uint32_t i = 0; i < now.size(); ++i)
-      stretch.bodies.push_back(
-          {shape(now[i]), pose(now[i].at, now[i].angle, now[i].scale), next[i].at - now[i].at});
-    for (const Pair& pair : close_pairs(stretch)) {
-      if (straight_[pair.first] && straight_[pair.second]) continue;
-      for (MeetingPart part : meet(stretch, pair)) {
-        part.times.low = (frame - 1 + part.times.low) / scene_.fps;
-        part.times.high = (frame - 1 + part.times.high) / scene_.fps;
-        add(pair, part);
-      }
-    }
+      stretch.bodies.push_back({shape(now[i]), pose(now[i].at, now[i].angle, now[i].scale),
+                                next[i].at - now[i].at, now[i].angle,
+                                turn_between(i, now[i].angle, next[i].angle)});
+    for_meetings(stretch, straight_, [&](const Pair& pair, MeetingPart part) {
+      part.times.low = (frame - 1 + part.times.low) / scene_.fps;
+      part.times.high = (frame - 1 + part.times.high) / scene_.fps;
+      part.width /= scene_.fps;
+      add(pair, part);
+    });
+  }
+
+  // Directions of a path know no whole turns: the shorter way round.
+  double turn_between(std::uint32_t entity, double from, double to) const {
+    const double turn = to - from;
+    if (!follows_path(scene_, entity)) return turn;
+    constexpr double kWhole = 2 * std::numbers::pi;
+    return turn - kWhole * std::round(turn / kWhole);
   }
 
   std::vector<Pair> close_pairs(const Stretch& stretch) const {
@@ -101,10 +124,22 @@ class Search {
     return overlapping_pairs(boxes);
   }
 
-  std::vector<MeetingPart> meet(const Stretch& stretch, const Pair& pair) const {
-    const MovingShape &a = stretch.bodies[pair.first], &b = stretch.bodies[pair.second];
-    return outline_ == Outline::own ? shapes_meet(a, b, stretch.within)
-                                    : boxes_meet(a, b, stretch.within);
+  // In the order of the pairs, without those of two that are both left out.
+  template <class Take>
+  void for_meetings(const Stretch& stretch, const std::vector<bool>& left_out,
+                    const Take& take) const {
+    std::vector<Pair> pairs = close_pairs(stretch);
+    std::erase_if(pairs, [&](const Pair& p) { return left_out[p.first] && left_out[p.second]; });
+    if (outline_ == Outline::own) {
+      const auto met = pairs_meet(stretch.bodies, pairs, stretch.within, threads_);
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        for (const MeetingPart& part : met[i]) take(pairs[i], part);
+      return;
+    }
+    for (const Pair& pair : pairs)
+      for (const MeetingPart& part :
+           boxes_meet(stretch.bodies[pair.first], stretch.bodies[pair.second], stretch.within))
+        take(pair, part);
   }
 
   // In the order of time; what goes on from one frame to the next is one part.
@@ -114,13 +149,13 @@ class Search {
       parts.push_back(part);
       return;
     }
-    parts.back().times.high = part.times.high;
-    parts.back().kind = std::max(parts.back().kind, part.kind);
+    extend(parts.back(), part);
   }
 
   const Timeline& timeline_;
   const Scene& scene_;
   const Outline outline_;
+  const unsigned threads_;
   std::vector<bool> straight_, rests_;
   std::map<Pair, std::vector<MeetingPart>> parts_;
 };
@@ -138,8 +173,9 @@ bool rests(const Scene& scene, std::uint32_t entity) {
   return keeps_velocity(scene, entity) && scene.entities[entity].velocity.isZero(0);
 }
 
-std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame, Outline outline) {
-  Search search(timeline, outline);
+std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame, Outline outline,
+                                   unsigned threads) {
+  Search search(timeline, outline, threads);
   search.run(last_frame);
   return std::move(search).found();
 }

@@ -26,12 +26,13 @@ bool rests(const Scene& scene, std::uint32_t entity);
 /// by entity.
 ///
 /// Needs   last_frame as the timeline has it.
-/// Gives   no pair of which neither ever moves. Nothing goes through another unseen, however fast: times between frames count. What turns,
-///         follows curves or changes its look is held as in each frame and moved straight to its
-///         place in the next.
-/// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp.
+/// Gives   no pair of which neither ever moves. Nothing goes through another unseen, however fast:
+///         times between frames count. What turns or follows curves moves straight and turns evenly
+///         from its place in one frame to that in the next; looks and sizes are held as in the frame.
+/// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp. What turns: proven,
+///         as turning_contact().
 /// Cost    a sweep over boxes, for scenes where all keep their velocity once, else once a frame.
 std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame,
-                                   Outline outline = Outline::own);
+                                   Outline outline = Outline::own, unsigned threads = 1);
 
 }  // namespace flatray

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
+#include "collide/contact_batch.h"
+#include "collide/turning_contact.h"
+
 namespace flatray {
 namespace {
 
@@ -10,13 +14,10 @@ using Ring = std::vector<Vec2>;
 MeetingPart meeting_part(const RoundContact& met, const RoundBody& a, const RoundBody& b) {
   const HitInterval& times = met.times;
   MeetingPart part{{times.t_enter, times.t_exit}, times.kind, times.start, {0, 0}, {0, 0}};
-  if (met.first) {
-    const RoundPlace place = place_at(*met.first, a, b, times.t_enter);
-    part.point = place.point;
-    part.normal = place.normal;
-  } else {
-    part.point = a.core.vertices.front() + part.times.low * a.core.velocity;
-  }
+  const RoundPlace place =
+      met.first ? place_at(*met.first, a, b, times.t_enter) : resting_place(a, b, part.times.low);
+  part.point = place.point;
+  part.normal = place.normal;
   return part;
 }
 
@@ -30,9 +31,7 @@ void join(std::vector<MeetingPart>& parts) {
       parts[++kept] = parts[i];
       continue;
     }
-    last.times.high = std::max(last.times.high, parts[i].times.high);
-    last.kind = std::max(last.kind, parts[i].kind);
-    last.start = std::max(last.start, parts[i].start);
+    extend(last, parts[i]);
   }
   if (!parts.empty()) parts.resize(kept + 1);
 }
@@ -51,11 +50,120 @@ std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const
   return parts;
 }
 
+// Parts as a turning body sees them; of one that does not turn as it lies.
+std::vector<ShapePart> parts_about(const MovingShape& moving) {
+  const Pose& place = moving.place;
+  return parts_of(*moving.shape, moving.spin == 0 ? Pose{{0, 0}, place.cos, place.sin, place.scale}
+                                                  : Pose{{0, 0}, 1, 0, place.scale});
+}
+
+TurningBody turning_body(const ShapePart& part, const MovingShape& moving) {
+  return {part.ring,
+          part.radius,
+          moving.place.at,
+          moving.velocity,
+          moving.spin == 0 ? 0 : moving.angle,
+          moving.spin};
+}
+
+std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingShape& b,
+                                             double length) {
+  std::vector<MeetingPart> parts;
+  const std::vector<ShapePart> parts_b = parts_about(b);
+  for (const ShapePart& p : parts_about(a))
+    for (const ShapePart& q : parts_b) {
+      const TurningBody one = turning_body(p, a), other = turning_body(q, b);
+      const TurningContact first = turning_contact(one, other, length, kTurningWidth);
+      if (first.verdict == TurningContact::Verdict::apart) continue;
+      const bool certain = first.verdict == TurningContact::Verdict::meets;
+      const TurningContact last =
+          certain ? turning_contact(one, other, length, kTurningWidth, true) : first;
+      parts.push_back({{first.first.low, std::max(first.first.high, last.first.high)},
+                       certain ? HitClass::through : HitClass::touch,
+                       first.start,
+                       first.place.point,
+                       first.place.normal,
+                       first.first.high - first.first.low,
+                       certain});
+    }
+  join(parts);
+  return parts;
+}
+
 std::vector<ShapePart> box_of(const MovingShape& moving) {
   const Bounds box = shape_bounds(*moving.shape, moving.place);
   if (box.empty()) return {};
   return {{{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}}};
 }
+
+// Polygons of many bodies, asked together.
+class PolygonPairs {
+ public:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  PolygonPairs(std::span<const MovingShape> bodies, std::span<const Pair> pairs) : bodies_(bodies) {
+    parts_.resize(bodies.size());
+    shapes_of_.resize(bodies.size());
+    for (const Pair& pair : pairs) {
+      begin_.push_back(asks_.size());
+      if (!takes(pair)) continue;
+      make_ready(pair.first);
+      make_ready(pair.second);
+      for (std::uint32_t p = 0; p < parts_[pair.first].size(); ++p)
+        for (std::uint32_t q = 0; q < parts_[pair.second].size(); ++q)
+          asks_.push_back({shapes_of_[pair.first] + p, shapes_of_[pair.second] + q,
+                           bodies[pair.first].velocity, bodies[pair.second].velocity});
+    }
+    begin_.push_back(asks_.size());
+  }
+
+  // Whether all there is to two bodies are polygons that do not turn.
+  bool takes(const Pair& pair) const {
+    const auto plain = [](const MovingShape& body) {
+      return body.spin == 0 && body.shape->circles.empty();
+    };
+    return plain(bodies_[pair.first]) && plain(bodies_[pair.second]);
+  }
+
+  void ask(Range within, unsigned threads) {
+    found_.resize(asks_.size());
+    constexpr std::size_t kBlock = 2048;
+    parallel_for((asks_.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+      const std::size_t from = block * kBlock, count = std::min(kBlock, asks_.size() - from);
+      contacts(shapes_, std::span(asks_).subspan(from, count), within,
+               std::span(found_).subspan(from, count));
+    });
+  }
+
+  std::vector<MeetingPart> meetings(std::size_t pair) const {
+    std::vector<MeetingPart> parts;
+    for (std::size_t i = begin_[pair]; i < begin_[pair + 1]; ++i) {
+      if (!found_[i].times) continue;
+      const MovingPair& ask = asks_[i];
+      const RoundBody a{{shapes_.ring(ask.a), ask.velocity_a}},
+          b{{shapes_.ring(ask.b), ask.velocity_b}};
+      parts.push_back(meeting_part(round_contact(found_[i], a, b), a, b));
+    }
+    join(parts);
+    return parts;
+  }
+
+ private:
+  void make_ready(std::uint32_t body) {
+    if (!parts_[body].empty()) return;
+    parts_[body] = parts_of(*bodies_[body].shape, bodies_[body].place);
+    shapes_of_[body] = static_cast<std::uint32_t>(shapes_.size());
+    for (const ShapePart& part : parts_[body]) shapes_.add(part.ring);
+  }
+
+  const std::span<const MovingShape> bodies_;
+  std::vector<std::vector<ShapePart>> parts_;  // by body, as far as asked
+  std::vector<std::uint32_t> shapes_of_;       // the first shape of each
+  PolygonSet shapes_;
+  std::vector<MovingPair> asks_;
+  std::vector<std::size_t> begin_;  // of the asks of each pair
+  std::vector<Contact> found_;
+};
 
 }  // namespace
 
@@ -71,9 +179,40 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
   return all;
 }
 
+void extend(MeetingPart& last, const MeetingPart& next) {
+  if (!last.certain && next.certain) {
+    last.width = next.times.low + next.width - last.times.low;
+    last.certain = true;
+  }
+  last.times.high = std::max(last.times.high, next.times.high);
+  last.kind = std::max(last.kind, next.kind);
+  last.start = std::max(last.start, next.start);
+}
+
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within) {
+  if (a.spin != 0 || b.spin != 0) return turning_shapes_meet(a, b, within.high);
   return parts_meet(parts_of(*a.shape, a.place), a.velocity, parts_of(*b.shape, b.place),
                     b.velocity, within);
+}
+
+std::vector<std::vector<MeetingPart>> pairs_meet(
+    std::span<const MovingShape> bodies,
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within,
+    unsigned threads) {
+  // Making shapes ready pays for those that are asked about more than once.
+  std::vector<bool> asked(bodies.size());
+  for (const auto& [a, b] : pairs) asked[a] = asked[b] = true;
+  const auto shapes = std::count(asked.begin(), asked.end(), true);
+  const bool together = pairs.size() > static_cast<std::size_t>(shapes);
+  PolygonPairs polygons(bodies, together ? pairs : pairs.first(0));
+  polygons.ask(within, threads);
+  std::vector<std::vector<MeetingPart>> met(pairs.size());
+  parallel_for(pairs.size(), threads, [&](std::size_t i) {
+    const auto& [a, b] = pairs[i];
+    met[i] = together && polygons.takes(pairs[i]) ? polygons.meetings(i)
+                                                  : shapes_meet(bodies[a], bodies[b], within);
+  });
+  return met;
 }
 
 std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within) {

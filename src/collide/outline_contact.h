@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "anim/frame_state.h"
@@ -6,11 +9,12 @@
 
 namespace flatray {
 
-/// A shape that moves along a straight line without turning.
+/// A shape that moves along a straight line, and may turn evenly.
 struct MovingShape {
   const Shape* shape;
   Pose place;  ///< at t = 0
   Vec2 velocity;
+  double angle = 0, spin = 0;  ///< radians: that of `place`, and what t adds
 };
 
 /// The convex parts of a shape as placed: pieces, segments, discs.
@@ -26,15 +30,33 @@ struct MeetingPart {
   HitClass kind;
   StartPlace start;  ///< how they lie at t = 0
   Vec2 point;        ///< where they first meet in this part, about; of an overlap a vertex inside
-  Vec2 normal;       ///< unit, out of the first shape; 0 where they overlap from the start
+  Vec2 normal;  ///< unit, out of the first shape; of those that meet from the start that of the
+                ///< shortest way apart
+  double width = 0;     ///< of turning shapes: they first touch in [low, low + width]
+  bool certain = true;  ///< false: they come too close to tell whether they touch
 };
+
+/// Adds a part that begins before `last` ends.
+void extend(MeetingPart& last, const MeetingPart& next);
+
+/// Width asked for the times of turning shapes, in units of t.
+inline constexpr double kTurningWidth = 0x1p-40;
 
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their
 /// convex pieces, segments and discs together.
 ///
 /// Gives   kind: through where any pieces overlap, else along where any touch for a while.
-/// Error   as round_contact(); shapes with arcs are taken without those.
+/// Error   as round_contact(); where one turns as turning_contact(), within a range from 0, and what
+///         parts and meets again in it is one meeting. Shapes with arcs are taken without those.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
+
+/// What shapes_meet tells of each of many pairs of bodies, bit for bit.
+///
+/// Needs   pairs of numbers of bodies.
+/// Cost    polygons that do not turn are made ready once and asked together, contact_batch.h.
+std::vector<std::vector<MeetingPart>> pairs_meet(
+    std::span<const MovingShape> bodies,
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads);
 
 /// The same of the boxes around both shapes.
 std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within);

@@ -218,8 +218,46 @@ StartPlace place(const RoundPair& pair) {
   return within ? StartPlace::inside : on_border ? StartPlace::boundary : StartPlace::outside;
 }
 
-RoundContact without_radius(const RoundBody& a, const RoundBody& b, Range within) {
-  const Contact met = contact(a.core, b.core, within);
+// The outward normal of the side of A - B that begins at a corner.
+Vec2 side_normal(const DifferenceCorner& c, const RoundBody& a, const RoundBody& b) {
+  const Vec2 along = c.edge_of_a ? Vec2(a.core.vertices[c.along] - a.core.vertices[c.a])
+                                 : Vec2(b.core.vertices[c.b] - b.core.vertices[c.along]);
+  return Vec2(along.y(), -along.x()).stableNormalized();
+}
+
+// The normal between two discs about vertices where they first touch: by how far they would pass each
+// other, not by places at a rounded time, which far from the origin tell nothing.
+Vec2 normal_of_discs(const DifferenceCorner& c, const RoundBody& a, const RoundBody& b) {
+  const auto share = [&](bool squared_miss) {
+    return round_once([&](const auto& number) {
+      const auto from =
+          pair_of(number, b.core.vertices[c.b]) - pair_of(number, a.core.vertices[c.a]);
+      const auto way = pair_of(number, b.core.velocity) - pair_of(number, a.core.velocity);
+      const auto radius = number(a.radius) + number(b.radius);
+      const auto whole = radius * radius * dot(way, way), across = cross(from, way);
+      return (squared_miss ? across * across : whole - across * across) / whole;
+    });
+  };
+  const Sign beside = decide([&](const auto& number) {
+    return cross(pair_of(number, b.core.vertices[c.b]) - pair_of(number, a.core.vertices[c.a]),
+                 pair_of(number, b.core.velocity) - pair_of(number, a.core.velocity));
+  });
+  const Vec2 way = (b.core.velocity - a.core.velocity).stableNormalized();
+  const double sine = std::sqrt(share(true)) * static_cast<int>(beside);
+  return -std::sqrt(share(false)) * way - sine * Vec2(-way.y(), way.x());
+}
+
+RoundPlace place_on(const RoundFeature& feature, const RoundBody& a, const RoundBody& b, double t,
+                    const Vec2& normal) {
+  const DifferenceCorner& c = feature.corner;
+  if (feature.on_edge && c.edge_of_a)
+    return {b.core.vertices[c.b] + t * b.core.velocity - b.radius * normal, normal};
+  return {a.core.vertices[c.a] + t * a.core.velocity + a.radius * normal, normal};
+}
+
+}  // namespace
+
+RoundContact round_contact(const Contact& met, const RoundBody& a, const RoundBody& b) {
   const auto feature = [&](const ContactFeature& f) -> std::optional<RoundFeature> {
     if (f.edge == kNoEdge) return std::nullopt;
     const auto edge = static_cast<std::uint32_t>(f.edge),
@@ -232,10 +270,8 @@ RoundContact without_radius(const RoundBody& a, const RoundBody& b, Range within
   return {met.times, feature(met.first), feature(met.last)};
 }
 
-}  // namespace
-
 RoundContact round_contact(const RoundBody& a, const RoundBody& b, Range within) {
-  if (a.radius == 0 && b.radius == 0) return without_radius(a, b, within);
+  if (a.radius == 0 && b.radius == 0) return round_contact(contact(a.core, b.core, within), a, b);
   const RoundPair pair(a, b);
   if (a.core.velocity == b.core.velocity) return {point_test(place(pair), within), {}, {}};
   const RoundLine line = hit_line(pair);
@@ -250,19 +286,36 @@ RoundContact round_contact(const RoundBody& a, const RoundBody& b, Range within)
 }
 
 RoundPlace place_at(const RoundFeature& feature, const RoundBody& a, const RoundBody& b, double t) {
-  const DifferenceCorner& c = feature.corner;
-  const Vec2 of_a = a.core.vertices[c.a] + t * a.core.velocity;
-  const Vec2 of_b = b.core.vertices[c.b] + t * b.core.velocity;
-  if (!feature.on_edge) {
-    const Vec2 normal = (of_b - of_a).stableNormalized();
-    return {of_a + a.radius * normal, normal};
-  }
-  const MovingPolygon& edges = c.edge_of_a ? a.core : b.core;
-  const Vec2 along = edges.vertices[c.along] - edges.vertices[c.edge_of_a ? c.a : c.b];
-  Vec2 normal = Vec2(along.y(), -along.x()).stableNormalized();
+  if (!feature.on_edge) return place_on(feature, a, b, t, normal_of_discs(feature.corner, a, b));
+  const Vec2 normal = side_normal(feature.corner, a, b);
   // Out of the first: against the way in which it is met.
-  if (normal.dot(a.core.velocity - b.core.velocity) < 0) normal = -normal;
-  return {c.edge_of_a ? Vec2(of_b - b.radius * normal) : Vec2(of_a + a.radius * normal), normal};
+  const double way = normal.dot((a.core.velocity - b.core.velocity).stableNormalized());
+  return place_on(feature, a, b, t, way < 0 ? Vec2(-normal) : normal);
+}
+
+RoundPlace resting_place(const RoundBody& a, const RoundBody& b, double t) {
+  const Difference difference = minkowski_difference(a.core.vertices, b.core.vertices);
+  const Vec2 moved = t * (b.core.velocity - a.core.velocity);
+  const auto from = [&](const DifferenceCorner& c) -> Vec2 {
+    return (b.core.vertices[c.b] - a.core.vertices[c.a]) + moved;
+  };
+  std::optional<RoundPlace> nearest;
+  double least = kInfinity;
+  const std::size_t count = difference.corners.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const DifferenceCorner& corner = difference.corners[k];
+    const Vec2 start = from(corner), end = from(difference.corners[k + 1 == count ? 0 : k + 1]);
+    const Vec2 outward = count == 1 ? Vec2(0, 0) : side_normal(corner, a, b);
+    const Vec2 along(-outward.y(), outward.x());
+    const bool beside = count > 1 && along.dot(start) > 0 && along.dot(end) < 0;
+    const double distance = beside ? std::fabs(outward.dot(start)) : start.stableNorm();
+    if (!(distance < least)) continue;
+    least = distance;
+    const bool is_corner = !beside && distance > 0;
+    nearest = place_on({corner, !is_corner}, a, b, t,
+                       is_corner ? Vec2(start.stableNormalized()) : outward);
+  }
+  return nearest.value_or(RoundPlace{a.core.vertices.front(), {0, 0}});
 }
 
 }  // namespace flatray

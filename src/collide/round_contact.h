@@ -26,6 +26,9 @@ struct RoundContact {
   std::optional<RoundFeature> first, last;
 };
 
+/// What contact() has told of two bodies without radius.
+RoundContact round_contact(const Contact& met, const RoundBody& a, const RoundBody& b);
+
 /// First and last instant within a range at which two bodies meet, in linear motion.
 ///
 /// Needs   as contact() does; radii finite.
@@ -40,5 +43,9 @@ struct RoundPlace {
   Vec2 point, normal;
 };
 RoundPlace place_at(const RoundFeature& feature, const RoundBody& a, const RoundBody& b, double t);
+
+/// Where bodies touch or overlap at a time, whatever way they came: the normal of the shortest way
+/// apart, about; 0 for two points that coincide.
+RoundPlace resting_place(const RoundBody& a, const RoundBody& b, double t);
 
 }  // namespace flatray

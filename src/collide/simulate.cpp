@@ -33,7 +33,7 @@ struct Met {
 double radius_of(const SimulatedBody& body) {
   double radius = 0;
   for (const ShapePart& part : body.parts)
-    for (const Vec2& p : part.ring) radius = std::max(radius, p.norm() + part.radius);
+    for (const Vec2& p : part.ring) radius = std::max(radius, p.stableNorm() + part.radius);
   return radius * (1 + 0x1p-40);
 }
 
@@ -113,12 +113,13 @@ class Run {
   bool discs_may_meet(const Pair& pair, double time) const {
     const auto [i, k] = pair;
     const Vec2 from = place(k, time) - place(i, time);
-    const Vec2 way = stages_[k].back().velocity - stages_[i].back().velocity;
-    const double reach = (radii_[i] + radii_[k]) * (1 + 0x1p-30) +
-                         0x1p-30 * (from.norm() + way.norm() * (end_ - time));
-    const double squared = way.squaredNorm();
-    const double ahead = squared > 0 ? std::clamp(-from.dot(way) / squared, 0.0, end_ - time) : 0;
-    return !((from + ahead * way).norm() > reach);
+    const Vec2 way = (end_ - time) * (stages_[k].back().velocity - stages_[i].back().velocity);
+    const double length = way.stableNorm(), distance = from.stableNorm();
+    const double reach = (radii_[i] + radii_[k]) * (1 + 0x1p-30) + 0x1p-30 * (distance + length);
+    if (!(length > 0 && length < kInfinity)) return !(distance > reach + length);
+    const Vec2 ahead = way / length;
+    const Vec2 nearest = from + std::clamp(-ahead.dot(from), 0.0, length) * ahead;
+    return !(nearest.stableNorm() > reach);
   }
 
   // When a pair meets from `time` on, as seen from there.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "study/blocks.h"
-#include "study/wall_places.h"
 
 namespace flatray {
 namespace {
@@ -15,9 +14,8 @@ class Points : public OrbitSink {
   Points(const Room& room, std::span<const OrbitStart> starts)
       : room_(room), points_(starts.size()) {}
   void bounce(std::size_t number, const Bounce& bounce) override {
-    const double along = room_.length_before(bounce.surface) +
-                         wall_position(room_.walls(), bounce.surface, bounce.point);
-    points_[number].insert(points_[number].end(), {along / room_.perimeter(), sine(bounce)});
+    points_[number].insert(points_[number].end(),
+                           {room_.place_of(bounce) / room_.perimeter(), sine(bounce)});
   }
   void end(std::size_t, const OrbitStop&) override {}
 

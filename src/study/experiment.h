@@ -57,7 +57,8 @@ struct Measure {
 /// the closed form.
 struct ExperimentResult {
   struct File {
-    std::string name, content;
+    std::string name;  ///< what comes before the extension may hold anything
+    std::string content;
   };
   std::vector<File> files;
   std::string summary;

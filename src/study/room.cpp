@@ -30,15 +30,16 @@ Room::Room(const Scene& scene)
       solids_(scene, state_),
       materials_(world_.materials()) {
   before_.push_back(0);
-  for (std::uint32_t i = 0; i < walls().size(); ++i)
-    before_.push_back(before_.back() +
-                      (materials_[i] == Material::periodic ? 0 : wall_length(walls(), i)));
+  for (std::uint32_t i = 0; i < walls().size(); ++i) {
+    const double sides = materials_[i] == Material::periodic ? 0 : inner_side(i) ? 1 : 2;
+    before_.push_back(before_.back() + sides * wall_length(walls(), i));
+  }
   orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
 }
 
 // A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
 // run counter-clockwise; both sides of a lone segment or arc are outside.
-bool Room::faces(std::uint32_t surface, Sign side) const {
+std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
   const SurfaceOwner& owner = world_.owners[surface];
   const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
   const bool curved = !walls().is_straight(surface);
@@ -48,8 +49,16 @@ bool Room::faces(std::uint32_t surface, Sign side) const {
                             : state_.entities[owner.index].shape;
   const Shape& whole = scene_.shapes[shape];
   const bool closed = !whole.arc_paths.empty() && whole.arc_paths.front().closed;
-  if (whole.vertices.empty() && whole.circles.empty() && !closed) return true;
-  return side == (chamber != curved ? Sign::positive : Sign::negative);
+  if (whole.vertices.empty() && whole.circles.empty() && !closed) return std::nullopt;
+  return chamber != curved ? Sign::positive : Sign::negative;
+}
+
+double Room::place_of(const Bounce& bounce) const {
+  const std::uint32_t wall = bounce.surface;
+  const bool second =
+      !inner_side(wall) && bounce.normal.dot(wall_normal(walls(), wall, bounce.point)) < 0;
+  return before_[wall] + wall_position(walls(), wall, bounce.point) +
+         (second ? wall_length(walls(), wall) : 0);
 }
 
 OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
@@ -61,9 +70,10 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
     const double along = draw(0) * perimeter(), sine = 2 * draw(1) - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto surface = static_cast<std::uint32_t>(above - before_.begin() - 1);
-    Sign side = draw(2) < 0.5 ? Sign::positive : Sign::negative;
-    if (!faces(surface, side)) side = -side;
-    const Vec2 place = wall_point(walls(), surface, along - before_[surface]);
+    const double length = wall_length(walls(), surface), within = along - before_[surface];
+    const bool second = within > length;  // of a wall that is bounced off on both sides
+    const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
+    const Vec2 place = wall_point(walls(), surface, second ? within - length : within);
     const auto origin = nearest_double(
         place, [&](const Vec2& point) { return side_of(walls(), surface, point) != -side; });
     if (!origin) continue;

@@ -20,23 +20,24 @@ class Room {
   const Solids& solids() const { return solids_; }
   const OrbitTracer& orbits() const { return *orbits_; }
 
-  /// Length of all walls but periodic ones, and of those before each.
+  /// Length of all walls but periodic ones, those bounced off on both sides twice.
   double perimeter() const { return before_.back(); }
-  double length_before(std::uint32_t surface) const { return before_[surface]; }
+  /// How far along all of them a bounce lies.
+  double place_of(const Bounce& bounce) const;
 
   /// A start on a wall such that bounces along its orbit have the measure that reflection keeps:
   /// uniform in length of wall and in the sine of the angle. One for each number under one seed.
   OrbitStart draw_start(std::uint64_t seed, std::uint64_t number) const;
 
  private:
-  bool faces(std::uint32_t surface, Sign side) const;
+  std::optional<Sign> inner_side(std::uint32_t surface) const;  // nullopt: both
 
   const Scene& scene_;
   FrameState state_;
   World world_;
   Solids solids_;
   std::vector<Material> materials_;
-  std::vector<double> before_;
+  std::vector<double> before_;  // length of the walls before each
   std::unique_ptr<OrbitTracer> orbits_;
 };
 

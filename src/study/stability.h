@@ -28,7 +28,8 @@ struct StabilityTally {
 /// Scenes `first` to `first + count - 1` of a family, all their rays in one batch each.
 ///
 /// Gives   a tally for each tracer.
-/// Cost    some 2 us a ray and tracer; a tenth of a millisecond where rationals are needed.
+/// Cost    some 1 us a ray and 1 to 2 us for each tracer; of `exact`, and where most walls are
+///         too close for bounds, some 20 us.
 std::vector<StabilityTally> check_scenes(std::span<const Tracer* const> tracers,
                                          const oracle::Family& family, std::uint64_t seed,
                                          std::uint64_t first, std::uint64_t count);

@@ -154,6 +154,9 @@ class LaneTracer : public Accelerator {
                                      bool tangents) const override {
     return search_.all(ray, left, tangents);
   }
+  std::size_t tested_of_one(const Ray& ray, const Left& left) const override {
+    return search_.tested(ray, left);
+  }
   std::size_t bytes() const override { return cells_.bytes() + curves_.bytes(); }
   std::string structure() const override {
     if (!cells_.has_cells()) return "one list";
@@ -174,12 +177,11 @@ class LaneTracer : public Accelerator {
   bool decided(const Verdict& verdict, NearestHit& hit) const {
     if (walls_.any_curves() || !verdict.is_certain()) return false;
     if (verdict.is_hit() && std::isnan(verdict.t)) return false;
-    hit.surface = verdict.is_hit() ? verdict.slot : kNoSurface;
-    hit.kind = verdict.is_hit() ? HitClass::touch : HitClass::miss;
-    hit.root = Root::none;
-    hit.at_end = false;
-    hit.t = verdict.is_hit() ? verdict.t : kInfinity;
+    hit = verdict.is_hit() ? crossed(verdict.slot, verdict.t) : NearestHit{};
     return true;
+  }
+  static NearestHit crossed(std::uint32_t surface, double t) {
+    return {surface, HitClass::touch, Root::none, false, t};
   }
 
   NearestHit decide_exactly(const Verdict& verdict, const Ray& ray, const Left& left,
@@ -191,8 +193,10 @@ class LaneTracer : public Accelerator {
     CurveCells::Rivals curved;
     if (walls_.any_curves())
       curved = curves_.rivals(ray, left, timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
-    if (curved.surfaces.empty())
+    if (curved.surfaces.empty()) {
+      if (timed) return crossed(walls_.segment_numbers[verdict.slot], verdict.t);
       return verdict.is_hit() ? crossing_hit(walls_, ray, verdict.slot) : NearestHit{};
+    }
     if (curved.sure && curved.high < t * (1 - 0x1p-50))
       return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
     ExactNearest search(walls_, ray, left, tangents);

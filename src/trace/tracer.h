@@ -29,6 +29,9 @@ class Accelerator {
   /// The first wall of one ray, on which the lanes of a batch would be wasted.
   virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
                                     bool tangents = true) const;
+  /// Walls looked at to find that of one ray, those looked at twice counted twice: over all walls the
+  /// measure of the paper. Of a search in double precision; lanes look at a few more.
+  virtual std::size_t tested_of_one(const Ray& ray, const Left& left = {}) const;
   /// Whether each ray meets a wall at `up_to` or before: 1 or 0.
   ///
   /// Needs   as many of both as rays.

@@ -60,6 +60,19 @@ TEST(Query, ThePapersBoxesMeetAt571Of635) {
             R"("start":"apart"})");
 }
 
+// A hand of length 2 that turns down by 60 degrees meets a shelf 1 below with its tip, half way.
+TEST(Query, WhatTurnsMeetsInAnIntervalThatIsProven) {
+  const std::string ask = R"({"op":"contact","b":{"polygon":[[1,-1],[1,-9],[9,-9],[9,-1]],)"
+                          R"("velocity":[0,0]},"a":{"polygon":[[0,0],[2,0]],"velocity":[0,0],)";
+  const std::string met = answer(ask + R"("spin":-60},"domain":"unit"})");
+  EXPECT_EQ(met.find(R"({"class":"through","t_first":[0.4999999999)"), 0U) << met;
+  EXPECT_NE(met.find(R"(,1],"start":"apart"})"), std::string::npos) << met;
+  EXPECT_EQ(answer(ask + R"("spin":60},"domain":"unit"})"),
+            R"({"class":"miss","t_first":null,"t_last":null,"start":"apart"})");
+  EXPECT_EQ(answer(ask + R"("spin":60}})"),
+            R"({"error":"domain: where something turns it must be \"unit\""})");
+}
+
 TEST(Query, ContactWithoutRelativeMotionHasNoEndsAndAMissNoTimes) {
   const std::string square = R"("polygon":[[0,0],[1,0],[1,1],[0,1]],"velocity":[1,2]})";
   const std::string ask = R"({"op":"contact","domain":"always","a":{)" + square;

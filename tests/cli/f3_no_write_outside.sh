@@ -39,6 +39,13 @@ for file in "$work"/in/deep/*; do
   run 0 render "$file" -o 'all/{scene}/x{scene}_#.png' --quiet
   run 0 render "$file" -o 'all/{scene}/x{scene}_#.png' --quiet --resume
 done
+# Names become those of files of experiments.
+for file in "$work"/in/deep/*; do
+  run 0 experiment markov "$file" -o here/deep/markov --count 10
+  run 0 experiment coverage "$file" -o here/deep/sweep --count 10 --sweep ray.0.bounces=1..2:1
+done
+exists here/deep/markov/markov_.._.._.._.._tmp_flatray_f3.svg
+exists here/deep/sweep/sweep.csv
 [[ $(tree) == "$before" ]] || fail "outside changed: $(diff <(echo "$before") <(tree))"
 [[ -z $(find . -type l -not -name '.f_1.png.1.part') ]] || fail "a link stayed where a file was written"
 

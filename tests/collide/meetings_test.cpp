@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "collide/broad_phase.h"
 #include "oracle/families.h"
 #include "scene/load.h"
@@ -28,7 +31,7 @@ TEST(Meetings, SameWhicheverFrameRate) {
   }
 }
 
-TEST(Meetings, WhatTurnsIsSeenFromFrameToFrame) {
+TEST(Meetings, WhatTurnsMeetsBetweenFrames) {
   const Scene scene = scene_of(
       "flatray = 1\nfps = 1\nframes = 5\n"
       "[[entity]]\nname = \"hand\"\nshape = { box = { min = [1, -0.1], max = [3, 0.1] } }\n"
@@ -37,8 +40,60 @@ TEST(Meetings, WhatTurnsIsSeenFromFrameToFrame) {
   const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 5), 5);
   ASSERT_EQ(met.size(), 1U);
   EXPECT_FALSE(met[0].straight);
-  EXPECT_EQ(met[0].part.times.low, 1);   // frame 2: a quarter turn
-  EXPECT_EQ(met[0].part.times.high, 2);  // held as it is in frame 2 until frame 3
+  // The hand's upper side, 0.1 above its middle, comes to the corners of the post.
+  const double low = std::atan2(1.5, 0.1) - std::asin(0.1 / std::hypot(1.5, 0.1));
+  const double first = low / (std::numbers::pi / 2), last = 2 - first;
+  EXPECT_LE(met[0].part.times.low, first + 1e-15);
+  EXPECT_GE(met[0].part.times.low + met[0].part.width, first - 1e-15);
+  EXPECT_LE(met[0].part.width, 0x1p-40);
+  EXPECT_NEAR(met[0].part.times.high, last, 1e-12);
+  EXPECT_TRUE(met[0].part.certain);
+  EXPECT_NEAR((met[0].part.point - Vec2(0.1, 1.5)).norm(), 0, 1e-11);
+}
+
+void expect_same(const std::vector<MeetingPart>& some, const std::vector<MeetingPart>& others) {
+  ASSERT_EQ(some.size(), others.size());
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    EXPECT_EQ(some[i].times.low, others[i].times.low);
+    EXPECT_EQ(some[i].times.high, others[i].times.high);
+    EXPECT_EQ(some[i].kind, others[i].kind);
+    EXPECT_EQ(some[i].start, others[i].start);
+    EXPECT_EQ(some[i].point, others[i].point);
+    EXPECT_EQ(some[i].normal, others[i].normal);
+  }
+}
+
+// Among all pairs of some polygons, discs and turning ones.
+TEST(Meetings, ManyPairsTogetherTellWhatEachTellsAlone) {
+  const Scene scene = scene_of(
+      "flatray = 1\nframes = 2\nseed = 3\n"
+      "[[entity]]\nname = \"p\"\nshape = { ngon = { sides = 5, radius = { uniform = [0.3, 1] } } "
+      "}\n"
+      "repeat = { scatter = { count = 40, in = [[0, 0], [8, 8]] } }\n"
+      "[[entity]]\nname = \"s\"\nshape = { star = { points = 4, outer = 0.8, inner = 0.3 } }\n"
+      "repeat = { scatter = { count = 10, in = [[0, 0], [8, 8]] } }\n"
+      "[[entity]]\nname = \"d\"\nshape = { circle = { radius = 0.5 } }\n"
+      "repeat = { scatter = { count = 10, in = [[0, 0], [8, 8]] } }\n");
+  std::vector<MovingShape> bodies;
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
+    oracle::Draw draw(5, 42, i);
+    const double x = 4 * draw.unit() - 2, y = 4 * draw.unit() - 2, angle = draw.unit();
+    const Entity& entity = scene.entities[i];
+    bodies.push_back(
+        {&scene.shapes[entity.shape], pose(entity.at, angle), {x, y}, angle, i % 7 == 0 ? 1.5 : 0});
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    for (std::uint32_t k = i + 1; k < bodies.size(); ++k) pairs.emplace_back(i, k);
+  const auto one = pairs_meet(bodies, pairs, {0, 1}, 1), two = pairs_meet(bodies, pairs, {0, 1}, 2);
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto alone = shapes_meet(bodies[pairs[i].first], bodies[pairs[i].second], {0, 1});
+    expect_same(one[i], alone);
+    expect_same(two[i], alone);
+    met += alone.size();
+  }
+  EXPECT_GT(met, 100U);
 }
 
 TEST(Meetings, WhatRestsMeetsNothingThatRests) {

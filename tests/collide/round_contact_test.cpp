@@ -69,6 +69,31 @@ TEST(RoundContact, ADiscThatSlidesAlongASideIsAlong) {
   EXPECT_EQ(slide.t_exit, 6);
 }
 
+// 3-4-5 by discs of radius 1 that pass at 1.2, from so far that no double tells their places.
+TEST(RoundContact, TheNormalOfDiscsDoesNotSufferFromTheWay) {
+  for (const double far : {1e3, 1e16, 1e200, 1e300}) {
+    const Body a = disc({-far, 0}, 1, {far, 0}), b = disc({0, 1.2}, 1, {0, 0});
+    const RoundContact met = round_contact(a, b);
+    ASSERT_TRUE(met.first);
+    const RoundPlace place = place_at(*met.first, a, b, met.times.t_enter);
+    EXPECT_NEAR((place.normal - Vec2(0.8, 0.6)).norm(), 0, 1e-15) << far;
+  }
+}
+
+TEST(RoundContact, WhatLiesInEachOtherTellsTheShortestWayApart) {
+  const Body square = {kSquare, {0, 0}, 0};
+  const Body right = {{{0.75, 0.25}, {2, 0.25}, {2, 0.75}}, {0, 0}, 0};
+  EXPECT_EQ(resting_place(square, right, 0).normal, Vec2(1, 0));
+  EXPECT_EQ(resting_place(right, square, 0).normal, Vec2(-1, 0));
+  EXPECT_EQ(resting_place(square, disc({0.5, 1.5}, 1, {0, 0}), 0).normal, Vec2(0, 1));
+  const RoundPlace corner = resting_place(disc({4, 5}, 6, {0, 0}), square, 0);
+  EXPECT_NEAR((corner.normal - Vec2(-0.6, -0.8)).norm(), 0, 1e-15);
+  EXPECT_NEAR((corner.point - Vec2(0.4, 0.2)).norm(), 0, 1e-15);
+  // Touching exactly, at rest: the side it lies on.
+  const Body beside = {{{1, 0.5}, {2, 0}, {2, 1}}, {0, 0}, 0};
+  EXPECT_EQ(resting_place(square, beside, 0).normal, Vec2(1, 0));
+}
+
 TEST(RoundContact, ACapsuleIsASegmentWithARadius) {
   const Body capsule = {{{0, -1}, {0, 1}}, {0, 0}, 1};
   EXPECT_EQ(meet(disc({-8, 0.5}, 1, {2, 0}), capsule).t_enter, 3);

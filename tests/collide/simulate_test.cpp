@@ -1,10 +1,12 @@
 #include "collide/simulate.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "oracle/families.h"
+#include "support/pictures.h"
 
 namespace flatray {
 namespace {
@@ -143,6 +145,45 @@ TEST(Simulate, ABounceKeepsMomentumWhateverTheMasses) {
     const Vec2 before = heavy * bodies[0].velocity + bodies[1].velocity;
     const Vec2 after = heavy * done.stages[0].back().velocity + done.stages[1].back().velocity;
     EXPECT_NEAR((after - before).norm(), 0, 1e-13 * heavy);
+  }
+}
+
+// Lengths times a power of two: the same events at the same times, velocities times the power.
+TEST(Simulate, TheSameAtAnyScale) {
+  const auto done_at = [](int exponent) {
+    const auto n = [exponent](double x) { return fmt::format("{}", std::ldexp(x, exponent)); };
+    const Scene scene = scene_of(
+        "flatray = 1\nfps = 1\nframes = 12\n"
+        "[[entity]]\nname = \"a\"\nshape = { circle = { radius = " +
+        n(1) +
+        " } }\n"
+        "at = [" +
+        n(-3) + ", 0]\nvelocity = [" + n(1) +
+        ", 0]\n"
+        "[[entity]]\nname = \"b\"\nshape = { circle = { radius = " +
+        n(1) +
+        " } }\n"
+        "at = [0, " +
+        n(1) +
+        "]\n"
+        "[[entity]]\nname = \"c\"\nshape = { box = { min = [" +
+        n(-1) + ", " + n(-1) + "], max = [" + n(1) + ", " + n(1) + "] } }\nat = [" + n(3) + ", " +
+        n(2.5) + "]\n");
+    return simulate(*bodies_of(Timeline(scene, 0, 12), {}), Response::bounce, 11);
+  };
+  const Simulation one = done_at(0);
+  ASSERT_EQ(one.events.size(), 2U);
+  for (const int exponent : {-1000, -600, 600, 990}) {
+    SCOPED_TRACE(exponent);
+    const Simulation done = done_at(exponent);
+    ASSERT_EQ(done.events.size(), one.events.size());
+    for (std::size_t i = 0; i < one.events.size(); ++i) {
+      EXPECT_NEAR(done.events[i].time, one.events[i].time, 1e-13);
+      EXPECT_NEAR((done.events[i].normal - one.events[i].normal).norm(), 0, 1e-13);
+      const Vec2 velocity(std::ldexp(done.events[i].velocity_b.x(), -exponent),
+                          std::ldexp(done.events[i].velocity_b.y(), -exponent));
+      EXPECT_NEAR((velocity - one.events[i].velocity_b).norm(), 0, 1e-13);
+    }
   }
 }
 

@@ -130,6 +130,22 @@ TEST(PhasePortion, OfAClosedDiamondIsFourCells) {
   EXPECT_EQ(measure(result, "diamond").value, 4.0 / 10'000);
 }
 
+// pi A / P holds where walls that stand alone count with both of their sides.
+TEST(MeanFreePath, OfARoomWithALoneWallCountsBothItsSides) {
+  const Scene scene = room("box = { min = [0, 0], max = [4, 4] }",
+                           "{ shape = { segment = { from = [1, 2], to = [3, 2.5] } } }");
+  const Measure found = measure(run("mean-free-path", {scene, 7, 100'000, 1}), "mean_free_path");
+  EXPECT_NEAR(*found.expected, 3.141592653589793 * 16 / (16 + 2 * std::hypot(2, 0.5)), 1e-12);
+  EXPECT_NEAR(found.value, *found.expected, 4 * found.standard_error);
+}
+
+TEST(MeanFreePath, OfARoomWithoutAnInsideIsRefused) {
+  const Scene scene = room("segment = { from = [0, 0], to = [1, 0] }");
+  const auto result = experiment("mean-free-path").run({scene, 1, 100, 1});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error()[0].message, "the chamber encloses an area of 0");
+}
+
 bool is_unavailable(const Result<ExperimentResult>& result) {
   return !result && result.error().front().trouble == Trouble::unavailable;
 }

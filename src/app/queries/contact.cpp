@@ -1,13 +1,45 @@
 #include "app/query/query.h"
-#include "collide/round_contact.h"
+#include "collide/turning_contact.h"
 
 namespace flatray::queries {
 namespace {
 
+// A ring as seen from the point it turns about.
+std::vector<Vec2> from_about(const Question::Moving& body) {
+  std::vector<Vec2> ring;
+  for (const Vec2& p : body.polygon) ring.push_back(p - body.about);
+  return ring;
+}
+
+JsonValue interval(const Range& range) { return Values{range.low, range.high}; }
+
+Fields turning_answer(const Question::Moving& a, const Question::Moving& b) {
+  const std::vector<Vec2> ring_a = from_about(a), ring_b = from_about(b);
+  const TurningBody one = {ring_a, a.radius, a.about, a.velocity, 0, a.spin};
+  const TurningBody other = {ring_b, b.radius, b.about, b.velocity, 0, b.spin};
+  constexpr double kLength = 1, kWidth = 0x1p-40;
+  const TurningContact first = turning_contact(one, other, kLength, kWidth);
+  const bool meets = first.verdict == TurningContact::Verdict::meets;
+  Fields fields = {
+      {"class", meets                                             ? "through"
+                : first.verdict == TurningContact::Verdict::apart ? "miss"
+                                                                  : "undecided"},
+      {"t_first", JsonValue()},
+      {"t_last", JsonValue()},
+      {"start", first.start == StartPlace::boundary ? "undecided" : contact_name(first.start)}};
+  if (first.verdict != TurningContact::Verdict::apart) fields[1].second = interval(first.first);
+  if (meets) fields[2].second = interval(turning_contact(one, other, kLength, kWidth, true).first);
+  return fields;
+}
+
 Fields answer(Question& question) {
   const Question::Moving a = question.moving("a"), b = question.moving("b");
   const Range within = question.domain("always", "future", "unit");
+  const bool turning = a.spin != 0 || b.spin != 0;
+  if (turning && within.high != 1)
+    question.mistake("domain", "where something turns it must be \"unit\"");
   if (!question.sound()) return {};
+  if (turning) return turning_answer(a, b);
   const HitInterval times = round_contact({{a.polygon, a.velocity}, a.radius},
                                           {{b.polygon, b.velocity}, b.radius}, within)
                                 .times;

@@ -98,7 +98,7 @@ Question::Moving Question::moving(std::string_view name) {
   const JsonValue* value = find(name);
   if (value == nullptr) return {{}, {0, 0}};
   const std::string where(name);
-  check_fields(*value, where, {"polygon", "disc", "radius", "velocity"});
+  check_fields(*value, where, {"polygon", "disc", "radius", "velocity", "spin", "about"});
   const JsonValue *polygon = value->find("polygon"), *disc = value->find("disc");
   const JsonValue *velocity = value->find("velocity"), *radius = value->find("radius");
   if ((polygon == nullptr) == (disc == nullptr) || velocity == nullptr) {
@@ -110,11 +110,27 @@ Question::Moving Question::moving(std::string_view name) {
     check_fields(*disc, where + ".disc", {"center", "radius"});
     if (radius != nullptr) mistake(where + ".radius", "stands in the disc");
     const Circle circle = read_circle(*disc, where + ".disc");
-    return {{circle.centre}, way, circle.radius};
+    Moving body = {{circle.centre}, way, circle.radius};
+    read_spin(*value, where, body);
+    return body;
   }
   const auto length = radius == nullptr ? std::optional<double>(0) : number_in(*radius);
   if (!length || *length < 0) mistake(where + ".radius", "is no number of 0 or more");
-  return {read_polygon(*polygon, where + ".polygon"), way, length.value_or(0)};
+  Moving body = {read_polygon(*polygon, where + ".polygon"), way, length.value_or(0)};
+  read_spin(*value, where, body);
+  return body;
+}
+
+void Question::read_spin(const JsonValue& value, const std::string& where, Moving& body) {
+  const JsonValue *spin = value.find("spin"), *about = value.find("about");
+  if (about != nullptr) body.about = read_point(*about, where + ".about");
+  if (spin == nullptr) {
+    if (about != nullptr) mistake(where + ".about", "needs a spin");
+    return;
+  }
+  const auto degrees = number_in(*spin);
+  if (!degrees) mistake(where + ".spin", "is no number");
+  body.spin = degrees.value_or(0) * (std::numbers::pi / 180);
 }
 
 // Says which fields of an object are none of `known`.

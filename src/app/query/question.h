@@ -41,11 +41,14 @@ class Question {
   /// Corners of a convex polygon, at least one.
   std::vector<Vec2> polygon(std::string_view name);
   /// {"polygon":[[x,y],...],"velocity":[vx,vy]}, also with a "radius" that is laid round it, or with
-  /// "disc":{"center":[x,y],"radius":r} in place of the polygon.
+  /// "disc":{"center":[x,y],"radius":r} in place of the polygon; with a "spin" in degrees a unit of
+  /// t it turns about the point "about", [0, 0] where that is not said.
   struct Moving {
     std::vector<Vec2> polygon;
     Vec2 velocity;
     double radius = 0;
+    double spin = 0;  ///< radians
+    Vec2 about{0, 0};
   };
   Moving moving(std::string_view name);
   /// {"center":[x,y],"radius":r}
@@ -70,6 +73,7 @@ class Question {
   Vec2 read_point(const JsonValue& value, const std::string& where);
   std::vector<Vec2> read_polygon(const JsonValue& value, const std::string& where);
   Circle read_circle(const JsonValue& value, const std::string& where);
+  void read_spin(const JsonValue& value, const std::string& where, Moving& body);
   void read_arc(const JsonValue& value, const std::string& where, Surfaces& walls);
   void read_degrees(const JsonValue& value, const std::string& where, const Circle& circle,
                     Surfaces& walls);

@@ -24,19 +24,21 @@ constexpr auto kOptions = with_scene_options(
      {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
       OptionKind::flag},
      kSeedOption,
+     kThreadsOption,
      kJsonOption,
      kCsvOption});
 
 ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings) {
   ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
-                     "normal_y", "motion"},
+                     "normal_y", "motion", "width"},
                     {}};
   for (const Meeting& meeting : meetings) {
-    const auto& [times, kind, start, point, normal] = meeting.part;
+    const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
-                          name(kind), times.low, times.high, 1 + times.low * scene.fps,
-                          times.low > 0 ? "apart" : contact_name(start), point.x(), point.y(),
-                          normal.x(), normal.y(), meeting.straight ? "straight" : "by frames"});
+                          certain ? name(kind) : "undecided", times.low, times.high,
+                          1 + times.low * scene.fps, times.low > 0 ? "apart" : contact_name(start),
+                          point.x(), point.y(), normal.x(), normal.y(),
+                          meeting.straight ? "straight" : "by frames", width});
   }
   return table;
 }
@@ -106,11 +108,13 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
     if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
     return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
   }
+  const auto width = threads(arguments);
+  if (!width) return tl::unexpected(width.error());
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (const std::string note = left_out(scene);
       outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);
-  return meeting_table(scene, find_meetings(timeline, frames, outline));
+  return meeting_table(scene, find_meetings(timeline, frames, outline, *width));
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {

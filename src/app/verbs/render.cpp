@@ -66,7 +66,10 @@ Result<VerbOutput> run(const Arguments& given) {
   if (!renderer) return tl::unexpected(renderer.error());
   const auto view = chosen_view(arguments);
   if (!view) return tl::unexpected(view.error());
+  const auto tracer = chosen_tracer(arguments);
+  if (!tracer) return tl::unexpected(tracer.error());
   for (RenderJob& job : *jobs) {
+    job.tracer = *tracer;
     job.renderer = *renderer;
     job.view = *view;
     if (*view && job.output.format() == PictureFormat::hdr)

@@ -33,7 +33,8 @@ std::vector<std::string> exact_tracers() {
 }
 
 constexpr auto kOptions = with_scene_options(
-    {{"families", '\0', "NAME,NAME", "only these families of inputs", OptionKind::text,
+    {{"families", '\0', "NAME,NAME",
+      "only these families of inputs, as docs/NUMERICS.md names them", OptionKind::text,
       &family_names},
      {"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
       &tracer_names},
@@ -238,6 +239,7 @@ extern const Verb stability = {
     kOptions,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
+    "  flatray stability --families tangents,arc-ends,ellipses\n"
     "  flatray stability --leaks 100000 --tracer grid\n"
     "  flatray stability --catalogue -o out/stability\n"
     "  flatray stability --sweep -o out/stability\n"

@@ -35,7 +35,7 @@ class Study {
     const StepMatrix drawn = drawn_probabilities(chain);
     const StepMatrix given = given_probabilities(chain).value_or(drawn);
     add_transitions(chain, add_starts(index, given, drawn), given);
-    result_.files.push_back({file_name(index), svg(graph(chain, given))});
+    result_.files.push_back({fmt::format("markov_{}.svg", chain.name), svg(graph(chain, given))});
   }
 
   ExperimentResult result() && {
@@ -167,16 +167,6 @@ class Study {
       for (std::size_t j = 0; j < shown.size(); ++j)
         if (shown[i][j].sign() != Sign::zero) graph.arrows.push_back({i, j, label(shown[i][j])});
     return graph;
-  }
-
-  // A chain's name may hold anything: only plain names go into file names as they are.
-  std::string file_name(std::uint32_t index) const {
-    const std::string& name = context_.scene.chains[index].name;
-    const bool plain = name.size() <= 64 && !name.empty() &&
-                       name.find_first_not_of(
-                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                           "0123456789_-") == std::string::npos;
-    return fmt::format("markov_{}.svg", plain ? name : fmt::format("chain.{}", index + 1));
   }
 
   std::string summary() const {

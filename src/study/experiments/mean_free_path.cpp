@@ -40,6 +40,10 @@ class Flights : public OrbitSink {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
+  if (const double area = room.solids().free_area(); !(area > 0))
+    return fail(context.scene.chambers.front().where,
+                fmt::format("the chamber encloses an area of {:.6g}", area),
+                "give it an outline that is closed, larger than its pillars");
   const auto plan = plan_orbits(context, kBounces);
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);

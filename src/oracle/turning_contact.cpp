@@ -1,0 +1,224 @@
+#include "oracle/turning_contact.h"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/portable_math.h"
+
+namespace flatray::oracle {
+namespace {
+
+constexpr unsigned kBits = 256;
+using Long = mpf_class;
+
+Long number(double x) { return {x, kBits}; }
+
+template <class Number>
+struct Place {
+  Number x, y;
+};
+template <class Number>
+using Ring = std::vector<Place<Number>>;
+
+template <class Number>
+struct Angle {
+  Number cos, sin;
+};
+
+Angle<double> turn(double angle) { return {portable::cos(angle), portable::sin(angle)}; }
+
+// The series of an angle halved until it is small, then doubled as often.
+Angle<Long> turn(Long angle) {
+  int halved = 0;
+  for (; abs(angle) > 0x1p-8; ++halved) angle /= 2;
+  Long term = number(1), cos = number(1), sin = number(0);
+  for (int k = 1; k < 40; ++k) {
+    term = Long(term * angle / k);
+    switch (k % 4) {
+      case 0:
+        cos += term;
+        break;
+      case 1:
+        sin += term;
+        break;
+      case 2:
+        cos -= term;
+        break;
+      default:
+        sin -= term;
+    }
+  }
+  for (; halved > 0; --halved) {
+    const Long twice = 2 * sin * cos;
+    cos = 1 - 2 * sin * sin;
+    sin = twice;
+  }
+  return {cos, sin};
+}
+
+double as(double x, double) { return x; }
+Long as(double x, const Long&) { return number(x); }
+
+template <class Number>
+Ring<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& t) {
+  const auto n = [&t](double x) { return as(x, t); };
+  const Angle<Number> turned = turn(Number(n(body.angle) + t * n(body.spin)));
+  const Number x = n(body.at.x()) - n(origin.x()) + t * n(body.velocity.x());
+  const Number y = n(body.at.y()) - n(origin.y()) + t * n(body.velocity.y());
+  Ring<Number> ring;
+  for (const Vec2& p : body.ring)
+    ring.push_back({x + turned.cos * n(p.x()) - turned.sin * n(p.y()),
+                    y + turned.sin * n(p.x()) + turned.cos * n(p.y())});
+  return ring;
+}
+
+template <class Number>
+Number area(const Place<Number>& a, const Place<Number>& b, const Place<Number>& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Of a ring with an inside, counter-clockwise.
+template <class Number>
+bool holds(const Ring<Number>& ring, const Place<Number>& p) {
+  if (ring.size() < 3) return false;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (area(ring[i], ring[(i + 1) % ring.size()], p) < 0) return false;
+  return true;
+}
+
+// At inner points of both: what only touches does so with a corner.
+template <class Number>
+bool sides_cross(const Ring<Number>& a, const Ring<Number>& b) {
+  const auto differ = [](const Number& p, const Number& q) {
+    return (p < 0 && q > 0) || (p > 0 && q < 0);
+  };
+  if (a.size() < 2 || b.size() < 2) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const auto &p = a[i], &q = a[(i + 1) % a.size()], &r = b[k], &s = b[(k + 1) % b.size()];
+      if (differ(area(p, q, r), area(p, q, s)) && differ(area(r, s, p), area(r, s, q))) return true;
+    }
+  return false;
+}
+
+template <class Number>
+bool cores_meet(const Ring<Number>& a, const Ring<Number>& b) {
+  for (const auto& p : a)
+    if (holds(b, p)) return true;
+  for (const auto& p : b)
+    if (holds(a, p)) return true;
+  return sides_cross(a, b);
+}
+
+template <class Number>
+Number squared_distance(const Ring<Number>& points, const Ring<Number>& sides) {
+  Number least = -as(1, points[0].x);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const auto &from = sides[i], &to = sides[(i + 1) % sides.size()];
+    const Number dx = to.x - from.x, dy = to.y - from.y, length = dx * dx + dy * dy;
+    for (const auto& p : points) {
+      Number x = p.x - from.x, y = p.y - from.y;
+      const Number ahead = x * dx + y * dy;
+      if (ahead > 0 && ahead < length) {
+        const Number across = x * dy - y * dx;
+        const Number squared = across * across / length;
+        if (least < 0 || squared < least) least = squared;
+        continue;
+      }
+      if (ahead > 0) x -= dx, y -= dy;
+      const Number squared = x * x + y * y;
+      if (least < 0 || squared < least) least = squared;
+    }
+  }
+  return least;
+}
+
+double distance(const TurningCore& a, const TurningCore& b, double t) {
+  const Ring<double> p = at_time(a, a.at, t), q = at_time(b, a.at, t);
+  if (cores_meet(p, q)) return -1;
+  return std::sqrt(std::min(squared_distance(p, q), squared_distance(q, p))) - a.radius - b.radius;
+}
+
+double reach(const TurningCore& body) {
+  double most = 0;
+  for (const Vec2& p : body.ring) most = std::max(most, p.norm());
+  return most;
+}
+
+class Scan {
+ public:
+  Scan(const TurningCore& a, const TurningCore& b, double length)
+      : a_(a),
+        b_(b),
+        length_(length),
+        speed_(1e-300 +
+               (1 + 1e-12) * ((b.velocity - a.velocity).norm() + std::fabs(a.spin) * reach(a) +
+                              std::fabs(b.spin) * reach(b))) {}
+
+  FirstTouch run() const {
+    double now = 0;
+    int close_before = 0;
+    while (true) {
+      const double apart = distance(a_, b_, now);
+      if (apart > kClose) {
+        const double step = (apart - 0.5 * kClose) / speed_;
+        if (now + step >= length_)
+          return close_before > 0 ? unknown() : FirstTouch{FirstTouch::Kind::none, 0, 0};
+        now += step;
+        continue;
+      }
+      const double from = std::max(0.0, now - 2 * kClose / speed_);
+      if (const FirstTouch touch = closely(from); touch.kind == FirstTouch::Kind::touch)
+        return touch;
+      if (++close_before > kMostClose) return unknown();
+      now += kClose / speed_;
+      if (now >= length_) return unknown();
+    }
+  }
+
+ private:
+  static constexpr double kClose = 1e-9;
+  static constexpr int kMostClose = 16;
+  static FirstTouch unknown() { return {FirstTouch::Kind::unknown, 0, 0}; }
+
+  FirstTouch closely(double from) const {
+    if (apart_at(a_, b_, from) < 0) return {FirstTouch::Kind::touch, from, from};
+    double low = from, high = from;
+    for (double after = kClose / speed_; after < 1e6 * kClose / speed_; after *= 2) {
+      high = std::min(from + after, length_);
+      if (apart_at(a_, b_, high) < 0) break;
+      low = high;
+      if (high == length_) return unknown();
+    }
+    if (low == high) return unknown();
+    while (true) {
+      const double middle = low + 0.5 * (high - low);
+      if (middle <= low || middle >= high) return {FirstTouch::Kind::touch, low, high};
+      (apart_at(a_, b_, middle) < 0 ? high : low) = middle;
+    }
+  }
+
+  const TurningCore &a_, &b_;
+  const double length_, speed_;
+};
+
+}  // namespace
+
+int apart_at(const TurningCore& a, const TurningCore& b, double t) {
+  const Ring<Long> p = at_time(a, a.at, number(t)), q = at_time(b, a.at, number(t));
+  if (cores_meet(p, q)) return -1;
+  const Long radii = number(a.radius) + number(b.radius);
+  if (radii == 0) return 1;
+  const Long one = squared_distance(p, q), other = squared_distance(q, p);
+  return (one < other ? one : other) > Long(radii * radii) ? 1 : -1;
+}
+
+FirstTouch first_touch(const TurningCore& a, const TurningCore& b, double length) {
+  return Scan(a, b, length).run();
+}
+
+}  // namespace flatray::oracle

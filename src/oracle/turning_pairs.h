@@ -1,0 +1,35 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "oracle/families.h"
+#include "oracle/turning_contact.h"
+
+namespace flatray::oracle {
+
+/// Two turning bodies whose rings it keeps. Sizes about 1, time from 0 to 1.
+struct TurningPair {
+  std::vector<Vec2> ring_a, ring_b;
+  TurningCore shaped_a, shaped_b;  ///< all but their rings
+
+  TurningCore a() const { return with(shaped_a, ring_a); }
+  TurningCore b() const { return with(shaped_b, ring_b); }
+
+ private:
+  static TurningCore with(TurningCore core, const std::vector<Vec2>& ring) {
+    core.ring = ring;
+    return core;
+  }
+};
+
+/// What is hard about a pair of turning bodies.
+struct TurningFamily {
+  const char* name;
+  TurningPair (*make)(Draw& draw);
+};
+std::span<const TurningFamily> turning_families();
+
+/// The pair of a number, the same for ever.
+TurningPair make_pair(const TurningFamily& family, std::uint64_t seed, std::uint64_t item);
+
+}  // namespace flatray::oracle

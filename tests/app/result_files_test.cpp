@@ -1,0 +1,32 @@
+// Files of a result: named by what a scene holds, and never outside their folder.
+#include "app/result_files.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+
+namespace flatray {
+namespace {
+
+TEST(ResultFiles, StayInTheirFolderUnderPlainNames) {
+  const std::filesystem::path folder =
+      std::filesystem::path(FLATRAY_BINARY_DIR) / "tests" / "result_files_test";
+  std::filesystem::remove_all(folder);
+  ExperimentResult result;
+  for (const char* name : {"a.csv", "../../b.svg", "/c/d.svg", ".._.._b.svg", "a b.svg"})
+    result.files.push_back({name, name});
+  result.files.push_back({fmt::format("{:x>1000}.svg", ""), "long"});
+  const auto names = write_files(result, folder);
+  ASSERT_TRUE(names) << format(names.error());
+  EXPECT_EQ(names->size(), 6U);
+  for (const char* name : {"a.csv", ".._.._b.svg", "_c_d.svg", ".._.._b_2.svg", "a_b.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder),
+                          std::filesystem::directory_iterator()),
+            6);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace flatray
