@@ -12,8 +12,9 @@ struct Saving {
 };
 
 /// What leaving out saves: the job's frames drawn and encoded by one thread, nothing written, once
-/// as they are and once with everything kept, in turns.
+/// as they are, once with everything kept, and once with each thing kept that is left out, in turns.
 ///
+/// Gives   the same bytes every time, or it stops the program.
 /// Units   milliseconds of processor time, medians of three rounds.
 /// Error   a frame that draws too many corners.
 Result<std::vector<Saving>> measured_savings(const RenderJob& job);

@@ -15,4 +15,17 @@ for id in "${ids[@]}"; do
   grep -qE "^$id([^0-9]|\$)" <<<"$names" || missing+=("$id")
 done
 echo "stiff cases: ${#ids[@]} numbers, ${#missing[@]} without a test${missing[*]:+: ${missing[*]}}"
-((${#missing[@]} == 0))
+# The tests that the shipped catalogue names are there.
+present=$(
+  for module in */; do
+    cat "$module"*_test.cpp 2>/dev/null | tr '\n' ' ' | grep -oE 'TEST\([A-Za-z0-9_]+,[[:space:]]*[A-Za-z0-9_]+' |
+      sed -E "s/^TEST\(/${module%/}./; s/,[[:space:]]*/./" || true
+  done
+  find cli -name '*.sh' | sed 's,/,.,; s/\.sh$//'
+)
+mapfile -t gone < <(
+  grep -ohE '"(cli\.e[0-9]+_[a-z_]+|[a-z]+\.[A-Za-z]+\.[A-E][0-9]+[A-Za-z0-9]*)"' ../src/oracle/catalogue*.cpp |
+    tr -d '"' | sort -u | grep -vxFf <(echo "$present")
+)
+echo "tests that the catalogue names: ${#gone[@]} are not there${gone[*]:+: ${gone[*]}}"
+((${#missing[@]} + ${#gone[@]} == 0))

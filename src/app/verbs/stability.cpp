@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/stability_log.h"
+#include "app/stability_reports.h"
 #include "app/tracer_choice.h"
 #include "app/verb.h"
 #include "base/isa.h"
@@ -33,24 +34,28 @@ std::vector<std::string> exact_tracers() {
   return names;
 }
 
-constexpr std::array kOptions = {
-    Option{"families", '\0', "NAME,NAME",
-           "only these families of inputs, as docs/NUMERICS.md names them", OptionKind::text,
-           &family_names},
-    Option{"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
-           &tracer_names},
-    Option{"count", '\0', "N",
-           "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
-    Option{
-        "leaks", '\0', "N",
-        "instead, for each tracer N rays aimed at the vertices of sealed rooms, in blocks of 1024"},
-    Option{"pairs", '\0', "N",
-           "instead, N moving pairs of each family, in chunks of 1024, against exact contacts"},
-    Option{"seed", '\0', "N", "seed of all draws (default 1)"},
-    Option{"output", 'o', "FOLDER",
-           "where stability.csv goes, a row a chunk; a run with the same seed goes on from it"},
-    kThreadsOption,
-    kJsonOption};
+constexpr auto kOptions = with_scene_options(
+    {{"families", '\0', "NAME,NAME",
+      "only these families of inputs, as docs/NUMERICS.md names them", OptionKind::text,
+      &family_names},
+     {"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
+      &tracer_names},
+     {"count", '\0', "N",
+      "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
+     {"leaks", '\0', "N",
+      "instead, for each tracer N rays aimed at the vertices of sealed rooms, in blocks of 1024"},
+     {"pairs", '\0', "N",
+      "instead, N moving pairs of each family, in chunks of 1024, against exact contacts"},
+     {"catalogue", '\0', "", "instead, the catalogue of stiff cases by id, for all tracers",
+      OptionKind::flag},
+     {"sweep", '\0', "", "instead, scales and offsets from 2^-1000 to 2^1000, for all tracers",
+      OptionKind::flag},
+     {"seed", '\0', "N", "seed of all draws (default 1)"},
+     {"output", 'o', "FOLDER",
+      "where its files go: stability.csv, a row a chunk, from which a run with the same seed goes "
+      "on"},
+     kThreadsOption,
+     kJsonOption});
 
 // What to check; a chunk of a family is named by its number.
 struct Plan {
@@ -155,10 +160,9 @@ LeakTally leaks_of(const Plan& plan, const Tracer& tracer, const RoomPlace& plac
 }
 
 Result<VerbOutput> run_leaks(const Arguments& arguments, const Plan& plan) {
-  for (const char* other : {"families", "count", "output"})
-    if (arguments.has(other))
-      return usage_error(arguments.where(other), "does not go with --leaks",
-                         "leave one of them out");
+  if (arguments.has("output"))
+    return usage_error(arguments.where("output"), "does not go with --leaks",
+                       "leave one of them out");
   const auto rays = arguments.whole("leaks", 1, 1, std::uint64_t{1} << 40);
   if (!rays) return tl::unexpected(rays.error());
   const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
@@ -208,10 +212,9 @@ Result<void> run_pair_chunks(const Plan& plan, const PairFamily& family, std::ui
 }
 
 Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
-  for (const char* other : {"families", "count", "tracer", "leaks"})
-    if (arguments.has(other))
-      return usage_error(arguments.where(other), "does not go with --pairs",
-                         "leave one of them out");
+  if (arguments.has("tracer"))
+    return usage_error(arguments.where("tracer"), "does not go with --pairs",
+                       "leave one of them out");
   const auto pairs = arguments.whole("pairs", 1, 1, std::uint64_t{1} << 40);
   if (!pairs) return tl::unexpected(pairs.error());
   const std::uint64_t chunks = (*pairs + kPairsAChunk - 1) / kPairsAChunk;
@@ -236,10 +239,39 @@ Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
   return output(arguments, table, wrong == 0);
 }
 
+// What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one at
+// most.
+Result<std::string> what_to_do(const Arguments& arguments) {
+  std::string what = arguments.operands().empty() ? "families" : "scene";
+  for (const char* other : {"catalogue", "sweep", "leaks", "pairs"}) {
+    if (!arguments.has(other)) continue;
+    if (what != "families")
+      return usage_error(arguments.where(other),
+                         "does not go with " + (what == "scene" ? "a scene" : "--" + what),
+                         "leave one of them out");
+    what = other;
+  }
+  if (what != "families")
+    for (const char* other : {"families", "count"})
+      if (arguments.has(other))
+        return usage_error(arguments.where(other), "is about the families of inputs",
+                           "leave it out");
+  return what;
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
+  const auto what = what_to_do(arguments);
+  if (!what) return tl::unexpected(what.error());
   const auto plan = read_plan(arguments);
   if (!plan) return tl::unexpected(plan.error());
-  if (arguments.has("pairs")) return run_pairs(arguments, *plan);
+  const bool named = arguments.has("tracer");
+  StabilityRequest request{plan->tracers, named, plan->seed, plan->threads};
+  if (*what == "scene") return report_margins(arguments, request);
+  if (!named && *what != "families" && *what != "leaks" && *what != "pairs")
+    request.tracers = tracers_at_hand();
+  if (*what == "catalogue") return report_catalogue(arguments, request);
+  if (*what == "sweep") return report_sweep(arguments, request);
+  if (*what == "pairs") return run_pairs(arguments, *plan);
   if (arguments.has("leaks")) return run_leaks(arguments, *plan);
   auto log = StabilityLog::open(arguments.text("output"));
   if (!log) return fail(std::move(log));
@@ -265,16 +297,19 @@ Result<VerbOutput> run(const Arguments& arguments) {
 
 extern const Verb stability = {
     "stability",
-    "",
+    "[SCENE]",
     "compare tracers and contacts with exact arithmetic on inputs made to be hard",
     0,
-    0,
+    1,
     kOptions,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
     "  flatray stability --families tangents,arc-ends,ellipses\n"
     "  flatray stability --leaks 100000 --tracer grid\n"
-    "  flatray stability --pairs 10000 -o out/pairs\n",
+    "  flatray stability --pairs 10000 -o out/pairs\n"
+    "  flatray stability --catalogue -o out/stability\n"
+    "  flatray stability --sweep -o out/stability\n"
+    "  flatray stability scenes/chamber/hall.toml   # which of its rays are near a decision\n",
     "",
     &run};
 

@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+
+#include "app/verb.h"
+#include "trace/tracer.h"
+
+namespace flatray {
+
+/// What `flatray stability` is asked, read from its options.
+struct StabilityRequest {
+  std::vector<const Tracer*> tracers;
+  bool named =
+      false;  ///< by --tracer; else those that claim to be exact alone decide the exit code
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+};
+
+/// All tracers that this machine has; says on standard error what it lacks.
+std::vector<const Tracer*> tracers_at_hand();
+
+/// --catalogue: a row for each stiff case and tracer, and the tests of the others; catalogue.csv in
+/// the folder of --output.
+Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityRequest& request);
+
+/// --sweep: scales and offsets from 2^-1000 to 2^1000; sweep.csv and a heat map for each tracer in
+/// the folder of --output.
+Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityRequest& request);
+
+/// SCENE: its rays by how near they are to a decision; margins.csv in the folder of --output.
+Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request);
+
+}  // namespace flatray

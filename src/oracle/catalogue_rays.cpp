@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "oracle/catalogue.h"
+
+namespace flatray::oracle {
+namespace {
+
+using Ring = std::vector<Vec2>;
+using Rays = std::vector<StiffRay>;
+using T = std::optional<double>;
+
+const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+constexpr double kTurn = 6.283185307179586;
+
+void add_ring(Surfaces& walls, const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    walls.add(Segment{ring[i], ring[(i + 1) % ring.size()]});
+}
+
+Rays operator+(Rays a, const Rays& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Rays among(Surfaces walls, const Ray& ray, T t) {
+  return {{std::make_shared<const Surfaces>(std::move(walls)), ray, t}};
+}
+
+// B7: from every first vertex and in both senses.
+Rays of_ring(Ring ring, const Ray& ray, T t) {
+  Rays rays;
+  for (int reversal = 0; reversal < 2; ++reversal) {
+    for (std::size_t first = 0; first < ring.size(); ++first) {
+      std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+      Surfaces walls;
+      add_ring(walls, ring);
+      rays = std::move(rays) + among(std::move(walls), ray, t);
+    }
+    std::reverse(ring.begin(), ring.end());
+  }
+  return rays;
+}
+
+Rays of_circle(const Circle& circle, const Ray& ray, T t) {
+  Surfaces walls;
+  walls.add(circle);
+  return among(std::move(walls), ray, t);
+}
+
+Ring box(double low_x, double low_y, double high_x, double high_y) {
+  return {{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}};
+}
+
+Rays scaled(double u) { return of_ring(box(-u, -u, u, u), {{-2 * u, 0}, {4 * u, 0}}, 0.25); }
+
+// All points of the grid as walls, then all but those on the line.
+Rays near_collinear() {
+  Surfaces all, beside;
+  for (int i = 0; i < 256; ++i)
+    for (int j = 0; j < 256; ++j) {
+      const Vec2 point(0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53);
+      all.add(Segment{point, point});
+      if (i != j) beside.add(Segment{point, point});
+    }
+  const Ray ray{{24, 24}, {-12, -12}};
+  const double first = (24 - (0.5 + 255 * 0x1p-53)) / 12;
+  return among(std::move(all), ray, first) + among(std::move(beside), ray, {});
+}
+
+Rays decimals() {
+  Surfaces point;
+  point.add(Segment{{0.2, 0.6}, {0.2, 0.6}});
+  return among(std::move(point), {{0.1, 0.3}, {0.3 - 0.1, 0.9 - 0.3}}, {});
+}
+
+Rays tangent() {
+  const Ray ray{{-5, 10}, {4, -3}};
+  return of_circle({{0, 0}, 5}, ray, 2) + of_circle({{0, 0}, std::nextafter(5.0, 0.0)}, ray, {});
+}
+
+Rays far_circle() {
+  const double half = std::sqrt(0x1p-52 - 0x1p-106);
+  return of_circle({{0, 0}, 1}, {{-1e8, 1 - 0x1p-53}, {1, 0}}, 1e8 - half);
+}
+
+Rays shared_edge() {
+  Surfaces walls;
+  add_ring(walls, {{0, 0}, {1, 0}, {0, 1}});
+  add_ring(walls, {{1, 0}, {1, 1}, {0, 1}});
+  const auto shared = std::make_shared<const Surfaces>(std::move(walls));
+  Rays rays;
+  for (int k = 0; k <= 1024; ++k) rays.push_back({shared, {{k / 1024.0, -1}, {0, 1}}, 1});
+  return rays;
+}
+
+// Spokes alone: what is aimed at the hub from between two of them meets it, where t is 1.
+Rays fan() {
+  constexpr int kSpokes = 1000;
+  const Vec2 hub(1.0 / 3, 1.0 / 3);
+  const auto rim = [&](int i) {
+    const double angle = kTurn * i / kSpokes;
+    return Vec2(hub.x() + portable::cos(angle), hub.y() + portable::sin(angle));
+  };
+  Surfaces walls;
+  for (int i = 0; i < kSpokes; ++i) walls.add(Segment{hub, rim(i)});
+  const auto shared = std::make_shared<const Surfaces>(std::move(walls));
+  Rays rays;
+  for (int i = 0; i < kSpokes; i += 20) {
+    const Vec2 from = hub + 0.5 * (rim(i) + rim(i + 1) - 2 * hub);
+    const Vec2 way = hub - from;
+    // Where origin + direction is the hub to the last bit, that is t; else the oracle has the t.
+    if (from.x() + way.x() == hub.x() && from.y() + way.y() == hub.y())
+      rays.push_back({shared, {from, way}, kInfinity});
+  }
+  return rays;
+}
+
+Rays duplicates() {
+  Ring ring;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ring.insert(ring.end(), 3, kSquare[i]);
+    ring.push_back(0.5 * (kSquare[i] + kSquare[(i + 1) % 4]));
+  }
+  return of_ring(ring, {{-1, 0.25}, {1, 0}}, 1) + of_ring(ring, {{-1, -1}, {1, 1}}, 1) +
+         of_ring(ring, {{-1, 0}, {1, 1}}, 1) + of_ring(ring, {{0.5, -1}, {0, 3}}, 1.0 / 3);
+}
+
+Rays no_area() {
+  return of_ring({{1, 1}, {1, 1}, {1, 1}}, {{0, 0}, {1, 1}}, 1) +
+         of_ring({{1, 1}, {1, 1}, {1, 1}}, {{0, 0}, {1, 2}}, {}) +
+         of_ring({{0, 0}, {2, 0}}, {{1, -1}, {0, 2}}, 0.5) +
+         of_ring({{0, 0}, {2, 0}, {1, 0}}, {{-1, 0}, {1, 0}}, 1) +
+         of_ring({{0, 0}, {2, 0}, {1, 0}}, {{-1, 1}, {1, 0}}, {});
+}
+
+Rays coincident() {
+  Surfaces walls;
+  walls.add(Segment{{0, 1}, {1, 1}});
+  for (int i = 0; i < 10'000; ++i) walls.add(Segment{{0, 0}, {1, 0}});
+  return among(std::move(walls), {{0.5, -1}, {0, 1}}, 1);
+}
+
+Rays many_gon() {
+  constexpr int kSides = 100'000;
+  Ring ring;
+  for (int i = 0; i < kSides; ++i)
+    ring.emplace_back(portable::cos(kTurn * i / kSides), portable::sin(kTurn * i / kSides));
+  Surfaces walls;
+  add_ring(walls, ring);
+  return among(std::move(walls), {{-2, 0}, {1, 0}}, 1);
+}
+
+Rays odd_circles() {
+  return of_circle({{0, 0}, 0}, {{-1, 0}, {1, 0}}, 1) +
+         of_circle({{0, 0}, 5e-324}, {{-1, 0}, {1, 0}}, 1) +
+         of_circle({{0, 0}, 1e308}, {{0, 0}, {1e308, 0}}, 1);
+}
+
+std::vector<StiffCase> of_scale() {
+  const double x = 1e16, same = 10000000000000001.0;
+  const Ray beside_top{{-1, 1 - 0x1p-53}, {1, 1e-17}};
+  return {
+      {"A1", "huge", "trace.StiffWalls.A1HugeA2TinyAndA3Denormal", scaled(1e300)},
+      {"A2", "tiny", "trace.StiffWalls.A1HugeA2TinyAndA3Denormal", scaled(1e-300)},
+      {"A3", "denormal", "trace.StiffWalls.A1HugeA2TinyAndA3Denormal", scaled(5e-324)},
+      {"A4", "offset 1e15", "trace.StiffWalls.A4Offset1e15",
+       of_ring(box(1e15, 1e15, 1e15 + 1, 1e15 + 1), {{1e15 - 1, 1e15 + 0.5}, {3, 0}}, 1.0 / 3)},
+      {"A5", "lost feature", "trace.StiffWalls.A5LostFeature",
+       of_ring(box(x, 0, same, 1), {{0, 0.5}, {1e16, 0}}, 1) +
+           of_ring(box(x, 0, same, 1), {{x, -1}, {0, 1}}, 1)},
+      {"A6", "one-ulp ray", "trace.StiffWalls.A6OneUlpRay",
+       of_ring(box(1, 0, 2, 1), {{1, 0.5}, {0x1p-52, 0}}, 0)},
+      {"A7", "near-parallel, hit", "trace.StiffWalls.A7ToA11NearParallel",
+       of_ring(kSquare, {{-1, -1e-17}, {1, 1e-17}}, 1)},
+      {"A8", "near-parallel, touch", "trace.StiffWalls.A7ToA11NearParallel",
+       of_ring(kSquare, {{-1, -2e-17}, {1, 1e-17}}, 2)},
+      {"A9", "near-parallel, miss", "trace.StiffWalls.A7ToA11NearParallel",
+       of_ring(kSquare, {{-1, -3e-17}, {1, 1e-17}}, {})},
+      {"A10", "top edge", "trace.StiffWalls.A7ToA11NearParallel",
+       of_ring(kSquare, {{-1, 1}, {1, 1e-17}}, {}) + of_ring(kSquare, beside_top, 1)},
+      {"A11", "denormal slope", "trace.StiffWalls.A7ToA11NearParallel",
+       of_ring(kSquare, {{-1, -5e-324}, {2, 5e-324}}, 1)},
+      {"A12", "long direction", "trace.StiffWalls.A12LongDirection",
+       of_ring(kSquare, {{-1, 0.5}, {0x1p1000, 0}}, 0x1p-1000)},
+      {"A13", "near-collinear grid", "trace.StiffWalls.A13NearCollinearGrid", near_collinear()},
+      {"A14", "decimals", "trace.StiffWalls.A14DecimalsAreTakenAsTheirDoubles", decimals()},
+      {"A15", "tangent of a circle", "trace.StiffWalls.A15TangentOfACircle", tangent()},
+      {"A16", "far circle", "trace.StiffWalls.A16FarCircle", far_circle()},
+  };
+}
+
+std::vector<StiffCase> of_shape() {
+  return {
+      {"B1", "sliver", "trace.StiffWalls.B1Sliver",
+       of_ring({{0, 0}, {1, 0}, {0.5, 5e-324}}, {{0.5, 1}, {0, -1}}, 1)},
+      {"B2", "shared edge", "trace.StiffWalls.B2NothingGetsThroughASharedEdge", shared_edge()},
+      {"B3", "fan", "trace.StiffWalls.B3FanLeaksNoRayAtItsCentre", fan()},
+      {"B4", "along an edge", "trace.StiffWalls.B4ToB6AlongAnEdgeAndAtVertices",
+       of_ring(kSquare, {{-1, 1}, {1, 0}}, 1)},
+      {"B5", "through a vertex", "trace.StiffWalls.B4ToB6AlongAnEdgeAndAtVertices",
+       of_ring(kSquare, {{-1, -1}, {1, 1}}, 1) + of_ring(kSquare, {{2, -1}, {-1, 1}}, 1)},
+      {"B6", "vertex touch", "trace.StiffWalls.B4ToB6AlongAnEdgeAndAtVertices",
+       of_ring(kSquare, {{-1, 0}, {1, 1}}, 1)},
+      {"B7", "clockwise, any start vertex", "trace.StiffWalls.B7OfWallsThatTieTheLowestNumberIsMet",
+       of_ring(kSquare, {{2, 2}, {-1, -1}}, 1)},
+      {"B8", "duplicates, collinear",
+       "trace.StiffWalls.B8DuplicatesAndCollinearVerticesChangeNoTime", duplicates()},
+      {"B9", "area zero", "trace.StiffWalls.B9AreaZero", no_area()},
+      {"B10", "bow-tie", "trace.StiffWalls.B10BowTie",
+       of_ring({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {{-1, 0.5}, {1, 0}}, 1)},
+      {"B11", "coincident edges", "trace.StiffWalls.B11CoincidentEdgesAreAllMetAtOnce",
+       coincident()},
+      {"B12", "many-gon", "trace.StiffWalls.B12ManyGon", many_gon()},
+      {"B13", "odd circles", "trace.StiffWalls.B13OddCircles", odd_circles()},
+  };
+}
+
+}  // namespace
+
+std::vector<StiffCase> stiff_rays() {
+  std::vector<StiffCase> all = of_scale(), more = of_shape();
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return all;
+}
+
+}  // namespace flatray::oracle
