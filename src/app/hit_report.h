@@ -50,5 +50,8 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
 std::string text_of(const HitReport& report);
 ReportTable csv_rows(const std::vector<HitReport>& reports);
 JsonValue as_value(const HitReport& report);
+/// Of each ray the primitives it was clipped against and those it hits, the measure of the paper:
+/// needs the reports of a ray one after the other.
+Values primitives_hit(const std::vector<HitReport>& reports);
 
 }  // namespace flatray

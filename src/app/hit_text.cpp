@@ -135,4 +135,25 @@ JsonValue as_value(const HitReport& report) {
                 {"start", name(hit.start)}};
 }
 
+Values primitives_hit(const std::vector<HitReport>& reports) {
+  const auto same = [](const NamedRay& a, const NamedRay& b) {
+    return a.name == b.name && a.ray.origin == b.ray.origin && a.ray.direction == b.ray.direction;
+  };
+  Values rays;
+  for (std::size_t i = 0; i < reports.size();) {
+    const NamedRay& ray = reports[i].ray;
+    std::uint64_t tested = 0, edges = 0, hit = 0;
+    for (; i < reports.size() && same(reports[i].ray, ray); ++i, ++tested) {
+      edges += reports[i].steps.size();
+      if (reports[i].hit) ++hit;
+    }
+    rays.push_back(Fields{{"ray", ray.name},
+                          {"tested", tested},
+                          {"edges_tested", edges},
+                          {"hit", hit},
+                          {"hit_share", static_cast<double>(hit) / static_cast<double>(tested)}});
+  }
+  return rays;
+}
+
 }  // namespace flatray

@@ -31,7 +31,7 @@ struct Measured {
 
 Result<void> measure(const RenderJob& job, std::size_t round, Measured& out) {
   const double start = processor_seconds();
-  const RenderPlan plan = make_plan(job.scene, job.keep_all);
+  const RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   FrameEncoder encoder(job, 1);
   out.files.clear();

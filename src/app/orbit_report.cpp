@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "base/portable_math.h"
 #include "geom/hit_interval.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
@@ -72,12 +71,14 @@ Bounce bounce_at(const OrbitRoom& room, const CertifiedOrbit::Bounce& there, con
   const double length = flight.norm();
   Vec2 normal = wall_normal(room.world.surfaces, there.surface, there.point);
   if (normal.dot(flight) > 0) normal = -normal;
-  const double cosine = length > 0 ? std::min(1.0, -normal.dot(flight) / length) : 0;
-  const Vec2 out = flight - 2 * flight.dot(normal) * normal;
-  const double sine = length > 0 ? std::fabs(cross(normal, flight)) / length : 1;
-  return {there.surface,         there.point, length / speed,
-          before + length,       normal,      portable::atan2(sine, cosine),
-          out * (speed / length)};
+  const Vec2 way = length > 0 ? Vec2(flight * (speed / length)) : Vec2(0, 0);
+  return {there.surface,
+          there.point,
+          length / speed,
+          before + length,
+          normal,
+          way,
+          way - 2 * way.dot(normal) * normal};
 }
 
 Orbit as_orbit(const OrbitRoom& room, const CertifiedOrbit& exact, const Ray& start) {
@@ -163,8 +164,8 @@ ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
     const bool certain = number++ < report.certain;
     table.rows.push_back({report.ray, number, bounce.t, bounce.path_length, bounce.point.x(),
                           bounce.point.y(), object_name(room.scene, owner), edge_value(owner),
-                          bounce.normal.x(), bounce.normal.y(), bounce.incidence * kDegreesInRadian,
-                          certain ? "yes" : "no"});
+                          bounce.normal.x(), bounce.normal.y(),
+                          bounce.incidence() * kDegreesInRadian, certain ? "yes" : "no"});
   }
   return table;
 }

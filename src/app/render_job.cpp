@@ -49,7 +49,7 @@ class FrameMaker {
         spread_(spread(job, frames.size(), threads)),
         run_(run_length(frames.size(), spread_)),
         done_(done),
-        plan_(make_plan(job.scene, job.keep_all)),
+        plan_(make_plan(job.scene, job.keep_all, job.tracer)),
         timeline_(job.scene, job.seed, job.last_frame),
         manifest_(job.manifest()),
         made_((frames.size() + run_ - 1) / run_) {
@@ -211,6 +211,7 @@ std::string RenderJob::fingerprint() const {
   if (renderer) hash.add(backend());
   if (view)
     hash.add(view->view->name).add(number_text(view->point.x())).add(number_text(view->point.y()));
+  if (tracer != nullptr && !tracer->exact) hash.add(tracer->name);
   return hash.add(flatray::name(output.format())).add(kVersion).hex();
 }
 
@@ -268,7 +269,7 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
 
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
                                              unsigned threads) {
-  const RenderPlan plan = make_plan(job.scene, job.keep_all);
+  const RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
   const Timeline timeline(job.scene, job.seed, job.last_frame);
   FrameEncoder encoder(job, threads);
   Result<const Encoded*> made = encoder.encode(plan, timeline, frame);

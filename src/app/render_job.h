@@ -27,6 +27,7 @@ struct RenderJob {
   std::uint64_t seed = 0;
   bool keep_all = false;
   std::shared_ptr<const Renderer> renderer = nullptr;  ///< null: the software back end
+  const Tracer* tracer = nullptr;                      ///< of its rays; null: the one of choice
   std::optional<ViewRequest> view = std::nullopt;      ///< drawn instead of the picture
 
   std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }

@@ -41,7 +41,7 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
 void report_note(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
 std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
-                        double seconds) {
+                        double seconds, Fields of_all) {
   Fields options;
   for (const auto& [name, given] : arguments.given()) {
     Values values(given.values.begin(), given.values.end());
@@ -50,13 +50,14 @@ std::string json_report(const char* verb, const Arguments& arguments, JsonValue 
                                                     : JsonValue(std::move(values)));
   }
   const std::vector<std::string>& operands = arguments.operands();
-  return json_text(Fields{{"schema", fmt::format("flatray.{}/1", verb)},
-                          {"version", kVersion},
-                          {"args", Fields{{"operands", Values(operands.begin(), operands.end())},
-                                          {"options", std::move(options)}}},
-                          {"results", std::move(results)},
-                          {"timing", Fields{{"seconds", seconds}}}}) +
-         "\n";
+  Fields report{{"schema", fmt::format("flatray.{}/1", verb)},
+                {"version", kVersion},
+                {"args", Fields{{"operands", Values(operands.begin(), operands.end())},
+                                {"options", std::move(options)}}},
+                {"results", std::move(results)},
+                {"timing", Fields{{"seconds", seconds}}}};
+  std::move(of_all.begin(), of_all.end(), std::back_inserter(report));
+  return json_text(report) + "\n";
 }
 
 JsonValue as_value(const Diagnostic& diagnostic) {

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "app/option_values.h"
-#include "app/tracer_choice.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -31,9 +30,6 @@ std::vector<std::string> view_names() { return names_of(views()); }
 
 Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
   const auto text = arguments.text("view");
-  if (!text && arguments.has("tracer"))
-    return usage_error(arguments.where("tracer"), "goes with --view",
-                       "say --view hits, or leave out --tracer");
   if (!text) return std::nullopt;
   if (arguments.has("backend"))
     return usage_error(arguments.where("view"), "is drawn by rays, not by a back end",
@@ -42,7 +38,7 @@ Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
   const std::string name = text->substr(0, text->find(':'));
   const auto view = find_view(name, where);
   if (!view) return tl::unexpected(view.error());
-  ViewRequest request{*view, {0, 0}, nullptr};
+  ViewRequest request{*view, {0, 0}};
   const bool has_point = name.size() < text->size();
   if (has_point != (*view)->takes_point)
     return usage_error(where, has_point ? "takes no point" : "needs a point",
@@ -52,9 +48,6 @@ Result<std::optional<ViewRequest>> chosen_view(const Arguments& arguments) {
     if (!point) return tl::unexpected(point.error());
     request.point = *point;
   }
-  const auto tracer = chosen_tracer(arguments);
-  if (!tracer) return tl::unexpected(tracer.error());
-  request.tracer = *tracer;
   return request;
 }
 

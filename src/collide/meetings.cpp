@@ -28,12 +28,13 @@ Bounds box_of(const MovingShape& moving) {
   return {moving.place.at - Vec2(reach, reach), moving.place.at + Vec2(reach, reach)};
 }
 
-bool follows_path(const Scene& scene, std::uint32_t entity) {
+bool turns_with_path(const Scene& scene, std::uint32_t entity) {
+  const auto turns = [](const Motion& motion) { return motion.follow && motion.follow->turn; };
   const Entity& e = scene.entities[entity];
-  bool follows = e.motion.follow.has_value();
+  bool any = turns(e.motion);
   for (auto group = e.group; group; group = scene.groups[*group].group)
-    follows |= scene.groups[*group].motion.follow.has_value();
-  return follows;
+    any |= turns(scene.groups[*group].motion);
+  return any;
 }
 
 // Where everything is, for a stretch of time in which motion is straight.
@@ -110,7 +111,7 @@ class Search {
   // Directions of a path know no whole turns: the shorter way round.
   double turn_between(std::uint32_t entity, double from, double to) const {
     const double turn = to - from;
-    if (!follows_path(scene_, entity)) return turn;
+    if (!turns_with_path(scene_, entity)) return turn;
     constexpr double kWhole = 2 * std::numbers::pi;
     return turn - kWhole * std::round(turn / kWhole);
   }

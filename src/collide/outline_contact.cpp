@@ -180,9 +180,9 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
 }
 
 void extend(MeetingPart& last, const MeetingPart& next) {
-  if (!last.certain && next.certain) {
-    last.width = next.times.low + next.width - last.times.low;
-    last.certain = true;
+  if (!last.certain) {
+    last.width = std::max(last.width, next.times.low + next.width - last.times.low);
+    last.certain = next.certain;
   }
   last.times.high = std::max(last.times.high, next.times.high);
   last.kind = std::max(last.kind, next.kind);

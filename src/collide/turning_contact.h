@@ -32,7 +32,7 @@ struct TurningContact {
 
 /// The first touch for t in [0, length], or of the time run backwards from `length`: then the last.
 ///
-/// Needs   finite numbers, 0 < length < inf, radii not negative.
+/// Needs   finite numbers, 0 < length <= 128, radii not negative.
 /// Gives   Nothing touches before first.low, and they have an inner point in common at first.high.
 ///         The interval is `width` long, longer where rounding or a grazing leaves a doubt. It holds
 ///         for all motions within 2^-50 of the one given, relative to all that its formula adds up.

@@ -4,16 +4,20 @@
 
 #include "geom/bounded.h"
 #include "geom/exact.h"
+#include "geom/quick.h"
 
 namespace flatray {
 
-/// Sign of formula(number), where number turns a double into the arithmetic to use: bounded
-/// double-doubles first, the exact rationals where those leave a doubt. Exact for all finite
-/// doubles.
+/// Sign of formula(number), where number turns a double into the arithmetic to use:
+/// double-doubles with simple bounds, with sharp bounds, the exact rationals, each where those
+/// before leave a doubt. Exact for all finite doubles.
 ///
 ///   decide([&](auto number) { return number(a) * number(b) - number(c); })
 template <class Formula>
 Sign decide(const Formula& formula) {
+  std::optional<Sign> quick;
+  with_fused([&] { quick = formula([](double x) { return Quick(x); }).sign(); });
+  if (quick) return *quick;
   if (const auto sign = formula([](double x) { return Bounded(x); }).sign()) return *sign;
   return formula([](double x) { return Rational(x); }).sign();
 }
@@ -22,6 +26,9 @@ Sign decide(const Formula& formula) {
 /// the doubles. Never -0.
 template <class Formula>
 double round_once(const Formula& formula) {
+  std::optional<double> quick;
+  with_fused([&] { quick = formula([](double x) { return Quick(x); }).nearest(); });
+  if (quick) return *quick;
   if (const auto value = formula([](double x) { return Bounded(x); }).nearest()) return *value;
   constexpr double largest = std::numeric_limits<double>::max();
   return std::clamp(formula([](double x) { return Rational(x); }).nearest(), -largest, largest);

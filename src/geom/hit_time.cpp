@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "geom/decide.h"
+#include "geom/quick.h"
 #include "geom/quick_quotient.h"
 
 namespace flatray {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
+const auto kQuick = [](double x) { return Quick(x); };
 const auto kBounded = [](double x) { return Bounded(x); };
 const auto kRational = [](double x) { return Rational(x); };
 
@@ -40,6 +42,15 @@ CurveTime<Number> curve_time(const Make& number, const Ray& ray, const Ellipse& 
   const auto size = form_size(number, curve);
   const auto r2 = size * size, a = dot(d, d), k = cross(d, w);
   return {a, dot(d, w), r2 * a - k * k, dot(w, w) - r2};
+}
+
+template <class Make, class Number = std::invoke_result_t<Make, double>>
+Number root_time(const Make& number, const Ray& ray, const Ellipse& curve, int s) {
+  const auto time = curve_time(number, ray, curve);
+  const Number root = s > 0 ? square_root(time.q) : -square_root(time.q);
+  // b and the root may cancel: then the other root and the product of both.
+  if ((time.b.hi() > 0) == (s > 0)) return (time.b + root) / time.a;
+  return time.outside / (time.b - root);
 }
 
 }  // namespace
@@ -97,15 +108,9 @@ std::strong_ordering HitTime::compare(double other) const {
 }
 
 Bounded HitTime::approximate() const {
-  if (root_ == 0) {
-    const auto time = line_time(kBounded, ray_, p_, from_, to_, velocity_);
-    return time.numer / time.denom;
-  }
-  const auto time = curve_time(kBounded, ray_, curve());
-  const Bounded root = root_ > 0 ? square_root(time.q) : -square_root(time.q);
-  // b and the root may cancel: then the other root and the product of both.
-  if ((time.b.hi() > 0) == (root_ > 0)) return (time.b + root) / time.a;
-  return time.outside / (time.b - root);
+  if (root_ != 0) return root_time(kBounded, ray_, curve(), root_);
+  const auto time = line_time(kBounded, ray_, p_, from_, to_, velocity_);
+  return time.numer / time.denom;
 }
 
 HitTime::Exact HitTime::exact() const {
@@ -120,10 +125,14 @@ HitTime::Exact HitTime::exact() const {
 }
 
 RoundedTime HitTime::nearest() const {
-  if (root_ == 0)
-    if (const double t = quick_quotient(ray_.origin, p_, velocity_, ray_.direction, from_, to_);
-        !std::isnan(t))
-      return {t, false};
+  if (root_ == 0) {
+    const double t = quick_quotient(ray_.origin, p_, velocity_, ray_.direction, from_, to_);
+    if (!std::isnan(t)) return {t, false};
+  } else {
+    std::optional<double> t;
+    with_fused([&] { t = root_time(kQuick, ray_, curve(), root_).nearest(); });
+    if (t) return {*t, false};
+  }
   const auto rounded = approximate().nearest();
   if (rounded && std::fabs(*rounded) < kLargest) return {*rounded, false};
   const Exact time = exact();

@@ -1,6 +1,9 @@
 #include "geom/reflect.h"
 
+#include <cmath>
+
 #include "geom/decide.h"
+#include "geom/quick_hit.h"
 
 namespace flatray {
 
@@ -11,6 +14,7 @@ Vec2 reflect(const Vec2& direction, const Vec2& along) {
   if (ex == 0) return {0 - dx, dy};
   if (ex == ey) return {dy, dx};
   if (ex == -ey) return {0 - dy, 0 - dx};
+  if (const Vec2 quick = quick_reflection(direction, along); !std::isnan(quick.x())) return quick;
   // By twice the angle of the line, c = (ex^2 - ey^2) / e.e and s = 2 ex ey / e.e.
   const auto component = [&](double with_c, double with_s) {
     return round_once([&](const auto& number) {

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "oracle/round_families.h"
+
 namespace flatray::oracle {
 namespace {
 
@@ -223,6 +225,15 @@ constexpr Family kFamilies[] = {
     {"zero-length", "rays without direction: what does the origin lie on", &zero_length},
     {"random", "uniform doubles", &random_scene},
     {"n-gon", "polygons of up to 32 corners", &many_gon},
+    {"circles", "circles about whole numbers, tangents and chords through whole points", &circles},
+    {"tangents", "rays within an ulp of tangents of circles", &tangents},
+    {"from-circles", "rays from circles, or an ulp off them: along, inward, outward",
+     &from_circles},
+    {"arc-ends", "rays at ends of arcs on their circle, next to it and far off", &arc_ends},
+    {"ellipses", "ellipses and parts of them, flattened by up to 2^-19", &ellipses},
+    {"round-scaled", "circles and arcs in units of 2^-900 to 2^899", &round_scaled},
+    {"round-offset", "circles and arcs moved by 2^30 to 2^49", &round_offset},
+    {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49", &round_magnitudes},
 };
 
 }  // namespace
@@ -234,6 +245,23 @@ double nudge(double x, Draw& draw) {
 Vec2 nudge(const Vec2& v, Draw& draw) {
   const double x = nudge(v.x(), draw);
   return {x, nudge(v.y(), draw)};
+}
+
+Surfaces AimedScene::surfaces() const {
+  Surfaces all;
+  const auto add_curves = [&] {
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const Arc& arc = curves[i];
+      if (i % 2 == 0 && arc.extent == Arc::Extent::whole && arc.curve.is_circle())
+        all.add(Circle{arc.curve.centre, arc.curve.u.x()});
+      else
+        all.add(arc);
+    }
+  };
+  if (curves_first) add_curves();
+  for (const Segment& wall : walls) all.add(wall);
+  if (!curves_first) add_curves();
+  return all;
 }
 
 std::span<const Family> families() { return kFamilies; }

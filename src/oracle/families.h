@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/philox.h"
-#include "geom/ray.h"
+#include "trace/surfaces.h"
 
 namespace flatray::oracle {
 
@@ -35,6 +35,11 @@ Vec2 nudge(const Vec2& v, Draw& draw);
 struct AimedScene {
   std::vector<Segment> walls;
   std::vector<Ray> rays;
+  std::vector<Arc> curves;
+  bool curves_first = false;  ///< numbered before the straight walls, else after them
+
+  /// Whole circles as circles and, every second one, as arcs.
+  Surfaces surfaces() const;
 };
 
 /// A kind of input on which plain doubles fail: see goal R1.

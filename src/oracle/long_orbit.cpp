@@ -39,14 +39,15 @@ class Walker {
         bits_(bits),
         point_(place(start.origin)),
         way_(place(start.direction)),
-        soon_(number(std::ldexp(1.0, -static_cast<int>(bits / 4 < 1000 ? bits / 4 : 1000)))) {}
+        soon_(number(std::ldexp(1.0, -static_cast<int>(bits / 4 < 1000 ? bits / 4 : 1000)))),
+        same_(1 - number(std::ldexp(1.0, -static_cast<int>(bits / 2 < 1000 ? bits / 2 : 1000)))) {}
 
   std::optional<LongOrbit::Bounce> bounce() {
     std::optional<Long> first;
     std::uint32_t met = 0;
     for (std::uint32_t i = 0; i < walls_.size(); ++i)
       for (const Long& t : times(i))
-        if (t > soon_ && (!first || t < *first)) {
+        if (t > soon_ && (!first || t < *first * same_)) {
           first = t;
           met = i;
         }
@@ -64,7 +65,7 @@ class Walker {
   const Segment& segment(std::uint32_t i) const { return walls_.segments[walls_.slot[i]]; }
 
   std::vector<Long> times(std::uint32_t i) const {
-    return walls_.is_straight(i) ? times_on_line(segment(i)) : times_on_circle(walls_.arc(i));
+    return walls_.is_straight(i) ? times_on_line(segment(i)) : times_on_curve(walls_.arc(i));
   }
 
   std::vector<Long> times_on_line(const Segment& wall) const {
@@ -76,11 +77,11 @@ class Walker {
     return {area(to, along) / across};
   }
 
-  std::vector<Long> times_on_circle(const Arc& arc) const {
-    const Place from = point_ - place(arc.curve.centre);
-    const Long radius = number(arc.curve.u.x());
-    const Long a = inner(way_, way_), b = inner(way_, from);
-    const Long quarter = b * b - a * (inner(from, from) - radius * radius);
+  std::vector<Long> times_on_curve(const Arc& arc) const {
+    const Place from = in_circle(arc.curve, point_ - place(arc.curve.centre));
+    const Place way = in_circle(arc.curve, way_);
+    const Long a = inner(way, way), b = inner(way, from);
+    const Long quarter = b * b - a * (inner(from, from) - 1);
     if (sgn(quarter) <= 0) return {};
     const Long root = sqrt(quarter);
     std::vector<Long> times;
@@ -89,7 +90,14 @@ class Walker {
     return times;
   }
 
-  // A point of the circle is on an arc if it is to the right of the chord from end to end.
+  // Parts of the half-diameters that a vector is the sum of, by Cramer's rule.
+  Place in_circle(const Ellipse& curve, const Place& w) const {
+    const Place u = place(curve.u), v = place(curve.v);
+    const Long whole = area(u, v);
+    return {area(w, v) / whole, area(u, w) / whole};
+  }
+
+  // A point of the curve is on an arc if it is to the right of the chord from end to end.
   bool is_on(const Arc& arc, const Place& point) const {
     if (arc.extent == Arc::Extent::whole) return true;
     if (arc.extent == Arc::Extent::half)
@@ -99,7 +107,12 @@ class Walker {
   }
 
   Place normal_of(std::uint32_t i) const {
-    if (!walls_.is_straight(i)) return point_ - place(walls_.curve(i).centre);
+    if (!walls_.is_straight(i)) {  // across the tangent
+      const Ellipse curve = walls_.curve(i);
+      const Place at = in_circle(curve, point_ - place(curve.centre));
+      const Place tangent = at.x * place(curve.v) - at.y * place(curve.u);
+      return {tangent.y, -tangent.x};
+    }
     const Place along = place(segment(i).b) - place(segment(i).a);
     return {-along.y, along.x};
   }
@@ -108,6 +121,7 @@ class Walker {
   mp_bitcnt_t bits_;
   Place point_, way_;
   Long soon_;  // what is met before is the wall just left
+  Long same_;  // within this share of a time two walls are met together
 };
 
 }  // namespace

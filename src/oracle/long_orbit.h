@@ -18,8 +18,9 @@ struct LongOrbit {
 /// is turned by v - 2 (v.n) n / n.n. Nothing is bounded: errors of 2^-bits grow as orbits part, so
 /// that `bits` must leave room, and the same walls and points at two numbers of bits say that it did.
 ///
-/// Needs   segments, circles and arcs of circles; a start in no corner, an orbit that meets none; no
-///         flight below 2^(-bits/4) of the walls.
+/// Needs   a start in no corner, an orbit that meets none; no flight below 2^(-bits/4) of the walls;
+///         ends of arcs on their curves.
+/// Gives   of walls met together, to bits/2, the lowest number.
 /// Source  GMP's mpf.
 LongOrbit long_orbit(const Surfaces& walls, const Ray& start, std::uint64_t bounces, unsigned bits);
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geom/exact.h"
+#include "oracle/curves.h"
 #include "oracle/whole.h"
 
 namespace flatray::oracle {
@@ -16,6 +17,7 @@ int sign_of(const Rational& x) { return static_cast<int>(x.sign()); }
 struct WholeNumbers {
   using Number = Int128;
   using Time = Fraction;
+  static constexpr auto kName = NearestWall::By::whole_numbers;
   static Time time(const Number& numerator, const Number& denominator) {
     return denominator < 0 ? Fraction{-numerator, -denominator} : Fraction{numerator, denominator};
   }
@@ -23,6 +25,7 @@ struct WholeNumbers {
 struct Rationals {
   using Number = Rational;
   using Time = Rational;
+  static constexpr auto kName = NearestWall::By::rationals;
   static Time time(const Number& numerator, const Number& denominator) {
     return numerator / denominator;
   }
@@ -94,11 +97,12 @@ class Search {
     offer(number, met, !inside || last == zero, inside ? zero : first);
   }
 
+  // On the wall's line: between its ends if on neither axis beyond both.
   void offer_point(std::int64_t number, const Point<Number>& a, const Point<Number>& b) {
     const Number ax = a.x - origin_.x, ay = a.y - origin_.y;
     const Number bx = b.x - origin_.x, by = b.y - origin_.y;
     if (sign_of(Number(ax * by - ay * bx)) != 0) return;
-    if (sign_of(Number(ax * bx + ay * by)) > 0) return;
+    if (sign_of(ax) * sign_of(bx) > 0 || sign_of(ay) * sign_of(by) > 0) return;
     const bool end =
         (sign_of(ax) == 0 && sign_of(ay) == 0) || (sign_of(bx) == 0 && sign_of(by) == 0);
     offer(number, HitClass::touch, end, Time{});
@@ -107,12 +111,16 @@ class Search {
   Point<Number> origin_, direction_;
 };
 
+Point<Rational> exact(const Vec2& v) { return {v.x(), v.y()}; }
+
+// The first of the walls that are suspected.
 template <class Kind, class Make>
-NearestWall search(const Make& point, std::size_t walls) {
+NearestWall search(const Make& point, std::span<const Suspect> suspects) {
   Search<Kind> found(point(0), point(1));
-  for (std::size_t i = 0; i < walls; ++i)
-    found.offer(static_cast<std::int64_t>(i), point(2 + 2 * i), point(3 + 2 * i));
+  for (std::size_t i = 0; i < suspects.size(); ++i)
+    found.offer(suspects[i].wall, point(2 + 2 * i), point(3 + 2 * i));
   NearestWall nearest;
+  nearest.by = Kind::kName;
   if (found.wall < 0) return nearest;
   nearest.wall = found.wall;
   nearest.kind = found.kind;
@@ -121,23 +129,84 @@ NearestWall search(const Make& point, std::size_t walls) {
   return nearest;
 }
 
+NearestWall exact_search(const Ray& ray, std::span<const Segment> walls,
+                         std::span<const Suspect> suspects) {
+  std::vector<double> xs{ray.origin.x(), ray.direction.x()};
+  std::vector<double> ys{ray.origin.y(), ray.direction.y()};
+  for (const Suspect& suspect : suspects) {
+    const Segment& wall = walls[static_cast<std::size_t>(suspect.wall)];
+    xs.insert(xs.end(), {wall.a.x(), wall.b.x()});
+    ys.insert(ys.end(), {wall.a.y(), wall.b.y()});
+  }
+  // A unit for each axis: no formula adds a length along x to one along y.
+  const auto whole_x = whole_numbers(xs), whole_y = whole_numbers(ys);
+  if (whole_x && whole_y) {
+    const auto point = [&](std::size_t i) {
+      return Point<Int128>{whole_x->numbers[i], whole_y->numbers[i]};
+    };
+    return search<WholeNumbers>(point, suspects);
+  }
+  const auto point = [&](std::size_t i) { return Point<Rational>{xs[i], ys[i]}; };
+  return search<Rationals>(point, suspects);
+}
+
 }  // namespace
 
 NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
-  std::vector<double> doubles{ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y()};
-  for (const Segment& wall : walls)
-    doubles.insert(doubles.end(), {wall.a.x(), wall.a.y(), wall.b.x(), wall.b.y()});
-  if (const auto whole = whole_numbers(doubles)) {
-    const auto point = [&](std::size_t i) {
-      return Point<Int128>{whole->numbers[2 * i], whole->numbers[2 * i + 1]};
-    };
-    return search<WholeNumbers>(point, walls.size());
+  std::vector<Suspect> all(walls.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].wall = static_cast<std::int64_t>(i);
+  return exact_search(ray, walls, all);
+}
+
+NearestWalls::NearestWalls(const Surfaces& walls) : walls_(walls) {
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
+    if (!walls.is_straight(i)) {
+      curves_.push_back(i);
+      reaches_.push_back(reach_of(walls.arc(i)));
+    }
+}
+
+NearestWall NearestWalls::of(const Ray& ray) {
+  find_suspects(ray, walls_.segments, straight_);
+  long double first = std::numeric_limits<long double>::infinity();
+  for (const Suspect& each : straight_) first = std::min(first, each.sure ? each.high : first);
+  find_suspects(ray, reaches_, first, round_);
+  if (!round_.empty()) return among_curves(ray);
+  if (straight_.empty()) return {};
+  const Suspect& only = straight_.front();
+  const double t = static_cast<double>(only.low);
+  const bool settled = straight_.size() == 1 && only.sure && t == static_cast<double>(only.high);
+  NearestWall nearest = settled ? NearestWall{only.wall, HitClass::touch, false, t}
+                                : exact_search(ray, walls_.segments, straight_);
+  if (nearest) nearest.wall = walls_.segment_numbers[static_cast<std::size_t>(nearest.wall)];
+  return nearest;
+}
+
+NearestWall NearestWalls::among_curves(const Ray& ray) const {
+  Search<Rationals> straight(exact(ray.origin), exact(ray.direction));
+  for (const Suspect& each : straight_) {
+    const Segment& wall = walls_.segments[static_cast<std::size_t>(each.wall)];
+    straight.offer(each.wall, exact(wall.a), exact(wall.b));
   }
-  const auto point = [&](std::size_t i) {
-    return Point<Rational>{doubles[2 * i], doubles[2 * i + 1]};
-  };
-  NearestWall nearest = search<Rationals>(point, walls.size());
-  nearest.by_whole_numbers = false;
+  NearestWall nearest;
+  std::optional<Surd> best;
+  if (straight.best) {
+    best = Surd{*straight.best, 0, 0};
+    nearest = {walls_.segment_numbers[static_cast<std::size_t>(straight.wall)], straight.kind,
+               straight.at_end};
+  }
+  for (const Suspect& each : round_) {
+    const std::uint32_t number = curves_[static_cast<std::size_t>(each.wall)];
+    auto met = first_meeting(ray, walls_.arc(number));
+    if (!met) continue;
+    const auto order = best ? met->t <=> *best : std::strong_ordering::less;
+    if (order > 0 || (order == 0 && number > nearest.wall)) continue;
+    best = std::move(met->t);
+    nearest = {number, met->kind, met->at_end};
+    nearest.root = met->root;
+  }
+  nearest.by = NearestWall::By::rationals;
+  if (best) nearest.t = best->nearest();
   return nearest;
 }
 

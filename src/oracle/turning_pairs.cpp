@@ -108,7 +108,8 @@ TurningPair squares(Draw& draw) {
 // longer or shorter than its way to a wall.
 TurningPair grazing(Draw& draw) {
   const double arm = between(draw, 0.5, 2), turned = between(draw, -1, 1);
-  const double off = draw.sign() * std::ldexp(1.0, -4 - static_cast<int>(draw.below(36)));
+  const int places = static_cast<int>(draw.below(36));
+  const double off = draw.sign() * std::ldexp(1.0, -4 - places);
   const double angle = 2 * std::numbers::pi * draw.unit(), spin = between(draw, 2.5, 6);
   const Vec2 across = on_circle(angle), along(-across.y(), across.x());
   const double wall = arm + off;

@@ -38,9 +38,10 @@ std::uint64_t corner_count(std::span<const Region> regions) {
 
 }  // namespace
 
-DrawContext::DrawContext(const Scene& scene_, const FrameState& state_)
+DrawContext::DrawContext(const Scene& scene_, const FrameState& state_, const Tracer* tracer_)
     : scene(scene_),
       state(state_),
+      tracer(tracer_),
       film_from_world(scene_.film, state_),
       corners_{scene_.max_corners} {}
 

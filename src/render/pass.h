@@ -9,6 +9,8 @@
 
 namespace flatray {
 
+struct Tracer;
+
 /// Whether a pass runs on a scene, and why: shown by `flatray explain`.
 struct Need {
   bool needed;
@@ -21,10 +23,11 @@ inline Need skip(std::string reason) { return {false, std::move(reason)}; }
 /// file.
 class DrawContext {
  public:
-  DrawContext(const Scene& scene, const FrameState& state);
+  DrawContext(const Scene& scene, const FrameState& state, const Tracer* tracer);
 
   const Scene& scene;
   const FrameState& state;
+  const Tracer* const tracer;  ///< of rays; null: the one of choice
   const FilmTransform film_from_world;
 
   /// The frame's walls; built when first asked for.

@@ -4,8 +4,9 @@
 
 namespace flatray {
 
-RenderPlan make_plan(const Scene& scene, bool keep_all) {
+RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer) {
   RenderPlan plan;
+  plan.tracer = tracer;
   for (const Pass* pass : passes()) {
     const Need need = pass->need(scene);
     if (need.needed || keep_all) plan.passes.push_back(pass);

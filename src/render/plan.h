@@ -12,11 +12,12 @@ struct RenderPlan {
     std::string part, decision, reason;
   };
   std::vector<const Pass*> passes;
-  bool still = false;  ///< all frames are one picture: drawn once
+  const Tracer* tracer = nullptr;  ///< of the rays; null: the one of choice
+  bool still = false;              ///< all frames are one picture: drawn once
   std::vector<Choice> choices;
 };
 
 /// `keep_all` keeps every pass and omits nothing; the pictures must be identical.
-RenderPlan make_plan(const Scene& scene, bool keep_all);
+RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer = nullptr);
 
 }  // namespace flatray

@@ -78,13 +78,14 @@ World without_walls_at(const Vec2& point, const World& all, std::vector<Arc>& ri
 
 }  // namespace
 
-Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState& state,
-                const FrameOptions& options) {
+Image draw_view(const ViewRequest& request, const Tracer* tracer, const Scene& scene,
+                const FrameState& state, const FrameOptions& options) {
   World world = build_world(scene, state, WorldOf::everything);
   std::vector<Arc> rims;
   if (request.view->takes_point) world = without_walls_at(request.point, world, rims);
-  const auto surfaces = request.tracer == nullptr ? accelerate(world.surfaces)
-                                                  : request.tracer->build(world.surfaces);
+  const auto surfaces = tracer == nullptr
+                            ? accelerate(world.surfaces, options.threads)
+                            : tracer->build(world.surfaces, active_isa(), options.threads);
   const PixelBox film{0, 0, scene.film.width, scene.film.height};
   const ViewContext context{
       scene, state, world, *surfaces, request.point, rims, options.crop.value_or(film)};

@@ -45,17 +45,15 @@ std::vector<NearestHit> nearest_hits(const ViewContext& context, const RayBatch&
 /// 255 at 0 and 0 from `most` on.
 std::uint8_t grey_of(double value, double most);
 
-/// A view as the user asks for it, and the tracer that answers; null for the one chosen by the
-/// number of walls.
+/// A view as the user asks for it.
 struct ViewRequest {
   const View* view = nullptr;
   Vec2 point{0, 0};
-  const Tracer* tracer = nullptr;
 };
 
-/// Same bytes from every exact tracer, for any number of threads and crop; no picture once
-/// `options.stop` has said so.
-Image draw_view(const ViewRequest& request, const Scene& scene, const FrameState& state,
-                const FrameOptions& options);
+/// Same bytes from every exact tracer (null: the one chosen by the number of walls), for any number
+/// of threads and crop; no picture once `options.stop` has said so.
+Image draw_view(const ViewRequest& request, const Tracer* tracer, const Scene& scene,
+                const FrameState& state, const FrameOptions& options);
 
 }  // namespace flatray

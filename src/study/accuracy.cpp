@@ -32,28 +32,57 @@ double timed(const std::function<void()>& work) {
   }
 }
 
-// The first round: which settings there is time for, what they come to, and how long they took.
-struct FirstRound {
-  std::vector<const Setting*> settings;
-  std::vector<std::vector<double>> seconds;
+// What a choice takes of the processor from here on.
+class Budget {
+ public:
+  explicit Budget(double seconds) : seconds_(seconds), start_(processor_seconds()) {}
+  double used() const { return processor_seconds() - start_; }
+  bool allows(double more) const { return used() + more <= seconds_; }
+
+ private:
+  double seconds_, start_;
 };
 
-FirstRound first_round(const std::vector<Setting>& settings, double budget, ChoiceReport& report) {
-  FirstRound round;
-  double used = 0, each = 0;  // seconds so far, and for each of n
+// Times by setting, and how long a round of them takes.
+struct Rounds {
+  std::vector<const Setting*> settings;
+  std::vector<std::vector<double>> seconds;
+  double each = 0;
+};
+
+// The first round: which settings there is time for, what they come to, and how long they took.
+Rounds first_round(const std::vector<Setting>& settings, const Budget& budget,
+                   ChoiceReport& report) {
+  Rounds round;
+  double per_n = 0;
   for (const Setting& setting : settings) {
-    if (kRounds * (used + each * setting.n) > budget) {
+    const double likely = kRounds * per_n * setting.n + (kRounds - 1) * round.each;
+    if (!report.points.empty() && !budget.allows(likely)) {
       report.cut += (report.cut.empty() ? "" : ", ") + setting.words;
       continue;
     }
     const double taken = timed(setting.work);
-    used += taken;
-    if (setting.n > 0) each = taken / setting.n;
+    round.each += taken;
+    if (setting.n > 0) per_n = taken / setting.n;
     round.settings.push_back(&setting);
     round.seconds.push_back({taken});
-    report.points.push_back({setting.words, setting.n, 0, 0, setting.judge(), false});
+    report.points.push_back(
+        {setting.words, setting.n, 0, 0, setting.judge(), false, setting.options});
   }
   return round;
+}
+
+// Median and half of the range of all rounds there is time for.
+void more_rounds(Rounds& round, const Budget& budget, ChoiceReport& report) {
+  for (report.rounds = 1; report.rounds < kRounds && budget.allows(round.each); ++report.rounds)
+    for (std::size_t i = 0; i < round.settings.size(); ++i)
+      round.seconds[i].push_back(timed(round.settings[i]->work));
+  for (std::size_t i = 0; i < round.settings.size(); ++i) {
+    std::vector<double>& seconds = round.seconds[i];
+    std::sort(seconds.begin(), seconds.end());
+    report.points[i].seconds = seconds[seconds.size() / 2];
+    report.points[i].spread = 0.5 * (seconds.back() - seconds.front());
+  }
 }
 
 bool beats(const AccuracyPoint& a, const AccuracyPoint& b) {
@@ -109,27 +138,73 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   report.kind = choice.kind;
   report.left_out = choice.left_out(context.scene);
   if (!report.left_out.empty()) return report;
+  const Budget budget(context.seconds);
   const Result<ChoiceSettings> made = choice.settings(context);
   if (!made) {
     report.left_out = made.error().front().message;
     return report;
   }
+  report.reference_seconds = budget.used();
   report.reference = made->reference;
   report.unit = made->unit;
   report.grows = made->grows;
-  auto [settings, seconds] = first_round(made->settings, context.seconds, report);
-  for (std::size_t round = 1; round < kRounds; ++round)
-    for (std::size_t i = 0; i < settings.size(); ++i)
-      seconds[i].push_back(timed(settings[i]->work));
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    std::sort(seconds[i].begin(), seconds[i].end());
-    report.points[i].seconds = seconds[i][kRounds / 2];
-    report.points[i].spread = 0.5 * (seconds[i].back() - seconds[i].front());
-  }
+  report.missing = made->missing;
+  report.cut = made->cut;
+  Rounds rounds = first_round(made->settings, budget, report);
+  more_rounds(rounds, budget, report);
   report.one_question = made->one_question;
   if (report.one_question) mark_best(report.points);
   if (made->ordered) report.order = fit_order(report.points);
+  report.seconds = budget.used();
   return report;
+}
+
+std::vector<ChoiceReport> measure_choices(std::span<const Choice* const> choices,
+                                          const AccuracyContext& context) {
+  const double start = processor_seconds();
+  std::vector<ChoiceReport> reports(choices.size());
+  for (std::size_t i = choices.size(); i-- > 0;) {
+    AccuracyContext part = context;
+    const double left = context.seconds - (processor_seconds() - start);
+    part.seconds = std::max(left, 0.0) / static_cast<double>(i + 1);
+    reports[i] = measure_choice(*choices[i], part);
+  }
+  return reports;
+}
+
+const AccuracyPoint* best_within(const ChoiceReport& report, double seconds) {
+  const AccuracyPoint* best = nullptr;
+  for (const AccuracyPoint& point : report.points)
+    if (point.best && point.seconds < seconds &&
+        (best == nullptr || point.outcome.error < best->outcome.error))
+      best = &point;
+  return best;
+}
+
+const AccuracyPoint* cheapest_below(const ChoiceReport& report, double error) {
+  const AccuracyPoint* best = nullptr;
+  for (const AccuracyPoint& point : report.points)
+    if (point.best && point.outcome.error < error &&
+        (best == nullptr || point.seconds < best->seconds))
+      best = &point;
+  return best;
+}
+
+std::string advice(const ChoiceReport& report, const AccuracyPoint& point) {
+  std::string words;
+  if (&point == best_within(report, kShortSeconds))
+    words = fmt::format("best under {} s", kShortSeconds);
+  if (&point == cheapest_below(report, kSmallError))
+    words += fmt::format("{}cheapest under {}", words.empty() ? "" : " and ", kSmallError);
+  return words;
+}
+
+std::array<double, kErrorKinds> error_parts(const ChoiceReport& report,
+                                            const AccuracyPoint& point) {
+  std::array<double, kErrorKinds> parts = point.outcome.parts;
+  if (std::all_of(parts.begin(), parts.end(), [](double part) { return part == 0; }))
+    parts[static_cast<std::size_t>(report.kind)] = point.outcome.error;
+  return parts;
 }
 
 }  // namespace flatray

@@ -1,7 +1,10 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -17,6 +20,7 @@ enum class ErrorKind : std::uint8_t {
   discretisation,  ///< what is continuous is cut into steps
   rounding         ///< doubles, or floats, stand for real numbers
 };
+inline constexpr std::size_t kErrorKinds = 4;
 const char* name(ErrorKind kind);
 
 /// What one setting came to, before time is measured.
@@ -24,7 +28,12 @@ struct Outcome {
   double error = 0;  ///< against the reference, in the unit of the choice
   double half = 0;   ///< half of the interval that holds it in 95 % of all runs; 0: no doubt
   std::optional<Image> picture{};  ///< what it looks like
+  /// By kind what of the error is known to come from it; nothing known: all is of the choice's kind.
+  std::array<double, kErrorKinds> parts{};
 };
+
+/// Options of `flatray render`, name and value.
+using RenderOptions = std::vector<std::pair<std::string, std::string>>;
 
 /// One setting of a choice.
 struct Setting {
@@ -32,6 +41,13 @@ struct Setting {
   double n = 0;                    ///< what grows from setting to setting; 0 for one beside the row
   std::function<void()> work;      ///< what is timed; may run again
   std::function<Outcome()> judge;  ///< of the last `work`
+  /// What chooses it in `flatray render`; absent where nothing does.
+  std::optional<RenderOptions> options{};
+};
+
+/// A setting that this machine or this build cannot have, and why.
+struct MissingSetting {
+  std::string words, why;
 };
 
 /// A setting measured.
@@ -43,6 +59,7 @@ struct AccuracyPoint {
   double n = 0, seconds = 0, spread = 0;
   Outcome outcome;
   bool best = false;  ///< no other of its choice is both as fast and as near
+  std::optional<RenderOptions> options{};
 };
 
 /// Least squares of log error against log n, over the points with both above 0: the error goes like
@@ -63,6 +80,10 @@ struct ChoiceReport {
   std::optional<FittedOrder> order;
   std::string left_out;  ///< why there are no points
   std::string cut;       ///< what the budget left out
+  std::vector<MissingSetting> missing{};
+  std::size_t rounds = 0;        ///< that the median is of
+  double reference_seconds = 0;  ///< of processor time that the reference took
+  double seconds = 0;            ///< that all took, the reference among it
 };
 
 /// What the choices are measured with.
@@ -70,8 +91,11 @@ struct AccuracyContext {
   const Scene& scene;
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  double seconds = 10;  ///< of processor time that a choice may take
+  double seconds = 10;  ///< of processor time that a choice may take, its reference among it
 };
+
+/// Seconds of a budget that a reference may take.
+inline double reference_budget(const AccuracyContext& context) { return 0.6 * context.seconds; }
 
 /// What a choice is measured by, made ready for one scene.
 struct ChoiceSettings {
@@ -79,6 +103,8 @@ struct ChoiceSettings {
   std::vector<Setting> settings;  ///< from the cheapest on
   bool one_question = true;       ///< whether all settings answer the same, so that one is best
   bool ordered = true;            ///< whether a power of n is to be fitted
+  std::vector<MissingSetting> missing{};
+  std::string cut{};  ///< what of the reference the budget left out
 };
 
 /// Something that trades time for error. A choice is a file in `choices/` and a line in CMake.
@@ -96,10 +122,27 @@ struct Choice {
 /// Registered choices by name.
 std::vector<const Choice*> choices();
 
-/// Error against run time of one choice: every setting once, as long as three rounds are likely to
-/// stay within the budget, time growing like n; then in turns, so that what disturbs the machine
-/// disturbs all of them.
+/// Error against run time of one choice: its reference, then every setting once, as long as three
+/// rounds are likely to stay within the budget, time growing like n; then in turns, so that what
+/// disturbs the machine disturbs all of them, as long as a round more stays within it.
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context);
+
+/// Several choices within the budget of the context together, the last one first: each has an equal
+/// part of what those before it have left.
+std::vector<ChoiceReport> measure_choices(std::span<const Choice* const> choices,
+                                          const AccuracyContext& context);
+
+/// The best point below so many seconds, the cheapest below an error; nullptr for none.
+const AccuracyPoint* best_within(const ChoiceReport& report, double seconds);
+const AccuracyPoint* cheapest_below(const ChoiceReport& report, double error);
+
+/// Seconds and error that a report gives advice about.
+inline constexpr double kShortSeconds = 1, kSmallError = 1e-3;
+/// Such advice about a point: "best under 1 s", "cheapest under 0.001", both with "and", or "".
+std::string advice(const ChoiceReport& report, const AccuracyPoint& point);
+
+/// By kind what is known of a point's error, all of it under the choice's where nothing more is.
+std::array<double, kErrorKinds> error_parts(const ChoiceReport& report, const AccuracyPoint& point);
 
 /// The slope of a straight line through (log n, log error). Nothing for fewer than three points.
 std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points);

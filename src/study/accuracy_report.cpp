@@ -10,47 +10,57 @@
 namespace flatray {
 namespace {
 
-constexpr double kSmall = 1e-3, kShort = 1;  // error and seconds that advice is about
+std::string missing_words(const ChoiceReport& report) {
+  std::string text;
+  for (const MissingSetting& one : report.missing)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", one.words, one.why);
+  return text;
+}
 
 Table points_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "setting", "n", "seconds", "seconds_half_range", "error",
-               "error_half_interval", "best"});
+               "error_half_interval", "sampling", "truncation", "discretisation", "rounding",
+               "best", "advice"});
+  const auto yes_or_no = [](bool yes) { return std::string(yes ? "yes" : "no"); };
   for (const ChoiceReport& report : reports)
-    for (const AccuracyPoint& point : report.points)
+    for (const AccuracyPoint& point : report.points) {
+      const auto parts = error_parts(report, point);
       table.add({report.name, point.setting, point.n, point.seconds, point.spread,
-                 point.outcome.error, point.outcome.half, std::string(point.best ? "yes" : "no")});
+                 point.outcome.error, point.outcome.half, parts[0], parts[1], parts[2], parts[3],
+                 yes_or_no(point.best), advice(report, point)});
+    }
   return table;
 }
 
 Table choices_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "error_of", "unit", "reference", "order", "order_standard_error",
-               "left_out", "cut_by_budget"});
+               "left_out", "missing", "cut_by_budget", "rounds", "reference_seconds", "seconds"});
   for (const ChoiceReport& report : reports) {
     const auto order = [&](double FittedOrder::*part) {
       return report.order ? Cell(*report.order.*part) : Cell(std::string());
     };
     table.add({report.name, std::string(name(report.kind)), report.unit, report.reference,
                order(&FittedOrder::slope), order(&FittedOrder::standard_error), report.left_out,
-               report.cut});
+               missing_words(report), report.cut, std::uint64_t{report.rounds},
+               report.reference_seconds, report.seconds});
   }
   return table;
 }
 
-// What a person asks first.
-std::string advice(const ChoiceReport& report) {
-  const AccuracyPoint *cheap = nullptr, *near = nullptr;
+Table settings_table(const ChoiceReport& report) {
+  const std::vector<std::size_t> kinds = kinds_of_error(report);
+  std::vector<std::string> columns{"setting", "seconds", "error"};
+  for (const std::size_t k : kinds) columns.emplace_back(name(static_cast<ErrorKind>(k)));
+  columns.insert(columns.end(), {"best", ""});
+  Table table(columns);
   for (const AccuracyPoint& point : report.points) {
-    if (!point.best) continue;
-    if (point.outcome.error < kSmall && (cheap == nullptr || point.seconds < cheap->seconds))
-      cheap = &point;
-    if (point.seconds < kShort && (near == nullptr || point.outcome.error < near->outcome.error))
-      near = &point;
+    std::vector<Cell> row{point.setting, point.seconds, point.outcome.error};
+    for (const std::size_t k : kinds) row.emplace_back(error_parts(report, point)[k]);
+    row.emplace_back(std::string(point.best ? "*" : ""));
+    row.emplace_back(advice(report, point));
+    table.add(std::move(row));
   }
-  const auto words = [](const AccuracyPoint* point) {
-    return point == nullptr ? "none" : point->setting;
-  };
-  return fmt::format("cheapest below {}: {}; best below {} s: {}", kSmall, words(cheap), kShort,
-                     words(near));
+  return table;
 }
 
 std::string summary(std::span<const ChoiceReport> reports) {
@@ -63,22 +73,45 @@ std::string summary(std::span<const ChoiceReport> reports) {
     }
     text += fmt::format("  error: {}, {}; against {}\n", report.unit, name(report.kind),
                         report.reference);
-    Table table({"setting", "seconds", "error", "best"});
-    for (const AccuracyPoint& point : report.points)
-      table.add(
-          {point.setting, point.seconds, point.outcome.error, std::string(point.best ? "*" : "")});
-    text += table.text();
+    text += settings_table(report).text();
     if (report.order)
       text += fmt::format("  error ~ ({})^{:.2f} +- {:.2f}\n", report.grows, report.order->slope,
                           report.order->standard_error);
-    if (report.one_question) text += "  " + advice(report) + "\n";
-    if (!report.cut.empty()) text += "  not within the budget: " + report.cut + "\n";
+    for (const std::string& line : remarks(report)) text += "  " + line + "\n";
     text += "\n";
   }
   return text;
 }
 
 }  // namespace
+
+std::vector<std::size_t> kinds_of_error(const ChoiceReport& report) {
+  std::vector<std::size_t> kinds;
+  for (std::size_t k = 0; k < kErrorKinds; ++k)
+    if (k == static_cast<std::size_t>(report.kind) ||
+        std::any_of(report.points.begin(), report.points.end(),
+                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k] > 0; }))
+      kinds.push_back(k);
+  return kinds;
+}
+
+std::vector<std::string> remarks(const ChoiceReport& report) {
+  std::vector<std::string> lines;
+  const auto words = [](const AccuracyPoint* point) {
+    return point == nullptr ? "none" : point->setting;
+  };
+  if (report.one_question)
+    lines.push_back(fmt::format("cheapest under {}: {}; best under {} s: {}", kSmallError,
+                                words(cheapest_below(report, kSmallError)), kShortSeconds,
+                                words(best_within(report, kShortSeconds))));
+  for (const MissingSetting& one : report.missing)
+    lines.push_back(fmt::format("not here: {}: {}", one.words, one.why));
+  if (!report.cut.empty()) lines.push_back("not within the budget: " + report.cut);
+  lines.push_back(fmt::format(
+      "{} round{}, {:.3g} s of processor time, {:.3g} s of it for the reference", report.rounds,
+      report.rounds == 1 ? "" : "s", report.seconds, report.reference_seconds));
+  return lines;
+}
 
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports) {
   ExperimentResult result;

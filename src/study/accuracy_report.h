@@ -12,4 +12,11 @@ namespace flatray {
 /// Gives   the summary as text for a terminal.
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports);
 
+/// The kinds of error that any point has, the choice's own among them.
+std::vector<std::size_t> kinds_of_error(const ChoiceReport& report);
+
+/// What is to be said of a choice beside its table, a line each: what is missing here, what the
+/// budget cut, what is best, what the reference took.
+std::vector<std::string> remarks(const ChoiceReport& report);
+
 }  // namespace flatray

@@ -66,10 +66,18 @@ struct ExperimentResult {
   std::vector<Measure> measures{};
 };
 
+/// What of a context an experiment looks at, beside its scene and threads: the rest is refused
+/// where it is asked for.
+struct ExperimentUses {
+  bool count = false, bounces = false, apart = false, map = false, seed = false;
+  bool resume = false;  ///< it works in blocks
+};
+
 struct Experiment {
   const char* name;
   const char* question;
   Result<ExperimentResult> (*run)(const ExperimentContext&);
+  ExperimentUses uses;
 };
 
 /// Registered experiments by name.

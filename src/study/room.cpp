@@ -71,7 +71,7 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto surface = static_cast<std::uint32_t>(above - before_.begin() - 1);
     const double length = wall_length(walls(), surface), within = along - before_[surface];
-    const bool second = within > length;  // of a wall that is bounced off on both sides
+    const bool second = within > length && !inner_side(surface);  // bounced off on both sides
     const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
     const Vec2 place = wall_point(walls(), surface, second ? within - length : within);
     const auto origin = nearest_double(

@@ -9,7 +9,8 @@ namespace {
 
 bool agrees(const NearestHit& hit, const oracle::NearestWall& truth) {
   if (!truth) return !hit;
-  return hit && hit.surface == truth.wall && hit.kind == truth.kind && hit.at_end == truth.at_end;
+  return hit && hit.surface == truth.wall && hit.kind == truth.kind && hit.at_end == truth.at_end &&
+         hit.root == truth.root;
 }
 
 // The double that stands for a time beyond the doubles.
@@ -17,7 +18,7 @@ double as_double(double t) { return std::min(t, std::numeric_limits<double>::max
 
 void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityTally& tally) {
   ++tally.rays;
-  if (!truth.by_whole_numbers) ++tally.by_rationals;
+  if (truth.by == oracle::NearestWall::By::rationals) ++tally.by_rationals;
   if (!agrees(hit, truth)) {
     ++tally.wrong;
     if (!hit)
@@ -39,12 +40,12 @@ void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityT
 // One scene by all tracers: what is true is found once.
 void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScene& scene,
                  std::uint64_t item, std::span<StabilityTally> tallies) {
-  Surfaces walls;
-  for (const Segment& wall : scene.walls) walls.add(wall);
+  const Surfaces walls = scene.surfaces();
   RayBatch rays;
   for (const Ray& ray : scene.rays) rays.add(ray);
   std::vector<oracle::NearestWall> truth;
-  for (const Ray& ray : scene.rays) truth.push_back(oracle::nearest_wall(ray, scene.walls));
+  oracle::NearestWalls oracle(walls);
+  for (const Ray& ray : scene.rays) truth.push_back(oracle.of(ray));
   std::vector<NearestHit> hits(rays.size());
   for (std::size_t k = 0; k < tracers.size(); ++k) {
     tracers[k]->build(walls)->nearest(rays, hits);

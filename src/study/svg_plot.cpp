@@ -13,7 +13,8 @@
 namespace flatray {
 namespace {
 
-constexpr double kWidth = 640, kHeight = 420, kLeft = 80, kRight = 20, kTop = 40, kBottom = 56;
+constexpr double kWidth = 640, kHeight = 420, kLeft = 80, kRight = 20, kTop = 40, kBottom = 56,
+                 kLegend = 100;
 constexpr std::array kColours = {"#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#555"};
 constexpr double kTicks = 6;
 constexpr double kLn10 = 0x1.26bb1bbb55516p+1;
@@ -54,14 +55,17 @@ class Drawing {
     axis(0);
     axis(1);
     std::size_t named = 0;
+    const bool left = points_near(kLeft) <= points_near(kWidth - kRight);
     for (std::size_t i = 0; i < plot_.series.size(); ++i) {
       const Plot::Series& series = plot_.series[i];
       if (series.points.empty()) continue;
       const char* colour = kColours[i % kColours.size()];
       series.marks ? marks(series, colour) : line(series, colour);
-      label({kLeft + 12, kTop + 16 + 16 * static_cast<double>(named++)}, series.name, "start",
-            colour);
+      label(
+          {left ? kLeft + 12 : kWidth - kRight - 12, kTop + 16 + 16 * static_cast<double>(named++)},
+          series.name, left ? "start" : "end", colour);
     }
+    for (const Plot::Note& note : plot_.notes) ring(note);
     return text_ + "</svg>\n";
   }
 
@@ -76,6 +80,18 @@ class Drawing {
     const Vec2 size = box_.size();
     return {kLeft + (x - box_.low.x()) / size.x() * (kWidth - kLeft - kRight),
             kHeight - kBottom - (y - box_.low.y()) / size.y() * (kHeight - kTop - kBottom)};
+  }
+
+  // Points where a legend at this side would be.
+  std::size_t points_near(double side) const {
+    std::size_t count = 0;
+    for (const Plot::Series& series : plot_.series)
+      for (const Plot::Point& point : series.points)
+        if (shown(point)) {
+          const Vec2 at = place(along(point.x), scaled(point.y));
+          if (std::fabs(at.x() - side) < kLegend && at.y() < kTop + kLegend) ++count;
+        }
+    return count;
   }
 
   void open() {
@@ -145,6 +161,16 @@ class Drawing {
       text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.5\" fill=\"{}\"/>\n",
                            svg_number(at.x()), svg_number(at.y()), colour);
     }
+  }
+
+  // The words are on the side that has more room.
+  void ring(const Plot::Note& note) {
+    if (!shown({note.x, note.y})) return;
+    const Vec2 at = place(along(note.x), scaled(note.y));
+    text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"6\" fill=\"none\" stroke=\"#000\"/>\n",
+                         svg_number(at.x()), svg_number(at.y()));
+    const bool left = at.x() > (kLeft + kWidth - kRight) / 2;
+    label(at + Vec2(left ? -10 : 10, 0), note.words, left ? "end" : "start", "#000");
   }
 
   void line(const Plot::Series& series, const char* colour) {

@@ -18,6 +18,12 @@ struct Plot {
   std::vector<Series> series;
   bool log_y = false;  ///< points with y <= 0 are left out
   bool log_x = false;  ///< likewise
+  /// A ring round a point of a series, and words beside it.
+  struct Note {
+    double x, y;
+    std::string words;
+  };
+  std::vector<Note> notes{};
 };
 
 /// The plot as a picture with axes, ticks and a legend of the series that have points.

@@ -26,6 +26,8 @@ NearestHit Accelerator::nearest_of_one(const Ray& ray, const Left& left, bool ta
   return hit;
 }
 
+std::size_t Accelerator::tested_of_one(const Ray&, const Left&) const { return walls_.size(); }
+
 void Accelerator::any(const RayBatch& rays, std::span<const double> up_to,
                       std::span<std::uint8_t> met) const {
   std::vector<NearestHit> hits(rays.size());

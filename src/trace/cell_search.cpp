@@ -19,6 +19,7 @@ class Rivals {
   /// Takes a segment that need not be counted where it is surely met later than `limit`.
   void offer(std::uint32_t slot, double limit = kInfinity) {
     if (walls_.segment_numbers[slot] == left_.surface) return;
+    ++tested_;
     const FilteredHit hit = filter_(walls_.segments[slot]);
     if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
     if (std::find_if(open_.begin(), open_.end(),
@@ -33,9 +34,13 @@ class Rivals {
   /// Whether nothing met later than t can be the nearest.
   bool settled(double t) const { return high_ < t; }
 
+  CurveCells::Rivals curved(const Ray& ray, const CurveCells& curves) const {
+    return walls_.any_curves() ? curves.rivals(ray, left_, high_) : CurveCells::Rivals{};
+  }
+  std::size_t tested() const { return tested_; }
+
   NearestHit decide(const Ray& ray, bool tangents, const CurveCells& curves) const {
-    CurveCells::Rivals curved;
-    if (walls_.any_curves()) curved = curves.rivals(ray, left_, high_);
+    const CurveCells::Rivals curved = this->curved(ray, curves);
     const bool alone = open_.size() == 1 && high_ < kInfinity;
     if (curved.surfaces.empty()) {
       if (open_.empty()) return {};
@@ -59,7 +64,27 @@ class Rivals {
   SegmentFilter filter_;
   std::vector<Rival> open_;
   double high_ = kInfinity;
+  std::size_t tested_ = 0;
 };
+
+// Of all segments in the cells a ray comes through until nothing nearer can come.
+Rivals rivals_of(const Surfaces& walls, const CellGrid* grid, const Ray& ray, const Left& left) {
+  Rivals rivals(walls, ray, left);
+  std::optional<CellWalk> walk;
+  if (grid != nullptr) walk.emplace(*grid, ray);
+  if (!walk || walk->start() == CellWalk::Start::uncertain) {
+    for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot) rivals.offer(slot);
+    return rivals;
+  }
+  while (walk->next()) {
+    for (std::size_t record = walk->record();; ++record) {
+      rivals.offer(grid->slot(record), walk->limit());
+      if (grid->last(record)) break;
+    }
+    if (rivals.settled(walk->limit())) break;
+  }
+  return rivals;
+}
 
 }  // namespace
 
@@ -100,21 +125,13 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
     search.offer_curves();
     return search.hit();
   }
-  Rivals rivals(walls_, ray, left);
-  std::optional<CellWalk> walk;
-  if (grid_ != nullptr) walk.emplace(*grid_, ray);
-  if (!walk || walk->start() == CellWalk::Start::uncertain) {
-    for (std::uint32_t slot = 0; slot < walls_.segments.size(); ++slot) rivals.offer(slot);
-    return rivals.decide(ray, tangents, curves_);
-  }
-  while (walk->next()) {
-    for (std::size_t record = walk->record();; ++record) {
-      rivals.offer(grid_->slot(record), walk->limit());
-      if (grid_->last(record)) break;
-    }
-    if (rivals.settled(walk->limit())) break;
-  }
-  return rivals.decide(ray, tangents, curves_);
+  return rivals_of(walls_, grid_, ray, left).decide(ray, tangents, curves_);
+}
+
+std::size_t CellSearch::tested(const Ray& ray, const Left& left) const {
+  if (ray.direction == Vec2(0, 0)) return walls_.size();
+  const Rivals rivals = rivals_of(walls_, grid_, ray, left);
+  return rivals.tested() + rivals.curved(ray, curves_).tested;
 }
 
 }  // namespace flatray

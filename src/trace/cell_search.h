@@ -18,6 +18,8 @@ class CellSearch {
         curves_(curves),
         grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
   NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
+  /// Walls that it looks at for that, those in several cells once for each.
+  std::size_t tested(const Ray& ray, const Left& left) const;
   /// Every hit, in order (Accelerator::all_of_one).
   std::vector<NearestHit> all(const Ray& ray, const Left& left, bool tangents) const;
 

@@ -132,12 +132,12 @@ CellGrid::Mark CellGrid::mark(const Segment& segment) const {
   return {static_cast<float>(a.x()), static_cast<float>(a.y()), static_cast<float>(b.x())};
 }
 
-std::optional<CellGrid> CellGrid::build(const Surfaces& walls) {
+std::optional<CellGrid> CellGrid::build(const Surfaces& walls, unsigned threads) {
   CellGrid grid;
   if (!grid.measure(walls)) return std::nullopt;
   grid.divide(walls);
-  grid.fill(walls);
-  grid.find_twins(walls);
+  grid.fill(walls, threads);
+  grid.find_twins(walls, threads);
   return grid;
 }
 
@@ -150,8 +150,8 @@ std::optional<CellGrid> CellGrid::build_list(const Surfaces& walls) {
   std::iota(grid.slots_.begin(), grid.slots_.end(), 0U);
   grid.records_.resize(4 * (count + kBeyond));
   for (std::size_t i = 0; i < count; ++i)
-    grid.write_record(grid.ends(walls.segments[i]), i + 1 == count, i);
-  grid.find_twins(walls);
+    write_record(grid.ends(walls.segments[i]), i + 1 == count, &grid.records_[4 * i]);
+  grid.find_twins(walls, 1);
   return grid;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/bounds.h"
+#include "trace/cell_raster.h"
 #include "trace/kernels/walk.h"
 #include "trace/surfaces.h"
 
@@ -20,7 +21,8 @@ class CellGrid {
  public:
   /// Nothing where the coordinates leave no room for sound arithmetic: over 2^900 or all within
   /// 2^-900 of each other; or where there are no segments.
-  static std::optional<CellGrid> build(const Surfaces& walls);
+  /// The same bits for any number of threads.
+  static std::optional<CellGrid> build(const Surfaces& walls, unsigned threads = 1);
   /// The same with one list of all segments, by slot, in place of cells.
   static std::optional<CellGrid> build_list(const Surfaces& walls);
 
@@ -69,6 +71,8 @@ class CellGrid {
   /// Cells that are divided.
   std::size_t divided() const { return divided_; }
   std::size_t bytes() const;
+  /// Whether every word and record has the same bits.
+  bool operator==(const CellGrid&) const = default;
 
  private:
   struct Ends {
@@ -78,13 +82,11 @@ class CellGrid {
   void divide(const Surfaces& walls);
   void set_cells(std::int32_t columns, std::int32_t rows);
   Ends ends(const Segment& segment) const;
-  void fill(const Surfaces& walls);
-  std::uint32_t write_list(const Surfaces& walls, std::span<const std::uint32_t> slots);
-  int parts(const Surfaces& walls, std::span<const std::uint32_t> slots) const;
-  std::uint32_t write_divided(const Surfaces& walls, std::span<const std::uint32_t> slots,
-                              const Vec2& corner, int n);
-  void write_record(const Ends& ends, bool is_last, std::size_t record);
-  void find_twins(const Surfaces& walls);
+  class Part;
+  void fill(const Surfaces& walls, unsigned threads);
+  void join(std::span<const Part> parts, std::span<const RowRange> rows, unsigned threads);
+  static void write_record(const Ends& ends, bool is_last, float* record);
+  void find_twins(const Surfaces& walls, unsigned threads);
 
   static constexpr std::size_t kBeyond = 3;  // records read beyond the last
 

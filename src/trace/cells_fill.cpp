@@ -1,18 +1,21 @@
-// Filling the cells of a grid.
-#include <algorithm>
+// Filling the cells of a grid: rows in strips, each on its own, whose lists are then put one after
+// the other.
 #include <bit>
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
+#include "trace/cell_raster.h"
 #include "trace/cells.h"
 
 namespace flatray {
 namespace {
 
-constexpr std::uint32_t kEmpty = 0x80000000U;
-constexpr std::uint32_t kLongestSide = 127;
-constexpr std::size_t kCrowded = 16;  // segments of a cell that is divided
-constexpr int kMostParts = 64;        // of its sides
+constexpr std::size_t kCrowded = 16;           // segments of a cell that is divided
+constexpr int kMostParts = 64;                 // of its sides
+constexpr std::size_t kSegmentsAStrip = 4096;  // fewer would not pay for a task
+constexpr std::size_t kMostStrips = 64;
+constexpr std::size_t kSegmentsAChunk = 32768;  // sorted into strips by one task
 
 // The nearest float to x whose last bit is as asked for: off by an ulp at most.
 float with_last_bit(double x, bool set) {
@@ -21,62 +24,6 @@ float with_last_bit(double x, bool set) {
   if ((bits % 2 == 1) == set) return near;
   const bool outward = near == 0 || std::fabs(static_cast<double>(near)) < std::fabs(x);
   return std::bit_cast<float>(outward ? bits + 1 : bits - 1);
-}
-
-// A rectangle of cells, the lower left corner of the first being (0, 0).
-struct Raster {
-  std::int32_t columns, rows;
-  double margin;  // in cells
-};
-
-// Cells that a segment comes near to. Row by row: the part of the segment in the row and a margin
-// around it, and a margin beside that. A rounding moves the part up or down by 2^-50 cells, the
-// margin is 128 units and the walk needs 84.
-template <class Visit>
-void visit_cells(const Raster& raster, Vec2 a, Vec2 b, const Visit& visit) {
-  if (a.y() > b.y()) std::swap(a, b);
-  const double rise = b.y() - a.y(), run = b.x() - a.x();
-  const auto cell_of = [](double x) {
-    return static_cast<std::int32_t>(std::floor(std::clamp(x, -1.0, 1e6)));
-  };
-  const auto x_at = [&](double y) {
-    return rise > 0 ? a.x() + std::clamp((y - a.y()) / rise, 0.0, 1.0) * run : a.x();
-  };
-  const std::int32_t last = std::min(cell_of(b.y() + raster.margin), raster.rows - 1);
-  for (auto row = std::max(cell_of(a.y() - raster.margin), 0); row <= last; ++row) {
-    double low = rise > 0 ? x_at(row - raster.margin) : a.x();
-    double high = rise > 0 ? x_at(row + 1 + raster.margin) : b.x();
-    if (low > high) std::swap(low, high);
-    const std::int32_t end = std::min(cell_of(high + raster.margin), raster.columns - 1);
-    for (auto column = std::max(cell_of(low - raster.margin), 0); column <= end; ++column)
-      visit(column, row);
-  }
-}
-
-// The square that grows from an empty cell is one larger than the least that grow from its three
-// neighbours that way; beyond the raster none grows.
-void mark_empty(std::uint32_t* words, std::ptrdiff_t stride, const Raster& raster) {
-  for (int quadrant = 0; quadrant < 4; ++quadrant) {
-    const bool left = quadrant % 2 == 1, down = quadrant / 2 == 1;
-    const int shift = 7 * quadrant;
-    for (std::int32_t i = 0; i < raster.rows; ++i) {
-      const std::int32_t row = down ? i : raster.rows - 1 - i;
-      for (std::int32_t k = 0; k < raster.columns; ++k) {
-        const std::int32_t column = left ? k : raster.columns - 1 - k;
-        std::uint32_t* word = words + row * stride + column;
-        if ((*word & kEmpty) == 0) continue;
-        std::uint32_t least = 0;
-        if (i > 0 && k > 0) {
-          const std::ptrdiff_t dx = left ? -1 : 1, dy = down ? -stride : stride;
-          const auto side = [&](std::ptrdiff_t to) {
-            return (word[to] & kEmpty) != 0 ? word[to] >> shift & kLongestSide : 0;
-          };
-          least = std::min({side(dx), side(dy), side(dx + dy)});
-        }
-        *word |= std::min(least + 1, kLongestSide) << shift;
-      }
-    }
-  }
 }
 
 // Slots by cell.
@@ -98,120 +45,221 @@ struct Lists {
   }
 };
 
+// Segments by the strip of rows they come near to: of each chunk of them, so that they stay in
+// order.
+class Strips {
+ public:
+  Strips(const Raster& raster, std::size_t segments)
+      : rows_(raster.rows),
+        count_(std::clamp<std::size_t>(
+            segments / kSegmentsAStrip, 1,
+            std::min<std::size_t>(kMostStrips, static_cast<std::size_t>(raster.rows)))),
+        segments_(static_cast<std::uint32_t>(segments)),
+        lists_(count_ == 1 ? 0 : (segments + kSegmentsAChunk - 1) / kSegmentsAChunk) {}
+
+  std::size_t size() const { return count_; }
+  RowRange rows(std::size_t strip) const { return {first_row(strip), first_row(strip + 1) - 1}; }
+
+  /// `rows_of(slot)` is where a segment lies.
+  template <class RowsOf>
+  void sort(unsigned threads, const RowsOf& rows_of) {
+    parallel_for(lists_.size(), threads, [&](std::size_t chunk) {
+      lists_[chunk].resize(count_);
+      const std::size_t end = std::min<std::size_t>(segments_, (chunk + 1) * kSegmentsAChunk);
+      for (std::size_t slot = chunk * kSegmentsAChunk; slot < end; ++slot) {
+        const RowRange near = rows_of(slot);
+        for (std::size_t strip = strip_of(near.first); strip < count_; ++strip) {
+          if (first_row(strip) > near.last) break;
+          lists_[chunk][strip].push_back(static_cast<std::uint32_t>(slot));
+        }
+      }
+    });
+  }
+  template <class Visit>
+  void visit(std::size_t strip, const Visit& visit) const {
+    for (std::uint32_t slot = 0; count_ == 1 && slot < segments_; ++slot) visit(slot);
+    for (const auto& chunk : lists_)
+      for (const std::uint32_t slot : chunk[strip]) visit(slot);
+  }
+
+ private:
+  std::int32_t first_row(std::size_t strip) const {
+    return static_cast<std::int32_t>(strip * static_cast<std::size_t>(rows_) / count_);
+  }
+  std::size_t strip_of(std::int32_t row) const {
+    std::size_t strip = static_cast<std::size_t>(row) * count_ / static_cast<std::size_t>(rows_);
+    while (strip + 1 < count_ && first_row(strip + 1) <= row) ++strip;
+    return strip;
+  }
+
+  std::int32_t rows_;
+  std::size_t count_;
+  std::uint32_t segments_;
+  std::vector<std::vector<std::vector<std::uint32_t>>>
+      lists_;  // by chunk and strip; none for one strip
+};
+
 }  // namespace
 
-// The word of a cell with these segments, whose records come next.
-std::uint32_t CellGrid::write_list(const Surfaces& walls, std::span<const std::uint32_t> slots) {
-  if (slots.empty()) return kEmpty;
-  const std::size_t first = slots_.size();
-  slots_.insert(slots_.end(), slots.begin(), slots.end());
-  records_.resize(4 * slots_.size());
-  for (std::size_t i = 0; i < slots.size(); ++i)
-    write_record(ends(walls.segments[slots[i]]), i + 1 == slots.size(), first + i);
-  return static_cast<std::uint32_t>(first);
-}
+// The cells of a strip of rows. Its words count records, and words of divided cells, from its own
+// first.
+class CellGrid::Part {
+ public:
+  Part(const CellGrid& grid, const Surfaces& walls) : grid_(grid), walls_(walls) {}
 
-// Into how many parts the sides of a crowded cell are cut: about as many cells as segments, fewer
-// where these would be in more than four of them each, or cells not be much wider than the margin.
-int CellGrid::parts(const Surfaces& walls, std::span<const std::uint32_t> slots) const {
-  if (slots.size() < kCrowded) return 1;
-  const auto count = static_cast<double>(slots.size());
-  double length = 0;
-  for (const std::uint32_t slot : slots) {
-    const auto [a, b] = ends(walls.segments[slot]);
-    length += std::min((b - a).cwiseAbs().sum(), 1.5);
-  }
-  int n = 1;
-  while (n < kMostParts && n * n < count && n * length < 2 * count &&
-         lanes::kMargin * unit_ * n < 0x1p-4)
-    n *= 2;
-  return n;
-}
-
-std::uint32_t CellGrid::write_divided(const Surfaces& walls, std::span<const std::uint32_t> slots,
-                                      const Vec2& corner, int n) {
-  const std::size_t base = words_.size();
-  const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-  words_.resize(base + (cells + 15) / 16 * 16);
-  const Raster raster{n, n, lanes::kMargin * unit_ * n};
-  Lists lists;
-  lists.fill(cells, [&](const auto& visit) {
-    for (const std::uint32_t slot : slots) {
-      const auto [a, b] = ends(walls.segments[slot]);
-      visit_cells(raster, n * (a - corner), n * (b - corner),
-                  [&](std::int32_t column, std::int32_t row) {
-                    visit(static_cast<std::size_t>(row * n + column), slot);
-                  });
+  /// `each_slot(visit)` gives the segments near the rows, by number.
+  template <class EachSlot>
+  void fill(const Raster& raster, const RowRange& rows, const EachSlot& each_slot) {
+    const Vec2 corner(0.5 * raster.columns, 0.5 * raster.rows);
+    const auto columns = static_cast<std::size_t>(raster.columns);
+    const std::size_t cells = columns * static_cast<std::size_t>(rows.last - rows.first + 1);
+    Lists lists;
+    lists.fill(cells, [&](const auto& visit) {
+      each_slot([&](std::uint32_t slot) {
+        const auto [a, b] = grid_.ends(walls_.segments[slot]);
+        visit_cells(raster, rows, a + corner, b + corner,
+                    [&](std::int32_t column, std::int32_t row) {
+                      visit(static_cast<std::size_t>(row - rows.first) * columns +
+                                static_cast<std::size_t>(column),
+                            slot);
+                    });
+      });
+    });
+    slots.reserve(lists.slots.size());
+    records.reserve(4 * lists.slots.size());
+    words.reserve(cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      const Vec2 at(static_cast<double>(cell % columns),
+                    rows.first + static_cast<double>(cell / columns));
+      words.push_back(write_cell(lists.of(cell), at - corner));
     }
-  });
-  for (std::size_t cell = 0; cell < cells; ++cell)
-    words_[base + cell] = write_list(walls, lists.of(cell));
-  mark_empty(&words_[base], n, raster);
-  return std::bit_cast<std::uint32_t>(static_cast<float>(n)) |
-         static_cast<std::uint32_t>(base / 16);
-}
+  }
 
-void CellGrid::fill(const Surfaces& walls) {
-  const auto stride = static_cast<std::size_t>(stride_);
-  const std::size_t cells = stride * static_cast<std::size_t>(rows_ + 2);
+  /// A word of the part as one of the whole, whose records and divided words begin there.
+  static std::uint32_t moved(std::uint32_t word, std::size_t first_record, std::size_t first_word) {
+    if ((word & kEmptyCell) != 0) return word;
+    return word + static_cast<std::uint32_t>((word >> 30) == 1 ? first_word / 16 : first_record);
+  }
+
+  std::vector<std::uint32_t> words, divided_words, slots;
+  std::vector<float> records;
+  std::size_t divided = 0;
+
+ private:
+  std::uint32_t write_cell(std::span<const std::uint32_t> list, const Vec2& corner) {
+    const int n = parts(list);
+    if (n == 1) return write_list(list);
+    ++divided;
+    return write_divided(list, corner, n);
+  }
+
+  // The word of a cell with these segments, whose records come next.
+  std::uint32_t write_list(std::span<const std::uint32_t> list) {
+    if (list.empty()) return kEmptyCell;
+    const std::size_t first = slots.size();
+    slots.insert(slots.end(), list.begin(), list.end());
+    records.resize(4 * slots.size());
+    for (std::size_t i = 0; i < list.size(); ++i)
+      write_record(grid_.ends(walls_.segments[list[i]]), i + 1 == list.size(),
+                   &records[4 * (first + i)]);
+    return static_cast<std::uint32_t>(first);
+  }
+
+  // Into how many parts the sides of a crowded cell are cut: about as many cells as segments,
+  // fewer where these would be in more than four of them each, or cells not be much wider than the
+  // margin.
+  int parts(std::span<const std::uint32_t> list) const {
+    if (list.size() < kCrowded) return 1;
+    const auto count = static_cast<double>(list.size());
+    double length = 0;
+    for (const std::uint32_t slot : list) {
+      const auto [a, b] = grid_.ends(walls_.segments[slot]);
+      length += std::min((b - a).cwiseAbs().sum(), 1.5);
+    }
+    int n = 1;
+    while (n < kMostParts && n * n < count && n * length < 2 * count &&
+           lanes::kMargin * grid_.unit_ * n < 0x1p-4)
+      n *= 2;
+    return n;
+  }
+
+  std::uint32_t write_divided(std::span<const std::uint32_t> list, const Vec2& corner, int n) {
+    const std::size_t base = divided_words.size();
+    const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    divided_words.resize(base + (cells + 15) / 16 * 16, kEmptyCell);
+    const Raster raster{n, n, lanes::kMargin * grid_.unit_ * n};
+    Lists lists;
+    lists.fill(cells, [&](const auto& visit) {
+      for (const std::uint32_t slot : list) {
+        const auto [a, b] = grid_.ends(walls_.segments[slot]);
+        visit_cells(raster, {0, n - 1}, n * (a - corner), n * (b - corner),
+                    [&](std::int32_t column, std::int32_t row) {
+                      visit(static_cast<std::size_t>(row * n + column), slot);
+                    });
+      }
+    });
+    for (std::size_t cell = 0; cell < cells; ++cell)
+      divided_words[base + cell] = write_list(lists.of(cell));
+    mark_empty(&divided_words[base], static_cast<std::size_t>(n), raster, 1);
+    return std::bit_cast<std::uint32_t>(static_cast<float>(n)) |
+           static_cast<std::uint32_t>(base / 16);
+  }
+
+  const CellGrid& grid_;
+  const Surfaces& walls_;
+};
+
+void CellGrid::fill(const Surfaces& walls, unsigned threads) {
   const Raster raster{columns_, rows_, lanes::kMargin * unit_};
   const Vec2 corner(0.5 * columns_, 0.5 * rows_);
-  const auto index = [&](std::int32_t column, std::int32_t row) {
-    return static_cast<std::size_t>(row + 1) * stride + static_cast<std::size_t>(column + 1);
-  };
-  Lists lists;
-  lists.fill(cells, [&](const auto& visit) {
-    for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot) {
-      const auto [a, b] = ends(walls.segments[slot]);
-      visit_cells(raster, a + corner, b + corner,
-                  [&](std::int32_t column, std::int32_t row) { visit(index(column, row), slot); });
-    }
+  Strips strips(raster, walls.segments.size());
+  strips.sort(threads, [&](std::size_t slot) {
+    const auto [a, b] = ends(walls.segments[slot]);
+    return rows_near(raster, a + corner, b + corner);
   });
-  slots_.reserve(lists.slots.size());
-  records_.reserve(4 * (lists.slots.size() + kBeyond));
-  words_.assign((cells + 15) / 16 * 16, kEmpty);
-  for (std::int32_t row = 0; row < rows_; ++row)
-    for (std::int32_t column = 0; column < columns_; ++column) {
-      const std::size_t cell = index(column, row);
-      const auto slots = lists.of(cell);
-      const int n = parts(walls, slots);
-      words_[cell] = n == 1 ? write_list(walls, slots)
-                            : write_divided(walls, slots, Vec2(column, row) - corner, n);
-      divided_ += n > 1 ? 1 : 0;
-    }
-  mark_empty(&words_[index(0, 0)], static_cast<std::ptrdiff_t>(stride), raster);
-  records_.resize(4 * (slots_.size() + kBeyond));
+  std::vector<Part> made(strips.size(), Part(*this, walls));
+  parallel_for(strips.size(), threads, [&](std::size_t i) {
+    made[i].fill(raster, strips.rows(i), [&](const auto& visit) { strips.visit(i, visit); });
+  });
+  std::vector<RowRange> rows;
+  for (std::size_t i = 0; i < made.size(); ++i) rows.push_back(strips.rows(i));
+  join(made, rows, threads);
+  const auto stride = static_cast<std::size_t>(stride_);
+  mark_empty(&words_[stride + 1], stride, raster, threads);
 }
 
-void CellGrid::write_record(const Ends& e, bool is_last, std::size_t record) {
+void CellGrid::join(std::span<const Part> parts, std::span<const RowRange> rows, unsigned threads) {
+  const auto stride = static_cast<std::size_t>(stride_);
+  const std::size_t cells = (stride * static_cast<std::size_t>(rows_ + 2) + 15) / 16 * 16;
+  std::vector<std::size_t> first_record{0}, first_word{cells};
+  for (const Part& part : parts) {
+    first_record.push_back(first_record.back() + part.slots.size());
+    first_word.push_back(first_word.back() + part.divided_words.size());
+    divided_ += part.divided;
+  }
+  words_.assign(first_word.back(), kEmptyCell);
+  slots_.resize(first_record.back());
+  records_.resize(4 * (first_record.back() + kBeyond));
+  parallel_for(parts.size(), threads, [&](std::size_t i) {
+    const Part& part = parts[i];
+    const auto whole = [&](std::uint32_t word) {
+      return Part::moved(word, first_record[i], first_word[i]);
+    };
+    auto from = part.words.begin();
+    for (std::int32_t row = rows[i].first; row <= rows[i].last; ++row, from += columns_)
+      std::transform(from, from + columns_, &words_[static_cast<std::size_t>(row + 1) * stride + 1],
+                     whole);
+    std::transform(part.divided_words.begin(), part.divided_words.end(),
+                   words_.data() + first_word[i], whole);
+    std::copy(part.slots.begin(), part.slots.end(), slots_.data() + first_record[i]);
+    std::copy(part.records.begin(), part.records.end(), records_.data() + 4 * first_record[i]);
+  });
+}
+
+void CellGrid::write_record(const Ends& e, bool is_last, float* record) {
   const float row[] = {static_cast<float>(e.a.x()), static_cast<float>(e.a.y()),
                        static_cast<float>(e.b.x()), with_last_bit(e.b.y(), is_last)};
-  std::copy_n(row, 4, &records_[4 * record]);
-}
-
-// By a table of hashes: that two marks share one is as good as that they are equal.
-void CellGrid::find_twins(const Surfaces& walls) {
-  const std::size_t room = std::bit_ceil(2 * walls.segments.size());
-  struct Entry {
-    std::uint64_t hash = 0;
-    std::uint32_t slot = 0;
-  };
-  std::vector<Entry> table(room);
-  for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot) {
-    const Mark m = mark(walls.segments[slot]);
-    // + 0: -0 and 0 are equal to the kernels.
-    const auto word = [](float x) -> std::uint64_t { return std::bit_cast<std::uint32_t>(x + 0); };
-    std::uint64_t hash = (word(m.ax) << 32 | word(m.ay)) * 0x9e3779b97f4a7c15U;
-    hash = ((hash ^ hash >> 29) + word(m.bx)) * 0xbf58476d1ce4e5b9U | 1;
-    std::size_t at = hash >> 20 & (room - 1);
-    while (table[at].hash != 0 && table[at].hash != hash) at = (at + 1) & (room - 1);
-    if (table[at].hash == hash) {
-      twins_.resize(walls.segments.size());
-      twins_[slot] = twins_[table[at].slot] = true;
-    } else {
-      table[at] = {hash, slot};
-    }
-  }
+  std::copy_n(row, 4, record);
 }
 
 }  // namespace flatray

@@ -129,6 +129,7 @@ class CurveCells::Search {
     if (std::find_if(open_.begin(), open_.end(),
                      [&](const Rival& other) { return other.surface == surface; }) != open_.end())
       return;
+    ++tested_;
     const Arc arc = walls_.arc(surface);
     FilteredCurve hit = filter_curve(ray_, arc.curve);
     const bool joined = arc.extent == Arc::Extent::between;
@@ -151,6 +152,7 @@ class CurveCells::Search {
     found.sure = open_.size() == 1 && open_.front().sure;
     if (found.sure) found.root = open_.front().root;
     found.high = high_;
+    found.tested = tested_;
     return found;
   }
 
@@ -165,6 +167,7 @@ class CurveCells::Search {
   const Ray& ray_;
   const Left& left_;
   double high_;
+  std::size_t tested_ = 0;
   std::vector<Rival> open_;
 };
 

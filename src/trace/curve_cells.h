@@ -28,6 +28,7 @@ class CurveCells {
     bool sure = false;  ///< it is one, and surely crossed, at `high` at the latest
     Root root = Root::none;
     double high = kInfinity;
+    std::size_t tested = 0;  ///< curves looked at
   };
   /// Needs   a direction that is not zero.
   Rivals rivals(const Ray& ray, const Left& left, double limit) const;

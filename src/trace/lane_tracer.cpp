@@ -154,6 +154,9 @@ class LaneTracer : public Accelerator {
                                      bool tangents) const override {
     return search_.all(ray, left, tangents);
   }
+  std::size_t tested_of_one(const Ray& ray, const Left& left) const override {
+    return search_.tested(ray, left);
+  }
   std::size_t bytes() const override { return cells_.bytes() + curves_.bytes(); }
   std::string structure() const override {
     if (!cells_.has_cells()) return "one list";

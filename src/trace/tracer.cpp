@@ -37,15 +37,17 @@ TracerChoice choose_tracer(const Surfaces& walls) {
   const Tracer* brute = find_tracer("brute");
   const Tracer* grid = find_tracer("grid");
   FLATRAY_CHECK(brute != nullptr || grid != nullptr, "no exact tracer is registered in this build");
-  const std::string many = std::to_string(segments) + (segments == 1 ? " segment" : " segments");
+  const std::size_t curves = walls.size() - segments;
+  const std::string many = std::to_string(segments) + (segments == 1 ? " segment" : " segments") +
+                           (curves == 0 ? "" : " beside " + std::to_string(curves) + " curves");
   if (grid == nullptr) return {brute, "no other in this build"};
   if (brute == nullptr) return {grid, "no other in this build"};
   if (segments <= kFewSegments) return {brute, many + ": fewer than cells pay for"};
   return {grid, many + ": more than " + std::to_string(kFewSegments)};
 }
 
-std::unique_ptr<Accelerator> accelerate(const Surfaces& walls) {
-  return choose_tracer(walls).tracer->build(walls);
+std::unique_ptr<Accelerator> accelerate(const Surfaces& walls, unsigned threads) {
+  return choose_tracer(walls).tracer->build(walls, active_isa(), threads);
 }
 
 }  // namespace flatray

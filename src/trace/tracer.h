@@ -29,6 +29,9 @@ class Accelerator {
   /// The first wall of one ray, on which the lanes of a batch would be wasted.
   virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
                                     bool tangents = true) const;
+  /// Walls looked at to find that of one ray, those looked at twice counted twice: over all walls the
+  /// measure of the paper. Of a search in double precision; lanes look at a few more.
+  virtual std::size_t tested_of_one(const Ray& ray, const Left& left = {}) const;
   /// Whether each ray meets a wall at `up_to` or before: 1 or 0.
   ///
   /// Needs   as many of both as rays.
@@ -59,14 +62,15 @@ struct Tracer {
   const char* name;
   const char* summary;
   bool exact;  ///< decides for the doubles given, without rounding
-  std::unique_ptr<Accelerator> (*build_for)(const Surfaces& walls, Isa isa);
+  std::unique_ptr<Accelerator> (*build_for)(const Surfaces& walls, Isa isa, unsigned threads);
   /// Why it cannot be used on this machine, "" where it can; null: it always can.
   std::string (*missing)() = nullptr;
 
   /// Needs   `walls` to outlive what is built, and to stay as they are.
-  /// Gives   the same hits in every tier.
-  std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa = active_isa()) const {
-    return build_for(walls, isa);
+  /// Gives   the same hits in every tier, for any number of threads that build.
+  std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa = active_isa(),
+                                     unsigned threads = 1) const {
+    return build_for(walls, isa, threads);
   }
 };
 
@@ -82,6 +86,6 @@ struct TracerChoice {
 /// The exact tracer that measured fastest for as many walls (docs/adr/0010-tracers.md).
 TracerChoice choose_tracer(const Surfaces& walls);
 /// Walls made ready for the tracer of choice, in the tier this machine uses.
-std::unique_ptr<Accelerator> accelerate(const Surfaces& walls);
+std::unique_ptr<Accelerator> accelerate(const Surfaces& walls, unsigned threads = 1);
 
 }  // namespace flatray

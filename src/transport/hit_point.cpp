@@ -49,12 +49,21 @@ Vec2 end_met(const Ray& ray, const Arc& arc, Root root) {
   return exact.ahead(centre, centre, arc.from) == Sign::positive ? arc.from : arc.to;
 }
 
+HitTime::Root root_of(const NearestHit& hit) {
+  return hit.root == Root::second ? HitTime::Root::second : HitTime::Root::first;
+}
+
 }  // namespace
 
 ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
   if (walls.is_straight(hit.surface)) return {ray, walls.segments[walls.slot[hit.surface]]};
-  return {ray, walls.curve(hit.surface),
-          hit.root == Root::second ? HitTime::Root::second : HitTime::Root::first};
+  return {ray, walls.curve(hit.surface), root_of(hit)};
+}
+
+QuickHit quick_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
+  if (walls.is_straight(hit.surface))
+    return quick_hit(ray, walls.segments[walls.slot[hit.surface]]);
+  return quick_hit(ray, walls.curve(hit.surface), root_of(hit));
 }
 
 Vec2 hit_point(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {

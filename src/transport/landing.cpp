@@ -135,23 +135,50 @@ std::vector<std::uint32_t> Lander::walls_at(const Vec2& point) const {
   return cells_.near(point, Vec2(0, 0), [&](std::uint32_t i) { return stands_on(i, point); });
 }
 
+bool Lander::keeps_to_cone(std::uint32_t surface, const Vec2& point, ArcPlace cone) const {
+  if (walls_.kinds[surface] != SurfaceKind::arc || cone == ArcPlace::at_end) return true;
+  const ArcPlace place = place_in_cone(walls_.arc(surface), point);
+  return place == ArcPlace::at_end || place == cone;
+}
+
 bool Lander::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                        const std::vector<Fence>& fences) const {
-  const auto keeps_to_cone = [&](std::uint32_t surface, ArcPlace cone) {
-    if (walls_.is_straight(surface) || cone == ArcPlace::at_end) return true;
-    const ArcPlace place = place_in_cone(walls_.arc(surface), point);
-    return place == ArcPlace::at_end || place == cone;
-  };
-  return side(hit, point) != outer && keeps_to_cone(hit, ArcPlace::inner) &&
+  return side(hit, point) != outer && keeps_to_cone(hit, point, ArcPlace::inner) &&
          std::all_of(fences.begin(), fences.end(), [&](const Fence& other) {
            return (other.side == Sign::zero || side(other.surface, point) == other.side) &&
-                  !stands_on(other.surface, point) && keeps_to_cone(other.surface, other.cone);
+                  !stands_on(other.surface, point) &&
+                  keeps_to_cone(other.surface, point, other.cone);
          });
+}
+
+// The same point as land() finds, where doubles can tell and no other wall passes.
+std::optional<Landing> Lander::land_quickly(const Ray& ray, const NearestHit& hit,
+                                            const QuickHit& quick) const {
+  if (!quick.is_certain || !walls_near(quick.nearest, hit.surface).empty()) return std::nullopt;
+  const Sign outer = -inner_side(walls_, ray, hit);
+  bool doubt = false;
+  const auto point = nearest_double(quick.nearest, [&](const Vec2& candidate) {
+    const std::optional<Sign> side = quick.side(candidate);
+    doubt = !side;
+    return doubt || (*side != outer && keeps_to_cone(hit.surface, candidate, ArcPlace::inner));
+  });
+  if (doubt || !point) return std::nullopt;
+  return Landing{*point, {}, normal_at(ray, hit, quick)};
+}
+
+Vec2 Lander::normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const {
+  if (!walls_.is_straight(hit.surface))
+    return quick.is_normal_certain ? quick.normal : exact_hit(walls_, ray, hit).normal();
+  const Segment& wall = walls_.segments[walls_.slot[hit.surface]];
+  const Vec2 edge = wall.b - wall.a;
+  return {-edge.y(), edge.x()};
 }
 
 Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
   if (hit.at_end || hit.kind == HitClass::along)
     return land_at(hit_point(walls_, ray, hit), hit.surface);
+  const QuickHit quick = quick_hit(walls_, ray, hit);
+  if (const auto landing = land_quickly(ray, hit, quick)) return *landing;
   const ExactHit exact = exact_hit(walls_, ray, hit);
   const Vec2 nearest = exact.nearest();
   std::vector<Fence> fences;
@@ -167,7 +194,7 @@ Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
   const auto point = nearest_double(nearest, [&](const Vec2& candidate) {
     return may_stand(candidate, hit.surface, outer, fences);
   });
-  if (point) return {*point, {}};
+  if (point) return {*point, {}, normal_at(ray, hit, quick)};
   std::sort(passing.begin(), passing.end());
   return {nearest, std::move(passing)};
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "trace/hits.h"
@@ -13,6 +14,8 @@ struct Landing {
   Vec2 point;  ///< where the ray goes on from; at a corner the nearest double
   std::vector<std::uint32_t>
       corner;  ///< the walls that meet there, ascending; empty where it can be reflected
+  Vec2 normal{0,
+              0};  ///< where it can be: of the wall, to the left of a segment, outward of a curve
 };
 
 /// Rounds hits so that nothing leaks: the nearest double, at most 2 ulp off in each coordinate, on
@@ -32,10 +35,14 @@ class Lander {
 
  private:
   struct Fence;
+  std::optional<Landing> land_quickly(const Ray& ray, const NearestHit& hit,
+                                      const QuickHit& quick) const;
+  Vec2 normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const;
   std::vector<std::uint32_t> walls_near(const Vec2& point, std::uint32_t hit) const;
   Landing land_at(const Vec2& end, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                  const std::vector<Fence>& fences) const;
+  bool keeps_to_cone(std::uint32_t surface, const Vec2& point, ArcPlace cone) const;
   bool passes_near(std::uint32_t surface, const Vec2& point, const Vec2& reach) const;
   Fence fence(std::uint32_t surface, const ExactHit& hit) const;
   Sign side(std::uint32_t surface, const Vec2& point) const;

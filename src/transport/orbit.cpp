@@ -1,7 +1,11 @@
 #include "transport/orbit.h"
 
+#include <cmath>
+
 #include "base/check.h"
+#include "base/portable_math.h"
 #include "transport/orbit_tracer.h"
+#include "transport/reflection.h"
 
 namespace flatray {
 namespace {
@@ -50,6 +54,12 @@ const char* name(OrbitEnd end) {
       return "along";
   }
   unreachable();
+}
+
+double Bounce::incidence() const {
+  if (out == -in) return 0;  // straight back, or nowhere
+  const Vec2 way = Speed(in).near_one(in);
+  return portable::atan2(std::fabs(cross(normal, way)), std::fabs(normal.dot(way)));
 }
 
 std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {

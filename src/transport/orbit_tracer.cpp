@@ -25,6 +25,9 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
 // far as anyone can wait.
 constexpr std::uint32_t kMostCrossings = 1U << 18;
 
+// So few rays are faster asked one by one than in the lanes of a batch.
+constexpr std::size_t kFewFlights = 12;
+
 // From a point on a curve a ray goes inward from the first root, or outward from the second;
 // `both` on the tangent.
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
@@ -77,23 +80,27 @@ class OrbitTracer::Wave {
   }
 
   void run() {
-    RayBatch rays;
-    rays.tangents = false;
-    std::vector<NearestHit> hits;
-    while (!flights_.empty()) {
-      rays.resize(flights_.size());
-      hits.resize(flights_.size());
-      for (std::size_t i = 0; i < flights_.size(); ++i)
-        rays.set(i, flights_[i].ray, flights_[i].left);
-      orbits_.tracer_->nearest(rays, hits);
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < flights_.size(); ++i)
-        if (advance(flights_[i], hits[i])) flights_[kept++] = flights_[i];
-      flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(kept), flights_.end());
-    }
+    while (flights_.size() > kFewFlights) run_together();
+    for (Flight& flight : flights_)
+      while (advance(flight, orbits_.tracer_->nearest_of_one(flight.ray, flight.left, false))) {
+      }
   }
 
  private:
+  // All of them to their next wall.
+  void run_together() {
+    rays_.tangents = false;
+    rays_.resize(flights_.size());
+    hits_.resize(flights_.size());
+    for (std::size_t i = 0; i < flights_.size(); ++i)
+      rays_.set(i, flights_[i].ray, flights_[i].left);
+    orbits_.tracer_->nearest(rays_, hits_);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < flights_.size(); ++i)
+      if (advance(flights_[i], hits_[i])) flights_[kept++] = flights_[i];
+    flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(kept), flights_.end());
+  }
+
   // Whether the ray can set off.
   bool start(Flight& flight) {
     if (flight.left.surface == kNoSurface) {
@@ -146,7 +153,7 @@ class OrbitTracer::Wave {
     add(flight.time, hit.t);
     if (landing.corner.empty()) {
       if (is_mirror(hit.surface)) {
-        auto reflection = reflect_off(walls_, flight.ray, hit, landing.point, flight.speed);
+        auto reflection = reflect_off(walls_, flight.ray, hit, landing, flight.speed);
         const Left wall{hit.surface, root_left_by(hit.root)};
         if (reflection && wall.root != Root::none && walls_.curve(wall.surface).is_circle())
           keep_moment(flight, wall, landing.point, reflection->direction);
@@ -191,7 +198,7 @@ class OrbitTracer::Wave {
     flight.ray.origin = point;
     if (!reflection) return stop(flight, OrbitEnd::along, {wall.surface});
     report(flight, {wall.surface, point, flight.before + t, flight.path_length(),
-                    reflection->normal, reflection->incidence, reflection->direction});
+                    reflection->normal, flight.ray.direction, reflection->direction});
     flight.before = 0;
     flight.crossings = 0;
     flight.ray.direction = reflection->direction;
@@ -204,7 +211,7 @@ class OrbitTracer::Wave {
   bool turn_back(Flight& flight, const Landing& corner, double t) {
     const Vec2 back = -flight.ray.direction;
     report(flight, {corner.corner.front(), corner.point, flight.before + t, flight.path_length(),
-                    unit(back), 0, back});
+                    unit(back), -back, back});
     flight.before = 0;
     flight.ray.direction = back;
     flight.moment = -flight.moment;
@@ -247,6 +254,8 @@ class OrbitTracer::Wave {
   std::uint64_t limit_;
   OrbitSink& sink_;
   std::vector<Flight> flights_;  // still under way, in the order they were given
+  RayBatch rays_;
+  std::vector<NearestHit> hits_;
 };
 
 OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materials,

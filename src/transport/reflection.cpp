@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/portable_math.h"
 #include "geom/decide.h"
 #include "geom/reflect.h"
 #include "transport/landing.h"
@@ -51,16 +50,15 @@ std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const
   });
   if (!out) return std::nullopt;
   // Adding zero turns -0 into 0, which reads better.
-  const Vec2 normal = static_cast<double>(met.side) * unit(met.normal) + Vec2(0, 0);
-  const Vec2 in = speed.near_one(direction);
-  const double across = std::fabs(cross(normal, in)), against = std::fabs(normal.dot(in));
-  return Reflection{*out, normal, portable::atan2(across, against)};
+  return Reflection{*out, static_cast<double>(met.side) * unit(met.normal) + Vec2(0, 0)};
 }
 
 }  // namespace
 
 Vec2 unit(const Vec2& v) {
-  const Vec2 near_one = scaled(v, -exponent_of(v));
+  const double size = v.cwiseAbs().maxCoeff();
+  const bool usual = size > 0x1p-400 && size < 0x1p400;  // scaling would change no bit
+  const Vec2 near_one = usual ? v : scaled(v, -exponent_of(v));
   return near_one / std::sqrt(near_one.x() * near_one.x() + near_one.y() * near_one.y());
 }
 
@@ -97,12 +95,9 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 }
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
-                                      const Vec2& point, const Speed& speed) {
-  const Vec2 normal = walls.is_straight(hit.surface)
-                          ? left_of(walls.segments[walls.slot[hit.surface]])
-                          : exact_hit(walls, ray, hit).normal();
-  return reflected(walls, {hit.surface, inner_side(walls, ray, hit), normal}, ray.direction, point,
-                   speed);
+                                      const Landing& landing, const Speed& speed) {
+  return reflected(walls, {hit.surface, inner_side(walls, ray, hit), landing.normal}, ray.direction,
+                   landing.point, speed);
 }
 
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,

@@ -5,6 +5,7 @@
 #include "geom/predicates.h"
 #include "trace/hits.h"
 #include "trace/surfaces.h"
+#include "transport/landing.h"
 
 namespace flatray {
 
@@ -35,7 +36,6 @@ class Speed {
 /// What a mirror does to a ray.
 struct Reflection {
   Vec2 direction, normal;
-  double incidence;
 };
 
 /// Whether `direction` leads from `point` away from a wall, on the side given: left (positive) of a
@@ -55,15 +55,14 @@ double moment_about(const Vec2& centre, const Ray& ray);
 Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
                  double moment);
 
-/// Reflects `ray` where it meets the wall of `hit`, seen from `point`, the double kept for the
-/// exact hit.
+/// Reflects `ray` where it meets the wall of `hit` and may stand.
 ///
 /// Gives   a direction that does not lead back through the wall: exactly decided, moved by at most
 ///         kSearchUlps in each component where rounding had turned it; nullopt where that is not
 ///         enough (then the ray runs along the wall).
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
-                                      const Vec2& point, const Speed& speed);
+                                      const Landing& landing, const Speed& speed);
 /// The same of a ray that comes back along `direction` to a wall it has left at `point`.
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
                                         const Vec2& direction, const Speed& speed);

@@ -11,7 +11,8 @@ head -1 out/accuracy.csv | grep -q '^choice,setting,n,seconds' || fail "header o
 run 0 accuracy box.toml -o json --choice coverage --budget 5 --json
 says out '"files":'
 run 0 accuracy box.toml -o cut --choice coverage --budget 0.000001s
-says out "not within the budget: exact area"
+says out "not within the budget: reference of 16 samples"
+says out "exact area, 4 samples a pixel"
 run 2 accuracy box.toml --choice covrage
 says err "did you mean 'coverage'?"
 run 2 accuracy box.toml --budget soon

@@ -33,8 +33,13 @@ run 2 experiment mean-free-path "$sinai" --sweep radius
 says err "write KEY=0.1..0.4:0.05"
 run 2 experiment mean-free-path "$sinai" --sweep radius=1..0:0.1
 run 2 experiment divergence "$sinai" --apart 0
-run 2 experiment mean-free-path "$sinai" --map angel
+run 2 experiment escape "$sinai" --map angel
 says err "angle"
+# Options that would change nothing, all told at once.
+run 2 experiment escape "$sinai" --count 10 --apart 0.1 --map angle
+says err "--count: error: is nothing that escape looks at"
+says err "--apart: error"
+says err "it takes --bounces, --map, --resume"
 scene box.toml 1
 run 4 experiment lyapunov box.toml
 says err "has no chamber"

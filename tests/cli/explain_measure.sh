@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: shapes/convex shapes/segment
 # explain --measure draws, writes nothing, and counts what was left out; keep-all leaves nothing out.
 source "$(dirname "$0")/lib.sh"
 cat > hold.toml <<'TOML'
@@ -45,4 +46,25 @@ run 0 render hold.toml --keep-all -o all/f_####.png
 run 0 render hold.toml -j 3 -o threads/f_####.png
 same plain all "--keep-all"
 same plain threads "three threads"
+# Of the four walls of a room the first flight looks at all, the second leaves out the one it comes from.
+cat > room.toml <<'TOML'
+flatray = 1
+film    = { size = [64, 64], world = [[-1, -1], [1, 1]] }
+[[chamber]]
+shape = { box = { min = [-1, -1], max = [1, 1] } }
+[[ray]]
+name = "r"
+at = [0.25, 0]
+direction = [1, 0]
+bounces = 2
+TOML
+run 0 explain --measure room.toml
+says out "3.5 a flight"
+says out "87.5 % of 4 walls tested and 25 % hit in 2 flights of rays"
+# A forced tracer draws the same bytes; hit counts primitives.
+for tracer in brute grid exact; do run 0 render room.toml --tracer "$tracer" -o "$tracer.png"; done
+cmp brute.png grid.png && cmp brute.png exact.png || fail "a tracer draws another picture"
+run 2 render room.toml --tracer none
+run 0 hit "$root/scenes/paper/case_one.toml" --ray 1,2,22,10 --json
+says out '"primitives":[{"ray":"ray","tested":'
 finish

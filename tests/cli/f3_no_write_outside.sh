@@ -42,7 +42,7 @@ done
 # Names become those of files of experiments.
 for file in "$work"/in/deep/*; do
   run 0 experiment markov "$file" -o here/deep/markov --count 10
-  run 0 experiment coverage "$file" -o here/deep/sweep --count 10 --sweep ray.0.bounces=1..2:1
+  run 0 experiment coverage "$file" -o here/deep/sweep --sweep ray.0.bounces=1..2:1
 done
 exists here/deep/markov/markov_.._.._.._.._tmp_flatray_f3.svg
 exists here/deep/sweep/sweep.csv

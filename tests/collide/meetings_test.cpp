@@ -1,3 +1,4 @@
+// needs: shapes/circle
 #include "collide/meetings.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// needs: shapes/circle
 #include "collide/simulate.h"
 
 #include <fmt/core.h>

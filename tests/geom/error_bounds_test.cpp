@@ -6,6 +6,7 @@
 #include "geom/bounded.h"
 #include "geom/clip_cases.h"
 #include "geom/decide.h"
+#include "geom/quick.h"
 
 namespace flatray {
 namespace {
@@ -72,6 +73,43 @@ TEST(ErrorBounds, BoundedNumbersHoldWhatTheyClaim) {
     EXPECT_LT(w.ratio, 1) << name;
     EXPECT_GT(w.ratio, 0) << name;
   }
+}
+
+TEST(ErrorBounds, QuickNumbersHoldWhatTheyClaim) {
+  double worst[3] = {}, root = 0;
+  const auto share = [](const Quick& value, const Rational& exact) {
+    return size_of(exact - value.hi() - value.lo()) / value.error();
+  };
+  for (int item = 0; item < 5000; ++item) {
+    Draw draw = draw_of(72, item);
+    const double p = number(draw), q = number(draw), r = number(draw), s = number(draw);
+    const Quick a = Quick::product(p, q),
+                b = Quick::product(r, s);  // without error, but for underflow
+    const Rational ea = Rational(p) * q, eb = Rational(r) * s;
+    worst[0] = std::max(worst[0], share(a + b, ea + eb));
+    worst[1] = std::max(worst[1], share(a * b, ea * eb));
+    worst[2] = std::max(worst[2], share(a / b, ea / eb));
+    EXPECT_LT(share((a + b) * (a - b) / b, (ea + eb) * (ea - eb) / eb), 1);
+    const Quick w = square_root(a * a);
+    root = std::max(root, size_of(Rational(std::fabs(a.hi())) - w.hi() +
+                                  (a.hi() > 0 ? a.lo() : -a.lo()) - w.lo()) /
+                              w.error());
+  }
+  fmt::print(
+      "worst error over bound: {:.3f} of a quick sum, {:.3f} of a product, {:.3f} of a "
+      "quotient, {:.3f} of a root\n",
+      worst[0], worst[1], worst[2], root);
+  for (const double share_used : {worst[0], worst[1], worst[2], root}) EXPECT_LT(share_used, 1);
+}
+
+TEST(ErrorBounds, QuickNumbersAreUnsureOfWhatOverflowsOrUnderflows) {
+  EXPECT_FALSE((Quick(1e200) * 1e200 - Quick(2e200) * 1e200).sign());
+  EXPECT_FALSE((Quick(1e308) + 1e308).sign());
+  EXPECT_FALSE((Quick(5e-324) * 0.5).sign());
+  EXPECT_FALSE((Quick(1) / Quick(0)).sign());
+  EXPECT_FALSE(square_root(Quick(-1)).sign());
+  EXPECT_FALSE((Quick(1) - Quick(1)).sign());
+  EXPECT_FALSE((Quick(1e-310) * Quick(1.5)).nearest());
 }
 
 TEST(ErrorBounds, BoundedNumbersAreUnsureOfWhatOverflowsOrUnderflows) {

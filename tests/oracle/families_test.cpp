@@ -15,14 +15,19 @@ void add(Hash& hash, const Vec2& v) {
 
 // Rows of `flatray stability` are compared with those of other builds: a number names one scene.
 TEST(Families, AreTheSameForEveryCompiler) {
-  Hash hash;
+  Hash straight, curved;
   for (const Family& family : families())
     for (std::uint64_t item = 0; item < 8; ++item) {
       const AimedScene scene = make_scene(family, 1, item);
+      Hash& hash = scene.curves.empty() ? straight : curved;
       for (const Segment& wall : scene.walls) add(hash, wall.a), add(hash, wall.b);
       for (const Ray& ray : scene.rays) add(hash, ray.origin), add(hash, ray.direction);
+      for (const Arc& arc : scene.curves)
+        for (const Vec2& v : {arc.curve.centre, arc.curve.u, arc.curve.v, arc.from, arc.to})
+          add(hash, v);
     }
-  EXPECT_EQ(hash.hex(), "b29511bd8bb84e63");
+  EXPECT_EQ(straight.hex(), "b29511bd8bb84e63");
+  EXPECT_EQ(curved.hex(), "703bc2c4a2d896a2");
 }
 
 }  // namespace

@@ -50,13 +50,14 @@ TEST(NearestWall, WholeNumbersAndRationalsAgree) {
   for (const Family& family : families()) {
     if (family.name == std::string("denormal")) continue;  // where a factor loses bits
     AimedScene scene = make_scene(family, 3, 1);
+    if (!scene.curves.empty()) continue;
     scene.rays.resize(16);
     std::vector<Segment> walls = scene.walls;
     walls.push_back({{0, 0x1p-1000}, {0, 0x1p-1000}});  // far below all others
     for (const Ray& ray : scene.rays) {
       const NearestWall a = nearest_wall(ray, scene.walls), b = nearest_wall(ray, walls);
       if (b.wall == static_cast<std::int64_t>(scene.walls.size())) continue;
-      rationals += b.by_whole_numbers ? 0 : 1;
+      rationals += b.by == NearestWall::By::rationals ? 1 : 0;
       EXPECT_EQ(a.wall, b.wall) << family.name;
       EXPECT_EQ(a.kind, b.kind) << family.name;
       EXPECT_EQ(a.at_end, b.at_end) << family.name;
@@ -64,6 +65,44 @@ TEST(NearestWall, WholeNumbersAndRationalsAgree) {
     }
   }
   EXPECT_GT(rationals, 100);
+}
+
+// Walls ruled out by bounds change no answer; many rays need nothing else.
+TEST(NearestWalls, AnswerAsIfEveryWallWereDecidedExactly) {
+  int rays = 0, by_bounds = 0;
+  for (const Family& family : families())
+    for (std::uint64_t item = 0; item < 4; ++item) {
+      const AimedScene scene = make_scene(family, 5, item);
+      if (!scene.curves.empty()) continue;
+      const Surfaces surfaces = scene.surfaces();
+      NearestWalls walls(surfaces);
+      for (const Ray& ray : scene.rays) {
+        const NearestWall a = nearest_wall(ray, scene.walls), b = walls.of(ray);
+        ++rays;
+        by_bounds += b.by == NearestWall::By::bounds ? 1 : 0;
+        EXPECT_EQ(a.wall, b.wall) << family.name;
+        EXPECT_EQ(a.kind, b.kind) << family.name;
+        EXPECT_EQ(a.at_end, b.at_end) << family.name;
+        EXPECT_EQ(a.t, b.t) << family.name;
+      }
+    }
+  EXPECT_GT(3 * by_bounds, rays);
+}
+
+// A ray that passes an end of a wall by an ulp, far from it, and one that does not.
+TEST(Suspects, AreSureOnlyOfWhatTheBoundsTell) {
+  const std::vector<Segment> wall = {{{4, 0}, {4, 4}}};
+  std::vector<Suspect> suspects;
+  find_suspects({{0, 2}, {1, 0}}, wall, suspects);
+  ASSERT_EQ(suspects.size(), 1U);
+  EXPECT_TRUE(suspects[0].sure);
+  EXPECT_LE(suspects[0].low, 4);
+  EXPECT_GE(suspects[0].high, 4);
+  find_suspects({{0, 4}, {1, 0}}, wall, suspects);
+  ASSERT_EQ(suspects.size(), 1U);
+  EXPECT_FALSE(suspects[0].sure);
+  find_suspects({{0, 4}, {1, 0x1p-50}}, wall, suspects);
+  EXPECT_TRUE(suspects.empty());
 }
 
 TEST(WholeNumbers, HoldDoublesWithinSixtyBits) {

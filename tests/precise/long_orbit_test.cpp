@@ -45,6 +45,20 @@ TEST(LongOrbit, AgreesWithCertifiedOrbitsOfTheStadiumToTheLastDigit) {
   for (int i = 0; i < 20; ++i) expect_agreement(stadium(), {{0.1, 0.2 + 0.01 * i}, {1, 0.7}}, 200);
 }
 
+TEST(LongOrbit, AgreesWithCertifiedOrbitsInAnEllipseAskew) {
+  Surfaces walls;
+  walls.add(Arc{Ellipse({0, 0}, {3, 1}, {-0.5, 2}), Arc::Extent::whole, {0, 0}, {0, 0}});
+  walls.add(Segment{{-0.5, -0.5}, {0.5, -0.25}});
+  for (int i = 0; i < 5; ++i) expect_agreement(walls, {{1, 0.5}, {1, 0.3 + 0.1 * i}}, 40);
+}
+
+TEST(LongOrbit, MeetsTheLowestOfWallsOnEachOther) {
+  Surfaces walls;
+  for (int i = 0; i < 3; ++i) walls.add(Circle{{0.3, 0.1}, 0.7});
+  const auto orbit = oracle::long_orbit(walls, {{5, 0.2}, {-1, 0.01}}, 1, 512);
+  EXPECT_EQ(orbit.bounces.front().surface, 0U);
+}
+
 TEST(LongOrbit, ClosesOnItselfInTheTriangleOfFagnano) {
   const Surfaces walls = room({{0, 0}, {20, 0}, {10, 20}});
   const oracle::LongOrbit orbit = oracle::long_orbit(walls, {{13, 4}, {3, 4}}, 3000, 512);

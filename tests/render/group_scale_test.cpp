@@ -58,7 +58,7 @@ TEST(GroupScale, RaysMeetWhatIsDrawn) {
   for (const View* view : views()) {
     const auto seen = [&](const Scene& scene) {
       const Timeline timeline(scene, scene.seed, 1);
-      return draw_view({view, {3, 4}, nullptr}, scene, at(timeline, 1), {});
+      return draw_view({view, {3, 4}}, nullptr, scene, at(timeline, 1), {});
     };
     EXPECT_EQ(seen(plain), seen(scaled)) << view->name;
   }

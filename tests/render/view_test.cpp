@@ -27,7 +27,7 @@ const View& view_called(const std::string& name) {
 Image view_of(const Scene& scene, const std::string& name, const Vec2& point = {0, 0},
               const char* tracer = "brute", const FrameOptions& options = {}) {
   const Timeline timeline(scene, scene.seed, 1);
-  return draw_view({&view_called(name), point, find_tracer(tracer)}, scene, at(timeline, 1),
+  return draw_view({&view_called(name), point}, find_tracer(tracer), scene, at(timeline, 1),
                    options);
 }
 

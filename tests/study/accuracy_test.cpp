@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle
+// needs: shapes/box shapes/circle shapes/polygon shapes/segment
 #include "study/accuracy.h"
 
 #include <gtest/gtest.h>
@@ -74,15 +74,82 @@ TEST(Accuracy, WhatTheBudgetCutsIsNamed) {
   EXPECT_EQ(report.cut, "long and far, long and near");
 }
 
+Result<ChoiceSettings> dear(const AccuracyContext& context) {
+  spin(0.05);
+  auto made = three(context);
+  made->missing.push_back({"far", "no road"});
+  made->cut = "reference of less";
+  return made;
+}
+
+TEST(Accuracy, TheBudgetIsOfTheReferenceToo) {
+  const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
+  const Scene scene;
+  const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 0.04});
+  EXPECT_GE(report.reference_seconds, 0.05);
+  EXPECT_GE(report.seconds, report.reference_seconds);
+  EXPECT_EQ(report.points.size(), 1U);
+  EXPECT_EQ(report.cut, "reference of less, long and far, long and near");
+  EXPECT_EQ(report.rounds, 1U);
+}
+
+TEST(Accuracy, WhatIsMissingHereIsNamedWithItsReason) {
+  const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
+  const Scene scene;
+  const ChoiceReport reports[] = {measure_choice(choice, {scene, 1, 1, 1e6})};
+  const ExperimentResult result = accuracy_report("scene", reports);
+  EXPECT_NE(result.summary.find("not here: far: no road"), std::string::npos);
+  for (const ExperimentResult::File& file : result.files)
+    if (file.name == "accuracy.json" || file.name == "accuracy.html") {
+      EXPECT_NE(file.content.find("far: no road"), std::string::npos) << file.name;
+    }
+}
+
+TEST(Accuracy, TheBestUnderASecondAndTheCheapestUnderAThousandthAreMarked) {
+  ChoiceReport report;
+  const auto add = [&](const char* words, double seconds, double error) {
+    report.points.push_back({words, 0, seconds, 0, {error}, true});
+  };
+  add("fast", 0.5, 0.1);
+  add("fair", 0.9, 0.01);
+  add("near", 2, 0.0009);
+  add("nearest", 9, 0.0001);
+  EXPECT_EQ(advice(report, report.points[0]), "");
+  EXPECT_EQ(advice(report, report.points[1]), "best under 1 s");
+  EXPECT_EQ(advice(report, report.points[2]), "cheapest under 0.001");
+  report.points[2].seconds = 0.95;
+  EXPECT_EQ(advice(report, report.points[2]), "best under 1 s and cheapest under 0.001");
+}
+
+// 20 rays of each tracer of this build, against arithmetic that none of them has.
+TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
+  const Scene scene =
+      loaded(
+          "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n"
+          "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n"
+          "[[entity]]\nshape = { box = { min = [3, 2], max = [9, 7] } }\n")
+          .scene;
+  for (const Choice* choice : choices()) {
+    if (std::string_view(choice->name) != "tracer") continue;
+    const ChoiceReport report = measure_choice(*choice, {scene, 1, 1, 0.5});
+    EXPECT_NE(report.reference.find("oracle/long_orbit"), std::string::npos);
+    for (const AccuracyPoint& one : report.points)
+      if (one.setting == "--tracer exact" || one.setting == "--tracer brute") {
+        EXPECT_EQ(one.outcome.error, 0) << one.setting;
+      }
+  }
+}
+
 constexpr const char* kHead =
     "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n";
 
-ChoiceReport coverage_of(const std::string& text) {
+ChoiceReport report_of(std::string_view name, const std::string& text) {
   const Scene scene = loaded(kHead + text).scene;
   for (const Choice* choice : choices())
-    if (std::string_view(choice->name) == "coverage") return measure_choice(*choice, {scene});
+    if (name == choice->name) return measure_choice(*choice, {scene});
   return {};
 }
+ChoiceReport coverage_of(const std::string& text) { return report_of("coverage", text); }
 
 double error_of(const ChoiceReport& report, const std::string& setting) {
   for (const AccuracyPoint& one : report.points)
@@ -114,6 +181,62 @@ TEST(Accuracy, AreasOfThingsOnEachOtherAreBlendedAsIfTheyWereIndependent) {
   const ChoiceReport report =
       coverage_of(disc + "fill = \"#0000ff\"\n" + disc + "fill = \"#ff0000\"\n");
   EXPECT_GT(error_of(report, "exact area"), 2 * error_of(report, "64 samples a pixel"));
+}
+
+TEST(Accuracy, OfChordsFallsLikeTheSquareOfTheirNumber) {
+  const ChoiceReport report = report_of(
+      "flattening", "[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n");
+  ASSERT_TRUE(report.order);
+  EXPECT_NEAR(report.order->slope, -2, 0.2);
+  EXPECT_LT(error_of(report, "curves as they are"), 1e-4);
+  EXPECT_NE(report_of("flattening", "").left_out, "");
+}
+
+// A small box flies over a thin wall between two frames, and past a triangle whose box it enters.
+constexpr const char* kBullet = R"(
+[[entity]]
+shape    = { box = { min = [0, 4], max = [0.25, 4.25] } }
+velocity = [15.5, 0]
+[[entity]]
+shape = { box = { min = [8, 0], max = [8.125, 8] } }
+[[entity]]
+shape = { polygon = { points = [[14, 0], [18, 0], [14, 4.5]] } }
+at    = [0, 4.125]
+[[entity]]
+shape = { polygon = { points = [[24, 3.5], [24, 16], [12, 16]] } }
+)";
+
+TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) {
+  const std::string text = std::string("fps = 1\nframes = 2\n") + kBullet;
+  const Scene scene = loaded("flatray = 1\n" + text).scene;
+  for (const Choice* choice : choices()) {
+    const ChoiceReport report = measure_choice(*choice, {scene});
+    if (report.name == "contact") {
+      EXPECT_EQ(error_of(report, "--method minkowski"), 0);
+      EXPECT_GT(error_of(report, "--method boxes"), 0);
+      EXPECT_GT(error_of(report, "--method edge-rays"), 0);
+    }
+    if (report.name == "motion") {
+      EXPECT_EQ(error_of(report, "all instants"), 0);
+      EXPECT_GT(error_of(report, "1 instant a frame"), 0);
+      EXPECT_EQ(error_of(report, "64 instants a frame"), 0);
+    }
+  }
+}
+
+TEST(Accuracy, OfDepthIsTheShareOfOrbitsThatAreStillInside) {
+  const ChoiceReport report = report_of("depth", R"(
+[[entity]]
+shape    = { segment = { from = [2, 2], to = [2, 14] } }
+material = "mirror"
+[[ray]]
+at        = [12, 8]
+direction = [-1, 0]
+bounces   = 3
+)");
+  // 22 of 24 columns of pixels are right of the mirror, 12 of 16 rows between its ends.
+  EXPECT_EQ(error_of(report, "1 bounce"), 22 * 12.0 / (24 * 16));
+  EXPECT_EQ(error_of(report, "4 bounces"), 0);
 }
 
 TEST(Accuracy, AChoiceASceneLacksIsLeftOutWithItsReason) {

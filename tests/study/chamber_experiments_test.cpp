@@ -130,6 +130,18 @@ TEST(PhasePortion, OfAClosedDiamondIsFourCells) {
   EXPECT_EQ(measure(result, "diamond").value, 4.0 / 10'000);
 }
 
+// An ergodic room: one orbit says how sure it is of what many would find.
+TEST(Poincare, OfOneOrbitHasAnErrorFromItsStretches) {
+  const Scene scene = scene_of(
+      "[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
+      "pillars = [ { shape = { circle = { centre = [0.5, 0.5], radius = 0.25 } } } ]\n"
+      "[[ray]]\nname = \"one\"\nat = [0.1, 0.2]\ndirection = [1, 0.3]\n");
+  const Measure found = measure(run("poincare", {scene, 1, 100'000}), "mean_square_sine");
+  EXPECT_GT(found.standard_error, 1e-4);
+  EXPECT_LT(found.standard_error, 1e-2);
+  EXPECT_NEAR(found.value, 1.0 / 3, 4 * found.standard_error);
+}
+
 // pi A / P holds where walls that stand alone count with both of their sides.
 TEST(MeanFreePath, OfARoomWithALoneWallCountsBothItsSides) {
   const Scene scene = room("box = { min = [0, 0], max = [4, 4] }",

@@ -23,7 +23,7 @@ class Spoiled final : public Accelerator {
 };
 
 template <void (*spoil)(NearestHit&)>
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
   return std::make_unique<Spoiled<spoil>>(walls);
 }
 

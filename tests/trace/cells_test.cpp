@@ -294,5 +294,28 @@ TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {
     }
 }
 
+// Rows are filled in strips that do not depend on the threads; crowded cells and twins among them.
+TEST(CellGrid, HasTheSameBitsForAnyNumberOfThreads) {
+  Draws draw(19);
+  Surfaces walls = crowd(draw, 30000, 0.01);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 at = 1e-3 * draw.point();
+    walls.add(Segment{at, at + 1e-5 * draw.point()});
+  }
+  const std::size_t own = walls.segments.size();
+  for (std::size_t i = 0; i < 50; ++i) {
+    const Segment twin = walls.segments[37 * i];
+    walls.add(twin);
+  }
+  const auto alone = CellGrid::build(walls);
+  ASSERT_TRUE(alone);
+  EXPECT_GT(alone->divided(), 0U);
+  EXPECT_TRUE(alone->is_twin(37));
+  EXPECT_TRUE(alone->is_twin(own + 1));
+  EXPECT_GT(own, 30000U);  // of several strips
+  for (const unsigned threads : {2U, 3U, 7U, 16U})
+    EXPECT_TRUE(*CellGrid::build(walls, threads) == *alone) << threads;
+}
+
 }  // namespace
 }  // namespace flatray

@@ -71,17 +71,20 @@ TEST_P(Inexact, CannotTellOneDoubleFromTheNext) {
 }
 
 // Beyond the range of single precision nothing is met, whatever the library's own checks say.
-TEST_P(Inexact, SurvivesNumbersBeyondItsRange) {
+TEST_P(Inexact, MeetsNothingBeyondItsRange) {
   Case c;
   c.walls.add(Segment{{1, -1}, {1, 1}});
-  for (const double large : {1e19, 1e38, 1e39, 1e300}) {
+  for (const double large : {1e39, 1e300}) {
     c.rays.add({{0, 0}, {large, 0}});
     c.rays.add({{-large, 0}, {1, 0}});
     c.rays.add({{-large, large}, {large, -large}});
   }
   std::vector<NearestHit> hits(c.rays.size());
   tracer->build(c.walls)->nearest(c.rays, hits);
-  for (const NearestHit& hit : hits) EXPECT_TRUE(!hit || hit.surface == 0) << hit.surface;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    EXPECT_FALSE(hits[i]) << i;
+    EXPECT_TRUE(exact_hit_of(c, i)) << i;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Tracers, Inexact, testing::Values("float", "embree"),

@@ -101,7 +101,7 @@ TEST(Orbit, OfTheHallEndsWhereTheDiamondSays) {
   EXPECT_EQ(last.path_length, 115 * std::numbers::sqrt2);
   EXPECT_EQ(last.t, 10);
   EXPECT_EQ(last.normal, Vec2(0, 1));
-  EXPECT_NEAR(last.incidence, std::numbers::pi / 4, 0x1p-53);
+  EXPECT_NEAR(last.incidence(), std::numbers::pi / 4, 0x1p-53);
   EXPECT_EQ(orbit.end, OrbitEnd::limit);
 }
 

@@ -105,7 +105,7 @@ TEST(StiffCases, C7CornerByTheRuleOfReturning) {
   ASSERT_EQ(orbit.bounces.size(), 3U);
   EXPECT_EQ(orbit.bounces[0].point, Vec2(1, 1));
   EXPECT_EQ(orbit.bounces[0].out, Vec2(-0.75, -0.5));
-  EXPECT_EQ(orbit.bounces[0].incidence, 0);
+  EXPECT_EQ(orbit.bounces[0].incidence(), 0);
   EXPECT_EQ(orbit.bounces[1].surface, 3U);
   EXPECT_NEAR(orbit.bounces[1].point.y(), 1.0 / 3, 0x1p-53);
   EXPECT_NEAR(orbit.bounces[1].t, 4.0 / 3, 0x1p-52);

@@ -27,7 +27,7 @@ rule() {
   failures=$((failures + $(wc -l <<<"$finds")))
 }
 
-all_files=$(find . \( -path ./build -o -path ./out -o -path ./.git -o -path ./tests/tree \) -prune -o -type f -print |
+all_files=$(find . \( -path ./build -o -path ./out -o -path ./.git -o -path ./tests/tree -o -name node_modules \) -prune -o -type f -print |
   sed 's,^\./,,' | grep -vE '\.(png|hdr|swp)$|~$' | sort)
 
 # Two copies of the tree to search: `text` as it is, `code` without comments.

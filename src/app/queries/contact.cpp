@@ -28,7 +28,9 @@ Fields turning_answer(const Question::Moving& a, const Question::Moving& b) {
       {"t_last", JsonValue()},
       {"start", first.start == StartPlace::boundary ? "undecided" : contact_name(first.start)}};
   if (first.verdict != TurningContact::Verdict::apart) fields[1].second = interval(first.first);
-  if (meets) fields[2].second = interval(turning_contact(one, other, kLength, kWidth, true).first);
+  if (!meets) return fields;
+  const TurningContact last = turning_contact(one, other, kLength, kWidth, true);
+  if (last.verdict == TurningContact::Verdict::meets) fields[2].second = interval(last.first);
   return fields;
 }
 

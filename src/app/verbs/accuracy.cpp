@@ -6,10 +6,12 @@
 #include <chrono>
 
 #include "app/option_values.h"
+#include "app/profile.h"
 #include "app/report.h"
 #include "app/result_files.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "base/file.h"
 #include "base/number_text.h"
 #include "study/accuracy_report.h"
 
@@ -21,9 +23,9 @@ std::vector<std::string> choice_names() { return names_of(flatray::choices()); }
 constexpr auto kOptions = with_scene_options(
     {{"output", 'o', "FOLDER", "where its files go (default out/accuracy)"},
      {"budget", '\0', "SECONDS",
-      "of processor time for the settings tried, without what they are compared with (default "
-      "60s)"},
+      "of processor time for all of it, what settings are compared with among it (default 60s)"},
      {"choice", '\0', "NAME,NAME", "only these choices", OptionKind::text, &choice_names},
+     {"profile", '\0', "FILE", "write, too, what flatray render --profile chooses from"},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
      kThreadsOption,
      kJsonOption});
@@ -51,15 +53,20 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto loaded = load_input(arguments, arguments.operands()[0]);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, arguments);
-  const AccuracyContext context{loaded->scene, *seed, *width,
-                                *budget / static_cast<double>(names->size())};
-  std::vector<ChoiceReport> reports;
+  std::vector<const Choice*> chosen;
   for (const Choice* choice : flatray::choices())
     if (std::find(names->begin(), names->end(), choice->name) != names->end())
-      reports.push_back(measure_choice(*choice, context));
+      chosen.push_back(choice);
+  const std::vector<ChoiceReport> reports =
+      measure_choices(chosen, {loaded->scene, *seed, *width, *budget});
   const ExperimentResult result = accuracy_report(loaded->scene.name, reports);
   auto files = write_files(result, arguments.text("output").value_or("out/accuracy"));
   if (!files) return fail(std::move(files));
+  if (const auto path = arguments.text("profile")) {
+    if (auto written = write_file(*path, profile_text(loaded->scene, reports)); !written)
+      return fail(std::move(written));
+    files->emplace_back(*path);
+  }
   if (!arguments.has("json")) return VerbOutput{result.summary, 0};
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   Fields fields{{"summary", result.summary}, {"files", std::move(*files)}};
@@ -76,7 +83,8 @@ extern const Verb accuracy = {
     1,
     kOptions,
     "  flatray accuracy scenes/demo.toml -o out/accuracy\n"
-    "  flatray accuracy scenes/chamber/sinai.toml --choice samples,precision --budget 10s\n",
+    "  flatray accuracy scenes/chamber/sinai.toml --choice samples,precision --budget 10s\n"
+    "  flatray accuracy scenes/demo.toml --choice coverage --profile demo.profile\n",
     "nothing measured",
     &run};
 

@@ -34,11 +34,14 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
                     {}};
   for (const Meeting& meeting : meetings) {
     const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
+    const bool turning = width > 0;  // those too close to tell are called boundary
+    const char* from = times.low > 0                              ? "apart"
+                       : turning && start == StartPlace::boundary ? "undecided"
+                                                                  : contact_name(start);
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
                           certain ? name(kind) : "undecided", times.low, times.high,
-                          1 + times.low * scene.fps, times.low > 0 ? "apart" : contact_name(start),
-                          point.x(), point.y(), normal.x(), normal.y(),
-                          meeting.straight ? "straight" : "by frames", width});
+                          1 + times.low * scene.fps, from, point.x(), point.y(), normal.x(),
+                          normal.y(), meeting.straight ? "straight" : "by frames", width});
   }
   return table;
 }

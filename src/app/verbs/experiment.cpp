@@ -40,6 +40,29 @@ Result<const Experiment*> find_experiment(const std::string& name) {
   return unknown_name(named_place("experiment"), "experiment", name, experiment_names());
 }
 
+// Options that would change nothing. What the environment says is for all commands.
+Result<void> expect_used(const Arguments& arguments, const Experiment& experiment) {
+  const ExperimentUses& uses = experiment.uses;
+  const std::pair<const char*, bool> options[] = {{"count", uses.count}, {"bounces", uses.bounces},
+                                                  {"apart", uses.apart}, {"map", uses.map},
+                                                  {"seed", uses.seed},   {"resume", uses.resume}};
+  std::string used;
+  for (const auto& [name, is_used] : options)
+    if (is_used) used += (used.empty() ? "--" : ", --") + std::string(name);
+  Diagnostics problems;
+  for (const auto& [name, is_used] : options) {
+    const auto given = arguments.given().find(name);
+    if (is_used || given == arguments.given().end() || !given->second.origin.starts_with("--"))
+      continue;
+    problems.push_back({arguments.where(name),
+                        fmt::format("is nothing that {} looks at", experiment.name),
+                        used.empty() ? "it has a scene alone" : "it takes " + used});
+    problems.back().trouble = Trouble::usage;
+  }
+  if (problems.empty()) return {};
+  return tl::unexpected(std::move(problems));
+}
+
 std::filesystem::path folder_of(const Arguments& arguments, const Experiment& experiment) {
   return arguments.text("output").value_or(fmt::format("out/{}", experiment.name));
 }
@@ -139,6 +162,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const auto experiment = find_experiment(arguments.operands()[0]);
   if (!experiment) return tl::unexpected(experiment.error());
+  if (auto used = expect_used(arguments, **experiment); !used) return fail(std::move(used));
   catch_interrupts();
   const std::filesystem::path folder = folder_of(arguments, **experiment);
   const auto result = measure_all(arguments, **experiment, folder);

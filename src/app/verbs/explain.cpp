@@ -71,6 +71,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
     auto savings = measured_savings(job);
     if (!savings) return fail(std::move(savings));
+    for (Saving& walls : measured_walls(job)) savings->push_back(std::move(walls));
     for (Saving& saving : *savings)
       table.rows.push_back(
           {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});

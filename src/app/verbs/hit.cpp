@@ -138,7 +138,10 @@ VerbOutput show(const Arguments& arguments, const std::vector<HitReport>& report
     values.push_back(as_value(report));
     text += (text.empty() ? "" : "\n") + text_of(report);
   }
-  if (arguments.has("json")) return {json_report("hit", arguments, std::move(values), 0), 0};
+  if (arguments.has("json"))
+    return {json_report("hit", arguments, std::move(values), 0,
+                        {{"primitives", primitives_hit(reports)}}),
+            0};
   return {std::move(text), 0};
 }
 

@@ -1,5 +1,6 @@
 #include "app/backend_choice.h"
 #include "app/interrupt.h"
+#include "app/profile.h"
 #include "app/render_run.h"
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
@@ -16,6 +17,9 @@ constexpr auto kOptions = with_scene_options(
      {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
      kBackendOption,
      kSamplesOption,
+     kProfileOption,
+     kErrorOption,
+     kTimeOption,
      kViewOption,
      kTracerOption,
      kSeedOption,
@@ -48,7 +52,10 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
   return VerbOutput{std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())};
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
+Result<VerbOutput> run(const Arguments& given) {
+  const auto chosen = with_profile(given);
+  if (!chosen) return tl::unexpected(chosen.error());
+  const Arguments& arguments = *chosen;
   const auto request = read_request(arguments);
   if (!request) return tl::unexpected(request.error());
   const auto mode = progress_mode(arguments);
@@ -59,7 +66,10 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!renderer) return tl::unexpected(renderer.error());
   const auto view = chosen_view(arguments);
   if (!view) return tl::unexpected(view.error());
+  const auto tracer = chosen_tracer(arguments);
+  if (!tracer) return tl::unexpected(tracer.error());
   for (RenderJob& job : *jobs) {
+    job.tracer = *tracer;
     job.renderer = *renderer;
     job.view = *view;
     if (*view && job.output.format() == PictureFormat::hdr)
@@ -88,6 +98,7 @@ extern const Verb render = {
     "  flatray render scene.toml -f 3 -o hall.png\n"
     "  flatray render scene.toml -o 'out/frame_####.png' -j 4 --resume\n"
     "  flatray render scene.toml --shard 0/3        # and 1/3, 2/3 elsewhere\n"
+    "  flatray render scene.toml --profile scene.profile --error 0.002\n"
     "  flatray render scene.toml --view visibility:3,4 -o lit.png\n",
     "nothing rendered",
     &run};

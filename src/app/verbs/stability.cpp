@@ -34,7 +34,8 @@ std::vector<std::string> exact_tracers() {
 }
 
 constexpr std::array kOptions = {
-    Option{"families", '\0', "NAME,NAME", "only these families of inputs", OptionKind::text,
+    Option{"families", '\0', "NAME,NAME",
+           "only these families of inputs, as docs/NUMERICS.md names them", OptionKind::text,
            &family_names},
     Option{"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
            &tracer_names},
@@ -271,6 +272,7 @@ extern const Verb stability = {
     kOptions,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
+    "  flatray stability --families tangents,arc-ends,ellipses\n"
     "  flatray stability --leaks 100000 --tracer grid\n"
     "  flatray stability --pairs 10000 -o out/pairs\n",
     "",

@@ -112,8 +112,8 @@ void draw_some(DrawContext& context, std::span<const Material> materials,
     const RayPath& ray = context.scene.rays[i];
     starts.push_back({world_pose(context.state)(ray.at), ray.direction});
   }
-  const std::vector<Orbit> orbits =
-      trace_orbits(context.world().surfaces, materials, starts, bounces);
+  const std::vector<Orbit> orbits = trace_orbits(context.world().surfaces, materials, starts,
+                                                 bounces, {CornerRule::stop, context.tracer});
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const RayPath& ray = context.scene.rays[numbers[k]];
     context.place(ray.layer, ray.order, ray.where);

@@ -1,18 +1,19 @@
 #include <fmt/core.h>
 
-#include <cmath>
+#include <array>
 #include <memory>
 
 #include "base/check.h"
-#include "image/tile.h"
+#include "base/processor_time.h"
 #include "render/backend.h"
 #include "study/accuracy.h"
+#include "study/linear_error.h"
 #include "study/point_samples.h"
 
 namespace flatray {
 namespace {
 
-constexpr int kTruthSide = 16;
+constexpr std::array kTruthSides = {16, 12, 8, 6, 4};  // of a grid of samples
 
 // A picture, and what the settings draw of it.
 struct Film {
@@ -21,27 +22,10 @@ struct Film {
   unsigned threads = 1;
 };
 
-double rms(const LinearImage& a, const LinearImage& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const double off = static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]);
-    sum += off * off;
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(a.pixels.size(), 1)));
-}
-
-Image developed(const LinearImage& light) {
-  Image image(light.width, light.height, 3);
-  Tile tile{0, 0, light.width, light.height, {}};
-  for (std::size_t i = 0; i < light.pixels.size(); i += 3)
-    tile.rgba.insert(tile.rgba.end(),
-                     {light.pixels[i], light.pixels[i + 1], light.pixels[i + 2], 1.0F});
-  develop(tile, image);
-  return image;
-}
-
 std::function<Outcome()> judged(const std::shared_ptr<Film>& film) {
-  return [film] { return Outcome{rms(film->drawn, film->truth), 0, developed(film->drawn)}; };
+  return [film] {
+    return Outcome{rms_difference(film->drawn, film->truth), 0, developed(film->drawn)};
+  };
 }
 
 std::vector<SamplePlace> grid(int side) {
@@ -60,20 +44,48 @@ Setting samples(const std::shared_ptr<Film>& film, int side) {
           judged(film)};
 }
 
-// What GL makes of it, where there is one.
-void add_gl(std::vector<Setting>& settings, const std::shared_ptr<Film>& film) {
-  for (const Backend* backend : backends())
-    for (const unsigned count : {4U, 16U}) {
-      if (std::string_view(backend->name) != "gl") continue;
-      auto opened = backend->open({film->threads, count});
-      if (!opened) return;
-      const std::shared_ptr<Renderer> gl = std::move(*opened);
-      if (!gl->draw(film->list, {std::nullopt, film->threads}, film->drawn)) return;
-      const auto work = [film, gl] {
-        FLATRAY_CHECK(gl->draw(film->list, {std::nullopt, film->threads}, film->drawn));
-      };
-      settings.push_back({fmt::format("--backend gl, {} samples", count), 0, work, judged(film)});
+// What GL makes of it, or why there is none.
+void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
+  const auto all = backends();
+  const auto found = std::find_if(all.begin(), all.end(), [](const Backend* backend) {
+    return std::string_view(backend->name) == "gl";
+  });
+  if (found == all.end()) {
+    made.missing.push_back({"--backend gl", "this build has none"});
+    return;
+  }
+  for (const unsigned count : {4U, 16U}) {
+    const std::string words = fmt::format("--backend gl --samples {}", count);
+    auto opened = (*found)->open({film->threads, count});
+    auto drawn = opened ? (*opened)->draw(film->list, {std::nullopt, film->threads}, film->drawn)
+                        : Result<void>(fail(std::move(opened)));
+    if (!drawn) {
+      made.missing.push_back({words, drawn.error().front().message});
+      continue;
     }
+    const std::shared_ptr<Renderer> gl = std::move(*opened);
+    const auto work = [film, gl] {
+      FLATRAY_CHECK(gl->draw(film->list, {std::nullopt, film->threads}, film->drawn));
+    };
+    made.settings.push_back({words, 0, work, judged(film), false,
+                             RenderOptions{{"backend", "gl"}, {"samples", std::to_string(count)}}});
+  }
+}
+
+// The mean of side * side samples, as many as there is time for; doubt is by how much a quarter of
+// them is off.
+struct Truth {
+  int side;
+  double doubt;
+};
+Truth find_truth(Film& film, double seconds) {
+  const double start = processor_seconds();
+  film.truth = mean_light(film.list, grid(1), film.threads);
+  const double one = std::max(processor_seconds() - start, 1e-6);
+  const auto* side = kTruthSides.begin();
+  while (side + 1 != kTruthSides.end() && 1.25 * *side * *side * one > seconds) ++side;
+  film.truth = mean_light(film.list, grid(*side), film.threads);
+  return {*side, rms_difference(film.truth, mean_light(film.list, grid(*side / 2), film.threads))};
 }
 
 std::string left_out(const Scene& scene) {
@@ -90,24 +102,30 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const auto film = std::make_shared<Film>();
   film->list = std::move(*list);
   film->threads = context.threads;
-  film->truth = mean_light(film->list, grid(kTruthSide), context.threads);
-  const double doubt =
-      rms(film->truth, mean_light(film->list, grid(kTruthSide - 1), context.threads));
+  const auto [side, doubt] = find_truth(*film, reference_budget(context));
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
   made.reference = fmt::format(
       "frame {} by {} samples a pixel, from which {} differ by {:.2g}; blended after areas, things "
       "that share a pixel are taken as independent",
-      frame, kTruthSide * kTruthSide, (kTruthSide - 1) * (kTruthSide - 1), doubt);
+      frame, side * side, side * side / 4, doubt);
+  if (side < kTruthSides.front())
+    made.cut = fmt::format("reference of {} samples a pixel instead of {}", side * side,
+                           kTruthSides.front() * kTruthSides.front());
   made.grows = "samples a pixel";
   made.settings = {samples(film, 1),
                    {"exact area", 0,
                     [film] {
                       film->drawn = render_linear(film->list, {std::nullopt, film->threads});
                     },
-                    judged(film)}};
-  for (const int side : {2, 4, 8}) made.settings.push_back(samples(film, side));
-  add_gl(made.settings, film);
+                    judged(film), false, RenderOptions{}}};
+  made.settings.front().options = RenderOptions{{"define", "film.coverage=\"centre\""}};
+  for (const int n : {2, 4, 8})
+    if (2 * n <= side)
+      made.settings.push_back(samples(film, n));
+    else
+      made.cut += fmt::format(", {} samples a pixel", n * n);
+  add_gl(made, film);
   return made;
 }
 

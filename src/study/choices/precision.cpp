@@ -1,7 +1,11 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <bit>
 #include <memory>
 
+#include "base/processor_time.h"
+#include "oracle/long_orbit.h"
 #include "precise/certified_orbit.h"
 #include "study/accuracy.h"
 #include "study/room.h"
@@ -9,7 +13,7 @@
 namespace flatray {
 namespace {
 
-// An orbit in doubles beside the exact one.
+// An orbit in doubles or certified, beside one in many bits.
 struct Pair {
   Pair(const Scene& scene, std::uint64_t seed)
       : room(scene), mirrors(room.walls().size(), Material::mirror) {
@@ -18,9 +22,48 @@ struct Pair {
   Room room;
   std::vector<Material> mirrors;
   Ray start;
-  std::vector<CertifiedOrbit::Bounce> exact;
+  std::vector<oracle::LongOrbit::Bounce> exact;
   Vec2 last{0, 0};
 };
+
+constexpr std::uint64_t kBounces = 128, kFewBounces = 8;
+constexpr unsigned kFirstBits = 512, kMostBits = 1 << 14;
+
+// The bounces up to which an orbit is the same in two numbers of bits.
+std::size_t agreeing(const oracle::LongOrbit& a, const oracle::LongOrbit& b) {
+  std::size_t count = 0;
+  while (count < std::min(a.bounces.size(), b.bounces.size()) &&
+         a.bounces[count].surface == b.bounces[count].surface &&
+         a.bounces[count].point == b.bounces[count].point)
+    ++count;
+  return count;
+}
+
+// Bits are doubled until they tell all bounces, or time is up. Gives   the fewer of the two.
+unsigned find_truth(Pair& pair, double seconds) {
+  const double start = processor_seconds();
+  const auto few = oracle::long_orbit(pair.room.walls(), pair.start, kFewBounces, kFirstBits);
+  const double each = (processor_seconds() - start) / static_cast<double>(kFewBounces);
+  // The two numbers of bits that are begun with take some four times as long as the fewer alone.
+  const double allowed = seconds / std::max(4 * each, 1e-9);
+  const std::uint64_t bounces =
+      allowed > static_cast<double>(kBounces) ? kBounces
+      : allowed < static_cast<double>(kFewBounces)
+          ? kFewBounces
+          : std::uint64_t{1} << (std::bit_width(static_cast<std::uint64_t>(allowed)) - 1);
+  unsigned bits = kFirstBits;
+  oracle::LongOrbit orbit = oracle::long_orbit(pair.room.walls(), pair.start, bounces, bits);
+  for (;; bits *= 2) {
+    oracle::LongOrbit finer = oracle::long_orbit(pair.room.walls(), pair.start, bounces, 2 * bits);
+    const std::size_t same = agreeing(orbit, finer);
+    pair.exact.assign(finer.bounces.begin(),
+                      finer.bounces.begin() + static_cast<std::ptrdiff_t>(same));
+    if (same == finer.bounces.size() || 2 * bits >= kMostBits ||
+        processor_seconds() - start > seconds / 2)
+      return bits;
+    orbit = std::move(finer);
+  }
+}
 
 std::function<Outcome()> judged(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
   return [pair, bounces] {
@@ -30,7 +73,7 @@ std::function<Outcome()> judged(const std::shared_ptr<Pair>& pair, std::size_t b
 
 // The last bounce of an orbit of so many; an orbit that ends before has no right place.
 Setting doubles(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
-  return {fmt::format("doubles, bounce {}", bounces), static_cast<double>(bounces),
+  return {fmt::format("bounce {} in doubles", bounces), static_cast<double>(bounces),
           [pair, bounces] {
             const Orbit orbit =
                 trace_orbit(pair->room.walls(), pair->mirrors, pair->start, bounces);
@@ -40,10 +83,10 @@ Setting doubles(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
 }
 
 Setting certified(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
-  return {fmt::format("certified, bounce {}", bounces), 0,
+  return {fmt::format("bounce {} certified", bounces), 0,
           [pair, bounces] {
             const auto orbit = certified_orbit(pair->room.walls(), pair->start, bounces);
-            pair->last = orbit->bounces.back().point;
+            pair->last = orbit->bounces.empty() ? pair->start.origin : orbit->bounces.back().point;
           },
           judged(pair, bounces)};
 }
@@ -56,16 +99,15 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  constexpr std::uint64_t kBounces = 128;
   const auto pair = std::make_shared<Pair>(context.scene, context.seed);
-  auto exact = certified_orbit(pair->room.walls(), pair->start, kBounces);
-  if (!exact) return tl::unexpected(exact.error());
-  pair->exact = std::move(exact->bounces);
+  const unsigned bits = find_truth(*pair, reference_budget(context));
   ChoiceSettings made;
   made.unit = "world units between places";
   made.reference =
-      fmt::format("the exact orbit, proven with {} bits, which is also what certified orbits give",
-                  exact->bits);
+      fmt::format("a moving point in {} bits by other formulas (oracle/long_orbit), the same in {}",
+                  2 * bits, bits);
+  if (pair->exact.size() < kBounces)
+    made.cut = fmt::format("reference of {} bounces instead of {}", pair->exact.size(), kBounces);
   made.grows = "bounces";
   made.one_question = false;
   made.ordered = false;  // in a chaotic room it grows like e^n, not like a power

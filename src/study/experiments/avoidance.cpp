@@ -127,8 +127,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment avoidance = {
-    "avoidance", "Which velocities of the first entity meet nothing, and when do the others?",
-    &run};
+    "avoidance",
+    "Which velocities of the first entity meet nothing, and when do the others?",
+    &run,
+    {.resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

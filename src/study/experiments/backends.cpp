@@ -94,7 +94,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment backends = {
-    "backends", "Do GL pictures differ from exact ones by more than their samples allow?", &run};
+    "backends",
+    "Do GL pictures differ from exact ones by more than their samples allow?",
+    &run,
+    {}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -95,7 +95,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment caustic = {
-    "caustic", "What do the lines of a path leave free, and how sharp is its edge?", &run};
+    "caustic",
+    "What do the lines of a path leave free, and how sharp is its edge?",
+    &run,
+    {.bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -108,7 +108,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment coverage = {"coverage", "How much of the room does one path cross?", &run};
+extern const Experiment coverage = {"coverage",
+                                    "How much of the room does one path cross?",
+                                    &run,
+                                    {.bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

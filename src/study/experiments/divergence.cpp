@@ -163,7 +163,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment divergence = {
-    "divergence", "How soon do near orbits part, and until when do doubles know better?", &run};
+    "divergence",
+    "How soon do near orbits part, and until when do doubles know better?",
+    &run,
+    {.bounces = true, .apart = true, .seed = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -158,7 +158,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment escape = {
-    "escape", "Where does a ray from each pixel leave, and after how many bounces?", &run};
+    "escape",
+    "Where does a ray from each pixel leave, and after how many bounces?",
+    &run,
+    {.bounces = true, .map = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -43,7 +43,7 @@ class Growth : public OrbitSink {
     State& state = states_[number];
     const double bend = curvature(walls_, bounce.surface, bounce.point, bounce.normal);
     state.tangent.fly(bounce.t);
-    state.tangent.reflect(bend == 0 ? 0 : 2 * bend / portable::cos(bounce.incidence));
+    state.tangent.reflect(bend == 0 ? 0 : 2 * bend / portable::cos(bounce.incidence()));
     const double grown = state.tangent.restore();
     if (++state.bounces <= kSettling) return;
     state.grown += grown;
@@ -109,8 +109,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment lyapunov = {
-    "lyapunov", "How fast do two orbits part that start next to each other?", &run};
+extern const Experiment lyapunov = {"lyapunov",
+                                    "How fast do two orbits part that start next to each other?",
+                                    &run,
+                                    {.count = true, .bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

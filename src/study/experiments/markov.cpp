@@ -208,7 +208,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment markov = {
-    "markov", "How many steps does each chain take to its end, and do its draws keep to it?", &run};
+    "markov",
+    "How many steps does each chain take to its end, and do its draws keep to it?",
+    &run,
+    {.count = true, .seed = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -76,7 +76,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment mean_free_path = {
-    "mean-free-path", "How far does a ray fly between two walls, and is that pi A / P?", &run};
+    "mean-free-path",
+    "How far does a ray fly between two walls, and is that pi A / P?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

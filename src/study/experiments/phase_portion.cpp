@@ -67,8 +67,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment phase_portion = {"phase-portion",
-                                         "How much of phase space does one orbit come to?", &run};
+extern const Experiment phase_portion = {
+    "phase-portion",
+    "How much of phase space does one orbit come to?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -12,6 +12,7 @@ namespace flatray {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
+constexpr std::size_t kLeastSamples = 32;  // for a standard error
 constexpr int kWidth = 1200, kHeight = 600;
 constexpr std::size_t kRows = 100'000;  // of points listed, evenly over all
 
@@ -52,18 +53,30 @@ std::string list(const BoundaryOrbits& found) {
   return text;
 }
 
-// Random starts have the measure that reflection keeps, in which the sine is uniform: the mean of
-// its square is 1/3 in every room, whatever orbits do there.
-Measure mean_square_sine(const BoundaryOrbits& found) {
+// Sums over runs of bounces: orbits where there are many, else stretches of a few. A stretch of
+// bounces says little of the next where it is long enough.
+RatioSums square_sines(const BoundaryOrbits& found) {
+  const std::size_t stretches = (kLeastSamples + found.points.size() - 1) / found.points.size();
   RatioSums sums;
   for (const auto& orbit : found.points) {
-    double squares = 0;
-    for (const BoundaryPoint& point : orbit)
-      squares += static_cast<double>(point.sine) * static_cast<double>(point.sine);
-    if (!orbit.empty()) sums.add(squares, static_cast<double>(orbit.size()));
+    const std::size_t parts = std::min(stretches, orbit.size());
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t begin = part * orbit.size() / parts;
+      const std::size_t end = (part + 1) * orbit.size() / parts;
+      double squares = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        squares += static_cast<double>(orbit[i].sine) * static_cast<double>(orbit[i].sine);
+      sums.add(squares, static_cast<double>(end - begin));
+    }
   }
-  Measure measure{"mean_square_sine", sums.ratio(),
-                  found.points.size() > 1 ? sums.standard_error() : 0, std::nullopt};
+  return sums;
+}
+
+// Random starts have the measure that reflection keeps, in which the sine is uniform: the mean of
+// its square is 1/3 in every room, whatever orbits do there.
+Measure mean_square_sine(const BoundaryOrbits& found, const RatioSums& sums) {
+  Measure measure{"mean_square_sine", sums.ratio(), sums.samples > 1 ? sums.standard_error() : 0,
+                  std::nullopt};
   if (found.orbits.random) measure.expected = 1.0 / 3;
   return measure;
 }
@@ -73,11 +86,14 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   const auto found = boundary_orbits(context, room, kRandomOrbits);
   if (!found) return tl::unexpected(found.error());
-  ExperimentResult result =
-      measured(context, "poincare",
-               fmt::format("Bounces of {} orbits by place along the walls and sine of the angle",
-                           found->points.size()),
-               {mean_square_sine(*found)});
+  const RatioSums sums = square_sines(*found);
+  ExperimentResult result = measured(
+      context, "poincare",
+      fmt::format(
+          "Bounces of {} orbits by place along the walls and sine of the angle; errors from "
+          "{:.0f} stretches of them",
+          found->points.size(), sums.samples),
+      {mean_square_sine(*found, sums)});
   result.files.push_back({"poincare_points.csv", list(*found)});
   result.files.push_back(png_file("poincare.png", picture(*found), context.threads));
   return result;
@@ -86,8 +102,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment poincare = {
-    "poincare", "Where along the walls do orbits bounce, and at which angles?", &run};
+extern const Experiment poincare = {"poincare",
+                                    "Where along the walls do orbits bounce, and at which angles?",
+                                    &run,
+                                    {.count = true, .bounces = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -88,7 +88,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment reflections = {
-    "reflections", "How often is a ray reflected, from every pixel and of every ray?", &run};
+    "reflections",
+    "How often is a ray reflected, from every pixel and of every ray?",
+    &run,
+    {.bounces = true, .map = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -3,7 +3,7 @@
 namespace flatray {
 namespace {
 
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa) {
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned) {
   return trace_in_lanes(walls, CellGrid::build_list(walls), isa);
 }
 

@@ -62,7 +62,7 @@ class Embree : public Accelerator {
   FlatrayEmbreeScene* scene_;
 };
 
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
   const Found found = find_module();
   FLATRAY_CHECK(found.module != nullptr, found.problem.c_str());
   return std::make_unique<Embree>(walls, *found.module);

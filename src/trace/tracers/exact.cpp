@@ -19,7 +19,7 @@ class Exact : public Accelerator {
   std::size_t bytes() const override { return 0; }
 };
 
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
   return std::make_unique<Exact>(walls);
 }
 

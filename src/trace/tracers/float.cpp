@@ -36,7 +36,7 @@ class Float : public Accelerator {
   std::vector<plain::Edge> edges_;
 };
 
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa) {
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
   return std::make_unique<Float>(walls);
 }
 

@@ -3,8 +3,8 @@
 namespace flatray {
 namespace {
 
-std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa) {
-  return trace_in_lanes(walls, CellGrid::build(walls), isa);
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned threads) {
+  return trace_in_lanes(walls, CellGrid::build(walls, threads), isa);
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/measure.h"
+#include "transport/orbit.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kMostBounces = 1000;
+
+struct WallTests {
+  std::uint64_t flights = 0, tested = 0, hit = 0;
+
+  void add(const Accelerator& walls, const Ray& ray, const Left& left) {
+    ++flights;
+    tested += walls.tested_of_one(ray, left);
+  }
+};
+
+}  // namespace
+
+std::vector<Saving> measured_walls(const RenderJob& job) {
+  if (job.scene.rays.empty() || job.frames.empty()) return {};
+  const FrameState state = at(Timeline(job.scene, job.seed, job.last_frame), job.frames.front());
+  const World world = build_world(job.scene, state);
+  if (world.surfaces.size() == 0) return {};
+  const auto walls = accelerate(world.surfaces);
+  const std::vector<Material> materials = world.materials();
+  WallTests tests;
+  for (const RayPath& ray : job.scene.rays) {
+    const Ray start{world_pose(state)(ray.at), ray.direction};
+    const Orbit orbit = trace_orbit(world.surfaces, materials, start,
+                                    std::min<std::uint64_t>(ray.bounces, kMostBounces));
+    Ray flight = start;
+    Left left;
+    for (const Bounce& bounce : orbit.bounces) {
+      tests.add(*walls, flight, left);
+      flight = {bounce.point, bounce.out};
+      left = {bounce.surface, Root::both};
+    }
+    if (orbit.end != OrbitEnd::limit) tests.add(*walls, flight, left);
+    tests.hit += orbit.bounces.size() + (orbit.end == OrbitEnd::absorbed ? 1 : 0);
+  }
+  const auto all = static_cast<double>(world.surfaces.size() * tests.flights);
+  return {{"measured: walls tested",
+           fmt::format("{:.3g} a flight",
+                       static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),
+           fmt::format("{:.3g} % of {} walls tested and {:.3g} % hit in {} flights of rays",
+                       100 * static_cast<double>(tests.tested) / all, world.surfaces.size(),
+                       100 * static_cast<double>(tests.hit) / all, tests.flights)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,207 @@
+#include "app/profile.h"
+
+#include <fmt/core.h>
+
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/value.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/number_text.h"
+
+namespace flatray {
+namespace {
+
+constexpr const char* kSchema = "flatray.profile/1";
+
+std::string hash_of(const Scene& scene) { return Hash().add(scene.hash).hex(); }
+
+// One way to draw, as a line of the file.
+struct Way {
+  std::string words;
+  double error = 0, seconds = 0;
+  RenderOptions options;
+  Place where;
+};
+
+struct Profile {
+  std::string hash;
+  Place head;
+  std::vector<Way> ways;
+};
+
+std::optional<double> number_of(const JsonValue& line, const char* name) {
+  const JsonValue* value = line.find(name);
+  if (value == nullptr) return std::nullopt;
+  if (const auto* real = std::get_if<double>(&value->data)) return *real;
+  if (const auto whole = value->as_whole()) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+std::string text_of(const JsonValue& line, const char* name) {
+  const JsonValue* value = line.find(name);
+  return value == nullptr ? "" : value->as_text().value_or("");
+}
+
+// nullopt where it is none.
+std::optional<Way> way_of(const JsonValue& line, const Place& where) {
+  Way way{text_of(line, "setting"), 0, 0, {}, where};
+  const auto error = number_of(line, "error"), seconds = number_of(line, "seconds");
+  const JsonValue* options = line.find("options");
+  const auto* fields = options == nullptr ? nullptr : std::get_if<Fields>(&options->data);
+  if (way.words.empty() || !error || !seconds || fields == nullptr) return std::nullopt;
+  way.error = *error;
+  way.seconds = *seconds;
+  for (const auto& [name, value] : *fields) {
+    const auto text = value.as_text();
+    const bool known = name == "backend" || name == "samples" || name == "define";
+    if (!text || !known) return std::nullopt;
+    way.options.emplace_back(name, *text);
+  }
+  return way;
+}
+
+Result<Profile> read_profile(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return fail(std::move(text));
+  const auto source = std::make_shared<const SourceText>(path, std::move(*text));
+  Profile profile;
+  Diagnostics problems;
+  const std::string_view all = source->text();
+  for (std::size_t begin = 0; begin < all.size();) {
+    const std::size_t end = std::min(all.find('\n', begin), all.size());
+    const Place place{source, begin, end - begin};
+    const auto line = parse_json(all.substr(begin, end - begin));
+    std::optional<Way> way;
+    if (begin == 0) {
+      profile.head = place;
+      if (!line || text_of(*line, "schema") != kSchema)
+        return fail(place, "is no profile", "flatray accuracy SCENE --profile FILE writes one");
+      profile.hash = text_of(*line, "scene_hash");
+    } else if (line && (way = way_of(*line, place))) {
+      profile.ways.push_back(std::move(*way));
+    } else {
+      problems.push_back({place, "is no setting of a profile", "have it written anew"});
+    }
+    begin = end + 1;
+  }
+  if (profile.ways.empty() && problems.empty())
+    problems.push_back({profile.head ? profile.head : named_place(path), "has no setting",
+                        "measure more: flatray accuracy SCENE --choice coverage --profile FILE"});
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return profile;
+}
+
+// A positive number given to an option.
+Result<double> limit(const Arguments& arguments, const char* option) {
+  const auto text = arguments.text(option);
+  if (!text) return kInfinity;
+  std::string digits = *text;
+  if (std::string_view(option) == "time" && digits.ends_with('s')) digits.pop_back();
+  const auto number = parse_number(digits);
+  if (!number || !(*number >= 0))
+    return usage_error(arguments.where(option), "is no number from 0 on", "say 0.001");
+  return *number;
+}
+
+struct Wish {
+  double error, seconds;
+};
+
+Result<Wish> read_wish(const Arguments& arguments) {
+  if (!arguments.has("error") && !arguments.has("time"))
+    return usage_error(arguments.where("profile"), "needs --error or --time",
+                       "say --error 0.001, or --time 0.1");
+  if (arguments.operands().size() != 1)
+    return usage_error(arguments.where("profile"), "is of one scene", "render them one by one");
+  for (const char* other : {"backend", "samples"})
+    if (arguments.has(other))
+      return usage_error(arguments.where(other), "is what --profile chooses",
+                         "leave one of them out");
+  const auto error = limit(arguments, "error"), seconds = limit(arguments, "time");
+  if (!error) return tl::unexpected(error.error());
+  if (!seconds) return tl::unexpected(seconds.error());
+  return Wish{*error, *seconds};
+}
+
+// The cheapest that is near enough; without an error asked for, the nearest that is cheap enough.
+Result<Way> choose(const Profile& profile, const Wish& wish) {
+  const bool cheapest = wish.error < kInfinity;
+  const Way *best = nullptr, *nearest = nullptr, *quickest = nullptr;
+  for (const Way& way : profile.ways) {
+    if (way.seconds <= wish.seconds && (nearest == nullptr || way.error < nearest->error))
+      nearest = &way;
+    if (quickest == nullptr || way.seconds < quickest->seconds) quickest = &way;
+    if (way.error > wish.error || way.seconds > wish.seconds) continue;
+    if (best == nullptr || (cheapest ? way.seconds < best->seconds : way.error < best->error))
+      best = &way;
+  }
+  if (best != nullptr) return *best;
+  if (nearest == nullptr)
+    return fail(quickest->where,
+                fmt::format("nothing takes {} s or less: this is the quickest", wish.seconds),
+                fmt::format("say --time {:.2g}", 1.1 * quickest->seconds));
+  return fail(nearest->where,
+              fmt::format("nothing has an error of {} or less{}: this is the nearest", wish.error,
+                          wish.seconds < kInfinity ? fmt::format(" within {} s", wish.seconds)
+                                                   : std::string()),
+              fmt::format("say --error {:.2g}", 1.1 * nearest->error));
+}
+
+Arguments with_options(const Arguments& arguments, const Way& way) {
+  auto given = arguments.given();
+  for (const auto& [name, value] : way.options) {
+    Arguments::Given& one = given[name];
+    if (one.origin.empty()) one.origin = "--profile";
+    one.values.push_back(value);
+  }
+  return {std::move(given), arguments.operands()};
+}
+
+}  // namespace
+
+std::string profile_text(const Scene& scene, std::span<const ChoiceReport> reports) {
+  std::string text =
+      json_text(
+          Fields{{"schema", kSchema}, {"scene", scene.name}, {"scene_hash", hash_of(scene)}}) +
+      "\n";
+  for (const ChoiceReport& report : reports)
+    for (const AccuracyPoint& point : report.points) {
+      if (!point.options) continue;
+      Fields options;
+      for (const auto& [name, value] : *point.options) options.emplace_back(name, value);
+      text += json_text(Fields{{"choice", report.name},
+                               {"setting", point.setting},
+                               {"error", point.outcome.error},
+                               {"seconds", point.seconds},
+                               {"options", std::move(options)}}) +
+              "\n";
+    }
+  return text;
+}
+
+Result<Arguments> with_profile(const Arguments& arguments) {
+  const auto path = arguments.text("profile");
+  for (const char* wish : {"error", "time"})
+    if (!path && arguments.has(wish))
+      return usage_error(arguments.where(wish), "needs --profile",
+                         "flatray accuracy SCENE --profile FILE writes one");
+  if (!path) return arguments;
+  const auto wish = read_wish(arguments);
+  if (!wish) return tl::unexpected(wish.error());
+  const auto profile = read_profile(*path);
+  if (!profile) return tl::unexpected(profile.error());
+  const auto scene = load_input(arguments, arguments.operands()[0]);
+  if (!scene) return tl::unexpected(scene.error());
+  if (arguments.has("size") || hash_of(scene->scene) != profile->hash)
+    return fail(profile->head, "is of another scene, of another state of it, or of another size",
+                "measure it as it is to be drawn: flatray accuracy SCENE --profile FILE");
+  const auto way = choose(*profile, *wish);
+  if (!way) return tl::unexpected(way.error());
+  if (!arguments.has("quiet"))
+    report_note(fmt::format("profile: {}, error {:.3g}, {:.3g} s a frame", way->words, way->error,
+                            way->seconds));
+  return with_options(arguments, *way);
+}
+
+}  // namespace flatray

@@ -1,0 +1,29 @@
+#pragma once
+#include <span>
+#include <string>
+
+#include "app/arguments.h"
+#include "study/accuracy.h"
+
+namespace flatray {
+
+/// What `accuracy --profile` writes, for `render --error` and `--time` to choose from: a line of JSON
+/// about the scene, then one for each measured way to draw it.
+std::string profile_text(const Scene& scene, std::span<const ChoiceReport> reports);
+
+inline constexpr Option kProfileOption = {"profile", '\0', "FILE",
+                                          "written by flatray accuracy: choose by it how to draw"};
+inline constexpr Option kErrorOption = {
+    "error", '\0', "E", "with --profile: the cheapest way to draw with an error of E at most"};
+inline constexpr Option kTimeOption = {
+    "time", '\0', "S",
+    "with --profile: the nearest way to draw that takes S seconds a frame at most"};
+
+/// The arguments with --backend, --samples and -D as the profile they name says; as they are
+/// without one. Says on standard error what it has chosen, unless --quiet.
+///
+/// Error   Trouble::usage where options do not go together; Trouble::invalid, with the line of the
+///         profile, where that is none, is of another scene, or has nothing so good.
+Result<Arguments> with_profile(const Arguments& arguments);
+
+}  // namespace flatray

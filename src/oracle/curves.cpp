@@ -1,0 +1,179 @@
+#include "oracle/curves.h"
+
+namespace flatray::oracle {
+namespace {
+
+struct Point {
+  Rational x, y;
+};
+Point exact(const Vec2& v) { return {v.x(), v.y()}; }
+Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
+Rational inner(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
+Rational area(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
+
+// The coordinates in which a curve is a circle about 0.
+class Frame {
+ public:
+  explicit Frame(const Ellipse& curve) : round_(curve.is_circle()) {
+    if (round_) {
+      square_ = Rational(curve.u.x()) * curve.u.x();
+      return;
+    }
+    const Point u = exact(curve.u), v = exact(curve.v);
+    const Rational size = area(u, v);
+    across_u_ = {v.y / size, -v.x / size};
+    across_v_ = {-u.y / size, u.x / size};
+    square_ = 1;
+  }
+  Point of(const Point& w) const {
+    return round_ ? w : Point{inner(across_u_, w), inner(across_v_, w)};
+  }
+  const Rational& square_of_radius() const { return square_; }
+  // Positive outside.
+  Sign side(const Point& w) const {
+    const Point p = of(w);
+    return (inner(p, p) - square_).sign();
+  }
+
+ private:
+  bool round_;
+  Point across_u_, across_v_;
+  Rational square_;
+};
+
+// A point seen from the centre that moves along a line: only signs of what is linear in it are
+// asked for.
+struct Moving {
+  Point from, way;
+  Surd t;
+  Sign turn(const Point& a) const { return t.mapped(area(a, from), area(a, way)).sign(); }
+  Sign ahead(const Point& a) const { return t.mapped(inner(a, from), inner(a, way)).sign(); }
+};
+
+// Which part of a turn from `a` counter-clockwise a direction is in, by the signs of the area and
+// the inner product of both: none, less than a half, a half, more.
+int part_of_turn(Sign turn, Sign ahead) {
+  if (turn == Sign::zero) return ahead == Sign::positive ? 0 : 2;
+  return turn == Sign::positive ? 1 : 3;
+}
+
+ArcPlace place_in(const Arc& arc, const Moving& point) {
+  if (arc.extent == Arc::Extent::whole) return ArcPlace::inner;
+  if (arc.extent == Arc::Extent::half) {
+    const Sign ahead = point.ahead(exact(arc.from));
+    return ahead == Sign::zero       ? ArcPlace::at_end
+           : ahead == Sign::positive ? ArcPlace::inner
+                                     : ArcPlace::outside;
+  }
+  const Point centre = exact(arc.curve.centre);
+  const Point from = minus(exact(arc.from), centre), to = minus(exact(arc.to), centre);
+  const int part = part_of_turn(point.turn(from), point.ahead(from));
+  const int last = part_of_turn(area(from, to).sign(), inner(from, to).sign());
+  if (part == 0) return ArcPlace::at_end;
+  if (part != last) return part < last ? ArcPlace::inner : ArcPlace::outside;
+  const Sign past = part == 2 ? Sign::zero : point.turn(to);
+  return past == Sign::zero       ? ArcPlace::at_end
+         : past == Sign::negative ? ArcPlace::inner
+                                  : ArcPlace::outside;
+}
+
+// A ray and an arc as seen from its centre.
+class Meetings {
+ public:
+  Meetings(const Ray& ray, const Arc& arc)
+      : arc_(arc),
+        frame_(arc.curve),
+        centre_(exact(arc.curve.centre)),
+        from_(minus(exact(ray.origin), centre_)),
+        way_(exact(ray.direction)) {}
+
+  std::optional<Meeting> first() {
+    if (arc_.extent == Arc::Extent::between)
+      for (const Vec2& end : {arc_.from, arc_.to}) offer_joint(minus(exact(end), centre_));
+    if (way_.x.sign() == Sign::zero && way_.y.sign() == Sign::zero)
+      offer_point();
+    else
+      offer_roots();
+    return std::move(best_);
+  }
+
+ private:
+  // Of meetings at one time that of the curve counts, which is offered last.
+  void offer(Surd t, HitClass kind, Root root, bool at_end) {
+    if (t.sign() == Sign::negative || (best_ && best_->t < t)) return;
+    best_ = Meeting{std::move(t), kind, root, at_end};
+  }
+  ArcPlace place(const Surd& t) const { return place_in(arc_, Moving{from_, way_, t}); }
+
+  void offer_point() {
+    if (frame_.side(from_) != Sign::zero) return;
+    const ArcPlace there = place({});
+    if (there != ArcPlace::outside)
+      offer({}, HitClass::touch, Root::none, there == ArcPlace::at_end);
+  }
+
+  void offer_roots() {
+    const Point o = frame_.of(from_), d = frame_.of(way_);
+    const Rational speed = inner(d, d), foot = -inner(o, d) / speed;
+    const Point nearest{o.x + foot * d.x, o.y + foot * d.y};
+    const Rational chord = (frame_.square_of_radius() - inner(nearest, nearest)) / speed;
+    if (chord.sign() == Sign::negative) return;
+    if (chord.sign() == Sign::zero) {
+      const Surd t{foot, 0, 0};
+      const ArcPlace there = place(t);
+      if (there != ArcPlace::outside)
+        offer(t, HitClass::touch, Root::both, there == ArcPlace::at_end);
+      return;
+    }
+    for (const int way : {1, -1}) {
+      const Surd t{foot, way, chord};
+      const ArcPlace there = place(t);
+      if (there != ArcPlace::outside)
+        offer(t, HitClass::through, way < 0 ? Root::first : Root::second,
+              there == ArcPlace::at_end);
+    }
+  }
+
+  // Where the ray meets what joins an end, off the curve, to the curve: the points s `end` from
+  // s = 1 to that on the curve. One along the ray is met at the end itself.
+  void offer_joint(const Point& end) {
+    const Sign side = frame_.side(end);
+    if (side == Sign::zero) return;
+    const Rational turn = area(end, way_);
+    Point at = end;
+    if (turn.sign() != Sign::zero) {
+      const Rational s = area(from_, way_) / turn;
+      if (s.sign() != Sign::positive || (s - 1).sign() == side) return;
+      at = {s * end.x, s * end.y};
+    } else if (area(end, from_).sign() != Sign::zero) {
+      return;
+    }
+    if (-frame_.side(at) == side) return;
+    const bool still = way_.x.sign() == Sign::zero && way_.y.sign() == Sign::zero;
+    if (still) return offer_still_joint(end, side);
+    const Point to = minus(at, from_);
+    offer({inner(to, way_) / inner(way_, way_), 0, 0}, HitClass::touch, Root::none, true);
+  }
+
+  // The start of a ray without direction on the line of a joint: on it, if ahead of the centre,
+  // between the end and the curve.
+  void offer_still_joint(const Point& end, Sign side) {
+    const Sign beyond = (inner(end, from_) - inner(end, end)).sign();
+    if (inner(end, from_).sign() != Sign::positive || beyond == side) return;
+    if (-frame_.side(from_) == side) return;
+    offer({}, HitClass::touch, Root::none, true);
+  }
+
+  const Arc& arc_;
+  Frame frame_;
+  Point centre_, from_, way_;
+  std::optional<Meeting> best_;
+};
+
+}  // namespace
+
+std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc) {
+  return Meetings(ray, arc).first();
+}
+
+}  // namespace flatray::oracle

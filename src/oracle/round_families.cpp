@@ -1,0 +1,284 @@
+#include "oracle/round_families.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flatray::oracle {
+namespace {
+
+constexpr int kCurves = 12, kWorld = 32;
+
+// Legs and hypotenuse in whole numbers: points of circles about whole numbers that doubles hold.
+constexpr struct {
+  int x, y, radius;
+} kTriples[] = {{1, 0, 1}, {3, 4, 5}, {4, 3, 5}, {5, 12, 13}, {15, 8, 17}, {7, 24, 25}};
+
+// A direction of whole numbers whose length is one, too.
+struct Spoke {
+  Vec2 to;
+  double length;
+};
+Spoke spoke(Draw& draw) {
+  const auto& triple =
+      kTriples[static_cast<std::size_t>(draw.below(static_cast<int>(std::size(kTriples))))];
+  const double x = draw.sign() * triple.x, y = draw.sign() * triple.y;
+  return {draw.sign() < 0 ? Vec2(x, y) : Vec2(y, x), static_cast<double>(triple.radius)};
+}
+Vec2 quarter(const Vec2& v) { return {-v.y(), v.x()}; }
+
+Vec2 whole_point(Draw& draw) {
+  const double x = draw.below(kWorld);
+  return {x, draw.below(kWorld)};
+}
+Vec2 any_point(Draw& draw) {
+  const double x = draw.unit();
+  return {x, draw.unit()};
+}
+// On the unit circle but for rounding, by a fraction: no sines, whose last bits differ.
+Vec2 unit_vector(Draw& draw) {
+  const double h = 2 * draw.unit() - 1, sign = draw.sign();
+  return sign * Vec2(1 - h * h, 2 * h) / (1 + h * h);
+}
+
+Arc whole(const Ellipse& curve) { return {curve, Arc::Extent::whole, {0, 0}, {0, 0}}; }
+
+const Arc& any_curve(const AimedScene& scene, Draw& draw) {
+  return scene.curves[static_cast<std::size_t>(draw.below(static_cast<int>(scene.curves.size())))];
+}
+
+template <class Make>
+AimedScene aimed(AimedScene scene, const Make& make) {
+  for (int i = 0; i < kRaysAScene; ++i) scene.rays.push_back(make(scene));
+  return scene;
+}
+
+// Circles about whole numbers that touch, repeat and hold each other, with chords and spokes.
+AimedScene whole_circles(Draw& draw) {
+  AimedScene scene;
+  scene.curves_first = draw.sign() > 0;
+  while (scene.curves.size() < kCurves) {
+    const Vec2 centre = whole_point(draw);
+    const Spoke out = spoke(draw), other = spoke(draw);
+    const double times = 1 + draw.below(3);
+    scene.curves.push_back(whole(Circle{centre, times * out.length}));
+    if (draw.below(3) == 0)
+      scene.curves.push_back(whole(Circle{centre + 2 * times * out.to, times * out.length}));
+    const Vec2 from = centre + times * out.to;
+    const double kind = draw.below(3);
+    const Vec2 to = kind == 0   ? centre
+                    : kind == 1 ? Vec2(from + quarter(out.to))
+                                : Vec2(centre + times * other.to);
+    scene.walls.push_back({from, to});
+  }
+  return scene;
+}
+
+// Through a whole point of a circle, or one near its centre: along the tangent or a spoke,
+// from the point, from before it, or from another whole point.
+Ray at_whole_circle(const AimedScene& scene, Draw& draw) {
+  const Ellipse& circle = any_curve(scene, draw).curve;
+  const Spoke out = spoke(draw);
+  const double any = draw.below(4), back = draw.below(4), fits = circle.u.x() / out.length;
+  const Vec2 at = circle.centre + (fits == std::floor(fits) ? fits : any) * out.to;
+  const double kind = draw.below(4), sign = draw.sign();
+  if (kind == 3) {
+    const Vec2 from = whole_point(draw);
+    return {from, at - from};
+  }
+  const Vec2 way = kind == 0 ? out.to : quarter(out.to);
+  return {at - sign * back * way, kind == 2 ? Vec2(0, 0) : Vec2(sign * way)};
+}
+
+AimedScene random_circles(Draw& draw) {
+  AimedScene scene;
+  for (int i = 0; i < kCurves; ++i) {
+    const Vec2 centre = any_point(draw);
+    scene.curves.push_back(whole(Circle{centre, 0.3 * draw.unit()}));
+  }
+  return scene;
+}
+
+// A point of a curve, but for rounding, and the direction of its tangent there.
+struct OnCurve {
+  Vec2 at, tangent;
+};
+OnCurve on_curve(const Ellipse& curve, Draw& draw) {
+  const Vec2 unit = unit_vector(draw);
+  return {curve.centre + unit.x() * curve.u + unit.y() * curve.v,
+          unit.x() * curve.v - unit.y() * curve.u};
+}
+
+Ray tangent_ray(const AimedScene& scene, Draw& draw) {
+  const OnCurve place = on_curve(any_curve(scene, draw).curve, draw);
+  const double back = 4 * draw.unit();
+  const Vec2 origin = nudge(Vec2(place.at - back * place.tangent), draw);
+  return {origin, nudge(Vec2(place.at - origin), draw)};
+}
+
+// From a point of a curve, but for rounding, or an ulp off it: along the tangent, to the centre,
+// away from it, anywhere.
+Ray ray_from_curve(const AimedScene& scene, Draw& draw) {
+  const Ellipse& curve = any_curve(scene, draw).curve;
+  const OnCurve place = on_curve(curve, draw);
+  const Vec2 origin = nudge(place.at, draw), to_centre = curve.centre - origin;
+  const double kind = draw.below(4), sign = draw.sign();
+  const Vec2 other = any_point(draw);
+  const Vec2 way = kind == 0 ? place.tangent : kind == 3 ? other : to_centre;
+  return {origin, sign * way};
+}
+
+Arc part_of(const Ellipse& curve, const Vec2& from, const Vec2& to, Draw& draw) {
+  const double kind = draw.below(4);
+  if (kind == 0) return {curve, Arc::Extent::half, from - curve.centre, {0, 0}};
+  return {curve, Arc::Extent::between, from, to};
+}
+
+// Arcs of circles that end exactly on them, next to them, or far off.
+Arc any_arc(Draw& draw) {
+  const Vec2 centre = whole_point(draw);
+  if (draw.sign() > 0) {
+    const double x = 5 * draw.sign(), y = 3 * draw.sign(), times = 1 + draw.below(2);
+    const auto off = [&] {
+      const double kind = draw.below(4);
+      return kind == 0 ? 2 : kind == 1 ? 0.5 : 1;
+    };
+    const Vec2 from = centre + off() * times * Vec2(x, 0), to = centre + off() * times * Vec2(4, y);
+    return part_of(Circle{centre, times * 5}, from, to, draw);
+  }
+  const Circle circle{centre, 6 * draw.unit() + 0.5};
+  const OnCurve from = on_curve(circle, draw), to = on_curve(circle, draw);
+  return part_of(circle, from.at, to.at, draw);
+}
+
+Ray at_arc_end(const AimedScene& scene, Draw& draw) {
+  const Arc& arc = any_curve(scene, draw);
+  const bool half = arc.extent == Arc::Extent::half;
+  const Vec2 centre = arc.curve.centre;
+  const Vec2 of_half = centre + arc.curve.u.x() / arc.from.norm() * quarter(arc.from);
+  const Vec2 end = half ? of_half : draw.sign() > 0 ? arc.from : arc.to;
+  const double kind = draw.below(5);
+  const Vec2 at = draw.sign() > 0 ? nudge(end, draw) : end;
+  if (kind == 0) return {at, {0, 0}};
+  if (kind == 1) return {centre, at - centre};
+  const Vec2 from = kind == 2 ? Vec2(2 * at - centre) : whole_point(draw);
+  return {from, at - from};
+}
+
+// Half-diameters of whole numbers, at right angles or not; random ones; parts of them.
+Arc any_ellipse(Draw& draw) {
+  const double kind = draw.below(3);
+  if (kind == 0) {
+    const Vec2 centre = whole_point(draw), u{1 + draw.below(5), draw.below(4)};
+    const Vec2 v{-draw.below(4), 1 + draw.below(5)};
+    const Ellipse curve(centre, u, v);
+    return draw.sign() > 0 ? whole(curve) : part_of(curve, centre + u, centre + v, draw);
+  }
+  const double size = kind == 1 ? 6 : 4, thin = std::ldexp(1.0, -static_cast<int>(draw.below(20)));
+  const Vec2 centre = kWorld * any_point(draw), u = size * unit_vector(draw);
+  const Vec2 v = thin * (quarter(u) + 0.5 * any_point(draw));
+  const Ellipse curve(centre, u, draw.sign() * v);
+  if (kind == 1) return whole(curve);
+  const OnCurve from = on_curve(curve, draw), to = on_curve(curve, draw);
+  return part_of(curve, from.at, to.at, draw);
+}
+
+Ray at_ellipse(const AimedScene& scene, Draw& draw) {
+  const double kind = draw.below(4);
+  if (kind == 0) return tangent_ray(scene, draw);
+  if (kind == 1) return ray_from_curve(scene, draw);
+  const Ellipse& curve = any_curve(scene, draw).curve;
+  const Vec2 from = whole_point(draw), centre = curve.centre;
+  const Vec2 at = kind == 2 ? centre : Vec2(centre + draw.sign() * curve.u);
+  return {from, at - from};
+}
+
+// All kinds of rays at circles and arcs.
+AimedScene mixed_round(Draw& draw) {
+  AimedScene scene = whole_circles(draw);
+  for (int i = 0; i < kCurves / 2; ++i) scene.curves.push_back(any_arc(draw));
+  return aimed(std::move(scene), [&](const AimedScene& made) {
+    const double kind = draw.below(3);
+    return kind == 0   ? at_whole_circle(made, draw)
+           : kind == 1 ? tangent_ray(made, draw)
+                       : ray_from_curve(made, draw);
+  });
+}
+
+// Points put through `place`, which keeps circles circles, half-diameters and directions through
+// `size`; rays keep the points they lead to.
+template <class Place, class Size>
+AimedScene mapped(AimedScene scene, const Place& place, const Size& size) {
+  for (Segment& wall : scene.walls) wall = {place(wall.a), place(wall.b)};
+  for (Arc& arc : scene.curves) {
+    const bool half = arc.extent == Arc::Extent::half;
+    arc.curve = {place(arc.curve.centre), size(arc.curve.u), size(arc.curve.v)};
+    arc.from = half ? arc.from : place(arc.from);
+    arc.to = place(arc.to);
+    // Rounding may take both ends to one direction, which is no arc.
+    if (arc.extent == Arc::Extent::between &&
+        orientation(arc.curve.centre, arc.from, arc.to) == Sign::zero)
+      arc = whole(arc.curve);
+  }
+  for (Ray& ray : scene.rays) {
+    const Vec2 origin = place(ray.origin), tip = place(ray.origin + ray.direction);
+    ray = {origin, tip - origin};
+  }
+  return scene;
+}
+
+}  // namespace
+
+AimedScene circles(Draw& draw) {
+  return aimed(whole_circles(draw),
+               [&](const AimedScene& scene) { return at_whole_circle(scene, draw); });
+}
+AimedScene tangents(Draw& draw) {
+  return aimed(random_circles(draw),
+               [&](const AimedScene& scene) { return tangent_ray(scene, draw); });
+}
+AimedScene from_circles(Draw& draw) {
+  return aimed(random_circles(draw),
+               [&](const AimedScene& scene) { return ray_from_curve(scene, draw); });
+}
+AimedScene arc_ends(Draw& draw) {
+  AimedScene scene;
+  for (int i = 0; i < kCurves; ++i) {
+    const Arc arc = any_arc(draw);
+    scene.curves.push_back(arc);
+    if (arc.extent == Arc::Extent::between) scene.walls.push_back({arc.to, arc.from});
+  }
+  return aimed(std::move(scene), [&](const AimedScene& made) { return at_arc_end(made, draw); });
+}
+AimedScene ellipses(Draw& draw) {
+  AimedScene scene;
+  for (int i = 0; i < kCurves; ++i) scene.curves.push_back(any_ellipse(draw));
+  return aimed(std::move(scene), [&](const AimedScene& made) { return at_ellipse(made, draw); });
+}
+AimedScene round_scaled(Draw& draw) {
+  const double factor = std::ldexp(1.0, static_cast<int>(draw.below(1800)) - 900);
+  const auto scale = [&](const Vec2& v) { return Vec2(v * factor); };
+  return mapped(mixed_round(draw), scale, scale);
+}
+AimedScene round_offset(Draw& draw) {
+  const double sign = draw.sign();
+  const double far = std::ldexp(sign, 30 + static_cast<int>(draw.below(20)));
+  const double y = far * draw.sign();
+  return mapped(
+      mixed_round(draw), [&](const Vec2& v) { return Vec2(v + Vec2(far, y)); },
+      [](const Vec2& v) { return v; });
+}
+// Radii and distances from 2^-50 to 2^49 beside each other, about one point.
+AimedScene round_magnitudes(Draw& draw) {
+  AimedScene scene;
+  const auto magnitude = [&] { return std::ldexp(1.0, static_cast<int>(draw.below(100)) - 50); };
+  for (int i = 0; i < kCurves; ++i) {
+    const Vec2 place = any_point(draw);
+    const double size = magnitude(), radius = size * (0.5 + draw.unit());
+    scene.curves.push_back(whole(Circle{magnitude() * place, radius}));
+  }
+  return aimed(std::move(scene), [&](const AimedScene& made) {
+    return draw.sign() > 0 ? tangent_ray(made, draw) : ray_from_curve(made, draw);
+  });
+}
+
+}  // namespace flatray::oracle

@@ -1,0 +1,140 @@
+#include "oracle/suspects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatray::oracle {
+namespace {
+
+using Long = long double;
+static_assert(std::numeric_limits<Long>::digits >= 64 &&
+              std::numeric_limits<Long>::max_exponent >= 16384);
+
+// One rounding. A product of two differences is off by three and their squares, the difference of
+// two such by one more: five cover them.
+constexpr Long kRounding = std::numeric_limits<Long>::epsilon() / 2;
+
+// A number known to lie within `error` of `value`.
+struct Known {
+  Long value, error;
+  bool positive() const { return value > error; }
+  bool negative() const { return -value > error; }
+};
+
+struct Point {
+  Long x, y;
+};
+Point wide(const Vec2& v) { return {static_cast<Long>(v.x()), static_cast<Long>(v.y())}; }
+
+// ax by - ay bx of differences of doubles.
+Known area(Long ax, Long ay, Long bx, Long by) {
+  const Long left = ax * by, right = ay * bx;
+  return {left - right, 5 * kRounding * (std::fabs(left) + std::fabs(right))};
+}
+
+// The same for ax bx + ay by.
+Known inner(Long ax, Long ay, Long bx, Long by) { return area(ax, ay, -by, bx); }
+
+// sqrt(x^2 + y^2), which rounds three times, and not less.
+Long length_above(Long x, Long y) { return std::sqrt(x * x + y * y) * (1 + 8 * kRounding); }
+
+// Whether all of a wall lies behind the ray's start on one axis.
+bool is_behind(double origin, double direction, double a, double b) {
+  if (direction >= 0 && a < origin && b < origin) return true;
+  return direction <= 0 && a > origin && b > origin;
+}
+
+// When a wall is met whose ends lie on different sides of the ray's line.
+Suspect crossing(std::int64_t wall, Known time, const Known& from, const Known& to) {
+  Known across{to.value - from.value, from.error + to.error};
+  across.error += kRounding * std::fabs(across.value);
+  if (across.value < 0) {
+    across.value = -across.value;
+    time.value = -time.value;
+  }
+  if (time.negative()) return {};
+  if (!time.positive() || !across.positive()) return {wall};
+  // Differences and quotients round three times.
+  const Long low = (time.value - time.error) / (across.value + across.error);
+  const Long high = (time.value + time.error) / (across.value - across.error);
+  return {wall, true, low * (1 - 8 * kRounding), high * (1 + 8 * kRounding)};
+}
+
+Suspect suspect(const Ray& ray, const Segment& segment, std::int64_t wall) {
+  const Point o = wide(ray.origin), d = wide(ray.direction);
+  const Point p = wide(segment.a), q = wide(segment.b);
+  const Long ax = p.x - o.x, ay = p.y - o.y, bx = q.x - o.x, by = q.y - o.y;
+  const Known a = area(d.x, d.y, ax, ay), b = area(d.x, d.y, bx, by);
+  if ((a.positive() && b.positive()) || (a.negative() && b.negative())) return {};
+  const bool apart = (a.positive() && b.negative()) || (a.negative() && b.positive());
+  return apart ? crossing(wall, area(ax, ay, bx, by), a, b) : Suspect{wall};
+}
+
+}  // namespace
+
+void find_suspects(const Ray& ray, std::span<const Segment> walls, std::vector<Suspect>& suspects) {
+  suspects.clear();
+  const Vec2 &o = ray.origin, &d = ray.direction;
+  Long first = std::numeric_limits<Long>::infinity();
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Segment& wall = walls[i];
+    if (is_behind(o.x(), d.x(), wall.a.x(), wall.b.x()) ||
+        is_behind(o.y(), d.y(), wall.a.y(), wall.b.y()))
+      continue;
+    const Suspect found = suspect(ray, wall, static_cast<std::int64_t>(i));
+    if (found.wall < 0 || found.low > first) continue;
+    if (found.sure) first = std::min(first, found.high);
+    suspects.push_back(found);
+  }
+  std::erase_if(suspects, [&](const Suspect& each) { return each.low > first; });
+}
+
+Reach reach_of(const Arc& arc) {
+  const Ellipse& curve = arc.curve;
+  const auto length = [&](const Vec2& to, const Vec2& from) {
+    const Point p = wide(to), q = wide(from);
+    return length_above(p.x - q.x, p.y - q.y);
+  };
+  const Vec2 none(0, 0);
+  Reach reach{curve.centre, 0, curve.is_circle() && arc.extent == Arc::Extent::whole};
+  reach.radius = curve.is_circle()
+                     ? static_cast<Long>(curve.u.x())
+                     : (length(curve.u, none) + length(curve.v, none)) * (1 + kRounding * 4);
+  if (arc.extent == Arc::Extent::between)
+    for (const Vec2& end : {arc.from, arc.to})
+      reach.radius = std::max(reach.radius, length(end, curve.centre));
+  return reach;
+}
+
+// With w from the start to the centre, all of a disc lies where t d.d is between d.w - r |d| and
+// d.w + r |d|, and nowhere if |d x w| is more than r |d|.
+void find_suspects(const Ray& ray, std::span<const Reach> curves, long double first,
+                   std::vector<Suspect>& suspects) {
+  suspects.clear();
+  const Point o = wide(ray.origin), d = wide(ray.direction);
+  const Long length = length_above(d.x, d.y), square = length * length;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Reach& disc = curves[i];
+    const Point c = wide(disc.centre);
+    const Long wx = c.x - o.x, wy = c.y - o.y, margin = disc.radius * (1 + 8 * kRounding);
+    if (std::max(std::fabs(wx), std::fabs(wy)) > margin && length == 0) continue;
+    const Known beside = area(d.x, d.y, wx, wy), ahead = inner(d.x, d.y, wx, wy);
+    const Long reach = margin * length;
+    if (std::fabs(beside.value) - beside.error > reach) continue;
+    if (-ahead.value - ahead.error > reach) continue;
+    Suspect found{static_cast<std::int64_t>(i)};
+    if (length > 0)
+      found.low =
+          std::max<Long>(0, (ahead.value - ahead.error - reach) / square * (1 - 64 * kRounding));
+    found.sure = disc.is_circle && ahead.positive() &&
+                 std::fabs(beside.value) + beside.error < reach * (1 - 64 * kRounding);
+    if (found.sure) {
+      found.high = (ahead.value + ahead.error + reach) / square * (1 + 64 * kRounding);
+      first = std::min(first, found.high);
+    }
+    suspects.push_back(found);
+  }
+  std::erase_if(suspects, [&](const Suspect& each) { return each.low > first; });
+}
+
+}  // namespace flatray::oracle

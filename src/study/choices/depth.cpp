@@ -1,0 +1,133 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/check.h"
+#include "base/processor_time.h"
+#include "study/accuracy.h"
+#include "study/palette.h"
+#include "study/pixel_map.h"
+
+namespace flatray {
+namespace {
+
+using Kind = PixelOutcome::Kind;
+
+constexpr int kSide = 128;  // pixels of the longer side of the film, an orbit each
+constexpr std::uint64_t kTruthBounces = 4096, kLeastBounces = 64, kMostBounces = 1024;
+
+// The room on a small film, and where its orbits end.
+struct Fates {
+  explicit Fates(const Scene& whole) : scene(whole) {
+    const double shrink =
+        std::min(1.0, static_cast<double>(kSide) / std::max(scene.film.width, scene.film.height));
+    scene.film.width = std::max(1, static_cast<int>(shrink * scene.film.width));
+    scene.film.height = std::max(1, static_cast<int>(shrink * scene.film.height));
+    room.emplace(scene);
+  }
+  Scene scene;
+  std::optional<Room> room;
+  std::vector<PixelOutcome> truth, found;
+};
+
+std::vector<PixelOutcome> followed(const Fates& fates, std::uint64_t bounces, unsigned threads) {
+  auto pixels = trace_pixels({.scene = fates.scene, .threads = threads}, *fates.room, bounces,
+                             PixelMap::position);
+  FLATRAY_CHECK(pixels.has_value());  // nothing stops it
+  return std::move(*pixels);
+}
+
+// Hue by where an orbit ends, the darker the later; white where that is not known.
+Image picture(const Fates& fates) {
+  const int width = fates.scene.film.width;
+  Image image(width, fates.scene.film.height, 3);
+  for (std::size_t i = 0; i < fates.found.size(); ++i) {
+    const PixelOutcome& pixel = fates.found[i];
+    Light light{0.02, 0.02, 0.025};
+    if (pixel.kind == Kind::limit) light = {1, 1, 1};
+    if (pixel.kind == Kind::escape) light = hue_of(pixel.out);
+    if (pixel.kind == Kind::absorbed) light = nth_colour(pixel.surface);
+    if (pixel.kind == Kind::escape || pixel.kind == Kind::absorbed)
+      light = light * (1 / (1 + 0.15 * pixel.bounces));
+    set_pixel(image, static_cast<int>(i) % width, static_cast<int>(i) / width, light);
+  }
+  return image;
+}
+
+// The share of starts whose end is not known, of those whose end there is.
+Outcome judge(const Fates& fates) {
+  double open = 0, free = 0;
+  for (std::size_t i = 0; i < fates.truth.size(); ++i) {
+    if (fates.truth[i].kind == Kind::solid || fates.truth[i].kind == Kind::limit) continue;
+    ++free;
+    if (fates.found[i].kind != fates.truth[i].kind) ++open;
+  }
+  const double share = open / std::max(free, 1.0);
+  const double half = 1.96 * std::sqrt(share * (1 - share) / std::max(free, 1.0));
+  return {share, half, picture(fates), {half, share, 0, 0}};
+}
+
+Setting limited(const std::shared_ptr<Fates>& fates, std::uint64_t bounces, unsigned threads) {
+  return {fmt::format("{} bounce{}", bounces, bounces == 1 ? "" : "s"),
+          static_cast<double>(bounces), [=] { fates->found = followed(*fates, bounces, threads); },
+          [fates] { return judge(*fates); }};
+}
+
+std::string left_out(const Scene& scene) {
+  if (scene.rays.empty()) return "the scene has no rays";
+  const Room room(scene);
+  if (const auto met = expect_walls({.scene = scene}, room); !met)
+    return met.error().front().message;
+  return expect_closed({.scene = scene})
+             ? "nothing leaves a closed room of mirrors: its orbits go on for ever"
+             : "";
+}
+
+// As many bounces as there is time for: 4096 take no more than 64 times as long as 64, and mostly
+// less, as most orbits have ended before.
+std::uint64_t find_truth(Fates& fates, unsigned threads, double seconds) {
+  const double start = processor_seconds();
+  std::uint64_t bounces = kLeastBounces;
+  for (;; bounces *= 8) {
+    fates.truth = followed(fates, bounces, threads);
+    if (bounces >= kTruthBounces || 8 * (processor_seconds() - start) > seconds) return bounces;
+  }
+}
+
+Result<ChoiceSettings> settings(const AccuracyContext& context) {
+  const auto fates = std::make_shared<Fates>(context.scene);
+  const std::uint64_t bounces = find_truth(*fates, context.threads, reference_budget(context));
+  const auto stay = std::count_if(fates->truth.begin(), fates->truth.end(),
+                                  [](const PixelOutcome& p) { return p.kind == Kind::limit; });
+  const auto solid = std::count_if(fates->truth.begin(), fates->truth.end(),
+                                   [](const PixelOutcome& p) { return p.kind == Kind::solid; });
+  const auto count = static_cast<std::ptrdiff_t>(fates->truth.size()) - solid;
+  if (stay == count)
+    return fail(named_place(context.scene.name),
+                fmt::format("none of {} orbits ends within {} bounces", count, bounces));
+  ChoiceSettings made;
+  made.unit = "share of the orbits that end whose end is not reached";
+  made.reference = fmt::format(
+      "{} orbits, one a pixel, followed for {} bounces, in which {} of them do not end and are "
+      "left "
+      "out",
+      count, bounces, stay);
+  if (bounces < kTruthBounces)
+    made.cut = fmt::format("reference of {} bounces instead of {}", bounces, kTruthBounces);
+  made.grows = "bounces";
+  made.ordered = false;  // rooms that scatter lose their orbits like e^-n, others like a power
+  for (std::uint64_t n = 1; n <= std::min(bounces / 4, kMostBounces); n *= 4)
+    made.settings.push_back(limited(fates, n, context.threads));
+  return made;
+}
+
+}  // namespace
+
+namespace choice_entries {
+extern const Choice depth = {"depth", "After how many bounces is it known where orbits end?",
+                             ErrorKind::truncation, &left_out, &settings};
+}  // namespace choice_entries
+
+}  // namespace flatray

@@ -1,0 +1,116 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+
+#include "render/frame.h"
+#include "study/accuracy.h"
+#include "study/linear_error.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kTruthSagitta = 0x1p-18, kDoubtSagitta = 0x1p-16;  // px
+
+struct Curves {
+  DrawList list;
+  LinearImage truth, drawn;
+  unsigned threads = 1;
+};
+
+// The chords of a closed path, as edges; reversed where they bound a hole.
+void add_chords(const ArcPath& path, double sagitta, bool hole, FillPath& out) {
+  const std::vector<Vec2> points = flattened(path, sagitta);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    out.edges.push_back(hole ? Segment{points[i], points[i - 1]}
+                             : Segment{points[i - 1], points[i]});
+}
+
+ArcPath circle(const Vec2& centre, double radius) {
+  return {{EllipseArc{centre, {radius, 0}, {0, radius}}}};
+}
+
+// The list with every curve as chords that stay within `sagitta` pixels of it, and their number.
+struct Flattened {
+  DrawList list;
+  std::size_t chords = 0;
+};
+Flattened in_chords(const DrawList& list, double sagitta) {
+  Flattened made{list};
+  for (DrawItem& item : made.list.items) {
+    FillPath path;
+    if (const auto* ring = std::get_if<FillRing>(&item.region)) {
+      add_chords(circle(ring->centre, ring->radius), sagitta, false, path);
+      if (ring->inner_radius > 0)
+        add_chords(circle(ring->centre, ring->inner_radius), sagitta, true, path);
+    } else if (const auto* arcs = std::get_if<FillArcs>(&item.region)) {
+      add_chords(arcs->path, sagitta, false, path);
+    } else {
+      continue;
+    }
+    made.chords += path.edges.size();
+    item.region = std::move(path);
+  }
+  return made;
+}
+
+LinearImage drawn(const Curves& curves, const DrawList& list) {
+  return render_linear(list, {std::nullopt, curves.threads});
+}
+
+std::function<Outcome()> judged(const std::shared_ptr<Curves>& curves) {
+  return [curves] {
+    return Outcome{rms_difference(curves->drawn, curves->truth), 0, developed(curves->drawn)};
+  };
+}
+
+Setting chords(const std::shared_ptr<Curves>& curves, int part) {
+  const double sagitta = 1.0 / part;
+  const std::size_t count = in_chords(curves->list, sagitta).chords;
+  return {
+      fmt::format("chords within 1/{} px", part), static_cast<double>(count),
+      [curves, sagitta] { curves->drawn = drawn(*curves, in_chords(curves->list, sagitta).list); },
+      judged(curves)};
+}
+
+std::string left_out(const Scene& scene) {
+  for (const Shape& shape : scene.shapes)
+    if (!shape.circles.empty() || !shape.arc_paths.empty()) return "";
+  return "the scene has no curves";
+}
+
+Result<ChoiceSettings> settings(const AccuracyContext& context) {
+  const unsigned frame = (context.scene.frames + 1) / 2;
+  const Timeline timeline(context.scene, context.seed, frame);
+  auto list = draw_list(make_plan(context.scene, false), timeline, frame);
+  if (!list) return tl::unexpected(list.error());
+  const auto curves = std::make_shared<Curves>();
+  curves->list = std::move(*list);
+  curves->threads = context.threads;
+  if (in_chords(curves->list, 1).chords == 0)
+    return fail(named_place(context.scene.name), fmt::format("frame {} shows no curve", frame));
+  curves->truth = drawn(*curves, in_chords(curves->list, kTruthSagitta).list);
+  const double doubt =
+      rms_difference(curves->truth, drawn(*curves, in_chords(curves->list, kDoubtSagitta).list));
+  ChoiceSettings made;
+  made.unit = "root mean square of linear light, 1 is white";
+  made.reference = fmt::format(
+      "frame {} with chords within 2^-18 px, by the exact coverage of polygons; those within 2^-16 "
+      "px differ by {:.2g}",
+      frame, doubt);
+  made.grows = "chords";
+  for (const int part : {1, 4, 16, 64, 256, 1024}) made.settings.push_back(chords(curves, part));
+  made.settings.push_back({"curves as they are", 0,
+                           [curves] { curves->drawn = drawn(*curves, curves->list); },
+                           judged(curves)});
+  return made;
+}
+
+}  // namespace
+
+namespace choice_entries {
+extern const Choice flattening = {"flattening", "What would it cost to draw curves as polygons?",
+                                  ErrorKind::discretisation, &left_out, &settings};
+}  // namespace choice_entries
+
+}  // namespace flatray

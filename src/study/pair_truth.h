@@ -1,0 +1,41 @@
+#pragma once
+#include <set>
+#include <string>
+
+#include "anim/timeline.h"
+
+namespace flatray {
+
+/// Which entities of a scene meet, by arithmetic that what finds meetings has no part in.
+struct PairTruth {
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< entities, ascending
+  std::set<Pair> compared;                               ///< all pairs looked at
+  std::set<Pair> meet;                                   ///< of these
+  std::size_t round = 0;  ///< pairs with discs, curves or what turns, which are not looked at
+  std::size_t cut = 0;    ///< pairs that there was no time for
+
+  /// "12 pairs of polygons by shadows in rationals (oracle/contact), of which 3 meet; ..."
+  std::string words() const;
+};
+
+/// Motion as find_meetings() has it: straight for the whole time where velocities are kept, else
+/// from frame to frame.
+///
+/// Needs   last_frame as the timeline has it.
+/// Gives   pairs of which one moves; those never within each other's reach take no arithmetic.
+/// Cost    some 100 us for each two pieces, and each frame where motion is not straight.
+PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double seconds);
+
+/// Whether there is a pair to look at, and else why not.
+std::string no_pairs(const Scene& scene);
+
+/// Wrong pairs of those compared, split into those not seen and those not there.
+struct PairErrors {
+  std::size_t missed = 0, invented = 0;
+};
+PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found);
+
+/// All that is wrong as a share of the pairs that meet or are told to; 0 where there are none.
+double wrong_share(const PairTruth& truth, const PairErrors& errors);
+
+}  // namespace flatray

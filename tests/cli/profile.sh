@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# needs: shapes/circle
+# `flatray accuracy --profile` and `flatray render --profile`: what is chosen, and refused with its place.
+source "$(dirname "$0")/lib.sh"
+[[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0  # Mesa keeps some memory
+scene box.toml 1 '[[entity]]' 'shape = { circle = { centre = [3.3, 2.1], radius = 1.7 } }'
+run 0 accuracy box.toml -o out --choice coverage --budget 5s --profile box.profile
+grep -q '"setting":"exact area"' box.profile || fail "no exact area in the profile"
+run 0 render box.toml -o area.png
+run 0 render box.toml -o chosen.png --profile box.profile --time 1000
+says err "profile: exact area, error "
+cmp -s area.png chosen.png || fail "the exact area is chosen, and another picture drawn"
+error=$(sed -n 's/.*"pixel centres","error":\([^,]*\),.*/\1/p' box.profile)
+run 0 render box.toml -o centre.png -D 'film.coverage="centre"'
+grep -e schema -e centres box.profile > centres.profile
+run 0 render box.toml -o chosen.png --profile centres.profile --error "$error"
+says err "profile: pixel centres, error "
+cmp -s centre.png chosen.png || fail "pixel centres are chosen, and another picture drawn"
+run 4 render box.toml -o no.png --profile box.profile --error 1e-12
+says err "box.profile:3:1: error: nothing has an error of 1e-12 or less: this is the nearest"
+says err "say --error "
+run 4 render box.toml -o no.png --profile box.profile --time 0
+says err "this is the quickest"
+run 4 render box.toml -o no.png --profile box.profile --time 1 -D fps=12
+says err "box.profile:1:1: error: is of another scene"
+run 4 render box.toml -o no.png --profile box.toml --time 1
+says err "is no profile"
+printf '%s\n' "$(head -1 box.profile)" '{"setting":7}' > bad.profile
+run 4 render box.toml -o no.png --profile bad.profile --time 1
+says err "bad.profile:2:1: error: is no setting of a profile"
+run 3 render box.toml -o no.png --profile none.profile --time 1
+run 2 render box.toml -o no.png --error 0.1
+says err "needs --profile"
+run 2 render box.toml -o no.png --profile box.profile
+says err "needs --error or --time"
+run 2 render box.toml -o no.png --profile box.profile --time 1 --backend gl
+says err "is what --profile chooses"
+absent no.png
+finish
