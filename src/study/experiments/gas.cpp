@@ -103,8 +103,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment gas = {
-    "gas", "What do a million elastic bounces leave of the energy, and do bodies stay apart?",
-    &run};
+    "gas",
+    "What do a million elastic bounces leave of the energy, and do bodies stay apart?",
+    &run,
+    {.count = true, .seed = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray
