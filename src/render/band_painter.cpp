@@ -7,8 +7,8 @@
 
 namespace flatray {
 
-BandPainter::BandPainter(const DrawList& list, bool hide)
-    : list_(list), hide_(hide), kernels_(span_kernels(active_isa())), item_scan_(list) {}
+BandPainter::BandPainter(const DrawList& list, bool hide, bool (*stop)())
+    : list_(list), hide_(hide), kernels_(span_kernels(active_isa())), item_scan_(list, stop) {}
 
 const Tile& BandPainter::paint(const PixelBox& box, const Band& band, std::size_t items,
                                const StillBand* still, int y) {

@@ -12,7 +12,8 @@ namespace flatray {
 class BandPainter {
  public:
   /// `hide`: what an opaque item covers is not drawn.
-  BandPainter(const DrawList& list, bool hide);
+  /// `stop`: FrameOptions::stop; what is painted when it says so is no picture.
+  BandPainter(const DrawList& list, bool hide, bool (*stop)());
 
   /// The lowest `items` of a band, over `still` where there is one; at (0, y) of a picture.
   const Tile& paint(const PixelBox& box, const Band& band, std::size_t items,

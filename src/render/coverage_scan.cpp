@@ -60,6 +60,11 @@ CoverageStats AreaScan::scan(const FillPath& path, const std::vector<std::uint32
   cut_edges(path, chosen);
   for (int row = first_row_; row <= last_row_; ++row) {
     const auto i = static_cast<std::size_t>(row - box.y);
+    if (stop_ != nullptr && stop_()) {
+      rows_[i].drop();
+      simple_rows_[i].drop();
+      continue;
+    }
     if (path.simple)
       scan_row(path, row, simple_rows_[i], out);
     else
@@ -160,8 +165,7 @@ void AreaScan::scan_row(const FillPath& path, int row, ScanRow<Entry>& work, Run
     x = column + 1;
   }
   if (covers(path.rule, winding)) out.add(row, x, box_.x + box_.width, kFullCoverage);
-  entries.clear();
-  work.winding = 0;
+  work.drop();
 }
 
 std::uint32_t AreaScan::steps(const FillPath& path, std::span<const SimpleCell> cell, int winding,
@@ -177,11 +181,14 @@ std::uint32_t AreaScan::steps(const FillPath& path, std::span<const Piece> cell,
                               int row) {
   const int column = cell.front().column;
   if (cell.size() > kCrowd && audit_ == nullptr) {
+    if (path.rule == FillRule::nonzero && certainly_full(cell, winding)) {
+      ++stats_.edge_pixels;
+      return kFullCoverage;
+    }
     gather(cell);
     const int outer = without_touching(winding, column, row);
     if (is_crowded(exact_edges_, column, row)) {
       ++stats_.edge_pixels;
-      if (path.rule == FillRule::nonzero && certainly_full(cell, winding)) return kFullCoverage;
       return crowded_steps(exact_edges_, outer, column, row, path.rule);
     }
   }

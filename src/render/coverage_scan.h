@@ -64,12 +64,19 @@ template <class Entry>
 struct ScanRow {
   std::vector<Entry> entries;
   int winding = 0;
+
+  void drop() {
+    entries.clear();
+    winding = 0;
+  }
 };
 
 /// The area scan of paths, with its room kept from call to call. One for each thread.
 class AreaScan {
  public:
-  explicit AreaScan(const kernels::SpanKernels& kernels) : kernels_(kernels) {}
+  /// `stop` is asked before each row: true leaves it and all after it out.
+  explicit AreaScan(const kernels::SpanKernels& kernels, bool (*stop)() = nullptr)
+      : kernels_(kernels), stop_(stop) {}
 
   /// Adds the runs of the path's edges in `box`; of `chosen` edges only where given (all that meet
   /// the box's rows must be among them).
@@ -97,6 +104,7 @@ class AreaScan {
   void gather(int column, int row);
 
   const kernels::SpanKernels& kernels_;
+  bool (*const stop_)();
   PixelBox box_;
   int first_row_ = 0, last_row_ = -1;  ///< rows with an entry
   std::vector<double> x_, columns_;

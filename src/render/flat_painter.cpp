@@ -27,7 +27,7 @@ Light blended(const Light& colour, float share, const Light& below) {
 
 }  // namespace
 
-FlatPainter::FlatPainter(const DrawList& list) : list_(list), scan_(list) {}
+FlatPainter::FlatPainter(const DrawList& list, bool (*stop)()) : list_(list), scan_(list, stop) {}
 
 std::optional<std::size_t> FlatPainter::paint(const PixelBox& box, const Band& band,
                                               const StillBand* still, int y, Image& out) {

@@ -17,7 +17,8 @@ namespace flatray {
 /// `SpanKernels::blend_runs`, so that the pixels are those of drawing everything in order as light.
 class FlatPainter {
  public:
-  explicit FlatPainter(const DrawList& list);
+  /// `stop`: FrameOptions::stop; what is painted when it says so is no picture.
+  FlatPainter(const DrawList& list, bool (*stop)());
 
   /// Draws the items of a band, those above `still` where there is one, into the rows of `out`, as
   /// wide as the band, from `y` on. Gives how many of its items others hide; nothing where so many

@@ -13,7 +13,8 @@ struct FrameOptions {
   std::optional<PixelBox> crop;
   unsigned threads = 1;   ///< for the tiles of one frame
   bool keep_all = false;  ///< draw what is hidden and what has not changed, too
-  /// Asked before each band or tile, by any thread: true leaves it and all after it undrawn.
+  /// Asked before each band or tile, and before each row of an item, by any thread: true leaves it
+  /// and all after it undrawn, and stays true.
   bool (*stop)() = nullptr;
 
   bool stopped() const { return stop != nullptr && stop(); }

@@ -6,10 +6,10 @@
 
 namespace flatray {
 
-ItemScan::ItemScan(const DrawList& list)
+ItemScan::ItemScan(const DrawList& list, bool (*stop)())
     : list_(list),
       monotone_scan_(span_kernels(active_isa())),
-      area_scan_(span_kernels(active_isa())),
+      area_scan_(span_kernels(active_isa()), stop),
       centre_scan_(span_kernels(active_isa())) {}
 
 void ItemScan::scan(const Band& band, const BandItem& band_item, const PixelBox& box,

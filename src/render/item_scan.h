@@ -8,7 +8,8 @@ namespace flatray {
 /// Scans items of one list whatever their region is; its room is kept from item to item.
 class ItemScan {
  public:
-  explicit ItemScan(const DrawList& list);
+  /// `stop` is FrameOptions::stop.
+  ItemScan(const DrawList& list, bool (*stop)());
 
   /// Adds the runs of an item in a band.
   void scan(const Band& band, const BandItem& band_item, const PixelBox& box, RunList& out);

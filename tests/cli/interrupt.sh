@@ -42,4 +42,16 @@ for options in '-o long.png' '-o long.hdr' '-o long.png --keep-all'; do
   absent long.png long.hdr
   [[ -z $(find . -name '.*.part') ]] || fail "a temporary file stayed"
 done
+
+# One path of 100 000 lines, and one band.
+scene path.toml 1 '[[chamber]]' 'shape = { box = { min = [0, 0], max = [20, 20] } }' '[[ray]]' \
+  'at = [15, 5]' 'direction = [1, 0.7320508]' 'bounces = 100000' 'stroke = { width_px = 1, colour = "#ff0000" }'
+env --default-signal=INT "$flatray" render path.toml --size 100x100 -o path.png -j 1 2> err.txt &
+pid=$!
+sleep 4
+kill -INT $pid
+wait $pid
+code=$?
+((code == 130)) || fail "one path: exit code $code"
+absent path.png
 finish

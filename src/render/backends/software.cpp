@@ -40,8 +40,8 @@ struct BandTask {
 class BandsOfTask {
  public:
   BandsOfTask(const DrawList& list, const FrameOptions& options, DrawCounts& counts)
-      : flat_(list),
-        blended_(list, !options.keep_all),
+      : flat_(list, options.stop),
+        blended_(list, !options.keep_all, options.stop),
         plain_(!options.keep_all),
         counts_(counts) {}
 
@@ -110,6 +110,10 @@ DrawCounts draw_bands(const DrawList& list, const Bands& bands,
         painter.keep(box, items, still->wanted(band), channels_of(out), *below);
       const bool kept = below != nullptr && below->items() > 0;
       painter.draw({box, items, kept ? below : nullptr, box.y - top}, out);
+      if (options.stopped()) {  // perhaps within the band
+        counts[task].stopped_bands += end - band;
+        return;
+      }
     }
   });
   DrawCounts sum;
