@@ -26,9 +26,11 @@ bool rests(const Scene& scene, std::uint32_t entity);
 /// by entity.
 ///
 /// Needs   last_frame as the timeline has it.
-/// Gives   no pair of which neither ever moves. Nothing goes through another unseen, however fast:
-///         times between frames count. What turns or follows curves moves straight and turns evenly
-///         from its place in one frame to that in the next; looks and sizes are held as in the frame.
+/// Gives   no pair of which neither ever moves. Nothing in straight motion goes through another unseen,
+///         however fast: times between frames count. What turns or follows curves moves straight and turns evenly
+///         from its place in one frame to that in the next, also what a group carries round; looks
+///         and sizes are held as in the frame. What parts and meets again within a frame while it
+///         turns is one meeting.
 /// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp. What turns: proven,
 ///         as turning_contact().
 /// Cost    a sweep over boxes, for scenes where all keep their velocity once, else once a frame.

@@ -124,7 +124,12 @@ Result<void> expect_not_periodic(const ExperimentContext& context) {
 }
 
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {
-  const std::uint64_t bounces = std::min(context.bounces.value_or(usual_bounces), context.count);
+  if (context.count < 2)
+    return fail(named_place("--count"), "one flight alone has no error", "say 2 or more",
+                Trouble::usage);
+  // Two orbits at least, likewise.
+  const std::uint64_t bounces =
+      std::min(context.bounces.value_or(usual_bounces), (context.count + 1) / 2);
   if (bounces == 0)
     return fail(named_place("--bounces"), "an orbit without bounces measures nothing",
                 "say 1 or more", Trouble::usage);

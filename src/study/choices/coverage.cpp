@@ -67,7 +67,7 @@ void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
     const auto work = [film, gl] {
       FLATRAY_CHECK(gl->draw(film->list, {std::nullopt, film->threads}, film->drawn));
     };
-    made.settings.push_back({words, 0, work, judged(film), false,
+    made.settings.push_back({words, 0, work, judged(film),
                              RenderOptions{{"backend", "gl"}, {"samples", std::to_string(count)}}});
   }
 }
@@ -118,7 +118,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                     [film] {
                       film->drawn = render_linear(film->list, {std::nullopt, film->threads});
                     },
-                    judged(film), false, RenderOptions{}}};
+                    judged(film), RenderOptions{}}};
   made.settings.front().options = RenderOptions{{"define", "film.coverage=\"centre\""}};
   for (const int n : {2, 4, 8})
     if (2 * n <= side)
