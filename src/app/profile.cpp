@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "app/backend_choice.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/value.h"
@@ -43,6 +46,15 @@ std::string text_of(const JsonValue& line, const char* name) {
   return value == nullptr ? "" : value->as_text().value_or("");
 }
 
+// What a profile may say to render; all else would draw another scene.
+bool may_choose(const std::string& name, const std::string& value) {
+  if (name == "backend") {
+    const std::vector<std::string> known = backend_names();
+    return std::find(known.begin(), known.end(), value) != known.end();
+  }
+  return name == "samples" || (name == "define" && value.starts_with("film.coverage="));
+}
+
 // nullopt where it is none.
 std::optional<Way> way_of(const JsonValue& line, const Place& where) {
   Way way{text_of(line, "setting"), 0, 0, {}, where};
@@ -54,8 +66,7 @@ std::optional<Way> way_of(const JsonValue& line, const Place& where) {
   way.seconds = *seconds;
   for (const auto& [name, value] : *fields) {
     const auto text = value.as_text();
-    const bool known = name == "backend" || name == "samples" || name == "define";
-    if (!text || !known) return std::nullopt;
+    if (!text || !may_choose(name, *text)) return std::nullopt;
     way.options.emplace_back(name, *text);
   }
   return way;
@@ -114,9 +125,9 @@ Result<Wish> read_wish(const Arguments& arguments) {
                        "say --error 0.001, or --time 0.1");
   if (arguments.operands().size() != 1)
     return usage_error(arguments.where("profile"), "is of one scene", "render them one by one");
-  for (const char* other : {"backend", "samples"})
+  for (const char* other : {"backend", "samples", "view", "size", "seed"})
     if (arguments.has(other))
-      return usage_error(arguments.where(other), "is what --profile chooses",
+      return usage_error(arguments.where(other), "does not go with --profile",
                          "leave one of them out");
   const auto error = limit(arguments, "error"), seconds = limit(arguments, "time");
   if (!error) return tl::unexpected(error.error());
@@ -193,7 +204,7 @@ Result<Arguments> with_profile(const Arguments& arguments) {
   if (!profile) return tl::unexpected(profile.error());
   const auto scene = load_input(arguments, arguments.operands()[0]);
   if (!scene) return tl::unexpected(scene.error());
-  if (arguments.has("size") || hash_of(scene->scene) != profile->hash)
+  if (hash_of(scene->scene) != profile->hash)
     return fail(profile->head, "is of another scene, of another state of it, or of another size",
                 "measure it as it is to be drawn: flatray accuracy SCENE --profile FILE");
   const auto way = choose(*profile, *wish);

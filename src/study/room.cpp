@@ -124,15 +124,15 @@ Result<void> expect_not_periodic(const ExperimentContext& context) {
 }
 
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {
-  if (context.count < 2)
-    return fail(named_place("--count"), "one flight alone has no error", "say 2 or more",
-                Trouble::usage);
-  // Two orbits at least, likewise.
-  const std::uint64_t bounces =
-      std::min(context.bounces.value_or(usual_bounces), (context.count + 1) / 2);
+  constexpr std::uint64_t kUsualOrbits = 16;  // at least: their differences are the error
+  const std::uint64_t few = (context.count + kUsualOrbits - 1) / kUsualOrbits;
+  const std::uint64_t bounces = context.bounces.value_or(std::min(usual_bounces, few));
   if (bounces == 0)
     return fail(named_place("--bounces"), "an orbit without bounces measures nothing",
                 "say 1 or more", Trouble::usage);
+  if (context.count <= bounces)
+    return fail(named_place("--count"), "one orbit alone has no error",
+                fmt::format("say more than the {} of an orbit", bounces), Trouble::usage);
   return OrbitPlan{(context.count + bounces - 1) / bounces, bounces};
 }
 

@@ -34,6 +34,6 @@ says err "needs --profile"
 run 2 render box.toml -o no.png --profile box.profile
 says err "needs --error or --time"
 run 2 render box.toml -o no.png --profile box.profile --time 1 --backend gl
-says err "is what --profile chooses"
+says err "does not go with --profile"
 absent no.png
 finish

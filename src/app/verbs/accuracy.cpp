@@ -53,6 +53,10 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto loaded = load_input(arguments, arguments.operands()[0]);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, arguments);
+  if (arguments.has("profile") &&
+      std::find(names->begin(), names->end(), "coverage") == names->end())
+    return usage_error(arguments.where("profile"), "holds coverages, which --choice leaves out",
+                       "add coverage to --choice");
   std::vector<const Choice*> chosen;
   for (const Choice* choice : flatray::choices())
     if (std::find(names->begin(), names->end(), choice->name) != names->end())

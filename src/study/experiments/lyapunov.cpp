@@ -81,8 +81,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const auto plan = plan_orbits(context, kBounces + kSettling);
   if (!plan) return tl::unexpected(plan.error());
   if (plan->bounces < 2 * kSettling)
-    return fail(named_place("--bounces"), "too few for an exponent",
-                fmt::format("say {} or more: the first {} do not count", 2 * kSettling, kSettling),
+    return fail(named_place("--bounces"),
+                fmt::format("{} are too few for an exponent", plan->bounces),
+                fmt::format("say --bounces {} or more, of which the first {} do not count, and "
+                            "--count of several times as many",
+                            2 * kSettling, kSettling),
                 Trouble::usage);
   const Blocks blocks = Blocks::of(plan->orbits);
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
