@@ -64,9 +64,10 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
                                        : "free";
 }
 
-// What an exact orbit has beside its points, from those.
+// What an exact orbit has beside its points, from those: the last part of a bounce's way began at
+// `in`, and `flown` is the whole of it.
 Bounce bounce_at(const OrbitRoom& room, const CertifiedOrbit::Bounce& there, const Vec2& in,
-                 double speed, double before) {
+                 double speed, double flown, double before) {
   const Vec2 flight = there.point - in;
   const double length = flight.norm();
   Vec2 normal = wall_normal(room.world.surfaces, there.surface, there.point);
@@ -74,44 +75,46 @@ Bounce bounce_at(const OrbitRoom& room, const CertifiedOrbit::Bounce& there, con
   const Vec2 way = length > 0 ? Vec2(flight * (speed / length)) : Vec2(0, 0);
   return {there.surface,
           there.point,
-          length / speed,
-          before + length,
+          flown / speed,
+          before + flown,
           normal,
           way,
           way - 2 * way.dot(normal) * normal};
 }
 
-Orbit as_orbit(const OrbitRoom& room, const CertifiedOrbit& exact, const Ray& start) {
-  Orbit orbit{start.origin, start.direction,   {}, exact.end, exact.out,
-              exact.corner, exact.corner_walls};
+Orbit as_orbit(const OrbitRoom& room, CertifiedOrbit exact, const Ray& start) {
+  Orbit orbit{start.origin,
+              start.direction,
+              {},
+              exact.end,
+              exact.out,
+              exact.end_point,
+              std::move(exact.end_surfaces)};
+  orbit.crossings = std::move(exact.crossings);
+  auto crossing = orbit.crossings.begin();
   Vec2 in = start.origin;
-  double length = 0;
+  double before = 0;
   for (const CertifiedOrbit::Bounce& there : exact.bounces) {
-    if (room.materials[there.surface] == Material::absorb) {
-      orbit.end = OrbitEnd::absorbed;
-      orbit.end_point = there.point;
-      orbit.end_surfaces = {there.surface};
-      return orbit;
-    }
-    orbit.bounces.push_back(bounce_at(room, there, in, start.direction.norm(), length));
+    double flown = 0;
+    for (; crossing != orbit.crossings.end() && crossing->bounces == orbit.bounces.size();
+         in = crossing++->to)
+      flown += (crossing->from - in).norm();
+    flown += (there.point - in).norm();
+    orbit.bounces.push_back(bounce_at(room, there, in, start.direction.norm(), flown, before));
     in = there.point;
-    length = orbit.bounces.back().path_length;
+    before = orbit.bounces.back().path_length;
   }
-  const bool absorbed =
-      orbit.end == OrbitEnd::corner &&
-      std::all_of(exact.corner_walls.begin(), exact.corner_walls.end(),
-                  [&](std::uint32_t wall) { return room.materials[wall] == Material::absorb; });
-  if (absorbed) orbit.end = OrbitEnd::absorbed;
   if (orbit.end == OrbitEnd::limit && !orbit.bounces.empty())
     orbit.out = orbit.bounces.back().out.normalized();
   return orbit;
 }
 
 Proven proven(const OrbitRoom& room, const Orbit& orbit) {
-  if (orbit.bounces.size() <= kMostProven) return proven_bounces(room.world.surfaces, orbit);
+  if (orbit.bounces.size() <= kMostProven)
+    return proven_bounces(room.world.surfaces, orbit, room.materials);
   Orbit first = orbit;
   first.bounces.resize(kMostProven, orbit.bounces.front());
-  return {proven_bounces(room.world.surfaces, first).bounces, false};
+  return {proven_bounces(room.world.surfaces, first, room.materials).bounces, false};
 }
 
 const char* end_text(const OrbitReport& report) {
@@ -130,22 +133,20 @@ OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
 Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
                                  std::uint64_t bounces, const OrbitRequest& request) {
   OrbitReport report{name, {}, "", false};
-  const bool periodic = std::find(room.materials.begin(), room.materials.end(),
-                                  Material::periodic) != room.materials.end();
-  if (request.certified && periodic)
-    return fail(named_place(room.scene.name), "has periodic walls, which certified orbits know not",
-                "say --precision double");
+  const auto& walls = room.world.surfaces;
   if (request.certified) {
-    const auto exact = certified_orbit(room.world.surfaces, start, bounces, request.most_bits);
+    auto exact = certified_orbit(walls, start, bounces, {room.materials, request.most_bits});
     if (!exact) return tl::unexpected(exact.error());
-    report.orbit = as_orbit(room, *exact, start);
     report.bits = exact->bits;
-    report.decided = exact->decided || report.orbit.end == OrbitEnd::absorbed;
+    report.rational = exact->rational;
+    report.decided = exact->decided;
+    const Orbit plain = trace_orbit(walls, room.materials, start, exact->bounces.size());
+    report.horizon = horizon(walls, *exact, plain);
+    report.orbit = as_orbit(room, std::move(*exact), start);
     report.certain = report.orbit.bounces.size();
   } else {
-    report.orbit = trace_orbit(room.world.surfaces, room.materials, start, bounces, request.rules);
-    const bool exact =
-        !periodic && (request.rules.tracer == nullptr || request.rules.tracer->exact);
+    report.orbit = trace_orbit(walls, room.materials, start, bounces, request.rules);
+    const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
     const Proven known = exact ? proven(room, report.orbit) : Proven{0, false};
     report.certain = known.bounces;
     report.end_certain = known.end;
@@ -180,6 +181,8 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
       {"precision", report.bits > 0 ? "certified" : "double"},
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
+      {"rational", report.rational},
+      {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
       {"bounces", as_objects(bounce_table(room, report))},
       {"certain", report.certain},
       {"end_certain", report.end_certain},
@@ -203,7 +206,11 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
     text += fmt::format(", path length {} to the last bounce",
                         number_text(orbit.bounces.back().path_length));
   if (report.bits > 0)
-    text += fmt::format("; certified in {} bits", report.bits);
+    text += fmt::format("; certified in {}{} bits, doubles are noise {}",
+                        report.rational ? "rational numbers of " : "", report.bits,
+                        report.horizon == orbit.bounces.size()
+                            ? "nowhere"
+                            : fmt::format("after {} bounces", report.horizon));
   else if (report.certain < std::min(orbit.bounces.size(), kMostProven))
     text += fmt::format("; only the first {} are certain", report.certain);
   else if (!report.end_certain && orbit.bounces.size() <= kMostProven)

@@ -77,9 +77,17 @@ void reduce(Value& a) {
   mpz_divexact(a.top, a.top, common.z);
   mpz_divexact(a.bottom, a.bottom, common.z);
 }
-void reduce_if_long(Value& a) {
+// The same, and both odd.
+void shorten(Value& a) {
+  reduce(a);
+  if (a.is_zero()) return;
+  const auto twos = static_cast<long>(mpz_scan1(a.top, 0));
+  shift_right(a.top, twos);
+  a.exponent += twos;
+}
+void shorten_if_long(Value& a) {
   if (a.has_bottom() && mpz_sizeinbase(a.top, 2) + mpz_sizeinbase(a.bottom, 2) > kLongBits)
-    reduce(a);
+    shorten(a);
 }
 
 // top * 2^left over the bottom of a sum or difference, in `out`.
@@ -113,7 +121,7 @@ void add(const Value& a, const Value& b, int sign, Value& sum) {
   }
   mpz_set(sum.bottom, a.bottom);
   if (!one_bottom && b.has_bottom()) multiply_bottom(sum, b.bottom);
-  reduce_if_long(sum);
+  shorten_if_long(sum);
 }
 
 // product = a * b; `product` is neither of them.
@@ -124,7 +132,7 @@ void multiply(const Value& a, const Value& b, Value& product) {
     mpz_set(product.bottom, a.has_bottom() ? a.bottom : b.bottom);
   else
     mpz_mul(product.bottom, a.bottom, b.bottom);
-  reduce_if_long(product);
+  shorten_if_long(product);
 }
 
 void divide(Value& a, const Value& b) {
@@ -139,7 +147,7 @@ void divide(Value& a, const Value& b) {
   if (mpz_cmp_ui(divisor.z, 1) != 0) multiply_bottom(a, divisor.z);
   a.exponent -= exponent;
   if (sign < 0) mpz_neg(a.top, a.top);
-  reduce_if_long(a);
+  shorten_if_long(a);
 }
 
 // floor(log2 |q|) or one less. Needs q != 0.
@@ -297,6 +305,13 @@ Rational Rational::floor() const {
   Rational whole;
   scaled_floor(value(storage_), 0, value(whole.storage_).top);
   return whole;
+}
+
+std::size_t Rational::bits() const {
+  Rational copied = *this;
+  Value& q = value(copied.storage_);
+  shorten(q);
+  return std::max(mpz_sizeinbase(q.top, 2), mpz_sizeinbase(q.bottom, 2));
 }
 
 std::string Rational::text() const {

@@ -40,6 +40,8 @@ class Rational {
   double nearest() const;
   /// Largest integer not above it, as a Rational.
   Rational floor() const;
+  /// Of the longer of its numerator and denominator, without powers of two, in lowest terms.
+  std::size_t bits() const;
   /// "19/72" or "3".
   std::string text() const;
 

@@ -4,6 +4,7 @@
 
 #ifdef FLATRAY_HAVE_MPFR
 #include "precise/ball.h"
+#include "precise/certain.h"
 #include "precise/flight.h"
 #endif
 
@@ -23,77 +24,119 @@ struct MakeBall {
   int bits;
   Ball operator()(double x) const { return {x, bits}; }
 };
-using BallFlight = Flight<Ball, MakeBall>;
+struct MakeCertain {
+  Certain operator()(double x) const { return Certain(x); }
+};
 
-std::optional<Vec2> rounded(const Pair<Ball>& point, double scale) {
-  const auto x = point.x.nearest_or_even(scale), y = point.y.nearest_or_even(scale);
+std::optional<double> rounded(const Ball& x, double scale) { return x.nearest_or_even(scale); }
+std::optional<double> rounded(const Certain& x, double) { return x.value().nearest(); }
+
+template <class Number>
+std::optional<Vec2> rounded(const Pair<Number>& point, double scale) {
+  const auto x = rounded(point.x, scale), y = rounded(point.y, scale);
   return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
 }
 
-// The direction at length 1.
-std::optional<Vec2> rounded_out(const BallFlight& flight) {
-  const Ball length = square_root(flight.size());
-  return rounded({flight.direction().x / length, flight.direction().y / length}, 1);
+// A direction at length 1, of which the square of the length is given.
+std::optional<Vec2> rounded_out(const Pair<Ball>& direction, const Ball& size) {
+  const Ball length = square_root(size);
+  return rounded(Pair<Ball>{direction.x / length, direction.y / length}, 1);
+}
+std::optional<Vec2> rounded_out(const Pair<Certain>& direction, const Certain& size) {
+  const auto share = [&](const Rational& x) {
+    return Rational::root_sum(0, static_cast<int>(x.sign()), x * x / size.value());
+  };
+  return Vec2(share(direction.x.value()), share(direction.y.value()));
+}
+
+// Bits that a number holds, and what a wall costs then, counted in bits of balls: long fractions
+// are reduced.
+unsigned bits_of(const Ball&, unsigned working) { return working; }
+unsigned bits_of(const Certain& x, unsigned) { return static_cast<unsigned>(x.value().bits()); }
+std::uint64_t cost_of(const Ball&, unsigned bits) { return bits; }
+std::uint64_t cost_of(const Certain&, unsigned bits) {
+  return bits + std::uint64_t{bits} * bits / 4096;
 }
 
 double largest_coordinate(const Surfaces& walls) {
-  double largest = 0;
-  const auto see = [&](const Vec2& point, double reach) {
-    largest = std::max(largest, point.cwiseAbs().maxCoeff() + reach);
-  };
-  for (const Segment& wall : walls.segments) {
-    see(wall.a, 0);
-    see(wall.b, 0);
-  }
-  for (const Circle& wall : walls.circles) see(wall.centre, wall.radius);
-  for (const Arc& wall : walls.arcs) {
-    const Bounds box = curve_bounds(wall.curve);
-    see(box.low, 0);
-    see(box.high, 0);
-  }
+  const Bounds box = bounds_of(walls);
+  const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
   return std::min(largest, std::numeric_limits<double>::max());
 }
 
-// The orbit as far as `bits` tell it.
+// The orbit as far as an arithmetic tells it.
+template <class Number, class Make>
 class Follower {
  public:
-  Follower(const Surfaces& walls, const Ray& start, unsigned bits)
-      : flight_(walls, start, MakeBall{static_cast<int>(bits)}),
+  /// `bits` is the working precision of balls.
+  Follower(const Surfaces& walls, const CertifiedRules& rules, const Ray& start, const Make& make,
+           unsigned bits)
+      : rules_(rules),
+        periodic_(walls, rules.materials),
+        flight_(walls, periodic_, start, make),
         scale_(largest_coordinate(walls)),
-        work_of_step_(std::uint64_t{bits} * (walls.size() + 1)) {
-    orbit_.bits = bits;
-  }
+        walls_(walls.size() + 1),
+        bits_(bits),
+        first_entry_(flight_.point()) {}
 
   // Takes what it does from `work`, and is undecided where none is left.
   CertifiedOrbit follow(std::uint64_t bounces, std::uint64_t& work) {
     while (orbit_.decided && orbit_.end == OrbitEnd::limit && orbit_.bounces.size() < bounces) {
-      orbit_.decided = work >= work_of_step_ && step();
-      work -= std::min(work, work_of_step_);
+      const unsigned bits = bits_of(flight_.moment(), bits_);
+      orbit_.bits = std::max(orbit_.bits, bits);
+      const std::uint64_t cost = cost_of(flight_.moment(), bits) * walls_;
+      orbit_.decided = bits <= rules_.most_bits && work >= cost && step();
+      work -= std::min(work, cost);
     }
     return std::move(orbit_);
   }
 
  private:
   bool step() {
-    Prospect next = flight_.next();
-    switch (next.kind) {
-      case Prospect::Kind::open:
-        return false;
-      case Prospect::Kind::escape:
-        return finish(OrbitEnd::escape, rounded_out(flight_), orbit_.out);
-      case Prospect::Kind::corner: {
-        const auto corner = flight_.corner_at(next.walls.front());
-        if (!corner) return false;
-        orbit_.corner_walls = std::move(next.walls);
-        return finish(OrbitEnd::corner, rounded(*corner, scale_), orbit_.corner);
-      }
-      case Prospect::Kind::wall:
-        break;
-    }
+    const Prospect next = flight_.next();
+    if (next.kind == Prospect::Kind::open) return false;
+    if (next.kind == Prospect::Kind::escape)
+      return finish(OrbitEnd::escape, rounded_out(flight_.direction(), flight_.size()), orbit_.out);
+    if (flight_.crosses(next)) return cross(next);
+    if (absorbs(next)) return stop(OrbitEnd::absorbed, next);
+    if (next.kind == Prospect::Kind::corner) return stop(OrbitEnd::corner, next);
     if (!flight_.bounce(next.walls.front())) return false;
     const auto point = rounded(flight_.point(), scale_);
     if (point) orbit_.bounces.push_back({next.walls.front(), *point});
+    crossings_ = 0;
     return point.has_value();
+  }
+
+  bool absorbs(const Prospect& next) const {
+    return !rules_.materials.empty() &&
+           std::all_of(next.walls.begin(), next.walls.end(), [&](std::uint32_t wall) {
+             return rules_.materials[wall] == Material::absorb;
+           });
+  }
+
+  bool cross(const Prospect& next) {
+    const auto left = flight_.cross_over(next);
+    if (!left) return false;
+    const auto from = rounded(*left, scale_), to = rounded(flight_.point(), scale_);
+    if (!from || !to) return false;
+    orbit_.crossings.push_back({orbit_.bounces.size(), *from, *to});
+    const Pair<Number>& entry = flight_.point();
+    const bool circles = crossings_ > 0 && is_same(first_entry_, entry);
+    if (crossings_++ == 0) first_entry_ = entry;
+    if (circles || crossings_ > kMostCrossings)
+      return finish(OrbitEnd::escape, rounded_out(flight_.direction(), flight_.size()), orbit_.out);
+    return true;
+  }
+
+  static bool is_same(const Pair<Number>& a, const Pair<Number>& b) {
+    return (a.x - b.x).sign() == Sign::zero && (a.y - b.y).sign() == Sign::zero;
+  }
+
+  bool stop(OrbitEnd end, const Prospect& next) {
+    const auto point = flight_.corner_at(next.walls.front());
+    if (!point) return false;
+    orbit_.end_surfaces = next.walls;
+    return finish(end, rounded(*point, scale_), orbit_.end_point);
   }
 
   bool finish(OrbitEnd end, const std::optional<Vec2>& value, Vec2& out) {
@@ -103,33 +146,60 @@ class Follower {
     return true;
   }
 
-  BallFlight flight_;
+  const CertifiedRules& rules_;
+  PeriodicWalls periodic_;
+  Flight<Number, Make> flight_;
   double scale_;
-  std::uint64_t work_of_step_;
+  std::size_t walls_;
+  unsigned bits_;
+  std::uint32_t crossings_ = 0;  // since the last bounce
+  Pair<Number> first_entry_;     // to which the first of them led
   CertifiedOrbit orbit_;
 };
+
+CertifiedOrbit in_balls(const Surfaces& walls, const CertifiedRules& rules, const Ray& start,
+                        std::uint64_t bounces, unsigned bits, std::uint64_t& work) {
+  const MakeBall make{static_cast<int>(bits)};
+  return Follower<Ball, MakeBall>(walls, rules, start, make, bits).follow(bounces, work);
+}
+
+CertifiedOrbit in_rationals(const Surfaces& walls, const CertifiedRules& rules, const Ray& start,
+                            std::uint64_t bounces, std::uint64_t& work) {
+  CertifiedOrbit orbit =
+      Follower<Certain, MakeCertain>(walls, rules, start, {}, 0).follow(bounces, work);
+  orbit.rational = true;
+  return orbit;
+}
 
 }  // namespace
 
 Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
-                                       std::uint64_t bounces, unsigned most_bits,
-                                       std::optional<std::uint64_t> most_work) {
-  const std::vector<Material> mirrors(walls.size(), Material::mirror);
-  const Orbit at_start = trace_orbit(walls, mirrors, start, 0);
+                                       std::uint64_t bounces, const CertifiedRules& rules) {
+  std::vector<Material> materials(rules.materials.begin(), rules.materials.end());
+  materials.resize(walls.size(), Material::mirror);
+  Orbit at_start = trace_orbit(walls, materials, start, 0);
   if (at_start.end != OrbitEnd::limit) {
     CertifiedOrbit stays;
     stays.end = at_start.end;
-    stays.corner = at_start.end_point;
-    stays.corner_walls = at_start.end_surfaces;
+    stays.end_point = at_start.end_point;
+    stays.end_surfaces = std::move(at_start.end_surfaces);
     return stays;
   }
-  std::uint64_t work = most_work.value_or(work_for(most_bits));
+  std::uint64_t work = rules.most_work.value_or(work_for(rules.most_bits));
+  const bool straight = walls.segments.size() == walls.size();
   CertifiedOrbit best;
-  for (unsigned bits = kFirstBits;; bits = std::min(2 * bits, most_bits)) {
-    CertifiedOrbit orbit = Follower(walls, start, bits).follow(bounces, work);
-    const bool last = orbit.decided || bits >= most_bits || work == 0;
+  const auto keep = [&](CertifiedOrbit orbit) {
+    const bool further = orbit.bounces.size() > best.bounces.size();
     if (orbit.decided || orbit.bounces.size() >= best.bounces.size()) best = std::move(orbit);
-    if (last) return best;
+    return further;
+  };
+  for (unsigned bits = kFirstBits;; bits = std::min(2 * bits, rules.most_bits)) {
+    const bool further = keep(in_balls(walls, rules, start, bounces, bits, work));
+    if (best.decided) return best;
+    const bool last = bits >= rules.most_bits || work == 0;
+    if (straight && (!further || last) && !best.rational)
+      keep(in_rationals(walls, rules, start, bounces, work));
+    if (best.decided || last) return best;
   }
 }
 
@@ -140,10 +210,20 @@ Result<void> can_certify() {
               "install it (tools/setup does) and configure again", Trouble::unavailable);
 }
 
-Result<CertifiedOrbit> certified_orbit(const Surfaces&, const Ray&, std::uint64_t, unsigned,
-                                       std::optional<std::uint64_t>) {
+Result<CertifiedOrbit> certified_orbit(const Surfaces&, const Ray&, std::uint64_t,
+                                       const CertifiedRules&) {
   return tl::unexpected(can_certify().error());
 }
 #endif
+
+std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact, const Orbit& plain) {
+  const double far = kHorizonShare * bounds_of(walls).size().maxCoeff();
+  const auto near = [&](const CertifiedOrbit::Bounce& there, const Bounce& here) {
+    return there.surface == here.surface && (there.point - here.point).stableNorm() < far;
+  };
+  const auto parted = std::mismatch(exact.bounces.begin(), exact.bounces.end(),
+                                    plain.bounces.begin(), plain.bounces.end(), near);
+  return static_cast<std::uint64_t>(parted.first - exact.bounces.begin());
+}
 
 }  // namespace flatray

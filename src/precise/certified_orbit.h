@@ -14,35 +14,53 @@ struct CertifiedOrbit {
   };
   std::vector<Bounce> bounces;
   OrbitEnd end = OrbitEnd::limit;
-  bool decided = true;  ///< false: proven so far, and `bits` were not enough for what comes next
-  Vec2 out{0, 0};       ///< unit direction of an escape, nearest doubles
-  Vec2 corner{0, 0};    ///< where it stops in a corner, nearest doubles
-  std::vector<std::uint32_t> corner_walls;
-  unsigned bits = 0;  ///< of working precision that were enough
+  bool decided = true;   ///< false: proven so far, and `bits` were not enough for what comes next
+  Vec2 out{0, 0};        ///< unit direction of an escape, nearest doubles
+  Vec2 end_point{0, 0};  ///< where it is absorbed or stops in a corner, the same
+  std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
+  std::vector<Crossing> crossings;          ///< of periodic walls, nearest doubles
+  unsigned bits = 0;      ///< of working precision that were enough; of the longest rational number
+  bool rational = false;  ///< what balls left open is told by rational numbers
 };
 
 inline constexpr unsigned kMostBits = 65536;
 
+/// What bounds a certified orbit.
+struct CertifiedRules {
+  std::span<const Material>
+      materials{};  ///< by surface, as trace_orbit has them; none: all mirrors
+  unsigned most_bits = kMostBits;
+  /// 2^32 where not said, and more in proportion for more than kMostBits.
+  std::optional<std::uint64_t> most_work{};
+};
+
 /// Error   Trouble::unavailable in a build without MPFR.
 Result<void> can_certify();
 
-/// Follows the exact orbit of `start` between mirrors: the working precision is doubled, from 128
-/// bits on, until every bounce is told and every point is rounded.
+/// Follows the exact orbit of `start`: the working precision is doubled, from 128 bits on, until
+/// every bounce is told and every point is rounded. Where walls are straight and more bits got no
+/// further, rational numbers tell what they cannot: corners met exactly.
 ///
 /// Needs   a direction that is not zero.
-/// Gives   ends as trace_orbit has them; a corner where the arithmetic meets it exactly, as between
-///         straight walls of whole coordinates; else it stays undecided, as does a tangent of a
-///         circle met exactly. A coordinate within 2^-256 of the largest one of the walls to the
-///         middle between two doubles is the even one, and one as near to 0 is 0: exact ties, which
-///         no number of bits would tell.
+/// Gives   ends as trace_orbit has them, in corners by the rule `stop`. Of curved walls a corner or
+///         a tangent met exactly is left undecided. In balls a coordinate within 2^-256 of the
+///         largest one of the walls to the middle between two doubles is the even one, and one as
+///         near to 0 is 0: exact ties, which no number of bits would tell.
 /// Error   that of can_certify.
 /// Cost    bits grow by some 0.5 a bounce between straight walls, and by what discs part rays: 512
-///         for 200 bounces of a Sinai room, 20 ms. Every precision begins again at the start, so
-///         work is counted, as bounces times (walls + 1) times bits: after `most_work`, 2^32 unless
-///         said and more in proportion for more than kMostBits, the orbit stays undecided, as if bits had run out. That is a minute
-///         or two, and some ten with 65536 bits.
+///         for 200 bounces of a Sinai room, 20 ms. Rational numbers grow by up to 106 a bounce, and
+///         by none in a room whose walls lie along the axes. Every precision begins again at the
+///         start, so work is counted, as bounces times (walls + 1) times bits: after `most_work` the
+///         orbit stays undecided, as if bits had run out. That is a minute or two, and some ten
+///         with 65536 bits.
 Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
-                                       std::uint64_t bounces, unsigned most_bits = kMostBits,
-                                       std::optional<std::uint64_t> most_work = std::nullopt);
+                                       std::uint64_t bounces, const CertifiedRules& rules = {});
+
+/// Of the largest extent of a room: as far as an orbit of doubles may be off before it is noise.
+inline constexpr double kHorizonShare = 0.01;
+
+/// Bounces from the first on that the orbit of the same start in doubles has on the same walls and
+/// near the same points; what follows is noise.
+std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact, const Orbit& plain);
 
 }  // namespace flatray

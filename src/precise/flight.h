@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "geom/pair.h"
 #include "trace/surfaces.h"
 #include "transport/landing.h"
+#include "transport/periodic_walls.h"
 
 namespace flatray {
 
@@ -25,13 +27,15 @@ struct Prospect {
 /// which is how a turn is bounded in components. Places on it count by x.d.
 ///
 /// Needs   Number as geom/bounded.h has it; make(double) gives one without error. Walls that outlive
-///         it, a direction that is not zero, a start in no corner.
+///         it, a direction that is not zero, a start in no corner. Periodic walls stop only what
+///         leads out by them.
 /// Gives   what is told is true, whatever the arithmetic.
 template <class Number, class Make>
 class Flight {
  public:
-  Flight(const Surfaces& walls, const Ray& start, Make make)
+  Flight(const Surfaces& walls, const PeriodicWalls& periodic, const Ray& start, Make make)
       : walls_(walls),
+        periodic_(periodic),
         make_(make),
         direction_(pair(start.direction)),
         moment_(cross(pair(start.origin), direction_)),
@@ -42,9 +46,15 @@ class Flight {
   }
 
   Prospect next() const {
+    if (periodic_.has(left_) && leads_out(left_) == true) return {Prospect::Kind::wall, {left_}};
     Prospect found{Prospect::Kind::escape, {}};
     std::vector<Number> best, open;  // places: of what is met first; of what may be missed
-    for (std::uint32_t surface = 0; surface < walls_.size(); ++surface)
+    for (std::uint32_t surface = 0; surface < walls_.size(); ++surface) {
+      if (periodic_.has(surface)) {
+        const auto out = leads_out(surface);
+        if (!out) return {Prospect::Kind::open, {}};
+        if (!*out) continue;
+      }
       for (const Meeting& meeting : meetings(surface)) {
         if (meeting.met == Met::no) continue;
         if (!meeting.place) return {Prospect::Kind::open, {}};
@@ -61,6 +71,7 @@ class Flight {
         if (found.walls.empty() || found.walls.back() != surface) found.walls.push_back(surface);
         best.assign(1, *meeting.place);
       }
+    }
     for (const Number& place : open)
       if (best.empty() || (place - best.front()).sign() != Sign::positive)
         return {Prospect::Kind::open, {}};
@@ -73,6 +84,31 @@ class Flight {
         walls_.is_straight(surface) ? bounce_off(segment(surface)) : bounce_off_curve(surface);
     left_ = surface;
     return known;
+  }
+
+  /// Whether all that lies ahead are periodic walls.
+  bool crosses(const Prospect& next) const {
+    return (next.kind == Prospect::Kind::wall || next.kind == Prospect::Kind::corner) &&
+           std::all_of(next.walls.begin(), next.walls.end(),
+                       [&](std::uint32_t surface) { return periodic_.has(surface); });
+  }
+
+  /// Goes on from the walls opposite the periodic ones that it is known to meet next, and gives the
+  /// point where it met them; nullopt where Number cannot tell it.
+  std::optional<Pair<Number>> cross_over(const Prospect& next) {
+    const auto met = meeting_point(segment(next.walls.front()));
+    if (!met) return std::nullopt;
+    point_ = *met;
+    for (const std::uint32_t surface : next.walls) {
+      const PeriodicWalls::Side& side = *periodic_.find(surface);
+      const Number way = make_(side.far) - make_(side.near), none = make_(0);
+      const Pair<Number> shift = side.axis == 0 ? Pair<Number>{way, none} : Pair<Number>{none, way};
+      moment_ = moment_ + cross(shift, direction_);
+      point_ = point_ + shift;
+      left_ = side.opposite;
+    }
+    here_ = dot(point_, direction_);
+    return met;
   }
 
   /// Where a wall is met that the ray is known to meet next, in a corner.
@@ -89,9 +125,10 @@ class Flight {
     return pair(*order == Sign::positive ? wall.b : wall.a);
   }
 
-  /// Where the last bounce was.
+  /// Where the last bounce was, or where it came in by a periodic wall.
   const Pair<Number>& point() const { return point_; }
   const Pair<Number>& direction() const { return direction_; }
+  const Number& moment() const { return moment_; }
   /// d.d, which no mirror changes.
   const Number& size() const { return size_; }
 
@@ -126,6 +163,22 @@ class Flight {
       if (*order == Sign::negative) first = meeting;
     }
     return first;
+  }
+
+  // Of a periodic wall; nullopt where Number cannot tell.
+  std::optional<bool> leads_out(std::uint32_t surface) const {
+    const PeriodicWalls::Side& side = *periodic_.find(surface);
+    const auto sign = (side.axis == 0 ? direction_.x : direction_.y).sign();
+    return sign ? std::optional(static_cast<double>(*sign) * side.out > 0) : std::nullopt;
+  }
+
+  // Where the line crosses a wall that it is known to cross; nullopt where Number cannot tell.
+  std::optional<Pair<Number>> meeting_point(const Segment& wall) const {
+    const Number side_a = side_of(wall.a), apart = side_a - side_of(wall.b);
+    const auto slope = apart.sign();
+    if (!slope || *slope == Sign::zero) return std::nullopt;
+    const Number part = side_a / apart;
+    return pair(wall.a) + part * (pair(wall.b) - pair(wall.a));
   }
 
   // On which side of the line a point lies: d cross (point - x), that is (x - point) cross d.
@@ -317,6 +370,7 @@ class Flight {
   }
 
   const Surfaces& walls_;
+  const PeriodicWalls& periodic_;
   Make make_;
   Pair<Number> direction_;
   Number moment_, here_, size_;

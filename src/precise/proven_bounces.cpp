@@ -31,35 +31,57 @@ bool is_end(const Prospect& next, const Orbit& orbit) {
   unreachable();
 }
 
-template <class Number, class Make>
-Proof prove(const Surfaces& walls, const Orbit& orbit, const Make& make) {
-  Flight<Number, Make> flight(walls, {orbit.start, orbit.direction}, make);
-  const std::size_t bounces = orbit.bounces.size();
-  // The first hit was decided without rounding.
-  std::uint64_t proven = 1;
-  for (; proven <= bounces; ++proven) {
-    if (!flight.bounce(orbit.bounces[proven - 1].surface)) return {{proven, false}, false};
-    if (proven == bounces && orbit.end == OrbitEnd::limit) break;
-    const Prospect next = flight.next();
-    if (next.kind == Prospect::Kind::open) return {{proven, false}, false};
-    if (proven == bounces) return {{proven, is_end(next, orbit)}, true};
-    const bool same =
-        next.kind == Prospect::Kind::wall && next.walls.front() == orbit.bounces[proven].surface;
-    if (!same) return {{proven, false}, true};
+// Whether an orbit crosses the periodic walls that lie ahead.
+bool crosses_same(const Crossing& crossing, const PeriodicWalls& periodic, const Prospect& next) {
+  Vec2 way(0, 0);
+  for (const std::uint32_t surface : next.walls) {
+    const PeriodicWalls::Side& side = *periodic.find(surface);
+    way[side.axis] = side.far - side.near;
   }
-  return {{bounces, true}, true};
+  const Vec2 crossed = crossing.to - crossing.from;
+  return sign_of(crossed.x()) == sign_of(way.x()) && sign_of(crossed.y()) == sign_of(way.y());
+}
+
+template <class Number, class Make>
+Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& orbit,
+            const Make& make) {
+  Flight<Number, Make> flight(walls, periodic, {orbit.start, orbit.direction}, make);
+  auto crossing = orbit.crossings.begin();
+  const std::size_t bounces = orbit.bounces.size();
+  for (std::uint64_t proven = 0;; ++proven) {
+    if (proven == bounces && orbit.end == OrbitEnd::limit) return {{bounces, true}, true};
+    Prospect next = flight.next();
+    const auto crossed = [&] {
+      return crossing != orbit.crossings.end() && crossing->bounces == proven;
+    };
+    for (; flight.crosses(next); next = flight.next(), ++crossing) {
+      if (!crossed() || !crosses_same(*crossing, periodic, next)) return {{proven, false}, true};
+      if (!flight.cross_over(next)) return {{proven, false}, false};
+    }
+    if (next.kind == Prospect::Kind::open) return {{proven, false}, false};
+    if (crossed()) return {{proven, false}, true};
+    if (proven == bounces) return {{proven, is_end(next, orbit)}, true};
+    const std::uint32_t wall = orbit.bounces[proven].surface;
+    const bool same = next.kind == Prospect::Kind::wall && next.walls.front() == wall;
+    if (!same) return {{proven, false}, true};
+    if (!flight.bounce(wall)) return {{proven + 1, false}, false};
+  }
 }
 
 }  // namespace
 
-Proven proven_bounces(const Surfaces& walls, const Orbit& orbit) {
+Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
+                      std::span<const Material> materials) {
   if (orbit.bounces.empty()) return {0, true};  // decided without rounding
-  Proof proof = prove<Bounded>(walls, orbit, [](double x) { return Bounded(x); });
+  const PeriodicWalls periodic(walls, materials);
+  Proof proof = prove<Bounded>(walls, periodic, orbit, [](double x) { return Bounded(x); });
 #ifdef FLATRAY_HAVE_MPFR
   constexpr int kFirstBits = 256, kLastBits = 2048;
   for (int bits = kFirstBits; !proof.ended && bits <= kLastBits; bits *= 2)
-    proof = prove<Ball>(walls, orbit, [bits](double x) { return Ball(x, bits); });
+    proof = prove<Ball>(walls, periodic, orbit, [bits](double x) { return Ball(x, bits); });
 #endif
+  // The first hit was decided without rounding.
+  if (!periodic.any()) proof.proven.bounces = std::max<std::uint64_t>(proof.proven.bounces, 1);
   return proof.proven;
 }
 

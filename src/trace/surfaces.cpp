@@ -29,4 +29,19 @@ std::uint32_t Surfaces::add(const Arc& arc) {
   return append(*this, SurfaceKind::arc, arcs.size() - 1, arc_numbers);
 }
 
+Bounds bounds_of(const Surfaces& walls) {
+  Bounds box;
+  for (const Segment& wall : walls.segments) {
+    box.add(wall.a);
+    box.add(wall.b);
+  }
+  const auto hold = [&](const Bounds& curve) {
+    box.add(curve.low);
+    box.add(curve.high);
+  };
+  for (const Circle& wall : walls.circles) hold(curve_bounds(wall));
+  for (const Arc& wall : walls.arcs) hold(curve_bounds(wall.curve));
+  return box;
+}
+
 }  // namespace flatray

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geom/arc.h"
+#include "geom/bounds.h"
 
 namespace flatray {
 
@@ -44,5 +45,8 @@ struct Surfaces {
                                                  : arcs[slot[surface]].curve;
   }
 };
+
+/// A box that holds all walls.
+Bounds bounds_of(const Surfaces& walls);
 
 }  // namespace flatray

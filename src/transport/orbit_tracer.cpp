@@ -21,10 +21,6 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
   return point == wall.a || point == wall.b;
 }
 
-// A ray between periodic walls that crosses as many of them and meets nothing else never will, as
-// far as anyone can wait.
-constexpr std::uint32_t kMostCrossings = 1U << 18;
-
 // So few rays are faster asked one by one than in the lanes of a batch.
 constexpr std::size_t kFewFlights = 12;
 

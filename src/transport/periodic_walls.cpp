@@ -7,13 +7,14 @@
 namespace flatray {
 
 PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> materials) {
+  if (materials.empty()) return;
   Bounds box;
   for (std::uint32_t i = 0; i < walls.size(); ++i) {
     if (materials[i] != Material::periodic) continue;
     FLATRAY_CHECK(walls.is_straight(i));
     box.add(walls.segments[walls.slot[i]].a);
     box.add(walls.segments[walls.slot[i]].b);
-    sides_.push_back({i, i, 0, 0, 0});
+    sides_.push_back({i, i, 0, 0, 0, 0});
   }
   for (Side& side : sides_) {
     const Segment& wall = walls.segments[walls.slot[side.surface]];
@@ -22,6 +23,7 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
     const bool low = place == box.low[side.axis];
     FLATRAY_CHECK(place == wall.b[side.axis] && (low || place == box.high[side.axis]));
     side.out = low ? -1 : 1;
+    side.near = place;
     side.far = low ? box.high[side.axis] : box.low[side.axis];
   }
   for (Side& side : sides_)

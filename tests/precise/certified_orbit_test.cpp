@@ -35,8 +35,8 @@ TEST(CertifiedOrbit, ACornerMetExactlyIsOne) {
   // (4, 2), then up and left to (0, 4).
   EXPECT_EQ(orbit->end, OrbitEnd::corner);
   EXPECT_EQ(orbit->bounces.size(), 1U);
-  EXPECT_EQ(orbit->corner, Vec2(0, 4));
-  EXPECT_EQ(orbit->corner_walls, (std::vector<std::uint32_t>{2, 3}));
+  EXPECT_EQ(orbit->end_point, Vec2(0, 4));
+  EXPECT_EQ(orbit->end_surfaces, (std::vector<std::uint32_t>{2, 3}));
 }
 
 TEST(CertifiedOrbit, TwoHundredBouncesAmongDiscsNeedMoreThanDoubles) {
@@ -92,7 +92,7 @@ TEST(CertifiedOrbit, TurnedRoundItRetracesItsWalls) {
 
 TEST(CertifiedOrbit, TooFewBitsLeaveItUndecidedAndWhatIsToldIsTrue) {
   const Ray start{{-1.5, 0.3}, {1, 0.21}};
-  const auto some = certified_orbit(sinai(), start, 200, 128),
+  const auto some = certified_orbit(sinai(), start, 200, {.most_bits = 128}),
              all = certified_orbit(sinai(), start, 200);
   ASSERT_TRUE(some && all);
   EXPECT_FALSE(some->decided);
@@ -107,11 +107,13 @@ TEST(CertifiedOrbit, TooFewBitsLeaveItUndecidedAndWhatIsToldIsTrue) {
 TEST(CertifiedOrbit, SpentWorkLeavesItUndecidedWithWhatIsProven) {
   const Surfaces walls = sinai();
   const std::uint64_t step = 128 * (walls.size() + 1);
-  const auto orbit = certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, 200, kMostBits, 10 * step);
+  const auto orbit =
+      certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, 200, {.most_work = 10 * step});
   ASSERT_TRUE(orbit);
   EXPECT_FALSE(orbit->decided);
   EXPECT_EQ(orbit->bounces.size(), 10U);
-  EXPECT_TRUE(certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, 10, kMostBits, 10 * step)->decided);
+  EXPECT_TRUE(
+      certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, 10, {.most_work = 10 * step})->decided);
 }
 
 // A coordinate exactly between two doubles: no number of bits tells to which it rounds.
@@ -142,6 +144,90 @@ TEST(CertifiedOrbit, AWallOnTheRaysLineIsACornerOnlyWhereItIsMet) {
   EXPECT_EQ(end_of({{{-4, 0}, {-2, 0}}, {{1, -1}, {1, 1}}}), OrbitEnd::limit);
   EXPECT_EQ(end_of({{{4, 0}, {6, 0}}, {{1, -1}, {1, 1}}}), OrbitEnd::limit);
   EXPECT_EQ(end_of({{{-4, 0}, {-2, 0}}}), OrbitEnd::escape);
+}
+
+// The image of the corner (0, 0) in the wall from (3, 0) to (0, 4) is (96, 72) / 25: no number of
+// bits says that the ray meets it, and thirds and fifths do.
+TEST(CertifiedOrbit, ACornerThatOnlyRationalNumbersTellIsOne) {
+  const Surfaces triangle = room({{0, 0}, {3, 0}, {0, 4}});
+  const auto orbit = certified_orbit(triangle, {{1, 1}, {71, 47}}, 9);
+  ASSERT_TRUE(orbit);
+  EXPECT_TRUE(orbit->decided);
+  EXPECT_TRUE(orbit->rational);
+  EXPECT_EQ(orbit->bounces.size(), 1U);
+  EXPECT_EQ(orbit->end, OrbitEnd::corner);
+  EXPECT_EQ(orbit->end_point, Vec2(0, 0));
+  EXPECT_EQ(orbit->end_surfaces, (std::vector<std::uint32_t>{0, 2}));
+  const auto beside = certified_orbit(triangle, {{1, 1}, {71, std::nextafter(47.0, 48.0)}}, 9);
+  EXPECT_FALSE(beside->rational);
+  EXPECT_EQ(beside->bounces.size(), 9U);
+}
+
+TEST(CertifiedOrbit, AnAbsorbingWallEndsItWhereItIsMet) {
+  const Surfaces square = room({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  std::vector<Material> materials(4, Material::mirror);
+  materials[3] = Material::absorb;
+  const auto orbit = certified_orbit(square, {{1, 0.5}, {2, 1.5}}, 9, {materials});
+  ASSERT_TRUE(orbit);
+  EXPECT_EQ(orbit->end, OrbitEnd::absorbed);
+  EXPECT_EQ(orbit->bounces.size(), 2U);  // (4, 2.75) and (7/3, 4)
+  EXPECT_EQ(orbit->end_point, Vec2(0, 2.25));
+  EXPECT_EQ(orbit->end_surfaces, std::vector<std::uint32_t>{3});
+}
+
+// A cell of a lattice of discs, and as much of the lattice as the orbit sees.
+TEST(CertifiedOrbit, BetweenPeriodicWallsItIsThatOfTheUnfoldedLattice) {
+  constexpr int kCells = 12, kBounces = 25;
+  const Circle disc{{0.5, 0.5}, 0.375};
+  Surfaces cell = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), lattice;
+  cell.add(disc);
+  std::vector<Vec2> shifts;
+  for (int x = -kCells; x <= kCells; ++x)
+    for (int y = -kCells; y <= kCells; ++y) {
+      shifts.emplace_back(x, y);
+      lattice.add(Circle{disc.centre + shifts.back(), disc.radius});
+    }
+  std::vector<Material> materials(5, Material::periodic);
+  materials[4] = Material::mirror;
+  for (int i = 0; i < 10; ++i) {
+    const Ray start{{0.03125 * i, 0.0625}, {1, 0.8125}};
+    const auto folded = certified_orbit(cell, start, kBounces, {materials});
+    const auto unfolded = certified_orbit(lattice, start, kBounces);
+    ASSERT_TRUE(folded && unfolded && folded->decided && unfolded->decided);
+    ASSERT_EQ(folded->bounces.size(), unfolded->bounces.size());
+    EXPECT_FALSE(folded->crossings.empty());
+    for (std::size_t b = 0; b < folded->bounces.size(); ++b) {
+      const Vec2 shift = shifts[unfolded->bounces[b].surface];
+      EXPECT_LE((unfolded->bounces[b].point - shift - folded->bounces[b].point).norm(), 1e-14);
+    }
+  }
+}
+
+// Through the corner of the cell, where both of its walls are crossed at once, for ever.
+TEST(CertifiedOrbit, ADiagonalOfAPeriodicCellEscapes) {
+  Surfaces cell = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  cell.add(Segment{{0.5, 0.25}, {0.75, 0.25}});
+  std::vector<Material> materials(5, Material::periodic);
+  materials[4] = Material::mirror;
+  const auto orbit = certified_orbit(cell, {{0.125, 0.125}, {1, 1}}, 5, {materials});
+  ASSERT_TRUE(orbit);
+  EXPECT_TRUE(orbit->decided);
+  EXPECT_EQ(orbit->end, OrbitEnd::escape);
+  ASSERT_EQ(orbit->crossings.size(), 2U);
+  EXPECT_EQ(orbit->crossings[0].from, Vec2(1, 1));
+  EXPECT_EQ(orbit->crossings[0].to, Vec2(0, 0));
+}
+
+TEST(CertifiedOrbit, TheHorizonOfDoublesLiesWhereTheirOrbitIsOffTheRoom) {
+  const Surfaces walls = sinai();
+  const Ray start{{-1.5, 0.3}, {1, 0.21}};
+  const Orbit plain = trace_orbit(walls, std::vector(walls.size(), Material::mirror), start, 100);
+  const auto truth = certified_orbit(walls, start, 100);
+  ASSERT_TRUE(truth);
+  const std::uint64_t reached = horizon(walls, *truth, plain);
+  EXPECT_GT(reached, 20U);
+  EXPECT_LE(reached, proven_bounces(walls, plain).bounces);
+  EXPECT_EQ(horizon(walls, *truth, Orbit{}), 0U);
 }
 
 TEST(CertifiedOrbit, AnEscapeHasItsDirectionRounded) {

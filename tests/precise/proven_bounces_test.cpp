@@ -117,5 +117,22 @@ TEST(ProvenBounces, TellWhetherTheEndIsProvenToo) {
   EXPECT_FALSE(proven_bounces(walls, orbit).end);
 }
 
+// All bounces are on one disc, of which the doubles come to other copies sooner or later.
+TEST(ProvenBounces, BetweenPeriodicWallsCountTheWallsCrossedToo) {
+  Surfaces cell = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  cell.add(Circle{{0.5, 0.5}, 0.375});
+  std::vector<Material> materials(5, Material::periodic);
+  materials[4] = Material::mirror;
+  const Orbit orbit = trace_orbit(cell, materials, {{0.0625, 0.0625}, {1, 0.8125}}, 100);
+  ASSERT_EQ(orbit.bounces.size(), 100U);
+  const std::uint64_t proven = proven_bounces(cell, orbit, materials).bounces;
+  EXPECT_GE(proven, 10U);
+  EXPECT_LT(proven, 90U);
+  Orbit astray = orbit;
+  ASSERT_GE(astray.crossings[0].bounces, 1U);
+  std::swap(astray.crossings[0].from, astray.crossings[0].to);
+  EXPECT_EQ(proven_bounces(cell, astray, materials).bounces, astray.crossings[0].bounces);
+}
+
 }  // namespace
 }  // namespace flatray

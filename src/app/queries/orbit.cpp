@@ -44,7 +44,7 @@ Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces,
 }
 
 Fields certified(const Surfaces& walls, const Ray& ray, std::uint64_t bounces, Question& question) {
-  const auto orbit = certified_orbit(walls, ray, bounces, question.precision().most_bits);
+  const auto orbit = certified_orbit(walls, ray, bounces, {{}, question.precision().most_bits});
   if (!orbit) {
     question.mistake("precision", orbit.error().front().message);
     return {};
@@ -52,9 +52,10 @@ Fields certified(const Surfaces& walls, const Ray& ray, std::uint64_t bounces, Q
   const bool escapes = orbit->end == OrbitEnd::escape;
   Fields fields = path(orbit->bounces, orbit->decided ? name(orbit->end) : "undecided",
                        escapes ? as_json(orbit->out) : JsonValue());
-  if (orbit->end == OrbitEnd::corner) add_corner(fields, orbit->corner, orbit->corner_walls);
+  if (orbit->end == OrbitEnd::corner) add_corner(fields, orbit->end_point, orbit->end_surfaces);
   fields.emplace_back("certain", std::uint64_t{orbit->bounces.size()});
   if (orbit->bits > 0) fields.emplace_back("bits", orbit->bits);
+  if (orbit->rational) fields.emplace_back("rational", true);
   return fields;
 }
 

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::uint64_t kBounces = 200;
 constexpr std::uint64_t kRandomOrbits = 4;
-constexpr double kApart = 0.01;  // of the room: from here on orbits do not part at a rate any more
 
 // One orbit three times: without error, beside itself, and in doubles.
 struct Trio {
@@ -60,23 +59,15 @@ double distance(const Vec2& a, const Vec2& b) {
 
 class Study {
  public:
-  Study(const ExperimentContext& context, const Room& room) : context_(context), room_(room) {
-    Bounds box;
-    for (const Segment& wall : room.walls().segments) {
-      box.add(wall.a);
-      box.add(wall.b);
-    }
-    for (std::uint32_t i = 0; i < room.walls().size(); ++i)
-      if (!room.walls().is_straight(i)) box.add(curve_bounds(room.walls().curve(i)));
-    size_ = box.size().maxCoeff();
-  }
+  Study(const ExperimentContext& context, const Room& room)
+      : context_(context), room_(room), size_(bounds_of(room.walls()).size().maxCoeff()) {}
 
   void add(const std::string& name, const Trio& trio) {
     const std::uint64_t proven = proven_bounces(room_.walls(), trio.plain).bounces;
     const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
     Plot::Series parted{name + ": neighbours", {}}, error{name + ": doubles", {}};
-    std::uint64_t horizon = 0, same = 0;
-    bool near = true, right = true, known = true;
+    std::uint64_t same = 0;
+    bool near = true, right = true;
     for (std::size_t i = 0; i < trio.exact.bounces.size(); ++i) {
       const auto& exact = trio.exact.bounces[i];
       const bool there = i < trio.plain.bounces.size();
@@ -84,11 +75,9 @@ class Study {
       const double off = there ? distance(trio.plain.bounces[i].point, exact.point) : size_;
       near = near && i < both && trio.beside.bounces[i].surface == exact.surface;
       const double apart = i < both ? distance(trio.beside.bounces[i].point, exact.point) : size_;
-      near = near && apart < kApart * size_;
+      near = near && apart < kHorizonShare * size_;
       if (near && apart > 0)
         rate_points_.push_back({static_cast<double>(i + 1), portable::log(apart)});
-      known = known && right && off < kApart * size_;
-      if (known) horizon = i + 1;
       if (right) same = i + 1;
       table_.add({name, std::uint64_t{i + 1}, apart, off, right ? "yes" : "no",
                   i < proven ? "yes" : "no"});
@@ -98,7 +87,8 @@ class Study {
     plot_.series.push_back(std::move(parted));
     plot_.series.push_back(std::move(error));
     const auto bounces = [](std::uint64_t n) { return static_cast<double>(n); };
-    measures_.push_back({name + ": doubles within 1 % of the room until bounce", bounces(horizon)});
+    measures_.push_back({name + ": doubles within 1 % of the room until bounce",
+                         bounces(horizon(room_.walls(), trio.exact, trio.plain))});
     measures_.push_back({name + ": walls of doubles right until bounce", bounces(same)});
     measures_.push_back({name + ": bounces of doubles proven", bounces(proven)});
     measures_.push_back({name + ": bits of the exact orbit", bounces(trio.exact.bits)});
@@ -137,7 +127,7 @@ class Study {
 
   const ExperimentContext& context_;
   const Room& room_;
-  double size_ = 1;
+  double size_;
   std::vector<std::pair<double, double>> rate_points_;
   std::vector<Measure> measures_;
   Table table_{{"orbit", "bounce", "neighbours_apart", "error_of_doubles", "wall_right", "proven"}};
