@@ -23,7 +23,10 @@ inline Scene sinai(const std::string& radius) {
               "{ shape = { circle = { centre = [0.5, 0.5], radius = " + radius + " } } }");
 }
 
-inline Scene stadium() { return room("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }"); }
+inline Scene stadium(const std::string& half_length = "1") {
+  return room("capsule = { from = [-" + half_length + ", 0], to = [" + half_length +
+              ", 0], radius = 1 }");
+}
 
 /// Sinai's torus: a disc in a box of which opposite sides are one.
 inline Scene torus(const std::string& radius) {

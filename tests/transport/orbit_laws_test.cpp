@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/philox.h"
+#include "full_counts.h"
 #include "geom/exact.h"
 #include "trace/on_surface.h"
 #include "transport/chambers.h"
@@ -120,16 +121,24 @@ TEST(CircleOrbit, ReflectsFromOutside) {
 TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
   Surfaces walls = ring({{-2, -1}, {2, -1}, {2, 3}, {-2, 3}});
   walls.add(Circle{{0, 0}, 1});
-  std::vector<Ray> rays = {{{0, 2.5}, {0, -1}}, {{-1.5, -1 + 0x1p-30}, {1, 0x1p-40}}};
-  for (std::size_t i = 0; i < 400; ++i)
-    rays.push_back({{-1.5 + 0.25 * draw(i, 3), -1 + 0.25 * draw(i, 4)},
-                    Vec2(0, -1) - Vec2(-1.5, -0.9 + 0.01 * draw(i, 5))});
-  for (const Orbit& orbit : trace_orbits(walls, all_mirrors(walls), rays, 100)) {
-    ASSERT_NE(orbit.end, OrbitEnd::escape);
-    for (const Bounce& bounce : orbit.bounces) {
-      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::negative);
-      ASSERT_GE(bounce.point.y(), -1);
+  const std::vector<Material> mirrors = all_mirrors(walls);
+  const auto expect_none = [&](const std::vector<Ray>& rays) {
+    for (const Orbit& orbit : trace_orbits(walls, mirrors, rays, 100)) {
+      ASSERT_NE(orbit.end, OrbitEnd::escape);
+      for (const Bounce& bounce : orbit.bounces) {
+        ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::negative);
+        ASSERT_GE(bounce.point.y(), -1);
+      }
     }
+  };
+  expect_none({{{0, 2.5}, {0, -1}}, {{-1.5, -1 + 0x1p-30}, {1, 0x1p-40}}});
+  constexpr std::uint64_t kTogether = 400;
+  for (std::uint64_t first = 0; first < times(1'000'000, kTogether); first += kTogether) {
+    std::vector<Ray> rays;
+    for (std::uint64_t i = first; i < first + kTogether; ++i)
+      rays.push_back({{-1.5 + 0.25 * draw(i, 3), -1 + 0.25 * draw(i, 4)},
+                      Vec2(0, -1) - Vec2(-1.5, -0.9 + 0.01 * draw(i, 5))});
+    expect_none(rays);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "full_counts.h"
 #include "trace/on_surface.h"
 #include "transport/chambers.h"
 
@@ -55,11 +56,11 @@ TEST(StiffCases, C11Fagnano131415) {
 TEST(StiffCases, C12CircleCaustic) {
   const Surfaces walls = unit_circle();
   const double caustic = 0.5590169943749474241, turn = 1.9551931012905357;
-  constexpr std::uint64_t kHits = 100'000;
-  const double tolerance = static_cast<double>(kHits) * 0x1p-50;
+  const std::uint64_t hits = times(1'000'000, 100'000);
+  const double tolerance = static_cast<double>(hits) * 0x1p-50;
   Vec2 last(0, 0);
   std::uint64_t hit = 0;
-  watch(walls, {{0.5, 0.25}, {-1, 2}}, kHits, [&](const Bounce& bounce) {
+  watch(walls, {{0.5, 0.25}, {-1, 2}}, hits, [&](const Bounce& bounce) {
     ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
     ASSERT_NEAR(std::fabs(cross(bounce.point, bounce.out.normalized())), caustic, tolerance);
     if (hit++ > 0) {
@@ -68,7 +69,7 @@ TEST(StiffCases, C12CircleCaustic) {
     }
     last = bounce.point;
   });
-  EXPECT_EQ(hit, kHits);
+  EXPECT_EQ(hit, hits);
 }
 
 TEST(StiffCases, C13CirclePhase) {
@@ -110,20 +111,21 @@ TEST(StiffCases, C15PolygonGallery) {
   const Surfaces walls = ring(vertices);
   std::uint64_t hit = 0;
   std::uint32_t last = 0;
-  const OrbitStop stop = watch(walls, {{0.99, 0}, {0.1, 1}}, 100'000, [&](const Bounce& bounce) {
-    const Vec2 &a = vertices[bounce.surface], &b = vertices[(bounce.surface + 1) % 1000];
-    ASSERT_NE(orientation(a, b, bounce.point), Sign::negative);
-    if (hit++ > 0) {
-      const std::uint32_t on = (bounce.surface + 1000 - last) % 1000;
-      ASSERT_TRUE(0 < on && on < 500) << hit;
-    }
-    last = bounce.surface;
-  });
+  const OrbitStop stop =
+      watch(walls, {{0.99, 0}, {0.1, 1}}, times(1'000'000, 100'000), [&](const Bounce& bounce) {
+        const Vec2 &a = vertices[bounce.surface], &b = vertices[(bounce.surface + 1) % 1000];
+        ASSERT_NE(orientation(a, b, bounce.point), Sign::negative);
+        if (hit++ > 0) {
+          const std::uint32_t on = (bounce.surface + 1000 - last) % 1000;
+          ASSERT_TRUE(0 < on && on < 500) << hit;
+        }
+        last = bounce.surface;
+      });
   EXPECT_EQ(stop.end, OrbitEnd::limit);
 }
 
 TEST(StiffCases, C16CircleKeepsTheSpeed) {
-  watch(unit_circle(), {{1, 0}, {std::cos(2.0), std::sin(2.0)}}, 100'000,
+  watch(unit_circle(), {{1, 0}, {std::cos(2.0), std::sin(2.0)}}, times(10'000'000, 100'000),
         [&](const Bounce& bounce) { ASSERT_NEAR(bounce.out.norm(), 1, 4 * 0x1p-53); });
 }
 
@@ -192,14 +194,14 @@ double ulps_off(const Segment& wall, const Vec2& point) {
 }
 
 TEST(StiffCases, C24Conservation) {
-  constexpr std::uint64_t kHits = 1'000'000;
+  const std::uint64_t all = times(10'000'000, 1'000'000);
   const std::vector<Vec2> vertices = {{0, 0}, {5, -1}, {7, 3}, {3, 6}, {-1, 4}};
   const Surfaces walls = ring(vertices);
   const Vec2 direction(0.6, 0.35);
   Vec2 last(1, 1);
   double flights = 0;
   std::uint64_t hits = 0;
-  const OrbitStop stop = watch(walls, {last, direction}, kHits, [&](const Bounce& bounce) {
+  const OrbitStop stop = watch(walls, {last, direction}, all, [&](const Bounce& bounce) {
     ++hits;
     flights += (bounce.point - last).norm();
     last = bounce.point;
@@ -211,7 +213,7 @@ TEST(StiffCases, C24Conservation) {
     ASSERT_NE(orientation(wall.a, wall.b, bounce.point), Sign::negative) << hits;
   });
   EXPECT_EQ(stop.end, OrbitEnd::limit);
-  EXPECT_EQ(hits, kHits);
+  EXPECT_EQ(hits, all);
 }
 
 TEST(StiffCases, C25NestedTangentCircles) {

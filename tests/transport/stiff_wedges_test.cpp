@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/philox.h"
+#include "full_counts.h"
 #include "transport/chambers.h"
 
 namespace flatray {
@@ -22,7 +23,7 @@ Surfaces wedge(double run) {
 
 std::uint64_t reflections(const Surfaces& walls, const Ray& ray) {
   std::uint64_t count = 0;
-  const OrbitStop stop = watch(walls, ray, 10'000'000, [&](const Bounce&) { ++count; });
+  const OrbitStop stop = watch(walls, ray, 1'000'000'000, [&](const Bounce&) { ++count; });
   EXPECT_EQ(stop.end, OrbitEnd::escape);
   return count;
 }
@@ -38,6 +39,13 @@ TEST(StiffCases, C3WedgeParallelEntry) {
 
 TEST(StiffCases, C3WedgeParallelEntryOfThreeMillion) {
   EXPECT_EQ(reflections(wedge(1e6), {{1e8, 1}, {-1, 0}}), 3'141'592U);
+}
+
+// Whole turns of a wedge of 1e-7 and 1e-8: every one of them adds the rounding of two reflections.
+TEST(StiffCases, C3WedgeParallelEntryOfThreeHundredMillion) {
+  if (!at_full_counts()) GTEST_SKIP() << "FLATRAY_FULL_COUNTS is not set";
+  EXPECT_EQ(reflections(wedge(1e7), {{1e9, 1}, {-1, 0}}), 31'415'926U);
+  EXPECT_EQ(reflections(wedge(1e8), {{1e10, 1}, {-1, 0}}), 314'159'265U);
 }
 
 TEST(StiffCases, C4WedgeAnyEntry) {
