@@ -1,6 +1,8 @@
 #pragma once
-#include <span>
+#include <functional>
+#include <vector>
 
+#include "app/report.h"
 #include "app/verb.h"
 #include "trace/tracer.h"
 
@@ -25,6 +27,19 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
 /// --sweep: scales and offsets from 2^-1000 to 2^1000; sweep.csv and a heat map for each tracer in
 /// the folder of --output.
 Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityRequest& request);
+
+/// --leaks: a row for each place and tracer; leaks.csv in the folder of --output, from which it goes
+/// on.
+Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request);
+
+/// What a run in chunks prints, and its exit code.
+VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound);
+
+/// Items 0 to `count` - 1 by `work(i)`, a round of `threads` at a time, until interrupted; each is
+/// kept by `keep(i, seconds)`, in order, when its round is over.
+Result<void> in_rounds(std::size_t count, unsigned threads,
+                       const std::function<void(std::size_t)>& work,
+                       const std::function<Result<void>(std::size_t, double)>& keep);
 
 /// SCENE: its rays by how near they are to a decision; margins.csv in the folder of --output.
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request);

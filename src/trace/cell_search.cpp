@@ -13,12 +13,15 @@ namespace {
 // The nearest segment as far as bounds can say, and all that may come before it.
 class Rivals {
  public:
-  Rivals(const Surfaces& walls, const Ray& ray, const Left& left)
-      : walls_(walls), left_(left), filter_(ray) {}
+  Rivals(const Surfaces& walls, const CellGrid* listed, const Ray& ray, const Left& left)
+      : walls_(walls), listed_(listed), left_(left), filter_(ray) {}
 
   /// Takes a segment that need not be counted where it is surely met later than `limit`.
   void offer(std::uint32_t slot, double limit = kInfinity) {
-    if (walls_.segment_numbers[slot] == left_.surface) return;
+    if (walls_.segment_numbers[slot] == left_.surface) {
+      slot = listed_ == nullptr ? CellGrid::kNoSlot : listed_->next_copy(slot);
+      if (slot == CellGrid::kNoSlot) return;
+    }
     ++tested_;
     const FilteredHit hit = filter_(walls_.segments[slot]);
     if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
@@ -60,6 +63,7 @@ class Rivals {
     double low;
   };
   const Surfaces& walls_;
+  const CellGrid* listed_;
   const Left& left_;
   SegmentFilter filter_;
   std::vector<Rival> open_;
@@ -68,12 +72,14 @@ class Rivals {
 };
 
 // Of all segments in the cells a ray comes through until nothing nearer can come.
-Rivals rivals_of(const Surfaces& walls, const CellGrid* grid, const Ray& ray, const Left& left) {
-  Rivals rivals(walls, ray, left);
+Rivals rivals_of(const Surfaces& walls, const CellGrid* listed, const CellGrid* grid,
+                 const Ray& ray, const Left& left) {
+  Rivals rivals(walls, listed, ray, left);
   std::optional<CellWalk> walk;
   if (grid != nullptr) walk.emplace(*grid, ray);
   if (!walk || walk->start() == CellWalk::Start::uncertain) {
-    for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot) rivals.offer(slot);
+    for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
+      if (listed == nullptr || !listed->is_copy(slot)) rivals.offer(slot);
     return rivals;
   }
   while (walk->next()) {
@@ -100,7 +106,9 @@ std::vector<std::uint32_t> CellSearch::segments_near(const Ray& ray) const {
   }
   while (walk->next())
     for (std::size_t record = walk->record();; ++record) {
-      slots.push_back(grid_->slot(record));
+      for (std::uint32_t slot = grid_->slot(record); slot != CellGrid::kNoSlot;
+           slot = grid_->next_copy(slot))
+        slots.push_back(slot);
       if (grid_->last(record)) break;
     }
   std::sort(slots.begin(), slots.end());
@@ -125,12 +133,12 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
     search.offer_curves();
     return search.hit();
   }
-  return rivals_of(walls_, grid_, ray, left).decide(ray, tangents, curves_);
+  return rivals_of(walls_, listed_, grid_, ray, left).decide(ray, tangents, curves_);
 }
 
 std::size_t CellSearch::tested(const Ray& ray, const Left& left) const {
   if (ray.direction == Vec2(0, 0)) return walls_.size();
-  const Rivals rivals = rivals_of(walls_, grid_, ray, left);
+  const Rivals rivals = rivals_of(walls_, listed_, grid_, ray, left);
   return rivals.tested() + rivals.curved(ray, curves_).tested;
 }
 

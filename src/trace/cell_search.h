@@ -16,6 +16,7 @@ class CellSearch {
   CellSearch(const Surfaces& walls, const CellGrid* grid, const CurveCells& curves)
       : walls_(walls),
         curves_(curves),
+        listed_(grid),
         grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
   NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
   /// Walls that it looks at for that, those in several cells once for each.
@@ -28,6 +29,7 @@ class CellSearch {
 
   const Surfaces& walls_;
   const CurveCells& curves_;
+  const CellGrid* listed_;  // what knows copies
   const CellGrid* grid_;
 };
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace flatray {
 namespace {
@@ -63,14 +62,16 @@ void CellGrid::set_cells(std::int32_t columns, std::int32_t rows) {
 // Long segments would be in so many cells that these are made larger.
 void CellGrid::divide(const Surfaces& walls) {
   double along_x = 0, along_y = 0;  // lengths of all, in sizes of the box
-  for (const Segment& segment : walls.segments) {
+  for (std::size_t slot = 0; slot < walls.segments.size(); ++slot) {
+    if (is_copy(slot)) continue;
+    const Segment& segment = walls.segments[slot];
     along_x += std::fabs(segment.b.x() - segment.a.x()) / size_.x();
     along_y += std::fabs(segment.b.y() - segment.a.y()) / size_.y();
   }
-  const auto segments = static_cast<double>(walls.segments.size());
+  const auto segments = static_cast<double>(kept_);
   const double aspect = std::sqrt(size_.x() / size_.y());  // columns and rows of one cell each
   const double crossings = (aspect * along_x + along_y / aspect) / std::sqrt(segments);
-  const double cells = cells_wanted(walls.segments.size(), crossings);
+  const double cells = cells_wanted(kept_, crossings);
   const double columns = std::sqrt(cells * segments) * aspect;
   const double rows = std::sqrt(cells * segments) / aspect;
   const double records = segments * crossings * std::sqrt(cells);
@@ -135,6 +136,7 @@ CellGrid::Mark CellGrid::mark(const Segment& segment) const {
 std::optional<CellGrid> CellGrid::build(const Surfaces& walls, unsigned threads) {
   CellGrid grid;
   if (!grid.measure(walls)) return std::nullopt;
+  grid.find_copies(walls, threads);
   grid.divide(walls);
   grid.fill(walls, threads);
   grid.find_twins(walls, threads);
@@ -145,18 +147,20 @@ std::optional<CellGrid> CellGrid::build_list(const Surfaces& walls) {
   CellGrid grid;
   if (!grid.measure(walls)) return std::nullopt;
   grid.set_cells(2, 2);
-  const std::size_t count = walls.segments.size();
-  grid.slots_.resize(count);
-  std::iota(grid.slots_.begin(), grid.slots_.end(), 0U);
+  grid.find_copies(walls, 1);
+  for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
+    if (!grid.is_copy(slot)) grid.slots_.push_back(slot);
+  const std::size_t count = grid.slots_.size();
   grid.records_.resize(4 * (count + kBeyond));
   for (std::size_t i = 0; i < count; ++i)
-    write_record(grid.ends(walls.segments[i]), i + 1 == count, &grid.records_[4 * i]);
+    write_record(grid.ends(walls.segments[grid.slots_[i]]), i + 1 == count, &grid.records_[4 * i]);
   grid.find_twins(walls, 1);
   return grid;
 }
 
 std::size_t CellGrid::bytes() const {
-  return 4 * (words_.size() + slots_.size() + records_.size()) + twins_.size() / 8;
+  return 4 * (words_.size() + slots_.size() + records_.size() + next_copy_.size()) +
+         (twins_.size() + copies_.size()) / 8;
 }
 
 }  // namespace flatray

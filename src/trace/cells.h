@@ -15,7 +15,7 @@ namespace flatray {
 /// (kernels/walk.h).
 ///
 /// Gives   lists that hold every segment within lanes::kMargin units of a cell; a segment in several
-///         cells has a record in each.
+///         cells has a record in each. Of segments with the same two ends only the first is in them.
 /// Cost    O(n) to build; some 40 bytes a segment at one cell each, 64 at four.
 class CellGrid {
  public:
@@ -66,6 +66,14 @@ class CellGrid {
   /// Whether another segment has the mark of this one.
   bool is_twin(std::size_t slot) const { return !twins_.empty() && twins_[slot]; }
 
+  static constexpr std::uint32_t kNoSlot = 0xffffffffU;
+  /// The next segment with the same ends, by number.
+  std::uint32_t next_copy(std::size_t slot) const {
+    return next_copy_.empty() ? kNoSlot : next_copy_[slot];
+  }
+  /// Whether one of a lower number has the same ends: such are in no list.
+  bool is_copy(std::size_t slot) const { return !copies_.empty() && copies_[slot]; }
+
   std::int32_t columns() const { return columns_; }
   std::int32_t rows() const { return rows_; }
   /// Cells that are divided.
@@ -87,6 +95,7 @@ class CellGrid {
   void join(std::span<const Part> parts, std::span<const RowRange> rows, unsigned threads);
   static void write_record(const Ends& ends, bool is_last, float* record);
   void find_twins(const Surfaces& walls, unsigned threads);
+  void find_copies(const Surfaces& walls, unsigned threads);
 
   static constexpr std::size_t kBeyond = 3;  // records read beyond the last
 
@@ -96,7 +105,9 @@ class CellGrid {
   std::size_t divided_ = 0;
   std::vector<std::uint32_t> words_, slots_;
   std::vector<float> records_;
-  std::vector<bool> twins_;
+  std::size_t kept_ = 0;  // segments that are no copies
+  std::vector<bool> twins_, copies_;
+  std::vector<std::uint32_t> next_copy_;
 };
 
 }  // namespace flatray

@@ -116,6 +116,7 @@ class CellGrid::Part {
     Lists lists;
     lists.fill(cells, [&](const auto& visit) {
       each_slot([&](std::uint32_t slot) {
+        if (grid_.is_copy(slot)) return;
         const auto [a, b] = grid_.ends(walls_.segments[slot]);
         visit_cells(raster, rows, a + corner, b + corner,
                     [&](std::int32_t column, std::int32_t row) {

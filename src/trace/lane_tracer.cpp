@@ -8,6 +8,7 @@
 #include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
+#include "trace/rescaled.h"
 
 namespace flatray {
 namespace {
@@ -37,7 +38,7 @@ bool mark_left(const Surfaces& walls, const CellGrid& grid, const Left& left,
   if (segment) {
     const std::uint32_t slot = walls.slot[left.surface];
     mark = grid.mark(walls.segments[slot]);
-    if (grid.is_twin(slot)) fate = lanes::kDoubt;
+    if (grid.is_twin(slot) || grid.next_copy(slot) != CellGrid::kNoSlot) fate = lanes::kDoubt;
   }
   to.left_ax[i] = mark.ax;
   to.left_ay[i] = mark.ay;
@@ -144,6 +145,8 @@ class LaneTracer : public Accelerator {
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     const bool segment = left.surface != kNoSurface && walls_.is_straight(left.surface);
+    if (segment && cells_.next_copy(walls_.slot[left.surface]) != CellGrid::kNoSlot)
+      return search_.nearest(ray, left, tangents);
     const lanes::AloneHit found =
         kernels_.alone(view_, walls_.segments.front().a.data(),
                        {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(),
@@ -233,10 +236,18 @@ class OneByOne : public Accelerator {
 
 }  // namespace
 
-std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, std::optional<CellGrid> cells,
+std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBuilder& cells_of,
                                             Isa isa) {
-  if (!cells) return std::make_unique<OneByOne>(walls);
-  return std::make_unique<LaneTracer>(walls, std::move(*cells), isa);
+  const auto in_lanes = [&](const Surfaces& given) -> std::unique_ptr<Accelerator> {
+    if (auto cells = cells_of(given))
+      return std::make_unique<LaneTracer>(given, std::move(*cells), isa);
+    return std::make_unique<OneByOne>(given);
+  };
+  if (auto cells = cells_of(walls))
+    return std::make_unique<LaneTracer>(walls, std::move(*cells), isa);
+  std::unique_ptr<Accelerator> as_given = std::make_unique<OneByOne>(walls);
+  auto rescaled = trace_rescaled(walls, as_given, in_lanes);
+  return rescaled ? std::move(rescaled) : std::move(as_given);
 }
 
 }  // namespace flatray

@@ -1,17 +1,23 @@
 #pragma once
+#include <functional>
+
 #include "base/isa.h"
 #include "trace/cells.h"
 #include "trace/tracer.h"
 
 namespace flatray {
 
+/// What sorts walls into cells, or into one list.
+using CellBuilder = std::function<std::optional<CellGrid>(const Surfaces& walls)>;
+
 /// Nearest hits by the kernels of tier `isa`: through cells, or every segment where there are none.
-/// What the lanes are not certain of is decided one by one, circles after the segments. Without
-/// `cells` every ray is.
+/// What the lanes are not certain of is decided one by one, circles after the segments. Where
+/// coordinates leave no room for lanes, walls are scaled by a power of two, or every ray is decided
+/// so.
 ///
-/// Needs   `walls` to outlive it, the cells to be theirs.
+/// Needs   `walls` to outlive it.
 /// Gives   the same bits from every tier, and as every exact tracer.
-std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, std::optional<CellGrid> cells,
+std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBuilder& cells_of,
                                             Isa isa);
 
 }  // namespace flatray

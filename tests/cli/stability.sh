@@ -32,9 +32,28 @@ says out 'float'
 
 # Sealed rooms: no ray gets out, by any exact tracer.
 run 0 stability --leaks 1000 --tracer grid  # 1.6 million bounces
-says out 'scaled by 1e15'
-[[ $(awk 'NR > 1 { leaks += $(NF - 3) } END { print leaks }' "$work/out.txt") == 0 ]] || fail 'a ray leaked'
+says out 'round-scaled-by-1e15'
+[[ $(awk 'NR > 1 { leaks += $5 } END { print leaks }' "$work/out.txt") == 0 ]] || fail 'a ray leaked'
 run 2 stability --leaks 10 --families vertex
+run 2 stability --count 10 --places origin
+
+# They go on, too, and keep what they had counted.
+run 1 stability --leaks 1000 --tracer float --places origin -o rooms
+cp "$work/out.txt" once.txt
+cp rooms/leaks.csv once.csv
+run 1 stability --leaks 1000 --tracer float --places origin -o rooms
+cmp -s once.txt "$work/out.txt" || fail 'counts were lost'
+cmp -s once.csv rooms/leaks.csv || fail 'blocks were done again'
+run 1 stability --leaks 2000 --tracer float --places origin -o rooms
+[[ $(wc -l < rooms/leaks.csv) == 3 ]] || fail 'one block, and one more, are two rows'
+
+# Rows of before, without kinds of mistakes, are read.
+mkdir old
+printf '%s\n' 'family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,by_rationals,seconds,first_wrong' \
+  "vertex,float,$(cut -d, -f3 rooms/leaks.csv | tail -n 1),1,0,16384,16384,7,0,0,0,0.100,item 3 ray 1" > old/stability.csv
+run 1 stability --families vertex --tracer float --count 10 -o old
+[[ $(wc -l < old/stability.csv) == 2 ]] || fail 'a row of before was done again'
+says out 'item 3 ray 1'
 
 run 2 stability --families vertx
 says err "did you mean 'vertex'?"

@@ -239,8 +239,9 @@ TEST(Tracers, AgreeJustBelowTheBorderOfACrowdedCell) {
     const double x = i - 20;
     c.walls.add(Segment{{x, -4 * tiny}, {x + 0.75, 4 * tiny}});
     c.walls.add(Segment{{4 * tiny, x}, {-4 * tiny, x + 0.75}});
-    for (int k = 0; k < 4; ++k)
-      c.walls.add(Segment{{-0.25 + 0.1 * k, -3 * tiny}, {-0.2 + 0.1 * k, 3 * tiny}});
+    for (int k = 0; k < 4; ++k)  // no two the same
+      c.walls.add(
+          Segment{{-0.25 + 0.1 * k, -3 * tiny}, {-0.2 + 0.1 * k, (3 + i * 0x1p-50) * tiny}});
     for (const double y : {-5 * tiny, -1 * tiny, 1 * tiny, 5 * tiny}) {
       c.rays.add({{x / 40, y}, {0, -y}});
       c.rays.add({{x / 40, y}, {1, -y}});
@@ -275,6 +276,55 @@ TEST(Tracers, AgreeOnRaysAlongTheBordersOfCells) {
   expect_all_tiers_exact(c);
 }
 
+// Some walls many times over, from either end, and walls that only look alike in floats: rays that
+// have left any of them.
+TEST(Tracers, AgreeOnCopiesWhicheverTheRayHasLeft) {
+  for (const int shapes : {3, 100}) {
+    Case c = random_case(23, shapes, 0.3, 0);
+    Draws draw(24);
+    for (std::size_t i = 0; i < 12; ++i) {
+      const Segment wall = c.walls.segments[i];
+      for (std::size_t k = 0; k <= i % 4; ++k) {
+        c.walls.add(k % 2 == 0 ? Segment{wall.b, wall.a} : wall);
+        c.walls.add(Segment{wall.a, wall.b + Vec2(0, 0x1p-50)});
+      }
+    }
+    for (std::uint32_t wall = 0; wall < c.walls.size(); ++wall) {
+      const Segment& s = c.walls.segments[wall];
+      for (const double place : {0.0, 0.25, 0.5}) {
+        const Vec2 from = s.a + place * (s.b - s.a);
+        c.rays.add({from, draw.point() - Vec2(0.5, 0.5)}, {wall, Root::none});
+        c.rays.add({from, s.a - s.b}, {wall, Root::none});
+        const Vec2 origin = draw.point();
+        c.rays.add({origin, from - origin}, {wall, Root::none});
+        c.rays.add({origin, from - origin});
+      }
+    }
+    const auto grid = CellGrid::build(c.walls);
+    ASSERT_TRUE(grid);
+    EXPECT_TRUE(grid->is_copy(c.walls.size() - 2));
+    EXPECT_FALSE(grid->is_copy(11));
+    expect_all_tiers_exact(c);
+  }
+}
+
+// A pile of copies is as quick as one of them: in lists there is the first alone.
+TEST(CellGrid, ListsTheFirstOfCopiesAlone) {
+  Surfaces walls;
+  for (int i = 0; i < 10'000; ++i)
+    walls.add(i % 3 == 0 ? Segment{{1, 0}, {0, -0.0}} : Segment{{0, 0}, {1, 0}});
+  walls.add(Segment{{0, 1}, {1, 1}});
+  for (const auto& grid : {CellGrid::build(walls), CellGrid::build_list(walls)}) {
+    ASSERT_TRUE(grid);
+    EXPECT_EQ(grid->next_copy(0), 1U);
+    EXPECT_EQ(grid->next_copy(9'999), CellGrid::kNoSlot);
+    EXPECT_FALSE(grid->is_copy(10'000));
+  }
+  const auto brute = find_tracer("brute")->build(walls);
+  EXPECT_EQ(brute->tested_of_one({{0.5, -1}, {0, 1}}), 2U);
+  EXPECT_EQ(brute->nearest_of_one({{0.5, 0}, {0, 1}}, {0, Root::none}).surface, 1U);
+}
+
 // A segment is listed in every cell it comes near to, whatever its slope: points all along it are
 // in cells that have it.
 TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {
@@ -283,7 +333,7 @@ TEST(CellGrid, ListsASegmentInEveryCellItCrosses) {
   const auto grid = CellGrid::build(walls);
   ASSERT_TRUE(grid);
   for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
-    for (int k = 0; k <= 50; ++k) {
+    for (int k = 0; k <= 50 && !grid->is_copy(slot); ++k) {
       const Segment& s = walls.segments[slot];
       const Vec2 at = grid->place(s.a + k / 50.0 * (s.b - s.a));
       const std::uint32_t word = grid->cell_at(at, {}).word;

@@ -2,18 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
-
+#include "app/chunk_log.h"
 #include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/report.h"
 #include "app/scene_input.h"
-#include "app/stability_log.h"
 #include "app/stability_reports.h"
 #include "app/tracer_choice.h"
 #include "app/verb.h"
 #include "base/isa.h"
-#include "base/parallel.h"
 #include "study/leaks.h"
 #include "study/pair_stability.h"
 
@@ -25,6 +22,7 @@ constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
 constexpr std::uint64_t kPairsAChunk = 1024;
 
 std::vector<std::string> family_names() { return names_of(oracle::families()); }
+std::vector<std::string> place_names() { return names_of(room_places()); }
 
 // What is checked where no tracer is named; the others are wrong now and then.
 std::vector<std::string> exact_tracers() {
@@ -43,7 +41,10 @@ constexpr auto kOptions = with_scene_options(
      {"count", '\0', "N",
       "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
      {"leaks", '\0', "N",
-      "instead, for each tracer N rays aimed at the vertices of sealed rooms, in blocks of 1024"},
+      "instead, for each tracer N rays aimed at the vertices of each sealed room, in blocks of "
+      "1024"},
+     {"places", '\0', "NAME,NAME", "of --leaks: only where these rooms stand", OptionKind::text,
+      &place_names},
      {"pairs", '\0', "N",
       "instead, N moving pairs of each family, in chunks of 1024, against exact contacts"},
      {"catalogue", '\0', "", "instead, the catalogue of stiff cases by id, for all tracers",
@@ -52,8 +53,8 @@ constexpr auto kOptions = with_scene_options(
       OptionKind::flag},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
      {"output", 'o', "FOLDER",
-      "where its files go: stability.csv, a row a chunk, from which a run with the same seed goes "
-      "on"},
+      "where its files go: stability.csv, or leaks.csv, a row a chunk, from which a run with the "
+      "same seed goes on"},
      kThreadsOption,
      kJsonOption});
 
@@ -91,8 +92,8 @@ Result<Plan> read_plan(const Arguments& arguments) {
   return plan;
 }
 
-StabilityLog::Key key_of(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
-                         std::uint64_t chunk) {
+ChunkLog::Key key_of(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
+                     std::uint64_t chunk) {
   return {family.name, tracer.name, isa_name(active_isa()), plan.seed, chunk};
 }
 
@@ -117,72 +118,25 @@ Result<void> run_chunks(const Plan& plan, const oracle::Family& family, Stabilit
   for (std::uint64_t number = 0; number < plan.chunks; ++number)
     if (auto open = still_open(plan, family, number, log); !open.empty())
       chunks.push_back({number, std::move(open), {}});
-  for (std::size_t begin = 0; begin < chunks.size() && !interrupted(); begin += plan.threads) {
-    const auto round = std::span(chunks).subspan(
-        begin, std::min<std::size_t>(plan.threads, chunks.size() - begin));
-    const auto start = std::chrono::steady_clock::now();
-    parallel_for(round.size(), plan.threads, [&](std::size_t i) {
-      Chunk& chunk = round[i];
-      chunk.tallies = check_scenes(chunk.tracers, family, plan.seed, chunk.number * kScenesAChunk,
-                                   kScenesAChunk);
-    });
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    const double seconds = time.count() / static_cast<double>(round.size());
-    for (const Chunk& chunk : round)
-      for (std::size_t k = 0; k < chunk.tracers.size(); ++k)
-        if (auto logged = log.add(key_of(plan, family, *chunk.tracers[k], chunk.number),
-                                  chunk.tallies[k], seconds);
-            !logged)
-          return logged;
-  }
-  return {};
+  return in_rounds(
+      chunks.size(), plan.threads,
+      [&](std::size_t i) {
+        chunks[i].tallies = check_scenes(chunks[i].tracers, family, plan.seed,
+                                         chunks[i].number * kScenesAChunk, kScenesAChunk);
+      },
+      [&](std::size_t i, double seconds) -> Result<void> {
+        const Chunk& chunk = chunks[i];
+        for (std::size_t k = 0; k < chunk.tracers.size(); ++k)
+          if (auto logged = log.add(key_of(plan, family, *chunk.tracers[k], chunk.number),
+                                    chunk.tallies[k], seconds);
+              !logged)
+            return logged;
+        return {};
+      });
 }
 
-VerbOutput output(const Arguments& arguments, const ReportTable& table, bool sound) {
-  const int code = interrupted() ? 130 : sound ? 0 : 1;
-  if (arguments.has("json"))
-    return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
-  return VerbOutput{aligned_text(table), code};
-}
-
-// Blocks of rays, a round of `threads` at a time.
-LeakTally leaks_of(const Plan& plan, const Tracer& tracer, const RoomPlace& place,
-                   std::uint64_t blocks) {
-  LeakTally sum;
-  for (std::uint64_t begin = 0; begin < blocks && !interrupted(); begin += plan.threads) {
-    std::vector<LeakTally> tallies(std::min<std::uint64_t>(plan.threads, blocks - begin));
-    parallel_for(tallies.size(), plan.threads, [&](std::size_t i) {
-      tallies[i] = count_leaks(tracer, place, plan.seed, begin + i);
-    });
-    for (const LeakTally& tally : tallies) sum.add(tally);
-  }
-  return sum;
-}
-
-Result<VerbOutput> run_leaks(const Arguments& arguments, const Plan& plan) {
-  if (arguments.has("output"))
-    return usage_error(arguments.where("output"), "does not go with --leaks",
-                       "leave one of them out");
-  const auto rays = arguments.whole("leaks", 1, 1, std::uint64_t{1} << 40);
-  if (!rays) return tl::unexpected(rays.error());
-  const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
-  catch_interrupts();
-  ReportTable table{
-      {"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong", "first_t_off"},
-      {}};
-  bool sound = true;
-  for (const RoomPlace& place : room_places())
-    for (const Tracer* tracer : plan.tracers) {
-      const LeakTally sum = leaks_of(plan, *tracer, place, blocks);
-      sound = sound && sum.leaks + sum.wrong + sum.wrong_t == 0;
-      table.rows.push_back({place.name, tracer->name, sum.rays, sum.bounces, sum.leaks, sum.corners,
-                            sum.wrong, sum.wrong_t});
-    }
-  return output(arguments, table, sound);
-}
-
-StabilityLog::Key key_of(const Plan& plan, const PairFamily& family, std::size_t method,
-                         std::uint64_t chunk) {
+ChunkLog::Key key_of(const Plan& plan, const PairFamily& family, std::size_t method,
+                     std::uint64_t chunk) {
   return {"pairs-" + family.name, family.methods[method], isa_name(active_isa()), plan.seed, chunk};
 }
 
@@ -192,23 +146,20 @@ Result<void> run_pair_chunks(const Plan& plan, const PairFamily& family, std::ui
   std::vector<std::uint64_t> open;
   for (std::uint64_t chunk = 0; chunk < chunks; ++chunk)
     if (!log.has(key_of(plan, family, 0, chunk))) open.push_back(chunk);
-  for (std::size_t begin = 0; begin < open.size() && !interrupted(); begin += plan.threads) {
-    const std::size_t count = std::min<std::size_t>(plan.threads, open.size() - begin);
-    std::vector<std::vector<StabilityTally>> tallies(count);
-    const auto start = std::chrono::steady_clock::now();
-    parallel_for(count, plan.threads, [&](std::size_t i) {
-      tallies[i] = check_pairs(family, plan.seed, open[begin + i] * kPairsAChunk, kPairsAChunk);
-    });
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    for (std::size_t i = 0; i < count; ++i)
-      // That of the first method last: it tells whether a chunk is done.
-      for (std::size_t k = family.methods.size(); k-- > 0;)
-        if (auto logged = log.add(key_of(plan, family, k, open[begin + i]), tallies[i][k],
-                                  time.count() / static_cast<double>(count));
-            !logged)
-          return logged;
-  }
-  return {};
+  std::vector<std::vector<StabilityTally>> tallies(open.size());
+  return in_rounds(
+      open.size(), plan.threads,
+      [&](std::size_t i) {
+        tallies[i] = check_pairs(family, plan.seed, open[i] * kPairsAChunk, kPairsAChunk);
+      },
+      [&](std::size_t i, double seconds) -> Result<void> {
+        // That of the first method last: it tells whether a chunk is done.
+        for (std::size_t k = family.methods.size(); k-- > 0;)
+          if (auto logged = log.add(key_of(plan, family, k, open[i]), tallies[i][k], seconds);
+              !logged)
+            return logged;
+        return {};
+      });
 }
 
 Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
@@ -236,7 +187,7 @@ Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
                             sum.off_by_more, sum.first_wrong});
     }
   }
-  return output(arguments, table, wrong == 0);
+  return stability_output(arguments, table, wrong == 0);
 }
 
 // What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one at
@@ -251,6 +202,8 @@ Result<std::string> what_to_do(const Arguments& arguments) {
                          "leave one of them out");
     what = other;
   }
+  if (what != "leaks" && arguments.has("places"))
+    return usage_error(arguments.where("places"), "is about --leaks", "leave it out");
   if (what != "families")
     for (const char* other : {"families", "count"})
       if (arguments.has(other))
@@ -272,7 +225,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (*what == "catalogue") return report_catalogue(arguments, request);
   if (*what == "sweep") return report_sweep(arguments, request);
   if (*what == "pairs") return run_pairs(arguments, *plan);
-  if (arguments.has("leaks")) return run_leaks(arguments, *plan);
+  if (*what == "leaks") return report_leaks(arguments, request);
   auto log = StabilityLog::open(arguments.text("output"));
   if (!log) return fail(std::move(log));
   catch_interrupts();
@@ -290,7 +243,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
                             sum.first_wrong});
     }
   }
-  return output(arguments, table, wrong == 0);
+  return stability_output(arguments, table, wrong == 0);
 }
 
 }  // namespace
@@ -305,7 +258,7 @@ extern const Verb stability = {
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
     "  flatray stability --families tangents,arc-ends,ellipses\n"
-    "  flatray stability --leaks 100000 --tracer grid\n"
+    "  flatray stability --leaks 100000 --tracer grid --places origin,scaled-by-1e15 -o out/leaks\n"
     "  flatray stability --pairs 10000 -o out/pairs\n"
     "  flatray stability --catalogue -o out/stability\n"
     "  flatray stability --sweep -o out/stability\n"

@@ -4,7 +4,7 @@ namespace flatray {
 namespace {
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned) {
-  return trace_in_lanes(walls, CellGrid::build_list(walls), isa);
+  return trace_in_lanes(walls, &CellGrid::build_list, isa);
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "base/check.h"
 #include "base/module_file.h"
 #include "trace/embree/module.h"
@@ -26,6 +29,13 @@ Found find_module() {
   return {module, ""};
 }
 
+// The power of two that makes the larger part of a direction 1 to 2 in size: products of a long one
+// with edges of 1e15 would overflow in single precision, and Embree meet nothing.
+double unit_scale(const Vec2& direction) {
+  const double most = direction.cwiseAbs().maxCoeff();
+  return most > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(most), -1000, 1000)) : 1;
+}
+
 class Embree : public Accelerator {
  public:
   Embree(const Surfaces& walls, const FlatrayEmbreeModule& module)
@@ -39,9 +49,12 @@ class Embree : public Accelerator {
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     std::vector<FlatrayEmbreeRay> given;
+    std::vector<double> scale;
     std::vector<FlatrayEmbreeHit> met(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const plain::Start ray = plain::start_of(rays.ray(i));
+      const Ray asked = rays.ray(i);
+      scale.push_back(unit_scale(asked.direction));
+      const plain::Start ray = plain::start_of({asked.origin, scale[i] * asked.direction});
       const std::uint32_t left = rays.left[i].surface;
       const bool segment = left != kNoSurface && walls_.is_straight(left);
       given.push_back({ray.x, ray.y, ray.dx, ray.dy, segment ? walls_.slot[left] : kNoSurface});
@@ -51,7 +64,7 @@ class Embree : public Accelerator {
       hits[i] = {};
       if (met[i].segment != kNoSurface)
         hits[i] = {walls_.segment_numbers[met[i].segment], HitClass::touch, Root::none, false,
-                   static_cast<double>(met[i].t)};
+                   scale[i] * static_cast<double>(met[i].t)};
       plain::offer_curves(walls_, rays.ray(i), rays.left[i], hits[i]);
     }
   }

@@ -4,7 +4,8 @@ namespace flatray {
 namespace {
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa isa, unsigned threads) {
-  return trace_in_lanes(walls, CellGrid::build(walls, threads), isa);
+  return trace_in_lanes(
+      walls, [&](const Surfaces& given) { return CellGrid::build(given, threads); }, isa);
 }
 
 }  // namespace

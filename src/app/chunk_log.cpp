@@ -1,0 +1,157 @@
+#include "app/chunk_log.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/option_values.h"
+#include "base/file.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kOfKey = 5;
+
+// Of a type whose counts are members.
+template <class Tally, std::size_t N>
+ChunkLog::Row row_of(const Tally& tally, const std::array<std::uint64_t Tally::*, N>& members) {
+  ChunkLog::Row row;
+  for (const auto member : members) row.counts.push_back(tally.*member);
+  return row;
+}
+
+template <class Tally, std::size_t N>
+Tally tally_of(const ChunkLog::Row& row, const std::array<std::uint64_t Tally::*, N>& members) {
+  Tally tally;
+  for (std::size_t i = 0; i < std::min(N, row.counts.size()); ++i)
+    tally.*members[i] = row.counts[i];
+  return tally;
+}
+
+constexpr std::array kStabilityNames = {"rays",          "hits",     "wrong",
+                                        "t_not_nearest", "t_off",    "by_rationals",
+                                        "missed",        "invented", "other_wall"};
+constexpr std::array kStabilityCounts = {
+    &StabilityTally::rays,        &StabilityTally::hits,        &StabilityTally::wrong,
+    &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
+    &StabilityTally::missed,      &StabilityTally::invented,    &StabilityTally::other_wall};
+constexpr std::array<std::size_t, 2> kStabilityWidths = {9, 6};
+
+constexpr std::array kLeakNames = {"rays",    "bounces",     "leaks",   "corners",
+                                   "wrong",   "wrong_t",     "asked",   "beside",
+                                   "nothing", "through_end", "through", "invented"};
+constexpr std::array kLeakCounts = {
+    &LeakTally::rays,    &LeakTally::bounces,     &LeakTally::leaks,   &LeakTally::corners,
+    &LeakTally::wrong,   &LeakTally::wrong_t,     &LeakTally::asked,   &LeakTally::beside,
+    &LeakTally::nothing, &LeakTally::through_end, &LeakTally::through, &LeakTally::invented};
+constexpr std::array<std::size_t, 1> kLeakWidths = {kLeakNames.size()};
+
+}  // namespace
+
+std::string ChunkLog::header(std::size_t counts) const {
+  std::string line = "family,tracer,isa,seed,chunk";
+  for (std::size_t i = 0; i < counts; ++i) {
+    if (i == format_.before_seconds) line += ",seconds";
+    line += fmt::format(",{}", format_.counts[i]);
+  }
+  if (counts == format_.before_seconds) line += ",seconds";
+  return format_.note == nullptr ? line : line + "," + format_.note;
+}
+
+std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
+    std::string_view line) const {
+  const std::vector<std::string_view> cells = split_commas(line);
+  const std::size_t others = kOfKey + 1 + (format_.note == nullptr ? 0 : 1);
+  if (std::none_of(format_.widths.begin(), format_.widths.end(),
+                   [&](std::size_t width) { return cells.size() == width + others; }))
+    return std::nullopt;
+  const auto seed = parse_whole(cells[3]), chunk = parse_whole(cells[4]);
+  if (!seed || !chunk) return std::nullopt;
+  Row row;
+  for (std::size_t i = 0; i <= cells.size() - others; ++i) {
+    if (i == format_.before_seconds) continue;
+    const auto count = parse_whole(cells[kOfKey + i]);
+    if (!count) return std::nullopt;
+    row.counts.push_back(*count);
+  }
+  if (format_.note != nullptr) row.note = cells.back();
+  return std::pair{
+      Key{std::string(cells[0]), std::string(cells[1]), std::string(cells[2]), *seed, *chunk}, row};
+}
+
+Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::string>& folder) {
+  ChunkLog rows(format);
+  if (!folder) return rows;
+  rows.path_ = std::filesystem::path(*folder) / format.file;
+  std::error_code error;
+  std::filesystem::create_directories(*folder, error);
+  if (error) return fail(named_place(*folder), error.message(), "", Trouble::output);
+  const bool there = std::filesystem::exists(rows.path_);
+  auto done = there ? rows.read() : append_line(rows.path_, rows.header(format.counts.size()));
+  if (!done) return fail(std::move(done));
+  return rows;
+}
+
+Result<void> ChunkLog::read() {
+  const auto text = read_whole_lines(path_);
+  if (!text) return tl::unexpected(text.error());
+  std::string_view rest = *text;
+  if (rest.empty()) return append_line(path_, header(format_.counts.size()));
+  const auto is_header = [&](std::string_view line) {
+    return std::any_of(format_.widths.begin(), format_.widths.end(),
+                       [&](std::size_t width) { return line == header(width); });
+  };
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::string_view row = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), row.size() + 1));
+    if (line == 1 && is_header(row)) continue;
+    auto parsed = read_row(row);
+    if (line == 1 || !parsed)
+      return fail(named_place(fmt::format("{}:{}", path_.string(), line)),
+                  "is no row of this program", "move the file away, or name another folder");
+    rows_.insert(std::move(*parsed));
+  }
+  return {};
+}
+
+const ChunkLog::Row* ChunkLog::find(const Key& key) const {
+  const auto row = rows_.find(key);
+  return row == rows_.end() ? nullptr : &row->second;
+}
+
+Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
+  rows_.emplace(key, row);
+  if (path_.empty()) return {};
+  std::string line =
+      fmt::format("{},{},{},{},{}", key.family, key.tracer, key.isa, key.seed, key.chunk);
+  for (std::size_t i = 0; i <= row.counts.size(); ++i) {
+    if (i == format_.before_seconds) line += fmt::format(",{:.3f}", seconds);
+    if (i < row.counts.size()) line += fmt::format(",{}", row.counts[i]);
+  }
+  if (format_.note != nullptr) line += "," + row.note;
+  return append_line(path_, line);
+}
+
+const ChunkLog::Format StabilityRows::kFormat = {"stability.csv", kStabilityNames, 6,
+                                                 kStabilityWidths, "first_wrong"};
+
+ChunkLog::Row StabilityRows::row(const StabilityTally& tally) {
+  ChunkLog::Row row = row_of(tally, kStabilityCounts);
+  row.note = tally.first_wrong;
+  return row;
+}
+
+StabilityTally StabilityRows::tally(const ChunkLog::Row& row) {
+  StabilityTally tally = tally_of(row, kStabilityCounts);
+  tally.first_wrong = row.note;
+  return tally;
+}
+
+const ChunkLog::Format LeakRows::kFormat = {"leaks.csv", kLeakNames, kLeakNames.size(),
+                                            kLeakWidths};
+
+ChunkLog::Row LeakRows::row(const LeakTally& tally) { return row_of(tally, kLeakCounts); }
+
+LeakTally LeakRows::tally(const ChunkLog::Row& row) { return tally_of(row, kLeakCounts); }
+
+}  // namespace flatray

@@ -1,0 +1,104 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "study/leaks.h"
+#include "study/stability.h"
+
+namespace flatray {
+
+/// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
+/// without its end, as a full disk leaves it, is taken away.
+///
+/// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
+class ChunkLog {
+ public:
+  struct Key {
+    std::string family, tracer, isa;
+    std::uint64_t seed, chunk;
+    auto operator<=>(const Key&) const = default;
+  };
+  struct Row {
+    std::vector<std::uint64_t> counts;
+    std::string note;
+  };
+  /// Its columns, after those of the key: counts, the seconds after some of them, and a note.
+  struct Format {
+    const char* file;
+    std::span<const char* const> counts;
+    std::size_t before_seconds;
+    std::span<const std::size_t> widths;  ///< counts of rows as written now, and as before
+    const char* note = nullptr;
+  };
+
+  /// The rows that are in `folder`, or none without a folder.
+  /// Error   Trouble::missing, Trouble::output; Trouble::invalid, naming the line, where a row is
+  ///         not what add() writes, or wrote.
+  static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder);
+
+  bool has(const Key& key) const { return rows_.contains(key); }
+  /// Nothing where there is none. Counts that rows did not have when it was written are missing.
+  const Row* find(const Key& key) const;
+  /// Appends a row, flushed.
+  Result<void> add(const Key& key, const Row& row, double seconds);
+
+ private:
+  explicit ChunkLog(const Format& format) : format_(format) {}
+  std::string header(std::size_t counts) const;
+  std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
+  Result<void> read();
+
+  Format format_;
+  std::filesystem::path path_;  ///< "" where nothing is kept
+  std::map<Key, Row> rows_;
+};
+
+/// Rows as tallies: `kColumns` of `Rows` are the counts of a Tally, in order.
+template <class Tally, class Rows>
+class TallyLog {
+ public:
+  static Result<TallyLog> open(const std::optional<std::string>& folder) {
+    auto log = ChunkLog::open(Rows::kFormat, folder);
+    if (!log) return fail(std::move(log));
+    return TallyLog(std::move(*log));
+  }
+  bool has(const ChunkLog::Key& key) const { return log_.has(key); }
+  Result<void> add(const ChunkLog::Key& key, const Tally& tally, double seconds) {
+    return log_.add(key, Rows::row(tally), seconds);
+  }
+  /// Chunks 0 to `chunks` - 1 together, whatever the chunk of `key`.
+  Tally sum(ChunkLog::Key key, std::uint64_t chunks) const {
+    Tally sum;
+    for (key.chunk = 0; key.chunk < chunks; ++key.chunk)
+      if (const ChunkLog::Row* row = log_.find(key)) sum.add(Rows::tally(*row));
+    return sum;
+  }
+
+ private:
+  explicit TallyLog(ChunkLog log) : log_(std::move(log)) {}
+  ChunkLog log_;
+};
+
+/// Of `stability.csv`.
+struct StabilityRows {
+  static const ChunkLog::Format kFormat;
+  static ChunkLog::Row row(const StabilityTally& tally);
+  static StabilityTally tally(const ChunkLog::Row& row);
+};
+using StabilityLog = TallyLog<StabilityTally, StabilityRows>;
+
+/// Of `leaks.csv`.
+struct LeakRows {
+  static const ChunkLog::Format kFormat;
+  static ChunkLog::Row row(const LeakTally& tally);
+  static LeakTally tally(const ChunkLog::Row& row);
+};
+using LeakLog = TallyLog<LeakTally, LeakRows>;
+
+}  // namespace flatray

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Views of every shipped scene: the same picture by every exact tracer, and of the walls met in every tier.
+source "$(dirname "$0")/lib.sh"
+
+# compare VIEW TIER...: the view of $scene by `exact`, then by the others in each tier.
+compare() {
+  local view=$1 size=32x18
+  shift
+  [[ $scene == */pile.toml ]] && size=8x5 # 40 000 walls by `exact`
+  rm -rf exact
+  run 0 render "$scene" --view "$view" --tracer exact --size $size --quiet -f 1 -o 'exact/#.png'
+  for tier; do
+    for tracer in grid brute; do
+      rm -rf other
+      FLATRAY_ISA=$tier run 0 render "$scene" --view "$view" --tracer $tracer --size $size --quiet -f 1 -o 'other/#.png'
+      same exact other "${scene#"$root/"}, $view, $tracer, $tier"
+    done
+  done
+}
+
+mapfile -t tiers < <("$flatray" list isas | awk '{ print $1 }')
+for scene in $(find "$root/scenes" -name '*.toml' -o -name '*.obj' -o -name '*.chamber' | sort); do
+  [[ -n $sanitizers && $scene != */tutorial/* ]] && continue # ten times as slow
+  compare hits "${tiers[@]}"
+  compare depth "${tiers[-1]}"
+  compare visibility:3,2 "${tiers[-1]}"
+done
+finish
