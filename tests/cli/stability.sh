@@ -36,6 +36,15 @@ says out 'scaled by 1e15'
 [[ $(awk 'NR > 1 { leaks += $(NF - 3) } END { print leaks }' "$work/out.txt") == 0 ]] || fail 'a ray leaked'
 run 2 stability --leaks 10 --families vertex
 
+# Moving pairs, of chosen families; a run goes on where its log ends.
+run 0 stability --pairs 1000 --families grid,turning-squares -o pairs
+[[ $(wc -l < pairs/stability.csv) == 4 ]] || fail 'a row for each method of each chunk and the head'
+run 0 stability --pairs 2000 --families grid -o pairs
+[[ $(wc -l < pairs/stability.csv) == 6 ]] || fail 'only the second chunk is new'
+says out '2048'
+run 2 stability --pairs 1 --families vertex
+says err 'turning-grazing'
+
 run 2 stability --families vertx
 says err "did you mean 'vertex'?"
 run 2 stability --tracer none
