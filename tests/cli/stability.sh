@@ -55,6 +55,15 @@ run 1 stability --families vertex --tracer float --count 10 -o old
 [[ $(wc -l < old/stability.csv) == 2 ]] || fail 'a row of before was done again'
 says out 'item 3 ray 1'
 
+# Moving pairs, of chosen families; a run goes on where its log ends.
+run 0 stability --pairs 1000 --families grid,turning-squares -o pairs
+[[ $(wc -l < pairs/stability.csv) == 4 ]] || fail 'a row for each method of each chunk and the head'
+run 0 stability --pairs 2000 --families grid -o pairs
+[[ $(wc -l < pairs/stability.csv) == 6 ]] || fail 'only the second chunk is new'
+says out '2048'
+run 2 stability --pairs 1 --families vertex
+says err 'turning-grazing'
+
 run 2 stability --families vertx
 says err "did you mean 'vertex'?"
 run 2 stability --tracer none

@@ -24,6 +24,8 @@ constexpr std::uint64_t kPairsAChunk = 1024;
 std::vector<std::string> family_names() { return names_of(oracle::families()); }
 std::vector<std::string> place_names() { return names_of(room_places()); }
 
+std::vector<std::string> pair_family_names() { return names_of(pair_families()); }
+
 // What is checked where no tracer is named; the others are wrong now and then.
 std::vector<std::string> exact_tracers() {
   std::vector<std::string> names;
@@ -32,10 +34,16 @@ std::vector<std::string> exact_tracers() {
   return names;
 }
 
+std::vector<std::string> all_family_names() {
+  std::vector<std::string> names = family_names();
+  for (std::string& name : pair_family_names()) names.push_back(std::move(name));
+  return names;
+}
+
 constexpr auto kOptions = with_scene_options(
     {{"families", '\0', "NAME,NAME",
-      "only these families of inputs, as docs/NUMERICS.md names them", OptionKind::text,
-      &family_names},
+      "only these families of inputs, as docs/NUMERICS.md names them; with --pairs of pairs",
+      OptionKind::text, &all_family_names},
      {"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
       &tracer_names},
      {"count", '\0', "N",
@@ -61,6 +69,7 @@ constexpr auto kOptions = with_scene_options(
 // What to check; a chunk of a family is named by its number.
 struct Plan {
   std::vector<const oracle::Family*> families;
+  std::vector<PairFamily> pair_families;  // with --pairs instead of `families`
   std::vector<const Tracer*> tracers;
   std::uint64_t seed = 1, chunks = 1;
   unsigned threads = 1;
@@ -68,7 +77,9 @@ struct Plan {
 
 Result<Plan> read_plan(const Arguments& arguments) {
   Plan plan;
-  const auto families = chosen_names(arguments, "families", "family", family_names());
+  const bool pairs = arguments.has("pairs");
+  const auto families =
+      chosen_names(arguments, "families", "family", pairs ? pair_family_names() : family_names());
   if (!families) return tl::unexpected(families.error());
   const auto names = chosen_names(arguments, "tracer", "tracer", tracer_names());
   if (!names) return tl::unexpected(names.error());
@@ -78,9 +89,13 @@ Result<Plan> read_plan(const Arguments& arguments) {
   if (!count) return tl::unexpected(count.error());
   const auto width = threads(arguments);
   if (!width) return tl::unexpected(width.error());
+  const auto chosen = [&](const auto& family) {
+    return std::find(families->begin(), families->end(), family.name) != families->end();
+  };
   for (const oracle::Family& family : oracle::families())
-    if (std::find(families->begin(), families->end(), family.name) != families->end())
-      plan.families.push_back(&family);
+    if (!pairs && chosen(family)) plan.families.push_back(&family);
+  for (PairFamily& family : flatray::pair_families())
+    if (pairs && chosen(family)) plan.pair_families.push_back(std::move(family));
   for (const std::string& name : arguments.has("tracer") ? *names : exact_tracers()) {
     const auto tracer = usable_tracer(name, arguments.where("tracer"));
     if (!tracer) return tl::unexpected(tracer.error());
@@ -176,7 +191,7 @@ Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
                      "other_class", "t_not_nearest_or_wide", "t_off", "first_wrong"},
                     {}};
   std::uint64_t wrong = 0;
-  for (const PairFamily& family : pair_families()) {
+  for (const PairFamily& family : plan.pair_families) {
     if (auto done = run_pair_chunks(plan, family, chunks, *log); !done)
       return fail(std::move(done));
     for (std::size_t k = 0; k < family.methods.size(); ++k) {
@@ -206,7 +221,7 @@ Result<std::string> what_to_do(const Arguments& arguments) {
     return usage_error(arguments.where("places"), "is about --leaks", "leave it out");
   if (what != "families")
     for (const char* other : {"families", "count"})
-      if (arguments.has(other))
+      if (arguments.has(other) && !(what == "pairs" && std::string(other) == "families"))
         return usage_error(arguments.where(other), "is about the families of inputs",
                            "leave it out");
   return what;
