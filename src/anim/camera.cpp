@@ -1,6 +1,6 @@
 #include "anim/camera.h"
 
-#include "anim/curve.h"
+#include "scene/curve.h"
 
 namespace flatray {
 namespace {
@@ -10,10 +10,8 @@ constexpr double kContentMargin = 0.05;  // of the content's size, on each side
 // Adds shapes to a box, each with the outer half of its stroke.
 class ContentBox {
  public:
-  explicit ContentBox(const Scene& scene) : scene_(scene) {}
-
-  void add(ShapeId id, const Pose& place, double stroke) {
-    const Bounds box = shape_bounds(scene_.shapes[id], place);
+  void add(const Shape& shape, const Pose& place, double stroke) {
+    const Bounds box = shape_bounds(shape, place);
     const Vec2 reach(stroke / 2, stroke / 2);
     if (!box.empty()) all_.add(Bounds{box.low - reach, box.high + reach});
   }
@@ -21,7 +19,6 @@ class ContentBox {
   const Bounds& bounds() const { return all_; }
 
  private:
-  const Scene& scene_;
   Bounds all_;
 };
 
@@ -86,17 +83,18 @@ Bounds framed(const Timeline& timeline, double time) {
 }  // namespace
 
 Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entities) {
-  ContentBox box(scene);
+  ContentBox box;
   for (std::size_t i = 0; i < entities.size(); ++i) {
     const EntityState& entity = entities[i];
     const double stroke = std::max(world_width(entity.stroke),
                                    entity.scale * world_width(scene.entities[i].bounding_box));
-    box.add(entity.shape, pose(entity.at, entity.angle, entity.scale), stroke);
+    box.add(shape_of(scene, entity), pose(entity.at, entity.angle, entity.scale), stroke);
   }
   for (const Chamber& chamber : scene.chambers) {
-    box.add(chamber.shape, {Vec2(0, 0)}, world_width(chamber.stroke));
+    box.add(scene.shapes[chamber.shape], {Vec2(0, 0)}, world_width(chamber.stroke));
     for (const Chamber::Pillar& pillar : chamber.pillars)
-      box.add(pillar.shape, pose(pillar.at, pillar.angle), world_width(pillar.stroke));
+      box.add(scene.shapes[pillar.shape], pose(pillar.at, pillar.angle),
+              world_width(pillar.stroke));
   }
   for (const RayPath& ray : scene.rays) box.add(ray.at);
   return box.bounds();

@@ -1,9 +1,10 @@
 #include "anim/frame_state.h"
 
 #include "anim/camera.h"
-#include "anim/curve.h"
 #include "anim/motion.h"
 #include "geom/turn.h"
+#include "scene/changing_shape.h"
+#include "scene/curve.h"
 
 namespace flatray {
 namespace {
@@ -56,6 +57,19 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
   return state;
 }
 
+// Each once, however many share it.
+void change_shapes(const Scene& scene, double time, std::vector<EntityState>& states) {
+  std::vector<std::shared_ptr<const Shape>> now(scene.changing_shapes.size());
+  for (EntityState& state : states) {
+    const std::uint32_t changes = scene.shapes[state.shape].changes;
+    if (changes == kNoEntry) continue;
+    std::shared_ptr<const Shape>& shape = now[changes];
+    if (!shape)
+      shape = std::make_shared<Shape>(shape_at(scene, scene.changing_shapes[changes], time));
+    state.changed = shape;
+  }
+}
+
 double time_of(const Scene& scene, unsigned frame) { return (frame - 1.0) / scene.fps; }
 
 Bounds window_at(const Timeline& timeline, unsigned frame) {
@@ -75,6 +89,7 @@ std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame)
   states.reserve(timeline.scene().entities.size());
   for (std::uint32_t i = 0; i < timeline.scene().entities.size(); ++i)
     states.push_back(entity_state(timeline, i, frame, time, groups));
+  if (!timeline.scene().changing_shapes.empty()) change_shapes(timeline.scene(), time, states);
   return states;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct EntityState {
   double angle = 0;
   double scale = 1;  ///< of the groups it stands in
   ShapeId shape = 0;
+  std::shared_ptr<const Shape> changed{};  ///< what it is now, where it changes: see shape_of
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
   double opacity = 1;
@@ -28,6 +30,11 @@ struct FrameState {
   /// Added to every world position where the camera moves objects instead of itself.
   Vec2 displaced{0, 0};
 };
+
+/// The shape of an entity in the frame.
+inline const Shape& shape_of(const Scene& scene, const EntityState& entity) {
+  return entity.changed ? *entity.changed : scene.shapes[entity.shape];
+}
 
 /// State at frame k in [1, last frame of the timeline].
 FrameState at(const Timeline& timeline, unsigned frame);

@@ -2,20 +2,25 @@
 
 #include <algorithm>
 
-#include "anim/curve.h"
 #include "base/portable_math.h"
+#include "scene/curve.h"
 
 namespace flatray {
 namespace {
 
 bool moves(const Group& group) {
-  return group.motion.any() || !group.velocity.isZero(0) || group.angular_velocity != 0;
+  return group.motion.any() || !group.velocity.isZero(0) || group.angular_velocity != 0 ||
+         group.scale_curve;
 }
 
-bool moves(const Entity& entity) {
+bool changes(const Stroke& stroke) { return stroke.width_curve || stroke.colour.curve != kNoEntry; }
+
+bool moves(const Scene& scene, const Entity& entity) {
   return entity.markov || entity.motion.any() || !entity.velocity.isZero(0) ||
          entity.angular_velocity != 0 || entity.opacity_curve ||
-         (entity.stroke && entity.stroke->width_curve);
+         (entity.fill && entity.fill->curve != kNoEntry) ||
+         (entity.stroke && changes(*entity.stroke)) ||
+         scene.shapes[entity.shape].changes != kNoEntry;
 }
 
 bool moves(const Camera& camera) {
@@ -42,7 +47,9 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
   for (const Group& group : scene.groups) {
     const Placed now = placed(scene, group.at, group.angle, group.motion, time);
     Vec2 at = held(now.at + group.velocity * time);
-    double angle = now.angle + group.angular_velocity * time, scale = group.scale;
+    double angle = now.angle + group.angular_velocity * time;
+    double scale = plus(scene, group.scale, group.scale_curve, time);
+    if (group.scale_curve) scale = std::max(scale, 1 / kFarthest);
     if (group.group) {
       at = held(poses[*group.group].pose(at));
       angle += poses[*group.group].angle;
@@ -58,7 +65,7 @@ std::string reason_to_move(const Scene& scene) {
   for (const RayPath& ray : scene.rays)
     if (ray.ball) return "a ball goes along '" + ray.name + "'";
   for (const Entity& entity : scene.entities) {
-    if (moves(entity)) return "'" + entity.name + "' moves";
+    if (moves(scene, entity)) return "'" + entity.name + "' moves";
     for (auto at = entity.group; at; at = scene.groups[*at].group)
       if (moves(scene.groups[*at])) return "group '" + scene.groups[*at].name + "' moves";
   }

@@ -81,7 +81,7 @@ Solids::Solids(const Scene& scene, const FrameState& state) {
   using Kind = SurfaceOwner::Kind;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (const std::optional<Material> material = scene.entities[i].material)
-      obstacles_.push_back(solid(scene.shapes[state.entities[i].shape], entity_pose(state, i),
+      obstacles_.push_back(solid(shape_of(scene, state.entities[i]), entity_pose(state, i),
                                  {Kind::entity, i, 0, kNoEdge, *material}));
   for (std::uint32_t i = 0; i < scene.chambers.size(); ++i) {
     const Chamber& chamber = scene.chambers[i];

@@ -90,7 +90,7 @@ HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piec
 }  // namespace
 
 const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity) {
-  return scene.shapes[state.entities[entity].shape];
+  return shape_of(scene, state.entities[entity]);
 }
 
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity) {

@@ -157,8 +157,12 @@ JsonValue distribution_schema() {
                 {"maxProperties", 1}};
 }
 
+// Whether it is a curve, or a list of what may be.
 bool is_curve(const Takes& takes) {
-  return takes.kind == Takes::Kind::table && takes.text == "curve";
+  return (takes.kind == Takes::Kind::table && takes.text == "curve") ||
+         std::any_of(takes.items.begin(), takes.items.end(), [](const auto& item) {
+           return std::any_of(item.begin(), item.end(), &is_curve);
+         });
 }
 
 JsonValue any_of(const Site& site, const std::vector<Takes>& all) {

@@ -39,14 +39,14 @@ std::vector<Meeting> find_edge_ray_meetings(const Timeline& timeline, unsigned l
     std::vector<Pose> poses;
     for (const EntityState& state : states) {
       poses.push_back(pose(state.at, state.angle, state.scale));
-      boxes.push_back(shape_bounds(scene.shapes[state.shape], poses.back()));
+      boxes.push_back(shape_bounds(shape_of(scene, state), poses.back()));
     }
     const double time = (frame - 1) / scene.fps;
     for (const Entities& pair : overlapping_pairs(boxes)) {
       const auto [a, b] = pair;
       if (rests(scene, a) && rests(scene, b)) continue;
-      if (!any_edge_hits(pieces(scene.shapes[states[a].shape], poses[a]),
-                         pieces(scene.shapes[states[b].shape], poses[b])))
+      if (!any_edge_hits(pieces(shape_of(scene, states[a]), poses[a]),
+                         pieces(shape_of(scene, states[b]), poses[b])))
         continue;
       std::vector<MeetingPart>& parts = found[pair];
       const bool goes_on = !parts.empty() && parts.back().times.high == (frame - 2) / scene.fps;

@@ -1,5 +1,7 @@
 #include "collide/meetings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,7 +15,8 @@ namespace {
 bool stands_still(const Scene& scene, std::optional<std::uint32_t> group) {
   for (; group; group = scene.groups[*group].group) {
     const Group& g = scene.groups[*group];
-    if (g.motion.any() || !g.velocity.isZero(0) || g.angular_velocity != 0) return false;
+    if (g.motion.any() || !g.velocity.isZero(0) || g.angular_velocity != 0 || g.scale_curve)
+      return false;
   }
   return true;
 }
@@ -78,7 +81,7 @@ class Search {
  private:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  const Shape* shape(const EntityState& state) const { return &scene_.shapes[state.shape]; }
+  const Shape* shape(const EntityState& state) const { return &shape_of(scene_, state); }
 
   // What keeps its velocity, from the first frame to the last.
   void whole_time(unsigned last_frame) {
@@ -163,9 +166,36 @@ class Search {
 
 }  // namespace
 
+bool changes_size(const Scene& scene, std::uint32_t entity) {
+  const auto changes = [&](ShapeId shape) { return scene.shapes[shape].changes != kNoEntry; };
+  const Entity& e = scene.entities[entity];
+  if (changes(e.shape)) return true;
+  if (e.markov)
+    for (const std::vector<Look>& state : e.markov->looks)
+      for (const Look& look : state)
+        if (look.shape && changes(*look.shape)) return true;
+  for (auto group = e.group; group; group = scene.groups[*group].group)
+    if (scene.groups[*group].scale_curve) return true;
+  return false;
+}
+
+std::optional<Diagnostics> refused_meetings(const Scene& scene) {
+  Diagnostics problems;
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (changes_size(scene, i))
+      problems.push_back(
+          {scene.entities[i].where,
+           fmt::format("entity '{}' changes its size: when it meets others is not known",
+                       scene.entities[i].name),
+           "write sizes and scales as numbers, or ask who meets in each frame: flatray collide "
+           "--method edge-rays"});
+  return problems.empty() ? std::nullopt : std::optional(std::move(problems));
+}
+
 bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
   const Entity& e = scene.entities[entity];
-  if (e.markov || e.motion.any() || e.angular_velocity != 0) return false;
+  if (e.markov || e.motion.any() || e.angular_velocity != 0 || changes_size(scene, entity))
+    return false;
   // In a group velocity is turned with it: only what rests is known to move straight.
   return !e.group || (e.velocity.isZero(0) && stands_still(scene, e.group));
 }

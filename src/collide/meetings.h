@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "anim/timeline.h"
+#include "base/result.h"
 #include "collide/outline_contact.h"
 
 namespace flatray {
@@ -19,17 +20,23 @@ enum class Outline : std::uint8_t { own, box };
 /// Whether an entity keeps one velocity and its looks as long as the scene goes.
 bool keeps_velocity(const Scene& scene, std::uint32_t entity);
 
+/// Whether its shape, or the scale of a group it stands in, is a curve.
+bool changes_size(const Scene& scene, std::uint32_t entity);
+
+/// Why find_meetings() cannot be asked: an entity for each that changes its size.
+std::optional<Diagnostics> refused_meetings(const Scene& scene);
+
 /// Whether an entity never changes its place.
 bool rests(const Scene& scene, std::uint32_t entity);
 
 /// All meetings of the entities of a scene between frame 1 and `last_frame`, by first time, then
 /// by entity.
 ///
-/// Needs   last_frame as the timeline has it.
+/// Needs   last_frame as the timeline has it; nothing that changes its size: refused_meetings().
 /// Gives   no pair of which neither ever moves. Nothing in straight motion goes through another unseen,
 ///         however fast: times between frames count. What turns or follows curves moves straight and turns evenly
 ///         from its place in one frame to that in the next, also what a group carries round; looks
-///         and sizes are held as in the frame. What parts and meets again within a frame while it
+///         are held as in the frame. What parts and meets again within a frame while it
 ///         turns is one meeting.
 /// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp. What turns: proven,
 ///         as turning_contact().

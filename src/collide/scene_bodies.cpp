@@ -60,7 +60,7 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
   Diagnostics problems;
   for (std::uint32_t i = 0; i < states.size(); ++i) {
     const Entity& entity = scene.entities[i];
-    const Shape& shape = scene.shapes[states[i].shape];
+    const Shape& shape = shape_of(scene, states[i]);
     const auto refuse = [&](const char* what) {
       problems.push_back({entity.where, fmt::format("entity '{}' {}", entity.name, what),
                           "responses are for entities that keep one velocity until they meet",

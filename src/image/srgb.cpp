@@ -1,21 +1,13 @@
 #include "image/srgb.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/check.h"
-#include "base/portable_math.h"
 #include "image/srgb_encoder.h"
 
 namespace flatray {
 namespace {
-
-// IEC 61966-2-1, `value` on the scale of 8 bits, fractions allowed.
-double light_of(double value) {
-  const double v = value / 255;
-  return v <= 0.04045 ? v / 12.92 : portable::pow((v + 0.055) / 1.055, 2.4);
-}
 
 // The smallest float whose nearest value is `value`.
 float limit_below(int value) {
@@ -24,13 +16,6 @@ float limit_below(int value) {
   return static_cast<double>(nearest) < exact
              ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
              : nearest;
-}
-
-std::array<float, 256> light_table() {
-  std::array<float, 256> table;
-  for (std::size_t i = 0; i < table.size(); ++i)
-    table[i] = static_cast<float>(light_of(static_cast<double>(i)));
-  return table;
 }
 
 }  // namespace
@@ -54,11 +39,6 @@ SrgbEncoder::SrgbEncoder() {
 const SrgbEncoder& SrgbEncoder::get() {
   static const SrgbEncoder encoder;
   return encoder;
-}
-
-float linear_from_srgb(std::uint8_t value) {
-  static const std::array<float, 256> table = light_table();
-  return table[value];
 }
 
 std::uint8_t srgb_from_linear(float light) { return SrgbEncoder::get()(light); }

@@ -4,12 +4,22 @@
 #include <cmath>
 
 #include "image/srgb.h"
+#include "scene/curve.h"
 
 namespace flatray {
 
 LinearColour linear(const Colour& colour) {
   return {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b),
           static_cast<float>(colour.a) / 255.0F};
+}
+
+LinearColour light_at(const Scene& scene, CurveId curve, double time) {
+  const double alpha = value_at(scene.curves[curve + 3], time);
+  if (!(alpha > 0)) return {0, 0, 0, 0};
+  const auto light = [&](CurveId i) {
+    return static_cast<float>(std::min(value_at(scene.curves[curve + i], time) / alpha, 1.0));
+  };
+  return {light(0), light(1), light(2), static_cast<float>(alpha)};
 }
 
 // What is so short that its square is 0 has no length: all points then have t = 0.

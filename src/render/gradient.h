@@ -8,6 +8,9 @@ namespace flatray {
 
 LinearColour linear(const Colour& colour);
 
+/// A colour that changes, `curve` as of Paint: interpolated as premultiplied linear light.
+LinearColour light_at(const Scene& scene, CurveId curve, double time);
+
 FilmGradient film_gradient(const Gradient& gradient, const Pose& world_from_shape,
                            const FilmTransform& film_from_world);
 

@@ -104,7 +104,7 @@ LineLook DrawContext::look_of(const Stroke& stroke) const {
 void DrawContext::add_regions(std::vector<Region>&& regions, const Paint& paint,
                               const Pose& place) {
   DrawItem item;
-  item.colour = linear(paint);
+  item.colour = paint.curve == kNoEntry ? linear(paint) : light_at(scene, paint.curve, state.time);
   if (paint.gradient != kNoEntry) {
     item.gradient = film_gradient(scene.gradients[paint.gradient], place, film_from_world);
     item.colour = summary(*item.gradient);

@@ -15,6 +15,7 @@ Vec2 unit_at_degrees(double degrees) { return corners({{0, 0}, 1, degrees}, {1})
 // The half-diameters are turned by `from`, so that the arc begins at t = 0.
 Result<EllipseArc> circular_arc(Args& args, const Vec2& centre, double radius) {
   const double from = args.number("from"), to = args.number("to");
+  args.vanish(to == from);
   const double degrees = to > from ? to - from : to - from + 360;
   if (!(degrees > 0 && degrees <= 360) || to == from)
     return fail(

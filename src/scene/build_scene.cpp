@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "scene/curve_keys.h"
 #include "scene/keys.h"
 #include "scene/look_keys.h"
 #include "scene/motion_keys.h"
@@ -104,8 +105,9 @@ void check_version(Reader& in, const Value& scene) {
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &motion_tables,
-                       &repeat_tables, &chamber_tables, &ray_tables, &markov_tables})
+  for (auto* tables :
+       {&film_tables, &group_tables, &entity_tables, &look_tables, &curve_tables, &motion_tables,
+        &repeat_tables, &chamber_tables, &ray_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

@@ -21,9 +21,10 @@ struct Builder {
   std::map<const Value*, ShapeId> fixed_shapes{};
   std::map<const Value*, CurveId> fixed_curves{};  ///< likewise
   std::map<const Member*, std::uint32_t> fixed_paths{};
-  std::uint64_t corners = 0;       ///< counted so far; see corner_limit.h
-  bool full = false;               ///< more than the limit: told
-  bool stroke_may_change = false;  ///< whether the width of the stroke being read may be a curve
+  std::uint64_t corners = 0;  ///< counted so far; see corner_limit.h
+  bool full = false;          ///< more than the limit: told
+  bool may_change = false;    ///< whether the shape, paint or width being read may be a curve
+  std::uint64_t checked_corners = 0;  ///< of shapes that change, at all times looked at
   struct Named {
     std::uint32_t index = 0, count = 0;
   };

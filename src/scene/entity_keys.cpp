@@ -10,25 +10,33 @@ namespace {
 // A look can hide what the entity shows: "none" is a colour no one sees.
 constexpr Colour kUnseen{0, 0, 0, 0};
 
+// Reads what may change with time.
+template <class T, void (*read)(Builder&, const Field&, T&)>
+void read_changing(Builder& builder, const Field& field, T& target) {
+  builder.may_change = true;
+  read(builder, field, target);
+  builder.may_change = false;
+}
+
 void read_look_fill(Builder& builder, const Field& field, Look& look) {
   read_fill(builder, field, look.fill);
   if (!look.fill) look.fill = kUnseen;
 }
 
 void read_look_stroke(Builder& builder, const Field& field, Look& look) {
-  builder.stroke_may_change = true;
   read_optional_stroke(builder, field, look.stroke);
-  builder.stroke_may_change = false;
   if (!look.stroke) look.stroke = Stroke{kDefaultStroke.width, true, kUnseen};
 }
 
+constexpr const char* kChangingFill =
+    R"("#rrggbb", "none", a curve, { linear = { ... } } or { radial = { ... } })";
+
 constexpr Key<Look> kLookKeys[] = {
     kNameKey<Look>,
-    {{"shape", "{ KIND = { ... } }", "the entity's"}, &set_shape<Look>},
-    {{"fill", R"("#rrggbb", "none", { linear = { ... } } or { radial = { ... } })", "the entity's"},
-     &read_look_fill},
+    {{"shape", "{ KIND = { ... } }", "the entity's"}, &read_changing<Look, &set_shape<Look>>},
+    {{"fill", kChangingFill, "the entity's"}, &read_changing<Look, &read_look_fill>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", "the entity's"},
-     &read_look_stroke},
+     &read_changing<Look, &read_look_stroke>},
     {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
 };
 
@@ -93,17 +101,6 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
   }
 }
 
-void read_changing_stroke(Builder& builder, const Field& field, Entity& entity) {
-  builder.stroke_may_change = true;
-  read_optional_stroke(builder, field, entity.stroke);
-  builder.stroke_may_change = false;
-}
-
-constexpr Key<Entity> changing_stroke_key(const char* fallback) {
-  return {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", fallback},
-          &read_changing_stroke};
-}
-
 void read_moving_opacity(Builder& builder, const Field& field, Entity& entity) {
   const std::optional<Moving> opacity = read_moving(builder, field);
   if (!opacity) return;
@@ -117,14 +114,17 @@ void read_moving_opacity(Builder& builder, const Field& field, Entity& entity) {
 
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
-    kShapeKey<Entity>,
+    {kShapeKey<Entity>.info, &read_changing<Entity, &set_shape<Entity>>},
     kGroupKey<Entity>,
     kMovingAtKey<Entity>,
     kMovingAngleKey<Entity>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
-    fill_key<Entity>("\"#333333\" without a stroke, else \"none\""),
-    changing_stroke_key("\"none\"; a segment without fill and stroke has one"),
+    {{"fill", kChangingFill, "\"#333333\" without a stroke, else \"none\""},
+     &read_changing<Entity, &set_fill<Entity>>},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")",
+      "\"none\"; a segment without fill and stroke has one"},
+     &read_changing<Entity, &set_stroke<&Entity::stroke>>},
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
     {{"opacity", "number or a curve", "1"}, &read_moving_opacity},

@@ -1,4 +1,5 @@
 #include "scene/corner_limit.h"
+#include "scene/curve_keys.h"
 #include "scene/look_keys.h"
 
 namespace flatray {
@@ -102,6 +103,7 @@ std::optional<Paint> read_paint(Builder& builder, const Field& field) {
   const bool is_table = field.value.kind == Value::Kind::table && field.value.members.size() == 1;
   const std::string kind = is_table ? field.value.members.front().key : "";
   if (kind != "linear" && kind != "radial") {
+    if (builder.may_change) return read_moving_colour(builder, field);
     const auto colour = builder.in.colour(field);
     return colour ? std::optional(Paint(*colour)) : std::nullopt;
   }

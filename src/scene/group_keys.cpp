@@ -11,13 +11,16 @@ namespace {
 
 // A mirrored group would turn the outlines of what it holds inside out.
 void read_scale(Builder& builder, const Field& field, Group& group) {
-  const auto scale = builder.in.number(field);
+  const std::optional<Moving> scale = read_moving(builder, field);
   if (!scale) return;
-  if (*scale > 0 && *scale <= kFarthest)
-    group.scale = *scale;
-  else
-    builder.in.problem(field.value.where, field.name + " is not above 0 and at most 1e300",
-                       "write how many times larger what is in it is, 0.5 for half");
+  if (scale->curve && lowest(builder.scene.curves[*scale->curve]) < 0)
+    return builder.in.problem(field.value.where, field.name + " goes below 0",
+                              "end the curve at 0: what is in the group is a point then");
+  if (!scale->curve && !(scale->value > 0 && scale->value <= kFarthest))
+    return builder.in.problem(field.value.where, field.name + " is not above 0 and at most 1e300",
+                              "write how many times larger what is in it is, 0.5 for half");
+  group.scale = scale->value;
+  group.scale_curve = scale->curve;
 }
 
 constexpr Key<Group> kGroupKeys[] = {
@@ -25,7 +28,7 @@ constexpr Key<Group> kGroupKeys[] = {
     kGroupKey<Group>,
     kMovingAtKey<Group>,
     kMovingAngleKey<Group>,
-    {{"scale", "number", "1"}, &read_scale},
+    {{"scale", "number or a curve", "1"}, &read_scale},
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Group::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Group::angular_velocity>},
     kLayerKey<Group>,
@@ -132,11 +135,14 @@ class Nesting {
   bool too_deep_ = false;  // told
 };
 
-// How many times larger what is in a group is, by all it stands in.
+// How many times larger what is in a group is, by all it stands in; of curves the largest.
 double whole_scale(const Scene& scene, const Group& group) {
-  double scale = group.scale;
+  const auto own = [&](const Group& one) {
+    return one.scale_curve ? highest(scene.curves[*one.scale_curve]) : one.scale;
+  };
+  double scale = own(group);
   for (auto outer = group.group; outer; outer = scene.groups[*outer].group)
-    scale *= scene.groups[*outer].scale;
+    scale *= own(scene.groups[*outer]);
   return scale;
 }
 
@@ -148,7 +154,8 @@ void read_group(Builder& builder, const Value& table, std::uint32_t number) {
     if (!take_corners(builder, corner_count(group.name), table.where)) return;
     const double scale = whole_scale(scene, group);
     if (const Member* own = table.find("scale");
-        own != nullptr && !too_far && !(scale >= 1 / kFarthest && scale <= kFarthest)) {
+        own != nullptr && !too_far &&
+        !((scale >= 1 / kFarthest || group.scale_curve) && scale <= kFarthest)) {
       too_far = true;
       builder.in.problem(
           own->value.where,

@@ -17,7 +17,7 @@ std::optional<Moving> constant(const std::optional<double>& value) {
 template <bool in_pixels>
 void read_width(Builder& builder, const Field& field, Stroke& stroke) {
   const auto width =
-      builder.stroke_may_change ? read_moving(builder, field) : constant(builder.in.number(field));
+      builder.may_change ? read_moving(builder, field) : constant(builder.in.number(field));
   if (!width) return;
   if (width->curve && lowest(builder.scene.curves[*width->curve]) < 0)
     return builder.in.problem(field.value.where, field.name + " goes below 0",
@@ -92,7 +92,8 @@ constexpr Word<LineCap> kCaps[] = {
 constexpr Key<Stroke> kStrokeKeys[] = {
     {{"width", "world units or a curve", "none"}, &read_width<false>},
     {{"width_px", "pixels or a curve", "1.5"}, &read_width<true>},
-    {{"colour", R"("#rrggbb", { linear = { ... } } or { radial = { ... } })", "as the table says"},
+    {{"colour", R"("#rrggbb", a curve, { linear = { ... } } or { radial = { ... } })",
+      "as the table says"},
      &read_stroke_colour},
     {{"joins", R"("round", "miter" or "bevel")", R"("round")"}, &set_word<&Stroke::joins, kJoins>},
     {{"caps", R"("round", "butt" or "square")", R"("round")"}, &set_word<&Stroke::caps, kCaps>},

@@ -1,27 +1,8 @@
 #pragma once
+#include "scene/curve_keys.h"
 #include "scene/keys.h"
 
 namespace flatray {
-
-/// A number that may be a curve: its value, or 0 and the curve.
-struct Moving {
-  double value = 0;
-  std::optional<CurveId> curve;
-};
-/// What is read is handed to `change` first, a function of double that may change units.
-std::optional<Moving> read_moving(Builder& builder, const Field& field,
-                                  double (*change)(double) = nullptr);
-
-/// Smallest and largest value of a curve.
-double lowest(const Curve& curve);
-double highest(const Curve& curve);
-
-/// A point that may be a curve, or have curves as coordinates: added to where `at` leaves them.
-struct MovingPoint {
-  Vec2 value{0, 0};
-  std::optional<CurveId> x, y;
-};
-std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field);
 
 void read_follow_path(Builder& builder, const Field& field, Motion& motion);
 

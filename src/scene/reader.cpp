@@ -127,10 +127,14 @@ std::optional<double> Reader::number(const Field& field) {
 
 bool Reader::refuse_curve(const Field& field) {
   if (!is_curve(field.value)) return false;
-  problem(
-      field.value.where, fmt::format("{} cannot change with time", field.name),
-      "at and angle of entities and groups can, the width of an entity's stroke, and at, height, "
-      "zoom of the camera");
+  const std::string key = last_name(field.name);
+  const char* hint = key == "velocity" ? "write at = { keys = [[t, [x, y]], ...] }"
+                     : key == "angular_velocity"
+                         ? "write angle = { keys = [[t, degrees], ...] }"
+                         : "write one value: of entities places, angles, sizes, colours, "
+                           "widths and opacity can change, of groups at, angle and scale, "
+                           "of the camera at, height and zoom";
+  problem(field.value.where, fmt::format("{} cannot change with time", field.name), hint);
   return true;
 }
 
@@ -156,6 +160,7 @@ std::optional<double> Reader::plain_number(const Field& field) {
 
 std::optional<std::int64_t> Reader::integer(const Field& field, std::int64_t low,
                                             std::int64_t high) {
+  if (refuse_curve(field)) return std::nullopt;
   if (!is(field, Value::Kind::number, "a whole number")) return std::nullopt;
   const std::optional<std::int64_t> value = parse_integer(source_text(field.value));
   if (value && *value >= low && *value <= high) return value;
@@ -221,6 +226,7 @@ std::optional<Colour> Reader::colour(const Field& field) {
 }
 
 std::optional<Colour> Reader::plain_colour(const Field& field) {
+  if (refuse_curve(field)) return std::nullopt;
   const std::optional<std::string> text = string(field);
   if (!text) return std::nullopt;
   const std::optional<Colour> parsed = parse_colour(*text);

@@ -22,6 +22,12 @@ struct Curve {
 };
 using CurveId = std::uint32_t;  ///< index into Scene::curves
 
+/// A number that may be a curve: its value, or 0 and the curve.
+struct Moving {
+  double value = 0;
+  std::optional<CurveId> curve;
+};
+
 /// Colours along a line or round a point, interpolated as premultiplied linear light; beyond the
 /// first and the last they go on. In the coordinates of what is painted.
 struct Gradient {
@@ -36,12 +42,14 @@ struct Gradient {
 
 inline constexpr std::uint32_t kNoEntry = ~std::uint32_t{0};
 
-/// A colour, or a gradient.
+/// A colour, a gradient, or a colour that changes with time.
 struct Paint : Colour {
   constexpr Paint() = default;
   constexpr Paint(const Colour& colour, std::uint32_t gradient_ = kNoEntry)
       : Colour(colour), gradient(gradient_) {}
   std::uint32_t gradient = kNoEntry;  ///< index into Scene::gradients: it counts, not the colour
+  /// First of four curves: red, green and blue as linear light times alpha, and alpha. They count.
+  CurveId curve = kNoEntry;
 };
 
 enum class LineJoin { round, miter, bevel };
@@ -82,10 +90,25 @@ struct Shape {
   std::vector<Segment> segments;
   std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
   std::vector<ArcPath> arc_paths;                 ///< closed ones do not cross themselves
+  /// Index into Scene::changing_shapes: this is then what it is at one of its times.
+  std::uint32_t changes = kNoEntry;
 
   std::size_t piece_count() const { return begin.size() - 1; }
 };
 using ShapeId = std::uint32_t;  ///< index into Scene::shapes
+
+struct ShapeType;
+
+/// A shape of which some numbers are curves: its kind, and its arguments as they were read.
+struct ChangingShape {
+  struct Argument {
+    const char* key;
+    std::vector<Moving> numbers;  ///< of a point both; truth values, words and counts as numbers
+    std::string text;
+  };
+  const ShapeType* type;
+  std::vector<Argument> arguments;
+};
 
 /// What a Markov state or sub-state changes; nothing set keeps the entity's own.
 struct Look {
@@ -161,6 +184,7 @@ struct Group {
   Vec2 at{0, 0};                       ///< of its origin, in the group it stands in
   double angle = 0;                    ///< radians; what is in it turns about its origin
   double scale = 1;                    ///< > 0; what is in it grows about its origin
+  std::optional<CurveId> scale_curve;  ///< instead of it: >= 0
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
   Motion motion;
@@ -287,6 +311,7 @@ struct Scene {
   double fps = 24;
   std::uint64_t seed = 0;
   std::vector<Shape> shapes;
+  std::vector<ChangingShape> changing_shapes;
   std::vector<Gradient> gradients;
   std::vector<std::vector<double>> dashes;  ///< line, gap, ...: an even number, not all 0
   std::vector<Curve> curves;

@@ -1,5 +1,7 @@
 #include "scene/scene_desc.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "base/number_text.h"
 
@@ -17,6 +19,12 @@ Member* Value::find(std::string_view key) {
 
 bool is_curve(const Value& value) {
   return value.kind == Value::Kind::table && value.find("keys") != nullptr;
+}
+
+bool has_curve(const Value& value) {
+  return is_curve(value) || std::any_of(value.items.begin(), value.items.end(), &has_curve) ||
+         std::any_of(value.members.begin(), value.members.end(),
+                     [](const Member& member) { return has_curve(member.value); });
 }
 
 const char* kind_name(Value::Kind kind) {

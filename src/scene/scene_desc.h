@@ -33,6 +33,8 @@ struct Member {
 
 /// Whether a value stands for a curve: `{ keys = [...] }`.
 bool is_curve(const Value& value);
+/// Whether one stands anywhere in a value.
+bool has_curve(const Value& value);
 /// "a number", "a table", ...: for messages.
 const char* kind_name(Value::Kind kind);
 /// The bytes of the source a value was written with.

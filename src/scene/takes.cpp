@@ -111,6 +111,11 @@ class Parser {
     if (!first) return std::nullopt;
     std::vector<std::vector<Takes>> items_so_far;
     items_so_far.push_back({std::move(*first)});
+    while (skip(" or ")) {
+      std::optional<Takes> other = part(true);
+      if (!other) return std::nullopt;
+      items_so_far.back().push_back(std::move(*other));
+    }
     if (skip("]")) return Takes{Kind::list, {}, std::move(items_so_far)};
     return skip(", ") ? items(std::move(items_so_far)) : std::nullopt;
   }

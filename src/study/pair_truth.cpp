@@ -61,7 +61,7 @@ class Search {
     for (const std::vector<EntityState>& frame : states_) {
       std::vector<Whereabouts>& places = places_.emplace_back();
       for (std::size_t i = 0; i < frame.size(); ++i) {
-        const Shape& shape = scene_.shapes[frame[i].shape];
+        const Shape& shape = shape_of(scene_, frame[i]);
         const bool turns = frame[i].angle != states_.front()[i].angle;
         if (has_parts_left_out(shape) || !shape.circles.empty() || turns) round_[i] = true;
         const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
@@ -108,8 +108,7 @@ class Search {
 
   Body body(std::size_t frame, std::uint32_t entity, const Vec2& velocity) const {
     const EntityState& state = states_[frame][entity];
-    return {parts_of(scene_.shapes[state.shape], pose(state.at, state.angle, state.scale)),
-            velocity};
+    return {parts_of(shape_of(scene_, state), pose(state.at, state.angle, state.scale)), velocity};
   }
 
   bool pair_meets(std::uint32_t a, std::uint32_t b) const {

@@ -104,6 +104,28 @@ TEST(Groups, ScaleWhatTheyHoldAboutTheirOrigin) {
   EXPECT_EQ(timeline.content().high, Vec2(10 + 2 * (1 + 1.5) + 4.5, 2 * (4 + 3) + 4.5));
 }
 
+// At half its time 0.5 + 0.5 * 3 = 2 times as large; at its end a point.
+TEST(Groups, ScalesMayBeCurves) {
+  Scene scene = small_scene();
+  scene.curves = {{Curve::Ease::linear, {0, 2, 3}, {1, 3, 0}}};
+  Group group;
+  group.at = {10, 5};
+  group.scale = 0;
+  group.scale_curve = 0;
+  Entity& box = scene.entities[add_box(scene, {1, 2})];
+  box.group = add_group(scene, group);
+  box.stroke = Stroke{0.5, false, {}};
+  const Timeline timeline(scene, 0, 4);
+  const FrameState half = at(timeline, 2);
+  EXPECT_EQ(half.entities[0].at, Vec2(12, 9));
+  EXPECT_EQ(entity_pose(half, 0)(Vec2(1, 1)), Vec2(14, 11));
+  EXPECT_EQ(half.entities[0].stroke->scale, 2);
+  EXPECT_EQ(build_world(scene, half).surfaces.segments.size(), 4u);
+  EXPECT_TRUE(
+      build_world(scene, at(timeline, 4)).surfaces.segments.empty());  // a point has no walls
+  EXPECT_NE(reason_to_move(scene), "");
+}
+
 TEST(Groups, ScalesBeyondAllMeasureStayFinite) {
   Scene scene = small_scene();
   for (const double scale : {1e300, 1e-300}) {

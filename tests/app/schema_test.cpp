@@ -243,6 +243,10 @@ TEST(SceneSchema, AgreesWithTheProgramAboutTheKindOfEveryKey) {
                                 "{ uniform = [1, 2] }",
                                 "[{ uniform = [1, 2] }, { normal = [0, 1] }]",
                                 "{ choice = [1, 2] }",
+                                "{ keys = [[0, 1], [1, 2]] }",
+                                "{ keys = [[0, [1, 2]], [1, [3, 4]]] }",
+                                "{ keys = [[0, \"#ffffff\"]], ease = \"smooth\" }",
+                                "[{ keys = [[0, 1]] }, 2]",
                                 "{ choice = [\"#ffffff\", \"#000000\"] }"};
   std::size_t accepted = 0, refused = 0;
   for (const TableInfo& table : vocabulary())
@@ -265,6 +269,30 @@ TEST(SceneSchema, AgreesWithTheProgramAboutTheKindOfEveryKey) {
       }
   EXPECT_GT(accepted, 50u);
   EXPECT_GT(refused, 200u);
+}
+
+TEST(SceneSchema, OffersCurvesWhereTheProgramTakesThem) {
+  const SchemaCheck check = schema();
+  const std::string curve = "{ keys = [[0, 1], [1, 2]] }";
+  const auto shape = [](const std::string& text) {
+    return "flatray = 1\n[[entity]]\nshape = { " + text + " }\n";
+  };
+  const std::string taken[] = {
+      shape("circle = { radius = " + curve + " }"),
+      shape("box = { min = [0, 0], max = [9, " + curve + "] }"),
+      shape("box = { min = [0, 0], max = { keys = [[0, [1, 2]]] } }"),
+      shape("convex = { points = [[0, 0], [1, 0], { keys = [[0, [1, 2]]] }] }"),
+      "flatray = 1\n[[group]]\nname = \"g\"\nscale = " + curve,
+      shape("circle = { radius = 1 }") + "fill = { keys = [[0, \"#123456\"]] }"};
+  for (const std::string& text : taken) {
+    EXPECT_EQ(check.fault(json_of(text)), "") << text;
+    EXPECT_TRUE(load_scene_text("t.toml", text)) << text;
+  }
+  const std::string refused[] = {
+      shape("ngon = { sides = " + curve + ", radius = 1 }"),
+      shape("import = { file = \"a.obj\", scale = " + curve + " }"),
+      "flatray = 1\nfilm = { background = { keys = [[0, \"#123456\"]] } }"};
+  for (const std::string& text : refused) EXPECT_NE(check.fault(json_of(text)), "") << text;
 }
 
 }  // namespace

@@ -24,6 +24,25 @@ run 0 collide "$root/scenes/paper/case_two.toml" --table
 says out "-49530 | -47580"
 run 2 collide "$scenes/bullet.toml" --table
 says err "case_two.toml --table"
+cat >growing.toml <<'EOF'
+flatray = 1
+frames = 3
+fps = 1
+[[entity]]
+name = "grows"
+shape = { box = { min = [0, 0], max = [{ keys = [[0, 1], [2, 5]] }, 1] } }
+[[entity]]
+name = "waits"
+shape = { box = { min = [4, 0], max = [6, 1] } }
+EOF
+run 4 collide growing.toml
+says err "growing.toml:4:1: error: entity 'grows' changes its size"
+says err "--method edge-rays"
+run 4 collide growing.toml --response stop
+run 0 collide growing.toml --method edge-rays --csv
+says out "grows,waits,"
+run 0 hit growing.toml --ray 2.5,0.5,1,0 --against grows -f 2
+says out "inside"
 run 0 experiment avoidance "$scenes/methods.toml" -o map
 exists map/avoidance.png map/avoidance.csv map/avoidance_times.csv
 run 0 experiment avoidance "$scenes/methods.toml" -o one -j 1

@@ -249,5 +249,70 @@ TEST(FrameDrawer, OpacityThatIsACurveIsThatOfItsTime) {
   EXPECT_FALSE(carried.changed());  // the last key's value stays
 }
 
+// One scene with what `entity` says of a box of 6 x 6 at the middle of 9 x 9.
+Scene box_scene(const std::string& entity) {
+  return scene_of(
+      "flatray = 1\nframes = 4\nfps = 2\nfilm = { size = [64, 64], world = [[0, 0], [9, 9]] }\n"
+      "[[entity]]\nname = \"box\"\n" +
+      entity + "\n");
+}
+
+// Every frame alone, and carried from frame to frame.
+void expect_the_same_carried(const Scene& scene) {
+  const RenderPlan plan = make_plan(scene, false);
+  EXPECT_FALSE(plan.still);
+  const Timeline timeline(scene, 0, 4);
+  FrameDrawer<Image> carried(FrameOptions{});
+  for (unsigned frame = 1; frame <= 4; ++frame)
+    EXPECT_EQ(carried.draw(*draw_list(plan, timeline, frame)).pixels, picture(scene, frame).pixels)
+        << frame;
+}
+
+// Frame 2 is at 0.5 s, half way between the keys.
+TEST(FrameDrawer, ShapesThatChangeAreDrawnAsWrittenForTheirTime) {
+  const std::string fill = "fill = \"#336699\"\nstroke = { width = 0.5 }\nat = [1, 1]\n";
+  const Scene growing = box_scene(
+      fill + "shape = { box = { min = [0, 0], max = { keys = [[0, [1, 2]], [1, [6, 5]]] } } }");
+  EXPECT_EQ(
+      picture(growing, 2).pixels,
+      picture(box_scene(fill + "shape = { box = { min = [0, 0], max = [3.5, 3.5] } }")).pixels);
+  expect_the_same_carried(growing);
+  const Scene born =
+      box_scene("shape = { ngon = { sides = 6, radius = { keys = [[0, 0], [1, 3]] } } }");
+  EXPECT_FALSE(has_content(picture(born, 1)));
+  EXPECT_TRUE(has_content(picture(born, 2)));
+}
+
+TEST(FrameDrawer, GroupsThatGrowAreDrawnAsThoseOfTheirSize) {
+  const auto grown = [](const std::string& scale) {
+    return box_scene(
+        "group = \"g\"\nshape = { circle = { radius = 2 } }\nat = [2, 2]\nstroke = { width = 0.5 "
+        "}\n[[group]]\nname = \"g\"\nscale = " +
+        scale);
+  };
+  EXPECT_EQ(picture(grown("{ keys = [[0, 0.5], [1, 2]] }"), 2).pixels,
+            picture(grown("1.25")).pixels);
+  expect_the_same_carried(grown("{ keys = [[0, 0], [1, 2]] }"));
+}
+
+// Half the light of white is 188 of 255, not 128; between clear red and opaque blue lies a blue that
+// is half there, as in a gradient.
+TEST(FrameDrawer, ColoursThatChangeAreBlendedAsPremultipliedLight) {
+  const std::string shape = "shape = { box = { min = [1, 1], max = [7, 7] } }\n";
+  const Scene grey = box_scene(shape + "fill = { keys = [[0, \"#000000\"], [1, \"#ffffff\"]] }");
+  EXPECT_EQ(picture(grey, 2).at(30, 30)[0], 188);
+  EXPECT_EQ(picture(grey, 1).at(30, 30)[0], 0);
+  EXPECT_EQ(picture(grey, 3).at(30, 30)[0], 255);
+  expect_the_same_carried(grey);
+  const Scene clear = box_scene(shape + "fill = { keys = [[0, \"#ff000000\"], [1, \"#0000ff\"]] }");
+  const auto* const half = picture(clear, 2).at(30, 30);
+  EXPECT_EQ(half[0], 188);  // what half of the white below leaves
+  EXPECT_EQ(half[2], 255);
+  const Scene line = box_scene(
+      shape + "stroke = { width = 1, colour = { keys = [[0, \"#112233\"], [1, \"#445566\"]] } }");
+  const Scene same = box_scene(shape + "stroke = { width = 1, colour = \"#445566\" }");
+  EXPECT_EQ(picture(line, 3).pixels, picture(same).pixels);
+}
+
 }  // namespace
 }  // namespace flatray

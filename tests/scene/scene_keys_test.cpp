@@ -303,7 +303,7 @@ TEST(Scenes, EdgeRaysOfAnEntityWithoutAShapeTellTheShapesMistakeAlone) {
                     "[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n"),
             R"(t.toml:4:21: error: segment needs 'to'
     shape = { segment = { from = [1, 2] } }
-                        ^~~~~~~~~~~~~~~~~  write to = [x, y]
+                        ^~~~~~~~~~~~~~~~~  write to = [x, y] or a curve
 )");
 }
 

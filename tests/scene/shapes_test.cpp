@@ -215,7 +215,8 @@ TEST(Shapes, EveryKindIsListedWithWhatItTakes) {
   for (const char* name : {"box", "circle", "convex", "import", "polygon", "segment"})
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
   const auto box = std::find(names.begin(), names.end(), "box") - names.begin();
-  EXPECT_EQ(listed_shapes()[static_cast<std::size_t>(box)].usage, "min = [x, y], max = [x, y]");
+  EXPECT_EQ(listed_shapes()[static_cast<std::size_t>(box)].usage,
+            "min = [x, y] or a curve, max = [x, y] or a curve");
 }
 
 TEST(Rings, CleaningKeepsTheLowestNumberOfAStraightRun) {

@@ -60,6 +60,15 @@ TEST(TakesGrammar, ListsSayTheirLength) {
   EXPECT_EQ(points.items[0][0].items.size(), 2u);
 }
 
+TEST(TakesGrammar, ListsOfListsMayHoldAlternatives) {
+  const Takes points = only("[[x, y] or a curve, ...]");
+  ASSERT_EQ(points.items.size(), 1u);
+  EXPECT_EQ(points.items[0].size(), 2u);
+  EXPECT_EQ(points.items[0][1].text, "curve");
+  const Takes keys = only(R"([[t, v or [x, y] or "#rrggbb"], ...])");
+  EXPECT_EQ(keys.items[0][0].items[1].size(), 3u);
+}
+
 TEST(TakesGrammar, DoubleBracketsNameATableOrHoldLists) {
   EXPECT_EQ(only("[[edge_rays]]").kind, Kind::tables);
   EXPECT_EQ(only("[[edge_rays]]").text, "edge_rays");

@@ -111,6 +111,7 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
     if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
     return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
   }
+  if (auto refused = refused_meetings(scene)) return tl::unexpected(*std::move(refused));
   const auto width = threads(arguments);
   if (!width) return tl::unexpected(width.error());
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;

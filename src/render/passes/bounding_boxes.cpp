@@ -20,7 +20,7 @@ void draw(DrawContext& context) {
   for (std::size_t i = 0; i < context.scene.entities.size(); ++i) {
     const Entity& entity = context.scene.entities[i];
     if (!entity.bounding_box) continue;
-    const Bounds box = shape_bounds(context.scene.shapes[context.state.entities[i].shape],
+    const Bounds box = shape_bounds(shape_of(context.scene, context.state.entities[i]),
                                     entity_pose(context.state, i));
     if (box.empty()) continue;
     const Vec2 a = box.low, b(box.high.x(), box.low.y()), c = box.high,

@@ -22,7 +22,7 @@ struct InWorld {
 };
 
 InWorld in_world(const DrawContext& context, std::uint32_t entity) {
-  return {context.scene.shapes[context.state.entities[entity].shape],
+  return {shape_of(context.scene, context.state.entities[entity]),
           entity_pose(context.state, entity)};
 }
 

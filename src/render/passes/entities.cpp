@@ -14,7 +14,7 @@ void draw(DrawContext& context) {
     const EntityState& now = context.state.entities[i];
     context.place(entity.layer, entity.order, entity.where);
     context.fade(now.opacity, [&] {
-      context.add_shape(context.scene.shapes[now.shape], entity_pose(context.state, i), now.fill,
+      context.add_shape(shape_of(context.scene, now), entity_pose(context.state, i), now.fill,
                         now.stroke);
     });
   }

@@ -4,10 +4,10 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired},
-                             {"from", "degrees", kRequired},
-                             {"to", "degrees", kRequired},
-                             {"centre", "[x, y]", "[0, 0]"},
+constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
+                             {"from", "degrees or a curve", kRequired},
+                             {"to", "degrees or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"},
                              {"chord", "true or false", "false"}};
 
 Result<Shape> build(Args& args) {

@@ -4,10 +4,12 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"min", "[x, y]", kRequired}, {"max", "[x, y]", kRequired}};
+constexpr KeyInfo kKeys[] = {{"min", "[x, y] or a curve", kRequired},
+                             {"max", "[x, y] or a curve", kRequired}};
 
 Result<Shape> build(Args& args) {
   const Vec2 low = args.point("min"), high = args.point("max");
+  args.vanish(low.x() == high.x() || low.y() == high.y());
   if (!(low.x() < high.x() && low.y() < high.y()))
     return fail(args.where, "box has no area", "min must lie below and left of max");
   Shape shape;

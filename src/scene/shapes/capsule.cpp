@@ -4,8 +4,9 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {
-    {"from", "[x, y]", kRequired}, {"to", "[x, y]", kRequired}, {"radius", "number", kRequired}};
+constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
+                             {"to", "[x, y] or a curve", kRequired},
+                             {"radius", "number or a curve", kRequired}};
 
 // Two half circles; the sides are the lines that join them.
 Result<Shape> build(Args& args) {

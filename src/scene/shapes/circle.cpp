@@ -6,7 +6,8 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired}, {"centre", "[x, y]", "[0, 0]"}};
+constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"}};
 
 Result<Shape> build(Args& args) {
   const Circle circle{args.point("centre"), args.number("radius")};

@@ -7,7 +7,7 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"points", "[[x, y], ...]", kRequired}};
+constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired}};
 
 Result<Shape> build(Args& args) {
   const std::vector<Vec2> points = args.points("points");

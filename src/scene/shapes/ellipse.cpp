@@ -4,11 +4,13 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {
-    {"radii", "[a, b]", kRequired}, {"centre", "[x, y]", "[0, 0]"}, {"angle", "degrees", "0"}};
+constexpr KeyInfo kKeys[] = {{"radii", "[a, b] or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"},
+                             {"angle", "degrees or a curve", "0"}};
 
 Result<Shape> build(Args& args) {
   const Vec2 radii = args.point("radii"), centre = args.point("centre");
+  args.vanish(radii.x() == 0 || radii.y() == 0);
   if (!(radii.x() > 0 && radii.y() > 0))
     return fail(args.place("radii"), "ellipse.radii are not above 0",
                 "write half the width and half the height");

@@ -4,10 +4,10 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired},
-                             {"width", "number", kRequired},
-                             {"height", "number", kRequired},
-                             {"centre", "[x, y]", "[0, 0]"}};
+constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
+                             {"width", "number or a curve", kRequired},
+                             {"height", "number or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"}};
 
 // Bunimovich 2001: orbits that stay in the cap are regular, those that come to the stem chaotic.
 Result<Shape> build(Args& args) {

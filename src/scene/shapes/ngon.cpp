@@ -10,18 +10,20 @@ namespace {
 constexpr std::int64_t kMostSides = 10'000;
 
 constexpr KeyInfo kKeys[] = {{"sides", "whole number", kRequired},
-                             {"radius", "number", kRequired},
-                             {"centre", "[x, y]", "[0, 0]"},
-                             {"angle", "degrees", "90"}};
+                             {"radius", "number or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"},
+                             {"angle", "degrees or a curve", "90"}};
 
 Result<Shape> build(Args& args) {
   const auto sides = static_cast<int>(args.integer("sides", 3, 3, kMostSides));
   const Vec2 centre = args.point("centre");
   const double radius = args.size("radius");
   const std::vector<Vec2> points = corners({centre, sides, args.number("angle", 90)}, {radius});
-  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size())
+  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size()) {
+    args.vanish();
     return fail(args.place("radius"), "the sides of the ngon are lost in rounding",
                 "write fewer sides, a larger radius, or a centre nearer to 0");
+  }
   Shape shape;
   add_ring(shape, points);
   return shape;

@@ -4,7 +4,8 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"size", "number", kRequired}, {"centre", "[x, y]", "[0, 0]"}};
+constexpr KeyInfo kKeys[] = {{"size", "number or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"}};
 
 // L. and R. Penrose 1958: a ray that passes between the foci of a half ellipse comes back between
 // them, one that passes beside them beside them. So whatever the place of a lamp, some of the four

@@ -6,7 +6,7 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"points", "[[x, y], ...]", kRequired},
+constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired},
                              {"fill_rule", R"("nonzero" or "even-odd")", R"("nonzero")"}};
 constexpr Word<FillRule> kRules[] = {{"nonzero", FillRule::nonzero},
                                      {"even-odd", FillRule::even_odd}};

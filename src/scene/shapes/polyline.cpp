@@ -4,7 +4,7 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"points", "[[x, y], ...]", kRequired},
+constexpr KeyInfo kKeys[] = {{"points", "[[x, y] or a curve, ...]", kRequired},
                              {"closed", "true or false", "false"}};
 
 // Segments that follow one another share their ends to the bit: strokes join them.

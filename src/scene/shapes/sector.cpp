@@ -4,17 +4,18 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"radius", "number", kRequired},
-                             {"from", "degrees", kRequired},
-                             {"to", "degrees", kRequired},
-                             {"centre", "[x, y]", "[0, 0]"},
-                             {"inner", "number", "0"}};
+constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
+                             {"from", "degrees or a curve", kRequired},
+                             {"to", "degrees or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"},
+                             {"inner", "number or a curve", "0"}};
 
 // The outer arc, and back along the inner one: at radius 0 a corner.
 Result<Shape> build(Args& args) {
   const Vec2 centre = args.point("centre");
   const double radius = args.size("radius"), inner = args.number("inner");
   const Result<EllipseArc> outer = circular_arc(args, centre, radius);
+  args.vanish(inner == radius);
   if (!outer) return tl::unexpected(outer.error());
   if (!(inner >= 0 && inner < radius))
     return fail(args.place("inner"), "sector.inner does not lie between 0 and the radius",

@@ -4,7 +4,8 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"from", "[x, y]", kRequired}, {"to", "[x, y]", kRequired}};
+constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
+                             {"to", "[x, y] or a curve", kRequired}};
 
 Result<Shape> build(Args& args) {
   const Segment segment{args.point("from"), args.point("to")};

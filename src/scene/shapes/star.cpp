@@ -8,10 +8,10 @@ namespace {
 constexpr std::int64_t kMostPoints = 1000;
 
 constexpr KeyInfo kKeys[] = {{"points", "whole number", kRequired},
-                             {"outer", "number", kRequired},
-                             {"inner", "number", kRequired},
-                             {"centre", "[x, y]", "[0, 0]"},
-                             {"angle", "degrees", "90"}};
+                             {"outer", "number or a curve", kRequired},
+                             {"inner", "number or a curve", kRequired},
+                             {"centre", "[x, y] or a curve", "[0, 0]"},
+                             {"angle", "degrees or a curve", "90"}};
 
 Result<Shape> build(Args& args) {
   const auto points = static_cast<int>(args.integer("points", 3, 3, kMostPoints));
@@ -19,9 +19,11 @@ Result<Shape> build(Args& args) {
   const double outer = args.size("outer"), inner = args.size("inner");
   const std::vector<Vec2> ring =
       corners({centre, 2 * points, args.number("angle", 90)}, {outer, inner});
-  if (is_flat(ring) || crossing_edges(ring))
+  if (is_flat(ring) || crossing_edges(ring)) {
+    args.vanish();
     return fail(args.place("outer"), "the points of the star are lost in rounding",
                 "write fewer points, larger radii, or a centre nearer to 0");
+  }
   Shape shape;
   add_ring(shape, ring);
   return shape;

@@ -11,7 +11,7 @@ constexpr Word<Align> kAligns[] = {
     {"left", Align::left}, {"centre", Align::centre}, {"right", Align::right}};
 
 constexpr KeyInfo kKeys[] = {{"string", "\"TEXT\"", kRequired},
-                             {"size", "number", kRequired},
+                             {"size", "number or a curve", kRequired},
                              {"align", R"("left", "centre" or "right")", R"("left")"}};
 
 // What the font lacks becomes a question mark; one character of several bytes is one of those.
@@ -48,9 +48,11 @@ Result<Shape> build(Args& args) {
   if (shape.piece_count() == 0)
     return fail(args.place("string"), "the text shows nothing", "write some letters");
   const Vec2 one = shape.vertices[1] - shape.vertices[0];
-  if (!(one.x() > 0) || !(shape.vertices.back().cwiseAbs().maxCoeff() <= kFarthest))
+  if (!(one.x() > 0) || !(shape.vertices.back().cwiseAbs().maxCoeff() <= kFarthest)) {
+    args.vanish();
     return fail(args.place("size"), "letters of this size are lost in rounding",
                 "write a size between 1e-290 and 1e290");
+  }
   return shape;
 }
 

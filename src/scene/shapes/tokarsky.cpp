@@ -4,7 +4,8 @@
 namespace flatray::shapes {
 namespace {
 
-constexpr KeyInfo kKeys[] = {{"size", "number", kRequired}, {"at", "[x, y]", "[0, 0]"}};
+constexpr KeyInfo kKeys[] = {{"size", "number or a curve", kRequired},
+                             {"at", "[x, y] or a curve", "[0, 0]"}};
 
 constexpr int kCorners[][2] = {{0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}, {3, 1}, {4, 1},
                                {4, 0}, {5, 1}, {6, 1}, {6, 0}, {7, 1}, {7, 2}, {8, 2},
@@ -19,9 +20,11 @@ Result<Shape> build(Args& args) {
   const double size = args.size("size");
   std::vector<Vec2> ring;
   for (const auto& [x, y] : kCorners) ring.push_back(at + size * Vec2(x, y));
-  if (is_flat(ring) || crossing_edges(ring))
+  if (is_flat(ring) || crossing_edges(ring)) {
+    args.vanish();
     return fail(args.place("size"), "the corners of the room are lost in rounding",
                 "write a larger size, or a place nearer to 0");
+  }
   Shape shape;
   add_ring(shape, ring);
   return shape;

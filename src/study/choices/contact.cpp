@@ -39,6 +39,7 @@ Setting setting(const std::shared_ptr<Meetings>& meetings, const char* name, Met
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
+  if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
   const auto meetings = std::make_shared<Meetings>(context, reference_budget(context));
   if (meetings->truth.compared.empty())
     return fail(named_place(context.scene.name),

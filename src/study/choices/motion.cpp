@@ -28,7 +28,7 @@ void look(const Scene& scene, const std::vector<EntityState>& now,
   std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Vec2 at = now[i].at + part * (next[i].at - now[i].at);
-    bodies.push_back({&scene.shapes[now[i].shape], pose(at, now[i].angle, now[i].scale), {0, 0}});
+    bodies.push_back({&shape_of(scene, now[i]), pose(at, now[i].angle, now[i].scale), {0, 0}});
     boxes.push_back(shape_bounds(*bodies.back().shape, bodies.back().place));
   }
   for (const auto& [a, b] : overlapping_pairs(boxes))
@@ -72,6 +72,7 @@ Setting continuous(const std::shared_ptr<Motion>& motion) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
+  if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
   const auto motion = std::make_shared<Motion>(context, reference_budget(context));
   if (motion->truth.compared.empty())
     return fail(named_place(context.scene.name),

@@ -27,7 +27,7 @@ class Choices {
         duration_((scene_.frames - 1) / scene_.fps) {
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
       bodies_.push_back(
-          {&scene_.shapes[state_.entities[i].shape],
+          {&shape_of(scene_, state_.entities[i]),
            pose(state_.entities[i].at, state_.entities[i].angle, state_.entities[i].scale),
            scene_.entities[i].velocity});
     for (std::size_t i = 1; i < bodies_.size(); ++i)

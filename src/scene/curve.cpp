@@ -1,4 +1,4 @@
-#include "anim/curve.h"
+#include "scene/curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +35,14 @@ double value_at(const Curve& curve, double time) {
                                                          : curve.values[i] + u * rise(curve, i);
   const auto [low, high] = std::minmax(curve.values[i], curve.values[i + 1]);
   return std::clamp(value, low, high);
+}
+
+double lowest(const Curve& curve) {
+  return *std::min_element(curve.values.begin(), curve.values.end());
+}
+
+double highest(const Curve& curve) {
+  return *std::max_element(curve.values.begin(), curve.values.end());
 }
 
 PathPoint point_at(const Path& path, double length) {

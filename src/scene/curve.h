@@ -14,10 +14,19 @@ namespace flatray {
 ///         interpolants".
 double value_at(const Curve& curve, double time);
 
+/// Smallest and largest value of a curve.
+double lowest(const Curve& curve);
+double highest(const Curve& curve);
+
 /// `value`, and the curve added to it if there is one.
 inline double plus(const Scene& scene, double value, const std::optional<CurveId>& curve,
                    double time) {
   return curve ? value + value_at(scene.curves[*curve], time) : value;
+}
+
+/// The value of a number at `time`.
+inline double plus(const Scene& scene, const Moving& number, double time) {
+  return plus(scene, number.value, number.curve, time);
 }
 
 /// Point of a path after `length` from its beginning, and the direction it goes on in (an edge of

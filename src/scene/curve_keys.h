@@ -1,0 +1,24 @@
+#pragma once
+#include "scene/builder.h"
+#include "scene/curve.h"
+
+namespace flatray {
+
+/// Numbers, points and colours that may be curves. Where `change` is given, a function of double
+/// that may change units, it is applied to what is read.
+std::optional<Moving> read_moving(Builder& builder, const Field& field,
+                                  double (*change)(double) = nullptr);
+
+/// A point that may be a curve, or have curves as coordinates: added to where `at` leaves them.
+struct MovingPoint {
+  Vec2 value{0, 0};
+  std::optional<CurveId> x, y;
+};
+std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field);
+
+/// A colour that may be a curve.
+std::optional<Paint> read_moving_colour(Builder& builder, const Field& field);
+
+std::vector<TableInfo> curve_tables();
+
+}  // namespace flatray
