@@ -54,6 +54,7 @@ printf '%s\n' 'family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,
 run 1 stability --families vertex --tracer float --count 10 -o old
 [[ $(wc -l < old/stability.csv) == 2 ]] || fail 'a row of before was done again'
 says out 'item 3 ray 1'
+says out 'unknown' # how many rays were decided one by one
 
 run 2 stability --families vertx
 says err "did you mean 'vertex'?"
