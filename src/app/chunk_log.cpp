@@ -28,14 +28,15 @@ Tally tally_of(const ChunkLog::Row& row, const std::array<std::uint64_t Tally::*
   return tally;
 }
 
-constexpr std::array kStabilityNames = {"rays",          "hits",     "wrong",
-                                        "t_not_nearest", "t_off",    "by_rationals",
-                                        "missed",        "invented", "other_wall"};
+constexpr std::array kStabilityNames = {"rays",       "hits",         "wrong",     "t_not_nearest",
+                                        "t_off",      "by_rationals", "missed",    "invented",
+                                        "other_wall", "watched",      "one_by_one"};
 constexpr std::array kStabilityCounts = {
     &StabilityTally::rays,        &StabilityTally::hits,        &StabilityTally::wrong,
     &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
-    &StabilityTally::missed,      &StabilityTally::invented,    &StabilityTally::other_wall};
-constexpr std::array<std::size_t, 2> kStabilityWidths = {9, 6};
+    &StabilityTally::missed,      &StabilityTally::invented,    &StabilityTally::other_wall,
+    &StabilityTally::watched,     &StabilityTally::one_by_one};
+constexpr std::array<std::size_t, 3> kStabilityWidths = {11, 9, 6};
 
 constexpr std::array kLeakNames = {"rays",    "bounces",     "leaks",   "corners",
                                    "wrong",   "wrong_t",     "asked",   "beside",

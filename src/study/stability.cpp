@@ -48,8 +48,11 @@ void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScen
   for (const Ray& ray : scene.rays) truth.push_back(oracle.of(ray));
   std::vector<NearestHit> hits(rays.size());
   for (std::size_t k = 0; k < tracers.size(); ++k) {
-    tracers[k]->build(walls)->nearest(rays, hits);
+    const auto accelerator = tracers[k]->build(walls);
+    accelerator->nearest(rays, hits);
     StabilityTally& tally = tallies[k];
+    tally.watched += rays.size();
+    tally.one_by_one += accelerator->left_by_lanes(rays);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const std::uint64_t before = tally.wrong;
       compare(hits[i], truth[i], tally);
@@ -71,6 +74,8 @@ void StabilityTally::add(const StabilityTally& other) {
   not_nearest += other.not_nearest;
   off_by_more += other.off_by_more;
   by_rationals += other.by_rationals;
+  watched += other.watched;
+  one_by_one += other.one_by_one;
   if (first_wrong.empty()) first_wrong = other.first_wrong;
 }
 

@@ -21,7 +21,9 @@ struct StabilityTally {
   std::uint64_t off_by_more = 0;  ///< hits whose t is more than 1 ulp off it
   std::uint64_t by_rationals =
       0;  ///< rays for which the oracle needed more than 128 bits, or had a curve to ask
-  std::string first_wrong;  ///< "item 17 ray 3"; "" for none
+  std::uint64_t watched = 0;     ///< rays of which it is known whether they were decided one by one
+  std::uint64_t one_by_one = 0;  ///< rays that no lanes were certain of
+  std::string first_wrong;       ///< "item 17 ray 3"; "" for none
 
   void add(const StabilityTally& other);
 };

@@ -131,17 +131,17 @@ class LaneTracer : public Accelerator {
         kernels_(lane_kernels(isa).walk) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    Block block(std::min(kBlock, rays.size()));
-    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
-      const std::size_t count = std::min(kBlock, rays.size() - begin);
-      block.load(rays, begin, count);
-      block.walk(walls_, cells_, kernels_);
-      block.finish(walls_, cells_, kernels_);
-      for (std::size_t i = 0; i < count; ++i)
-        if (const Verdict verdict = block.verdict(i); !decided(verdict, hits[begin + i]))
-          hits[begin + i] =
-              decide_exactly(verdict, rays.ray(begin + i), rays.left[begin + i], rays.tangents);
-    }
+    in_lanes(rays, [&](std::size_t i, const Verdict& verdict) {
+      if (!decided(verdict, hits[i]))
+        hits[i] = decide_exactly(verdict, rays.ray(i), rays.left[i], rays.tangents);
+    });
+  }
+  std::size_t left_by_lanes(const RayBatch& rays) const override {
+    std::size_t left = 0;
+    NearestHit hit;
+    in_lanes(rays,
+             [&](std::size_t, const Verdict& verdict) { left += decided(verdict, hit) ? 0 : 1; });
+    return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     const bool segment = left.surface != kNoSurface && walls_.is_straight(left.surface);
@@ -171,6 +171,19 @@ class LaneTracer : public Accelerator {
   }
 
  private:
+  // `each(ray, verdict)` of all rays, in order.
+  template <class Each>
+  void in_lanes(const RayBatch& rays, const Each& each) const {
+    Block block(std::min(kBlock, rays.size()));
+    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
+      const std::size_t count = std::min(kBlock, rays.size() - begin);
+      block.load(rays, begin, count);
+      block.walk(walls_, cells_, kernels_);
+      block.finish(walls_, cells_, kernels_);
+      for (std::size_t i = 0; i < count; ++i) each(begin + i, block.verdict(i));
+    }
+  }
+
   NearestHit decide(const Verdict& verdict, const Ray& ray, const Left& left, bool tangents) const {
     NearestHit hit;
     return decided(verdict, hit) ? hit : decide_exactly(verdict, ray, left, tangents);

@@ -54,6 +54,7 @@ printf '%s\n' 'family,tracer,isa,seed,chunk,rays,hits,wrong,t_not_nearest,t_off,
 run 1 stability --families vertex --tracer float --count 10 -o old
 [[ $(wc -l < old/stability.csv) == 2 ]] || fail 'a row of before was done again'
 says out 'item 3 ray 1'
+says out 'unknown' # how many rays were decided one by one
 
 # Moving pairs, of chosen families; a run goes on where its log ends.
 run 0 stability --pairs 1000 --families grid,turning-squares -o pairs

@@ -227,6 +227,13 @@ Result<std::string> what_to_do(const Arguments& arguments) {
   return what;
 }
 
+// The share of rays that no lanes were certain of, of those of which it was counted.
+std::string one_by_one(const StabilityTally& tally) {
+  if (tally.watched == 0) return "unknown";
+  return fmt::format("{:.2g}",
+                     static_cast<double>(tally.one_by_one) / static_cast<double>(tally.watched));
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto what = what_to_do(arguments);
   if (!what) return tl::unexpected(what.error());
@@ -245,7 +252,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!log) return fail(std::move(log));
   catch_interrupts();
   ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
-                     "other_wall", "t_not_nearest", "t_off", "first_wrong"},
+                     "other_wall", "t_not_nearest", "t_off", "one_by_one", "first_wrong"},
                     {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
@@ -255,7 +262,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
       wrong += sum.wrong + sum.off_by_more;
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
                             sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
-                            sum.first_wrong});
+                            one_by_one(sum), sum.first_wrong});
     }
   }
   return stability_output(arguments, table, wrong == 0);
