@@ -100,7 +100,7 @@ Result<Arguments> with_project_config(std::span<const Option> options, Arguments
   Result<std::string> text = read_file(file, kMostBytes);
   if (!text) return fail(std::move(text));
   Result<SceneDesc> parsed =
-      toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)));
+      toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)), {});
   if (!parsed) return refused(std::move(parsed).error());
   Config config(options);
   auto given = arguments.given();

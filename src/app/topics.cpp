@@ -59,10 +59,26 @@ constexpr WrittenTopic kTopics[] = {
      "  --resume         keeps the frames that are there, whole and of this very scene\n"
      "Frames are independent: any order, any machine, the same bytes.\n",
      ""},
+    {"hill", "Hill's chambers: rooms and pillars as bare numbers",
+     "A .chamber file holds numbers between blanks and ends of lines: how many polygons; for each "
+     "of\n"
+     "them how many sides, red, green, blue from 0 to 1, and x y of each vertex. The first is the\n"
+     "chamber, the others its pillars; all are convex, all are mirrors:\n"
+     "  2\n"
+     "  4  0.2 0.2 0.3   0 0  8 0  8 6  0 6\n"
+     "  3  0.8 0.4 0.2   2 2  4 2  3 4\n"
+     "The file names no ray: one starts in the mean of the chamber's corners, in direction (1, "
+     "0.375),\n"
+     "and bounces 30 times. -D ray.0.at=[1,1] -D ray.0.direction=[1,2] -D ray.0.bounces=9 change "
+     "it;\n"
+     "flatray convert ROOM.chamber room.toml writes all of it as a scene to go on with.\n"
+     "  flatray render scenes/imported/hill_room.chamber\n",
+     ""},
     {"limits", "how large a scene and its pictures may be",
      "What is larger is refused before memory is taken for it; an option moves each limit.\n"
      "  --max-pixels    of a picture: 268435456\n"
-     "  --max-entities  copies too, and as many groups, pillars and rays: 1000000\n"
+     "  --max-entities  copies and lines of a list too, and as many groups, pillars and rays: "
+     "1000000\n"
      "  --max-corners   kept with all copies, and drawn in one frame with all dashes: 33554432\n"
      "  --max-depth     groups in groups, and files in files: 64\n"
      "  --max-bytes     of a scene with all files it names: 1073741824\n"

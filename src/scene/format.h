@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "scene/load.h"
 #include "scene/scene.h"
-#include "scene/scene_desc.h"
 
 namespace flatray {
 
@@ -23,8 +23,8 @@ struct Format {
   std::span<const std::string_view> extensions;  ///< without the point, lower case
   /// Whether text without a name looks like it.
   bool (*recognises)(std::string_view text);
-  /// Whole scene. Error   the first mistake of syntax.
-  Result<SceneDesc> (*read)(const SourcePtr&);
+  /// Whole scene. Error   the first mistake of syntax; more entries than the limits allow.
+  Result<SceneDesc> (*read)(const SourcePtr&, const LoadLimits&);
   /// Outline for the shape `import`; nullptr where the format holds none.
   Result<Shape> (*outline)(const SourcePtr&, const OutlineOptions&, Diagnostics& warnings);
 };

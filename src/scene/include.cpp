@@ -132,7 +132,7 @@ class Includer {
     if (open_.size() > limits_.max_depth)
       return refuse(where, fmt::format("files are included more than {} deep", limits_.max_depth),
                     "--max-depth raises the limit");
-    Result<SceneDesc> desc = format->read(*source);
+    Result<SceneDesc> desc = format->read(*source, limits_);
     if (!desc) return refuse(desc.error());
     check_version(in, desc->root);
     take(*desc, *source);

@@ -25,7 +25,7 @@ Result<SceneDesc> describe(const SourcePtr& source, const std::vector<Override>&
                            Imports& imports, const LoadLimits& limits) {
   const Result<const Format*> format = choose_format(*source);
   if (!format) return tl::unexpected(format.error());
-  Result<SceneDesc> desc = (*format)->read(source);
+  Result<SceneDesc> desc = (*format)->read(source, limits);
   if (!desc) return desc;
   if (Result<void> taken = take_includes(*desc, source, imports, limits); !taken)
     return fail(std::move(taken));

@@ -83,7 +83,7 @@ Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
   if (toml == nullptr)
     return fail(named_place(source->name()), "-D needs TOML, which this build leaves out", "",
                 Trouble::unavailable);
-  Result<SceneDesc> parsed = toml->read(source);
+  Result<SceneDesc> parsed = toml->read(source, {});
   if (parsed && !is_one_key(parsed->root))
     parsed = fail(named_place(source->name()), "this is not one key and one value",
                   "write -D film.size=[640,360]");

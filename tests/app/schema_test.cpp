@@ -162,7 +162,7 @@ SchemaCheck schema() { return SchemaCheck(Json::parse(json_text(scene_schema()))
 // A scene as an editor sees it.
 Json json_of(const std::string& text) {
   const auto source = std::make_shared<const SourceText>("t.toml", text);
-  const Result<SceneDesc> desc = find_format("toml")->read(source);
+  const Result<SceneDesc> desc = find_format("toml")->read(source, {});
   if (!desc) ADD_FAILURE() << format(desc.error());
   return desc ? as_json(desc->root) : Json();
 }
@@ -254,7 +254,7 @@ TEST(SceneSchema, AgreesWithTheProgramAboutTheKindOfEveryKey) {
         ASSERT_NE(text, nullptr) << table.table;
         const std::string scene = with_key(*text, key.name, value);
         const auto source = std::make_shared<const SourceText>("t.toml", scene);
-        const Result<SceneDesc> desc = find_format("toml")->read(source);
+        const Result<SceneDesc> desc = find_format("toml")->read(source, {});
         if (!desc) continue;  // the key stands there already
         const Result<LoadedScene> loaded = load_scene_text("t.toml", scene);
         const std::string fault = check.fault(as_json(desc->root));

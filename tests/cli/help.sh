@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/circle
+# needs: shapes/circle shapes/convex formats/hill formats/toml
 # flatray help: a page for every verb, topic, table and shape; the tables' keys are those that are read.
 source "$(dirname "$0")/lib.sh"
 run 0 help
@@ -10,7 +10,7 @@ for name in $("$flatray" completion words -- flatray help '' | cut -f1); do
   (($(wc -l < out.txt) >= 3)) || fail "help $name says nothing"
 done
 for name in $("$flatray" list verbs | awk '{ print $1 }') $("$flatray" list shapes | awk '{ print $1 }') \
-  frames output scene colours exit-codes markov camera determinism limits; do
+  frames output scene colours exit-codes markov camera determinism limits hill; do
   run 0 help "$name"
 done
 run 0 help film
@@ -34,4 +34,14 @@ run 0 check chain.toml
 { echo 'flatray = 1'; "$flatray" help camera | grep '^  camera = '
   printf '[[entity]]\nname = "kite"\nshape = { circle = { radius = 1 } }\n'; } > camera.toml
 run 0 check camera.toml
+
+# So is the room in the page on Hill's format, and what it says of the ray is so.
+"$flatray" help hill | sed -n '/^  2$/,/^  3 /p' > room.chamber
+run 0 check room.chamber
+run 0 convert room.chamber room.toml
+grep -q 'at = \[4, 3\]' room.toml || fail "the ray does not start in the mean of the corners"
+grep -q 'direction = \[1, 0.375\]' room.toml || fail "the ray goes elsewhere"
+grep -q 'bounces = 30' room.toml || fail "the ray bounces otherwise"
+run 0 render room.chamber -D ray.0.at=[1,1] -D ray.0.direction=[1,2] -D ray.0.bounces=9 --size 64x48 -o room.png
+exists room.png
 finish

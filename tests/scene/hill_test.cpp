@@ -47,6 +47,20 @@ TEST(HillFormat, MistakesAreToldWhereTheyStand) {
   EXPECT_NE(refusal_of("1\n4 0 0 0\n0 0 2 0 1 1 1 2").find("convex"), std::string::npos);
 }
 
+TEST(HillFormat, LimitsNameTheirOptions) {
+  LoadLimits limits;
+  limits.max_entities = 1;
+  const auto pillars = load_scene_text("room.chamber", kRoom, {}, limits);
+  ASSERT_FALSE(pillars);
+  EXPECT_NE(format(pillars.error()).find("--max-entities raises the limit"), std::string::npos);
+  limits = {};
+  limits.max_corners = 3;
+  const auto sides = load_scene_text("room.chamber", kRoom, {}, limits);
+  ASSERT_FALSE(sides);
+  EXPECT_NE(format(sides.error()).find("sides: more than 3"), std::string::npos);
+  EXPECT_NE(format(sides.error()).find("--max-corners raises the limit"), std::string::npos);
+}
+
 TEST(HillFormat, AnyStartOfAFileIsReadOrRefused) {
   const std::string text = kRoom;
   for (std::size_t size = 0; size < text.size(); ++size) (void)room(text.substr(0, size));

@@ -46,6 +46,20 @@ TEST(List, MistakesHaveALineAndAColumn) {
   });
 }
 
+TEST(List, MoreObjectsThanTheLimitNameTheOption) {
+  LoadLimits limits;
+  limits.max_entities = 2;
+  const auto refused = load_scene_text("objects.txt", "A, 1, 2\nB, 1, 2\nC, 1, 2", {}, limits);
+  ASSERT_FALSE(refused);
+  const std::string shown = format(refused.error());
+  EXPECT_NE(shown.find("objects.txt:3:1: error: the list has more than 2 objects"),
+            std::string::npos)
+      << shown;
+  EXPECT_NE(shown.find("--max-entities raises the limit"), std::string::npos) << shown;
+  limits.max_entities = 3;
+  EXPECT_TRUE(load_scene_text("objects.txt", "A, 1, 2\nB, 1, 2\nC, 1, 2", {}, limits));
+}
+
 TEST(List, NumbersThatLoseSomethingAreWarnedOf) {
   const auto got = load_list("A, 9007199254740993, 1e-400");
   ASSERT_TRUE(got);

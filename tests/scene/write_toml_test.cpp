@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<SceneDesc> read(const std::string& name, const std::string& text) {
-  return format_for_name(name)->read(std::make_shared<const SourceText>(name, text));
+  return format_for_name(name)->read(std::make_shared<const SourceText>(name, text), {});
 }
 
 // A description in one form for all ways to write it: decimals as digits and exponent.

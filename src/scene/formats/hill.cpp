@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/builder.h"
 #include "scene/format.h"
@@ -13,7 +14,6 @@ constexpr std::string_view kBlanks = " \t\r\n";
 constexpr const char* kHint =
     "the file reads: how many pillars, the first of them the chamber; for each: sides r g b, then "
     "x y for every vertex";
-constexpr double kMostPillars = 100'000, kMostSides = 1'000'000;
 
 Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
 
@@ -21,11 +21,12 @@ Member member(const char* key, Value value) { return {key, value.where, std::mov
 // which holds the others.
 class HillReader {
  public:
-  explicit HillReader(SourcePtr source) : source_(std::move(source)), rest_(source_->text()) {}
+  HillReader(SourcePtr source, const LoadLimits& limits)
+      : source_(std::move(source)), limits_(limits), rest_(source_->text()) {}
 
   Result<SceneDesc> read() {
     const Place whole{source_, 0, 1};
-    const auto count = whole_number("how many pillars", 1, kMostPillars);
+    const auto count = whole_number("how many pillars", 1, limits_.max_entities, "--max-entities");
     if (!count) return tl::unexpected(count.error());
     for (int i = 0; i < *count; ++i)
       if (auto read = read_pillar(i); !read) return fail(std::move(read));
@@ -66,12 +67,18 @@ class HillReader {
                   fmt::format("'{}' is no finite number: {}", word.substr(0, 40), what), kHint);
     return Number{literal->value, place(word)};
   }
-  Result<int> whole_number(const char* what, double low, double high) {
+  // `raise` moves the most there may be, which fits into an int.
+  Result<int> whole_number(const char* what, int low, std::uint64_t high, const char* raise) {
+    constexpr std::uint64_t kMost = std::numeric_limits<int>::max();
+    const std::uint64_t most = std::min(high, kMost);
     const auto found = number(what);
     if (!found) return tl::unexpected(found.error());
-    if (!(found->value >= low && found->value <= high) || found->value != std::floor(found->value))
-      return fail(found->where,
-                  fmt::format("{} must be a whole number from {} to {}", what, low, high), kHint);
+    if (!(found->value >= low) || found->value != std::floor(found->value))
+      return fail(found->where, fmt::format("{} must be a whole number, {} or more", what, low),
+                  kHint);
+    if (found->value > static_cast<double>(most))
+      return fail(found->where, fmt::format("{}: more than {}", what, most),
+                  fmt::format("{} raises the limit", raise));
     return static_cast<int>(found->value);
   }
 
@@ -91,7 +98,7 @@ class HillReader {
   }
 
   Result<void> read_pillar(int index) {
-    const auto sides = whole_number("sides", 3, kMostSides);
+    const auto sides = whole_number("sides", 3, limits_.max_corners, "--max-corners");
     if (!sides) return tl::unexpected(sides.error());
     auto paint = colour();
     if (!paint) return tl::unexpected(paint.error());
@@ -145,13 +152,16 @@ class HillReader {
   }
 
   SourcePtr source_;
+  const LoadLimits& limits_;
   std::string_view rest_;
   std::vector<Member> chamber_;
   std::vector<Value> pillars_;
   double middle_[2] = {0, 0};
 };
 
-Result<SceneDesc> read(const SourcePtr& source) { return HillReader(source).read(); }
+Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
+  return HillReader(source, limits).read();
+}
 
 // A whole number, then four numbers: sides and a colour.
 bool recognises(std::string_view text) {

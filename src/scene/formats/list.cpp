@@ -10,7 +10,6 @@ namespace {
 // The paper's block: every object is a box of this size, its lower left corner at the point given.
 constexpr double kBlockWidth = 64, kBlockHeight = 128;
 constexpr const char* kLineHint = "a line reads { NAME, x, y } or NAME, x, y";
-constexpr std::size_t kMaxEntries = 1'000'000;
 
 Value pair(double x, double y) { return array_value({}, {built_in_number(x), built_in_number(y)}); }
 
@@ -24,7 +23,8 @@ Value block() {
 
 class ListReader {
  public:
-  explicit ListReader(SourcePtr source) : source_(std::move(source)) {}
+  ListReader(SourcePtr source, std::size_t max_entities)
+      : source_(std::move(source)), max_entities_(max_entities) {}
 
   Result<SceneDesc> read() {
     std::string_view rest = source_->text();
@@ -49,8 +49,9 @@ class ListReader {
   Result<void> read_line(std::string_view line) {
     line = trimmed(line.substr(0, line.find('#')));
     if (line.empty()) return {};
-    if (entities_.size() == kMaxEntries)
-      return fail(place(line), fmt::format("more than {} objects", kMaxEntries));
+    if (entities_.size() >= max_entities_)
+      return fail(place(line), fmt::format("the list has more than {} objects", max_entities_),
+                  "--max-entities raises the limit");
     const std::string_view whole = line;
     const bool opened = line.starts_with('{'), closed = line.ends_with('}') && line.size() > 1;
     if (opened != closed)
@@ -93,11 +94,14 @@ class ListReader {
   }
 
   SourcePtr source_;
+  const std::size_t max_entities_;
   const Value block_ = block();
   std::vector<Value> entities_;
 };
 
-Result<SceneDesc> read(const SourcePtr& source) { return ListReader(source).read(); }
+Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
+  return ListReader(source, limits.max_entities).read();
+}
 
 bool recognises(std::string_view text) {
   const std::string_view line = first_line(text);

@@ -129,7 +129,7 @@ Member table_member(const Place& where, const char* key, Member only) {
 }
 
 // The whole scene: one entity, imported from the very file.
-Result<SceneDesc> read(const SourcePtr& source) {
+Result<SceneDesc> read(const SourcePtr& source, const LoadLimits&) {
   const Place file{source, 0, 1};
   Member shape = table_member(
       file, "shape", table_member(file, "import", string_member(file, "file", source->name())));

@@ -161,7 +161,7 @@ Result<void> check_load(const SourcePtr& source) {
   return {};
 }
 
-Result<SceneDesc> read(const SourcePtr& source) {
+Result<SceneDesc> read(const SourcePtr& source, const LoadLimits&) {
   if (Result<void> checked = check_load(source); !checked) return fail(std::move(checked));
   Positions positions(source);
   try {
