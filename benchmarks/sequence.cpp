@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFrames = 24, kRounds = 9;
+constexpr int kFrames = 96, kRounds = 9;
 
 }  // namespace
 

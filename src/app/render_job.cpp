@@ -98,7 +98,17 @@ class FrameMaker {
     stopped_ = !still_;
   }
 
+  // Names and lines of a run are flushed together: what a machine that stops then loses of them,
+  // --resume makes again. The bytes of a picture are flushed before it has its name.
   void make_run(std::size_t begin, Made& made) {
+    draw_run(begin, made);
+    if (made.records.empty() || !job_.output.has_frame()) return;
+    flush_folder(job_.folder());
+    if (auto flushed = flush_file(manifest_); !flushed && made.problems.empty())
+      made.problems = std::move(flushed).error();
+  }
+
+  void draw_run(std::size_t begin, Made& made) {
     FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
@@ -125,11 +135,12 @@ class FrameMaker {
     FrameRecord record = picture.record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
-    if (auto written = write_file(job_.path(frame), picture.bytes); !written)
+    const Flush flush = job_.output.has_frame() ? Flush::later : Flush::now;
+    if (auto written = write_file(job_.path(frame), picture.bytes, flush); !written)
       return fail(std::move(written));
     // A single picture with a name of its own needs no list beside it.
     if (job_.output.has_frame())
-      if (auto added = append_line(manifest_, manifest_line(record)); !added)
+      if (auto added = append_line(manifest_, manifest_line(record), flush); !added)
         return fail(std::move(added));
     return record;
   }

@@ -91,7 +91,7 @@ Result<std::string> read_file(const fs::path& path, std::size_t limit, std::stri
   }
 }
 
-Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) {
+Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes, Flush name) {
   const fs::path folder = folder_of(path);
   std::error_code error;
   fs::create_directories(folder, error);
@@ -111,9 +111,20 @@ Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) 
     if (!write_all(file.get(), bytes) || ::fsync(file.get()) != 0) return give_up(errno);
   }
   if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up(errno);
-  const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (parent) ::fsync(parent.get());
+  if (name == Flush::now) flush_folder(folder);
   return {};
+}
+
+Result<void> flush_file(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file || ::fsync(file.get()) != 0) return cannot("write", path, errno, Trouble::output);
+  return {};
+}
+
+// Not all file systems can.
+void flush_folder(const fs::path& path) {
+  const Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder) ::fsync(folder.get());
 }
 
 Result<void> write_file(const fs::path& path, const std::string& text) {
@@ -149,13 +160,14 @@ Result<std::string> read_whole_lines(const fs::path& path) {
   return text;
 }
 
-Result<void> append_line(const fs::path& path, const std::string& line) {
+Result<void> append_line(const fs::path& path, const std::string& line, Flush flush) {
   std::error_code error;
   fs::create_directories(folder_of(path), error);
   const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!file) return cannot("write", path, errno, Trouble::output);
   const std::string whole = line + "\n";
-  if (!write_all(file.get(), std::as_bytes(std::span(whole))) || ::fsync(file.get()) != 0)
+  const bool written = write_all(file.get(), std::as_bytes(std::span(whole)));
+  if (!written || (flush == Flush::now && ::fsync(file.get()) != 0))
     return cannot("write", path, errno, Trouble::output);
   return {};
 }

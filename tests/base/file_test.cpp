@@ -43,6 +43,18 @@ TEST_F(File, WritingLeavesNoTemporaryFile) {
   EXPECT_EQ(entries(), 1U);
 }
 
+TEST_F(File, WhatIsFlushedLaterIsThereAtOnce) {
+  const std::string content(1 << 16, 'x');
+  ASSERT_TRUE(
+      write_file(folder_ / "a.txt", std::as_bytes(std::span(content)), Flush::later).has_value());
+  ASSERT_TRUE(append_line(folder_ / "b.txt", "line", Flush::later).has_value());
+  EXPECT_EQ(read_file(folder_ / "a.txt").value(), content);
+  EXPECT_EQ(read_file(folder_ / "b.txt").value(), "line\n");
+  EXPECT_TRUE(flush_file(folder_ / "b.txt").has_value());
+  flush_folder(folder_);
+  EXPECT_EQ(flush_file(folder_ / "none.txt").error()[0].trouble, Trouble::output);
+}
+
 TEST_F(File, MissingFoldersAreMade) {
   const fs::path deep = folder_ / "a" / "b" / "c.txt";
   ASSERT_TRUE(write_file(deep, std::string("x")).has_value());
