@@ -99,7 +99,7 @@ class CurveReader {
 
   // As blended: light of each primary times alpha, and alpha.
   static std::vector<double> light_values(const Colour& colour) {
-    const double alpha = static_cast<float>(colour.a) / 255.0F;
+    const double alpha = static_cast<double>(static_cast<float>(colour.a) / 255.0F);
     std::vector<double> values;
     for (const std::uint8_t primary : {colour.r, colour.g, colour.b})
       values.push_back(static_cast<double>(linear_from_srgb(primary)) * alpha);
