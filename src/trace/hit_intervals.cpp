@@ -4,12 +4,17 @@
 
 #include "geom/bounds.h"
 #include "geom/clip_range.h"
+#include "geom/convex_polygon.h"
 #include "geom/polygon.h"
 #include "trace/kernels/tiers.h"
 #include "trace/ray_block.h"
 
 namespace flatray {
 namespace {
+
+// From here on a search for the two edges is faster than lanes that look at all
+// (docs/adr/0012-convex-search.md).
+constexpr std::size_t kManyEdges = 1536;
 
 // The ring closed by its first vertex, and its box.
 struct ClosedRing {
@@ -54,6 +59,11 @@ void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Rang
   if (turn == Sign::zero) {  // a segment or a point
     for (std::size_t i = 0; i < rays.size(); ++i)
       intervals[i] = clip_convex(rays.ray(i), polygon, within);
+    return;
+  }
+  if (polygon.size() >= kManyEdges) {
+    const ConvexPolygon searched(polygon);
+    for (std::size_t i = 0; i < rays.size(); ++i) intervals[i] = searched.clip(rays.ray(i), within);
     return;
   }
   const ClosedRing ring(polygon);

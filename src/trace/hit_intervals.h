@@ -11,7 +11,8 @@ namespace flatray {
 ///
 /// Needs   `polygon` as clip_convex does; as many intervals as rays. What the rays have left plays
 ///         no part. Gives   for each ray what clip_convex gives, bit for bit, from every tier. Cost
-///         under 1 ns an edge where the lanes are sure; else clip_convex.
+///         under 1 ns an edge where the lanes are sure; else clip_convex. O(n + log n a ray) for many
+///         edges.
 void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Range within,
                        std::span<HitInterval> intervals, Isa isa = active_isa());
 

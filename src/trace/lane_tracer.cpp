@@ -14,6 +14,8 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
+// Up to so many rays one after the other are faster than lanes (benchmarks/batch_size).
+constexpr std::size_t kFewRays = 16, kFewRaysOfList = 4;
 constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
 constexpr std::size_t kVector = 16;  // floats of the widest tier
 
@@ -131,6 +133,11 @@ class LaneTracer : public Accelerator {
         kernels_(lane_kernels(isa).walk) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    if (rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList)) {
+      for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
+      return;
+    }
     in_lanes(rays, [&](std::size_t i, const Verdict& verdict) {
       if (!decided(verdict, hits[i]))
         hits[i] = decide_exactly(verdict, rays.ray(i), rays.left[i], rays.tangents);
@@ -256,9 +263,8 @@ std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBui
       return std::make_unique<LaneTracer>(given, std::move(*cells), isa);
     return std::make_unique<OneByOne>(given);
   };
-  if (auto cells = cells_of(walls))
-    return std::make_unique<LaneTracer>(walls, std::move(*cells), isa);
-  std::unique_ptr<Accelerator> as_given = std::make_unique<OneByOne>(walls);
+  auto as_given = in_lanes(walls);
+  if (!is_unusual(walls)) return as_given;
   auto rescaled = trace_rescaled(walls, as_given, in_lanes);
   return rescaled ? std::move(rescaled) : std::move(as_given);
 }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace flatray {
 namespace {
 
 constexpr double kMost = 0x1p900;  // of a scaled number: what lanes take
+constexpr int kUsual = 300;  // products of three differences, thinner by 2^40, stay above 2^-960
 
 // The inverse of a power of two may be none: it is applied in two steps.
 struct Factor {
@@ -101,6 +103,8 @@ class Rescaled : public Accelerator {
 };
 
 }  // namespace
+
+bool is_unusual(const Surfaces& walls) { return std::abs(factor_of(walls).exponent) > kUsual; }
 
 std::unique_ptr<Accelerator> trace_rescaled(
     const Surfaces& walls, std::unique_ptr<Accelerator>& as_given,

@@ -6,6 +6,9 @@
 
 namespace flatray {
 
+/// Whether products of the walls' numbers may leave the range where bounds are good for something.
+bool is_unusual(const Surfaces& walls);
+
 /// Straight walls whose coordinates are too large or too small for the lanes, times a power of two
 /// that makes them fit: no answer changes where no product rounds. Rays whose numbers would round go
 /// to `as_given`.

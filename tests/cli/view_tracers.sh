@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Views of every shipped scene: the same picture by every exact tracer, and of the walls met in every tier.
+# needs: shapes/circle shapes/polygon shapes/convex shapes/segment shapes/import formats/obj formats/list
 source "$(dirname "$0")/lib.sh"
 
 # compare VIEW TIER...: the view of $scene by `exact`, then by the others in each tier.

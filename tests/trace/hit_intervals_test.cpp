@@ -55,6 +55,21 @@ TEST(ClipConvexBatch, EqualsEachClipOnRandomRays) {
   expect_as_clip_convex(kHexagon, rays);
 }
 
+// Points of a parabola and its chord: where edges are searched, not looked at one by one.
+TEST(ClipConvexBatch, EqualsEachClipOfManyEdges) {
+  Draws draw(4);
+  std::vector<Vec2> polygon;
+  for (int i = 0; i < 2000; ++i) polygon.emplace_back(i / 500.0, i / 500.0 * (i / 500.0));
+  RayBatch rays;
+  for (int i = 0; i < 100; ++i) {
+    const Vec2 origin = 6 * draw.point() - Vec2(1, 1);
+    rays.add({origin, polygon[draw.bits() % polygon.size()] - origin});
+    rays.add({origin, draw.point() - Vec2(0.5, 0.5)});
+    rays.add({polygon[draw.bits() % polygon.size()], {0, 0}});
+  }
+  expect_as_clip_convex(polygon, rays);
+}
+
 TEST(ClipConvexBatch, AnEmptyPolygonIsMissed) {
   RayBatch rays;
   rays.add({{0, 0}, {1, 0}});

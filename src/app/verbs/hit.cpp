@@ -3,6 +3,7 @@
 #include <set>
 
 #include "app/hit_report.h"
+#include "app/hit_sets.h"
 #include "app/hit_svg.h"
 #include "app/option_values.h"
 #include "app/report.h"
@@ -17,6 +18,11 @@ constexpr auto kOptions = with_scene_options(
      {"from", '\0', "ENTITY", "the edges of this entity as rays"},
      {"against", '\0', "ENTITY", "against this entity only"},
      {"domain", '\0', "line|ray|segment", "part of the line that counts (edges: segment)"},
+     {"op", '\0', "OP",
+      "instead of each hit the parts of a ray inside any entity (union), all of them "
+      "(intersection), "
+      "or that of --against and no other (difference)",
+      OptionKind::text, &hit_operation_names},
      kFrameOption,
      kSeedOption,
      {"svg", '\0', "", "print a diagram, what lies inside thick", OptionKind::flag},
@@ -130,6 +136,54 @@ std::vector<std::uint32_t> asked_about(const std::vector<Question>& questions) {
   return {entities.begin(), entities.end()};
 }
 
+// The entities of a question for --op: those it is against, and for a difference all others then.
+std::vector<std::uint32_t> operands_of(HitOperation operation, const Question& question,
+                                       const Scene& scene, std::optional<std::uint32_t> from) {
+  std::vector<std::uint32_t> entities = question.against;
+  if (operation != HitOperation::in_first_alone) return entities;
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (i != question.against.front() && from != i) entities.push_back(i);
+  return entities;
+}
+
+// --op: what is left of each ray, by the entities that have an inside.
+Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
+                             const FrameState& state, const std::vector<Question>& questions) {
+  const std::string wanted = *arguments.text("op");
+  const auto operation = hit_operation(wanted);
+  if (!operation)
+    return unknown_name(arguments.where("op"), "operation", wanted, hit_operation_names());
+  if (*operation == HitOperation::in_first_alone && !arguments.has("against"))
+    return usage_error(arguments.where("op"), "needs an entity to take the others from",
+                       "add --against ENTITY");
+  if (arguments.has("svg"))
+    return usage_error(arguments.where("svg"), "does not go with --op", "leave one of them out");
+  std::optional<std::uint32_t> from;
+  if (arguments.has("from")) from = find_entity(arguments, "from", scene).value();
+  std::vector<HitSet> sets;
+  for (const Question& question : questions)
+    for (const NamedRay& ray : question.rays) {
+      std::vector<std::vector<HitReport>> by_entity;
+      const auto entities = operands_of(*operation, question, scene, from);
+      for (std::size_t i = 0; i < entities.size(); ++i) {
+        auto reports = hit_reports(scene, state, ray, entities[i], question.within);
+        if (reports.empty() && i == 0 && *operation == HitOperation::in_first_alone) break;
+        if (!reports.empty()) by_entity.push_back(std::move(reports));
+      }
+      if (!by_entity.empty()) sets.push_back(combine(*operation, by_entity));
+    }
+  if (arguments.has("csv")) return VerbOutput{csv_text(csv_rows(sets)), 0};
+  Values values;
+  std::string text;
+  for (const HitSet& set : sets) {
+    values.push_back(as_value(set));
+    text += text_of(set);
+  }
+  if (arguments.has("json"))
+    return VerbOutput{json_report("hit", arguments, std::move(values), 0), 0};
+  return VerbOutput{std::move(text), 0};
+}
+
 VerbOutput show(const Arguments& arguments, const std::vector<HitReport>& reports) {
   if (arguments.has("csv")) return {csv_text(csv_rows(reports)), 0};
   Values values;
@@ -165,6 +219,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     return usage_error(named_place("hit"),
                        "nothing here has a convex piece, a circle or an ellipse to hit",
                        "segments, even-odd polygons and arcs have no inside to clip to");
+  if (arguments.has("op")) return show_sets(arguments, *scene, *state, *questions);
   if (arguments.has("svg"))
     return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};
   return show(arguments, reports);
@@ -180,7 +235,8 @@ extern const Verb hit = {"hit",
                          kOptions,
                          "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
                          "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"
-                         "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n",
+                         "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n"
+                         "  flatray hit scene.toml --ray 1,2,22,10 --op intersection\n",
                          "",
                          &run};
 

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Parts of a ray in any entity, in all, in one alone.
+# needs: shapes/circle shapes/box
+source "$(dirname "$0")/lib.sh"
+cat > row.toml << 'SCENE'
+flatray = 1
+film = { size = [100, 40], world = [[0, 0], [10, 4]] }
+[[entity]]
+name = "left"
+shape = { box = { min = [1, 0], max = [4, 2] } }
+[[entity]]
+name = "right"
+shape = { box = { min = [3, 0], max = [6, 2] } }
+[[entity]]
+name = "disc"
+shape = { circle = { centre = [3, 1], radius = 1 } }
+SCENE
+run 0 hit row.toml --ray 0,1,1,0 --op union
+says out 'ray: 1 part, length 5'
+says out '  t from 1 to 6'
+run 0 hit row.toml --ray 0,1,1,0 --op intersection --json
+says out '"parts":[[3,4]],"length":1'
+run 0 hit row.toml --ray 0,1,1,0 --op difference --against left
+says out 'ray: 1 part, length 1'
+says out '  t from 1 to 2'
+run 0 hit row.toml --ray 0,1,1,0 --op difference --against right --csv
+says out 'ray,part,t_enter,t_exit'
+says out 'ray,0,4,6'
+run 0 hit row.toml --ray 0,1,1,0 --op difference --against disc
+says out 'ray: no part'
+run 0 hit row.toml --ray 0,3,1,0 --op union
+says out 'ray: no part'
+run 0 hit row.toml --ray 6,1,1,0 --op union # touches
+says out '  t from 0 to 0'
+run 2 hit row.toml --ray 0,1,1,0 --op difference
+says err 'add --against ENTITY'
+run 2 hit row.toml --ray 0,1,1,0 --op unoin
+says err 'there are: union, intersection, difference'
+run 2 hit row.toml --ray 0,1,1,0 --op union --svg
+finish
