@@ -4,13 +4,10 @@
 
 #include "anim/curve.h"
 #include "base/portable_math.h"
+#include "scene/responses.h"
 
 namespace flatray {
 namespace {
-
-bool moves(const Group& group) {
-  return group.motion.any() || !group.velocity.isZero(0) || group.angular_velocity != 0;
-}
 
 bool moves(const Entity& entity) {
   return entity.markov || entity.motion.any() || !entity.velocity.isZero(0) ||

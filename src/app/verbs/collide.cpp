@@ -7,8 +7,10 @@
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "base/check.h"
 #include "collide/edge_ray_meetings.h"
 #include "collide/simulate.h"
+#include "scene/responses.h"
 
 namespace flatray::verbs {
 namespace {
@@ -17,8 +19,8 @@ constexpr auto kOptions = with_scene_options(
     {{"last", '\0', "K", "frame at which to stop (default: the scene's last)"},
      {"method", '\0', "minkowski|edge-rays|boxes",
       "exact (default), as the paper's rays in each frame, or of bounding boxes"},
-     {"response", '\0', "mark|stop|bounce",
-      "what those do that meet; mass is area, and nothing moves what has none"},
+     {"response", '\0', "none|mark|stop|bounce|slide|remove",
+      "what those do that meet, instead of what the scene says"},
      {"fixed", '\0', "NAME", "with --response: an entity that nothing moves; may be said again",
       OptionKind::list},
      {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
@@ -76,21 +78,29 @@ ReportTable event_table(const Scene& scene, const Simulation& done) {
   return table;
 }
 
-Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline, unsigned frames) {
-  const auto word = arguments.one_of("response", {"mark", "stop", "bounce"});
+// What --response says; nullopt where it is not given.
+Result<std::optional<Response>> response_asked(const Arguments& arguments) {
+  if (!arguments.has("response")) return std::nullopt;
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : kResponses) words.emplace_back(word);
+  const auto word = arguments.one_of("response", words);
   if (!word) return tl::unexpected(word.error());
+  for (const auto& [name, meaning] : kResponses)
+    if (*word == name) return meaning;
+  unreachable();
+}
+
+Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline, unsigned frames,
+                           std::optional<Response> response) {
   const std::vector<std::string> fixed = arguments.list("fixed");
   const std::vector<std::string> known = names_of(timeline.scene().entities);
   for (const std::string& entity : fixed)
     if (std::find(known.begin(), known.end(), entity) == known.end())
       return unknown_name(arguments.where("fixed"), "entity", entity, known);
-  const auto bodies = bodies_of(timeline, fixed);
+  const auto bodies = bodies_of(timeline, response, fixed);
   if (!bodies) return tl::unexpected(bodies.error());
-  const Response response = *word == "mark"   ? Response::mark
-                            : *word == "stop" ? Response::stop
-                                              : Response::bounce;
   const double end = (frames - 1) / timeline.scene().fps;
-  const Simulation done = simulate(*bodies, response, end);
+  const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
   if (arguments.has("quiet")) return event_table(timeline.scene(), done);
   if (done.overlaps)
     report_note("what lies in each other at the start is left alone until it has parted");
@@ -128,11 +138,13 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!text) return tl::unexpected(text.error());
     return VerbOutput{*std::move(text)};
   }
-  const bool responds = arguments.has("response");
-  if (responds && arguments.has("method"))
+  const auto response = response_asked(arguments);
+  if (!response) return tl::unexpected(response.error());
+  const bool asked = response->has_value();
+  if (asked && arguments.has("method"))
     return usage_error(arguments.where("method"), "does not go with --response",
                        "say flatray help collide");
-  if (!responds && arguments.has("fixed"))
+  if (!asked && arguments.has("fixed"))
     return usage_error(arguments.where("fixed"), "needs --response", "say flatray help collide");
   const auto draws = seed(arguments, *scene);
   if (!draws) return tl::unexpected(draws.error());
@@ -140,8 +152,10 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!last) return tl::unexpected(last.error());
   const auto frames = static_cast<unsigned>(*last);
   const Timeline timeline(*scene, *draws, frames);
-  const auto table =
-      responds ? events(arguments, timeline, frames) : meetings(arguments, timeline, frames);
+  const bool respond =
+      asked ? **response != Response::none : !arguments.has("method") && responds(*scene);
+  const auto table = respond ? events(arguments, timeline, frames, *response)
+                             : meetings(arguments, timeline, frames);
   if (!table) return tl::unexpected(table.error());
   if (arguments.has("json"))
     return VerbOutput{json_report("collide", arguments, as_objects(*table), 0)};
@@ -159,7 +173,8 @@ extern const Verb collide = {
     kOptions,
     "  flatray collide scenes/paper/case_two.toml\n"
     "  flatray collide scenes/paper/case_two.toml --table\n"
-    "  flatray collide scenes/collision/cradle.toml --response bounce --fixed wall\n"
+    "  flatray collide scenes/collision/cradle.toml\n"
+    "  flatray collide scenes/collision/cradle.toml --response stop --fixed wall\n"
     "  flatray collide scenes/demo.toml --last 60 --csv\n",
     "nothing looked for",
     &run};
