@@ -49,11 +49,16 @@ EntityState entity_state(const Timeline& timeline, std::uint32_t index, unsigned
     state.stroke->width =
         plus(timeline.scene(), state.stroke->width, state.stroke->width_curve, time);
   const std::optional<std::uint32_t> group = timeline.scene().entities[index].group;
-  if (!group) return state;
-  state.at = held(groups[*group].pose(state.at));
-  state.angle += groups[*group].angle;
-  state.scale = groups[*group].pose.scale;
-  if (state.stroke) state.stroke->scale = state.scale;
+  if (group) {
+    state.at = held(groups[*group].pose(state.at));
+    state.angle += groups[*group].angle;
+    state.scale = groups[*group].pose.scale;
+    if (state.stroke) state.stroke->scale = state.scale;
+  }
+  if (const std::span<const Stage> stages = timeline.stages(index); !stages.empty()) {
+    state.at = held(place_at(stages, time));
+    state.gone = stage_at(stages, time).gone;
+  }
   return state;
 }
 

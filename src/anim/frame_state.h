@@ -19,6 +19,7 @@ struct EntityState {
   double opacity = 1;
   std::optional<StateId> state;  ///< of its Markov chain
   std::uint32_t sub_state = 0;
+  bool gone = false;  ///< it has been removed: neither seen nor met
 };
 
 /// One frame: a function of (scene, frame) alone, so frame 17 by itself equals frame 17 of the run.

@@ -4,14 +4,10 @@
 
 #include "base/portable_math.h"
 #include "scene/curve.h"
+#include "scene/responses.h"
 
 namespace flatray {
 namespace {
-
-bool moves(const Group& group) {
-  return group.motion.any() || !group.velocity.isZero(0) || group.angular_velocity != 0 ||
-         group.scale_curve;
-}
 
 bool changes(const Stroke& stroke) { return stroke.width_curve || stroke.colour.curve != kNoEntry; }
 

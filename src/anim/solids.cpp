@@ -80,7 +80,8 @@ Solids::Solid Solids::solid(const Shape& shape, const Pose& place, const Surface
 Solids::Solids(const Scene& scene, const FrameState& state) {
   using Kind = SurfaceOwner::Kind;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (const std::optional<Material> material = scene.entities[i].material)
+    if (const std::optional<Material> material = scene.entities[i].material;
+        material && !state.entities[i].gone)
       obstacles_.push_back(solid(shape_of(scene, state.entities[i]), entity_pose(state, i),
                                  {Kind::entity, i, 0, kNoEdge, *material}));
   for (std::uint32_t i = 0; i < scene.chambers.size(); ++i) {

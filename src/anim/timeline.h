@@ -1,18 +1,19 @@
 #pragma once
+#include "anim/responses.h"
 #include "scene/scene.h"
 
 namespace flatray {
 
 /// A scene in motion. Kinematic scenes need nothing stored but Markov states: all up to the last
-/// frame, or where those are many every n-th, from which the frames between are replayed; contact
-/// responses will add piecewise motion here.
+/// frame, or where those are many every n-th, from which the frames between are replayed. Where
+/// entities respond to contact, collide/simulate.h has found out what follows.
 class Timeline {
  public:
   /// Needs   `scene` to outlive the timeline. `seed` replaces the scene's own where the command
   ///         line gives one.
   /// Cost    at most one draw for each frame and entity with a chain, and 32 bytes for each that is
   ///         kept: at most kMostKept and one for each entity.
-  Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame);
+  Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame, Responses responses = {});
 
   const Scene& scene() const { return *scene_; }
   std::uint64_t seed() const { return seed_; }
@@ -25,11 +26,19 @@ class Timeline {
   /// For entity `index` with a chain, at frame k in [1, last_frame]. Frame k has made
   /// floor((k-1)/hold) draws, draw s (from 0) named random_bits(seed, Stream::markov, s, index).
   /// The sub-states of a state follow in order, one a frame, round and round; they start over when
-  /// the state is entered from another one, so a transition to itself does not start them over.
+  /// the state is entered from another one, so a transition to itself does not start them over. A
+  /// hit puts it into MarkovUse::hit, at its first sub-state, after the draws of that frame.
   /// Cost    O(1); where more than kMostKept frames of entities were to be kept, draws as many as
   ///         frames since the one kept.
   MarkovFrame markov(std::uint32_t index, unsigned frame) const;
   static constexpr std::uint64_t kMostKept = std::uint64_t{1} << 21;
+
+  /// How an entity moves that responds to contact; empty for others.
+  std::span<const Stage> stages(std::uint32_t index) const {
+    return index < responses_.stages.size() ? std::span<const Stage>(responses_.stages[index])
+                                            : std::span<const Stage>();
+  }
+  std::span<const CollisionEvent> events() const { return responses_.events; }
 
   const Bounds& content() const { return content_; }  ///< of frame 1, for scenes without a window
 
@@ -37,7 +46,10 @@ class Timeline {
   const Scene* scene_;
   std::uint64_t seed_;
   unsigned last_frame_;
-  unsigned every_ = 1;                            ///< frames from one kept to the next
+  unsigned every_ = 1;  ///< frames from one kept to the next
+  Responses responses_;
+  /// By entity, frames after the first at which a hit shows, ascending; empty where none is asked for.
+  std::vector<std::vector<std::uint64_t>> hits_;
   std::vector<std::vector<MarkovFrame>> markov_;  ///< by entity, empty without a chain
   Bounds content_;
 };

@@ -97,6 +97,7 @@ World build_world(const Scene& scene, const FrameState& state, WorldOf of) {
   World world;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
     const std::optional<Material> material = scene.entities[i].material;
+    if (state.entities[i].gone) continue;
     if (material || of == WorldOf::everything)
       add_shape(world, shape_of(scene, state.entities[i]), entity_pose(state, i),
                 {Kind::entity, i, 0, kNoEdge, material.value_or(Material::absorb)});

@@ -9,6 +9,7 @@
 #include "app/option_values.h"
 #include "app/value.h"
 #include "base/file.h"
+#include "collide/scene_timeline.h"
 #include "scene/load.h"
 
 namespace flatray {
@@ -252,9 +253,10 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
                                     const std::string& backend, unsigned threads) {
   const auto renderer = open_backend(backend, {threads, 4});
   if (!renderer) return tl::unexpected(renderer.error());
-  const Timeline timeline(scene, row.seed, row.frame);
+  const auto timeline = make_timeline(scene, row.seed, row.frame);
+  if (!timeline) return tl::unexpected(timeline.error());
   GoldenPicture picture{{}, (*renderer)->description()};
-  const auto list = draw_list(make_plan(scene, false), timeline, row.frame);
+  const auto list = draw_list(make_plan(scene, false), *timeline, row.frame);
   if (!list) return tl::unexpected(list.error());
   auto drawn = (*renderer)->draw(*list, {std::nullopt, threads}, picture.image);
   if (!drawn) return fail(std::move(drawn));

@@ -94,6 +94,7 @@ const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t
 }
 
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity) {
+  if (state.entities[entity].gone) return {};
   const Shape& shape = shape_of(scene, state, entity);
   const Pose place = entity_pose(state, entity);
   std::vector<OutlineEdge> edges = outline(shape);
@@ -115,6 +116,7 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
 
 std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
                                    std::uint32_t entity, Range within) {
+  if (state.entities[entity].gone) return {};
   const Shape& shape = shape_of(scene, state, entity);
   const Pose place = entity_pose(state, entity);
   const std::string name = entity_name(scene, entity);

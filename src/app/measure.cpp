@@ -8,6 +8,7 @@
 #include "app/frame_encoder.h"
 #include "base/check.h"
 #include "base/processor_time.h"
+#include "collide/scene_timeline.h"
 
 namespace flatray {
 namespace {
@@ -69,7 +70,8 @@ Result<void> measure(const RenderJob& given, const Kept& kept, std::size_t round
   job.keep_all = given.keep_all || kept.painting;
   const double start = processor_seconds();
   const RenderPlan plan = plan_with(given, kept);
-  const Timeline timeline(job.scene, job.seed, job.last_frame);
+  auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return fail(std::move(timeline));
   FrameEncoder encoder(job, 1);
   out.files.clear();
   for (const unsigned frame : job.frames) {
@@ -77,7 +79,7 @@ Result<void> measure(const RenderJob& given, const Kept& kept, std::size_t round
       out.files.push_back(out.files.front());
       continue;
     }
-    Result<const Encoded*> picture = encoder.encode(plan, timeline, frame);
+    Result<const Encoded*> picture = encoder.encode(plan, *timeline, frame);
     if (!picture) return fail(std::move(picture));
     out.files.push_back((*picture)->record.bytes);
   }

@@ -22,6 +22,6 @@ Result<std::vector<Saving>> measured_savings(const RenderJob& job);
 /// The measure of the paper, walls looked at and hit over all walls, of the flights of the scene's
 /// rays in the first frame of a job; nothing without rays or walls. Of each ray the first 1000
 /// bounces count.
-std::vector<Saving> measured_walls(const RenderJob& job);
+Result<std::vector<Saving>> measured_walls(const RenderJob& job);
 
 }  // namespace flatray

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/measure.h"
+#include "collide/scene_timeline.h"
 #include "transport/orbit.h"
 
 namespace flatray {
@@ -21,11 +22,13 @@ struct WallTests {
 
 }  // namespace
 
-std::vector<Saving> measured_walls(const RenderJob& job) {
-  if (job.scene.rays.empty() || job.frames.empty()) return {};
-  const FrameState state = at(Timeline(job.scene, job.seed, job.last_frame), job.frames.front());
+Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
+  if (job.scene.rays.empty() || job.frames.empty()) return std::vector<Saving>();
+  const auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return tl::unexpected(timeline.error());
+  const FrameState state = at(*timeline, job.frames.front());
   const World world = build_world(job.scene, state);
-  if (world.surfaces.size() == 0) return {};
+  if (world.surfaces.size() == 0) return std::vector<Saving>();
   const auto walls = accelerate(world.surfaces);
   const std::vector<Material> materials = world.materials();
   WallTests tests;
@@ -44,12 +47,13 @@ std::vector<Saving> measured_walls(const RenderJob& job) {
     tests.hit += orbit.bounces.size() + (orbit.end == OrbitEnd::absorbed ? 1 : 0);
   }
   const auto all = static_cast<double>(world.surfaces.size() * tests.flights);
-  return {{"measured: walls tested",
-           fmt::format("{:.3g} a flight",
-                       static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),
-           fmt::format("{:.3g} % of {} walls tested and {:.3g} % hit in {} flights of rays",
-                       100 * static_cast<double>(tests.tested) / all, world.surfaces.size(),
-                       100 * static_cast<double>(tests.hit) / all, tests.flights)}};
+  return std::vector<Saving>{
+      {"measured: walls tested",
+       fmt::format("{:.3g} a flight",
+                   static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),
+       fmt::format("{:.3g} % of {} walls tested and {:.3g} % hit in {} flights of rays",
+                   100 * static_cast<double>(tests.tested) / all, world.surfaces.size(),
+                   100 * static_cast<double>(tests.hit) / all, tests.flights)}};
 }
 
 }  // namespace flatray

@@ -14,6 +14,7 @@
 #include "base/hash.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
+#include "collide/scene_timeline.h"
 
 namespace flatray {
 namespace {
@@ -42,18 +43,18 @@ std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
 class FrameMaker {
  public:
-  FrameMaker(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-             const std::function<void()>& done)
+  FrameMaker(const RenderJob& job, const Timeline& timeline, const std::vector<unsigned>& frames,
+             unsigned threads, const std::function<void()>& done)
       : job_(job),
         frames_(frames),
         spread_(spread(job, frames.size(), threads)),
         run_(run_length(frames.size(), spread_)),
         done_(done),
         plan_(make_plan(job.scene, job.keep_all, job.tracer)),
-        timeline_(job.scene, job.seed, job.last_frame),
+        timeline_(timeline),
         manifest_(job.manifest()),
         made_((frames.size() + run_ - 1) / run_) {
-    if (plan_.still && !frames.empty()) draw_still(threads);
+    if (plan_.still) draw_still(threads);
   }
 
   void make_all() {
@@ -151,7 +152,7 @@ class FrameMaker {
   const std::size_t run_;
   const std::function<void()>& done_;
   const RenderPlan plan_;
-  const Timeline timeline_;
+  const Timeline& timeline_;
   const fs::path manifest_;
   std::vector<Made> made_;
   std::optional<Encoded> still_;
@@ -269,10 +270,13 @@ std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept
 
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
                   const std::function<void()>& done) {
-  FrameMaker maker(job, frames, threads, done);
+  if (frames.empty()) return {};
+  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return {{}, {}, std::move(timeline).error()};
+  FrameMaker maker(job, *timeline, frames, threads, done);
   maker.make_all();
   JobResult result = maker.result();
-  if (job.output.has_frame() && result.problems.empty() && !frames.empty())
+  if (job.output.has_frame() && result.problems.empty())
     if (auto written = write_timings(job, result); !written)
       result.problems = std::move(written).error();
   return result;
@@ -281,9 +285,10 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
                                              unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
-  const Timeline timeline(job.scene, job.seed, job.last_frame);
+  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return fail(std::move(timeline));
   FrameEncoder encoder(job, threads);
-  Result<const Encoded*> made = encoder.encode(plan, timeline, frame);
+  Result<const Encoded*> made = encoder.encode(plan, *timeline, frame);
   if (!made) return fail(std::move(made));
   return (*made)->bytes;
 }

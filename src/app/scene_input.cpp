@@ -4,6 +4,7 @@
 #include "app/option_values.h"
 #include "app/report.h"
 #include "base/parallel.h"
+#include "collide/scene_timeline.h"
 
 namespace flatray {
 namespace {
@@ -88,7 +89,9 @@ Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene) {
   const auto seeded = seed(arguments, scene);
   if (!seeded) return tl::unexpected(seeded.error());
   const auto number = static_cast<unsigned>(*frame);
-  return at(Timeline(scene, *seeded, number), number);
+  const auto timeline = make_timeline(scene, *seeded, number);
+  if (!timeline) return tl::unexpected(timeline.error());
+  return at(*timeline, number);
 }
 
 Result<Scene> load_only_input(const Arguments& arguments) {

@@ -8,18 +8,10 @@
 #include <numbers>
 
 #include "collide/broad_phase.h"
+#include "scene/responses.h"
 
 namespace flatray {
 namespace {
-
-bool stands_still(const Scene& scene, std::optional<std::uint32_t> group) {
-  for (; group; group = scene.groups[*group].group) {
-    const Group& g = scene.groups[*group];
-    if (g.motion.any() || !g.velocity.isZero(0) || g.angular_velocity != 0 || g.scale_curve)
-      return false;
-  }
-  return true;
-}
 
 // Of what turns a box around all its angles.
 Bounds box_of(const MovingShape& moving) {

@@ -219,8 +219,4 @@ std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, 
   return parts_meet(box_of(a), a.velocity, box_of(b), b.velocity, within);
 }
 
-bool has_parts_left_out(const Shape& shape) {
-  return !shape.arc_paths.empty() || !shape.crossing_rings.empty();
-}
-
 }  // namespace flatray

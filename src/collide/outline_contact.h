@@ -61,7 +61,4 @@ std::vector<std::vector<MeetingPart>> pairs_meet(
 /// The same of the boxes around both shapes.
 std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
-/// Whether a shape has parts that shapes_meet leaves out.
-bool has_parts_left_out(const Shape& shape);
-
 }  // namespace flatray

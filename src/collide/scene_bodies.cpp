@@ -5,9 +5,10 @@
 #include <limits>
 #include <numbers>
 
-#include "collide/meetings.h"
+#include "anim/motion.h"
 #include "collide/simulate.h"
 #include "geom/polygon.h"
+#include "scene/responses.h"
 
 namespace flatray {
 namespace {
@@ -27,7 +28,7 @@ bool has_area(const std::vector<ShapePart>& parts) {
   });
 }
 
-// As large as the smallest normal number at least, where there is any area.
+// Where there is any area at least the smallest normal number, at most the largest.
 double area(const std::vector<ShapePart>& parts, double scale) {
   if (!has_area(parts)) return 0;
   double sum = 0;
@@ -37,7 +38,7 @@ double area(const std::vector<ShapePart>& parts, double scale) {
     for (const Vec2& p : part.ring) ring.emplace_back(scale * p);
     sum += ring_area(ring) + std::numbers::pi * radius * radius;
   }
-  return std::max(sum, std::numeric_limits<double>::min());
+  return std::clamp(sum, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
 }
 
 // Only the proportions of masses count, so where the areas would overflow or be lost lengths are
@@ -50,35 +51,48 @@ double scale_for(const std::vector<SimulatedBody>& bodies) {
   return std::abs(exponent) <= kUsual ? 1 : std::ldexp(1.0, -std::clamp(exponent, -kMost, kMost));
 }
 
+// A mass given in the file is one beside areas: these are then as they are.
+bool any_mass(const Scene& scene) {
+  return std::any_of(scene.entities.begin(), scene.entities.end(), [](const Entity& entity) {
+    return entity.mass.has_value() && *entity.mass < kInfinity;
+  });
+}
+
+Vec2 velocity_in_world(const Entity& entity, std::span<const GroupPose> groups) {
+  return entity.group ? groups[*entity.group].pose.turned(entity.velocity) : entity.velocity;
+}
+
 }  // namespace
 
 Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
+                                             std::optional<Response> response,
                                              std::span<const std::string> fixed) {
   const Scene& scene = timeline.scene();
   const std::vector<EntityState> states = entity_states(timeline, 1);
+  const std::vector<GroupPose> groups = group_poses(scene, 0);
   std::vector<SimulatedBody> bodies;
   Diagnostics problems;
   for (std::uint32_t i = 0; i < states.size(); ++i) {
     const Entity& entity = scene.entities[i];
-    const Shape& shape = shape_of(scene, states[i]);
-    const auto refuse = [&](const char* what) {
-      problems.push_back({entity.where, fmt::format("entity '{}' {}", entity.name, what),
+    bodies.push_back({{},
+                      states[i].at,
+                      velocity_in_world(entity, groups),
+                      1,
+                      response.value_or(response_of(scene, entity))});
+    if (bodies.back().response == Response::none) continue;
+    if (const auto why = hindrance(scene, entity))
+      problems.push_back({entity.where, fmt::format("entity '{}' {}", entity.name, why->what),
                           "responses are for entities that keep one velocity until they meet",
                           Trouble::invalid});
-    };
-    if (!keeps_velocity(scene, i))
-      refuse("turns, follows curves or states, or is in a group that moves");
-    if (has_parts_left_out(shape))
-      refuse("has curves or crossing outlines, which nothing can meet");
-    SimulatedBody body{parts_of(shape, pose({0, 0}, states[i].angle, states[i].scale)),
-                       states[i].at, entity.velocity, 1};
-    bodies.push_back(std::move(body));
+    bodies.back().parts =
+        parts_of(shape_of(scene, states[i]), pose({0, 0}, states[i].angle, states[i].scale));
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
-  const double scale = scale_for(bodies);
+  const double scale = any_mass(scene) ? 1 : scale_for(bodies);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    const bool held = std::find(fixed.begin(), fixed.end(), scene.entities[i].name) != fixed.end();
-    const double mass = area(bodies[i].parts, scale);
+    const Entity& entity = scene.entities[i];
+    const bool held = std::find(fixed.begin(), fixed.end(), entity.name) != fixed.end();
+    const double mass = entity.mass.value_or(area(bodies[i].parts, scale));
     bodies[i].mass = held || mass == 0 ? kInfinity : mass;
   }
   return bodies;

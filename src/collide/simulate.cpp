@@ -1,6 +1,7 @@
 #include "collide/simulate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <queue>
@@ -11,6 +12,10 @@ namespace flatray {
 namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+// What slides leaves at this part of the speed it came with: rounding of a normal and of velocities,
+// some 2^-51 of them, does not bring it back.
+constexpr double kSlideLeaves = 0x1p-40;
 
 // Two bodies will meet, if neither changes its way before; or, where that is not looked at yet, will
 // not meet before.
@@ -48,22 +53,24 @@ double radius_of(const SimulatedBody& body) {
 
 class Run {
  public:
-  Run(std::span<const SimulatedBody> bodies, Response response, double end)
-      : bodies_(bodies), response_(response), end_(end) {
-    for (const SimulatedBody& body : bodies) {
-      stages_.push_back({{0, body.at, body.velocity}});
-      radii_.push_back(radius_of(body));
+  Run(std::span<const SimulatedBody> bodies, double end) : bodies_(bodies), end_(end) {
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+      stages_.push_back({{0, bodies[i].at, bodies[i].velocity}});
+      radii_.push_back(radius_of(bodies[i]));
+      if (bodies[i].response != Response::none) responding_.push_back(i);
     }
-    for (std::uint32_t i = 0; i < bodies.size(); ++i)
-      for (std::uint32_t k = i + 1; k < bodies.size(); ++k) {
-        if (overlap(i, k)) left_alone_.insert({i, k});
-        foresee({i, k}, 0);
+    for (std::size_t i = 0; i < responding_.size(); ++i)
+      for (std::size_t k = i + 1; k < responding_.size(); ++k) {
+        const Pair pair{responding_[i], responding_[k]};
+        if (overlap(pair)) left_alone_.insert(pair);
+        foresee(pair, 0);
       }
   }
 
   Simulation run(std::size_t most_events) {
     Simulation done;
     done.overlaps = !left_alone_.empty();
+    std::vector<CollisionEvent>& events = done.events;
     std::size_t at_once = 0;
     while (!ahead_.empty()) {
       const Prospect next = ahead_.top();
@@ -74,15 +81,15 @@ class Run {
         look_closely(next);
         continue;
       }
-      at_once = !done.events.empty() && done.events.back().time == next.time ? at_once + 1 : 0;
+      at_once = !events.empty() && events.back().time == next.time ? at_once + 1 : 0;
       done.jammed = at_once > kJamEvents * bodies_.size();
-      if (done.jammed || done.events.size() == most_events) {
+      if (done.jammed || events.size() == most_events) {
         done.complete = false;
         break;
       }
       respond(next);
-      done.events.push_back({next.time, a, b, next.point, next.normal, stages_[a].back().velocity,
-                             stages_[b].back().velocity});
+      events.push_back({next.time, a, b, next.point, next.normal, stages_[a].back().velocity,
+                        stages_[b].back().velocity});
     }
     done.stages = std::move(stages_);
     return done;
@@ -90,6 +97,12 @@ class Run {
 
  private:
   bool is_fixed(std::uint32_t i) const { return bodies_[i].mass == kInfinity; }
+  // What nothing moves is a wall to all, whatever it would do itself, but for what needs no motion.
+  bool does(std::uint32_t i, Response response) const {
+    const bool of_all = response == Response::mark || response == Response::remove;
+    return bodies_[i].response == response && (of_all || !is_fixed(i));
+  }
+  bool is_gone(std::uint32_t i) const { return stages_[i].back().gone; }
   // From its last change on.
   Vec2 place(std::uint32_t i, double time) const {
     return flatray::place_at(std::span(stages_[i]).last(1), time);
@@ -115,13 +128,12 @@ class Run {
       }
   }
 
-  bool overlap(std::uint32_t i, std::uint32_t k) const {
+  bool overlap(const Pair& pair) const {
     bool found = false;
-    if (!discs_meet({i, k}, 0)) return false;
-    each_contact({i, k}, 0, {0, 0},
-                 [&](const RoundContact& met, const RoundBody&, const RoundBody&) {
-                   found |= met.times.start == StartPlace::inside;
-                 });
+    if (!discs_meet(pair, 0)) return false;
+    each_contact(pair, 0, {0, 0}, [&](const RoundContact& met, const RoundBody&, const RoundBody&) {
+      found |= met.times.start == StartPlace::inside;
+    });
     return found;
   }
 
@@ -168,7 +180,7 @@ class Run {
 
   void foresee(const Pair& pair, double time) {
     const auto [a, b] = pair;
-    if (is_fixed(a) && is_fixed(b)) return;
+    if ((is_fixed(a) && is_fixed(b)) || is_gone(a) || is_gone(b)) return;
     if (const auto wait = discs_meet(pair, time))
       ahead_.push({time + *wait, false, pair, static_cast<std::uint32_t>(stages_[a].size()),
                    static_cast<std::uint32_t>(stages_[b].size()), time});
@@ -186,53 +198,59 @@ class Run {
   }
 
   void respond(const Prospect& met) {
-    left_alone_.erase(met.pair);
-    if (response_ == Response::mark) return;
     const auto [a, b] = met.pair;
-    Vec2 va = stages_[a].back().velocity, vb = stages_[b].back().velocity;
-    if (response_ == Response::stop) {
-      const Vec2 together = is_fixed(a) ? va : is_fixed(b) ? vb : Vec2(0, 0);
-      va = vb = together;
+    const std::array before{stages_[a].size(), stages_[b].size()};
+    if (does(a, Response::mark) || does(b, Response::mark)) {
+      left_alone_.insert(met.pair);  // as long as they overlap it is one meeting
     } else {
-      const double inverse_a = 1 / bodies_[a].mass, inverse_b = 1 / bodies_[b].mass;
-      const double push = 2 * met.normal.dot(va - vb) / (inverse_a + inverse_b);
-      va -= push * inverse_a * met.normal;
-      vb += push * inverse_b * met.normal;
+      left_alone_.erase(met.pair);
+      const auto [va, vb] = velocities_after(met);
+      if (!is_fixed(a)) change(a, {met.time, place(a, met.time), va});
+      if (!is_fixed(b)) change(b, {met.time, place(b, met.time), vb});
     }
-    if (!is_fixed(a)) change(a, met.time, va);
-    if (!is_fixed(b)) change(b, met.time, vb);
+    for (const std::uint32_t i : {a, b})
+      if (does(i, Response::remove)) change(i, {met.time, place(i, met.time), {0, 0}, true});
     for (const std::uint32_t i : {a, b}) {
-      if (is_fixed(i)) continue;
-      for (std::uint32_t k = 0; k < bodies_.size(); ++k)
+      if (stages_[i].size() == before[i == a ? 0 : 1] || is_gone(i)) continue;
+      for (const std::uint32_t k : responding_)
         if (k != i && !(i == b && k == a && !is_fixed(a))) foresee(std::minmax(i, k), met.time);
     }
   }
 
-  void change(std::uint32_t i, double time, const Vec2& velocity) {
-    stages_[i].push_back({time, place(i, time), velocity});
+  std::pair<Vec2, Vec2> velocities_after(const Prospect& met) const {
+    const auto [a, b] = met.pair;
+    Vec2 va = stages_[a].back().velocity, vb = stages_[b].back().velocity;
+    const bool stops_a = does(a, Response::stop), stops_b = does(b, Response::stop);
+    const Vec2 together = is_fixed(a) ? va : is_fixed(b) ? vb : Vec2(0, 0);
+    if (stops_a) va = together;
+    if (stops_b) vb = together;
+    const bool wall_a = stops_a || does(a, Response::remove),
+               wall_b = stops_b || does(b, Response::remove);
+    const double inverse_a = wall_a ? 0 : 1 / bodies_[a].mass,
+                 inverse_b = wall_b ? 0 : 1 / bodies_[b].mass;
+    const bool slides = does(a, Response::slide) || does(b, Response::slide);
+    const double speed = met.normal.dot(va - vb);
+    const bool parts = (stops_a || stops_b) && !(speed > 0);  // as the one has stopped
+    if (parts || inverse_a + inverse_b == 0) return {va, vb};
+    const double push = (1 + (slides ? kSlideLeaves : 1)) * speed / (inverse_a + inverse_b);
+    return {va - push * inverse_a * met.normal, vb + push * inverse_b * met.normal};
   }
 
+  void change(std::uint32_t i, const Stage& stage) { stages_[i].push_back(stage); }
+
   const std::span<const SimulatedBody> bodies_;
-  const Response response_;
   const double end_;
   std::vector<std::vector<Stage>> stages_;
   std::vector<double> radii_;
+  std::vector<std::uint32_t> responding_;
   std::set<Pair> left_alone_;
   std::priority_queue<Prospect> ahead_;
 };
 
 }  // namespace
 
-Simulation simulate(std::span<const SimulatedBody> bodies, Response response, double end,
-                    std::size_t most_events) {
-  return Run(bodies, response, end).run(most_events);
-}
-
-Vec2 place_at(std::span<const Stage> stages, double time) {
-  const auto after = std::upper_bound(stages.begin(), stages.end(), time,
-                                      [](double t, const Stage& s) { return t < s.from; });
-  const Stage& stage = after == stages.begin() ? stages.front() : *(after - 1);
-  return stage.at + (time - stage.from) * stage.velocity;
+Simulation simulate(std::span<const SimulatedBody> bodies, double end, std::size_t most_events) {
+  return Run(bodies, end).run(most_events);
 }
 
 }  // namespace flatray

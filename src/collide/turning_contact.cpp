@@ -15,6 +15,8 @@ using Verdict = TurningContact::Verdict;
 // Of each number some twenty roundings of what its terms add up to, sines and cosines of 1 ulp and
 // angles of some ulps: docs/NUMERICS.md.
 constexpr double kRoundings = 0x1p-47, kLeast = 0x1p-900;
+// Radians from which on the disc in which a body turns is looked at.
+constexpr double kManyTurns = 64;
 constexpr double kUp = 1 + 0x1p-40, kDown = 1 - 0x1p-40;
 
 double dot(const Vec2& p, const Vec2& q) { return p.x() * q.x() + p.y() * q.y(); }
@@ -98,8 +100,17 @@ class TurningPair {
   double scale() const { return scale_; }
 
  private:
-  double positive_for(double gap, double slope, double curve) const;
+  // What a gap and its slope are off by, and how its slope may change.
+  struct Bounds {
+    double gap_error, slope_error, curve;
+  };
+  Bounds disc_bounds(const Placed& frame, double size, double farthest, double speed) const;
+  double positive_for(double gap, double slope, const Bounds& bounds) const;
+  double positive_for(double gap, double slope, double curve) const {
+    return positive_for(gap, slope, {gap_error_, slope_error_, curve});
+  }
   double apart_by_centres() const;
+  double apart_by_disc(const Placed& frame, const Placed& other, const Bounds& bounds) const;
   double apart_by_edges(const Placed& frame, const Placed& other, double curve,
                         double at_least) const;
   double apart_by_vertices() const;
@@ -113,6 +124,7 @@ class TurningPair {
   const Vec2 apart_, way_;
   const double radii_;
   double gap_error_, slope_error_, curve_a_, curve_b_, curve_still_;
+  Bounds disc_of_b_, disc_of_a_;  ///< seen from the other
 };
 
 TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double length, bool backwards)
@@ -137,11 +149,22 @@ TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double leng
   curve_a_ = curve(a_, b_);
   curve_b_ = curve(b_, a_);
   curve_still_ = kUp * (a.spin * a.spin * a_.reach + b.spin * b.spin * b_.reach);
+  disc_of_b_ = disc_bounds(a_, size, farthest, speed);
+  disc_of_a_ = disc_bounds(b_, size, farthest, speed);
+}
+
+// How often the other turns does not matter to the disc about it.
+TurningPair::Bounds TurningPair::disc_bounds(const Placed& frame, double size, double farthest,
+                                             double speed) const {
+  const double w = std::fabs(frame.spin), turns = 1 + frame.widest_angle(length_);
+  return {kRoundings * turns * size + kLeast, kRoundings * turns * (speed + w * size) + kLeast,
+          kUp * (w * w * farthest + 2 * w * speed)};
 }
 
 // How long gap + slope t - curve t^2 / 2 certainly stays positive.
-double TurningPair::positive_for(double gap, double slope, double curve) const {
-  const double least = gap - gap_error_, rise = (backwards_ ? -slope : slope) - slope_error_;
+double TurningPair::positive_for(double gap, double slope, const Bounds& bounds) const {
+  const auto& [gap_error, slope_error, curve] = bounds;
+  const double least = gap - gap_error, rise = (backwards_ ? -slope : slope) - slope_error;
   if (!(least > 0)) return 0;
   const double root = std::sqrt(rise * rise + 2 * curve * least);
   if (rise < 0) return kDown * (2 * least / (root - rise));
@@ -155,6 +178,21 @@ double TurningPair::apart_by_centres() const {
   if (!(distance > 0)) return 0;
   return positive_for(distance - kUp * (a_.reach + b_.reach + radii_), dot(from, way_) / distance,
                       0);
+}
+
+// The gap between an edge of `frame` and the disc in which the other turns.
+double TurningPair::apart_by_disc(const Placed& frame, const Placed& other,
+                                  const Bounds& bounds) const {
+  double best = 0;
+  for (std::size_t i = 0; i < frame.normals.size(); ++i) {
+    const Vec2& normal = frame.normals[i];
+    const double gap = dot(normal, other.centre - frame.points[i]) - (radii_ + kUp * other.reach);
+    if (gap > bounds.gap_error)
+      best = std::max(
+          best,
+          positive_for(gap, dot(normal, other.velocity - frame.carries(other.centre)), bounds));
+  }
+  return best;
 }
 
 // The gaps between edges of `frame` and the other body, as seen by who turns with `frame`. More than
@@ -201,6 +239,10 @@ double TurningPair::apart_by_vertices() const {
 
 double TurningPair::apart_for(double enough) const {
   double best = apart_by_centres();
+  if (best < enough && std::fabs(b_.spin) * length_ > kManyTurns)
+    best = std::max(best, apart_by_disc(a_, b_, disc_of_b_));
+  if (best < enough && std::fabs(a_.spin) * length_ > kManyTurns)
+    best = std::max(best, apart_by_disc(b_, a_, disc_of_a_));
   if (best < enough) best = std::max(best, apart_by_edges(a_, b_, curve_a_, best));
   if (best < enough) best = std::max(best, apart_by_edges(b_, a_, curve_b_, best));
   const bool edges_tell = radii_ == 0 && std::max(a_.points.size(), b_.points.size()) > 2;

@@ -8,7 +8,7 @@ Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, uns
   const Film& film = timeline.scene().film;
   const Colour& background = film.background;
   const FrameState state = at(timeline, frame);
-  DrawContext context(timeline.scene(), state, plan.tracer);
+  DrawContext context(timeline, state, plan.tracer);
   for (const Pass* pass : plan.passes) pass->draw(context);
   Result<std::vector<DrawItem>> items = std::move(context).sorted_items();
   if (!items) return fail(std::move(items));

@@ -38,12 +38,13 @@ std::uint64_t corner_count(std::span<const Region> regions) {
 
 }  // namespace
 
-DrawContext::DrawContext(const Scene& scene_, const FrameState& state_, const Tracer* tracer_)
-    : scene(scene_),
+DrawContext::DrawContext(const Timeline& timeline_, const FrameState& state_, const Tracer* tracer_)
+    : timeline(timeline_),
+      scene(timeline_.scene()),
       state(state_),
       tracer(tracer_),
-      film_from_world(scene_.film, state_),
-      corners_{scene_.max_corners} {}
+      film_from_world(scene.film, state_),
+      corners_{scene.max_corners} {}
 
 const World& DrawContext::world() {
   if (!world_) world_ = build_world(scene, state);

@@ -23,8 +23,9 @@ inline Need skip(std::string reason) { return {false, std::move(reason)}; }
 /// file.
 class DrawContext {
  public:
-  DrawContext(const Scene& scene, const FrameState& state, const Tracer* tracer);
+  DrawContext(const Timeline& timeline, const FrameState& state, const Tracer* tracer);
 
+  const Timeline& timeline;
   const Scene& scene;
   const FrameState& state;
   const Tracer* const tracer;  ///< of rays; null: the one of choice

@@ -1,8 +1,27 @@
 #include "render/plan.h"
 
+#include <fmt/core.h>
+
+#include <map>
+
 #include "anim/motion.h"
+#include "scene/responses.h"
 
 namespace flatray {
+namespace {
+
+// How many entities do what where they meet another: "100 bounce, 4 mark"; "" for none.
+std::string responses_of(const Scene& scene) {
+  std::map<Response, std::size_t> counts;
+  for (const Entity& entity : scene.entities) ++counts[response_of(scene, entity)];
+  std::string text;
+  for (const auto& [response, count] : counts)
+    if (response != Response::none)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(response));
+  return text;
+}
+
+}  // namespace
 
 RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer) {
   RenderPlan plan;
@@ -14,6 +33,9 @@ RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer) {
                             need.needed ? "kept" : (keep_all ? "kept (asked)" : "left out"),
                             need.reason});
   }
+  const std::string responses = responses_of(scene);
+  plan.choices.push_back({"responses", responses.empty() ? "left out" : "simulated once",
+                          responses.empty() ? "nothing responds to contact" : responses});
   const std::string motion = reason_to_move(scene);
   plan.still = motion.empty() && !keep_all;
   plan.choices.push_back({"frames", plan.still ? "drawn once" : "each drawn",

@@ -54,6 +54,7 @@ constexpr Key<Scene> kSceneKeys[] = {
     {{"seed", "whole number", "0"}, &read_seed},
     {{"markov", "[markov.NAME]", "{}"}, &read_chains},
     {{"group", "[[group]]", "[]"}, &read_groups},
+    {{"collisions", "{ ... }", "{}"}, &read_collisions},
     {{"entity", "[[entity]]", "[]"}, &read_entities},
     {{"chamber", "[[chamber]]", "[]"}, &read_chambers},
     {{"ray", "[[ray]]", "[]"}, &read_rays},
@@ -107,7 +108,7 @@ std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
   for (auto* tables :
        {&film_tables, &group_tables, &entity_tables, &look_tables, &curve_tables, &motion_tables,
-        &repeat_tables, &chamber_tables, &ray_tables, &markov_tables})
+        &repeat_tables, &collision_tables, &chamber_tables, &ray_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

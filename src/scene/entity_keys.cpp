@@ -1,3 +1,4 @@
+#include "scene/collision_keys.h"
 #include "scene/copies.h"
 #include "scene/corner_limit.h"
 #include "scene/look_keys.h"
@@ -68,9 +69,16 @@ void read_start(Builder& builder, const Field& field, MarkovWords& words) {
     words.use.start = *state;
 }
 
+void read_hit(Builder& builder, const Field& field, MarkovWords& words) {
+  const auto name = builder.in.string(field);
+  if (!name || words.chain == nullptr) return;
+  words.use.hit = find_state(builder, *words.chain, field.value.where, *name);
+}
+
 constexpr Key<MarkovWords> kMarkovKeys[] = {
     {{"chain", "\"CHAIN\"", kRequired}, &read_chain},
     {{"start", "\"STATE\"", "the chain's first row"}, &read_start},
+    {{"hit", "\"STATE\"", "none"}, &read_hit},
 };
 
 void read_markov(Builder& builder, const Field& field, Entity& entity) {
@@ -130,6 +138,8 @@ constexpr Key<Entity> kEntityKeys[] = {
     {{"opacity", "number or a curve", "1"}, &read_moving_opacity},
     kLayerKey<Entity>,
     material_key<Entity>("none: rays pass"),
+    response_key<Entity>("that of collisions"),
+    {{"mass", "number or \"fixed\"", "its area"}, &read_mass},
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
     {{"states", "{ STATE = { ... } or [{ ... }, ...] }", "{}"}, &read_states},
     kFollowKey<Entity>,
@@ -165,6 +175,7 @@ void read_entity(Builder& builder, const Value& table) {
   const Scene& scene = builder.scene;
   const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
     if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
+    refuse_hindered(builder, entity, table);
     dress(scene, table, entity);
     entity.order = draw_order(builder, table.where, copy);
     if (entity.group) entity.layer += scene.groups[*entity.group].layer;

@@ -144,6 +144,7 @@ struct MarkovChain {
 struct MarkovUse {
   std::uint32_t chain = 0;  ///< index into Scene::chains
   StateId start = 0;
+  std::optional<StateId> hit;  ///< state it is in from the first frame after it met another
   std::vector<std::vector<Look>>
       looks;  ///< by StateId: its sub-states in order, one a frame; may be empty
 };
@@ -192,6 +193,16 @@ struct Group {
   Place where;
 };
 
+/// What a body does that meets another.
+enum class Response : std::uint8_t {
+  none,    ///< nothing: it meets none
+  mark,    ///< goes on, and so does who meets it; of each pair the first meeting is told
+  stop,    ///< stands still from then on, or goes with the one that nothing moves
+  bounce,  ///< elastically, without friction and turning
+  slide,   ///< keeps its velocity along the contact, not the one against it
+  remove   ///< goes, and is a wall to who meets it
+};
+
 struct Entity {
   std::string name;
   ShapeId shape = 0;
@@ -209,6 +220,8 @@ struct Entity {
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   std::optional<MarkovUse> markov;
+  std::optional<Response> response;  ///< unset: that of Scene::collisions
+  std::optional<double> mass;        ///< infinite: nothing moves it; unset: its area
   Place where;
   std::uint64_t order = 0;  ///< of drawing within a layer
 };
@@ -277,6 +290,20 @@ struct EdgeRays {
   std::uint64_t order = 0;
 };
 
+/// What follows where entities meet.
+struct Collisions {
+  Response response = Response::none;  ///< of entities that do not say
+  std::uint64_t most = 1'000'000;      ///< events
+  std::optional<Colour> points;        ///< marks where they met
+  std::optional<Stroke> normals;       ///< of lines along the normals
+  std::optional<Stroke> ghosts;        ///< outlines of both at the instant they met
+  std::optional<Stroke> time_bar;      ///< all events of the scene, and the time of the frame
+  std::optional<double> shown;         ///< seconds until what is drawn of an event has faded
+  int layer = 1;
+  Place where;
+  std::uint64_t order = 0;
+};
+
 /// How the window moves (the paper's Figure 3). `frame_origin` moves the window; `objects` moves
 /// everything else the other way and must give the same picture.
 enum class CameraMotion { frame_origin, objects };
@@ -321,6 +348,7 @@ struct Scene {
   std::vector<Chamber> chambers;
   std::vector<RayPath> rays;
   std::vector<EdgeRays> edge_rays;
+  std::optional<Collisions> collisions;
   std::vector<MarkovChain> chains;
   std::uint64_t hash = 0;  ///< of the source text, its imports and overrides
 };

@@ -13,6 +13,9 @@ std::vector<TableInfo> film_tables();
 void read_groups(Builder& builder, const Field& field, Scene& scene);
 std::vector<TableInfo> group_tables();
 
+void read_collisions(Builder& builder, const Field& field, Scene& scene);
+std::vector<TableInfo> collision_tables();
+
 void read_entities(Builder& builder, const Field& field, Scene& scene);
 std::vector<TableInfo> entity_tables();
 

@@ -11,6 +11,7 @@
 #include "collide/meetings.h"
 #include "collide/outline_contact.h"
 #include "oracle/contact.h"
+#include "scene/responses.h"
 
 namespace flatray {
 namespace {

@@ -109,7 +109,7 @@ TEST(Camera, FollowingKeepsTheRunnersPlaceOnTheFilm) {
   scene.seed = 5;
   const std::uint32_t runner = add_box(scene, {4, 1}, {12, 0.5});
   scene.chains.push_back(runner_chain());
-  scene.entities[runner].markov = MarkovUse{0, 0, {}};
+  scene.entities[runner].markov = MarkovUse{0, 0, std::nullopt, {}};
   scene.camera.follow = runner;
   scene.camera.offset = {2, 3};
   const Timeline timeline(scene, scene.seed, 40);

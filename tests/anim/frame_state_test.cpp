@@ -32,7 +32,7 @@ TEST(FrameState, ALookChangesOnlyWhatItSets) {
   big.shape = 1;
   Look red;
   red.fill = Colour{255, 0, 0, 255};
-  entity.markov = MarkovUse{0, 0, {{big}, {red}}};
+  entity.markov = MarkovUse{0, 0, std::nullopt, {{big}, {red}}};
   const Timeline timeline(scene, 0, 2);
   const EntityState first = at(timeline, 1).entities[0], second = at(timeline, 2).entities[0];
   EXPECT_EQ(first.shape, 1U);

@@ -15,7 +15,7 @@ Scene with_chain(MarkovChain chain, std::vector<std::vector<Look>> looks = {}) {
   Scene scene = small_scene();
   add_box(scene, {4, 1}, {12, 0});
   scene.chains.push_back(std::move(chain));
-  scene.entities[0].markov = MarkovUse{0, 0, std::move(looks)};
+  scene.entities[0].markov = MarkovUse{0, 0, std::nullopt, std::move(looks)};
   return scene;
 }
 

@@ -3,13 +3,23 @@
 # needs: shapes/box shapes/circle shapes/polygon shapes/segment shapes/import formats/obj formats/list
 source "$(dirname "$0")/lib.sh"
 scenes=$root/scenes/collision
-run 0 collide "$scenes/cradle.toml" --response bounce --fixed wall --csv
+for how in '' '--response bounce --fixed wall'; do
+  # shellcheck disable=SC2086
+  run 0 collide "$scenes/cradle.toml" $how --csv
+  (($(wc -l < out.txt) == 4)) || fail "three events of the cradle $how"
+done
 says out "first,second,1,11,"
 says out "second,third,1,11,"
 says out "third,wall,"
 run 2 collide "$scenes/cradle.toml" --response bounce --fixed wal
 says err "did you mean 'wall'?"
 run 2 collide "$scenes/cradle.toml" --response bouncy
+run 0 collide "$scenes/cradle.toml" --csv -D collisions.response='"stop"'
+(($(wc -l < out.txt) == 2)) || fail "what stops meets no other"
+run 0 collide "$scenes/cradle.toml" --csv --response none
+says out "first,third,through,"
+run 0 collide "$scenes/cradle.toml" --csv --method minkowski
+says out "first,third,through,"
 run 4 collide "$root/scenes/markov/runner.toml" --response stop
 says err "keep one velocity"
 run 0 collide "$scenes/bullet.toml" --csv
@@ -43,6 +53,36 @@ run 0 collide growing.toml --method edge-rays --csv
 says out "grows,waits,"
 run 0 hit growing.toml --ray 2.5,0.5,1,0 --against grows -f 2
 says out "inside"
+run 0 explain "$scenes/gas.toml"
+says out "104 bounce"
+run 0 explain "$root/scenes/demo.toml"
+says out "nothing responds to contact"
+
+# Frames of what responds: the same bytes for any threads, shards, resumed, with all kept, and alone.
+for name in impact responses; do
+  at=$scenes/$name.toml
+  run 0 render "$at" -o "$name-one/f_####.png" -j 1
+  for j in 2 7; do
+    run 0 render "$at" -o "$name-$j/f_####.png" -j "$j"
+    same "$name-one" "$name-$j" "$name -j $j"
+  done
+  for i in 2 0 1; do run 0 render "$at" --shard $i/3 -o "$name-shards/f_####.png"; done
+  same "$name-one" "$name-shards" "$name in shards"
+  rm "$name-2/"f_00{05,17}.png
+  run 0 render "$at" -o "$name-2/f_####.png" --resume
+  same "$name-one" "$name-2" "$name resumed"
+  run 0 render "$at" -o "$name-keep/f_####.png" --keep-all
+  same "$name-one" "$name-keep" "$name with all kept"
+  for frame in 1 13 29; do
+    run 0 render "$at" -f $frame -o "$name-alone/f_####.png"
+    file=f_00$(printf %02d $frame).png
+    cmp -s "$name-alone/$file" "$name-one/$file" || fail "frame $frame of $name alone differs"
+  done
+done
+printf 'flatray = 1\n[collisions]\nresponse = "bounce"\n[[entity]]\nname = "top"\nshape = { circle = { radius = 1 } }\nangular_velocity = 9\n' > top.toml
+run 4 check top.toml
+says err "top.toml:7:20: error: entity 'top' turns, so it cannot respond to contact"
+run 4 render top.toml -o top.png
 run 0 experiment avoidance "$scenes/methods.toml" -o map
 exists map/avoidance.png map/avoidance.csv map/avoidance_times.csv
 run 0 experiment avoidance "$scenes/methods.toml" -o one -j 1

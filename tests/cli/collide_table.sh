@@ -11,6 +11,17 @@ run 0 collide "$case_two" --csv --last 9
 (($(wc -l < out.txt) == 1)) || fail "they do not meet before frame 10"
 run 0 collide "$case_two" --json
 says out '"class":"through"'
+run 0 collide "$case_two" --csv -f 1..8
+(($(wc -l < out.txt) == 1)) || fail "they meet while frame 9 is shown"
+run 0 collide "$case_two" --csv -f 9
+says out "box_2,box_1,through,8.992125984251969,"
+run 0 collide "$root/scenes/collision/cradle.toml" --csv -f 11
+(($(wc -l < out.txt) == 3)) || fail "two events in frame 11"
+run 2 collide "$case_two" --last 9 -f 9
+run 2 collide "$case_two" -f 0
+run 0 collide "$case_two" --table --json
+says out '"numer":-47580'
+says out '"t_last":1.1007874015748031'
 run 2 collide "$case_two" --last 99
 says err "--last"
 finish

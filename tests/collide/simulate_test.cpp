@@ -21,6 +21,14 @@ SimulatedBody box(const Vec2& at, const Vec2& half, const Vec2& velocity, double
   return {{{{-half, {half.x(), -half.y()}, half, {-half.x(), half.y()}}, 0}}, at, velocity, mass};
 }
 
+// All respond alike.
+Simulation simulate(std::span<const SimulatedBody> bodies, Response response, double end,
+                    std::size_t most_events = 1'000'000) {
+  std::vector<SimulatedBody> all(bodies.begin(), bodies.end());
+  for (SimulatedBody& body : all) body.response = response;
+  return flatray::simulate(all, end, most_events);
+}
+
 TEST(Simulate, EqualDiscsExchangeTheirVelocities) {
   const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), disc({6, 0}, 1, {-1, 0})};
   const Simulation done = simulate(bodies, Response::bounce, 10);
@@ -170,7 +178,7 @@ TEST(Simulate, TheSameAtAnyScale) {
         "[[entity]]\nname = \"c\"\nshape = { box = { min = [" +
         n(-1) + ", " + n(-1) + "], max = [" + n(1) + ", " + n(1) + "] } }\nat = [" + n(3) + ", " +
         n(2.5) + "]\n");
-    return simulate(*bodies_of(Timeline(scene, 0, 12), {}), Response::bounce, 11);
+    return flatray::simulate(*bodies_of(Timeline(scene, 0, 12), Response::bounce, {}), 11);
   };
   const Simulation one = done_at(0);
   ASSERT_EQ(one.events.size(), 2U);
@@ -186,6 +194,61 @@ TEST(Simulate, TheSameAtAnyScale) {
       EXPECT_NEAR((velocity - one.events[i].velocity_b).norm(), 0, 1e-13);
     }
   }
+}
+
+// Tangent of a slope of 3-4-5: the velocity along it stays, and the one against it goes.
+TEST(Simulate, WhatSlidesKeepsItsVelocityAlongTheContact) {
+  const SimulatedBody slope{{{{{0, 0}, {8, 0}, {8, 6}}, 0}}, {0, 0}, {0, 0}, kInfinity};
+  const SimulatedBody bodies[] = {slope, disc({4, 8}, 1, {0, -5})};
+  const Simulation done = simulate(bodies, Response::slide, 1);
+  ASSERT_EQ(done.events.size(), 1U);
+  EXPECT_EQ(done.events[0].time, (8 - 3 - 1.25) / 5);
+  const Vec2 along(0.8, 0.6), across(-0.6, 0.8), after = done.events[0].velocity_b;
+  EXPECT_NEAR(after.dot(along), -3, 1e-14);
+  EXPECT_NEAR(after.dot(across), 0, 4 * 0x1p-39);
+  EXPECT_GT(after.dot(across), 0);
+}
+
+TEST(Simulate, TwoThatSlideKeepMomentumAndGoOnTogetherAlongTheNormal) {
+  const SimulatedBody bodies[] = {box({0, 0}, {1, 1}, {3, 0.25}, 1),
+                                  box({5, 0}, {1, 1}, {0, -0.25}, 2)};
+  const Simulation done = simulate(bodies, Response::slide, 10);
+  ASSERT_EQ(done.events.size(), 1U);
+  EXPECT_NEAR(done.events[0].velocity_a.x(), 1, 1e-11);
+  EXPECT_NEAR(done.events[0].velocity_b.x(), 1, 1e-11);
+  EXPECT_EQ(done.events[0].velocity_a.y(), 0.25);
+  EXPECT_EQ(done.events[0].velocity_b.y(), -0.25);
+  EXPECT_NEAR(done.events[0].velocity_a.x() + 2 * done.events[0].velocity_b.x(), 3, 1e-15);
+}
+
+// From wall to wall of an acute corner it loses all its speed by a factor at a time: some hundred events.
+TEST(Simulate, WhatSlidesIntoACornerIsNotJammed) {
+  for (std::uint64_t item = 0; item < 200; ++item) {
+    Draw draw(11, 3, item);
+    const double tilt = draw.unit() - 0.5, vx = 1 + 9 * draw.unit(), vy = -1 - 9 * draw.unit();
+    const SimulatedBody floor{
+        {{{{-50, -1}, {50, -1}, {50, 0}, {-50, 0}}, 0}}, {0, 0}, {0, 0}, kInfinity};
+    const SimulatedBody wall{{{{{0, -50}, {9, -50}, {9 + 50 * tilt, 50}, {50 * tilt, 50}}, 0}},
+                             {10, 0},
+                             {0, 0},
+                             kInfinity};
+    const SimulatedBody bodies[] = {floor, wall, box({-20, 10}, {1, 0.7}, {vx, vy}, 1)};
+    const Simulation done = simulate(bodies, Response::slide, 1000, 1000);
+    EXPECT_TRUE(done.complete) << item;
+    EXPECT_GE(done.stages[2].back().at.y(), 0.7 - 1e-12) << item;
+  }
+}
+
+TEST(Simulate, WhatIsRemovedIsAWallToWhoMeetsItAndThenGone) {
+  SimulatedBody brick = box({5, 0}, {1, 1}, {0, 0}, 1);
+  brick.response = Response::remove;
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), brick, disc({10, 0}, 1, {-1, 0})};
+  const Simulation done = flatray::simulate(bodies, 20);
+  ASSERT_EQ(done.events.size(), 1U);  // the third flies through where it was, behind the first
+  EXPECT_EQ(done.events[0].velocity_a, Vec2(-1, 0));
+  EXPECT_FALSE(stage_at(done.stages[1], 2.5).gone);
+  EXPECT_TRUE(stage_at(done.stages[1], 3).gone);
+  EXPECT_EQ(place_at(done.stages[1], 9), Vec2(5, 0));
 }
 
 }  // namespace

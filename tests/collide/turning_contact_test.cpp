@@ -121,5 +121,19 @@ TEST(TurningContact, SaysWhatItCannotTell) {
   EXPECT_EQ(turning_contact(passes, rests, 1, kWidth).verdict, Verdict::apart);
 }
 
+// Discs about both overlap, the one in which the rod turns and the wall do not.
+TEST(TurningContact, WhatSpinsFasterThanCanBeFollowedIsKnownToMissBesideAWall) {
+  const std::vector<Vec2> rod{{-1, 0}, {1, 0}}, wall{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
+  for (const double spin : {1e3, 1e7, 1e9, 1e12}) {
+    const TurningBody fast{rod, 0, {-5, 1.25}, {10, 0}, 0.5, spin}, still{wall};
+    EXPECT_EQ(turning_contact(fast, still, 1, 0x1p-40).verdict, TurningContact::Verdict::apart);
+    EXPECT_EQ(turning_contact(still, fast, 1, 0x1p-40).verdict, TurningContact::Verdict::apart);
+    EXPECT_EQ(turning_contact(still, fast, 1, 0x1p-40, true).verdict,
+              TurningContact::Verdict::apart);
+    const TurningBody low{rod, 0, {-5, 0.75}, {10, 0}, 0.5, spin};
+    EXPECT_NE(turning_contact(low, still, 1, 0x1p-40).verdict, TurningContact::Verdict::apart);
+  }
+}
+
 }  // namespace
 }  // namespace flatray

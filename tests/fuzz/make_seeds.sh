@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 rm -rf seeds
-mkdir -p seeds/{toml,obj,list,png,override,render}
+mkdir -p seeds/{toml,obj,list,hill,png,override,render,query}
 
 repeat() { printf "%.0s$1" $(seq "$2"); }
 seed() { cat > "seeds/$1"; }
@@ -35,6 +35,28 @@ printf "$entity"'shape = { sector = { radius = 3, inner = 1, from = 0, to = 360 
 printf 'flatray = 1\nfilm = { coverage = "centre" }\n[[chamber]]\nshape = { box = { min = [0, 0], max = [9, 5] } }\nopacity = 0.4\npillars = [{ shape = { circle = { radius = 1 } }, at = [4, 2] }]\n[[ray]]\nat = [1, 1]\ndirection = [3, 1]\nbounces = 9\nhit_points = "#000000"\n' | seed render/chamber
 printf 'flatray = 1\nframes = 2\n[[group]]\nname = "g"\nangular_velocity = 90\n[[entity]]\ngroup = "g"\nat = [3, 0]\nshape = { text = { string = "ab", size = 2 } }\nbounding_box = { width = 0.1 }\n[[entity]]\nshape = { polygon = { points = [[0, 0], [4, 4], [4, 0], [0, 4]], fill_rule = "even-odd" } }\n' | seed render/group
 
+# A find: edge rays of an entity whose shape is wrong.
+seed render/edge_rays <<'END'
+# The paper's case I, block a: one ray against one polygon. The inside part is drawn thick.
+# The ray runs from (1,2) to ([5, 5]] } }
+fill   = "#b9dfb4"
+stroke = { width_px = 1.5, colour = "#2c7a3f" }
+bounding_box = { width_px = 1, colour = "#2c7a3f66" }
+
+[[entity]]
+name   = "ray"
+shape  = { segment = { from = [1, 2], ti = [23, 12] } }
+stroke = { width_px = 1, colour = "#2f5fb3" }
+
+[[edge_rays]]
+from    = "ray"
+against = "polygon"
+stroke  = { width_px = 1.25, colour = "#2f5fb3" }
+inside  = "#1d3f80"
+enter   = "#1e9e4a"
+exit    = "#d62728"
+END
+
 square='v 0 0\nv 4 0\nv 4 4\nv 0 4\n'
 printf "${square}f 1 2 3 4\n" | seed obj/square
 printf "${square}f -4/1/1 -3//2 -2/3 \\\\\r\n -1\nl 1 2 3" | seed obj/backwards
@@ -45,6 +67,17 @@ printf '\xef\xbb\xbfv 0 0\x00\r\nv \xff\xfe 1\r\n' | seed obj/bytes
 printf 'SPIDER, 200,200\nBAT, 1.5, -2e1\n# end\n' | seed list/two
 printf '{ SPIDER MAN, 200,200}\r\n\xff\xc2\x9b, 1e308, 5e-324' | seed list/bytes
 { repeat 'A, 0, 0\n' 20; } | seed list/many
+
+printf '2\n4 1 1 1\n0 0\n4 0\n4 4\n0 4\n3 1 0 0\n1 1\n2 1\n1 2\n' | seed hill/room
+printf '1 3 0 0 0 1e308 -1e308 5e-324 0 1e16 10000000000000001 more' | seed hill/odd
+printf '99999999999\r\n\xff 2 nan' | seed hill/wrong
+
+printf '{"id":"a","op":"clip","polygon":[[20,2],[16,10],[10,10],[5,5]],"origin":[1,2],"direction":[22,10]}' | seed query/clip
+printf '{"op":"clip","disc":{"center":[0,0],"radius":1},"origin":[-2,1],"direction":[1,0],"domain":"line"}' | seed query/disc
+printf '{"op":"nearest","walls":[{"segment":[[0,0],[1,1]]},{"circle":{"center":[3,0],"radius":1}},{"arc":{"center":[0,0],"radius":2,"towards":[1,0]}}],"origin":[-1,0.5],"direction":[1,0]}' | seed query/nearest
+printf '{"op":"orbit","walls":[{"segment":[[0,0],[4,0]]},{"segment":[[4,0],[0,3]]},{"segment":[[0,3],[0,0]]}],"origin":[1,1],"direction":[1,0.3],"bounces":9}' | seed query/orbit
+printf '{"op":"contact","domain":"unit","a":{"polygon":[[0,0],[2,0]],"velocity":[0,0],"spin":-60},"b":{"polygon":[[1,-1],[1,-9],[9,-9]],"velocity":[0,1e308]}}' | seed query/contact
+printf '{"id":{"a":[1e400,"\\ud800"]},"op":"clip","op":"none","polygon":[[]]' | seed query/wrong
 
 head='\x89PNG\r\n\x1a\n\x00\x00\x00\x0dIHDR'
 printf "$head"'\x00\x00\x00\x01\x00\x00\x00\x01\x08\x02\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x0cIDAT\x78\x9c\x63\x60\x60\x60\x00\x00\x00\x04\x00\x01\x00\x00\x00\x00\x00\x00\x00\x00IEND\x00\x00\x00\x00' | seed png/one_pixel

@@ -27,6 +27,7 @@ inline constexpr TableText kTables[] = {
     {"follow",
      "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nfollow = { path = [[0, 0], [1, "
      "0]], speed = 1, @ }"},
+    {"collisions", "flatray = 1\n[collisions]\n@"},
     {"group", "flatray = 1\n[[group]]\nname = \"g\"\n@"},
     {"repeat", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1 } }\nrepeat = { @ }"},
     {"repeat.grid",

@@ -1,24 +1,29 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "app/frames.h"
 #include "app/option_values.h"
 #include "app/paper_table.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "base/check.h"
 #include "collide/edge_ray_meetings.h"
 #include "collide/simulate.h"
+#include "scene/responses.h"
 
 namespace flatray::verbs {
 namespace {
 
 constexpr auto kOptions = with_scene_options(
     {{"last", '\0', "K", "frame at which to stop (default: the scene's last)"},
+     {"frames", 'f', "LIST", "only what happens while one of these frames is shown"},
      {"method", '\0', "minkowski|edge-rays|boxes",
       "exact (default), as the paper's rays in each frame, or of bounding boxes"},
-     {"response", '\0', "mark|stop|bounce",
-      "what those do that meet; mass is area, and nothing moves what has none"},
+     {"response", '\0', "none|mark|stop|bounce|slide|remove",
+      "what those do that meet, instead of what the scene says"},
      {"fixed", '\0', "NAME", "with --response: an entity that nothing moves; may be said again",
       OptionKind::list},
      {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
@@ -28,12 +33,43 @@ constexpr auto kOptions = with_scene_options(
      kJsonOption,
      kCsvOption});
 
-ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings) {
+// The frames asked for; none: all there are.
+struct Asked {
+  std::vector<unsigned> frames;
+  unsigned last = 1;  // up to which motion is followed
+
+  // Whether a time from low to high, in frames from 1, is partly in one of them: a frame is shown
+  // until the next.
+  bool shows(double low, double high) const {
+    if (frames.empty()) return true;
+    const auto first = std::lower_bound(frames.begin(), frames.end(), std::floor(low));
+    return first != frames.end() && *first <= high;
+  }
+};
+
+Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
+  if (!arguments.has("frames")) {
+    const auto last = arguments.whole("last", scene.frames, 1, scene.frames);
+    if (!last) return tl::unexpected(last.error());
+    return Asked{{}, static_cast<unsigned>(*last)};
+  }
+  if (arguments.has("last"))
+    return usage_error(arguments.where("last"), "does not go with --frames",
+                       "leave one of them out");
+  auto frames = parse_frames(*arguments.text("frames"), arguments.where("frames"));
+  if (!frames) return tl::unexpected(frames.error());
+  const unsigned last = frames->back();
+  return Asked{*std::move(frames), last < scene.frames ? last + 1 : last};
+}
+
+ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings,
+                          const Asked& asked) {
   ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
                      "normal_y", "motion", "width"},
                     {}};
   for (const Meeting& meeting : meetings) {
     const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
+    if (!asked.shows(1 + times.low * scene.fps, 1 + times.high * scene.fps)) continue;
     const bool turning = width > 0;  // those too close to tell are called boundary
     const char* from = times.low > 0                              ? "apart"
                        : turning && start == StartPlace::boundary ? "undecided"
@@ -64,34 +100,44 @@ std::string left_out(const Scene& scene) {
                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
-ReportTable event_table(const Scene& scene, const Simulation& done) {
+ReportTable event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
   ReportTable table{{"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
                      "a_velocity_y", "b_velocity_x", "b_velocity_y"},
                     {}};
-  for (const CollisionEvent& e : done.events)
-    table.rows.push_back({scene.entities[e.a].name, scene.entities[e.b].name, e.time,
-                          1 + e.time * scene.fps, e.point.x(), e.point.y(), e.normal.x(),
-                          e.normal.y(), e.velocity_a.x(), e.velocity_a.y(), e.velocity_b.x(),
-                          e.velocity_b.y()});
+  for (const CollisionEvent& e : done.events) {
+    const double frame = 1 + e.time * scene.fps;
+    if (!asked.shows(frame, frame)) continue;
+    table.rows.push_back({scene.entities[e.a].name, scene.entities[e.b].name, e.time, frame,
+                          e.point.x(), e.point.y(), e.normal.x(), e.normal.y(), e.velocity_a.x(),
+                          e.velocity_a.y(), e.velocity_b.x(), e.velocity_b.y()});
+  }
   return table;
 }
 
-Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline, unsigned frames) {
-  const auto word = arguments.one_of("response", {"mark", "stop", "bounce"});
+// What --response says; nullopt where it is not given.
+Result<std::optional<Response>> response_asked(const Arguments& arguments) {
+  if (!arguments.has("response")) return std::nullopt;
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : kResponses) words.emplace_back(word);
+  const auto word = arguments.one_of("response", words);
   if (!word) return tl::unexpected(word.error());
+  for (const auto& [name, meaning] : kResponses)
+    if (*word == name) return meaning;
+  unreachable();
+}
+
+Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline, const Asked& asked,
+                           std::optional<Response> response) {
   const std::vector<std::string> fixed = arguments.list("fixed");
   const std::vector<std::string> known = names_of(timeline.scene().entities);
   for (const std::string& entity : fixed)
     if (std::find(known.begin(), known.end(), entity) == known.end())
       return unknown_name(arguments.where("fixed"), "entity", entity, known);
-  const auto bodies = bodies_of(timeline, fixed);
+  const auto bodies = bodies_of(timeline, response, fixed);
   if (!bodies) return tl::unexpected(bodies.error());
-  const Response response = *word == "mark"   ? Response::mark
-                            : *word == "stop" ? Response::stop
-                                              : Response::bounce;
-  const double end = (frames - 1) / timeline.scene().fps;
-  const Simulation done = simulate(*bodies, response, end);
-  if (arguments.has("quiet")) return event_table(timeline.scene(), done);
+  const double end = (asked.last - 1) / timeline.scene().fps;
+  const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
+  if (arguments.has("quiet")) return event_table(timeline.scene(), done, asked);
   if (done.overlaps)
     report_note("what lies in each other at the start is left alone until it has parted");
   const CollisionEvent* last = done.events.empty() ? nullptr : &done.events.back();
@@ -99,17 +145,17 @@ Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline,
     report_note(fmt::format("stopped after {} events{}: entities {} and {} met last, at t = {}",
                             done.events.size(), done.jammed ? ", jammed" : "", last->a + 1,
                             last->b + 1, last->time));
-  return event_table(timeline.scene(), done);
+  return event_table(timeline.scene(), done, asked);
 }
 
 Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timeline,
-                             unsigned frames) {
+                             const Asked& asked) {
   const auto method = arguments.one_of("method", {"minkowski", "edge-rays", "boxes"});
   if (!method) return tl::unexpected(method.error());
   const Scene& scene = timeline.scene();
   if (*method == "edge-rays") {
     if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
-    return meeting_table(scene, find_edge_ray_meetings(timeline, frames));
+    return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked);
   }
   if (auto refused = refused_meetings(scene)) return tl::unexpected(*std::move(refused));
   const auto width = threads(arguments);
@@ -118,31 +164,36 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
   if (const std::string note = left_out(scene);
       outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);
-  return meeting_table(scene, find_meetings(timeline, frames, outline, *width));
+  return meeting_table(scene, find_meetings(timeline, asked.last, outline, *width), asked);
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
   if (arguments.has("table")) {
-    auto text = paper_table(*scene, arguments.where("table"));
-    if (!text) return tl::unexpected(text.error());
-    return VerbOutput{*std::move(text)};
+    const auto tables = paper_table(*scene, arguments.where("table"));
+    if (!tables) return tl::unexpected(tables.error());
+    if (arguments.has("json"))
+      return VerbOutput{json_report("collide", arguments, tables->json(), 0)};
+    return VerbOutput{tables->text()};
   }
-  const bool responds = arguments.has("response");
-  if (responds && arguments.has("method"))
+  const auto response = response_asked(arguments);
+  if (!response) return tl::unexpected(response.error());
+  const bool asked = response->has_value();
+  if (asked && arguments.has("method"))
     return usage_error(arguments.where("method"), "does not go with --response",
                        "say flatray help collide");
-  if (!responds && arguments.has("fixed"))
+  if (!asked && arguments.has("fixed"))
     return usage_error(arguments.where("fixed"), "needs --response", "say flatray help collide");
   const auto draws = seed(arguments, *scene);
   if (!draws) return tl::unexpected(draws.error());
-  const auto last = arguments.whole("last", scene->frames, 1, scene->frames);
-  if (!last) return tl::unexpected(last.error());
-  const auto frames = static_cast<unsigned>(*last);
-  const Timeline timeline(*scene, *draws, frames);
-  const auto table =
-      responds ? events(arguments, timeline, frames) : meetings(arguments, timeline, frames);
+  const auto asked_frames = frames_asked(arguments, *scene);
+  if (!asked_frames) return tl::unexpected(asked_frames.error());
+  const Timeline timeline(*scene, *draws, asked_frames->last);
+  const bool respond =
+      asked ? **response != Response::none : !arguments.has("method") && responds(*scene);
+  const auto table = respond ? events(arguments, timeline, *asked_frames, *response)
+                             : meetings(arguments, timeline, *asked_frames);
   if (!table) return tl::unexpected(table.error());
   if (arguments.has("json"))
     return VerbOutput{json_report("collide", arguments, as_objects(*table), 0)};
@@ -160,8 +211,9 @@ extern const Verb collide = {
     kOptions,
     "  flatray collide scenes/paper/case_two.toml\n"
     "  flatray collide scenes/paper/case_two.toml --table\n"
-    "  flatray collide scenes/collision/cradle.toml --response bounce --fixed wall\n"
-    "  flatray collide scenes/demo.toml --last 60 --csv\n",
+    "  flatray collide scenes/collision/cradle.toml\n"
+    "  flatray collide scenes/collision/cradle.toml --response stop --fixed wall\n"
+    "  flatray collide scenes/demo.toml -f 30..60 --csv\n",
     "nothing looked for",
     &run};
 

@@ -7,6 +7,7 @@
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/isa.h"
+#include "collide/scene_timeline.h"
 #include "trace/tracer.h"
 
 namespace flatray::verbs {
@@ -24,17 +25,18 @@ constexpr auto kOptions = with_scene_options(
      kJsonOption});
 
 // What finds the hits of the scene's rays among the walls of its first frame.
-TracerChoice tracer_of(const RenderJob& job) {
-  if (job.scene.rays.empty()) return {nullptr, "no rays"};
-  const Timeline timeline(job.scene, job.seed, job.last_frame);
+Result<TracerChoice> tracer_of(const RenderJob& job) {
+  if (job.scene.rays.empty()) return TracerChoice{nullptr, "no rays"};
+  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return fail(std::move(timeline));
   const unsigned frame = job.frames.empty() ? 1 : job.frames.front();
-  const World world = build_world(job.scene, at(timeline, frame));
+  const World world = build_world(job.scene, at(*timeline, frame));
   TracerChoice choice = choose_tracer(world.surfaces);
   choice.reason += "; " + choice.tracer->build(world.surfaces)->structure();
   return choice;
 }
 
-ReportTable decisions(const RenderJob& job, unsigned threads) {
+Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
   ReportTable table{{"part", "decision", "reason"}, {}};
   const auto add = [&](std::string part, std::string decision, std::string reason) {
@@ -42,8 +44,9 @@ ReportTable decisions(const RenderJob& job, unsigned threads) {
   };
   for (const RenderPlan::Choice& choice : plan.choices)
     add(choice.part, choice.decision, choice.reason);
-  const TracerChoice choice = tracer_of(job);
-  add("tracer", choice.tracer == nullptr ? "left out" : choice.tracer->name, choice.reason);
+  Result<TracerChoice> choice = tracer_of(job);
+  if (!choice) return fail(std::move(choice));
+  add("tracer", choice->tracer == nullptr ? "left out" : choice->tracer->name, choice->reason);
   const std::size_t count = plan.still ? 1 : job.frames.size();
   const Spread spread = flatray::spread(job, count, threads);
   add("instructions", isa_name(active_isa()),
@@ -65,13 +68,17 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!request) return tl::unexpected(request.error());
   const auto jobs = make_jobs(arguments, *request);
   if (!jobs) return tl::unexpected(jobs.error());
-  ReportTable table = decisions(jobs->front(), request->threads);
+  Result<ReportTable> decided = decisions(jobs->front(), request->threads);
+  if (!decided) return fail(std::move(decided));
+  ReportTable table = *std::move(decided);
   if (arguments.has("measure")) {
     RenderJob job = jobs->front();
     if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
     auto savings = measured_savings(job);
     if (!savings) return fail(std::move(savings));
-    for (Saving& walls : measured_walls(job)) savings->push_back(std::move(walls));
+    auto walls = measured_walls(job);
+    if (!walls) return fail(std::move(walls));
+    for (Saving& saving : *walls) savings->push_back(std::move(saving));
     for (Saving& saving : *savings)
       table.rows.push_back(
           {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});

@@ -136,6 +136,8 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
 void draw(DrawContext& context) {
   for (const EdgeRays& pair : context.scene.edge_rays) {
     if (context.refused()) return;
+    if (context.state.entities[pair.from].gone || context.state.entities[pair.against].gone)
+      continue;
     const std::vector<Ray> rays = outline_rays(in_world(context, pair.from));
     const Found found = clip_all(rays, in_world(context, pair.against));
     std::vector<Segment> lines;

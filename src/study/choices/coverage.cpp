@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/processor_time.h"
+#include "collide/scene_timeline.h"
 #include "render/backend.h"
 #include "study/accuracy.h"
 #include "study/linear_error.h"
@@ -96,8 +97,9 @@ std::string left_out(const Scene& scene) {
 // blending them as if they had nothing to do with each other is an error, which samples do not make.
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const unsigned frame = (context.scene.frames + 1) / 2;
-  const Timeline timeline(context.scene, context.seed, frame);
-  auto list = draw_list(make_plan(context.scene, false), timeline, frame);
+  const auto timeline = make_timeline(context.scene, context.seed, frame);
+  if (!timeline) return tl::unexpected(timeline.error());
+  auto list = draw_list(make_plan(context.scene, false), *timeline, frame);
   if (!list) return tl::unexpected(list.error());
   const auto film = std::make_shared<Film>();
   film->list = std::move(*list);

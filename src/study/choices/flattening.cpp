@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "collide/scene_timeline.h"
 #include "render/frame.h"
 #include "study/accuracy.h"
 #include "study/linear_error.h"
@@ -81,8 +82,9 @@ std::string left_out(const Scene& scene) {
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const unsigned frame = (context.scene.frames + 1) / 2;
-  const Timeline timeline(context.scene, context.seed, frame);
-  auto list = draw_list(make_plan(context.scene, false), timeline, frame);
+  const auto timeline = make_timeline(context.scene, context.seed, frame);
+  if (!timeline) return tl::unexpected(timeline.error());
+  auto list = draw_list(make_plan(context.scene, false), *timeline, frame);
   if (!list) return tl::unexpected(list.error());
   const auto curves = std::make_shared<Curves>();
   curves->list = std::move(*list);

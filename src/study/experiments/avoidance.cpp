@@ -5,6 +5,7 @@
 
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
+#include "scene/responses.h"
 #include "study/blocks.h"
 #include "study/estimate.h"
 #include "study/palette.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "collide/scene_timeline.h"
 #include "image/compare.h"
 #include "render/backend.h"
 #include "study/experiment.h"
@@ -30,9 +31,10 @@ class Study {
     if (!renderer) return tl::unexpected(renderer.error());
     opened_.push_back((*renderer)->description());
     const unsigned last = context_.scene.frames;
-    const Timeline timeline(context_.scene, context_.scene.seed, last);
+    const auto timeline = make_timeline(context_.scene, context_.scene.seed, last);
+    if (!timeline) return tl::unexpected(timeline.error());
     for (const unsigned frame : std::set<unsigned>{1, (last + 1) / 2, last}) {
-      const auto list = draw_list(plan_, timeline, frame);
+      const auto list = draw_list(plan_, *timeline, frame);
       if (!list) return tl::unexpected(list.error());
       if (auto added = add(**renderer, samples, *list, frame); !added) return added;
     }

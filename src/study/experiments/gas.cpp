@@ -81,9 +81,9 @@ std::string fingerprint(const Simulation& done) {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Timeline timeline(context.scene, context.seed, 1);
-  const auto bodies = bodies_of(timeline, names_at_rest(context.scene));
+  const auto bodies = bodies_of(timeline, Response::bounce, names_at_rest(context.scene));
   if (!bodies) return tl::unexpected(bodies.error());
-  const Simulation done = simulate(*bodies, Response::bounce, kEnd, context.count);
+  const Simulation done = simulate(*bodies, kEnd, context.count);
   if (done.events.empty())
     return fail(context.scene.entities.empty() ? Place{} : context.scene.entities.front().where,
                 "nothing ever meets", "give the entities velocities, and walls that keep them in");

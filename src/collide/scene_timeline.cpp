@@ -1,0 +1,63 @@
+#include "collide/scene_timeline.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "collide/simulate.h"
+#include "scene/responses.h"
+
+namespace flatray {
+namespace {
+
+Place where_asked(const Scene& scene) {
+  return scene.collisions
+             ? scene.collisions->where
+             : std::find_if(scene.entities.begin(), scene.entities.end(), [](const Entity& e) {
+                 return e.response.has_value();
+               })->where;
+}
+
+// What came after the last frame asked for is not its business.
+Result<void> check_end(const Scene& scene, const Simulation& done, double last) {
+  if (done.complete || done.events.back().time > last) return {};
+  const CollisionEvent& event = done.events.back();
+  const auto name = [&](std::uint32_t i) {
+    const std::string& own = scene.entities[i].name;
+    return own.empty() ? fmt::format("entity {}", i + 1) : fmt::format("'{}'", own);
+  };
+  const std::string what = fmt::format("{} and {}", name(event.a), name(event.b));
+  if (done.jammed)
+    return fail(
+        where_asked(scene),
+        fmt::format("bodies are jammed: {} meet again and again at t = {}", what, event.time),
+        "give them a way out, or end the sequence before");
+  return fail(
+      where_asked(scene),
+      fmt::format("{} events before t = {}, the last of {}", done.events.size(), last, what),
+      "end the sequence before, or write a higher most in [collisions]");
+}
+
+}  // namespace
+
+Result<Timeline> make_timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame) {
+  Timeline timeline(scene, seed, last_frame);
+  if (!responds(scene)) return timeline;
+  Result<std::vector<SimulatedBody>> bodies = bodies_of(timeline, std::nullopt, {});
+  if (!bodies) return fail(std::move(bodies));
+  if (std::all_of(bodies->begin(), bodies->end(), [](const SimulatedBody& body) {
+        return body.response == Response::none || body.velocity.isZero(0);
+      }))
+    return timeline;
+  // A frame more, so that what happens at the last one does not hang on how a time is rounded.
+  const bool ahead = scene.collisions && scene.collisions->time_bar;
+  const unsigned frames = ahead ? std::max(last_frame, scene.frames) : last_frame;
+  Simulation done = simulate(*bodies, frames / scene.fps, most_events(scene));
+  if (auto ended = check_end(scene, done, (last_frame - 1.0) / scene.fps); !ended)
+    return fail(std::move(ended));
+  for (std::uint32_t i = 0; i < bodies->size(); ++i)
+    if ((*bodies)[i].response == Response::none) done.stages[i].clear();
+  return Timeline(scene, seed, last_frame, std::move(done));
+}
+
+}  // namespace flatray

@@ -1,0 +1,57 @@
+#include "scene/responses.h"
+
+#include <algorithm>
+
+namespace flatray {
+namespace {
+
+bool changes_outline_or_velocity(const MarkovUse& markov) {
+  for (const std::vector<Look>& state : markov.looks)
+    for (const Look& look : state)
+      if (look.shape || look.velocity) return true;
+  return false;
+}
+
+}  // namespace
+
+Response response_of(const Scene& scene, const Entity& entity) {
+  return entity.response.value_or(scene.collisions ? scene.collisions->response : Response::none);
+}
+
+bool responds(const Scene& scene) {
+  return std::any_of(scene.entities.begin(), scene.entities.end(), [&](const Entity& entity) {
+    return response_of(scene, entity) != Response::none;
+  });
+}
+
+std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
+  if (entity.angular_velocity != 0) return Hindrance{"angular_velocity", "turns"};
+  if (entity.motion.angle) return Hindrance{"angle", "turns"};
+  if (entity.motion.x || entity.motion.y) return Hindrance{"at", "follows a curve"};
+  if (entity.motion.follow) return Hindrance{"follow", "follows a path"};
+  if (!stands_still(scene, entity.group)) return Hindrance{"group", "is in a group that moves"};
+  if (entity.markov && changes_outline_or_velocity(*entity.markov))
+    return Hindrance{"states", "changes its shape or velocity by its states"};
+  if (scene.shapes[entity.shape].changes != kNoEntry)
+    return Hindrance{"shape", "changes its size"};
+  if (has_parts_left_out(scene.shapes[entity.shape]))
+    return Hindrance{"shape", "has curves or crossing outlines, which nothing can meet"};
+  return std::nullopt;
+}
+
+bool has_parts_left_out(const Shape& shape) {
+  return !shape.arc_paths.empty() || !shape.crossing_rings.empty();
+}
+
+bool moves(const Group& group) {
+  return group.motion.any() || !group.velocity.isZero(0) || group.angular_velocity != 0 ||
+         group.scale_curve;
+}
+
+bool stands_still(const Scene& scene, std::optional<std::uint32_t> group) {
+  for (; group; group = scene.groups[*group].group)
+    if (moves(scene.groups[*group])) return false;
+  return true;
+}
+
+}  // namespace flatray
