@@ -28,8 +28,9 @@ std::optional<HitOperation> hit_operation(const std::string& name) {
   return static_cast<HitOperation>(found - std::begin(kNames));
 }
 
-HitSet combine(HitOperation operation, const std::vector<std::vector<HitReport>>& by_entity) {
-  HitSet set{by_entity.front().front().ray, inside(by_entity.front())};
+HitSet combine(const NamedRay& ray, HitOperation operation,
+               const std::vector<std::vector<HitReport>>& by_entity) {
+  HitSet set{ray, inside(by_entity.front())};
   for (std::size_t i = 1; i < by_entity.size(); ++i) {
     const IntervalSet other = inside(by_entity[i]);
     switch (operation) {

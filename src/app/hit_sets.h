@@ -20,12 +20,13 @@ struct HitSet {
   IntervalSet parts;
 };
 
-/// Needs   the reports of one ray, by entity; at least one entity.
+/// Needs   the reports of one ray, by entity, none of one that is not there; at least one entity.
 /// Gives   where it is inside any entity, inside all, or inside the first and none of the others;
 ///         an entity is the union of its pieces. Closed sets, as interval_set says.
 /// Error   each end is the double nearest to the exact one; parts and gaps shorter than an ulp of t
 ///         may be one point, or none.
-HitSet combine(HitOperation operation, const std::vector<std::vector<HitReport>>& by_entity);
+HitSet combine(const NamedRay& ray, HitOperation operation,
+               const std::vector<std::vector<HitReport>>& by_entity);
 
 /// As `flatray hit --op` prints them: for people, as rows, as an object.
 std::string text_of(const HitSet& set);

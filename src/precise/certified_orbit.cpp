@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check.h"
+
 #ifdef FLATRAY_HAVE_MPFR
 #include "precise/ball.h"
 #include "precise/certain.h"
@@ -49,12 +51,18 @@ std::optional<Vec2> rounded_out(const Pair<Certain>& direction, const Certain& s
   return Vec2(share(direction.x.value()), share(direction.y.value()));
 }
 
-// Bits that a number holds, and what a wall costs then, counted in bits of balls: long fractions
-// are reduced.
-unsigned bits_of(const Ball&, unsigned working) { return working; }
-unsigned bits_of(const Certain& x, unsigned) { return static_cast<unsigned>(x.value().bits()); }
-std::uint64_t cost_of(const Ball&, unsigned bits) { return bits; }
-std::uint64_t cost_of(const Certain&, unsigned bits) {
+// Bits that the numbers of a flight hold, and what a wall costs then, counted in bits of balls: long
+// fractions are reduced.
+unsigned bits_of(const Flight<Ball, MakeBall>&, unsigned working) { return working; }
+unsigned bits_of(const Flight<Certain, MakeCertain>& flight, unsigned) {
+  std::size_t most = 0;
+  for (const Certain* x : {&flight.moment(), &flight.direction().x, &flight.direction().y,
+                           &flight.point().x, &flight.point().y})
+    most = std::max(most, x->value().bits());
+  return static_cast<unsigned>(most);
+}
+std::uint64_t cost_of(const Flight<Ball, MakeBall>&, unsigned bits) { return bits; }
+std::uint64_t cost_of(const Flight<Certain, MakeCertain>&, unsigned bits) {
   return bits + std::uint64_t{bits} * bits / 4096;
 }
 
@@ -82,9 +90,9 @@ class Follower {
   // Takes what it does from `work`, and is undecided where none is left.
   CertifiedOrbit follow(std::uint64_t bounces, std::uint64_t& work) {
     while (orbit_.decided && orbit_.end == OrbitEnd::limit && orbit_.bounces.size() < bounces) {
-      const unsigned bits = bits_of(flight_.moment(), bits_);
+      const unsigned bits = bits_of(flight_, bits_);
       orbit_.bits = std::max(orbit_.bits, bits);
-      const std::uint64_t cost = cost_of(flight_.moment(), bits) * walls_;
+      const std::uint64_t cost = cost_of(flight_, bits) * walls_;
       orbit_.decided = bits <= rules_.most_bits && work >= cost && step();
       work -= std::min(work, cost);
     }
@@ -123,7 +131,7 @@ class Follower {
     const Pair<Number>& entry = flight_.point();
     const bool circles = crossings_ > 0 && is_same(first_entry_, entry);
     if (crossings_++ == 0) first_entry_ = entry;
-    if (circles || crossings_ > kMostCrossings)
+    if (circles || crossings_ >= kMostCrossings)
       return finish(OrbitEnd::escape, rounded_out(flight_.direction(), flight_.size()), orbit_.out);
     return true;
   }
@@ -175,6 +183,7 @@ CertifiedOrbit in_rationals(const Surfaces& walls, const CertifiedRules& rules, 
 
 Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
                                        std::uint64_t bounces, const CertifiedRules& rules) {
+  FLATRAY_CHECK(rules.materials.empty() || rules.materials.size() == walls.size());
   std::vector<Material> materials(rules.materials.begin(), rules.materials.end());
   materials.resize(walls.size(), Material::mirror);
   Orbit at_start = trace_orbit(walls, materials, start, 0);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Parts of a ray in any entity, in all, in one alone.
-# needs: shapes/circle shapes/box
+# needs: shapes/capsule shapes/circle shapes/box
 source "$(dirname "$0")/lib.sh"
 cat > row.toml << 'SCENE'
 flatray = 1
@@ -34,6 +34,25 @@ run 0 hit row.toml --ray 6,1,1,0 --op union # touches
 says out '  t from 0 to 0'
 run 2 hit row.toml --ray 0,1,1,0 --op difference
 says err 'add --against ENTITY'
+# What is not there is empty; what no ray is clipped against is named.
+cat row.toml - > gone.toml << 'SCENE'
+[[entity]]
+name = "gone"
+shape = { box = { min = [2, 0], max = [{ keys = [[0, 2], [1, 4]] }, 2] } }
+SCENE
+run 0 hit gone.toml --ray 0,1,1,0 --op intersection
+says out 'ray: no part'
+run 0 hit gone.toml --ray 0,1,1,0 --op difference --against left
+says out '  t from 1 to 2'
+run 0 hit gone.toml --ray 0,1,1,0 --op difference --against gone
+says out 'ray: no part'
+cat row.toml - > pill.toml << 'SCENE'
+[[entity]]
+name = "pill"
+shape = { capsule = { from = [1, 1], to = [3, 1], radius = 0.5 } }
+SCENE
+run 4 hit pill.toml --ray 0,1,1,0 --op intersection
+says err 'pill.toml:12:1: error: no ray is clipped against'
 run 2 hit row.toml --ray 0,1,1,0 --op unoin
 says err 'there are: union, intersection, difference'
 run 2 hit row.toml --ray 0,1,1,0 --op union --svg

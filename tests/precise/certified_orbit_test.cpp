@@ -163,6 +163,22 @@ TEST(CertifiedOrbit, ACornerThatOnlyRationalNumbersTellIsOne) {
   EXPECT_EQ(beside->bounces.size(), 9U);
 }
 
+// Off walls through the origin the moment stays 1, while directions have 257ths: the orbit goes by
+// (16, 1) and (8.03125, 0) to the end of the third wall.
+TEST(CertifiedOrbit, BitsOfRationalNumbersAreThoseOfTheLongest) {
+  Surfaces walls;
+  walls.add(Segment{{0, 0}, {64, 0}});
+  walls.add(Segment{{0, 0}, {64, 4}});
+  walls.add(Segment{{7.03515625, 0.125}, {7.03515625, 0.25}});
+  const auto orbit = certified_orbit(walls, {{32, 1}, {-1, 0}}, 40);
+  ASSERT_TRUE(orbit && orbit->decided);
+  EXPECT_EQ(orbit->end, OrbitEnd::corner);
+  EXPECT_EQ(orbit->bounces.size(), 2U);
+  EXPECT_EQ(orbit->end_point, Vec2(7.03515625, 0.125));
+  EXPECT_TRUE(orbit->rational);
+  EXPECT_GE(orbit->bits, 9U);
+}
+
 TEST(CertifiedOrbit, AnAbsorbingWallEndsItWhereItIsMet) {
   const Surfaces square = room({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   std::vector<Material> materials(4, Material::mirror);
