@@ -44,8 +44,6 @@ run 0 hit gone.toml --ray 0,1,1,0 --op intersection
 says out 'ray: no part'
 run 0 hit gone.toml --ray 0,1,1,0 --op difference --against left
 says out '  t from 1 to 2'
-run 0 hit gone.toml --ray 0,1,1,0 --op difference --against gone
-says out 'ray: no part'
 cat row.toml - > pill.toml << 'SCENE'
 [[entity]]
 name = "pill"
