@@ -36,8 +36,12 @@ bool may_fail_between_keys(const ChangingShape& changing, std::size_t curves) {
 // Builds a shape at the times at which it could be wrong.
 class Trials {
  public:
-  Trials(Builder& builder, const ShapeType& type, Args& args, const Place& where)
-      : builder_(builder), type_(type), args_(args), where_(where) {}
+  Trials(Builder& builder, const ShapeType& type, const ChangingShape& changing, Args& args,
+         const Place& where)
+      : builder_(builder), type_(type), args_(args), where_(where) {
+    for (const ChangingShape::Argument& argument : changing.arguments)
+      reading_ += corner_count(Shape{}) + argument.text.size();
+  }
 
   // Whether it can be built then, or is not there.
   bool at(double time) {
@@ -45,7 +49,7 @@ class Trials {
     args_.set_time(time);
     Result<Shape> shape = type_.build(args_);
     if (builder_.in.problems.size() > problems) return false;
-    if (args_.gone()) return true;
+    if (args_.gone()) return count(reading_);
     if (!shape) {
       for (Diagnostic& one : shape.error()) {
         one.message += fmt::format(" at {} s", number_text(time));
@@ -61,8 +65,13 @@ class Trials {
 
  private:
   bool take(Shape&& shape) {
-    const std::uint64_t corners = corner_count(shape), limit = builder_.limits.max_corners;
+    const std::uint64_t corners = corner_count(shape);
     if (corners > corner_count(largest_)) largest_ = std::move(shape);
+    return count(corners);
+  }
+
+  bool count(std::uint64_t corners) {
+    const std::uint64_t limit = builder_.limits.max_corners;
     builder_.checked_corners += corners;
     if (builder_.checked_corners <= limit) return true;
     builder_.in.problem(
@@ -75,6 +84,7 @@ class Trials {
   const ShapeType& type_;
   Args& args_;
   const Place& where_;
+  std::uint64_t reading_ = 0;  // what the arguments count for where nothing comes of them
   Shape largest_;
 };
 
@@ -104,7 +114,7 @@ std::optional<ShapeId> build_changing_shape(Builder& builder, const ShapeType& t
   (void)type.build(args);  // reads the arguments
   if (builder.in.problems.size() > problems || builder.full) return std::nullopt;
   Scene& scene = builder.scene;
-  Trials trials(builder, type, args, arguments.value.where);
+  Trials trials(builder, type, changing, args, arguments.value.where);
   if (!try_all(scene, changing, trials)) return std::nullopt;
   Shape shape = std::move(trials).largest();
   std::uint64_t corners = corner_count(shape);

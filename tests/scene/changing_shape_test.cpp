@@ -154,6 +154,24 @@ TEST(ChangingShapes, WorkOfCheckingThemIsBounded) {
   EXPECT_NE(format(result.error()).find("--max-corners"), std::string::npos);
 }
 
+TEST(ChangingShapes, WorkOfCheckingThemIsBoundedWhereTheyAreNotThere) {
+  LoadLimits limits;
+  limits.max_corners = 1000;
+  const std::string none = "{ keys = [[0, 0], [1e9, 0]] }",
+                    turning = "{ keys = [[0, 0], [1e9, 1]] }";
+  const std::string shapes[] = {
+      "ngon = { sides = 10000, radius = " + none + ", angle = " + turning + " }",
+      "star = { points = 1000, outer = " + none + ", inner = 1, angle = " + turning + " }",
+      "tokarsky = { size = " + none + ", at = [" + turning + ", 0] }"};
+  for (const std::string& shape : shapes) {
+    const auto result = load_scene_text(
+        "t.toml", "flatray = 1\nframes = 9999999\nfps = 1\n" + with_shape(shape).substr(12), {},
+        limits);
+    ASSERT_FALSE(result) << shape;
+    EXPECT_NE(format(result.error()).find("--max-corners"), std::string::npos) << shape;
+  }
+}
+
 TEST(ChangingColours, AreKeptAsPremultipliedLight) {
   const Scene scene =
       loaded(entity("circle = { radius = 1 }",

@@ -37,6 +37,7 @@ Result<Shape> build(Args& args) {
   const std::string text = printable(args, args.string("string"));
   const double scale = args.size("size") / kFontCapitals;
   const double before = 0.5 * static_cast<int>(args.word<Align>("align", Align::left, kAligns));
+  if (args.gone()) return Shape{};
   Shape shape;
   int baseline = 0;
   for (std::size_t begin = 0; begin <= text.size(); baseline -= kFontLineStep) {
