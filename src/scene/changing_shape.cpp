@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/number_text.h"
+#include "scene/build_scene.h"
 #include "scene/corner_limit.h"
 #include "scene/curve.h"
 #include "scene/shape.h"
@@ -25,12 +26,13 @@ std::set<CurveId> curves_of(const ChangingShape& changing) {
 }
 
 // One number alone stays between its keys, where what is right at both is right: all bounds are
-// intervals. Outlines may cross in between, and of several numbers each goes its own way.
-bool may_fail_between_keys(const ChangingShape& changing, std::size_t curves) {
-  return curves > 1 || std::any_of(changing.arguments.begin(), changing.arguments.end(),
-                                   [](const auto& argument) {
-                                     return argument.numbers.size() > kNumbersOfAPoint;
-                                   });
+// intervals. Outlines may cross in between, and of several numbers each goes its own way. That a
+// shape is not there at a key says nothing of what is right.
+bool may_fail_between_keys(const ChangingShape& changing, std::size_t curves, bool was_gone) {
+  return curves > 1 || was_gone ||
+         std::any_of(
+             changing.arguments.begin(), changing.arguments.end(),
+             [](const auto& argument) { return argument.numbers.size() > kNumbersOfAPoint; });
 }
 
 // Builds a shape at the times at which it could be wrong.
@@ -49,6 +51,7 @@ class Trials {
     args_.set_time(time);
     Result<Shape> shape = type_.build(args_);
     if (builder_.in.problems.size() > problems) return false;
+    was_gone_ |= args_.gone();
     if (args_.gone()) return count(reading_);
     if (!shape) {
       for (Diagnostic& one : shape.error()) {
@@ -59,6 +62,8 @@ class Trials {
     }
     return take(std::move(*shape));
   }
+
+  bool was_gone() const { return was_gone_; }
 
   // The one with most corners of all seen.
   Shape largest() && { return std::move(largest_); }
@@ -75,8 +80,12 @@ class Trials {
     builder_.checked_corners += corners;
     if (builder_.checked_corners <= limit) return true;
     builder_.in.problem(
-        where_, fmt::format("shapes that change come to more than {} corners in all frames", limit),
-        "let one number change alone, share a shape among copies, or say --max-corners N");
+        where_,
+        fmt::format(
+            "shapes that change come to more than {} corners in the frames up to their last keys",
+            limit),
+        "end the curves earlier, let one number change alone, share a shape among copies, or say "
+        "--max-corners N");
     return false;
   }
 
@@ -85,6 +94,7 @@ class Trials {
   Args& args_;
   const Place& where_;
   std::uint64_t reading_ = 0;  // what the arguments count for where nothing comes of them
+  bool was_gone_ = false;
   Shape largest_;
 };
 
@@ -95,8 +105,8 @@ bool try_all(const Scene& scene, const ChangingShape& changing, Trials& trials) 
     times.insert(scene.curves[curve].times.begin(), scene.curves[curve].times.end());
   if (!std::all_of(times.begin(), times.end(), [&](double time) { return trials.at(time); }))
     return false;
-  if (!may_fail_between_keys(changing, curves.size())) return true;
-  for (unsigned frame = 1; frame <= scene.frames; ++frame) {
+  if (!may_fail_between_keys(changing, curves.size(), trials.was_gone())) return true;
+  for (unsigned frame = 1; frame <= kLastFrame; ++frame) {  // any may be asked for
     const double time = (frame - 1) / scene.fps;
     if (time >= *times.rbegin()) return true;
     if (time > *times.begin() && !trials.at(time)) return false;

@@ -126,6 +126,12 @@ TEST(ChangingShapes, MistakesAreToldWithTheTimeAndWhatToWrite) {
       {entity("box = { min = [0, 0], max = [{ keys = [[0, 1], [3, -1]] }, 1] }"),
        "box has no area at 3 s"},
       {entity(two_paces), "box has no area at 3 s"},  // right at both ends
+      {entity("sector = { radius = { keys = [[0, 0], [2, 10]] }, from = 0, to = 90, inner = 5.5 }"),
+       "sector.inner does not lie between 0 and the radius at 1 s"},  // not there at 0 s
+      {entity("mushroom = { radius = { keys = [[0, 0], [4, 3]] }, width = 2, height = 1 }"),
+       "the stem is as wide as the cap at 1 s"},
+      {"flatray = 1\nfps = 1\n" + with_shape(two_paces).substr(12),
+       "box has no area at 3 s"},  // frames = 1, and the fourth may be asked for
       {entity("polygon = { points = [[0, 0], [2, 0], [2, 2], [{ keys = [[0, 0], [2, 5]] }, 1]] }"),
        "cross at 2 s"},
       {entity("ngon = { sides = { keys = [[0, 3], [1, 9]] }, radius = 1 }"),
