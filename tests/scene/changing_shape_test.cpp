@@ -119,6 +119,7 @@ TEST(ChangingShapes, MistakesAreToldWithTheTimeAndWhatToWrite) {
   const std::string two_paces =
       "box = { min = [{ keys = [[0, 0], [4, 10]], ease = \"smooth\" }, 0], max = [{ keys = [[0, "
       "0.5], [4, 10.5]] }, 1] }";
+  const std::string far = "{ keys = [[0, 0], [2, 1e17]] }";
   const Refused cases[] = {
       {entity("circle = { radius = { keys = [[0, 1], [2, -1]] } }"), "radius of -1 at 2 s"},
       {entity("ngon = { sides = 5, radius = { keys = [[0, 1], [2, -1]] } }"),
@@ -130,6 +131,14 @@ TEST(ChangingShapes, MistakesAreToldWithTheTimeAndWhatToWrite) {
        "sector.inner does not lie between 0 and the radius at 1 s"},  // not there at 0 s
       {entity("mushroom = { radius = { keys = [[0, 0], [4, 3]] }, width = 2, height = 1 }"),
        "the stem is as wide as the cap at 1 s"},
+      {entity("ngon = { sides = 5, radius = 1, centre = [" + far + ", 0] }"),
+       "the sides of the ngon are lost in rounding at 2 s"},
+      {entity("star = { points = 5, outer = 2, inner = 1, centre = [" + far + ", 0] }"),
+       "the points of the star are lost in rounding at 2 s"},
+      {entity("tokarsky = { size = 1, at = [" + far + ", 0] }"),
+       "the corners of the room are lost in rounding at 2 s"},
+      {entity("text = { string = \"far\", size = { keys = [[0, 0], [2, 1e-323]] } }"),
+       "letters of this size are lost in rounding at 2 s"},
       {"flatray = 1\nfps = 1\n" + with_shape(two_paces).substr(12),
        "box has no area at 3 s"},  // frames = 1, and the fourth may be asked for
       {entity("polygon = { points = [[0, 0], [2, 0], [2, 2], [{ keys = [[0, 0], [2, 5]] }, 1]] }"),

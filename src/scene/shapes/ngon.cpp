@@ -21,11 +21,9 @@ Result<Shape> build(Args& args) {
   const double angle = args.number("angle", 90);
   if (args.gone()) return Shape{};
   const std::vector<Vec2> points = corners({centre, sides, angle}, {radius});
-  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size()) {
-    args.vanish();
+  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size())
     return fail(args.place("radius"), "the sides of the ngon are lost in rounding",
                 "write fewer sides, a larger radius, or a centre nearer to 0");
-  }
   Shape shape;
   add_ring(shape, points);
   return shape;

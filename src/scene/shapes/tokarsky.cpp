@@ -21,11 +21,9 @@ Result<Shape> build(Args& args) {
   if (args.gone()) return Shape{};
   std::vector<Vec2> ring;
   for (const auto& [x, y] : kCorners) ring.push_back(at + size * Vec2(x, y));
-  if (is_flat(ring) || crossing_edges(ring)) {
-    args.vanish();
+  if (is_flat(ring) || crossing_edges(ring))
     return fail(args.place("size"), "the corners of the room are lost in rounding",
                 "write a larger size, or a place nearer to 0");
-  }
   Shape shape;
   add_ring(shape, ring);
   return shape;
