@@ -3,11 +3,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "scene/build_scene.h"
 
 namespace flatray {
-
-/// Highest frame number: what keeps a list of all of them small.
-inline constexpr unsigned kLastFrame = 9'999'999;
 
 /// "1..240:2,300" is every second frame from 1 to 240, and 300: sorted, each once.
 /// Error   Trouble::usage for anything else, frame 0, and numbers beyond kLastFrame.

@@ -13,7 +13,6 @@ namespace flatray {
 namespace {
 
 constexpr std::int64_t kVersion = 1;
-constexpr std::int64_t kMaxFrames = 9'999'999;
 constexpr std::int64_t kMaxSeed = 0x7fffffffffffffff;  // what a TOML integer holds
 
 void read_version(Reader& in, const Field& field) {
@@ -49,7 +48,7 @@ constexpr Key<Scene> kSceneKeys[] = {
      [](Builder& builder, const Field& field, Scene&) { read_version(builder.in, field); }},
     {{"include", "[\"part.toml\", ...]", "[]"}, &refuse_include},
     {{"film", "{ size = [w, h], ... }", "{}"}, &read_film},
-    {{"frames", "whole number", "1"}, &set_integer<&Scene::frames, 1, kMaxFrames>},
+    {{"frames", "whole number", "1"}, &set_integer<&Scene::frames, 1, kLastFrame>},
     {{"fps", "frames a second", "24"}, &read_fps},
     {{"seed", "whole number", "0"}, &read_seed},
     {{"markov", "[markov.NAME]", "{}"}, &read_chains},

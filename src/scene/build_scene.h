@@ -7,6 +7,9 @@
 
 namespace flatray {
 
+/// Highest frame number: what keeps a list of all of them small.
+inline constexpr unsigned kLastFrame = 9'999'999;
+
 /// Checks a description and makes the scene of it; `name` and `hash` are left to the caller.
 /// `seed` replaces the scene's.
 ///

@@ -50,7 +50,7 @@ class Args {
   Imports& imports() { return builder_->imports; }
 
   /// Says that nothing is left of the shape: one that changes is then not there, whatever `build`
-  /// says.
+  /// says, which then need not make its corners.
   void vanish(bool nothing_is_left = true) { gone_ |= nothing_is_left; }
   bool gone() const { return gone_ && known_ != nullptr; }
   void set_time(double time);

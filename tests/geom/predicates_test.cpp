@@ -42,6 +42,22 @@ double coordinate(int family, std::uint64_t b) {
   }
 }
 
+TEST(Predicates, AgreeWithRationalSlopesWhereProductsOverflow) {
+  for (std::uint64_t i = 0; i < 9000; ++i) {
+    Vec2 p[3];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const double unit = unit_double(bits(i, 10 + k));
+      // Of one magnitude from 2^490 on, one far smaller, or all but on a line.
+      const int power = k == 2 && i % 3 == 1 ? -500 : 490 + static_cast<int>(i % 532);
+      const double x = std::ldexp(unit - 0.5, power);
+      const double y = i % 3 == 2 ? x : std::ldexp(unit_double(bits(i, 20 + k)) - 0.5, power);
+      p[k] = {x, k == 2 && i % 2 == 0 ? std::nextafter(y, 0) : y};
+    }
+    ASSERT_EQ(orientation(p[0], p[1], p[2]), oracle::side_of_line(p[0], p[1], p[2])) << i;
+    ASSERT_EQ(cross_sign(p[0], p[1]), oracle::side_of_line({0, 0}, p[0], p[1])) << i;
+  }
+}
+
 TEST(Predicates, AgreeWithRationalSlopesOnEveryFamily) {
   RecordProperty("seed", static_cast<int>(kSeed));
   for (std::uint64_t i = 0; i < 9000; ++i) {

@@ -119,6 +119,7 @@ TEST(ChangingShapes, MistakesAreToldWithTheTimeAndWhatToWrite) {
   const std::string two_paces =
       "box = { min = [{ keys = [[0, 0], [4, 10]], ease = \"smooth\" }, 0], max = [{ keys = [[0, "
       "0.5], [4, 10.5]] }, 1] }";
+  const std::string far = "{ keys = [[0, 0], [2, 1e17]] }";
   const Refused cases[] = {
       {entity("circle = { radius = { keys = [[0, 1], [2, -1]] } }"), "radius of -1 at 2 s"},
       {entity("ngon = { sides = 5, radius = { keys = [[0, 1], [2, -1]] } }"),
@@ -126,6 +127,20 @@ TEST(ChangingShapes, MistakesAreToldWithTheTimeAndWhatToWrite) {
       {entity("box = { min = [0, 0], max = [{ keys = [[0, 1], [3, -1]] }, 1] }"),
        "box has no area at 3 s"},
       {entity(two_paces), "box has no area at 3 s"},  // right at both ends
+      {entity("sector = { radius = { keys = [[0, 0], [2, 10]] }, from = 0, to = 90, inner = 5.5 }"),
+       "sector.inner does not lie between 0 and the radius at 1 s"},  // not there at 0 s
+      {entity("mushroom = { radius = { keys = [[0, 0], [4, 3]] }, width = 2, height = 1 }"),
+       "the stem is as wide as the cap at 1 s"},
+      {entity("ngon = { sides = 5, radius = 1, centre = [" + far + ", 0] }"),
+       "the sides of the ngon are lost in rounding at 2 s"},
+      {entity("star = { points = 5, outer = 2, inner = 1, centre = [" + far + ", 0] }"),
+       "the points of the star are lost in rounding at 2 s"},
+      {entity("tokarsky = { size = 1, at = [" + far + ", 0] }"),
+       "the corners of the room are lost in rounding at 2 s"},
+      {entity("text = { string = \"far\", size = { keys = [[0, 0], [2, 1e-323]] } }"),
+       "letters of this size are lost in rounding at 2 s"},
+      {"flatray = 1\nfps = 1\n" + with_shape(two_paces).substr(12),
+       "box has no area at 3 s"},  // frames = 1, and the fourth may be asked for
       {entity("polygon = { points = [[0, 0], [2, 0], [2, 2], [{ keys = [[0, 0], [2, 5]] }, 1]] }"),
        "cross at 2 s"},
       {entity("ngon = { sides = { keys = [[0, 3], [1, 9]] }, radius = 1 }"),
@@ -152,6 +167,24 @@ TEST(ChangingShapes, WorkOfCheckingThemIsBounded) {
   const auto result = load_scene_text("t.toml", text, {}, limits);
   ASSERT_FALSE(result);
   EXPECT_NE(format(result.error()).find("--max-corners"), std::string::npos);
+}
+
+TEST(ChangingShapes, WorkOfCheckingThemIsBoundedWhereTheyAreNotThere) {
+  LoadLimits limits;
+  limits.max_corners = 1000;
+  const std::string none = "{ keys = [[0, 0], [1e9, 0]] }",
+                    turning = "{ keys = [[0, 0], [1e9, 1]] }";
+  const std::string shapes[] = {
+      "ngon = { sides = 10000, radius = " + none + ", angle = " + turning + " }",
+      "star = { points = 1000, outer = " + none + ", inner = 1, angle = " + turning + " }",
+      "tokarsky = { size = " + none + ", at = [" + turning + ", 0] }"};
+  for (const std::string& shape : shapes) {
+    const auto result = load_scene_text(
+        "t.toml", "flatray = 1\nframes = 9999999\nfps = 1\n" + with_shape(shape).substr(12), {},
+        limits);
+    ASSERT_FALSE(result) << shape;
+    EXPECT_NE(format(result.error()).find("--max-corners"), std::string::npos) << shape;
+  }
 }
 
 TEST(ChangingColours, AreKeptAsPremultipliedLight) {

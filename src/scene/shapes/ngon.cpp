@@ -18,12 +18,12 @@ Result<Shape> build(Args& args) {
   const auto sides = static_cast<int>(args.integer("sides", 3, 3, kMostSides));
   const Vec2 centre = args.point("centre");
   const double radius = args.size("radius");
-  const std::vector<Vec2> points = corners({centre, sides, args.number("angle", 90)}, {radius});
-  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size()) {
-    args.vanish();
+  const double angle = args.number("angle", 90);
+  if (args.gone()) return Shape{};
+  const std::vector<Vec2> points = corners({centre, sides, angle}, {radius});
+  if (non_convex_vertex(points) || clean_ring(points).vertices.size() != points.size())
     return fail(args.place("radius"), "the sides of the ngon are lost in rounding",
                 "write fewer sides, a larger radius, or a centre nearer to 0");
-  }
   Shape shape;
   add_ring(shape, points);
   return shape;

@@ -17,13 +17,12 @@ Result<Shape> build(Args& args) {
   const auto points = static_cast<int>(args.integer("points", 3, 3, kMostPoints));
   const Vec2 centre = args.point("centre");
   const double outer = args.size("outer"), inner = args.size("inner");
-  const std::vector<Vec2> ring =
-      corners({centre, 2 * points, args.number("angle", 90)}, {outer, inner});
-  if (is_flat(ring) || crossing_edges(ring)) {
-    args.vanish();
+  const double angle = args.number("angle", 90);
+  if (args.gone()) return Shape{};
+  const std::vector<Vec2> ring = corners({centre, 2 * points, angle}, {outer, inner});
+  if (is_flat(ring) || crossing_edges(ring))
     return fail(args.place("outer"), "the points of the star are lost in rounding",
                 "write fewer points, larger radii, or a centre nearer to 0");
-  }
   Shape shape;
   add_ring(shape, ring);
   return shape;

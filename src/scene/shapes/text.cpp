@@ -37,6 +37,7 @@ Result<Shape> build(Args& args) {
   const std::string text = printable(args, args.string("string"));
   const double scale = args.size("size") / kFontCapitals;
   const double before = 0.5 * static_cast<int>(args.word<Align>("align", Align::left, kAligns));
+  if (args.gone()) return Shape{};
   Shape shape;
   int baseline = 0;
   for (std::size_t begin = 0; begin <= text.size(); baseline -= kFontLineStep) {
@@ -48,11 +49,9 @@ Result<Shape> build(Args& args) {
   if (shape.piece_count() == 0)
     return fail(args.place("string"), "the text shows nothing", "write some letters");
   const Vec2 one = shape.vertices[1] - shape.vertices[0];
-  if (!(one.x() > 0) || !(shape.vertices.back().cwiseAbs().maxCoeff() <= kFarthest)) {
-    args.vanish();
+  if (!(one.x() > 0) || !(shape.vertices.back().cwiseAbs().maxCoeff() <= kFarthest))
     return fail(args.place("size"), "letters of this size are lost in rounding",
                 "write a size between 1e-290 and 1e290");
-  }
   return shape;
 }
 

@@ -18,13 +18,12 @@ constexpr int kCorners[][2] = {{0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}, {3, 1}, {
 Result<Shape> build(Args& args) {
   const Vec2 at = args.point("at");
   const double size = args.size("size");
+  if (args.gone()) return Shape{};
   std::vector<Vec2> ring;
   for (const auto& [x, y] : kCorners) ring.push_back(at + size * Vec2(x, y));
-  if (is_flat(ring) || crossing_edges(ring)) {
-    args.vanish();
+  if (is_flat(ring) || crossing_edges(ring))
     return fail(args.place("size"), "the corners of the room are lost in rounding",
                 "write a larger size, or a place nearer to 0");
-  }
   Shape shape;
   add_ring(shape, ring);
   return shape;
