@@ -12,6 +12,11 @@ namespace {
 
 constexpr std::size_t kOfKey = 5;
 
+// Of a row: the key, the seconds and the note.
+std::size_t cells_besides_counts(const ChunkLog::Format& format) {
+  return kOfKey + 1 + (format.note == nullptr ? 0 : 1);
+}
+
 // Of a type whose counts are members.
 template <class Tally, std::size_t N>
 ChunkLog::Row row_of(const Tally& tally, const std::array<std::uint64_t Tally::*, N>& members) {
@@ -59,22 +64,34 @@ std::string ChunkLog::header(std::size_t counts) const {
   return format_.note == nullptr ? line : line + "," + format_.note;
 }
 
+// A row of before in the columns of now: what it did not count is empty.
+std::string ChunkLog::padded(std::string_view line) const {
+  const std::size_t cells = split_commas(line).size();
+  const std::size_t missing = cells_besides_counts(format_) + format_.counts.size() - cells;
+  const std::size_t end = format_.note == nullptr ? line.size() : line.rfind(',');
+  return std::string(line).insert(end, missing, ',');
+}
+
 std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
     std::string_view line) const {
   const std::vector<std::string_view> cells = split_commas(line);
-  const std::size_t others = kOfKey + 1 + (format_.note == nullptr ? 0 : 1);
-  if (std::none_of(format_.widths.begin(), format_.widths.end(),
-                   [&](std::size_t width) { return cells.size() == width + others; }))
-    return std::nullopt;
+  const std::size_t others = cells_besides_counts(format_);
+  const auto is_width = [&](std::size_t counts) {
+    return std::find(format_.widths.begin(), format_.widths.end(), counts) != format_.widths.end();
+  };
+  if (cells.size() < others || !is_width(cells.size() - others)) return std::nullopt;
   const auto seed = parse_whole(cells[3]), chunk = parse_whole(cells[4]);
   if (!seed || !chunk) return std::nullopt;
   Row row;
+  bool ended = false;
   for (std::size_t i = 0; i <= cells.size() - others; ++i) {
     if (i == format_.before_seconds) continue;
     const auto count = parse_whole(cells[kOfKey + i]);
-    if (!count) return std::nullopt;
-    row.counts.push_back(*count);
+    ended = ended || cells[kOfKey + i].empty();
+    if (ended ? !cells[kOfKey + i].empty() : !count) return std::nullopt;
+    if (!ended) row.counts.push_back(*count);
   }
+  if (!is_width(row.counts.size())) return std::nullopt;
   if (format_.note != nullptr) row.note = cells.back();
   return std::pair{
       Key{std::string(cells[0]), std::string(cells[1]), std::string(cells[2]), *seed, *chunk}, row};
@@ -102,6 +119,7 @@ Result<void> ChunkLog::read() {
     return std::any_of(format_.widths.begin(), format_.widths.end(),
                        [&](std::size_t width) { return line == header(width); });
   };
+  std::string now = header(format_.counts.size()) + "\n";
   for (int line = 1; !rest.empty(); ++line) {
     const std::string_view row = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), row.size() + 1));
@@ -111,13 +129,9 @@ Result<void> ChunkLog::read() {
       return fail(named_place(fmt::format("{}:{}", path_.string(), line)),
                   "is no row of this program", "move the file away, or name another folder");
     rows_.insert(std::move(*parsed));
+    now += padded(row) + "\n";
   }
-  return {};
-}
-
-const ChunkLog::Row* ChunkLog::find(const Key& key) const {
-  const auto row = rows_.find(key);
-  return row == rows_.end() ? nullptr : &row->second;
+  return now == *text ? Result<void>() : write_file(path_, now);
 }
 
 Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {

@@ -14,7 +14,8 @@
 namespace flatray {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
-/// without its end, as a full disk leaves it, is taken away.
+/// without its end, as a full disk leaves it, is taken away; a file of before gets the columns of
+/// now, empty in its rows.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -43,14 +44,24 @@ class ChunkLog {
   static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder);
 
   bool has(const Key& key) const { return rows_.contains(key); }
-  /// Nothing where there is none. Counts that rows did not have when it was written are missing.
-  const Row* find(const Key& key) const;
+  /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
+  /// Counts that rows did not have when one was written are missing.
+  /// Cost    of the rows that are there.
+  template <class Each>
+  void for_each(Key key, std::uint64_t chunks, const Each& each) const {
+    Key end = key;
+    key.chunk = 0;
+    end.chunk = chunks;
+    const auto last = rows_.lower_bound(end);
+    for (auto row = rows_.lower_bound(key); row != last; ++row) each(row->second);
+  }
   /// Appends a row, flushed.
   Result<void> add(const Key& key, const Row& row, double seconds);
 
  private:
   explicit ChunkLog(const Format& format) : format_(format) {}
   std::string header(std::size_t counts) const;
+  std::string padded(std::string_view line) const;
   std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
   Result<void> read();
 
@@ -59,7 +70,7 @@ class ChunkLog {
   std::map<Key, Row> rows_;
 };
 
-/// Rows as tallies: `kColumns` of `Rows` are the counts of a Tally, in order.
+/// Rows as tallies: `Rows` has their format, and makes a row of a Tally and a Tally of a row.
 template <class Tally, class Rows>
 class TallyLog {
  public:
@@ -73,10 +84,9 @@ class TallyLog {
     return log_.add(key, Rows::row(tally), seconds);
   }
   /// Chunks 0 to `chunks` - 1 together, whatever the chunk of `key`.
-  Tally sum(ChunkLog::Key key, std::uint64_t chunks) const {
+  Tally sum(const ChunkLog::Key& key, std::uint64_t chunks) const {
     Tally sum;
-    for (key.chunk = 0; key.chunk < chunks; ++key.chunk)
-      if (const ChunkLog::Row* row = log_.find(key)) sum.add(Rows::tally(*row));
+    log_.for_each(key, chunks, [&](const ChunkLog::Row& row) { sum.add(Rows::tally(row)); });
     return sum;
   }
 

@@ -1,14 +1,12 @@
 // flatray stability --leaks.
-#include <chrono>
-
 #include "app/chunk_log.h"
 #include "app/interrupt.h"
 #include "app/option_values.h"
+#include "app/rounds.h"
 #include "app/scene_input.h"
 #include "app/stability_reports.h"
 #include "app/tracer_choice.h"
 #include "base/isa.h"
-#include "base/parallel.h"
 
 namespace flatray {
 namespace {
@@ -21,33 +19,16 @@ ChunkLog::Key key_of(const StabilityRequest& request, const RoomPlace& place, co
 // Blocks not yet in the log.
 Result<void> run_blocks(const StabilityRequest& request, const RoomPlace& place,
                         const Tracer& tracer, std::uint64_t blocks, LeakLog& log) {
-  std::vector<std::uint64_t> open;
-  for (std::uint64_t block = 0; block < blocks; ++block)
-    if (!log.has(key_of(request, place, tracer, block))) open.push_back(block);
-  std::vector<LeakTally> tallies(open.size());
   return in_rounds(
-      open.size(), request.threads,
-      [&](std::size_t i) { tallies[i] = count_leaks(tracer, place, request.seed, open[i]); },
-      [&](std::size_t i, double seconds) {
-        return log.add(key_of(request, place, tracer, open[i]), tallies[i], seconds);
+      blocks, request.threads,
+      [&](std::uint64_t block) { return !log.has(key_of(request, place, tracer, block)); },
+      [&](std::uint64_t block) { return count_leaks(tracer, place, request.seed, block); },
+      [&](std::uint64_t block, const LeakTally& tally, double seconds) {
+        return log.add(key_of(request, place, tracer, block), tally, seconds);
       });
 }
 
 }  // namespace
-
-Result<void> in_rounds(std::size_t count, unsigned threads,
-                       const std::function<void(std::size_t)>& work,
-                       const std::function<Result<void>(std::size_t, double)>& keep) {
-  for (std::size_t begin = 0; begin < count && !interrupted(); begin += threads) {
-    const std::size_t round = std::min<std::size_t>(threads, count - begin);
-    const auto start = std::chrono::steady_clock::now();
-    parallel_for(round, threads, [&](std::size_t i) { work(begin + i); });
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    for (std::size_t i = begin; i < begin + round; ++i)
-      if (auto kept = keep(i, time.count() / static_cast<double>(round)); !kept) return kept;
-  }
-  return {};
-}
 
 VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound) {
   const int code = interrupted() ? 130 : sound ? 0 : 1;

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <vector>
 
 #include "app/report.h"
@@ -34,12 +33,6 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
 
 /// What a run in chunks prints, and its exit code.
 VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound);
-
-/// Items 0 to `count` - 1 by `work(i)`, a round of `threads` at a time, until interrupted; each is
-/// kept by `keep(i, seconds)`, in order, when its round is over.
-Result<void> in_rounds(std::size_t count, unsigned threads,
-                       const std::function<void(std::size_t)>& work,
-                       const std::function<Result<void>(std::size_t, double)>& keep);
 
 /// SCENE: its rays by how near they are to a decision; margins.csv in the folder of --output.
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request);

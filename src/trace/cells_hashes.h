@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "geom/ray.h"
 
 namespace flatray {
+
+/// The same for a segment from either of its ends, and for -0 and 0. Ends that only add up to the
+/// same share none: each is mixed before the two are added.
+std::uint64_t hash_of_ends(const Segment& segment);
 
 /// A segment by the hash of what is compared of it, which is not 0.
 struct HashedSlot {

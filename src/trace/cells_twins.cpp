@@ -7,24 +7,24 @@
 namespace flatray {
 namespace {
 
-constexpr std::uint64_t kFirst = 0x9e3779b97f4a7c15U, kSecond = 0xbf58476d1ce4e5b9U;
+// Odd, so that no two words have one product.
+constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15U, kSpreadAgain = 0xbf58476d1ce4e5b9U,
+                        kSpreadEnd = 0x94d049bb133111ebU;
 
 std::uint64_t hash_of(const CellGrid::Mark& m) {
   // + 0: -0 and 0 are equal to the kernels.
   const auto word = [](float x) -> std::uint64_t { return std::bit_cast<std::uint32_t>(x + 0); };
-  const std::uint64_t hash = (word(m.ax) << 32 | word(m.ay)) * kFirst;
-  return ((hash ^ hash >> 29) + word(m.bx)) * kSecond;
+  const std::uint64_t hash = (word(m.ax) << 32 | word(m.ay)) * kSpread;
+  return ((hash ^ hash >> 29) + word(m.bx)) * kSpreadAgain;
 }
 
-// The same for a segment from either of its ends.
-std::uint64_t hash_of(const Segment& segment) {
+std::uint64_t hash_of(const Vec2& end) {
   const auto word = [](double x) { return std::bit_cast<std::uint64_t>(x + 0); };
-  const auto end = [&](const Vec2& p) {
-    const std::uint64_t hash = (word(p.x()) ^ word(p.x()) >> 32) * kFirst;
-    return ((hash ^ hash >> 29) + word(p.y())) * kSecond;
-  };
-  const std::uint64_t sum = end(segment.a) + end(segment.b);
-  return (sum ^ sum >> 31) * kFirst;
+  std::uint64_t hash = (word(end.x()) ^ word(end.x()) >> 32) * kSpread;
+  hash = ((hash ^ hash >> 29) + word(end.y())) * kSpreadAgain;
+  hash ^= hash >> 32;
+  hash *= kSpreadEnd;
+  return hash ^ hash >> 29;
 }
 
 bool are_copies(const Segment& one, const Segment& other) {
@@ -32,6 +32,11 @@ bool are_copies(const Segment& one, const Segment& other) {
 }
 
 }  // namespace
+
+std::uint64_t hash_of_ends(const Segment& segment) {
+  const std::uint64_t sum = hash_of(segment.a) + hash_of(segment.b);
+  return (sum ^ sum >> 31) * kSpread;
+}
 
 // That two marks share a hash is as good as that they are equal.
 void CellGrid::find_twins(const Surfaces& walls, unsigned threads) {
@@ -49,7 +54,7 @@ void CellGrid::find_copies(const Surfaces& walls, unsigned threads) {
   const std::size_t count = walls.segments.size();
   kept_ = count;
   const HashShares ends(count, threads,
-                        [&](std::size_t slot) { return hash_of(walls.segments[slot]); });
+                        [&](std::size_t slot) { return hash_of_ends(walls.segments[slot]); });
   for (const auto& [before, copy] :
        ends.pairs(threads, [&](std::uint32_t one, std::uint32_t other) {
          return are_copies(walls.segments[one], walls.segments[other]);

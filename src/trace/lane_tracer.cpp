@@ -8,6 +8,7 @@
 #include "trace/cell_search.h"
 #include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
+#include "trace/many_rays.h"
 #include "trace/rescaled.h"
 
 namespace flatray {
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 // Up to so many rays one after the other are faster than lanes (benchmarks/batch_size).
-constexpr std::size_t kFewRays = 16, kFewRaysOfList = 4;
+constexpr std::size_t kFewRays = kMostRaysOneByOne, kFewRaysOfList = 4;
 constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
 constexpr std::size_t kVector = 16;  // floats of the widest tier
 

@@ -56,6 +56,25 @@ run 1 stability --families vertex --tracer float --count 10 -o old
 says out 'item 3 ray 1'
 says out 'unknown' # how many rays were decided one by one
 
+# Its file gets the columns of now, once; what was not counted is empty.
+run 1 stability --families vertex --tracer float --count 20000 -o old
+[[ $(head -n 1 old/stability.csv) == "$(head -n 1 log/stability.csv)" ]] || fail 'the header is still that of before'
+[[ $(awk -F, '{ print NF }' old/stability.csv | uniq -c | awk '{ print $1, $2 }') == '3 18' ]] || fail 'rows are not as wide as the header'
+grep -q ',0.100,,,,,,item 3 ray 1$' old/stability.csv || fail 'a row of before has counts it did not make'
+cp old/stability.csv padded.csv
+run 1 stability --families vertex --tracer float --count 20000 -o old
+cmp -s padded.csv old/stability.csv || fail 'padded rows were not read'
+[[ -z $(find old -name '.*') ]] || fail 'a temporary file stayed'
+
+# However many blocks are asked for, memory is of those at work.
+for what in '--leaks 1099511627776 --places origin' '--pairs 1099511627776 --families grid'; do
+  (limit_memory 2000000; exec timeout -s INT 3 "$flatray" stability $what -j 2 -o endless > out.txt 2> err.txt)
+  (($? == 124)) || fail "stability $what: ended before it was stopped"
+done
+for file in leaks stability; do
+  (($(wc -l < endless/$file.csv) > 1)) || fail "no row in $file.csv of what was done"
+done
+
 # Moving pairs, of chosen families; a run goes on where its log ends.
 run 0 stability --pairs 1000 --families grid,turning-squares -o pairs
 [[ $(wc -l < pairs/stability.csv) == 4 ]] || fail 'a row for each method of each chunk and the head'

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "trace/exact_nearest.h"
+#include "trace/many_rays.h"
 #include "trace/random_rays.h"
 #include "trace/tracer.h"
 
@@ -37,15 +38,21 @@ inline void expect_hits(const std::vector<NearestHit>& truth, const std::vector<
   }
 }
 
-/// Every tracer in every tier against the exact code for every wall, bit for bit.
+/// Every tracer in every tier against the exact code for every wall, bit for bit: by lanes, whose
+/// calls need many rays, in one call of the rays as they are, and one by one.
 inline void expect_all_tiers_exact(const Case& c) {
-  std::vector<NearestHit> truth, hits(c.rays.size());
-  for (std::size_t i = 0; i < c.rays.size(); ++i) truth.push_back(exact_hit_of(c, i));
+  const std::size_t count = c.rays.size();
+  const Case many{c.walls, many_of(c.rays)};
+  std::vector<NearestHit> truth, hits(count), copies(many.rays.size());
+  for (std::size_t i = 0; i < copies.size(); ++i)
+    truth.push_back(i < count ? exact_hit_of(c, i) : truth[i - count]);
   for (const Tracer* tracer : exact_tracers())
     for (const Isa isa : available_isas()) {
       const auto walls = tracer->build(c.walls, isa);
       walls->nearest(c.rays, hits);
       expect_hits(truth, hits, c, std::string(tracer->name) + ", " + isa_name(isa));
+      walls->nearest(many.rays, copies);
+      expect_hits(truth, copies, many, std::string(tracer->name) + ", lanes, " + isa_name(isa));
       for (std::size_t i = 0; i < hits.size(); ++i)
         hits[i] = walls->nearest_of_one(c.rays.ray(i), c.rays.left[i], c.rays.tangents);
       expect_hits(truth, hits, c, std::string(tracer->name) + ", one by one, " + isa_name(isa));

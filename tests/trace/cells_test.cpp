@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "trace/all_tracers.h"
+#include "trace/cells_hashes.h"
 
 namespace flatray {
 namespace {
@@ -323,6 +326,29 @@ TEST(CellGrid, ListsTheFirstOfCopiesAlone) {
   const auto brute = find_tracer("brute")->build(walls);
   EXPECT_EQ(brute->tested_of_one({{0.5, -1}, {0, 1}}), 2U);
   EXPECT_EQ(brute->nearest_of_one({{0.5, 0}, {0, 1}}, {0, Root::none}).surface, 1U);
+}
+
+// Fans whose ends go opposite ways: the sum of their ends, or of words of their ends, is the same.
+TEST(CellGrid, TellsSegmentsApartWhoseEndsAddUpToTheSame) {
+  constexpr std::size_t kCount = 10'000;
+  const auto up = [](double y) { return Segment{{0, y}, {1, 3 - y}}; };
+  const auto across = [](double x) { return Segment{{x, 0}, {3 - x, 1}}; };
+  const auto both = [](double x) { return Segment{{x, x}, {3 - x, 3 - x}}; };
+  const auto level = [](double y) { return Segment{{0, y}, {1, y}}; };
+  for (Segment (*const segment)(double) : {+up, +across, +both, +level}) {
+    Case c;
+    std::set<std::uint64_t> hashes;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      c.walls.add(segment(1 + static_cast<double>(i) * 0x1p-15));
+      const Segment& s = c.walls.segments.back();
+      hashes.insert(hash_of_ends(s));
+      ASSERT_EQ(hash_of_ends(s), hash_of_ends({s.b, s.a}));
+    }
+    EXPECT_EQ(hashes.size(), kCount);
+    Draws draw(25);
+    for (int i = 0; i < 20; ++i) c.rays.add({3 * draw.point(), draw.point() - Vec2(0.5, 0.5)});
+    expect_all_tiers_exact(c);
+  }
 }
 
 // A segment is listed in every cell it comes near to, whatever its slope: points all along it are

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geom/exact.h"
+#include "trace/many_rays.h"
 #include "trace/random_rays.h"
 #include "trace/tracer.h"
 
@@ -14,8 +15,12 @@ NearestHit nearest(const Surfaces& walls, const Ray& ray, const Left& left = {},
   RayBatch rays;
   rays.tangents = tangents;
   rays.add(ray, left);
-  NearestHit hit;
-  accelerate(walls)->nearest(rays, {&hit, 1});
+  rays = many_of(rays);
+  std::vector<NearestHit> hits(rays.size());
+  const auto made = accelerate(walls);
+  made->nearest(rays, hits);
+  const NearestHit hit = made->nearest_of_one(ray, left, tangents);
+  for (const NearestHit& by_lanes : hits) EXPECT_EQ(by_lanes, hit);
   return hit;
 }
 

@@ -6,6 +6,7 @@
 #include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/report.h"
+#include "app/rounds.h"
 #include "app/scene_input.h"
 #include "app/stability_reports.h"
 #include "app/tracer_choice.h"
@@ -122,27 +123,24 @@ std::vector<const Tracer*> still_open(const Plan& plan, const oracle::Family& fa
 }
 
 struct Chunk {
-  std::uint64_t number;
   std::vector<const Tracer*> tracers;
   std::vector<StabilityTally> tallies;
 };
 
-// Chunks not yet in the log, a round of `threads` at a time; each is logged when it is there.
+// Chunks not yet in the log; each is logged when it is there.
 Result<void> run_chunks(const Plan& plan, const oracle::Family& family, StabilityLog& log) {
-  std::vector<Chunk> chunks;
-  for (std::uint64_t number = 0; number < plan.chunks; ++number)
-    if (auto open = still_open(plan, family, number, log); !open.empty())
-      chunks.push_back({number, std::move(open), {}});
   return in_rounds(
-      chunks.size(), plan.threads,
-      [&](std::size_t i) {
-        chunks[i].tallies = check_scenes(chunks[i].tracers, family, plan.seed,
-                                         chunks[i].number * kScenesAChunk, kScenesAChunk);
+      plan.chunks, plan.threads,
+      [&](std::uint64_t number) { return !still_open(plan, family, number, log).empty(); },
+      [&](std::uint64_t number) {
+        Chunk chunk{still_open(plan, family, number, log), {}};
+        chunk.tallies =
+            check_scenes(chunk.tracers, family, plan.seed, number * kScenesAChunk, kScenesAChunk);
+        return chunk;
       },
-      [&](std::size_t i, double seconds) -> Result<void> {
-        const Chunk& chunk = chunks[i];
+      [&](std::uint64_t number, const Chunk& chunk, double seconds) -> Result<void> {
         for (std::size_t k = 0; k < chunk.tracers.size(); ++k)
-          if (auto logged = log.add(key_of(plan, family, *chunk.tracers[k], chunk.number),
+          if (auto logged = log.add(key_of(plan, family, *chunk.tracers[k], number),
                                     chunk.tallies[k], seconds);
               !logged)
             return logged;
@@ -155,23 +153,20 @@ ChunkLog::Key key_of(const Plan& plan, const PairFamily& family, std::size_t met
   return {"pairs-" + family.name, family.methods[method], isa_name(active_isa()), plan.seed, chunk};
 }
 
-// Chunks not yet in the log, a round of `threads` at a time.
+// Chunks not yet in the log.
 Result<void> run_pair_chunks(const Plan& plan, const PairFamily& family, std::uint64_t chunks,
                              StabilityLog& log) {
-  std::vector<std::uint64_t> open;
-  for (std::uint64_t chunk = 0; chunk < chunks; ++chunk)
-    if (!log.has(key_of(plan, family, 0, chunk))) open.push_back(chunk);
-  std::vector<std::vector<StabilityTally>> tallies(open.size());
   return in_rounds(
-      open.size(), plan.threads,
-      [&](std::size_t i) {
-        tallies[i] = check_pairs(family, plan.seed, open[i] * kPairsAChunk, kPairsAChunk);
+      chunks, plan.threads,
+      [&](std::uint64_t chunk) { return !log.has(key_of(plan, family, 0, chunk)); },
+      [&](std::uint64_t chunk) {
+        return check_pairs(family, plan.seed, chunk * kPairsAChunk, kPairsAChunk);
       },
-      [&](std::size_t i, double seconds) -> Result<void> {
+      [&](std::uint64_t chunk, const std::vector<StabilityTally>& tallies,
+          double seconds) -> Result<void> {
         // That of the first method last: it tells whether a chunk is done.
         for (std::size_t k = family.methods.size(); k-- > 0;)
-          if (auto logged = log.add(key_of(plan, family, k, open[i]), tallies[i][k], seconds);
-              !logged)
+          if (auto logged = log.add(key_of(plan, family, k, chunk), tallies[k], seconds); !logged)
             return logged;
         return {};
       });
