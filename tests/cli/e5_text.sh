@@ -20,7 +20,7 @@ rm -f ./*.obj
 
 yes 'A, 1, 2' | head -n 10000000 > many.list
 run 4 check many.list
-says err "many.list:1000001:1: error: more than 1000000 objects"
+says err "many.list:1000001:1: error: the list has more than 1000000 objects"
 { bytes 100000000 A; printf ', 1, 2\n'; } > long.list
 run 4 check long.list
 rm -f ./*.list
