@@ -32,8 +32,7 @@ std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
   if (!stands_still(scene, entity.group)) return Hindrance{"group", "is in a group that moves"};
   if (entity.markov && changes_outline_or_velocity(*entity.markov))
     return Hindrance{"states", "changes its shape or velocity by its states"};
-  if (scene.shapes[entity.shape].changes != kNoEntry)
-    return Hindrance{"shape", "changes its size"};
+  if (scene.shapes[entity.shape].changes != kNoEntry) return Hindrance{"shape", "changes its size"};
   if (has_parts_left_out(scene.shapes[entity.shape]))
     return Hindrance{"shape", "has curves or crossing outlines, which nothing can meet"};
   return std::nullopt;

@@ -47,8 +47,8 @@ void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
   Parts parts(rays.size());
   for (std::size_t i = 0; i < context.scene.entities.size(); ++i)
     if (!context.state.entities[i].gone)
-      add_shape(shape_of(context.scene, context.state.entities[i]),
-                entity_pose(context.state, i), rays, parts);
+      add_shape(shape_of(context.scene, context.state.entities[i]), entity_pose(context.state, i),
+                rays, parts);
   for (const Chamber& chamber : context.scene.chambers)
     for (const Chamber::Pillar& pillar : chamber.pillars)
       add_shape(context.scene.shapes[pillar.shape], pillar_pose(context.state, pillar), rays,
