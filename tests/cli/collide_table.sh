@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The paper's case II, its velocity a tenth: first contact at 5710/635, between frames; at every frame rate the same.
-# needs: shapes/box
+# needs: shapes/box shapes/circle
 source "$(dirname "$0")/lib.sh"
 case_two=$root/scenes/paper/case_two.toml
 run 0 collide "$case_two" --csv

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle
+// needs: shapes/box shapes/circle shapes/polygon
 #include "collide/scene_timeline.h"
 
 #include <gtest/gtest.h>
