@@ -286,7 +286,8 @@ TEST(FrameDrawer, ShapesThatChangeAreDrawnAsWrittenForTheirTime) {
 TEST(FrameDrawer, GroupsThatGrowAreDrawnAsThoseOfTheirSize) {
   const auto grown = [](const std::string& scale) {
     return box_scene(
-        "group = \"g\"\nshape = { ellipse = { radii = [2, 2] } }\nat = [2, 2]\nstroke = { width = 0.5 "
+        "group = \"g\"\nshape = { ellipse = { radii = [2, 2] } }\nat = [2, 2]\nstroke = { width = "
+        "0.5 "
         "}\n[[group]]\nname = \"g\"\nscale = " +
         scale);
   };
