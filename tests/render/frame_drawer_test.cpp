@@ -306,9 +306,9 @@ TEST(FrameDrawer, ColoursThatChangeAreBlendedAsPremultipliedLight) {
   EXPECT_EQ(picture(grey, 3).at(30, 30)[0], 255);
   expect_the_same_carried(grey);
   const Scene clear = box_scene(shape + "fill = { keys = [[0, \"#ff000000\"], [1, \"#0000ff\"]] }");
-  const auto* const half = picture(clear, 2).at(30, 30);
-  EXPECT_EQ(half[0], 188);  // what half of the white below leaves
-  EXPECT_EQ(half[2], 255);
+  const Image half = picture(clear, 2);
+  EXPECT_EQ(half.at(30, 30)[0], 188);  // what half of the white below leaves
+  EXPECT_EQ(half.at(30, 30)[2], 255);
   const Scene line = box_scene(
       shape + "stroke = { width = 1, colour = { keys = [[0, \"#112233\"], [1, \"#445566\"]] } }");
   const Scene same = box_scene(shape + "stroke = { width = 1, colour = \"#445566\" }");
