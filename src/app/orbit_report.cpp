@@ -117,6 +117,21 @@ Proven proven(const OrbitRoom& room, const Orbit& orbit) {
   return {proven_bounces(room.world.surfaces, first, room.materials).bounces, false};
 }
 
+// As the wall sees it.
+double incidence(const OrbitReport& report, std::size_t number) {
+  Bounce bounce = report.orbit.bounces[number];
+  if (report.clock) {
+    bounce.in -= report.clock->bounces[number].wall_velocity;
+    bounce.out -= report.clock->bounces[number].wall_velocity;
+  }
+  return bounce.incidence();
+}
+
+// Before the first bounce, or after the last.
+double speed_of(const Orbit& orbit) {
+  return (orbit.bounces.empty() ? orbit.direction : orbit.bounces.back().out).stableNorm();
+}
+
 const char* end_text(const OrbitReport& report) {
   return report.decided ? name(report.orbit.end) : "undecided";
 }
@@ -155,10 +170,21 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
   return report;
 }
 
-ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
+OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
+                          const Ray& start, double from, const MovingLimits& limits) {
+  OrbitReport report{name, {}, "", false};
+  MovingOrbit moving = trace_moving_orbit(walls, start, from, limits);
+  report.orbit = std::move(moving.orbit);
+  report.clock = {from, moving.end_time, std::move(moving.times)};
+  tell_start(room, report);
+  return report;
+}
+
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed) {
   ReportTable table{{"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
                      "normal_y", "incidence_deg", "certain"},
                     {}};
+  if (timed) table.columns.insert(table.columns.end(), {"time", "speed"});
   std::uint64_t number = 0;
   for (const Bounce& bounce : report.orbit.bounces) {
     const SurfaceOwner& owner = room.world.owners[bounce.surface];
@@ -166,7 +192,14 @@ ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
     table.rows.push_back({report.ray, number, bounce.t, bounce.path_length, bounce.point.x(),
                           bounce.point.y(), object_name(room.scene, owner), edge_value(owner),
                           bounce.normal.x(), bounce.normal.y(),
-                          bounce.incidence() * kDegreesInRadian, certain ? "yes" : "no"});
+                          incidence(report, number - 1) * kDegreesInRadian,
+                          report.clock ? "unknown"
+                          : certain    ? "yes"
+                                       : "no"});
+    if (!timed) continue;
+    Values& row = table.rows.back();
+    row.push_back(report.clock ? JsonValue(report.clock->bounces[number - 1].time) : JsonValue());
+    row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
   }
   return table;
 }
@@ -174,7 +207,7 @@ ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
   const Orbit& orbit = report.orbit;
   const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
-  return Fields{
+  Fields fields{
       {"ray", report.ray},
       {"start", Values{orbit.start.x(), orbit.start.y()}},
       {"start_place", report.start},
@@ -183,14 +216,19 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
       {"rational", report.rational},
       {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
-      {"bounces", as_objects(bounce_table(room, report))},
-      {"certain", report.certain},
-      {"end_certain", report.end_certain},
+      {"bounces", as_objects(bounce_table(room, report, report.clock.has_value()))},
+      {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
+      {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
       {"end", end_text(report)},
       {"out", Values{orbit.out.x(), orbit.out.y()}},
       {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
                                      : JsonValue()},
       {"end_walls", walls_text(room, orbit.end_surfaces)}};
+  if (!report.clock) return fields;
+  fields.emplace_back("start_time", report.clock->start);
+  fields.emplace_back("end_time", report.clock->end);
+  fields.emplace_back("end_speed", speed_of(orbit));
+  return fields;
 }
 
 std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
@@ -205,7 +243,10 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   if (!orbit.bounces.empty())
     text += fmt::format(", path length {} to the last bounce",
                         number_text(orbit.bounces.back().path_length));
-  if (report.bits > 0)
+  if (report.clock)
+    text += fmt::format("; speed {} at time {}", number_text(speed_of(orbit)),
+                        number_text(report.clock->end));
+  else if (report.bits > 0)
     text += fmt::format("; certified in {}{} bits, doubles are noise {}",
                         report.rational ? "rational numbers of " : "", report.bits,
                         report.horizon == orbit.bounces.size()

@@ -3,16 +3,6 @@
 #include <algorithm>
 
 namespace flatray {
-namespace {
-
-bool changes_outline_or_velocity(const MarkovUse& markov) {
-  for (const std::vector<Look>& state : markov.looks)
-    for (const Look& look : state)
-      if (look.shape || look.velocity) return true;
-  return false;
-}
-
-}  // namespace
 
 Response response_of(const Scene& scene, const Entity& entity) {
   return entity.response.value_or(scene.collisions ? scene.collisions->response : Response::none);
@@ -36,6 +26,13 @@ std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
   if (has_parts_left_out(scene.shapes[entity.shape]))
     return Hindrance{"shape", "has curves or crossing outlines, which nothing can meet"};
   return std::nullopt;
+}
+
+bool changes_outline_or_velocity(const MarkovUse& markov) {
+  for (const std::vector<Look>& state : markov.looks)
+    for (const Look& look : state)
+      if (look.shape || look.velocity) return true;
+  return false;
 }
 
 bool has_parts_left_out(const Shape& shape) {
