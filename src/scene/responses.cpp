@@ -14,6 +14,21 @@ bool responds(const Scene& scene) {
   });
 }
 
+Place where_responds(const Scene& scene) {
+  return scene.collisions
+             ? scene.collisions->where
+             : std::find_if(scene.entities.begin(), scene.entities.end(), [](const Entity& e) {
+                 return e.response.has_value();
+               })->where;
+}
+
+Diagnostic refused_responses(const Scene& scene, const std::string& what) {
+  return {where_responds(scene),
+          "entities respond to contact, and " + what + " looks at what goes on undisturbed",
+          "write response = \"none\", here and in the entities, to see them undisturbed",
+          Trouble::invalid};
+}
+
 std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
   if (entity.angular_velocity != 0) return Hindrance{"angular_velocity", "turns"};
   if (entity.motion.angle) return Hindrance{"angle", "turns"};

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -17,6 +18,12 @@ const char* name(Response response);
 
 /// Whether any entity responds.
 bool responds(const Scene& scene);
+
+/// What says so. Needs   a scene that responds.
+Place where_responds(const Scene& scene);
+/// Why it is refused where what entities do when they meet is not looked at: `what` says who does not
+/// look.
+Diagnostic refused_responses(const Scene& scene, const std::string& what);
 
 /// Events after which a scene is given up.
 inline std::uint64_t most_events(const Scene& scene) {

@@ -18,8 +18,15 @@ run 0 collide "$scenes/cradle.toml" --csv -D collisions.response='"stop"'
 (($(wc -l < out.txt) == 2)) || fail "what stops meets no other"
 run 0 collide "$scenes/cradle.toml" --csv --response none
 says out "first,third,through,"
-run 0 collide "$scenes/cradle.toml" --csv --method minkowski
+run 0 collide "$scenes/cradle.toml" --csv --method minkowski --response none
 says out "first,third,through,"
+run 2 collide "$scenes/cradle.toml" --csv --method boxes
+says err "cradle.toml:10:1"
+says err "say --response none with it, or leave --method out"
+run 4 experiment avoidance "$scenes/cradle.toml"
+says err "avoidance looks at what goes on undisturbed"
+run 4 experiment gas "$scenes/responses.toml"
+says err "in a gas everything bounces, and the response of"
 run 4 collide "$root/scenes/markov/runner.toml" --response stop
 says err "keep one velocity"
 run 0 collide "$scenes/bullet.toml" --csv
