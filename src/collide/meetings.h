@@ -37,7 +37,7 @@ bool rests(const Scene& scene, std::uint32_t entity);
 ///         however fast: times between frames count. What turns or follows curves moves straight and turns evenly
 ///         from its place in one frame to that in the next, also what a group carries round; looks
 ///         are held as in the frame. What parts and meets again within a frame while it
-///         turns is one meeting.
+///         turns meets twice.
 /// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp. What turns: proven,
 ///         as turning_contact().
 /// Cost    a sweep over boxes, for scenes where all keep their velocity once, else once a frame.

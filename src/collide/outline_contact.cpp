@@ -66,6 +66,28 @@ TurningBody turning_body(const ShapePart& part, const MovingShape& moving) {
           moving.spin};
 }
 
+// The first meeting after a time, and when it is over: nothing for the last one, and without any.
+std::optional<double> add_turning_part(const TurningBody& a, const TurningBody& b, double from,
+                                       double length, std::vector<MeetingPart>& parts) {
+  const TurningContact first = turning_contact(a, b, length, kTurningWidth, false, from);
+  if (first.verdict == TurningContact::Verdict::apart) return std::nullopt;
+  const bool certain = first.verdict == TurningContact::Verdict::meets;
+  const double met = first.first.high;
+  const std::optional<double> parted =
+      certain && met < length ? turning_parting(a, b, met, length, kTurningWidth) : std::nullopt;
+  const double last = parted    ? *parted
+                      : certain ? turning_contact(a, b, length, kTurningWidth, true).first.high
+                                : met;
+  parts.push_back({{first.first.low, std::max(met, last)},
+                   certain ? HitClass::through : HitClass::touch,
+                   first.start,
+                   first.place.point,
+                   first.place.normal,
+                   met - first.first.low,
+                   certain});
+  return parted;
+}
+
 std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingShape& b,
                                              double length) {
   std::vector<MeetingPart> parts;
@@ -73,18 +95,8 @@ std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingS
   for (const ShapePart& p : parts_about(a))
     for (const ShapePart& q : parts_b) {
       const TurningBody one = turning_body(p, a), other = turning_body(q, b);
-      const TurningContact first = turning_contact(one, other, length, kTurningWidth);
-      if (first.verdict == TurningContact::Verdict::apart) continue;
-      const bool certain = first.verdict == TurningContact::Verdict::meets;
-      const TurningContact last =
-          certain ? turning_contact(one, other, length, kTurningWidth, true) : first;
-      parts.push_back({{first.first.low, std::max(first.first.high, last.first.high)},
-                       certain ? HitClass::through : HitClass::touch,
-                       first.start,
-                       first.place.point,
-                       first.place.normal,
-                       first.first.high - first.first.low,
-                       certain});
+      for (std::optional<double> from = 0; from && *from < length;)
+        from = add_turning_part(one, other, *from, length, parts);
     }
   join(parts);
   return parts;

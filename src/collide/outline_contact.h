@@ -46,8 +46,9 @@ inline constexpr double kTurningWidth = 0x1p-40;
 /// convex pieces, segments and discs together.
 ///
 /// Gives   kind: through where any pieces overlap, else along where any touch for a while.
-/// Error   as round_contact(); where one turns as turning_contact(), within a range from 0, and what
-///         parts and meets again in it is one meeting. Shapes with arcs are taken without those.
+/// Error   as round_contact(); where one turns as turning_contact(), within a range from 0; what
+///         parts for less than kTurningWidth, or after more than kMostPartingSteps steps, has not
+///         parted. Shapes with arcs are taken without those.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
 /// What shapes_meet tells of each of many pairs of bodies, bit for bit.
