@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
 #include "collide/turning_contact.h"
+#include "scene/rounded.h"
 
 namespace flatray {
 namespace {
@@ -132,7 +133,7 @@ class PolygonPairs {
   // Whether all there is to two bodies are polygons that do not turn.
   bool takes(const Pair& pair) const {
     const auto plain = [](const MovingShape& body) {
-      return body.spin == 0 && body.shape->circles.empty();
+      return body.spin == 0 && body.shape->circles.empty() && body.shape->arc_paths.empty();
     };
     return plain(bodies_[pair.first]) && plain(bodies_[pair.second]);
   }
@@ -188,6 +189,14 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
     const Circle there = posed(c, place);
     all.push_back({{there.centre}, there.radius});
   }
+  for (const ArcPath& path : shape.arc_paths)
+    if (const auto round = rounded_by(path)) {
+      const double radius = place.length(round->radius);
+      if (round->from == round->to)
+        all.push_back({{place(round->from)}, radius});
+      else
+        all.push_back({{place(round->from), place(round->to)}, radius});
+    }
   return all;
 }
 

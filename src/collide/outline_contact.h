@@ -17,7 +17,7 @@ struct MovingShape {
   double angle = 0, spin = 0;  ///< radians: that of `place`, and what t adds
 };
 
-/// The convex parts of a shape as placed: pieces, segments, discs.
+/// The convex parts of a shape as placed: pieces, segments, discs, capsules.
 struct ShapePart {
   std::vector<Vec2> ring;
   double radius = 0;
@@ -48,7 +48,8 @@ inline constexpr double kTurningWidth = 0x1p-40;
 /// Gives   kind: through where any pieces overlap, else along where any touch for a while.
 /// Error   as round_contact(); where one turns as turning_contact(), within a range from 0; what
 ///         parts for less than kTurningWidth, or after more than kMostPartingSteps steps, has not
-///         parted. Shapes with arcs are taken without those.
+///         parted. Of shapes with arcs only capsules and circles are
+///         taken.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
 /// What shapes_meet tells of each of many pairs of bodies, bit for bit.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/rounded.h"
+
 namespace flatray {
 
 Response response_of(const Scene& scene, const Entity& entity) {
@@ -39,7 +41,9 @@ std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
     return Hindrance{"states", "changes its shape or velocity by its states"};
   if (scene.shapes[entity.shape].changes != kNoEntry) return Hindrance{"shape", "changes its size"};
   if (has_parts_left_out(scene.shapes[entity.shape]))
-    return Hindrance{"shape", "has curves or crossing outlines, which nothing can meet"};
+    return Hindrance{
+        "shape",
+        "has curves other than circles and capsules, or crossing outlines, which nothing can meet"};
   return std::nullopt;
 }
 
@@ -51,7 +55,9 @@ bool changes_outline_or_velocity(const MarkovUse& markov) {
 }
 
 bool has_parts_left_out(const Shape& shape) {
-  return !shape.arc_paths.empty() || !shape.crossing_rings.empty();
+  return !shape.crossing_rings.empty() ||
+         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return !rounded_by(path); });
 }
 
 bool moves(const Group& group) {

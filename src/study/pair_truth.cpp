@@ -64,7 +64,9 @@ class Search {
       for (std::size_t i = 0; i < frame.size(); ++i) {
         const Shape& shape = shape_of(scene_, frame[i]);
         const bool turns = frame[i].angle != states_.front()[i].angle;
-        if (has_parts_left_out(shape) || !shape.circles.empty() || turns) round_[i] = true;
+        if (has_parts_left_out(shape) || !shape.circles.empty() || !shape.arc_paths.empty() ||
+            turns)
+          round_[i] = true;
         const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
         places.push_back({box.centre(), box.size().norm()});
       }

@@ -96,7 +96,7 @@ std::string left_out(const Scene& scene) {
                                                      : scene.entities[i].name);
   }
   if (names.empty()) return {};
-  return fmt::format("curves are left out: {}{}", comma_list(names),
+  return fmt::format("curves other than circles and capsules are left out: {}{}", comma_list(names),
                      more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
