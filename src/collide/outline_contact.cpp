@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "anim/world.h"
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
+#include "collide/ellipse_contact.h"
 #include "collide/turning_contact.h"
 #include "scene/rounded.h"
 
@@ -37,6 +39,27 @@ void join(std::vector<MeetingPart>& parts) {
   if (!parts.empty()) parts.resize(kept + 1);
 }
 
+// An ellipse without area is a segment.
+ShapePart ellipse_part(const Ellipse& curve) {
+  if (cross_sign(curve.u, curve.v) != Sign::zero) return {{}, 0, curve};
+  const Vec2 reach = curve.u.squaredNorm() > curve.v.squaredNorm() ? curve.u : curve.v;
+  return {{curve.centre - reach, curve.centre + reach}};
+}
+
+void add_curved_part(const CurvedBody& a, const CurvedBody& b, Range within,
+                     std::vector<MeetingPart>& parts) {
+  const CurvedContact met = curved_contact(a, b, within);
+  if (met.verdict == CurvedContact::Verdict::apart) return;
+  const bool certain = met.verdict == CurvedContact::Verdict::meets;
+  parts.push_back({{met.enter.low, met.exit.high},
+                   certain ? HitClass::through : HitClass::touch,
+                   met.start,
+                   met.place.point,
+                   met.place.normal,
+                   met.enter.high - met.enter.low,
+                   certain});
+}
+
 std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const Vec2& velocity_a,
                                     const std::vector<ShapePart>& parts_b, const Vec2& velocity_b,
                                     Range within) {
@@ -44,6 +67,10 @@ std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const
   for (const ShapePart& p : parts_a)
     for (const ShapePart& q : parts_b) {
       const RoundBody one{{p.ring, velocity_a}, p.radius}, other{{q.ring, velocity_b}, q.radius};
+      if (p.curve || q.curve) {
+        add_curved_part({p.curve, one}, {q.curve, other}, within, parts);
+        continue;
+      }
       const RoundContact met = round_contact(one, other, within);
       if (met.times) parts.push_back(meeting_part(met, one, other));
     }
@@ -95,6 +122,7 @@ std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingS
   const std::vector<ShapePart> parts_b = parts_about(b);
   for (const ShapePart& p : parts_about(a))
     for (const ShapePart& q : parts_b) {
+      if (p.curve || q.curve) continue;
       const TurningBody one = turning_body(p, a), other = turning_body(q, b);
       for (std::optional<double> from = 0; from && *from < length;)
         from = add_turning_part(one, other, *from, length, parts);
@@ -189,14 +217,17 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
     const Circle there = posed(c, place);
     all.push_back({{there.centre}, there.radius});
   }
-  for (const ArcPath& path : shape.arc_paths)
+  for (const ArcPath& path : shape.arc_paths) {
     if (const auto round = rounded_by(path)) {
       const double radius = place.length(round->radius);
       if (round->from == round->to)
         all.push_back({{place(round->from)}, radius});
       else
         all.push_back({{place(round->from), place(round->to)}, radius});
+    } else if (path.is_ellipse()) {
+      all.push_back(ellipse_part(curve_of(path.arcs[0], place)));
     }
+  }
   return all;
 }
 

@@ -166,9 +166,9 @@ std::string no_pairs(const Scene& scene) {
   return "nothing moves";
 }
 
-PairErrors pair_errors(const PairTruth& truth, const std::set<Pair>& found) {
+PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found) {
   PairErrors errors;
-  for (const Pair& pair : truth.compared) {
+  for (const PairTruth::Pair& pair : truth.compared) {
     const bool meets = truth.meet.count(pair) > 0, told = found.count(pair) > 0;
     if (meets && !told) ++errors.missed;
     if (told && !meets) ++errors.invented;

@@ -88,7 +88,7 @@ std::string left_out(const Scene& scene) {
   std::vector<std::string> names;
   std::size_t more = 0;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
-    if (!has_parts_left_out(scene.shapes[scene.entities[i].shape])) continue;
+    if (!is_left_out(scene, i)) continue;
     if (names.size() == kMostNames)
       ++more;
     else
@@ -96,8 +96,9 @@ std::string left_out(const Scene& scene) {
                                                      : scene.entities[i].name);
   }
   if (names.empty()) return {};
-  return fmt::format("curves other than circles and capsules are left out: {}{}", comma_list(names),
-                     more == 0 ? "" : fmt::format(" and {} more", more));
+  return fmt::format(
+      "curves are left out but circles, capsules and ellipses that do not turn: {}{}",
+      comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 ReportTable event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
