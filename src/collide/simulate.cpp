@@ -276,7 +276,7 @@ class Run {
   }
 
   void respond(const Prospect& met) {
-    const auto [a, b] = met.pair;
+    const std::uint32_t a = met.pair.first, b = met.pair.second;
     const std::array before{stages_[a].size(), stages_[b].size()};
     if (does(a, Response::mark) || does(b, Response::mark)) {
       left_alone_.insert(met.pair);  // as long as they overlap it is one meeting
