@@ -155,26 +155,52 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
   return report;
 }
 
+std::vector<std::string> bounce_columns() {
+  return {"ray",  "bounce",   "t",        "path_length",   "x",      "y", "object",
+          "edge", "normal_x", "normal_y", "incidence_deg", "certain"};
+}
+
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i) {
+  const Bounce& bounce = report.orbit.bounces[i];
+  const SurfaceOwner& owner = room.world.owners[bounce.surface];
+  return {report.ray,
+          std::uint64_t{i + 1},
+          bounce.t,
+          bounce.path_length,
+          bounce.point.x(),
+          bounce.point.y(),
+          object_name(room.scene, owner),
+          edge_value(owner),
+          bounce.normal.x(),
+          bounce.normal.y(),
+          bounce.incidence() * kDegreesInRadian,
+          i < report.certain ? "yes" : "no"};
+}
+
 ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
-  ReportTable table{{"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
-                     "normal_y", "incidence_deg", "certain"},
-                    {}};
-  std::uint64_t number = 0;
-  for (const Bounce& bounce : report.orbit.bounces) {
-    const SurfaceOwner& owner = room.world.owners[bounce.surface];
-    const bool certain = number++ < report.certain;
-    table.rows.push_back({report.ray, number, bounce.t, bounce.path_length, bounce.point.x(),
-                          bounce.point.y(), object_name(room.scene, owner), edge_value(owner),
-                          bounce.normal.x(), bounce.normal.y(),
-                          bounce.incidence() * kDegreesInRadian, certain ? "yes" : "no"});
-  }
+  ReportTable table{bounce_columns(), {}};
+  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+    table.rows.push_back(bounce_row(room, report, i));
   return table;
 }
+
+namespace {
+
+WrittenJson bounces_as_json(const OrbitRoom& room, const OrbitReport& report) {
+  const std::vector<std::string> columns = bounce_columns();
+  std::string text = "[";
+  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+    text += (i == 0 ? "" : ",") + object_text(columns, bounce_row(room, report, i));
+  text += ']';
+  return {std::move(text)};
+}
+
+}  // namespace
 
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
   const Orbit& orbit = report.orbit;
   const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
-  return Fields{
+  Fields fields{
       {"ray", report.ray},
       {"start", Values{orbit.start.x(), orbit.start.y()}},
       {"start_place", report.start},
@@ -183,7 +209,7 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
       {"rational", report.rational},
       {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
-      {"bounces", as_objects(bounce_table(room, report))},
+      {"bounces", JsonValue()},
       {"certain", report.certain},
       {"end_certain", report.end_certain},
       {"end", end_text(report)},
@@ -191,6 +217,8 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
                                      : JsonValue()},
       {"end_walls", walls_text(room, orbit.end_surfaces)}};
+  fields[8].second = bounces_as_json(room, report);  // a list would copy it
+  return fields;
 }
 
 std::string status_line(const OrbitRoom& room, const OrbitReport& report) {

@@ -47,6 +47,8 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
                                  std::uint64_t bounces, const OrbitRequest& request);
 
 /// As `flatray orbit` prints it: rows, an object, and for people.
+std::vector<std::string> bounce_columns();
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t bounce);
 ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report);
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
 std::string status_line(const OrbitRoom& room, const OrbitReport& report);
