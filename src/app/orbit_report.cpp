@@ -64,25 +64,8 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
                                        : "free";
 }
 
-// What an exact orbit has beside its points, from those: the last part of a bounce's way began at
-// `in`, and `flown` is the whole of it.
-Bounce bounce_at(const OrbitRoom& room, const CertifiedOrbit::Bounce& there, const Vec2& in,
-                 double speed, double flown, double before) {
-  const Vec2 flight = there.point - in;
-  const double length = flight.norm();
-  Vec2 normal = wall_normal(room.world.surfaces, there.surface, there.point);
-  if (normal.dot(flight) > 0) normal = -normal;
-  const Vec2 way = length > 0 ? Vec2(flight * (speed / length)) : Vec2(0, 0);
-  return {there.surface,
-          there.point,
-          flown / speed,
-          before + flown,
-          normal,
-          way,
-          way - 2 * way.dot(normal) * normal};
-}
-
-Orbit as_orbit(const OrbitRoom& room, CertifiedOrbit exact, const Ray& start) {
+Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
+  const double speed = start.direction.norm();
   Orbit orbit{start.origin,
               start.direction,
               {},
@@ -91,21 +74,13 @@ Orbit as_orbit(const OrbitRoom& room, CertifiedOrbit exact, const Ray& start) {
               exact.end_point,
               std::move(exact.end_surfaces)};
   orbit.crossings = std::move(exact.crossings);
-  auto crossing = orbit.crossings.begin();
-  Vec2 in = start.origin;
-  double before = 0;
-  for (const CertifiedOrbit::Bounce& there : exact.bounces) {
-    double flown = 0;
-    for (; crossing != orbit.crossings.end() && crossing->bounces == orbit.bounces.size();
-         in = crossing++->to)
-      flown += (crossing->from - in).norm();
-    flown += (there.point - in).norm();
-    orbit.bounces.push_back(bounce_at(room, there, in, start.direction.norm(), flown, before));
-    in = there.point;
-    before = orbit.bounces.back().path_length;
+  double length = 0;
+  for (const CertifiedOrbit::Bounce& one : exact.bounces) {
+    length += one.t * speed;
+    orbit.bounces.push_back(
+        {one.surface, one.point, one.t, length, one.normal, speed * one.in, speed * one.out});
   }
-  if (orbit.end == OrbitEnd::limit && !orbit.bounces.empty())
-    orbit.out = orbit.bounces.back().out.normalized();
+  if (orbit.end == OrbitEnd::limit && !exact.bounces.empty()) orbit.out = exact.bounces.back().out;
   return orbit;
 }
 
@@ -142,8 +117,10 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
     report.decided = exact->decided;
     const Orbit plain = trace_orbit(walls, room.materials, start, exact->bounces.size());
     report.horizon = horizon(walls, *exact, plain);
-    report.orbit = as_orbit(room, std::move(*exact), start);
+    report.orbit = as_orbit(std::move(*exact), start);
     report.certain = report.orbit.bounces.size();
+    report.certified = true;
+    report.end_certain = report.decided;
   } else {
     report.orbit = trace_orbit(walls, room.materials, start, bounces, request.rules);
     const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
@@ -205,7 +182,7 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"start", Values{orbit.start.x(), orbit.start.y()}},
       {"start_place", report.start},
       {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
-      {"precision", report.bits > 0 ? "certified" : "double"},
+      {"precision", report.certified ? "certified" : "double"},
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
       {"rational", report.rational},
       {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
@@ -234,7 +211,8 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
     text += fmt::format(", path length {} to the last bounce",
                         number_text(orbit.bounces.back().path_length));
   if (report.bits > 0)
-    text += fmt::format("; certified in {}{} bits, doubles are noise {}",
+    text += fmt::format("; {} {}{} bits, doubles are noise {}",
+                        report.decided ? "certified in" : "all certified, what follows is not by",
                         report.rational ? "rational numbers of " : "", report.bits,
                         report.horizon == orbit.bounces.size()
                             ? "nowhere"

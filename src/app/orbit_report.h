@@ -36,7 +36,8 @@ struct OrbitReport {
       0;                    ///< bounces from the first on that are proven to be those of the exact
                             ///< orbit; doubles are looked at for the first 10 000
   bool end_certain = true;  ///< all bounces are, and it ends as the exact orbit does
-  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles
+  bool certified = false;   ///< not in doubles
+  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles, and for none needed
   bool rational = false;    ///< that it took rational numbers of so many bits
   std::uint64_t horizon = 0;  ///< of a certified orbit: bounces until doubles are noise
   bool decided = true;        ///< false: the bits allowed were not enough for what comes next

@@ -157,6 +157,40 @@ TEST(Reflections, OfARoomThatKeepsItsRaysAreALeast) {
   EXPECT_EQ(measure(result, "pixels_most").value, 200);
 }
 
+// Walls of length 5 end before the ray of (4.9, 0.1) could meet them a second time; one that is
+// stopped has no closed form either.
+TEST(Reflections, OfAWedgeThatIsTooShortOrCutOffHaveNoClosedForm) {
+  const auto wedge = [](const std::string& length, const std::string& direction) {
+    return scene_of(
+        "film = { size = [8, 8] }\n[[entity]]\nmaterial = \"mirror\"\nshape = { polyline = "
+        "{ points = [[" +
+        length + ", 0], [0, 0], [0, " + length +
+        "]] } }\n"
+        "[[ray]]\nname = \"r\"\nat = [4.9, 0.1]\ndirection = " +
+        direction + "\n");
+  };
+  EXPECT_EQ(measure(run("reflections", {wedge("50", "[-1, -0.01]")}), "r").expected, 2);
+  EXPECT_EQ(measure(run("reflections", {wedge("5", "[-1, -0.01]")}), "r").expected, std::nullopt);
+  const Scene long_enough = wedge("50", "[-1, -0.01]");
+  ExperimentContext cut{long_enough};
+  cut.bounces = 1;
+  EXPECT_EQ(measure(run("reflections", cut), "r (at least)").expected, std::nullopt);
+}
+
+// Units of length do not matter to exponents by hit.
+TEST(Lyapunov, DoesNotDependOnTheUnitOfLength) {
+  const auto by_hit = [](const std::string& side, const std::string& radius) {
+    const Scene scene =
+        scene_of("[[chamber]]\nshape = { box = { min = [0, 0], max = [" + side + ", " + side +
+                 "] } }\n"
+                 "[[chamber.pillars]]\nshape = { circle = { centre = [" +
+                 radius + ", " + side + "], radius = " + radius + " } }\nat = [" + radius + ", -" +
+                 radius + "]\n");
+    return measure(run("lyapunov", {scene, 1, 20'000, 1}), "per_hit").value;
+  };
+  EXPECT_DOUBLE_EQ(by_hit("4", "0.5"), by_hit("0.00390625", "0.00048828125"));
+}
+
 TEST(PhasePortion, OfAClosedDiamondIsFourCells) {
   const Scene scene = scene_of(
       "[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
@@ -190,7 +224,7 @@ TEST(MeanFreePath, OfARoomWithoutAnInsideIsRefused) {
   const Scene scene = room("segment = { from = [0, 0], to = [1, 0] }");
   const auto result = experiment("mean-free-path").run({scene, 1, 100, 1});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error()[0].message, "the chamber encloses an area of 0");
+  EXPECT_EQ(result.error()[0].message, "the chamber is open, and orbits leave it");
 }
 
 bool is_unavailable(const Result<ExperimentResult>& result) {

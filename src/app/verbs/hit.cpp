@@ -206,8 +206,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
   if (reports.empty())
     return usage_error(named_place("hit"),
-                       "nothing here has a convex piece, a circle or an ellipse to hit",
-                       "segments, even-odd polygons and arcs have no inside to clip to");
+                       "no entity has a convex piece, a curve or a segment to hit",
+                       "even-odd polygons have no inside to clip to; walls of chambers and their "
+                       "pillars: flatray orbit");
   if (arguments.has("op")) return show_sets(arguments, *scene, *state, *questions);
   if (arguments.has("svg"))
     return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};

@@ -98,6 +98,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                       : elliptic ? room.walls().arcs.front().curve.centre
                                  : Vec2(room.state().window.centre());
   const Foci foci = elliptic ? foci_of(room.walls().arcs.front().curve) : Foci{middle, middle};
+  const double extent = bounds_of(room.walls()).size().maxCoeff();
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
     Lines lines(room, orbits.starts[i], middle, foci);
@@ -112,15 +113,17 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     const Numbers& one = (*found)[i];
     // In a circle every line of a path is as far from the centre as the first.
     const auto truth = round ? std::optional(one[0]) : std::nullopt;
-    const double rounding = static_cast<double>(bounces) * 0x1p-50;
+    // What rounding adds up to where lines keep their distance; elsewhere it is that of the orbit as
+    // it was followed.
+    const double rounding = round || elliptic ? static_cast<double>(bounces) * 0x1p-50 * extent : 0;
     measures.push_back({orbits.names[i] + ": nearest line to the middle", one[1], rounding, truth});
     measures.push_back({orbits.names[i] + ": farthest line", one[2], rounding, truth});
     // Between the foci of an ellipse it is below 0; lines touch one ellipse or hyperbola with the
     // same foci for ever.
     if (elliptic) {
-      measures.push_back(
-          {orbits.names[i] + ": least product of distances to the foci", one[4], rounding, one[3]});
-      measures.push_back({orbits.names[i] + ": largest", one[5], rounding, one[3]});
+      measures.push_back({orbits.names[i] + ": least product of distances to the foci", one[4],
+                          rounding * extent, one[3]});
+      measures.push_back({orbits.names[i] + ": largest", one[5], rounding * extent, one[3]});
     }
     all.add_cells(std::span(one).subspan(kNumbers));
   }

@@ -28,6 +28,10 @@ struct Trio {
 Result<Trio> trace(const Room& room, const Ray& start, std::uint64_t bounces, double apart) {
   const Vec2 along = unit(start.direction);
   const Ray moved{start.origin + apart * Vec2(-along.y(), along.x()), start.direction};
+  if (moved.origin == start.origin)
+    return fail(named_place("--apart"),
+                fmt::format("{:.17g} is less than doubles tell at the start", apart),
+                "say a larger one, as 1e-9", Trouble::usage);
   const CertifiedRules rules{room.materials()};
   auto exact = certified_orbit(room.walls(), start, bounces, rules);
   if (!exact) return tl::unexpected(exact.error());

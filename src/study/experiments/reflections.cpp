@@ -42,7 +42,7 @@ std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& ro
                          context.bounces.value_or(known ? kWedgeBounces : kRayBounces), counts);
     measures.push_back({orbits.names[i] + (counts.goes_on() ? " (at least)" : ""), counts.count(),
                         0, std::nullopt});
-    if (known) measures.back().expected = static_cast<double>(*known);
+    if (known && !counts.goes_on()) measures.back().expected = static_cast<double>(*known);
   }
   return measures;
 }
