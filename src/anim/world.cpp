@@ -2,6 +2,7 @@
 
 #include "geom/hit_interval.h"
 #include "scene/outline.h"
+#include "scene/rounded.h"
 
 namespace flatray {
 namespace {
@@ -67,11 +68,8 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
 }
 
 Ellipse curve_of(const EllipseArc& arc, const Pose& place) {
-  if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x())) {
-    const double radius =
-        arc.u.y() == 0 || arc.u.x() == 0 ? arc.u.cwiseAbs().maxCoeff() : arc.u.stableNorm();
-    return posed(Circle{arc.centre, radius}, place);
-  }
+  if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x()))
+    return posed(Circle{arc.centre, circle_radius(arc.u)}, place);
   return {place(arc.centre), place.turned(arc.u), place.turned(arc.v)};
 }
 

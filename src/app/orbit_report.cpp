@@ -92,6 +92,21 @@ Proven proven(const OrbitRoom& room, const Orbit& orbit) {
   return {proven_bounces(room.world.surfaces, first, room.materials).bounces, false};
 }
 
+// As the wall sees it.
+double incidence(const OrbitReport& report, std::size_t number) {
+  Bounce bounce = report.orbit.bounces[number];
+  if (report.clock) {
+    bounce.in -= report.clock->bounces[number].wall_velocity;
+    bounce.out -= report.clock->bounces[number].wall_velocity;
+  }
+  return bounce.incidence();
+}
+
+// Before the first bounce, or after the last.
+double speed_of(const Orbit& orbit) {
+  return (orbit.bounces.empty() ? orbit.direction : orbit.bounces.back().out).stableNorm();
+}
+
 const char* end_text(const OrbitReport& report) {
   return report.decided ? name(report.orbit.end) : "undecided";
 }
@@ -132,42 +147,62 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
   return report;
 }
 
-std::vector<std::string> bounce_columns() {
-  return {"ray",  "bounce",   "t",        "path_length",   "x",      "y", "object",
-          "edge", "normal_x", "normal_y", "incidence_deg", "certain"};
+OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
+                          const Ray& start, double from, const MovingLimits& limits) {
+  OrbitReport report{name, {}, "", false};
+  MovingOrbit moving = trace_moving_orbit(walls, start, from, limits);
+  report.orbit = std::move(moving.orbit);
+  report.clock = {from, moving.end_time, std::move(moving.times)};
+  tell_start(room, report);
+  return report;
 }
 
-Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i) {
+std::vector<std::string> bounce_columns(bool timed) {
+  std::vector<std::string> columns{
+      "ray",  "bounce",   "t",        "path_length",   "x",      "y", "object",
+      "edge", "normal_x", "normal_y", "incidence_deg", "certain"};
+  if (timed) columns.insert(columns.end(), {"time", "speed"});
+  return columns;
+}
+
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
   const Bounce& bounce = report.orbit.bounces[i];
   const SurfaceOwner& owner = room.world.owners[bounce.surface];
-  return {report.ray,
-          std::uint64_t{i + 1},
-          bounce.t,
-          bounce.path_length,
-          bounce.point.x(),
-          bounce.point.y(),
-          object_name(room.scene, owner),
-          edge_value(owner),
-          bounce.normal.x(),
-          bounce.normal.y(),
-          bounce.incidence() * kDegreesInRadian,
-          i < report.certain ? "yes" : "no"};
+  Values row{report.ray,
+             std::uint64_t{i + 1},
+             bounce.t,
+             bounce.path_length,
+             bounce.point.x(),
+             bounce.point.y(),
+             object_name(room.scene, owner),
+             edge_value(owner),
+             bounce.normal.x(),
+             bounce.normal.y(),
+             incidence(report, i) * kDegreesInRadian,
+             report.clock         ? "unknown"
+             : i < report.certain ? "yes"
+                                  : "no"};
+  if (!timed) return row;
+  row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
+  row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
+  return row;
 }
 
-ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
-  ReportTable table{bounce_columns(), {}};
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed) {
+  ReportTable table{bounce_columns(timed), {}};
   for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
-    table.rows.push_back(bounce_row(room, report, i));
+    table.rows.push_back(bounce_row(room, report, i, timed));
   return table;
 }
 
 namespace {
 
 WrittenJson bounces_as_json(const OrbitRoom& room, const OrbitReport& report) {
-  const std::vector<std::string> columns = bounce_columns();
+  const bool timed = report.clock.has_value();
+  const std::vector<std::string> columns = bounce_columns(timed);
   std::string text = "[";
   for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
-    text += (i == 0 ? "" : ",") + object_text(columns, bounce_row(room, report, i));
+    text += (i == 0 ? "" : ",") + object_text(columns, bounce_row(room, report, i, timed));
   text += ']';
   return {std::move(text)};
 }
@@ -187,14 +222,18 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"rational", report.rational},
       {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
       {"bounces", JsonValue()},
-      {"certain", report.certain},
-      {"end_certain", report.end_certain},
+      {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
+      {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
       {"end", end_text(report)},
       {"out", Values{orbit.out.x(), orbit.out.y()}},
       {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
                                      : JsonValue()},
       {"end_walls", walls_text(room, orbit.end_surfaces)}};
   fields[8].second = bounces_as_json(room, report);  // a list would copy it
+  if (!report.clock) return fields;
+  fields.emplace_back("start_time", report.clock->start);
+  fields.emplace_back("end_time", report.clock->end);
+  fields.emplace_back("end_speed", speed_of(orbit));
   return fields;
 }
 
@@ -210,7 +249,10 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   if (!orbit.bounces.empty())
     text += fmt::format(", path length {} to the last bounce",
                         number_text(orbit.bounces.back().path_length));
-  if (report.bits > 0)
+  if (report.clock)
+    text += fmt::format("; speed {} at time {}", number_text(speed_of(orbit)),
+                        number_text(report.clock->end));
+  else if (report.bits > 0)
     text += fmt::format("; {} {}{} bits, doubles are noise {}",
                         report.decided ? "certified in" : "all certified, what follows is not by",
                         report.rational ? "rational numbers of " : "", report.bits,

@@ -64,7 +64,9 @@ class Search {
       for (std::size_t i = 0; i < frame.size(); ++i) {
         const Shape& shape = shape_of(scene_, frame[i]);
         const bool turns = frame[i].angle != states_.front()[i].angle;
-        if (has_parts_left_out(shape) || !shape.circles.empty() || turns) round_[i] = true;
+        if (has_parts_left_out(shape) || !shape.circles.empty() || !shape.arc_paths.empty() ||
+            turns)
+          round_[i] = true;
         const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
         places.push_back({box.centre(), box.size().norm()});
       }
@@ -164,9 +166,9 @@ std::string no_pairs(const Scene& scene) {
   return "nothing moves";
 }
 
-PairErrors pair_errors(const PairTruth& truth, const std::set<Pair>& found) {
+PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found) {
   PairErrors errors;
-  for (const Pair& pair : truth.compared) {
+  for (const PairTruth::Pair& pair : truth.compared) {
     const bool meets = truth.meet.count(pair) > 0, told = found.count(pair) > 0;
     if (meets && !told) ++errors.missed;
     if (told && !meets) ++errors.invented;

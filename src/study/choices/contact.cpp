@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "collide/edge_ray_meetings.h"
+#include "scene/responses.h"
 #include "study/accuracy.h"
 #include "study/pair_truth.h"
 
@@ -40,6 +41,8 @@ Setting setting(const std::shared_ptr<Meetings>& meetings, const char* name, Met
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
+  if (responds(context.scene))
+    return tl::unexpected(Diagnostics{refused_responses(context.scene, "this choice")});
   const auto meetings = std::make_shared<Meetings>(context, reference_budget(context));
   if (meetings->truth.compared.empty())
     return fail(named_place(context.scene.name),

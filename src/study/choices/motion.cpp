@@ -4,6 +4,7 @@
 
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
+#include "scene/responses.h"
 #include "study/accuracy.h"
 #include "study/pair_truth.h"
 
@@ -73,6 +74,8 @@ Setting continuous(const std::shared_ptr<Motion>& motion) {
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
+  if (responds(context.scene))
+    return tl::unexpected(Diagnostics{refused_responses(context.scene, "this choice")});
   const auto motion = std::make_shared<Motion>(context, reference_budget(context));
   if (motion->truth.compared.empty())
     return fail(named_place(context.scene.name),
