@@ -7,6 +7,7 @@
 
 #include "base/portable_math.h"
 #include "base/processor_time.h"
+#include "study/timed.h"
 
 namespace flatray {
 
@@ -20,16 +21,9 @@ namespace {
 
 constexpr std::size_t kRounds = 3;
 constexpr double kTold = 0.002;  // seconds that the processor's clock tells well
-constexpr std::uint64_t kMostRuns = 1 << 16;
 
-// Of one run, of as many as the clock can tell.
 double timed(const std::function<void()>& work) {
-  for (std::uint64_t runs = 1;; runs *= 2) {
-    const double start = processor_seconds();
-    for (std::uint64_t run = 0; run < runs; ++run) work();
-    const double taken = processor_seconds() - start;
-    if (taken >= kTold || runs >= kMostRuns) return taken / static_cast<double>(runs);
-  }
+  return seconds_of(work, &processor_seconds, kTold);
 }
 
 // What a choice takes of the processor from here on.
