@@ -124,9 +124,10 @@ std::string section(const ChoiceReport& report) {
   text += fmt::format("<p>Error of {}: {}; against {}.</p>\n", name(report.kind),
                       svg_text(report.unit), svg_text(report.reference));
   text += table(report);
-  if (report.order)
-    text += fmt::format("<p>The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
-                        svg_text(report.grows), report.order->slope, report.order->standard_error);
+  for (const FittedOrder& order : report.orders)
+    text += fmt::format("<p>{}The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
+                        order.series.empty() ? "" : svg_text(order.series) + ": ",
+                        svg_text(report.grows), order.slope, order.standard_error);
   text += "<ul>\n";
   for (const std::string& line : remarks(report)) text += "<li>" + svg_text(line) + "</li>\n";
   text += "</ul>\n" + figure(report);
@@ -139,16 +140,21 @@ std::string section(const ChoiceReport& report) {
 std::string accuracy_plot(const ChoiceReport& report) {
   Plot plot{fmt::format("{}: {}", report.name, name(report.kind)), "seconds", report.unit, {}};
   plot.log_x = plot.log_y = true;
-  Plot::Series all{"settings", {}, true}, best{"best", {}};
+  for (const std::string& series : series_of(report.points)) {
+    plot.series.push_back({series.empty() ? "settings" : series, {}, true});
+    for (const AccuracyPoint& point : report.points)
+      if (point.series == series)
+        plot.series.back().points.push_back({point.seconds, point.outcome.error});
+  }
+  Plot::Series best{"best", {}};
   for (const AccuracyPoint& point : report.points) {
-    all.points.push_back({point.seconds, point.outcome.error});
-    if (point.best) best.points.push_back(all.points.back());
+    if (point.best) best.points.push_back({point.seconds, point.outcome.error});
     if (const std::string words = advice(report, point); !words.empty())
       plot.notes.push_back({point.seconds, point.outcome.error, words});
   }
   std::sort(best.points.begin(), best.points.end(),
             [](const auto& a, const auto& b) { return a.x < b.x; });
-  plot.series = {std::move(all), std::move(best)};
+  plot.series.push_back(std::move(best));
   return svg(plot);
 }
 

@@ -18,14 +18,14 @@ std::string missing_words(const ChoiceReport& report) {
 }
 
 Table points_table(std::span<const ChoiceReport> reports) {
-  Table table({"choice", "setting", "n", "seconds", "seconds_half_range", "error",
+  Table table({"choice", "series", "setting", "n", "seconds", "seconds_half_range", "error",
                "error_half_interval", "sampling", "truncation", "discretisation", "rounding",
                "best", "advice"});
   const auto yes_or_no = [](bool yes) { return std::string(yes ? "yes" : "no"); };
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
-      table.add({report.name, point.setting, point.n, point.seconds, point.spread,
+      table.add({report.name, point.series, point.setting, point.n, point.seconds, point.spread,
                  point.outcome.error, point.outcome.half, parts[0], parts[1], parts[2], parts[3],
                  yes_or_no(point.best), advice(report, point)});
     }
@@ -33,17 +33,20 @@ Table points_table(std::span<const ChoiceReport> reports) {
 }
 
 Table choices_table(std::span<const ChoiceReport> reports) {
-  Table table({"choice", "error_of", "unit", "reference", "order", "order_standard_error",
-               "left_out", "missing", "cut_by_budget", "rounds", "reference_seconds", "seconds"});
-  for (const ChoiceReport& report : reports) {
-    const auto order = [&](double FittedOrder::*part) {
-      return report.order ? Cell(*report.order.*part) : Cell(std::string());
-    };
+  Table table({"choice", "error_of", "unit", "reference", "left_out", "missing", "cut_by_budget",
+               "rounds", "reference_seconds", "seconds"});
+  for (const ChoiceReport& report : reports)
     table.add({report.name, std::string(name(report.kind)), report.unit, report.reference,
-               order(&FittedOrder::slope), order(&FittedOrder::standard_error), report.left_out,
-               missing_words(report), report.cut, std::uint64_t{report.rounds},
+               report.left_out, missing_words(report), report.cut, std::uint64_t{report.rounds},
                report.reference_seconds, report.seconds});
-  }
+  return table;
+}
+
+Table orders_table(std::span<const ChoiceReport> reports) {
+  Table table({"choice", "series", "grows", "order", "standard_error"});
+  for (const ChoiceReport& report : reports)
+    for (const FittedOrder& order : report.orders)
+      table.add({report.name, order.series, report.grows, order.slope, order.standard_error});
   return table;
 }
 
@@ -74,9 +77,7 @@ std::string summary(std::span<const ChoiceReport> reports) {
     text += fmt::format("  error: {}, {}; against {}\n", report.unit, name(report.kind),
                         report.reference);
     text += settings_table(report).text();
-    if (report.order)
-      text += fmt::format("  error ~ ({})^{:.2f} +- {:.2f}\n", report.grows, report.order->slope,
-                          report.order->standard_error);
+    for (const FittedOrder& order : report.orders) text += "  " + words(order, report.grows) + "\n";
     for (const std::string& line : remarks(report)) text += "  " + line + "\n";
     text += "\n";
   }
@@ -116,10 +117,12 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports) {
   ExperimentResult result;
   const Table points = points_table(reports), choices = choices_table(reports);
+  const Table orders = orders_table(reports);
   result.files.push_back({"accuracy.csv", points.csv()});
   result.files.push_back(
       {"accuracy.json",
-       json_document({{"scene", scene}}, {{"choices", &choices}, {"points", &points}})});
+       json_document({{"scene", scene}},
+                     {{"choices", &choices}, {"orders", &orders}, {"points", &points}})});
   for (const ChoiceReport& report : reports)
     if (!report.points.empty())
       result.files.push_back({fmt::format("accuracy_{}.svg", report.name), accuracy_plot(report)});

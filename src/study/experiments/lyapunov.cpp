@@ -5,8 +5,8 @@
 
 #include "base/portable_math.h"
 #include "study/blocks.h"
-#include "study/estimate.h"
 #include "study/room.h"
+#include "study/starts.h"
 #include "study/wall_places.h"
 
 namespace flatray {
@@ -37,7 +37,8 @@ struct Tangent {
 
 class Growth : public OrbitSink {
  public:
-  Growth(const Surfaces& walls, std::size_t orbits) : walls_(walls), states_(orbits) {}
+  Growth(const Surfaces& walls, Starts starts, std::uint64_t begin, std::uint64_t end)
+      : walls_(walls), starts_(starts), begin_(begin), states_(end - begin) {}
 
   void bounce(std::size_t number, const Bounce& bounce) override {
     State& state = states_[number];
@@ -53,15 +54,16 @@ class Growth : public OrbitSink {
   void end(std::size_t, const OrbitStop&) override {}
 
   Numbers numbers() const {
-    RatioSums length, hits, curved;
-    for (const State& state : states_) {
+    StartSums length(starts_), hits(starts_), curved(starts_);
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const State& state = states_[i];
       if (state.bounces <= kSettling) continue;
-      length.add(state.grown, state.length);
-      hits.add(state.grown, static_cast<double>(state.bounces - kSettling));
-      curved.add(state.grown, state.curved);
+      length.add(begin_ + i, state.grown, state.length);
+      hits.add(begin_ + i, state.grown, static_cast<double>(state.bounces - kSettling));
+      curved.add(begin_ + i, state.grown, state.curved);
     }
     Numbers all;
-    for (const RatioSums& sums : {length, hits, curved}) sums.append_to(all);
+    for (const StartSums& sums : {length, hits, curved}) sums.append_to(all);
     return all;
   }
 
@@ -72,6 +74,8 @@ class Growth : public OrbitSink {
     double grown = 0, length = 0, curved = 0;
   };
   const Surfaces& walls_;
+  Starts starts_;
+  std::uint64_t begin_;  // the number of the first
   std::vector<State> states_;
 };
 
@@ -89,16 +93,19 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                 Trouble::usage);
   const Blocks blocks = Blocks::of(plan->orbits);
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Growth growth(room.walls(), static_cast<std::size_t>(blocks.end(block) - blocks.begin(block)));
-    follow_random(room, context.seed, blocks.begin(block), blocks.end(block), plan->bounces,
-                  growth);
+    Growth growth(room.walls(), context.starts, blocks.begin(block), blocks.end(block));
+    follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, growth);
     return growth.numbers();
   });
   if (!found) return fail(std::move(found));
+  const std::size_t size = StartSums::size(context.starts);
   std::array<RatioSums, 3> sums;
-  for (const Numbers& block : *found)
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += RatioSums::from(std::span(block).subspan(6 * i, 6));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    StartSums all(context.starts);
+    for (const Numbers& block : *found)
+      all += StartSums::from(context.starts, std::span(block).subspan(size * i, size));
+    sums[i] = all.all();
+  }
   std::vector<Measure> measures;
   const std::array names = {"per_length", "per_hit", "per_curved_hit"};
   for (std::size_t i = 0; i < sums.size(); ++i)
@@ -112,10 +119,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment lyapunov = {"lyapunov",
-                                    "How fast do two orbits part that start next to each other?",
-                                    &run,
-                                    {.count = true, .bounces = true, .seed = true, .resume = true}};
+extern const Experiment lyapunov = {
+    "lyapunov",
+    "How fast do two orbits part that start next to each other?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray
