@@ -210,10 +210,9 @@ std::string advice(const ChoiceReport& report, const AccuracyPoint& point) {
   return words;
 }
 
-std::array<double, kErrorKinds> error_parts(const ChoiceReport& report,
-                                            const AccuracyPoint& point) {
-  std::array<double, kErrorKinds> parts = point.outcome.parts;
-  if (std::all_of(parts.begin(), parts.end(), [](double part) { return part == 0; }))
+ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point) {
+  ErrorParts parts = point.outcome.parts;
+  if (std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); }))
     parts[static_cast<std::size_t>(report.kind)] = point.outcome.error;
   return parts;
 }

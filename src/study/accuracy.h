@@ -23,13 +23,17 @@ enum class ErrorKind : std::uint8_t {
 inline constexpr std::size_t kErrorKinds = 4;
 const char* name(ErrorKind kind);
 
+/// Parts of an error by kind; of a kind that is not defined for it there is none.
+using ErrorParts = std::array<std::optional<double>, kErrorKinds>;
+
 /// What one setting came to, before time is measured.
 struct Outcome {
   double error = 0;  ///< against the reference, in the unit of the choice
   double half = 0;   ///< half of the interval that holds it in 95 % of all runs; 0: no doubt
   std::optional<Image> picture{};  ///< what it looks like
-  /// By kind what of the error is known to come from it; nothing known: all is of the choice's kind.
-  std::array<double, kErrorKinds> parts{};
+  /// By kind what of the error comes from it, where that is defined; where none is, all is of the
+  /// choice's kind.
+  ErrorParts parts{};
 };
 
 /// Options of `flatray render`, name and value.
@@ -145,8 +149,8 @@ inline constexpr double kShortSeconds = 1, kSmallError = 1e-3;
 /// Such advice about a point: "best under 1 s", "cheapest under 0.001", both with "and", or "".
 std::string advice(const ChoiceReport& report, const AccuracyPoint& point);
 
-/// By kind what is known of a point's error, all of it under the choice's where nothing more is.
-std::array<double, kErrorKinds> error_parts(const ChoiceReport& report, const AccuracyPoint& point);
+/// Parts of a point's error, all of it under the choice's kind where no more is defined.
+ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point);
 
 /// The slope of a straight line through (log n, log error) of the points of one series. Nothing for
 /// fewer than three points.

@@ -87,8 +87,10 @@ std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kin
         fmt::format("<tr{}><th scope=\"row\">{}</th><td>{:.3g} &plusmn; {:.1g}</td><td>{:.3g}</td>",
                     point.best ? " class=\"best\"" : "", words, point.seconds, point.spread,
                     point.outcome.error);
-    for (const std::size_t kind : kinds)
-      text += fmt::format("<td>{:.3g}</td>", error_parts(report, point)[kind]);
+    for (const std::size_t kind : kinds) {
+      const std::optional<double> part = error_parts(report, point)[kind];
+      text += part ? fmt::format("<td>{:.3g}</td>", *part) : "<td>not defined</td>";
+    }
     text += fmt::format("<td>{}</td></tr>\n", advice(report, point));
   }
   return text;

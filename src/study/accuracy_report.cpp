@@ -17,6 +17,11 @@ std::string missing_words(const ChoiceReport& report) {
   return text;
 }
 
+// A part of an error, or that there is none such.
+Cell part_cell(const std::optional<double>& part) {
+  return part ? Cell(*part) : Cell(std::string("not defined"));
+}
+
 Table points_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "series", "setting", "n", "seconds", "seconds_half_range", "error",
                "error_half_interval", "sampling", "truncation", "discretisation", "rounding",
@@ -26,8 +31,9 @@ Table points_table(std::span<const ChoiceReport> reports) {
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
       table.add({report.name, point.series, point.setting, point.n, point.seconds, point.spread,
-                 point.outcome.error, point.outcome.half, parts[0], parts[1], parts[2], parts[3],
-                 yes_or_no(point.best), advice(report, point)});
+                 point.outcome.error, point.outcome.half, part_cell(parts[0]), part_cell(parts[1]),
+                 part_cell(parts[2]), part_cell(parts[3]), yes_or_no(point.best),
+                 advice(report, point)});
     }
   return table;
 }
@@ -58,7 +64,7 @@ Table settings_table(const ChoiceReport& report) {
   Table table(columns);
   for (const AccuracyPoint& point : report.points) {
     std::vector<Cell> row{point.setting, point.seconds, point.outcome.error};
-    for (const std::size_t k : kinds) row.emplace_back(error_parts(report, point)[k]);
+    for (const std::size_t k : kinds) row.push_back(part_cell(error_parts(report, point)[k]));
     row.emplace_back(std::string(point.best ? "*" : ""));
     row.emplace_back(advice(report, point));
     table.add(std::move(row));
@@ -91,7 +97,7 @@ std::vector<std::size_t> kinds_of_error(const ChoiceReport& report) {
   for (std::size_t k = 0; k < kErrorKinds; ++k)
     if (k == static_cast<std::size_t>(report.kind) ||
         std::any_of(report.points.begin(), report.points.end(),
-                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k] > 0; }))
+                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k]; }))
       kinds.push_back(k);
   return kinds;
 }
@@ -105,6 +111,12 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
     lines.push_back(fmt::format("cheapest under {}: {}; best under {} s: {}", kSmallError,
                                 words(cheapest_below(report, kSmallError)), kShortSeconds,
                                 words(best_within(report, kShortSeconds))));
+  std::string undefined;
+  const std::vector<std::size_t> kinds = kinds_of_error(report);
+  for (std::size_t k = 0; k < kErrorKinds; ++k)
+    if (std::find(kinds.begin(), kinds.end(), k) == kinds.end())
+      undefined += (undefined.empty() ? "" : ", ") + std::string(name(static_cast<ErrorKind>(k)));
+  if (!undefined.empty()) lines.push_back("not defined for its error: " + undefined);
   for (const MissingSetting& one : report.missing)
     lines.push_back(fmt::format("not here: {}: {}", one.words, one.why));
   if (!report.cut.empty()) lines.push_back("not within the budget: " + report.cut);

@@ -219,10 +219,28 @@ at    = [0, 4.125]
 shape = { polygon = { points = [[24, 3.5], [24, 16], [12, 16]] } }
 )";
 
-TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) {
-  const std::string text = std::string("fps = 1\nframes = 2\n") + kBullet;
-  const Scene scene = loaded("flatray = 1\n" + text).scene;
+// A disc flies through a wall, and a bar turns over a disc, both between two frames.
+constexpr const char* kBent = R"(
+[[entity]]
+shape    = { circle = { radius = 0.25 } }
+at       = [0, 4.125]
+velocity = [15.5, 0]
+[[entity]]
+shape = { box = { min = [8, 0], max = [8.125, 8] } }
+[[entity]]
+shape            = { box = { min = [0, -0.1], max = [3, 0.1] } }
+at               = [0, 20]
+angular_velocity = 90
+[[entity]]
+shape = { circle = { radius = 0.2 } }
+at    = [1.5, 21.5]
+)";
+
+void expect_that_instants_miss(const std::string& entities) {
+  const Scene scene = loaded("flatray = 1\nfps = 1\nframes = 2\n" + entities).scene;
   for (const Choice* choice : choices()) {
+    if (choice->name != std::string_view("contact") && choice->name != std::string_view("motion"))
+      continue;
     const ChoiceReport report = measure_choice(*choice, {scene});
     if (report.name == "contact") {
       EXPECT_EQ(error_of(report, "--method minkowski"), 0);
@@ -234,7 +252,27 @@ TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) {
       EXPECT_GT(error_of(report, "1 instant a frame"), 0);
       EXPECT_EQ(error_of(report, "64 instants a frame"), 0);
     }
+    EXPECT_FALSE(error_parts(report, report.points.front())[3]) << "rounding is not defined";
   }
+}
+
+TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) { expect_that_instants_miss(kBullet); }
+
+TEST(Accuracy, OfMotionIsOfDiscsAndOfWhatTurnsToo) { expect_that_instants_miss(kBent); }
+
+TEST(Accuracy, PartsThatAreNotDefinedAreSaidToBeSo) {
+  ChoiceReport report;
+  report.name = "made";
+  report.points.push_back({"one", 1, 0.5, 0, {0.25, 0, {}, {0.125, {}, 0.25, {}}}});
+  report.points.push_back({"two", 2, 0.5, 0, {0.5}});
+  report.kind = ErrorKind::discretisation;
+  const ErrorParts none = {std::nullopt, std::nullopt, 0.5, std::nullopt};
+  EXPECT_EQ(error_parts(report, report.points[1]), none);
+  const ExperimentResult result = accuracy_report("scene", {&report, 1});
+  EXPECT_NE(result.files.front().content.find(",0.125,not defined,0.25,not defined,"),
+            std::string::npos);
+  EXPECT_NE(result.summary.find("not defined for its error: truncation, rounding"),
+            std::string::npos);
 }
 
 TEST(Accuracy, OfDepthIsTheShareOfOrbitsThatAreStillInside) {
