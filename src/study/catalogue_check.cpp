@@ -1,12 +1,12 @@
 #include "study/catalogue_check.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/processor_time.h"
 #include "oracle/nearest.h"
 #include "study/catalogue_orbit_check.h"
 #include "study/timed.h"
+#include "study/ulps.h"
 #include "trace/many_rays.h"
 
 namespace flatray {
@@ -72,12 +72,6 @@ void check_group(const Group& group, const Tracer& tracer, CatalogueTally& tally
 }
 
 }  // namespace
-
-double ulps_between(double found, double truth) {
-  if (found == truth) return 0;
-  const double ulp = std::nextafter(std::fabs(truth), kInfinity) - std::fabs(truth);
-  return std::fabs(found - truth) / ulp;
-}
 
 std::vector<NearestHit> measured_hits(const Accelerator& walls, const RayBatch& rays,
                                       std::size_t objects, CatalogueTally& tally) {

@@ -4,6 +4,7 @@
 
 #include "geom/predicates.h"
 #include "oracle/nearest.h"
+#include "study/ulps.h"
 #include "trace/many_rays.h"
 #include "transport/orbit.h"
 

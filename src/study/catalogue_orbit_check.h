@@ -10,9 +10,6 @@ namespace flatray {
 void check_orbits(const oracle::StiffOrbits& orbits, const std::vector<oracle::LongOrbit>& truth,
                   const Tracer& tracer, CatalogueTally& tally);
 
-/// By how many units in its last place a t is off.
-double ulps_between(double found, double truth);
-
 /// What a batch comes to, timed, and counted what is not left to lanes.
 std::vector<NearestHit> measured_hits(const Accelerator& walls, const RayBatch& rays,
                                       std::size_t objects, CatalogueTally& tally);
