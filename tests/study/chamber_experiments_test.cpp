@@ -299,9 +299,22 @@ TEST_P(EveryChamberExperiment, GivesTheSameBytesForAnyThreads) {
   }
 }
 
+TEST_P(EveryChamberExperiment, GivesTheSameBytesForAnyThreadsByQuasiRandomStarts) {
+  if (!experiment(GetParam()).uses.starts) GTEST_SKIP() << "draws no starts";
+  const Scene scene = stadium();
+  ExperimentContext context{scene, 5, 5000, 1, 60};
+  context.starts = Starts::quasi;
+  const auto alone = experiment(GetParam()).run(context);
+  if (is_unavailable(alone)) GTEST_SKIP() << format(alone.error());
+  ASSERT_TRUE(alone) << format(alone.error());
+  context.threads = 7;
+  expect_same_files(run(GetParam(), context), *alone);
+}
+
 TEST_P(EveryChamberExperiment, GoesOnFromKeptBlocksToTheSameBytes) {
   const Scene scene = stadium();
   ExperimentContext context{scene, 5, 20'000, 1, 60};
+  if (experiment(GetParam()).uses.starts) context.starts = Starts::quasi;
   const auto whole = experiment(GetParam()).run(context);
   if (is_unavailable(whole)) GTEST_SKIP() << format(whole.error());
   ASSERT_TRUE(whole) << format(whole.error());

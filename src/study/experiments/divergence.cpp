@@ -168,7 +168,7 @@ extern const Experiment divergence = {
     "divergence",
     "How soon do near orbits part, and until when do doubles know better?",
     &run,
-    {.bounces = true, .apart = true, .seed = true}};
+    {.bounces = true, .apart = true, .seed = true, .starts = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

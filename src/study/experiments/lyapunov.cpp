@@ -5,8 +5,8 @@
 
 #include "base/portable_math.h"
 #include "study/blocks.h"
-#include "study/estimate.h"
 #include "study/room.h"
+#include "study/starts.h"
 #include "study/wall_places.h"
 
 namespace flatray {
@@ -37,11 +37,14 @@ struct Tangent {
 
 class Growth : public OrbitSink {
  public:
-  Growth(const Surfaces& walls, std::size_t orbits, std::uint64_t bounces)
+  Growth(const Surfaces& walls, Starts starts, std::uint64_t begin, std::uint64_t end,
+         std::uint64_t bounces)
       : walls_(walls),
+        starts_(starts),
+        begin_(begin),
         extent_(bounds_of(walls).size().maxCoeff()),
         half_(kSettling + (bounces - kSettling) / 2),
-        states_(orbits) {}
+        states_(end - begin) {}
 
   void bounce(std::size_t number, const Bounce& bounce) override {
     State& state = states_[number];
@@ -58,16 +61,18 @@ class Growth : public OrbitSink {
   void end(std::size_t, const OrbitStop&) override {}
 
   Numbers numbers() const {
-    RatioSums length, hits, curved, late;
-    for (const State& state : states_) {
+    StartSums length(starts_), hits(starts_), curved(starts_), late(starts_);
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const State& state = states_[i];
       if (state.bounces <= kSettling) continue;
-      length.add(state.grown, state.length);
-      hits.add(state.grown, static_cast<double>(state.bounces - kSettling));
-      curved.add(state.grown, state.curved);
-      if (state.bounces > half_) late.add(state.late, static_cast<double>(state.bounces - half_));
+      length.add(begin_ + i, state.grown, state.length);
+      hits.add(begin_ + i, state.grown, static_cast<double>(state.bounces - kSettling));
+      curved.add(begin_ + i, state.grown, state.curved);
+      if (state.bounces > half_)
+        late.add(begin_ + i, state.late, static_cast<double>(state.bounces - half_));
     }
     Numbers all;
-    for (const RatioSums& sums : {length, hits, curved, late}) sums.append_to(all);
+    for (const StartSums& sums : {length, hits, curved, late}) sums.append_to(all);
     return all;
   }
 
@@ -78,6 +83,8 @@ class Growth : public OrbitSink {
     double grown = 0, length = 0, curved = 0, late = 0;
   };
   const Surfaces& walls_;
+  Starts starts_;
+  std::uint64_t begin_;  // the number of the first
   double extent_;
   std::uint64_t half_;  // bounces, of which what comes after counts as late
   std::vector<State> states_;
@@ -97,17 +104,20 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                 Trouble::usage);
   const Blocks blocks = Blocks::of(plan->orbits);
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Growth growth(room.walls(), static_cast<std::size_t>(blocks.end(block) - blocks.begin(block)),
+    Growth growth(room.walls(), context.starts, blocks.begin(block), blocks.end(block),
                   plan->bounces);
-    follow_random(room, context.seed, blocks.begin(block), blocks.end(block), plan->bounces,
-                  growth);
+    follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, growth);
     return growth.numbers();
   });
   if (!found) return fail(std::move(found));
+  const std::size_t size = StartSums::size(context.starts);
   std::array<RatioSums, 4> sums;
-  for (const Numbers& block : *found)
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += RatioSums::from(std::span(block).subspan(6 * i, 6));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    StartSums all(context.starts);
+    for (const Numbers& block : *found)
+      all += StartSums::from(context.starts, std::span(block).subspan(size * i, size));
+    sums[i] = all.all();
+  }
   std::vector<Measure> measures;
   const std::array names = {"per_length", "per_hit", "per_curved_hit",
                             "per_hit_second_half"};  // falls where growth is no exponential
@@ -122,10 +132,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment lyapunov = {"lyapunov",
-                                    "How fast do two orbits part that start next to each other?",
-                                    &run,
-                                    {.count = true, .bounces = true, .seed = true, .resume = true}};
+extern const Experiment lyapunov = {
+    "lyapunov",
+    "How fast do two orbits part that start next to each other?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray
