@@ -33,15 +33,20 @@ Tally tally_of(const ChunkLog::Row& row, const std::array<std::uint64_t Tally::*
   return tally;
 }
 
-constexpr std::array kStabilityNames = {"rays",       "hits",         "wrong",     "t_not_nearest",
-                                        "t_off",      "by_rationals", "missed",    "invented",
-                                        "other_wall", "watched",      "one_by_one"};
+// Those that are members, then those of far off values of t.
+constexpr std::array kStabilityNames = {
+    "rays",       "hits",       "wrong",      "t_not_nearest", "t_off",      "by_rationals",
+    "missed",     "invented",   "other_wall", "watched",       "one_by_one", "worst_ulps",
+    "timed",      "ns",         "objects",    "bytes",         "t_off_2^8",  "t_off_2^16",
+    "t_off_2^24", "t_off_2^32", "t_off_2^40", "t_off_2^48"};
 constexpr std::array kStabilityCounts = {
     &StabilityTally::rays,        &StabilityTally::hits,        &StabilityTally::wrong,
     &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
     &StabilityTally::missed,      &StabilityTally::invented,    &StabilityTally::other_wall,
-    &StabilityTally::watched,     &StabilityTally::one_by_one};
-constexpr std::array<std::size_t, 3> kStabilityWidths = {11, 9, 6};
+    &StabilityTally::watched,     &StabilityTally::one_by_one,  &StabilityTally::worst_ulps,
+    &StabilityTally::timed,       &StabilityTally::nanoseconds, &StabilityTally::objects,
+    &StabilityTally::bytes};
+constexpr std::array<std::size_t, 4> kStabilityWidths = {kStabilityNames.size(), 11, 9, 6};
 
 constexpr std::array kLeakNames = {"rays",    "bounces",     "leaks",   "corners",
                                    "wrong",   "wrong_t",     "asked",   "beside",
@@ -152,12 +157,15 @@ const ChunkLog::Format StabilityRows::kFormat = {"stability.csv", kStabilityName
 
 ChunkLog::Row StabilityRows::row(const StabilityTally& tally) {
   ChunkLog::Row row = row_of(tally, kStabilityCounts);
+  row.counts.insert(row.counts.end(), tally.off_by_far.begin(), tally.off_by_far.end());
   row.note = tally.first_wrong;
   return row;
 }
 
 StabilityTally StabilityRows::tally(const ChunkLog::Row& row) {
   StabilityTally tally = tally_of(row, kStabilityCounts);
+  for (std::size_t i = kStabilityCounts.size(); i < row.counts.size(); ++i)
+    tally.off_by_far[i - kStabilityCounts.size()] = row.counts[i];
   tally.first_wrong = row.note;
   return tally;
 }

@@ -36,7 +36,8 @@ struct OrbitReport {
       0;                    ///< bounces from the first on that are proven to be those of the exact
                             ///< orbit; doubles are looked at for the first 10 000
   bool end_certain = true;  ///< all bounces are, and it ends as the exact orbit does
-  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles
+  bool certified = false;   ///< not in doubles
+  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles, and for none needed
   bool rational = false;    ///< that it took rational numbers of so many bits
   std::uint64_t horizon = 0;  ///< of a certified orbit: bounces until doubles are noise
   bool decided = true;        ///< false: the bits allowed were not enough for what comes next
@@ -60,6 +61,8 @@ OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const
 
 /// As `flatray orbit` prints it: rows, an object, and for people. `timed`: with the time and the speed
 /// after each bounce, empty where walls stand still.
+std::vector<std::string> bounce_columns(bool timed);
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t bounce, bool timed);
 ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed);
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
 std::string status_line(const OrbitRoom& room, const OrbitReport& report);

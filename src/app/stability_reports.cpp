@@ -8,7 +8,6 @@
 #include "app/result_files.h"
 #include "app/scene_input.h"
 #include "base/parallel.h"
-#include "study/catalogue_check.h"
 #include "study/margins.h"
 #include "study/scale_sweep.h"
 #include "study/svg_heat.h"
@@ -21,9 +20,16 @@ constexpr std::size_t kShown = 20;           // margins, of all
 constexpr std::uint64_t kRandomRays = 1000;  // of a scene without rays
 constexpr double kNearUlps = 4, kCloseUlps = 1 << 20;
 
-// The table for people or as JSON, and the files where a folder is given.
-Result<VerbOutput> written(const Arguments& arguments, const ReportTable& table,
-                           const ExperimentResult& result, bool sound) {
+ExperimentResult as_file(const char* name, const ReportTable& table) {
+  ExperimentResult result;
+  result.files.push_back({name, csv_text(table)});
+  return result;
+}
+
+}  // namespace
+
+Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
+                                   const ExperimentResult& result, bool sound) {
   if (const auto folder = arguments.text("output")) {
     auto files = write_files(result, *folder);
     if (!files) return fail(std::move(files));
@@ -33,14 +39,6 @@ Result<VerbOutput> written(const Arguments& arguments, const ReportTable& table,
     return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
   return VerbOutput{aligned_text(table) + result.summary, code};
 }
-
-ExperimentResult as_file(const char* name, const ReportTable& table) {
-  ExperimentResult result;
-  result.files.push_back({name, csv_text(table)});
-  return result;
-}
-
-}  // namespace
 
 std::vector<const Tracer*> tracers_at_hand() {
   std::vector<const Tracer*> all;
@@ -52,42 +50,6 @@ std::vector<const Tracer*> tracers_at_hand() {
       report_note(fmt::format("tracer {} is not here: {}", tracer->name, why));
   }
   return all;
-}
-
-Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityRequest& request) {
-  const std::vector<oracle::StiffCase> cases = oracle::catalogue();
-  std::vector<std::vector<CatalogueTally>> tallies(cases.size());
-  parallel_for(cases.size(), request.threads,
-               [&](std::size_t i) { tallies[i] = check_case(cases[i], request.tracers); });
-  ReportTable table{
-      {"id", "case", "tracer", "queries", "wrong", "leaks", "t_ulps", "verdict", "test"}, {}};
-  std::vector<std::size_t> right(request.tracers.size());
-  std::size_t asked = 0;
-  bool sound = true;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const oracle::StiffCase& stiff = cases[i];
-    if (!stiff.concerns_tracers()) {
-      table.rows.push_back(
-          {stiff.id, stiff.words, "", "", "", "", "", "by its test", stiff.held_by});
-      continue;
-    }
-    ++asked;
-    for (std::size_t k = 0; k < request.tracers.size(); ++k) {
-      const CatalogueTally& tally = tallies[i][k];
-      const bool good = tally.wrong + tally.leaks == 0 && tally.worst_ulps <= 1;
-      right[k] += good ? 1 : 0;
-      sound = sound && (good || !(request.named || request.tracers[k]->exact));
-      table.rows.push_back({stiff.id, stiff.words, request.tracers[k]->name, tally.queries,
-                            tally.wrong, tally.leaks, tally.worst_ulps, good ? "right" : "wrong",
-                            stiff.held_by});
-    }
-  }
-  ExperimentResult result = as_file("catalogue.csv", table);
-  result.summary = fmt::format("\n{} cases, {} of them asked of tracers\n", cases.size(), asked);
-  for (std::size_t k = 0; k < right.size(); ++k)
-    result.summary += fmt::format("{}: {}, {} of {} right\n", request.tracers[k]->name,
-                                  right[k] == asked ? "right" : "wrong", right[k], asked);
-  return written(arguments, table, result, sound);
 }
 
 Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityRequest& request) {
@@ -131,7 +93,7 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
     result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(map)});
   }
   result.files.push_back({"sweep.csv", all.csv()});
-  return written(arguments, table, result, sound);
+  return stability_files(arguments, table, result, sound);
 }
 
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
@@ -162,7 +124,7 @@ Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityReq
         all.front().ulps, all.front().ray, all.front().leg, all.front().wall, all.front().at.x(),
         all.front().at.y());
   if (!arguments.has("json") && table.rows.size() > kShown) table.rows.resize(kShown);
-  return written(arguments, table, result, true);
+  return stability_files(arguments, table, result, true);
 }
 
 }  // namespace flatray

@@ -3,6 +3,7 @@
 
 #include "app/report.h"
 #include "app/verb.h"
+#include "study/experiment.h"
 #include "trace/tracer.h"
 
 namespace flatray {
@@ -19,8 +20,9 @@ struct StabilityRequest {
 /// All tracers that this machine has; says on standard error what it lacks.
 std::vector<const Tracer*> tracers_at_hand();
 
-/// --catalogue: a row for each stiff case and tracer, and the tests of the others; catalogue.csv in
-/// the folder of --output.
+/// --catalogue: a row for each stiff case and tracer, the tests of the others, and a row for each
+/// tracer over all; catalogue.csv in the folder of --output, and what was measured in
+/// catalogue_times.csv, so that the first is the same bytes every time.
 Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityRequest& request);
 
 /// --sweep: scales and offsets from 2^-1000 to 2^1000; sweep.csv and a heat map for each tracer in
@@ -30,6 +32,10 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
 /// --leaks: a row for each place and tracer; leaks.csv in the folder of --output, from which it goes
 /// on.
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request);
+
+/// What other runs print, and their exit code; the files of `result` go to the folder of --output.
+Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
+                                   const ExperimentResult& result, bool sound);
 
 /// What a run in chunks prints, and its exit code.
 VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound);

@@ -95,21 +95,13 @@ class Search {
     for (std::uint32_t i = 0; i < now.size(); ++i)
       stretch.bodies.push_back({shape(now[i]), pose(now[i].at, now[i].angle, now[i].scale),
                                 next[i].at - now[i].at, now[i].angle,
-                                turn_between(i, now[i].angle, next[i].angle)});
+                                turn_between(scene_, i, now[i].angle, next[i].angle)});
     for_meetings(stretch, straight_, [&](const Pair& pair, MeetingPart part) {
       part.times.low = (frame - 1 + part.times.low) / scene_.fps;
       part.times.high = (frame - 1 + part.times.high) / scene_.fps;
       part.width /= scene_.fps;
       add(pair, part);
     });
-  }
-
-  // Directions of a path know no whole turns: the shorter way round.
-  double turn_between(std::uint32_t entity, double from, double to) const {
-    const double turn = to - from;
-    if (!turns_with_path(scene_, entity)) return turn;
-    constexpr double kWhole = 2 * std::numbers::pi;
-    return turn - kWhole * std::round(turn / kWhole);
   }
 
   std::vector<Pair> close_pairs(const Stretch& stretch) const {
@@ -158,6 +150,13 @@ class Search {
 };
 
 }  // namespace
+
+double turn_between(const Scene& scene, std::uint32_t entity, double from, double to) {
+  const double turn = to - from;
+  if (!turns_with_path(scene, entity)) return turn;
+  constexpr double kWhole = 2 * std::numbers::pi;
+  return turn - kWhole * std::round(turn / kWhole);
+}
 
 bool changes_size(const Scene& scene, std::uint32_t entity) {
   const auto changes = [&](ShapeId shape) { return scene.shapes[shape].changes != kNoEntry; };

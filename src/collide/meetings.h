@@ -20,6 +20,10 @@ enum class Outline : std::uint8_t { own, box };
 /// Whether an entity keeps one velocity and its looks as long as the scene goes.
 bool keeps_velocity(const Scene& scene, std::uint32_t entity);
 
+/// Radians from one angle of an entity to the next as find_meetings() has it turn: directions of a
+/// path know no whole turns, there it is the shorter way round.
+double turn_between(const Scene& scene, std::uint32_t entity, double from, double to);
+
 /// Whether its shape, or the scale of a group it stands in, is a curve.
 bool changes_size(const Scene& scene, std::uint32_t entity);
 

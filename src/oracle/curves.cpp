@@ -41,6 +41,18 @@ class Frame {
   Rational square_;
 };
 
+// The foot of the perpendicular from the centre on a line, and the square of half the chord about
+// it, negative where the line passes by; both in lengths of the way.
+struct Chord {
+  Rational foot, square;
+};
+Chord chord_of(const Frame& frame, const Point& from, const Point& way) {
+  const Point o = frame.of(from), d = frame.of(way);
+  const Rational speed = inner(d, d), foot = -inner(o, d) / speed;
+  const Point nearest{o.x + foot * d.x, o.y + foot * d.y};
+  return {foot, (frame.square_of_radius() - inner(nearest, nearest)) / speed};
+}
+
 // A point seen from the centre that moves along a line: only signs of what is linear in it are
 // asked for.
 struct Moving {
@@ -113,10 +125,7 @@ class Meetings {
   }
 
   void offer_roots() {
-    const Point o = frame_.of(from_), d = frame_.of(way_);
-    const Rational speed = inner(d, d), foot = -inner(o, d) / speed;
-    const Point nearest{o.x + foot * d.x, o.y + foot * d.y};
-    const Rational chord = (frame_.square_of_radius() - inner(nearest, nearest)) / speed;
+    const auto [foot, chord] = chord_of(frame_, from_, way_);
     if (chord.sign() == Sign::negative) return;
     if (chord.sign() == Sign::zero) {
       const Surd t{foot, 0, 0};
@@ -174,6 +183,14 @@ class Meetings {
 
 std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc) {
   return Meetings(ray, arc).first();
+}
+
+std::optional<Surd> root_of(const Ray& ray, const Ellipse& curve, Root root) {
+  const Chord chord =
+      chord_of(Frame(curve), minus(exact(ray.origin), exact(curve.centre)), exact(ray.direction));
+  if (chord.square.sign() == Sign::negative) return std::nullopt;
+  if (chord.square.sign() == Sign::zero) return Surd{chord.foot, 0, 0};
+  return Surd{chord.foot, root == Root::first ? -1 : 1, chord.square};
 }
 
 }  // namespace flatray::oracle

@@ -25,4 +25,10 @@ struct Meeting {
 /// Cost    some 30 us.
 std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc);
 
+/// Where the line of a ray meets the whole curve of a wall in one of its roots: the first, or for
+/// any other `root` the second. Nothing where it passes by.
+///
+/// Needs   a direction that is not zero.
+std::optional<Surd> root_of(const Ray& ray, const Ellipse& curve, Root root);
+
 }  // namespace flatray::oracle

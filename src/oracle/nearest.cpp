@@ -158,6 +158,16 @@ NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
   return exact_search(ray, walls, all);
 }
 
+std::optional<double> time_of(const Ray& ray, const Surfaces& walls, std::uint32_t wall,
+                              Root root) {
+  if (walls.is_straight(wall)) {
+    const NearestWall met = nearest_wall(ray, {&walls.segments[walls.slot[wall]], 1});
+    return met ? std::optional(met.t) : std::nullopt;
+  }
+  const auto met = root_of(ray, walls.curve(wall), root);
+  return met ? std::optional(met->nearest()) : std::nullopt;
+}
+
 NearestWalls::NearestWalls(const Surfaces& walls) : walls_(walls) {
   for (std::uint32_t i = 0; i < walls.size(); ++i)
     if (!walls.is_straight(i)) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "geom/hit_interval.h"
@@ -33,7 +34,13 @@ struct NearestWall {
 /// Cost    some 40 ns a wall; rationals some 2 us.
 NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls);
 
-/// The same for many rays and walls of every kind, which may be curved (oracle/curves.h): walls
+/// The double nearest to the t at which a ray meets one wall, of a curve in the root given; infinite
+/// beyond the doubles, nothing where it does not meet it.
+///
+/// Needs   a direction that is not zero; of arcs that the ray meets them, and not only their curve.
+std::optional<double> time_of(const Ray& ray, const Surfaces& walls, std::uint32_t wall, Root root);
+
+/// nearest_wall() for many rays and walls of every kind, which may be curved (oracle/curves.h): walls
 /// that bounds rule out are not put to exact arithmetic, which most rays do without.
 ///
 /// Cost    some 10 ns a wall; some 30 us for a curve not ruled out.

@@ -33,14 +33,6 @@ template <auto Pointer>
 void set_entity(Builder& builder, const Field& field, EdgeRays& rays) {
   const auto entity = find_entity(builder, field);
   if (!entity) return;
-  const ShapeId id = builder.scene.entities[*entity].shape;
-  if (id >= builder.scene.shapes.size()) return;  // a mistake that has been told
-  const Shape& shape = builder.scene.shapes[id];
-  if (!std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                   [](const ArcPath& path) { return path.is_ellipse(); }))
-    return builder.in.problem(field.value.where,
-                              "no ray is clipped against an arc, sector or capsule yet",
-                              "name another entity: polygons, circles and ellipses are clipped");
   rays.*Pointer = *entity;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/portable_math.h"
 #include "base/processor_time.h"
+#include "study/timed.h"
 
 namespace flatray {
 
@@ -20,16 +21,9 @@ namespace {
 
 constexpr std::size_t kRounds = 3;
 constexpr double kTold = 0.002;  // seconds that the processor's clock tells well
-constexpr std::uint64_t kMostRuns = 1 << 16;
 
-// Of one run, of as many as the clock can tell.
 double timed(const std::function<void()>& work) {
-  for (std::uint64_t runs = 1;; runs *= 2) {
-    const double start = processor_seconds();
-    for (std::uint64_t run = 0; run < runs; ++run) work();
-    const double taken = processor_seconds() - start;
-    if (taken >= kTold || runs >= kMostRuns) return taken / static_cast<double>(runs);
-  }
+  return seconds_of(work, &processor_seconds, kTold);
 }
 
 // What a choice takes of the processor from here on.
@@ -67,7 +61,7 @@ Rounds first_round(const std::vector<Setting>& settings, const Budget& budget,
     round.settings.push_back(&setting);
     round.seconds.push_back({taken});
     report.points.push_back(
-        {setting.words, setting.n, 0, 0, setting.judge(), false, setting.options});
+        {setting.words, setting.n, 0, 0, setting.judge(), false, setting.options, setting.series});
   }
   return round;
 }
@@ -111,10 +105,25 @@ std::vector<const Choice*> choices() {
   };
 }
 
-std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points) {
+std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points) {
+  std::vector<std::string> series;
+  for (const AccuracyPoint& point : points)
+    if (std::find(series.begin(), series.end(), point.series) == series.end())
+      series.push_back(point.series);
+  return series;
+}
+
+std::string words(const FittedOrder& order, const std::string& grows) {
+  return fmt::format("{}error ~ ({})^{:.2f} +- {:.2f}",
+                     order.series.empty() ? "" : order.series + ": ", grows, order.slope,
+                     order.standard_error);
+}
+
+std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
+                                     const std::string& series) {
   std::vector<std::pair<double, double>> logs;
   for (const AccuracyPoint& point : points)
-    if (point.n > 0 && point.outcome.error > 0)
+    if (point.series == series && point.n > 0 && point.outcome.error > 0)
       logs.emplace_back(portable::log(point.n), portable::log(point.outcome.error));
   if (logs.size() < 3) return std::nullopt;
   const auto count = static_cast<double>(logs.size());
@@ -128,7 +137,7 @@ std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points) {
     const double off = error - y - slope * (n - x);
     rest += off * off;
   }
-  return FittedOrder{slope, std::sqrt(rest / (count - 2) / xx)};
+  return FittedOrder{slope, std::sqrt(rest / (count - 2) / xx), series};
 }
 
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context) {
@@ -154,7 +163,9 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   more_rounds(rounds, budget, report);
   report.one_question = made->one_question;
   if (report.one_question) mark_best(report.points);
-  if (made->ordered) report.order = fit_order(report.points);
+  if (made->ordered)
+    for (const std::string& series : series_of(report.points))
+      if (auto order = fit_order(report.points, series)) report.orders.push_back(*std::move(order));
   report.seconds = budget.used();
   return report;
 }
@@ -199,10 +210,9 @@ std::string advice(const ChoiceReport& report, const AccuracyPoint& point) {
   return words;
 }
 
-std::array<double, kErrorKinds> error_parts(const ChoiceReport& report,
-                                            const AccuracyPoint& point) {
-  std::array<double, kErrorKinds> parts = point.outcome.parts;
-  if (std::all_of(parts.begin(), parts.end(), [](double part) { return part == 0; }))
+ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point) {
+  ErrorParts parts = point.outcome.parts;
+  if (std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); }))
     parts[static_cast<std::size_t>(report.kind)] = point.outcome.error;
   return parts;
 }

@@ -23,13 +23,17 @@ enum class ErrorKind : std::uint8_t {
 inline constexpr std::size_t kErrorKinds = 4;
 const char* name(ErrorKind kind);
 
+/// Parts of an error by kind; of a kind that is not defined for it there is none.
+using ErrorParts = std::array<std::optional<double>, kErrorKinds>;
+
 /// What one setting came to, before time is measured.
 struct Outcome {
   double error = 0;  ///< against the reference, in the unit of the choice
   double half = 0;   ///< half of the interval that holds it in 95 % of all runs; 0: no doubt
   std::optional<Image> picture{};  ///< what it looks like
-  /// By kind what of the error is known to come from it; nothing known: all is of the choice's kind.
-  std::array<double, kErrorKinds> parts{};
+  /// By kind what of the error comes from it, where that is defined; where none is, all is of the
+  /// choice's kind.
+  ErrorParts parts{};
 };
 
 /// Options of `flatray render`, name and value.
@@ -43,6 +47,8 @@ struct Setting {
   std::function<Outcome()> judge;  ///< of the last `work`
   /// What chooses it in `flatray render`; absent where nothing does.
   std::optional<RenderOptions> options{};
+  /// Of settings of several kinds in one choice: the row it belongs to, each with an order.
+  std::string series{};
 };
 
 /// A setting that this machine or this build cannot have, and why.
@@ -60,12 +66,14 @@ struct AccuracyPoint {
   Outcome outcome;
   bool best = false;  ///< no other of its choice is both as fast and as near
   std::optional<RenderOptions> options{};
+  std::string series{};
 };
 
 /// Least squares of log error against log n, over the points with both above 0: the error goes like
 /// n^slope.
 struct FittedOrder {
   double slope = 0, standard_error = 0;
+  std::string series{};
 };
 
 /// What a choice costs and gives on one scene.
@@ -76,10 +84,10 @@ struct ChoiceReport {
   std::string reference;  ///< what they are measured against, and how that is known
   std::string grows;      ///< what n counts
   std::vector<AccuracyPoint> points;
-  bool one_question = true;  ///< else no point is best
-  std::optional<FittedOrder> order;
-  std::string left_out;  ///< why there are no points
-  std::string cut;       ///< what the budget left out
+  bool one_question = true;         ///< else no point is best
+  std::vector<FittedOrder> orders;  ///< of each series of which there is one
+  std::string left_out;             ///< why there are no points
+  std::string cut;                  ///< what the budget left out
   std::vector<MissingSetting> missing{};
   std::size_t rounds = 0;        ///< that the median is of
   double reference_seconds = 0;  ///< of processor time that the reference took
@@ -141,10 +149,16 @@ inline constexpr double kShortSeconds = 1, kSmallError = 1e-3;
 /// Such advice about a point: "best under 1 s", "cheapest under 0.001", both with "and", or "".
 std::string advice(const ChoiceReport& report, const AccuracyPoint& point);
 
-/// By kind what is known of a point's error, all of it under the choice's where nothing more is.
-std::array<double, kErrorKinds> error_parts(const ChoiceReport& report, const AccuracyPoint& point);
+/// Parts of a point's error, all of it under the choice's kind where no more is defined.
+ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point);
 
-/// The slope of a straight line through (log n, log error). Nothing for fewer than three points.
-std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points);
+/// The slope of a straight line through (log n, log error) of the points of one series. Nothing for
+/// fewer than three points.
+std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
+                                     const std::string& series = {});
+/// The series of some points, in the order they come in.
+std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points);
+/// Such an order in words: "quasi: error ~ (flights)^-0.98 +- 0.02".
+std::string words(const FittedOrder& order, const std::string& grows);
 
 }  // namespace flatray

@@ -87,8 +87,10 @@ std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kin
         fmt::format("<tr{}><th scope=\"row\">{}</th><td>{:.3g} &plusmn; {:.1g}</td><td>{:.3g}</td>",
                     point.best ? " class=\"best\"" : "", words, point.seconds, point.spread,
                     point.outcome.error);
-    for (const std::size_t kind : kinds)
-      text += fmt::format("<td>{:.3g}</td>", error_parts(report, point)[kind]);
+    for (const std::size_t kind : kinds) {
+      const std::optional<double> part = error_parts(report, point)[kind];
+      text += part ? fmt::format("<td>{:.3g}</td>", *part) : "<td>not defined</td>";
+    }
     text += fmt::format("<td>{}</td></tr>\n", advice(report, point));
   }
   return text;
@@ -124,9 +126,10 @@ std::string section(const ChoiceReport& report) {
   text += fmt::format("<p>Error of {}: {}; against {}.</p>\n", name(report.kind),
                       svg_text(report.unit), svg_text(report.reference));
   text += table(report);
-  if (report.order)
-    text += fmt::format("<p>The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
-                        svg_text(report.grows), report.order->slope, report.order->standard_error);
+  for (const FittedOrder& order : report.orders)
+    text += fmt::format("<p>{}The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
+                        order.series.empty() ? "" : svg_text(order.series) + ": ",
+                        svg_text(report.grows), order.slope, order.standard_error);
   text += "<ul>\n";
   for (const std::string& line : remarks(report)) text += "<li>" + svg_text(line) + "</li>\n";
   text += "</ul>\n" + figure(report);
@@ -139,16 +142,21 @@ std::string section(const ChoiceReport& report) {
 std::string accuracy_plot(const ChoiceReport& report) {
   Plot plot{fmt::format("{}: {}", report.name, name(report.kind)), "seconds", report.unit, {}};
   plot.log_x = plot.log_y = true;
-  Plot::Series all{"settings", {}, true}, best{"best", {}};
+  for (const std::string& series : series_of(report.points)) {
+    plot.series.push_back({series.empty() ? "settings" : series, {}, true});
+    for (const AccuracyPoint& point : report.points)
+      if (point.series == series)
+        plot.series.back().points.push_back({point.seconds, point.outcome.error});
+  }
+  Plot::Series best{"best", {}};
   for (const AccuracyPoint& point : report.points) {
-    all.points.push_back({point.seconds, point.outcome.error});
-    if (point.best) best.points.push_back(all.points.back());
+    if (point.best) best.points.push_back({point.seconds, point.outcome.error});
     if (const std::string words = advice(report, point); !words.empty())
       plot.notes.push_back({point.seconds, point.outcome.error, words});
   }
   std::sort(best.points.begin(), best.points.end(),
             [](const auto& a, const auto& b) { return a.x < b.x; });
-  plot.series = {std::move(all), std::move(best)};
+  plot.series.push_back(std::move(best));
   return svg(plot);
 }
 

@@ -17,33 +17,42 @@ std::string missing_words(const ChoiceReport& report) {
   return text;
 }
 
+// A part of an error, or that there is none such.
+Cell part_cell(const std::optional<double>& part) {
+  return part ? Cell(*part) : Cell(std::string("not defined"));
+}
+
 Table points_table(std::span<const ChoiceReport> reports) {
-  Table table({"choice", "setting", "n", "seconds", "seconds_half_range", "error",
+  Table table({"choice", "series", "setting", "n", "seconds", "seconds_half_range", "error",
                "error_half_interval", "sampling", "truncation", "discretisation", "rounding",
                "best", "advice"});
   const auto yes_or_no = [](bool yes) { return std::string(yes ? "yes" : "no"); };
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
-      table.add({report.name, point.setting, point.n, point.seconds, point.spread,
-                 point.outcome.error, point.outcome.half, parts[0], parts[1], parts[2], parts[3],
-                 yes_or_no(point.best), advice(report, point)});
+      table.add({report.name, point.series, point.setting, point.n, point.seconds, point.spread,
+                 point.outcome.error, point.outcome.half, part_cell(parts[0]), part_cell(parts[1]),
+                 part_cell(parts[2]), part_cell(parts[3]), yes_or_no(point.best),
+                 advice(report, point)});
     }
   return table;
 }
 
 Table choices_table(std::span<const ChoiceReport> reports) {
-  Table table({"choice", "error_of", "unit", "reference", "order", "order_standard_error",
-               "left_out", "missing", "cut_by_budget", "rounds", "reference_seconds", "seconds"});
-  for (const ChoiceReport& report : reports) {
-    const auto order = [&](double FittedOrder::*part) {
-      return report.order ? Cell(*report.order.*part) : Cell(std::string());
-    };
+  Table table({"choice", "error_of", "unit", "reference", "left_out", "missing", "cut_by_budget",
+               "rounds", "reference_seconds", "seconds"});
+  for (const ChoiceReport& report : reports)
     table.add({report.name, std::string(name(report.kind)), report.unit, report.reference,
-               order(&FittedOrder::slope), order(&FittedOrder::standard_error), report.left_out,
-               missing_words(report), report.cut, std::uint64_t{report.rounds},
+               report.left_out, missing_words(report), report.cut, std::uint64_t{report.rounds},
                report.reference_seconds, report.seconds});
-  }
+  return table;
+}
+
+Table orders_table(std::span<const ChoiceReport> reports) {
+  Table table({"choice", "series", "grows", "order", "standard_error"});
+  for (const ChoiceReport& report : reports)
+    for (const FittedOrder& order : report.orders)
+      table.add({report.name, order.series, report.grows, order.slope, order.standard_error});
   return table;
 }
 
@@ -55,7 +64,7 @@ Table settings_table(const ChoiceReport& report) {
   Table table(columns);
   for (const AccuracyPoint& point : report.points) {
     std::vector<Cell> row{point.setting, point.seconds, point.outcome.error};
-    for (const std::size_t k : kinds) row.emplace_back(error_parts(report, point)[k]);
+    for (const std::size_t k : kinds) row.push_back(part_cell(error_parts(report, point)[k]));
     row.emplace_back(std::string(point.best ? "*" : ""));
     row.emplace_back(advice(report, point));
     table.add(std::move(row));
@@ -74,9 +83,7 @@ std::string summary(std::span<const ChoiceReport> reports) {
     text += fmt::format("  error: {}, {}; against {}\n", report.unit, name(report.kind),
                         report.reference);
     text += settings_table(report).text();
-    if (report.order)
-      text += fmt::format("  error ~ ({})^{:.2f} +- {:.2f}\n", report.grows, report.order->slope,
-                          report.order->standard_error);
+    for (const FittedOrder& order : report.orders) text += "  " + words(order, report.grows) + "\n";
     for (const std::string& line : remarks(report)) text += "  " + line + "\n";
     text += "\n";
   }
@@ -90,7 +97,7 @@ std::vector<std::size_t> kinds_of_error(const ChoiceReport& report) {
   for (std::size_t k = 0; k < kErrorKinds; ++k)
     if (k == static_cast<std::size_t>(report.kind) ||
         std::any_of(report.points.begin(), report.points.end(),
-                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k] > 0; }))
+                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k]; }))
       kinds.push_back(k);
   return kinds;
 }
@@ -104,6 +111,12 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
     lines.push_back(fmt::format("cheapest under {}: {}; best under {} s: {}", kSmallError,
                                 words(cheapest_below(report, kSmallError)), kShortSeconds,
                                 words(best_within(report, kShortSeconds))));
+  std::string undefined;
+  const std::vector<std::size_t> kinds = kinds_of_error(report);
+  for (std::size_t k = 0; k < kErrorKinds; ++k)
+    if (std::find(kinds.begin(), kinds.end(), k) == kinds.end())
+      undefined += (undefined.empty() ? "" : ", ") + std::string(name(static_cast<ErrorKind>(k)));
+  if (!undefined.empty()) lines.push_back("not defined for its error: " + undefined);
   for (const MissingSetting& one : report.missing)
     lines.push_back(fmt::format("not here: {}: {}", one.words, one.why));
   if (!report.cut.empty()) lines.push_back("not within the budget: " + report.cut);
@@ -116,10 +129,12 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports) {
   ExperimentResult result;
   const Table points = points_table(reports), choices = choices_table(reports);
+  const Table orders = orders_table(reports);
   result.files.push_back({"accuracy.csv", points.csv()});
   result.files.push_back(
       {"accuracy.json",
-       json_document({{"scene", scene}}, {{"choices", &choices}, {"points", &points}})});
+       json_document({{"scene", scene}},
+                     {{"choices", &choices}, {"orders", &orders}, {"points", &points}})});
   for (const ChoiceReport& report : reports)
     if (!report.points.empty())
       result.files.push_back({fmt::format("accuracy_{}.svg", report.name), accuracy_plot(report)});

@@ -1,107 +1,115 @@
 #include "study/catalogue_check.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "geom/predicates.h"
-#include "oracle/long_orbit.h"
+#include "base/processor_time.h"
 #include "oracle/nearest.h"
-#include "transport/orbit.h"
+#include "study/catalogue_orbit_check.h"
+#include "study/timed.h"
+#include "study/ulps.h"
+#include "trace/many_rays.h"
 
 namespace flatray {
 namespace {
 
 constexpr unsigned kBits = 1024;
+constexpr std::size_t kFewRays = 4;   // so few go one by one whatever the walls
+constexpr double kTold = 2e-5;        // seconds that the clock of a thread tells well
+constexpr std::size_t kShare = 1000;  // of which one answer may be farther off
 
-double ulps_between(double found, double truth) {
-  if (found == truth) return 0;
-  const double ulp = std::nextafter(std::fabs(truth), kInfinity) - std::fabs(truth);
-  return std::fabs(found - truth) / ulp;
-}
+// Rays among the same walls, and what is true of them.
+struct Group {
+  const Surfaces* walls;
+  RayBatch rays;
+  std::vector<std::optional<std::uint32_t>> wall{};  // where it is told; of a miss none
+  std::vector<std::optional<double>> t{};
+};
 
 // The rays that follow `first` among the same walls, all at once.
-std::size_t check_rays(const std::vector<oracle::StiffRay>& rays, std::size_t first,
-                       const Tracer& tracer, CatalogueTally& tally) {
-  const Surfaces& walls = *rays[first].walls;
-  RayBatch batch;
-  std::size_t end = first;
-  for (; end < rays.size() && rays[end].walls == rays[first].walls; ++end) batch.add(rays[end].ray);
-  std::vector<NearestHit> hits(batch.size());
-  tracer.build(walls)->nearest(batch, hits);
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    const oracle::StiffRay& asked = rays[first + i];
-    const NearestHit& hit = hits[i];
-    std::optional<double> t = asked.t;
-    bool right = static_cast<bool>(hit) == t.has_value();
-    if (!walls.any_curves()) {
-      const oracle::NearestWall truth = oracle::nearest_wall(asked.ray, walls.segments);
-      right = right && (!hit || hit.surface == truth.wall);
-      if (t == kInfinity) t = truth.t;
-    }
-    ++tally.queries;
-    if (!right)
-      ++tally.wrong;
-    else if (hit)
-      tally.worst_ulps = std::max(tally.worst_ulps, ulps_between(hit.t, *t));
+Group group_of(std::span<const oracle::StiffRay> rays) {
+  Group group{rays.front().walls.get(), {}};
+  const Surfaces& walls = *group.walls;
+  for (const oracle::StiffRay& asked : rays) {
+    if (asked.walls.get() != group.walls) break;
+    group.rays.add(asked.ray);
+    group.wall.emplace_back();
+    group.t.push_back(asked.t);
+    if (walls.any_curves()) continue;
+    const oracle::NearestWall truth = oracle::nearest_wall(asked.ray, walls.segments);
+    if (truth) group.wall.back() = static_cast<std::uint32_t>(truth.wall);
+    if (asked.t == kInfinity) group.t.back() = truth.t;
   }
-  return end;
+  return group;
 }
 
-// Outside the room, or on another side of a circle than the start.
-bool is_out(const oracle::StiffOrbits& orbits, const Vec2& start, const Vec2& point) {
-  for (std::size_t i = 0; i < orbits.room; ++i) {
-    const Segment& wall = orbits.walls.segments[i];
-    if (orientation(wall.a, wall.b, point) == Sign::negative) return true;
+void compare(const NearestHit& hit, const Group& group, std::size_t i, CatalogueTally& tally) {
+  ++tally.queries;
+  const auto& wall = group.wall[i];
+  const auto& t = group.t[i];
+  if (static_cast<bool>(hit) != t.has_value() || (hit && wall && hit.surface != *wall))
+    ++tally.wrong;
+  else if (hit)
+    tally.ulps.push_back(ulps_between(hit.t, *t));
+}
+
+void check_group(const Group& group, const Tracer& tracer, CatalogueTally& tally) {
+  const auto walls = tracer.build(*group.walls);
+  const std::size_t count = group.rays.size();
+  std::vector<NearestHit> alone(count);
+  for (std::size_t begin = 0; begin < count; begin += kFewRays) {
+    RayBatch few;
+    for (std::size_t i = begin; i < std::min(begin + kFewRays, count); ++i)
+      few.add(group.rays.ray(i));
+    walls->nearest(few, std::span(alone).subspan(begin, few.size()));
   }
-  return std::any_of(
-      orbits.walls.circles.begin(), orbits.walls.circles.end(), [&](const Circle& circle) {
-        const Sign before = curve_side(start, circle), now = curve_side(point, circle);
-        return now != Sign::zero && before != Sign::zero && now != before;
-      });
-}
-
-bool ends_as(OrbitEnd end, oracle::StiffOrbits::End expected) {
-  using End = oracle::StiffOrbits::End;
-  return expected == End::any || (end == OrbitEnd::limit && expected == End::limit) ||
-         (end == OrbitEnd::escape && expected == End::escape) ||
-         (end == OrbitEnd::corner && expected == End::corner);
-}
-
-bool walls_agree(const oracle::LongOrbit& truth, const Orbit& orbit) {
-  if (orbit.bounces.size() < truth.bounces.size()) return false;
-  for (std::size_t i = 0; i < truth.bounces.size(); ++i)
-    if (orbit.bounces[i].surface != truth.bounces[i].surface) return false;
-  return true;
-}
-
-void check_orbits(const oracle::StiffOrbits& orbits, const std::vector<oracle::LongOrbit>& truth,
-                  const Tracer& tracer, CatalogueTally& tally) {
-  using End = oracle::StiffOrbits::End;
-  const std::vector<Material> mirrors(orbits.walls.size(), Material::mirror);
-  const std::vector<Orbit> found = trace_orbits(orbits.walls, mirrors, orbits.starts,
-                                                orbits.bounces, {CornerRule::stop, &tracer});
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Orbit& orbit = found[i];
-    ++tally.queries;
-    if (!ends_as(orbit.end, orbits.end) ||
-        (orbits.count && orbit.bounces.size() != *orbits.count) || !walls_agree(truth[i], orbit))
-      ++tally.wrong;
-    const bool escapes = orbit.end == OrbitEnd::escape && orbits.end != End::escape;
-    const bool out = std::any_of(
-        orbit.bounces.begin(), orbit.bounces.end(),
-        [&](const Bounce& bounce) { return is_out(orbits, orbit.start, bounce.point); });
-    if (escapes || out) ++tally.leaks;
+  const RayBatch many = many_of(group.rays);
+  const std::vector<NearestHit> among = measured_hits(*walls, many, group.walls->size(), tally);
+  for (std::size_t i = 0; i < count; ++i) compare(alone[i], group, i, tally);
+  for (std::size_t i = 0; i < among.size(); ++i) {
+    compare(among[i], group, i % count, tally);
+    if (among[i] != alone[i % count]) ++tally.apart;
   }
 }
 
 }  // namespace
 
+std::vector<NearestHit> measured_hits(const Accelerator& walls, const RayBatch& rays,
+                                      std::size_t objects, CatalogueTally& tally) {
+  std::vector<NearestHit> hits(rays.size());
+  tally.seconds += seconds_of([&] { walls.nearest(rays, hits); }, &thread_seconds, kTold);
+  tally.in_batches += rays.size();
+  tally.one_by_one += walls.left_by_lanes(rays);
+  tally.objects += objects;
+  tally.bytes += walls.bytes();
+  return hits;
+}
+
+double CatalogueTally::most_ulps() const {
+  return ulps.empty() ? 0 : ulps[ulps.size() - 1 - ulps.size() / kShare];
+}
+
+void CatalogueTally::add(const CatalogueTally& other) {
+  queries += other.queries;
+  wrong += other.wrong;
+  leaks += other.leaks;
+  apart += other.apart;
+  ulps.insert(ulps.end(), other.ulps.begin(), other.ulps.end());
+  std::sort(ulps.begin(), ulps.end());
+  in_batches += other.in_batches;
+  one_by_one += other.one_by_one;
+  seconds += other.seconds;
+  objects += other.objects;
+  bytes += other.bytes;
+}
+
 std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
                                        std::span<const Tracer* const> tracers) {
   std::vector<CatalogueTally> tallies(tracers.size());
-  for (std::size_t k = 0; k < tracers.size(); ++k)
-    for (std::size_t i = 0; i < stiff.rays.size();)
-      i = check_rays(stiff.rays, i, *tracers[k], tallies[k]);
+  for (std::size_t i = 0; i < stiff.rays.size();) {
+    const Group group = group_of(std::span(stiff.rays).subspan(i));
+    for (std::size_t k = 0; k < tracers.size(); ++k) check_group(group, *tracers[k], tallies[k]);
+    i += group.rays.size();
+  }
   for (const oracle::StiffOrbits& orbits : stiff.orbits) {
     std::vector<oracle::LongOrbit> truth;
     for (const Ray& start : orbits.starts)
@@ -109,6 +117,7 @@ std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
     for (std::size_t k = 0; k < tracers.size(); ++k)
       check_orbits(orbits, truth, *tracers[k], tallies[k]);
   }
+  for (CatalogueTally& tally : tallies) std::sort(tally.ulps.begin(), tally.ulps.end());
   return tallies;
 }
 

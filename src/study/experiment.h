@@ -33,6 +33,9 @@ enum class PixelMap : std::uint8_t {
              ///< right as seen along the ray, and at angles to it from 90 degrees, top, to -90
 };
 
+/// How starts that are drawn are spread: each by itself, or evenly together.
+enum class Starts : std::uint8_t { random, quasi };
+
 /// What an experiment is run with.
 struct ExperimentContext {
   const Scene& scene;
@@ -43,6 +46,7 @@ struct ExperimentContext {
   double apart = 1e-9;                     ///< of orbits that start near each other
   PixelMap map = PixelMap::usual;
   RunMonitor* monitor = nullptr;
+  Starts starts = Starts::random;
 };
 
 /// A number found, with the error of its estimate, beside what must come out where that is known.
@@ -69,7 +73,7 @@ struct ExperimentResult {
 /// What of a context an experiment looks at, beside its scene and threads: the rest is refused
 /// where it is asked for.
 struct ExperimentUses {
-  bool count = false, bounces = false, apart = false, map = false, seed = false;
+  bool count = false, bounces = false, apart = false, map = false, seed = false, starts = false;
   bool resume = false;  ///< it works in blocks
 };
 

@@ -11,6 +11,7 @@
 #include "collide/meetings.h"
 #include "collide/outline_contact.h"
 #include "oracle/contact.h"
+#include "oracle/turning_contact.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -18,11 +19,16 @@ namespace {
 
 using Pair = PairTruth::Pair;
 
-// An entity for a stretch of time in which it moves straight.
+// An entity for a stretch of time in which it moves straight, and turns evenly. Parts lie as placed,
+// of what turns as seen from where it turns about.
 struct Body {
   std::vector<ShapePart> parts;
   Vec2 velocity{0, 0};
+  Vec2 at{0, 0};
+  double angle = 0, spin = 0;
 };
+
+enum class Answer { apart, meet, grazing };
 
 // About where an entity is in a frame.
 struct Whereabouts {
@@ -41,15 +47,43 @@ Whereabouts about(const std::vector<Vec2>& ring) {
   return {box.centre(), box.size().norm()};
 }
 
-bool meet(const Body& a, const Body& b, const Range& within) {
-  const double way = (a.velocity - b.velocity).norm() * within.high;
+Answer polygons_meet(const Body& a, const Body& b, double length) {
+  const double way = (a.velocity - b.velocity).norm() * length;
   for (const ShapePart& p : a.parts)
     for (const ShapePart& q : b.parts)
       if (!far_apart(about(p.ring), about(q.ring), way) &&
-          oracle::contact_truth(p.ring, a.velocity, q.ring, b.velocity, within).kind !=
+          oracle::contact_truth(p.ring, a.velocity, q.ring, b.velocity, {0, length}).kind !=
               HitClass::miss)
-        return true;
-  return false;
+        return Answer::meet;
+  return Answer::apart;
+}
+
+// A part times a power of two: the oracle wants sizes about 1.
+struct Core {
+  std::vector<Vec2> ring;
+  oracle::TurningCore core;
+
+  Core(const ShapePart& part, const Body& body, double scale) {
+    for (const Vec2& p : part.ring) ring.push_back(scale * p);
+    core = {ring,     scale * part.radius, scale * body.at, scale * body.velocity, body.angle,
+            body.spin};
+  }
+};
+
+double size_of(const ShapePart& part) { return about(part.ring).reach + part.radius; }
+
+Answer cores_meet(const Body& a, const Body& b, double length) {
+  Answer answer = Answer::apart;
+  for (const ShapePart& p : a.parts)
+    for (const ShapePart& q : b.parts) {
+      const double size = std::max({size_of(p), size_of(q), 0x1p-500});
+      const double scale = std::ldexp(1.0, -std::ilogb(size));
+      const Core one(p, a, scale), other(q, b, scale);
+      const auto kind = oracle::first_touch(one.core, other.core, length).kind;
+      if (kind == oracle::FirstTouch::Kind::touch) return Answer::meet;
+      if (kind == oracle::FirstTouch::Kind::unknown) answer = Answer::grazing;
+    }
+  return answer;
 }
 
 class Search {
@@ -58,46 +92,54 @@ class Search {
       : timeline_(timeline), scene_(timeline.scene()), last_(last_frame), seconds_(seconds) {
     for (unsigned frame = 1; frame <= last_; ++frame)
       states_.push_back(entity_states(timeline_, frame));
-    round_.assign(scene_.entities.size(), false);
+    bent_.assign(scene_.entities.size(), false);
+    left_out_.assign(scene_.entities.size(), false);
     for (const std::vector<EntityState>& frame : states_) {
       std::vector<Whereabouts>& places = places_.emplace_back();
       for (std::size_t i = 0; i < frame.size(); ++i) {
         const Shape& shape = shape_of(scene_, frame[i]);
         const bool turns = frame[i].angle != states_.front()[i].angle;
-        if (has_parts_left_out(shape) || !shape.circles.empty() || !shape.arc_paths.empty() ||
-            turns)
-          round_[i] = true;
+        if (!shape.circles.empty() || turns) bent_[i] = true;
+        if (has_parts_left_out(shape) || !shape.arc_paths.empty()) left_out_[i] = true;
         const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
-        places.push_back({box.centre(), box.size().norm()});
+        const Vec2 beside = (box.centre() - frame[i].at).cwiseAbs() + box.size();
+        places.push_back(turns ? Whereabouts{frame[i].at, 2 * beside.norm()}
+                               : Whereabouts{box.centre(), box.size().norm()});
       }
     }
   }
 
   PairTruth run() {
     const double start = processor_seconds();
-    const std::vector<Pair> pairs = polygon_pairs();
+    const std::vector<Pair> pairs = all_pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (i > 0 && processor_seconds() - start > seconds_) {
         truth_.cut = pairs.size() - i;
         break;
       }
       const auto& [a, b] = pairs[i];
+      const Answer answer = pair_meets(a, b);
+      if (answer == Answer::grazing) {
+        ++truth_.grazing;
+        continue;
+      }
       truth_.compared.insert(pairs[i]);
-      if (pair_meets(a, b)) truth_.meet.insert(pairs[i]);
+      if (bent_[a] || bent_[b]) ++truth_.bent;
+      if (answer == Answer::meet) truth_.meet.insert(pairs[i]);
     }
     return std::move(truth_);
   }
 
  private:
   // Those to look at, in an order in which the first few are of all kinds.
-  std::vector<Pair> polygon_pairs() {
+  std::vector<Pair> all_pairs() {
     std::vector<Pair> pairs;
     const auto count = static_cast<std::uint32_t>(scene_.entities.size());
     for (std::uint32_t a = 0; a < count; ++a)
       for (std::uint32_t b = a + 1; b < count; ++b) {
         if (rests(scene_, a) && rests(scene_, b)) continue;
-        if (round_[a] || round_[b])
-          ++truth_.round;
+        if (left_out_[a] || left_out_[b])
+          ++truth_.left_out;
         else
           pairs.push_back({a, b});
       }
@@ -109,28 +151,44 @@ class Search {
     return pairs;
   }
 
-  Body body(std::size_t frame, std::uint32_t entity, const Vec2& velocity) const {
+  Body body(std::size_t frame, std::uint32_t entity, const Vec2& velocity, double turn) const {
     const EntityState& state = states_[frame][entity];
-    return {parts_of(shape_of(scene_, state), pose(state.at, state.angle, state.scale)), velocity};
+    const Shape& shape = shape_of(scene_, state);
+    if (turn != 0)
+      return {parts_of(shape, {{0, 0}, 1, 0, state.scale}), velocity, state.at, state.angle, turn};
+    return {parts_of(shape, pose(state.at, state.angle, state.scale)), velocity};
   }
 
-  bool pair_meets(std::uint32_t a, std::uint32_t b) const {
+  Answer bodies_meet(const Body& a, const Body& b, bool bent, double length) const {
+    return bent ? cores_meet(a, b, length) : polygons_meet(a, b, length);
+  }
+
+  Answer pair_meets(std::uint32_t a, std::uint32_t b) const {
+    const bool bent = bent_[a] || bent_[b];
     if (keeps_velocity(scene_, a) && keeps_velocity(scene_, b)) {
       const Vec2 &v = scene_.entities[a].velocity, &w = scene_.entities[b].velocity;
       const double length = (last_ - 1.0) / scene_.fps;
-      return !far_apart(places_[0][a], places_[0][b], (v - w).norm() * length) &&
-             meet(body(0, a, v), body(0, b, w), {0, length});
+      if (far_apart(places_[0][a], places_[0][b], (v - w).norm() * length)) return Answer::apart;
+      return bodies_meet(body(0, a, v, 0), body(0, b, w, 0), bent, length);
     }
+    Answer answer = Answer::apart;
     for (std::size_t frame = 0; frame + 1 < states_.size(); ++frame) {
-      const auto way = [&](std::uint32_t entity) -> Vec2 {
-        return states_[frame + 1][entity].at - states_[frame][entity].at;
-      };
-      const Vec2 v = way(a), w = way(b);
-      if (!far_apart(places_[frame][a], places_[frame][b], (v - w).norm()) &&
-          meet(body(frame, a, v), body(frame, b, w), {0, 1}))
-        return true;
+      const Answer one = meet_in_frame(frame, a, b, bent);
+      if (one == Answer::meet) return one;
+      if (one == Answer::grazing) answer = one;
     }
-    return false;
+    return answer;
+  }
+
+  Answer meet_in_frame(std::size_t frame, std::uint32_t a, std::uint32_t b, bool bent) const {
+    const std::vector<EntityState>&now = states_[frame], &next = states_[frame + 1];
+    const auto moved = [&](std::uint32_t i) {
+      return body(frame, i, next[i].at - now[i].at,
+                  turn_between(scene_, i, now[i].angle, next[i].angle));
+    };
+    const Vec2 way = (next[a].at - now[a].at) - (next[b].at - now[b].at);
+    if (far_apart(places_[frame][a], places_[frame][b], way.norm())) return Answer::apart;
+    return bodies_meet(moved(a), moved(b), bent, 1);
   }
 
   const Timeline& timeline_;
@@ -139,31 +197,30 @@ class Search {
   const double seconds_;
   std::vector<std::vector<EntityState>> states_;  // by frame
   std::vector<std::vector<Whereabouts>> places_;  // likewise
-  std::vector<bool> round_;
+  std::vector<bool> bent_, left_out_;
   PairTruth truth_;
 };
 
 }  // namespace
 
 std::string PairTruth::words() const {
-  std::string text =
-      fmt::format("{} pairs of polygons by shadows in rationals (oracle/contact), of which {} meet",
-                  compared.size(), meet.size());
-  if (round > 0)
-    text += fmt::format("; {} pairs with discs, curves or what turns are left out", round);
+  std::string text;
+  if (compared.size() > bent || bent == 0)
+    text = fmt::format("{} pairs of polygons by shadows in rationals (oracle/contact)",
+                       compared.size() - bent);
+  if (bent > 0)
+    text += fmt::format(
+        "{}{} pairs with discs or what turns by bisection in 256 bits (oracle/turning_contact)",
+        text.empty() ? "" : ", ", bent);
+  text += fmt::format("; {} of them meet", meet.size());
+  if (grazing > 0) text += fmt::format("; {} graze too closely to be told", grazing);
+  if (left_out > 0)
+    text += fmt::format("; {} with arcs, ellipses or capsules are left out", left_out);
   return text;
 }
 
 PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double seconds) {
   return Search(timeline, last_frame, seconds).run();
-}
-
-std::string no_pairs(const Scene& scene) {
-  if (scene.entities.size() < 2) return "the scene has no two entities";
-  if (scene.frames < 2) return "the scene has one frame";
-  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (!rests(scene, i)) return "";
-  return "nothing moves";
 }
 
 PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found) {

@@ -11,10 +11,12 @@ struct PairTruth {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  ///< entities, ascending
   std::set<Pair> compared;                               ///< all pairs looked at
   std::set<Pair> meet;                                   ///< of these
-  std::size_t round = 0;  ///< pairs with discs, curves or what turns, which are not looked at
-  std::size_t cut = 0;    ///< pairs that there was no time for
+  std::size_t bent = 0;      ///< of those compared, pairs with discs, or of which one turns
+  std::size_t grazing = 0;   ///< pairs that come too close for bits to tell: not compared
+  std::size_t left_out = 0;  ///< pairs with arcs, ellipses, capsules: the reference knows none
+  std::size_t cut = 0;       ///< pairs that there was no time for
 
-  /// "12 pairs of polygons by shadows in rationals (oracle/contact), of which 3 meet; ..."
+  /// "12 pairs of polygons by shadows in rationals (oracle/contact), 3 of which meet; ..."
   std::string words() const;
 };
 
@@ -23,11 +25,9 @@ struct PairTruth {
 ///
 /// Needs   last_frame as the timeline has it.
 /// Gives   pairs of which one moves; those never within each other's reach take no arithmetic.
-/// Cost    some 100 us for each two pieces, and each frame where motion is not straight.
+/// Cost    some 100 us for each two pieces, a ms of what is round or turns, and that each frame where
+///         motion is not straight.
 PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double seconds);
-
-/// Whether there is a pair to look at, and else why not.
-std::string no_pairs(const Scene& scene);
 
 /// Wrong pairs of those compared, split into those not seen and those not there.
 struct PairErrors {

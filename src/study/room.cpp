@@ -7,6 +7,7 @@
 
 #include "base/philox.h"
 #include "geom/predicates.h"
+#include "study/starts.h"
 #include "study/wall_places.h"
 #include "trace/on_surface.h"
 #include "transport/near_doubles.h"
@@ -61,13 +62,16 @@ double Room::place_of(const Bounce& bounce) const {
          (second ? wall_length(walls(), wall) : 0);
 }
 
-OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number) const {
+OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts starts) const {
   for (std::uint32_t attempt = 0;; attempt += 4) {
     const auto draw = [&](std::uint32_t which) {
       return unit_double(
           random_bits(seed, Stream::experiment, number >> 32, number, attempt + which));
     };
-    const double along = draw(0) * perimeter(), sine = 2 * draw(1) - 1;
+    // Where rounding leaves no place to start from, a draw that depends on no other is as good.
+    const bool even = starts == Starts::quasi && attempt == 0;
+    const UnitPoint at = even ? quasi_point(seed, number) : UnitPoint{draw(0), draw(1)};
+    const double along = at.x * perimeter(), sine = 2 * at.y - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto surface = static_cast<std::uint32_t>(above - before_.begin() - 1);
     const double length = wall_length(walls(), surface), within = along - before_[surface];
@@ -100,6 +104,12 @@ Result<void> expect_closed(const ExperimentContext& context) {
   if (scene.chambers.empty())
     return fail(place, "has no chamber for orbits to stay in", "add [[chamber]] with a shape");
   const Chamber& chamber = scene.chambers.front();
+  const Shape& shape = scene.shapes[chamber.shape];
+  if (shape.vertices.empty() && shape.circles.empty() &&
+      std::none_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                   [](const ArcPath& path) { return path.closed; }))
+    return fail(chamber.where, "the chamber is open, and orbits leave it",
+                "close its shape: a polygon, a circle, a capsule");
   const bool absorbs =
       chamber.material == Material::absorb ||
       std::any_of(chamber.pillars.begin(), chamber.pillars.end(),
@@ -133,13 +143,21 @@ Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t us
   if (context.count <= bounces)
     return fail(named_place("--count"), "one orbit alone has no error",
                 fmt::format("say more than the {} of an orbit", bounces), Trouble::usage);
-  return OrbitPlan{(context.count + bounces - 1) / bounces, bounces};
+  const OrbitPlan plan{(context.count + bounces - 1) / bounces, bounces};
+  if (context.starts == Starts::quasi && plan.orbits < 2 * kShifts)
+    return fail(named_place("--count"),
+                fmt::format("{} orbits are too few for {} shifts of quasi-random starts",
+                            plan.orbits, kShifts),
+                fmt::format("say --count {} or more, or fewer --bounces", 2 * kShifts * bounces),
+                Trouble::usage);
+  return plan;
 }
 
-void follow_random(const Room& room, std::uint64_t seed, std::uint64_t begin, std::uint64_t end,
-                   std::uint64_t bounces, OrbitSink& sink) {
+void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
+                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink) {
   std::vector<OrbitStart> starts;
-  for (std::uint64_t i = begin; i < end; ++i) starts.push_back(room.draw_start(seed, i));
+  for (std::uint64_t i = begin; i < end; ++i)
+    starts.push_back(room.draw_start(context.seed, i, context.starts));
   room.orbits().follow(starts, bounces, sink);
 }
 

@@ -19,6 +19,7 @@ class Room {
   const FrameState& state() const { return state_; }
   const Solids& solids() const { return solids_; }
   const OrbitTracer& orbits() const { return *orbits_; }
+  const std::vector<Material>& materials() const { return materials_; }  ///< by surface
 
   /// Length of all walls but periodic ones, those bounced off on both sides twice.
   double perimeter() const { return before_.back(); }
@@ -26,8 +27,10 @@ class Room {
   double place_of(const Bounce& bounce) const;
 
   /// A start on a wall such that bounces along its orbit have the measure that reflection keeps:
-  /// uniform in length of wall and in the sine of the angle. One for each number under one seed.
-  OrbitStart draw_start(std::uint64_t seed, std::uint64_t number) const;
+  /// uniform in length of wall and in the sine of the angle. One for each number under one seed;
+  /// quasi-random ones are spread evenly in both (study/starts.h).
+  OrbitStart draw_start(std::uint64_t seed, std::uint64_t number,
+                        Starts starts = Starts::random) const;
 
  private:
   std::optional<Sign> inner_side(std::uint32_t surface) const;  // nullopt: both
@@ -52,11 +55,11 @@ Result<void> expect_walls(const ExperimentContext& context, const Room& room);
 struct OrbitPlan {
   std::uint64_t orbits, bounces;
 };
-/// Error   more orbits than 32 bits name.
+/// Error   too few orbits for their error to be known.
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces);
 
-/// Follows the orbits [begin, end) of random starts.
-void follow_random(const Room& room, std::uint64_t seed, std::uint64_t begin, std::uint64_t end,
-                   std::uint64_t bounces, OrbitSink& sink);
+/// Follows the orbits [begin, end) of starts drawn as the context has it.
+void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
+                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink);
 
 }  // namespace flatray

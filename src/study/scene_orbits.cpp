@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "study/starts.h"
+
 namespace flatray {
 
 NamedOrbits orbits_to_watch(const ExperimentContext& context, const Room& room,
@@ -14,8 +16,9 @@ NamedOrbits orbits_to_watch(const ExperimentContext& context, const Room& room,
   if (!orbits.starts.empty()) return orbits;
   orbits.random = true;
   for (std::uint64_t i = 0; i < random_orbits; ++i) {
-    orbits.names.push_back(fmt::format("random {}", i + 1));
-    orbits.starts.push_back(room.draw_start(context.seed, i));
+    const bool even = context.starts == Starts::quasi;
+    orbits.names.push_back(fmt::format("{} {}", even ? "quasi" : "random", i + 1));
+    orbits.starts.push_back(room.draw_start(context.seed, even ? i * kShifts : i, context.starts));
   }
   return orbits;
 }

@@ -3,8 +3,8 @@
 
 namespace flatray {
 
-/// Orbits an experiment looks at one by one: the rays of the scene, or random ones where it has
-/// none.
+/// Orbits an experiment looks at one by one: the rays of the scene, or drawn ones where it has
+/// none, of quasi-random starts all under one shift.
 struct NamedOrbits {
   std::vector<std::string> names;
   std::vector<OrbitStart> starts;

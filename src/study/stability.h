@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,7 +24,18 @@ struct StabilityTally {
       0;  ///< rays for which the oracle needed more than 128 bits, or had a curve to ask
   std::uint64_t watched = 0;     ///< rays of which it is known whether they were decided one by one
   std::uint64_t one_by_one = 0;  ///< rays that no lanes were certain of
-  std::string first_wrong;       ///< "item 17 ray 3"; "" for none
+  std::uint64_t worst_ulps = 0;  ///< by which a t is off, rounded up
+  /// Hits whose t is more than 2^8, 2^16, ... 2^48 ulps off.
+  std::array<std::uint64_t, 6> off_by_far{};
+  std::uint64_t timed = 0;        ///< rays that were timed
+  std::uint64_t nanoseconds = 0;  ///< of processor time for those
+  std::uint64_t objects = 0;      ///< walls, each time they were made ready
+  std::uint64_t bytes = 0;        ///< that took beside the walls themselves
+  std::string first_wrong;        ///< "item 17 ray 3"; "" for none
+
+  /// A number of ulps that no more than one hit in a thousand exceeds: 1, a power of 2^8, or the
+  /// worst.
+  std::uint64_t most_ulps() const;
 
   void add(const StabilityTally& other);
 };

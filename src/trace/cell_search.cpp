@@ -25,8 +25,8 @@ class Rivals {
     ++tested_;
     const FilteredHit hit = filter_(walls_.segments[slot]);
     if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
-    if (std::find_if(open_.begin(), open_.end(),
-                     [&](const Rival& other) { return other.slot == slot; }) != open_.end())
+    const auto recent = open_.end() - std::min(std::ssize(open_), kRecent);
+    if (std::any_of(recent, open_.end(), [&](const Rival& other) { return other.slot == slot; }))
       return;
     open_.push_back({slot, hit.low});
     if (hit.verdict == FilteredHit::Verdict::sure && hit.high < high_) {
@@ -42,7 +42,8 @@ class Rivals {
   }
   std::size_t tested() const { return tested_; }
 
-  NearestHit decide(const Ray& ray, bool tangents, const CurveCells& curves) const {
+  NearestHit decide(const Ray& ray, bool tangents, const CurveCells& curves) {
+    drop_repeated();
     const CurveCells::Rivals curved = this->curved(ray, curves);
     const bool alone = open_.size() == 1 && high_ < kInfinity;
     if (curved.surfaces.empty()) {
@@ -62,6 +63,18 @@ class Rivals {
     std::uint32_t slot;
     double low;
   };
+  // Cells that list a segment again mostly follow each other; among more, to look for it at once
+  // would take the square of their number.
+  static constexpr std::ptrdiff_t kRecent = 16;
+  void drop_repeated() {
+    if (open_.size() < 2) return;
+    std::sort(open_.begin(), open_.end(),
+              [](const Rival& a, const Rival& b) { return a.slot < b.slot; });
+    open_.erase(std::unique(open_.begin(), open_.end(),
+                            [](const Rival& a, const Rival& b) { return a.slot == b.slot; }),
+                open_.end());
+  }
+
   const Surfaces& walls_;
   const CellGrid* listed_;
   const Left& left_;

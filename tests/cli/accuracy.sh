@@ -7,7 +7,7 @@ run 0 accuracy box.toml -o out --budget 5s
 says out "coverage: What does it cost"
 says out "left out: "
 exists out/accuracy.{csv,json,html} out/accuracy_coverage.svg
-head -1 out/accuracy.csv | grep -q '^choice,setting,n,seconds' || fail "header of accuracy.csv"
+head -1 out/accuracy.csv | grep -q '^choice,series,setting,n,seconds' || fail "header of accuracy.csv"
 run 0 accuracy box.toml -o json --choice coverage --budget 5 --json
 says out '"files":'
 run 0 accuracy box.toml -o cut --choice coverage --budget 0.000001s

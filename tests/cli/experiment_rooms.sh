@@ -25,6 +25,16 @@ rm -r half
 run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 cmp whole/mean_free_path.json half/mean_free_path.json || fail "a resumed run differs"
 [[ ! -e half/mean-free-path.blocks ]] || fail "the blocks were left behind"
+# Quasi-random starts: evenly spread, so with a smaller error; stopped and gone on from like others.
+run 0 experiment mean-free-path "$sinai" --count 20000 --bounces 1 --starts quasi --resume -o quasi
+error_of() { awk -F, '$1 == "mean_free_path" { print $5 }' "$1/mean_free_path.csv"; }
+run 0 experiment mean-free-path "$sinai" --count 20000 --bounces 1 -o random
+awk -v a="$(error_of quasi)" -v b="$(error_of random)" 'BEGIN { exit !(3 * a < b) }' || fail "quasi-random starts have no smaller error"
+run 2 experiment mean-free-path "$sinai" --count 3000 --starts quasi
+says err "say --count 6400 or more"
+run 2 experiment mean-free-path "$sinai" --starts sobol
+run 2 experiment escape "$sinai" --starts quasi
+says err "is nothing that escape looks at"
 # Sweeps.
 run 0 experiment mean-free-path "$sinai" --count 5000 -o sweep --sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.1
 exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg

@@ -28,6 +28,9 @@ hold = 6
 GO   = { STOP = 1 }
 STOP = { STOP = 1 }
 TOML
+run 0 explain hold.toml
+# What the build was configured without, or that it lacks nothing.
+grep -q '^build' out.txt || fail "nothing is said of the build"
 run 0 explain --measure hold.toml
 says out "12 frames"
 # Frame 1 draws all 8 bands of 64 rows, the six moves after it one band each, and the five frames of STOP none.

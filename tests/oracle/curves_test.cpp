@@ -16,6 +16,14 @@ Arc between(const Ellipse& curve, const Vec2& from, const Vec2& to) {
 }
 const Circle kFive{{0, 0}, 5};
 
+TEST(RootOf, IsThatAskedForAlsoBehindTheStart) {
+  const Ray ray{{0, 3}, {1, 0}};  // meets the circle in (-4, 3) and (4, 3)
+  EXPECT_EQ(root_of(ray, kFive, Root::first)->nearest(), -4);
+  EXPECT_EQ(root_of(ray, kFive, Root::second)->nearest(), 4);
+  EXPECT_EQ(root_of({{11, -2}, {-4, 3}}, kFive, Root::both)->nearest(), 2);
+  EXPECT_FALSE(root_of({{0, 6}, {1, 0}}, kFive, Root::first));
+}
+
 TEST(FirstMeeting, IsOnceOnATangentAndTwiceOnAChord) {
   const auto tangent = first_meeting({{11, -2}, {-4, 3}}, whole(kFive));  // through (3, 4)
   ASSERT_TRUE(tangent);

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "study/catalogue_check.h"
+#include "trace/many_rays.h"
 
 namespace flatray {
 namespace {
@@ -26,10 +28,60 @@ TEST(Catalogue, ExactTracersAreRightInAllOfIt) {
     for (std::size_t k = 0; k < exact.size(); ++k) {
       EXPECT_EQ(tallies[k].wrong, 0U) << stiff.id << " " << exact[k]->name;
       EXPECT_EQ(tallies[k].leaks, 0U) << stiff.id << " " << exact[k]->name;
-      EXPECT_LE(tallies[k].worst_ulps, 1) << stiff.id << " " << exact[k]->name;
+      EXPECT_EQ(tallies[k].apart, 0U) << stiff.id << " " << exact[k]->name;
+      EXPECT_LE(tallies[k].worst_ulps(), 1) << stiff.id << " " << exact[k]->name;
       EXPECT_EQ(tallies[k].queries > 0, stiff.concerns_tracers()) << stiff.id;
+      EXPECT_EQ(tallies[k].right(), true) << stiff.id << " " << exact[k]->name;
     }
   }
+}
+
+const oracle::StiffCase& named(const std::vector<oracle::StiffCase>& cases, const std::string& id) {
+  return *std::find_if(cases.begin(), cases.end(),
+                       [&](const oracle::StiffCase& one) { return one.id == id; });
+}
+
+// Another wall where it is asked for many rays at once.
+class WrongInBatches final : public Accelerator {
+ public:
+  explicit WrongInBatches(const Surfaces& walls)
+      : Accelerator(walls), right_(find_tracer("brute")->build(walls)) {}
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    right_->nearest(rays, hits);
+    if (rays.size() <= kMostRaysOneByOne) return;
+    for (NearestHit& hit : hits)
+      if (hit) hit.surface = hit.surface == 0 ? 1 : 0;
+  }
+  std::size_t bytes() const override { return right_->bytes(); }
+
+ private:
+  std::unique_ptr<Accelerator> right_;
+};
+std::unique_ptr<Accelerator> build_wrong(const Surfaces& walls, Isa, unsigned) {
+  return std::make_unique<WrongInBatches>(walls);
+}
+
+TEST(Catalogue, AsksEveryCaseAlsoInBatchesLongEnoughForLanes) {
+  const std::vector<oracle::StiffCase> cases = oracle::catalogue();
+  const Tracer wrong = {"wrong in batches", "", true, &build_wrong};
+  const Tracer* const asked[] = {&wrong};
+  const CatalogueTally rays = check_case(named(cases, "B4"), asked).front();
+  EXPECT_EQ(rays.wrong, rays.in_batches);
+  EXPECT_EQ(rays.apart, rays.in_batches);
+  EXPECT_GT(rays.queries, rays.in_batches);
+  const CatalogueTally orbits = check_case(named(cases, "C1"), asked).front();
+  EXPECT_GE(orbits.wrong, kMostRaysOneByOne);  // the orbits of copies
+  EXPECT_GT(orbits.apart, orbits.in_batches);  // those and every leg
+}
+
+TEST(CatalogueTally, OneAnswerInAThousandMayBeFartherOffThanMost) {
+  CatalogueTally tally;
+  tally.ulps.assign(999, 0.5);
+  tally.add({.ulps = {7}});
+  EXPECT_EQ(tally.worst_ulps(), 7);
+  EXPECT_EQ(tally.most_ulps(), 0.5);
+  tally.ulps.erase(tally.ulps.begin());
+  EXPECT_EQ(tally.most_ulps(), 7);
 }
 
 }  // namespace

@@ -56,6 +56,27 @@ TEST(Stability, TellsRightFromWrong) {
   EXPECT_EQ(off.not_nearest, right.hits);
   EXPECT_EQ(off.off_by_more, 0U);
   EXPECT_EQ(tally_of<&three_ulps_up>().off_by_more, right.hits);
+  EXPECT_EQ(right.worst_ulps, 0U);
+  EXPECT_EQ(off.worst_ulps, 1U);
+  EXPECT_EQ(tally_of<&three_ulps_up>().worst_ulps, 3U);
+  EXPECT_EQ(right.timed, right.rays);
+  EXPECT_GT(right.objects, 0U);
+}
+
+TEST(StabilityTally, OneHitInAThousandMayBeFartherOffThanMost) {
+  StabilityTally tally;
+  tally.hits = 2000;
+  tally.worst_ulps = 70'000;
+  tally.off_by_more = 900;
+  tally.off_by_far = {500, 2, 0, 0, 0, 0};
+  EXPECT_EQ(tally.most_ulps(), 65'536U);
+  tally.off_by_far[0] = 2;
+  EXPECT_EQ(tally.most_ulps(), 256U);
+  tally.off_by_more = 2;
+  EXPECT_EQ(tally.most_ulps(), 1U);
+  tally.off_by_more = 900;
+  tally.off_by_far.fill(900);
+  EXPECT_EQ(tally.most_ulps(), 70'000U);
 }
 
 TEST(Stability, EveryExactTracerIsRightInEveryFamily) {

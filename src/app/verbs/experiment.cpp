@@ -25,6 +25,9 @@ constexpr auto kOptions = with_scene_options(
      {"apart", '\0', "D", "of orbits that start near each other (default 1e-9)"},
      {"map", '\0', "position|angle",
       "what the pixels of a picture stand for, instead of what is usual"},
+     {"starts", '\0', "random|quasi",
+      "how starts that are drawn are spread: each by itself (usual), or evenly together, which has "
+      "a smaller error where orbits are short"},
      {"sweep", '\0', "KEY=A..B:STEP",
       "once for every value of a key of the scene, also KEY=V,V,..."},
      {"resume", '\0', "", "keep what is done, and go on from what was kept", OptionKind::flag},
@@ -43,9 +46,9 @@ Result<const Experiment*> find_experiment(const std::string& name) {
 // Options that would change nothing. What the environment says is for all commands.
 Result<void> expect_used(const Arguments& arguments, const Experiment& experiment) {
   const ExperimentUses& uses = experiment.uses;
-  const std::pair<const char*, bool> options[] = {{"count", uses.count}, {"bounces", uses.bounces},
-                                                  {"apart", uses.apart}, {"map", uses.map},
-                                                  {"seed", uses.seed},   {"resume", uses.resume}};
+  const std::pair<const char*, bool> options[] = {
+      {"count", uses.count}, {"bounces", uses.bounces}, {"apart", uses.apart},  {"map", uses.map},
+      {"seed", uses.seed},   {"starts", uses.starts},   {"resume", uses.resume}};
   std::string used;
   for (const auto& [name, is_used] : options)
     if (is_used) used += (used.empty() ? "--" : ", --") + std::string(name);
@@ -73,6 +76,7 @@ struct Request {
   std::optional<std::uint64_t> bounces;
   double apart = 0;
   PixelMap map = PixelMap::usual;
+  Starts starts = Starts::random;
   unsigned threads = 1;
 };
 
@@ -95,6 +99,9 @@ Result<Request> read_request(const Arguments& arguments) {
   request.map = *map == "position" ? PixelMap::position
                 : *map == "angle"  ? PixelMap::angle
                                    : PixelMap::usual;
+  const auto starts = arguments.one_of("starts", {"random", "quasi"});
+  if (!starts) return tl::unexpected(starts.error());
+  request.starts = *starts == "quasi" ? Starts::quasi : Starts::random;
   request.seed = *seeded;
   request.count = *count;
   if (arguments.has("bounces")) request.bounces = *bounces;
@@ -105,10 +112,10 @@ Result<Request> read_request(const Arguments& arguments) {
 
 // All that the numbers of a block depend on.
 std::string run_key(const Experiment& experiment, const Scene& scene, const Request& request) {
-  return fmt::format("flatray {} {} scene {:016x} seed {} count {} bounces {} apart {} map {}",
-                     kVersion, experiment.name, scene.hash, request.seed, request.count,
-                     request.bounces.value_or(0), number_text(request.apart),
-                     static_cast<int>(request.map));
+  return fmt::format(
+      "flatray {} {} scene {:016x} seed {} count {} bounces {} apart {} map {} starts {}", kVersion,
+      experiment.name, scene.hash, request.seed, request.count, request.bounces.value_or(0),
+      number_text(request.apart), static_cast<int>(request.map), static_cast<int>(request.starts));
 }
 
 Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& experiment,
@@ -131,7 +138,8 @@ Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& e
                                 .bounces = request->bounces,
                                 .apart = request->apart,
                                 .map = request->map,
-                                .monitor = monitor->get()});
+                                .monitor = monitor->get(),
+                                .starts = request->starts});
   if (auto finished = (*monitor)->finish(result.has_value()); !finished)
     return fail(std::move(finished));
   return result;
@@ -193,6 +201,7 @@ extern const Verb experiment = {
     "  flatray experiment mean-free-path scenes/chamber/sinai.toml -o out\n"
     "  flatray experiment lyapunov scenes/chamber/sinai.toml "
     "--sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.05\n"
+    "  flatray experiment mean-free-path scenes/chamber/hall.toml --bounces 1 --starts quasi\n"
     "  flatray experiment markov scenes/markov/runner.toml --seed 2\n",
     "nothing measured",
     &run,

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "anim/world.h"
+#include "app/build_parts.h"
 #include "app/measure.h"
 #include "app/render_request.h"
 #include "app/report.h"
@@ -42,6 +43,11 @@ Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
   const auto add = [&](std::string part, std::string decision, std::string reason) {
     table.rows.push_back({std::move(part), std::move(decision), std::move(reason)});
   };
+  const std::vector<std::string> left_out = left_out_of_build();
+  for (const MissingPart& part : missing_parts(job.scene, left_out))
+    add("build " + part.name, "left out",
+        (part.concerns ? "concerns this scene: " : "does not concern this scene: ") + part.reason);
+  if (left_out.empty()) add("build", "whole", "configured with every optional part");
   for (const RenderPlan::Choice& choice : plan.choices)
     add(choice.part, choice.decision, choice.reason);
   Result<TracerChoice> choice = tracer_of(job);

@@ -171,14 +171,15 @@ bool any_timed(const std::vector<OrbitReport>& reports) {
                      [](const OrbitReport& report) { return report.clock.has_value(); });
 }
 
+// Row by row: a million of them would not be kept as values.
 std::string csv_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports) {
-  ReportTable all;
-  for (const OrbitReport& report : reports) {
-    ReportTable bounces = bounce_table(room, report, any_timed(reports));
-    all.columns = bounces.columns;
-    all.rows.insert(all.rows.end(), bounces.rows.begin(), bounces.rows.end());
-  }
-  return csv_text(all);
+  const bool timed = any_timed(reports);
+  const std::vector<std::string> columns = bounce_columns(timed);
+  std::string text = csv_line(Values(columns.begin(), columns.end()));
+  for (const OrbitReport& report : reports)
+    for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+      text += csv_line(bounce_row(room, report, i, timed));
+  return text;
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {

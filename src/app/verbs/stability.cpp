@@ -222,11 +222,14 @@ Result<std::string> what_to_do(const Arguments& arguments) {
   return what;
 }
 
-// The share of rays that no lanes were certain of, of those of which it was counted.
-std::string one_by_one(const StabilityTally& tally) {
-  if (tally.watched == 0) return "unknown";
-  return fmt::format("{:.2g}",
-                     static_cast<double>(tally.one_by_one) / static_cast<double>(tally.watched));
+// Part of a whole, of that which was counted: chunks of before have fewer counts.
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return "unknown";
+  return fmt::format("{:.3g}", static_cast<double>(part) / static_cast<double>(whole));
+}
+
+JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
+  return tally.timed == tally.rays ? JsonValue(ulps) : JsonValue("unknown");
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -247,7 +250,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!log) return fail(std::move(log));
   catch_interrupts();
   ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
-                     "other_wall", "t_not_nearest", "t_off", "one_by_one", "first_wrong"},
+                     "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
+                     "ns_a_query", "bytes_an_object", "first_wrong"},
                     {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
@@ -257,7 +261,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
       wrong += sum.wrong + sum.off_by_more;
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
                             sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
-                            one_by_one(sum), sum.first_wrong});
+                            known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
+                            share(sum.one_by_one, sum.watched), share(sum.nanoseconds, sum.timed),
+                            share(sum.bytes, sum.objects), sum.first_wrong});
     }
   }
   return stability_output(arguments, table, wrong == 0);

@@ -66,7 +66,7 @@ Outcome judge(const Fates& fates) {
   }
   const double share = open / std::max(free, 1.0);
   const double half = 1.96 * std::sqrt(share * (1 - share) / std::max(free, 1.0));
-  return {share, half, picture(fates), {half, share, 0, 0}};
+  return {share, half, picture(fates), {half, share, std::nullopt, std::nullopt}};
 }
 
 Setting limited(const std::shared_ptr<Fates>& fates, std::uint64_t bounces, unsigned threads) {

@@ -59,9 +59,14 @@ LinearImage drawn(const Curves& curves, const DrawList& list) {
   return render_linear(list, {std::nullopt, curves.threads});
 }
 
-std::function<Outcome()> judged(const std::shared_ptr<Curves>& curves) {
-  return [curves] {
-    return Outcome{rms_difference(curves->drawn, curves->truth), 0, developed(curves->drawn)};
+// Of chords all but nothing is rounded, of curves nothing else is.
+std::function<Outcome()> judged(const std::shared_ptr<Curves>& curves, bool chords) {
+  return [curves, chords] {
+    const double error = rms_difference(curves->drawn, curves->truth);
+    Outcome outcome{error, 0, developed(curves->drawn)};
+    outcome.parts[static_cast<std::size_t>(ErrorKind::discretisation)] = chords ? error : 0;
+    if (!chords) outcome.parts[static_cast<std::size_t>(ErrorKind::rounding)] = error;
+    return outcome;
   };
 }
 
@@ -71,7 +76,7 @@ Setting chords(const std::shared_ptr<Curves>& curves, int part) {
   return {
       fmt::format("chords within 1/{} px", part), static_cast<double>(count),
       [curves, sagitta] { curves->drawn = drawn(*curves, in_chords(curves->list, sagitta).list); },
-      judged(curves)};
+      judged(curves, true)};
 }
 
 std::string left_out(const Scene& scene) {
@@ -104,7 +109,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   for (const int part : {1, 4, 16, 64, 256, 1024}) made.settings.push_back(chords(curves, part));
   made.settings.push_back({"curves as they are", 0,
                            [curves] { curves->drawn = drawn(*curves, curves->list); },
-                           judged(curves)});
+                           judged(curves, false)});
   return made;
 }
 

@@ -1,26 +1,10 @@
 #include <fmt/core.h>
 
-#include <memory>
-
 #include "collide/broad_phase.h"
-#include "collide/meetings.h"
-#include "scene/responses.h"
-#include "study/accuracy.h"
-#include "study/pair_truth.h"
+#include "study/pair_scene.h"
 
 namespace flatray {
 namespace {
-
-struct Motion {
-  Motion(const AccuracyContext& context, double seconds)
-      : timeline(context.scene, context.seed, context.scene.frames),
-        truth(pair_truth(timeline, context.scene.frames, seconds)) {}
-  unsigned frames() const { return timeline.scene().frames; }
-
-  Timeline timeline;
-  PairTruth truth;
-  std::set<PairTruth::Pair> found;
-};
 
 // Who overlaps at one instant between two frames: nothing moves while it is looked at.
 void look(const Scene& scene, const std::vector<EntityState>& now,
@@ -29,7 +13,10 @@ void look(const Scene& scene, const std::vector<EntityState>& now,
   std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Vec2 at = now[i].at + part * (next[i].at - now[i].at);
-    bodies.push_back({&shape_of(scene, now[i]), pose(at, now[i].angle, now[i].scale), {0, 0}});
+    const auto entity = static_cast<std::uint32_t>(i);
+    const double turn = turn_between(scene, entity, now[i].angle, next[i].angle);
+    bodies.push_back(
+        {&shape_of(scene, now[i]), pose(at, now[i].angle + part * turn, now[i].scale), {0, 0}});
     boxes.push_back(shape_bounds(*bodies.back().shape, bodies.back().place));
   }
   for (const auto& [a, b] : overlapping_pairs(boxes))
@@ -37,7 +24,7 @@ void look(const Scene& scene, const std::vector<EntityState>& now,
       found.insert({a, b});
 }
 
-std::set<PairTruth::Pair> sampled(const Motion& motion, int samples) {
+std::set<PairTruth::Pair> sampled(const PairScene& motion, int samples) {
   std::set<PairTruth::Pair> found;
   std::vector<EntityState> now = entity_states(motion.timeline, 1);
   for (unsigned frame = 1; frame <= motion.frames(); ++frame) {
@@ -50,45 +37,26 @@ std::set<PairTruth::Pair> sampled(const Motion& motion, int samples) {
   return found;
 }
 
-std::function<Outcome()> judged(const std::shared_ptr<Motion>& motion) {
-  return [motion] {
-    return Outcome{wrong_share(motion->truth, pair_errors(motion->truth, motion->found))};
-  };
-}
-
-Setting instants(const std::shared_ptr<Motion>& motion, int samples) {
+Setting instants(const std::shared_ptr<PairScene>& scene, int samples) {
   return {fmt::format("{} instant{} a frame", samples, samples == 1 ? "" : "s"),
-          static_cast<double>(samples), [=] { motion->found = sampled(*motion, samples); },
-          judged(motion)};
+          static_cast<double>(samples), [=] { scene->found = sampled(*scene, samples); },
+          judged_pairs(scene)};
 }
 
-Setting continuous(const std::shared_ptr<Motion>& motion) {
+Setting continuous(const std::shared_ptr<PairScene>& scene) {
   return {"all instants", 0,
-          [motion] {
-            motion->found.clear();
-            for (const Meeting& meeting : find_meetings(motion->timeline, motion->frames()))
-              motion->found.insert({meeting.a, meeting.b});
-          },
-          judged(motion)};
+          [scene] { scene->tell(find_meetings(scene->timeline, scene->frames())); },
+          judged_pairs(scene)};
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
-  if (responds(context.scene))
-    return tl::unexpected(Diagnostics{refused_responses(context.scene, "this choice")});
-  const auto motion = std::make_shared<Motion>(context, reference_budget(context));
-  if (motion->truth.compared.empty())
-    return fail(named_place(context.scene.name),
-                "no polygon moves beside another, and the reference knows no discs");
-  ChoiceSettings made;
-  made.unit = "share of the pairs that meet, or are told to, that are told wrong";
-  made.reference = motion->truth.words();
-  if (motion->truth.cut > 0)
-    made.cut = fmt::format("reference for {} pairs more", motion->truth.cut);
+  const auto scene = pair_scene(context);
+  if (!scene) return tl::unexpected(scene.error());
+  ChoiceSettings made = pair_settings(**scene);
   made.grows = "instants a frame";
-  made.settings.push_back(continuous(motion));
+  made.settings.push_back(continuous(*scene));
   for (int samples = 1; samples <= 64; samples *= 2)
-    made.settings.push_back(instants(motion, samples));
+    made.settings.push_back(instants(*scene, samples));
   return made;
 }
 

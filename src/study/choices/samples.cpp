@@ -13,7 +13,17 @@ namespace flatray {
 namespace {
 
 constexpr std::uint64_t kSeeds = 16;
-constexpr std::uint64_t kFlights = 100;  // of one orbit
+
+// How starts are drawn, and the flights of each orbit: of few the mean is a smooth function of the
+// start, of many no sequence of starts is even in all of them.
+struct Sampler {
+  const char* series;
+  Starts starts;
+  std::uint64_t flights;
+};
+constexpr Sampler kSamplers[] = {{"random, 100 flights each", Starts::random, 100},
+                                 {"random, 1 flight each", Starts::random, 1},
+                                 {"quasi, 1 flight each", Starts::quasi, 1}};
 
 // Mean free paths found under so many seeds.
 struct Paths {
@@ -42,21 +52,31 @@ std::string left_out(const Scene& scene) {
   return closed ? "" : closed.error().front().message;
 }
 
-Setting flights(const AccuracyContext& context, std::uint64_t count) {
+Setting flights(const AccuracyContext& context, std::uint64_t count, const Sampler& sampler) {
   const auto paths = std::make_shared<Paths>();
   const Scene& scene = context.scene;
-  const auto work = [paths, count, &scene, seed = context.seed, threads = context.threads] {
+  const auto work = [paths, count, sampler, &scene, seed = context.seed,
+                     threads = context.threads] {
     paths->found.clear();
     for (std::uint64_t k = 0; k < kSeeds; ++k) {
-      const auto result =
-          experiment()->run({.scene = scene, .seed = seed + k, .count = count, .threads = threads});
+      const auto result = experiment()->run({.scene = scene,
+                                             .seed = seed + k,
+                                             .count = count,
+                                             .threads = threads,
+                                             .bounces = sampler.flights,
+                                             .starts = sampler.starts});
       FLATRAY_CHECK(result.has_value());  // expect_closed has been asked
       paths->found.push_back(result->measures.front().value);
       paths->expected = result->measures.front().expected.value_or(0);
     }
   };
-  return {fmt::format("--count {}", count), static_cast<double>(count), work,
-          [paths] { return judge(*paths); }};
+  return {fmt::format("--count {} --bounces {} --starts {}", count, sampler.flights,
+                      sampler.starts == Starts::quasi ? "quasi" : "random"),
+          static_cast<double>(count),
+          work,
+          [paths] { return judge(*paths); },
+          std::nullopt,
+          sampler.series};
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
@@ -64,15 +84,17 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   made.unit = "of the mean free path";
   made.reference = fmt::format("pi A / P (Santalo), over {} seeds", kSeeds);
   made.grows = "flights";
-  for (std::uint64_t count = 10 * kFlights; count <= 10'000 * kFlights; count *= 4)
-    made.settings.push_back(flights(context, count));
+  for (std::uint64_t count = 1000; count <= 1'000'000; count *= 4)
+    for (const Sampler& sampler : kSamplers)
+      made.settings.push_back(flights(context, count, sampler));
   return made;
 }
 
 }  // namespace
 
 namespace choice_entries {
-extern const Choice samples = {"samples", "What does it cost to know a mean by random orbits?",
+extern const Choice samples = {"samples",
+                               "What does it cost to know a mean by orbits of drawn starts?",
                                ErrorKind::sampling, &left_out, &settings};
 }  // namespace choice_entries
 

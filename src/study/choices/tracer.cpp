@@ -64,6 +64,14 @@ double wrong_share(const Shots& shots) {
   return static_cast<double>(wrong) / static_cast<double>(shots.truth.size());
 }
 
+// What is wrong is rounded; how well so many rays tell its share is a matter of samples.
+Outcome judge(const Shots& shots) {
+  const double share = wrong_share(shots);
+  const double half =
+      1.96 * std::sqrt(share * (1 - share) / static_cast<double>(shots.truth.size()));
+  return {share, half, {}, {half, std::nullopt, std::nullopt, share}};
+}
+
 std::string left_out(const Scene& scene) {
   const FrameState state = at(Timeline(scene, scene.seed, 1), 1);
   return build_world(scene, state, WorldOf::everything).surfaces.size() == 0
@@ -93,7 +101,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
     const std::shared_ptr<Accelerator> walls = tracer->build(made->world.surfaces);
     all.settings.push_back({fmt::format("--tracer {}", tracer->name), 0,
                             [made, walls] { walls->nearest(made->rays, made->found); },
-                            [made] { return Outcome{wrong_share(*made)}; }});
+                            [made] { return judge(*made); }});
   }
   return all;
 }

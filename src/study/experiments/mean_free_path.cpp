@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
 #include "study/blocks.h"
-#include "study/estimate.h"
 #include "study/room.h"
+#include "study/starts.h"
 
 namespace flatray {
 namespace {
@@ -14,7 +14,8 @@ constexpr double kPi = 0x1.921fb54442d18p+1;
 // By orbit: the way flown and the flights it is made of.
 class Flights : public OrbitSink {
  public:
-  explicit Flights(std::size_t orbits) : lengths_(orbits), flights_(orbits) {}
+  Flights(Starts starts, std::uint64_t begin, std::uint64_t end)
+      : starts_(starts), begin_(begin), lengths_(end - begin), flights_(end - begin) {}
   void bounce(std::size_t number, const Bounce& bounce) override {
     lengths_[number] = bounce.path_length;
     ++flights_[number];
@@ -24,15 +25,17 @@ class Flights : public OrbitSink {
     if (stop.end == OrbitEnd::corner) ++corners_;
   }
   Numbers numbers() const {
-    RatioSums sums;
+    StartSums sums(starts_);
     for (std::size_t i = 0; i < lengths_.size(); ++i)
-      if (flights_[i] > 0) sums.add(lengths_[i], flights_[i]);
+      if (flights_[i] > 0) sums.add(begin_ + i, lengths_[i], flights_[i]);
     Numbers all{escaped_, corners_};
     sums.append_to(all);
     return all;
   }
 
  private:
+  Starts starts_;
+  std::uint64_t begin_;  // the number of the first
   std::vector<double> lengths_, flights_;
   double escaped_ = 0, corners_ = 0;
 };
@@ -48,19 +51,19 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Flights flights(static_cast<std::size_t>(blocks.end(block) - blocks.begin(block)));
-    follow_random(room, context.seed, blocks.begin(block), blocks.end(block), plan->bounces,
-                  flights);
+    Flights flights(context.starts, blocks.begin(block), blocks.end(block));
+    follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, flights);
     return flights.numbers();
   });
   if (!found) return fail(std::move(found));
-  RatioSums sums;
+  StartSums all(context.starts);
   double escaped = 0, corners = 0;
   for (const Numbers& block : *found) {
     escaped += block[0];
     corners += block[1];
-    sums += RatioSums::from(std::span(block).subspan(2));
+    all += StartSums::from(context.starts, std::span(block).subspan(2));
   }
+  const RatioSums sums = all.all();
   const double area = room.solids().free_area(), expected = kPi * area / room.perimeter();
   return measured(
       context, "mean_free_path",
@@ -79,7 +82,7 @@ extern const Experiment mean_free_path = {
     "mean-free-path",
     "How far does a ray fly between two walls, and is that pi A / P?",
     &run,
-    {.count = true, .bounces = true, .seed = true, .resume = true}};
+    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

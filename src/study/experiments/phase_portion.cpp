@@ -71,7 +71,7 @@ extern const Experiment phase_portion = {
     "phase-portion",
     "How much of phase space does one orbit come to?",
     &run,
-    {.count = true, .bounces = true, .seed = true, .resume = true}};
+    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

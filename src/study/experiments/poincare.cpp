@@ -102,10 +102,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment poincare = {"poincare",
-                                    "Where along the walls do orbits bounce, and at which angles?",
-                                    &run,
-                                    {.count = true, .bounces = true, .seed = true, .resume = true}};
+extern const Experiment poincare = {
+    "poincare",
+    "Where along the walls do orbits bounce, and at which angles?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -1,0 +1,54 @@
+#include "study/pair_scene.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "scene/responses.h"
+
+namespace flatray {
+
+void PairScene::tell(const std::vector<Meeting>& meetings) {
+  found.clear();
+  for (const Meeting& meeting : meetings) found.insert({meeting.a, meeting.b});
+}
+
+std::string no_pairs(const Scene& scene) {
+  if (scene.entities.size() < 2) return "the scene has no two entities";
+  if (scene.frames < 2) return "the scene has one frame";
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
+    if (!rests(scene, i)) return "";
+  return "nothing moves";
+}
+
+Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context) {
+  if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
+  if (responds(context.scene))
+    return tl::unexpected(Diagnostics{refused_responses(context.scene, "this choice")});
+  auto scene = std::make_shared<PairScene>(context, reference_budget(context));
+  if (scene->truth.compared.empty())
+    return fail(named_place(context.scene.name),
+                "the reference tells of no pair: " + scene->truth.words());
+  return scene;
+}
+
+ChoiceSettings pair_settings(const PairScene& scene) {
+  ChoiceSettings made;
+  made.unit = "share of the pairs that meet, or are told to, that are told wrong";
+  made.reference = scene.truth.words();
+  if (scene.truth.cut > 0) made.cut = fmt::format("reference for {} pairs more", scene.truth.cut);
+  return made;
+}
+
+std::function<Outcome()> judged_pairs(const std::shared_ptr<PairScene>& scene) {
+  return [scene] {
+    const PairErrors errors = pair_errors(scene->truth, scene->found);
+    const double share = wrong_share(scene->truth, errors);
+    const auto told = static_cast<double>(scene->truth.meet.size() + errors.invented);
+    const double half =
+        scene->truth.cut == 0 || told == 0 ? 0 : 1.96 * std::sqrt(share * (1 - share) / told);
+    return Outcome{share, half, {}, {half, std::nullopt, share, std::nullopt}};
+  };
+}
+
+}  // namespace flatray

@@ -1,0 +1,21 @@
+#include "study/timed.h"
+
+#include <cstdint>
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kMostRuns = 1 << 16;
+
+}  // namespace
+
+double seconds_of(const std::function<void()>& work, double (*clock)(), double least) {
+  for (std::uint64_t runs = 1;; runs *= 2) {
+    const double start = clock();
+    for (std::uint64_t run = 0; run < runs; ++run) work();
+    const double taken = clock() - start;
+    if (taken >= least || runs >= kMostRuns) return taken / static_cast<double>(runs);
+  }
+}
+
+}  // namespace flatray
