@@ -59,7 +59,8 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
 std::string reason_to_move(const Scene& scene) {
   if (moves(scene.camera)) return "the camera moves";
   for (const RayPath& ray : scene.rays)
-    if (ray.ball) return "a ball goes along '" + ray.name + "'";
+    if (ray.ball || ray.speed)
+      return std::string(ray.ball ? "a ball" : "a ray") + " goes along '" + ray.name + "'";
   for (const Entity& entity : scene.entities) {
     if (moves(scene, entity)) return "'" + entity.name + "' moves";
     for (auto at = entity.group; at; at = scene.groups[*at].group)

@@ -2,6 +2,7 @@
 
 #include "geom/hit_interval.h"
 #include "scene/outline.h"
+#include "scene/rounded.h"
 
 namespace flatray {
 namespace {
@@ -18,42 +19,31 @@ void add_curve(World& world, const Arc& arc, const SurfaceOwner& owner) {
 }
 
 // Between the points at which it is drawn to begin and end, so that what is joined to it has no gap.
-void add_arc(World& world, const EllipseArc& arc, const Pose& place, const SurfaceOwner& owner) {
+PathEdge arc_in_world(const EllipseArc& arc, const Pose& place) {
   const Vec2 from = place(arc.start()), to = place(arc.end());
   const Ellipse curve = curve_of(arc, place);
   const bool whole = arc.is_whole();
   const bool is_flat = cross_sign(curve.u, curve.v) == Sign::zero;
   if (is_flat && whole) {
     const Vec2 reach = curve.u.squaredNorm() > curve.v.squaredNorm() ? curve.u : curve.v;
-    return add_segment(world, curve.centre - reach, curve.centre + reach, owner);
+    return {curve.centre - reach, curve.centre + reach, std::nullopt};
   }
   // So small, and so far away, that the doubles do not tell an end from the centre.
   if (is_flat || (!whole && (from == to || from == curve.centre || to == curve.centre)))
-    return add_segment(world, from, to, owner);
-  if (whole) return add_curve(world, {curve, Arc::Extent::whole, {0, 0}, {0, 0}}, owner);
+    return {from, to, std::nullopt};
   const bool forward = (arc.sweep > 0) == (cross(arc.u, arc.v) > 0);
-  add_curve(world, {curve, Arc::Extent::between, forward ? from : to, forward ? to : from}, owner);
+  if (whole) return {from, to, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}}, forward};
+  return {from, to, Arc{curve, Arc::Extent::between, forward ? from : to, forward ? to : from},
+          forward};
 }
 
-// Arcs and the lines between them, numbered in turn.
 void add_path(World& world, const ArcPath& path, const Pose& place, SurfaceOwner owner) {
-  const auto is_point = [](const EllipseArc& arc) { return arc.u == arc.v && arc.u == Vec2(0, 0); };
-  const std::size_t count = path.arcs.size();
-  const auto add_line = [&](const Vec2& from, const Vec2& to) {
-    if (from == to) return;
-    add_segment(world, place(from), place(to), owner);
-    ++owner.edge;
-  };
-  owner.edge = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!is_point(path.arcs[i])) {
-      add_arc(world, path.arcs[i], place, owner);
-      ++owner.edge;
-    }
-    if (i + 1 < count)
-      add_line(path.arcs[i].end(), path.arcs[i + 1].start());
-    else if (path.closed && !path.is_ellipse())
-      add_line(path.arcs[i].end(), path.arcs[0].start());
+  for (const PathEdge& edge : path_in_world(path, place).edges) {
+    owner.edge = edge.number;
+    if (edge.arc)
+      add_curve(world, *edge.arc, owner);
+    else
+      add_segment(world, edge.from, edge.to, owner);
   }
 }
 
@@ -78,12 +68,30 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
 }
 
 Ellipse curve_of(const EllipseArc& arc, const Pose& place) {
-  if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x())) {
-    const double radius =
-        arc.u.y() == 0 || arc.u.x() == 0 ? arc.u.cwiseAbs().maxCoeff() : arc.u.stableNorm();
-    return posed(Circle{arc.centre, radius}, place);
-  }
+  if (arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x()))
+    return posed(Circle{arc.centre, circle_radius(arc.u)}, place);
   return {place(arc.centre), place.turned(arc.u), place.turned(arc.v)};
+}
+
+CurvedPath path_in_world(const ArcPath& path, const Pose& place) {
+  const auto is_point = [](const EllipseArc& arc) { return arc.u == arc.v && arc.u == Vec2(0, 0); };
+  const std::size_t count = path.arcs.size();
+  CurvedPath there{{}, path.closed};
+  const auto add = [&](PathEdge edge) {
+    edge.number = static_cast<int>(there.edges.size());
+    there.edges.push_back(edge);
+  };
+  const auto add_line = [&](const Vec2& from, const Vec2& to) {
+    if (from != to) add({place(from), place(to), std::nullopt});
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_point(path.arcs[i])) add(arc_in_world(path.arcs[i], place));
+    if (i + 1 < count)
+      add_line(path.arcs[i].end(), path.arcs[i + 1].start());
+    else if (path.closed && !path.is_ellipse())
+      add_line(path.arcs[i].end(), path.arcs[0].start());
+  }
+  return there;
 }
 
 std::vector<Material> World::materials() const {

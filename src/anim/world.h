@@ -1,5 +1,6 @@
 #pragma once
 #include "anim/frame_state.h"
+#include "geom/curved_path.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
@@ -26,6 +27,9 @@ struct World {
 
 /// The whole curve of an arc in the world; one of a circle stays a circle.
 Ellipse curve_of(const EllipseArc& arc, const Pose& place);
+
+/// Arcs and the lines that join them in the world, numbered in turn.
+CurvedPath path_in_world(const ArcPath& path, const Pose& place);
 
 /// What a world is made of.
 enum class WorldOf : std::uint8_t {

@@ -111,6 +111,11 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
     const Vec2 a = place(shape.segments[i].a);
     rays.push_back({fmt::format("{} segment {}", name, i), {a, place(shape.segments[i].b) - a}});
   }
+  for (const ArcPath& path : shape.arc_paths)
+    for (const PathEdge& edge : path_in_world(path, place).edges)
+      if (!edge.arc)
+        rays.push_back(
+            {fmt::format("{} edge {}", name, edge.number), {edge.from, edge.to - edge.from}});
   return rays;
 }
 
@@ -130,10 +135,16 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
   };
   for (std::size_t i = 0; i < shape.circles.size(); ++i)
     add("circle", i, clip_circle(ray.ray, posed(shape.circles[i], place), within));
-  std::size_t ellipses = 0;
-  for (const ArcPath& path : shape.arc_paths)
-    if (path.is_ellipse())
+  std::size_t ellipses = 0, parts = 0;
+  for (const ArcPath& path : shape.arc_paths) {
+    if (path.is_ellipse()) {
       add("ellipse", ellipses++, clip_ellipse(ray.ray, curve_of(path.arcs.front(), place), within));
+      continue;
+    }
+    std::vector<HitInterval> hits = clip_path(ray.ray, path_in_world(path, place), within);
+    if (hits.empty()) hits.emplace_back();
+    for (const HitInterval& hit : hits) add("part", parts++, hit);
+  }
   for (std::size_t i = 0; i < shape.segments.size(); ++i)
     add("segment", i,
         clip_segment(ray.ray, {place(shape.segments[i].a), place(shape.segments[i].b)}, within));

@@ -26,10 +26,10 @@ struct HitStep {
   bool empty;               ///< the candidate is
 };
 
-/// One ray against one piece, circle, ellipse or segment of an entity.
+/// One ray against one piece, circle, ellipse, curved part or segment of an entity.
 struct HitReport {
   NamedRay ray;
-  std::string against;  ///< "polygon", "castle piece 2", "disc circle 0"
+  std::string against;  ///< "polygon", "castle piece 2", "disc circle 0", "pill part 0"
   Range within;
   std::vector<HitStep> steps;  ///< of pieces alone
   HitInterval hit;             ///< its edges are those of the shape as given
@@ -39,10 +39,12 @@ struct HitReport {
 /// What an entity looks like in the frame.
 const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity);
 
-/// Outline edges of an entity in the frame as rays whose t = 1 is the edge's end, by edge number.
+/// Straight outline edges of an entity in the frame as rays whose t = 1 is the edge's end, by edge
+/// number.
 std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity);
 
-/// A ray against every piece, circle, ellipse and segment of an entity.
+/// A ray against every piece, circle, ellipse and segment of an entity; of what arcs bound one
+/// report for each part of the ray inside, or one that it misses.
 std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
                                    std::uint32_t entity, Range within);
 

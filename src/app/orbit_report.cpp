@@ -64,25 +64,8 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
                                        : "free";
 }
 
-// What an exact orbit has beside its points, from those: the last part of a bounce's way began at
-// `in`, and `flown` is the whole of it.
-Bounce bounce_at(const OrbitRoom& room, const CertifiedOrbit::Bounce& there, const Vec2& in,
-                 double speed, double flown, double before) {
-  const Vec2 flight = there.point - in;
-  const double length = flight.norm();
-  Vec2 normal = wall_normal(room.world.surfaces, there.surface, there.point);
-  if (normal.dot(flight) > 0) normal = -normal;
-  const Vec2 way = length > 0 ? Vec2(flight * (speed / length)) : Vec2(0, 0);
-  return {there.surface,
-          there.point,
-          flown / speed,
-          before + flown,
-          normal,
-          way,
-          way - 2 * way.dot(normal) * normal};
-}
-
-Orbit as_orbit(const OrbitRoom& room, CertifiedOrbit exact, const Ray& start) {
+Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
+  const double speed = start.direction.norm();
   Orbit orbit{start.origin,
               start.direction,
               {},
@@ -91,21 +74,13 @@ Orbit as_orbit(const OrbitRoom& room, CertifiedOrbit exact, const Ray& start) {
               exact.end_point,
               std::move(exact.end_surfaces)};
   orbit.crossings = std::move(exact.crossings);
-  auto crossing = orbit.crossings.begin();
-  Vec2 in = start.origin;
-  double before = 0;
-  for (const CertifiedOrbit::Bounce& there : exact.bounces) {
-    double flown = 0;
-    for (; crossing != orbit.crossings.end() && crossing->bounces == orbit.bounces.size();
-         in = crossing++->to)
-      flown += (crossing->from - in).norm();
-    flown += (there.point - in).norm();
-    orbit.bounces.push_back(bounce_at(room, there, in, start.direction.norm(), flown, before));
-    in = there.point;
-    before = orbit.bounces.back().path_length;
+  double length = 0;
+  for (const CertifiedOrbit::Bounce& one : exact.bounces) {
+    length += one.t * speed;
+    orbit.bounces.push_back(
+        {one.surface, one.point, one.t, length, one.normal, speed * one.in, speed * one.out});
   }
-  if (orbit.end == OrbitEnd::limit && !orbit.bounces.empty())
-    orbit.out = orbit.bounces.back().out.normalized();
+  if (orbit.end == OrbitEnd::limit && !exact.bounces.empty()) orbit.out = exact.bounces.back().out;
   return orbit;
 }
 
@@ -115,6 +90,21 @@ Proven proven(const OrbitRoom& room, const Orbit& orbit) {
   Orbit first = orbit;
   first.bounces.resize(kMostProven, orbit.bounces.front());
   return {proven_bounces(room.world.surfaces, first, room.materials).bounces, false};
+}
+
+// As the wall sees it.
+double incidence(const OrbitReport& report, std::size_t number) {
+  Bounce bounce = report.orbit.bounces[number];
+  if (report.clock) {
+    bounce.in -= report.clock->bounces[number].wall_velocity;
+    bounce.out -= report.clock->bounces[number].wall_velocity;
+  }
+  return bounce.incidence();
+}
+
+// Before the first bounce, or after the last.
+double speed_of(const Orbit& orbit) {
+  return (orbit.bounces.empty() ? orbit.direction : orbit.bounces.back().out).stableNorm();
 }
 
 const char* end_text(const OrbitReport& report) {
@@ -142,8 +132,10 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
     report.decided = exact->decided;
     const Orbit plain = trace_orbit(walls, room.materials, start, exact->bounces.size());
     report.horizon = horizon(walls, *exact, plain);
-    report.orbit = as_orbit(room, std::move(*exact), start);
+    report.orbit = as_orbit(std::move(*exact), start);
     report.certain = report.orbit.bounces.size();
+    report.certified = true;
+    report.end_certain = report.decided;
   } else {
     report.orbit = trace_orbit(walls, room.materials, start, bounces, request.rules);
     const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
@@ -155,42 +147,94 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
   return report;
 }
 
-ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report) {
-  ReportTable table{{"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
-                     "normal_y", "incidence_deg", "certain"},
-                    {}};
-  std::uint64_t number = 0;
-  for (const Bounce& bounce : report.orbit.bounces) {
-    const SurfaceOwner& owner = room.world.owners[bounce.surface];
-    const bool certain = number++ < report.certain;
-    table.rows.push_back({report.ray, number, bounce.t, bounce.path_length, bounce.point.x(),
-                          bounce.point.y(), object_name(room.scene, owner), edge_value(owner),
-                          bounce.normal.x(), bounce.normal.y(),
-                          bounce.incidence() * kDegreesInRadian, certain ? "yes" : "no"});
-  }
+OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
+                          const Ray& start, double from, const MovingLimits& limits) {
+  OrbitReport report{name, {}, "", false};
+  MovingOrbit moving = trace_moving_orbit(walls, start, from, limits);
+  report.orbit = std::move(moving.orbit);
+  report.clock = {from, moving.end_time, std::move(moving.times)};
+  tell_start(room, report);
+  return report;
+}
+
+std::vector<std::string> bounce_columns(bool timed) {
+  std::vector<std::string> columns{
+      "ray",  "bounce",   "t",        "path_length",   "x",      "y", "object",
+      "edge", "normal_x", "normal_y", "incidence_deg", "certain"};
+  if (timed) columns.insert(columns.end(), {"time", "speed"});
+  return columns;
+}
+
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
+  const Bounce& bounce = report.orbit.bounces[i];
+  const SurfaceOwner& owner = room.world.owners[bounce.surface];
+  Values row{report.ray,
+             std::uint64_t{i + 1},
+             bounce.t,
+             bounce.path_length,
+             bounce.point.x(),
+             bounce.point.y(),
+             object_name(room.scene, owner),
+             edge_value(owner),
+             bounce.normal.x(),
+             bounce.normal.y(),
+             incidence(report, i) * kDegreesInRadian,
+             report.clock         ? "unknown"
+             : i < report.certain ? "yes"
+                                  : "no"};
+  if (!timed) return row;
+  row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
+  row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
+  return row;
+}
+
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed) {
+  ReportTable table{bounce_columns(timed), {}};
+  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+    table.rows.push_back(bounce_row(room, report, i, timed));
   return table;
 }
+
+namespace {
+
+WrittenJson bounces_as_json(const OrbitRoom& room, const OrbitReport& report) {
+  const bool timed = report.clock.has_value();
+  const std::vector<std::string> columns = bounce_columns(timed);
+  std::string text = "[";
+  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+    text += (i == 0 ? "" : ",") + object_text(columns, bounce_row(room, report, i, timed));
+  text += ']';
+  return {std::move(text)};
+}
+
+}  // namespace
 
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
   const Orbit& orbit = report.orbit;
   const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
-  return Fields{
+  Fields fields{
       {"ray", report.ray},
       {"start", Values{orbit.start.x(), orbit.start.y()}},
       {"start_place", report.start},
       {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
-      {"precision", report.bits > 0 ? "certified" : "double"},
+      {"precision", report.certified ? "certified" : "double"},
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
       {"rational", report.rational},
       {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
-      {"bounces", as_objects(bounce_table(room, report))},
-      {"certain", report.certain},
-      {"end_certain", report.end_certain},
+      {"bounces", JsonValue()},
+      {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
+      {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
       {"end", end_text(report)},
       {"out", Values{orbit.out.x(), orbit.out.y()}},
       {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
                                      : JsonValue()},
       {"end_walls", walls_text(room, orbit.end_surfaces)}};
+  fields[8].second = bounces_as_json(room, report);  // a list would copy it
+  if (!report.clock) return fields;
+  fields.emplace_back("start_time", report.clock->start);
+  fields.emplace_back("end_time", report.clock->end);
+  fields.emplace_back("end_speed", speed_of(orbit));
+  return fields;
 }
 
 std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
@@ -205,8 +249,12 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   if (!orbit.bounces.empty())
     text += fmt::format(", path length {} to the last bounce",
                         number_text(orbit.bounces.back().path_length));
-  if (report.bits > 0)
-    text += fmt::format("; certified in {}{} bits, doubles are noise {}",
+  if (report.clock)
+    text += fmt::format("; speed {} at time {}", number_text(speed_of(orbit)),
+                        number_text(report.clock->end));
+  else if (report.bits > 0)
+    text += fmt::format("; {} {}{} bits, doubles are noise {}",
+                        report.decided ? "certified in" : "all certified, what follows is not by",
                         report.rational ? "rational numbers of " : "", report.bits,
                         report.horizon == orbit.bounces.size()
                             ? "nowhere"

@@ -4,7 +4,7 @@
 
 #include "anim/solids.h"
 #include "app/value.h"
-#include "transport/orbit.h"
+#include "transport/moving_orbit.h"
 
 namespace flatray {
 
@@ -36,18 +36,34 @@ struct OrbitReport {
       0;                    ///< bounces from the first on that are proven to be those of the exact
                             ///< orbit; doubles are looked at for the first 10 000
   bool end_certain = true;  ///< all bounces are, and it ends as the exact orbit does
-  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles
+  bool certified = false;   ///< not in doubles
+  unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles, and for none needed
   bool rational = false;    ///< that it took rational numbers of so many bits
   std::uint64_t horizon = 0;  ///< of a certified orbit: bounces until doubles are noise
   bool decided = true;        ///< false: the bits allowed were not enough for what comes next
+  /// At finite speed, of which nothing is proven: when it set off, when each bounce was, and when it
+  /// ended.
+  struct Clock {
+    double start, end;
+    std::vector<BounceTime> bounces;
+  };
+  std::optional<Clock> clock{};
 };
 
 /// Error   of certified orbits: Trouble::unavailable in a build without MPFR.
 Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
                                  std::uint64_t bounces, const OrbitRequest& request);
 
-/// As `flatray orbit` prints it: rows, an object, and for people.
-ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report);
+/// The same at finite speed, of a particle that sets off at time `from`.
+/// Needs   walls of the room as they move, a velocity for a direction.
+OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
+                          const Ray& start, double from, const MovingLimits& limits);
+
+/// As `flatray orbit` prints it: rows, an object, and for people. `timed`: with the time and the speed
+/// after each bounce, empty where walls stand still.
+std::vector<std::string> bounce_columns(bool timed);
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t bounce, bool timed);
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed);
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
 std::string status_line(const OrbitRoom& room, const OrbitReport& report);
 

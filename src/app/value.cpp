@@ -54,6 +54,7 @@ void add_json(std::string& out, const JsonValue& value) {
                             add_quoted(out, number_text(number));
                         },
                         [&](const std::string& text) { add_quoted(out, text); },
+                        [&](const WrittenJson& json) { out += json.text; },
                         [&](const Values& values) {
                           add_joined(out, '[', values, ']',
                                      [&](const JsonValue& item) { add_json(out, item); });
@@ -88,12 +89,6 @@ std::string csv_cell(const JsonValue& value) {
   for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
     text.insert(at, 1, '"');
   return '"' + text + '"';
-}
-
-std::string csv_line(const Values& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + csv_cell(cells[i]);
-  return line + "\n";
 }
 
 struct Column {
@@ -158,6 +153,23 @@ std::string aligned_text(const ReportTable& table, const std::string& indent) {
   if (!table.columns.empty()) add_line(Values(table.columns.begin(), table.columns.end()));
   for (const Values& row : table.rows) add_line(row);
   return text;
+}
+
+std::string csv_line(const Values& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + csv_cell(cells[i]);
+  return line + "\n";
+}
+
+std::string object_text(const std::vector<std::string>& columns, const Values& cells) {
+  std::string text;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    text += i == 0 ? '{' : ',';
+    add_quoted(text, columns[i]);
+    text += ':';
+    add_json(text, cells[i]);
+  }
+  return text + '}';
 }
 
 std::string csv_text(const ReportTable& table) {

@@ -15,9 +15,14 @@ struct JsonValue;
 using Values = std::vector<JsonValue>;
 using Fields = std::vector<std::pair<std::string, JsonValue>>;  ///< in the order shown
 
+/// JSON that is written already: of rows too many to be kept as values.
+struct WrittenJson {
+  std::string text;
+};
+
 struct JsonValue {
   std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, Values,
-               Fields>
+               Fields, WrittenJson>
       data = nullptr;
 
   JsonValue() = default;
@@ -30,6 +35,7 @@ struct JsonValue {
   JsonValue(const char* value) : data(std::string(value)) {}
   JsonValue(Values value) : data(std::move(value)) {}
   JsonValue(Fields value) : data(std::move(value)) {}
+  JsonValue(WrittenJson value) : data(std::move(value)) {}
 
   /// The field of that name, or nullptr where there is none or this is no object.
   const JsonValue* find(std::string_view name) const;
@@ -66,5 +72,8 @@ std::string aligned_text(const ReportTable& table, const std::string& indent = {
 std::string csv_text(const ReportTable& table);
 /// One object a row.
 JsonValue as_objects(const ReportTable& table);
+/// One row of csv_text, and one of as_objects as JSON: of tables too long to be kept.
+std::string csv_line(const Values& cells);
+std::string object_text(const std::vector<std::string>& columns, const Values& cells);
 
 }  // namespace flatray

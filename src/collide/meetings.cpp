@@ -9,6 +9,7 @@
 
 #include "collide/broad_phase.h"
 #include "scene/responses.h"
+#include "scene/rounded.h"
 
 namespace flatray {
 namespace {
@@ -189,6 +190,19 @@ bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
     return false;
   // In a group velocity is turned with it: only what rests is known to move straight.
   return !e.group || (e.velocity.isZero(0) && stands_still(scene, e.group));
+}
+
+bool is_left_out(const Scene& scene, std::uint32_t entity) {
+  const Entity& e = scene.entities[entity];
+  const Shape& shape = scene.shapes[e.shape];
+  if (!has_parts_left_out(shape)) return false;
+  if (!shape.crossing_rings.empty()) return true;
+  bool turns = e.angular_velocity != 0 || e.motion.angle || turns_with_path(scene, entity);
+  for (auto group = e.group; group; group = scene.groups[*group].group)
+    turns |= scene.groups[*group].angular_velocity != 0 || scene.groups[*group].motion.angle;
+  return turns ||
+         !std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                      [](const ArcPath& path) { return path.is_ellipse() || rounded_by(path); });
 }
 
 bool rests(const Scene& scene, std::uint32_t entity) {

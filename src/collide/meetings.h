@@ -30,6 +30,10 @@ bool changes_size(const Scene& scene, std::uint32_t entity);
 /// Why find_meetings() cannot be asked: an entity for each that changes its size.
 std::optional<Diagnostics> refused_meetings(const Scene& scene);
 
+/// Whether parts of an entity are left out of its meetings: open and other arcs, crossing outlines, and
+/// ellipses that turn.
+bool is_left_out(const Scene& scene, std::uint32_t entity);
+
 /// Whether an entity never changes its place.
 bool rests(const Scene& scene, std::uint32_t entity);
 
@@ -41,9 +45,9 @@ bool rests(const Scene& scene, std::uint32_t entity);
 ///         however fast: times between frames count. What turns or follows curves moves straight and turns evenly
 ///         from its place in one frame to that in the next, also what a group carries round; looks
 ///         are held as in the frame. What parts and meets again within a frame while it
-///         turns is one meeting.
+///         turns meets twice.
 /// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp. What turns: proven,
-///         as turning_contact().
+///         as turning_contact(). Ellipses: proven, as curved_contact().
 /// Cost    a sweep over boxes, for scenes where all keep their velocity once, else once a frame.
 std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame,
                                    Outline outline = Outline::own, unsigned threads = 1);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "anim/world.h"
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
+#include "collide/ellipse_contact.h"
 #include "collide/turning_contact.h"
+#include "scene/rounded.h"
 
 namespace flatray {
 namespace {
@@ -36,6 +39,27 @@ void join(std::vector<MeetingPart>& parts) {
   if (!parts.empty()) parts.resize(kept + 1);
 }
 
+// An ellipse without area is a segment.
+ShapePart ellipse_part(const Ellipse& curve) {
+  if (cross_sign(curve.u, curve.v) != Sign::zero) return {{}, 0, curve};
+  const Vec2 reach = curve.u.squaredNorm() > curve.v.squaredNorm() ? curve.u : curve.v;
+  return {{curve.centre - reach, curve.centre + reach}};
+}
+
+void add_curved_part(const CurvedBody& a, const CurvedBody& b, Range within,
+                     std::vector<MeetingPart>& parts) {
+  const CurvedContact met = curved_contact(a, b, within);
+  if (met.verdict == CurvedContact::Verdict::apart) return;
+  const bool certain = met.verdict == CurvedContact::Verdict::meets;
+  parts.push_back({{met.enter.low, met.exit.high},
+                   certain ? HitClass::through : HitClass::touch,
+                   met.start,
+                   met.place.point,
+                   met.place.normal,
+                   met.enter.high - met.enter.low,
+                   certain});
+}
+
 std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const Vec2& velocity_a,
                                     const std::vector<ShapePart>& parts_b, const Vec2& velocity_b,
                                     Range within) {
@@ -43,6 +67,10 @@ std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const
   for (const ShapePart& p : parts_a)
     for (const ShapePart& q : parts_b) {
       const RoundBody one{{p.ring, velocity_a}, p.radius}, other{{q.ring, velocity_b}, q.radius};
+      if (p.curve || q.curve) {
+        add_curved_part({p.curve, one}, {q.curve, other}, within, parts);
+        continue;
+      }
       const RoundContact met = round_contact(one, other, within);
       if (met.times) parts.push_back(meeting_part(met, one, other));
     }
@@ -66,25 +94,38 @@ TurningBody turning_body(const ShapePart& part, const MovingShape& moving) {
           moving.spin};
 }
 
+// The first meeting after a time, and when it is over: nothing for the last one, and without any.
+std::optional<double> add_turning_part(const TurningBody& a, const TurningBody& b, double from,
+                                       double length, std::vector<MeetingPart>& parts) {
+  const TurningContact first = turning_contact(a, b, length, kTurningWidth, false, from);
+  if (first.verdict == TurningContact::Verdict::apart) return std::nullopt;
+  const bool certain = first.verdict == TurningContact::Verdict::meets;
+  const double met = first.first.high;
+  const std::optional<double> parted =
+      certain && met < length ? turning_parting(a, b, met, length, kTurningWidth) : std::nullopt;
+  const double last = parted    ? *parted
+                      : certain ? turning_contact(a, b, length, kTurningWidth, true).first.high
+                                : met;
+  parts.push_back({{first.first.low, std::max(met, last)},
+                   certain ? HitClass::through : HitClass::touch,
+                   first.start,
+                   first.place.point,
+                   first.place.normal,
+                   met - first.first.low,
+                   certain});
+  return parted;
+}
+
 std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingShape& b,
                                              double length) {
   std::vector<MeetingPart> parts;
   const std::vector<ShapePart> parts_b = parts_about(b);
   for (const ShapePart& p : parts_about(a))
     for (const ShapePart& q : parts_b) {
+      if (p.curve || q.curve) continue;
       const TurningBody one = turning_body(p, a), other = turning_body(q, b);
-      const TurningContact first = turning_contact(one, other, length, kTurningWidth);
-      if (first.verdict == TurningContact::Verdict::apart) continue;
-      const bool certain = first.verdict == TurningContact::Verdict::meets;
-      const TurningContact last =
-          certain ? turning_contact(one, other, length, kTurningWidth, true) : first;
-      parts.push_back({{first.first.low, std::max(first.first.high, last.first.high)},
-                       certain ? HitClass::through : HitClass::touch,
-                       first.start,
-                       first.place.point,
-                       first.place.normal,
-                       first.first.high - first.first.low,
-                       certain});
+      for (std::optional<double> from = 0; from && *from < length;)
+        from = add_turning_part(one, other, *from, length, parts);
     }
   join(parts);
   return parts;
@@ -120,7 +161,7 @@ class PolygonPairs {
   // Whether all there is to two bodies are polygons that do not turn.
   bool takes(const Pair& pair) const {
     const auto plain = [](const MovingShape& body) {
-      return body.spin == 0 && body.shape->circles.empty();
+      return body.spin == 0 && body.shape->circles.empty() && body.shape->arc_paths.empty();
     };
     return plain(bodies_[pair.first]) && plain(bodies_[pair.second]);
   }
@@ -175,6 +216,17 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
   for (const Circle& c : shape.circles) {
     const Circle there = posed(c, place);
     all.push_back({{there.centre}, there.radius});
+  }
+  for (const ArcPath& path : shape.arc_paths) {
+    if (const auto round = rounded_by(path)) {
+      const double radius = place.length(round->radius);
+      if (round->from == round->to)
+        all.push_back({{place(round->from)}, radius});
+      else
+        all.push_back({{place(round->from), place(round->to)}, radius});
+    } else if (path.is_ellipse()) {
+      all.push_back(ellipse_part(curve_of(path.arcs[0], place)));
+    }
   }
   return all;
 }

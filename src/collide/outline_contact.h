@@ -1,11 +1,13 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "anim/frame_state.h"
 #include "collide/round_contact.h"
+#include "geom/arc.h"
 
 namespace flatray {
 
@@ -17,10 +19,11 @@ struct MovingShape {
   double angle = 0, spin = 0;  ///< radians: that of `place`, and what t adds
 };
 
-/// The convex parts of a shape as placed: pieces, segments, discs.
+/// The convex parts of a shape as placed: pieces, segments, discs, capsules, ellipses.
 struct ShapePart {
   std::vector<Vec2> ring;
   double radius = 0;
+  std::optional<Ellipse> curve{};  ///< an ellipse that is no circle, instead of the others
 };
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place);
 
@@ -32,7 +35,7 @@ struct MeetingPart {
   Vec2 point;        ///< where they first meet in this part, about; of an overlap a vertex inside
   Vec2 normal;  ///< unit, out of the first shape; of those that meet from the start that of the
                 ///< shortest way apart
-  double width = 0;     ///< of turning shapes: they first touch in [low, low + width]
+  double width = 0;     ///< of turning shapes and ellipses: they first touch in [low, low + width]
   bool certain = true;  ///< false: they come too close to tell whether they touch
 };
 
@@ -46,8 +49,10 @@ inline constexpr double kTurningWidth = 0x1p-40;
 /// convex pieces, segments and discs together.
 ///
 /// Gives   kind: through where any pieces overlap, else along where any touch for a while.
-/// Error   as round_contact(); where one turns as turning_contact(), within a range from 0, and what
-///         parts and meets again in it is one meeting. Shapes with arcs are taken without those.
+/// Error   as round_contact(); where one turns as turning_contact(), within a range from 0; what
+///         parts for less than kTurningWidth, or after more than kMostPartingSteps steps, has not
+///         parted. Of ellipses, which must not turn, as
+///         curved_contact(); other arcs are left out.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
 /// What shapes_meet tells of each of many pairs of bodies, bit for bit.

@@ -28,6 +28,13 @@ bool has_area(const std::vector<ShapePart>& parts) {
   });
 }
 
+double perimeter(const std::vector<Vec2>& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  return sum;
+}
+
 // Where there is any area at least the smallest normal number, at most the largest.
 double area(const std::vector<ShapePart>& parts, double scale) {
   if (!has_area(parts)) return 0;
@@ -37,6 +44,7 @@ double area(const std::vector<ShapePart>& parts, double scale) {
     std::vector<Vec2> ring;
     for (const Vec2& p : part.ring) ring.emplace_back(scale * p);
     sum += ring_area(ring) + std::numbers::pi * radius * radius;
+    if (radius > 0) sum += perimeter(ring) * radius;
   }
   return std::clamp(sum, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
 }

@@ -10,14 +10,6 @@
 namespace flatray {
 namespace {
 
-Place where_asked(const Scene& scene) {
-  return scene.collisions
-             ? scene.collisions->where
-             : std::find_if(scene.entities.begin(), scene.entities.end(), [](const Entity& e) {
-                 return e.response.has_value();
-               })->where;
-}
-
 // What came after the last frame asked for is not its business.
 Result<void> check_end(const Scene& scene, const Simulation& done, double last) {
   if (done.complete || done.events.back().time > last) return {};
@@ -29,11 +21,11 @@ Result<void> check_end(const Scene& scene, const Simulation& done, double last) 
   const std::string what = fmt::format("{} and {}", name(event.a), name(event.b));
   if (done.jammed)
     return fail(
-        where_asked(scene),
+        where_responds(scene),
         fmt::format("bodies are jammed: {} meet again and again at t = {}", what, event.time),
         "give them a way out, or end the sequence before");
   return fail(
-      where_asked(scene),
+      where_responds(scene),
       fmt::format("{} events before t = {}, the last of {}", done.events.size(), last, what),
       "end the sequence before, or write a higher most in [collisions]");
 }

@@ -8,6 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "collide/near_bodies.h"
+
 namespace flatray {
 namespace {
 
@@ -24,7 +26,6 @@ struct Prospect {
   bool certain;
   Pair pair;
   std::uint32_t stage_a, stage_b;  // of the bodies, when this was foreseen
-  double seen_from;                // when that was
   Vec2 point{0, 0}, normal{0, 0};
 
   // The last in order comes first out of a heap.
@@ -53,25 +54,91 @@ double radius_of(const SimulatedBody& body) {
 
 class Run {
  public:
-  Run(std::span<const SimulatedBody> bodies, double end) : bodies_(bodies), end_(end) {
+  Run(std::span<const SimulatedBody> bodies, double end, PairSearch search)
+      : bodies_(bodies), end_(end), search_(search), near_(boxes_of(bodies)) {
+    double sizes = 0, speeds = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       stages_.push_back({{0, bodies[i].at, bodies[i].velocity}});
       radii_.push_back(radius_of(bodies[i]));
-      if (bodies[i].response != Response::none) responding_.push_back(i);
+      if (bodies[i].response == Response::none) continue;
+      responding_.push_back(i);
+      sizes += radii_.back();
+      speeds += length_of(bodies[i].velocity);
     }
-    for (std::size_t i = 0; i < responding_.size(); ++i)
-      for (std::size_t k = i + 1; k < responding_.size(); ++k) {
-        const Pair pair{responding_[i], responding_[k]};
-        if (overlap(pair)) left_alone_.insert(pair);
-        foresee(pair, 0);
-      }
+    length_ = sizes > 0 && speeds > 0 && sizes / speeds > 0 ? sizes / speeds : end;
+    while_from_ = while_to_ = 0;
+    open_near();
+    each_pair([&](const Pair& pair) {
+      if (overlap(pair)) left_alone_.insert(pair);
+    });
   }
 
   Simulation run(std::size_t most_events) {
     Simulation done;
     done.overlaps = !left_alone_.empty();
+    for (bool first = true; first || while_to_ < end_; first = false) {
+      open_while(first);
+      const std::size_t before = done.events.size();
+      if (!run_while(done, most_events)) break;
+      adapt(done.events.size() - before);
+    }
+    done.stages = std::move(stages_);
+    return done;
+  }
+
+ private:
+  static std::vector<Bounds> boxes_of(std::span<const SimulatedBody> bodies) {
+    std::vector<Bounds> boxes;
+    for (const SimulatedBody& body : bodies)
+      boxes.push_back(body.response == Response::none ? Bounds{} : bounds_of(body.parts));
+    return boxes;
+  }
+
+  // The next while of time; in the first what happens at 0, too.
+  void open_while(bool first) {
+    while_from_ = first ? -1 : while_to_;
+    const double begin = std::max(while_from_, 0.0);
+    const double next = begin + length_;
+    while_to_ = search_ == PairSearch::all || !(next > begin) || !(next < end_) ? end_ : next;
+    open_near();
+    each_pair([&](const Pair& pair) { foresee(pair); });
+  }
+
+  void open_near() {
+    if (search_ == PairSearch::all) return;
+    std::vector<const Stage*> now(bodies_.size(), nullptr);
+    for (const std::uint32_t i : responding_)
+      if (!is_gone(i)) now[i] = &stages_[i].back();
+    near_.open(std::max(while_from_, 0.0), while_to_, now);
+  }
+
+  template <class Take>
+  void each_pair(const Take& take) {
+    if (search_ == PairSearch::near)
+      return near_.each_pair([&](std::uint32_t a, std::uint32_t b) { take(Pair{a, b}); });
+    for (std::size_t i = 0; i < responding_.size(); ++i)
+      for (std::size_t k = i + 1; k < responding_.size(); ++k)
+        take(Pair{responding_[i], responding_[k]});
+  }
+
+  template <class Take>
+  void each_near(std::uint32_t body, const Take& take) {
+    if (search_ == PairSearch::near) return near_.each_near(body, take);
+    for (const std::uint32_t k : responding_)
+      if (k != body) take(k);
+  }
+
+  // So long that between an eighth and a half of the bodies meet something in it.
+  void adapt(std::size_t events) {
+    if (8 * events < responding_.size())
+      length_ *= 2;
+    else if (2 * events > responding_.size())
+      length_ /= 2;
+  }
+
+  // Whether all that happens in the while was allowed to.
+  bool run_while(Simulation& done, std::size_t most_events) {
     std::vector<CollisionEvent>& events = done.events;
-    std::size_t at_once = 0;
     while (!ahead_.empty()) {
       const Prospect next = ahead_.top();
       ahead_.pop();
@@ -81,21 +148,19 @@ class Run {
         look_closely(next);
         continue;
       }
-      at_once = !events.empty() && events.back().time == next.time ? at_once + 1 : 0;
-      done.jammed = at_once > kJamEvents * bodies_.size();
+      at_once_ = !events.empty() && events.back().time == next.time ? at_once_ + 1 : 0;
+      done.jammed = at_once_ > kJamEvents * bodies_.size();
       if (done.jammed || events.size() == most_events) {
         done.complete = false;
-        break;
+        return false;
       }
       respond(next);
       events.push_back({next.time, a, b, next.point, next.normal, stages_[a].back().velocity,
                         stages_[b].back().velocity});
     }
-    done.stages = std::move(stages_);
-    return done;
+    return true;
   }
 
- private:
   bool is_fixed(std::uint32_t i) const { return bodies_[i].mass == kInfinity; }
   // What nothing moves is a wall to all, whatever it would do itself, but for what needs no motion.
   bool does(std::uint32_t i, Response response) const {
@@ -178,19 +243,32 @@ class Run {
     return first;
   }
 
-  void foresee(const Pair& pair, double time) {
+  // Since when neither of a pair has changed its way: from there their meeting is seen, however late
+  // it is looked for.
+  double seen_from(const Pair& pair) const {
+    return std::max(stages_[pair.first].back().from, stages_[pair.second].back().from);
+  }
+
+  // What comes after the while is left to a later one.
+  void foresee(const Pair& pair) {
     const auto [a, b] = pair;
     if ((is_fixed(a) && is_fixed(b)) || is_gone(a) || is_gone(b)) return;
-    if (const auto wait = discs_meet(pair, time))
-      ahead_.push({time + *wait, false, pair, static_cast<std::uint32_t>(stages_[a].size()),
-                   static_cast<std::uint32_t>(stages_[b].size()), time});
+    const double time = std::max(seen_from(pair), while_from_);
+    const auto wait = discs_meet(pair, time);
+    if (!wait) return;
+    const double soonest = std::max(time, (time + *wait) * (1 - 0x1p-50));
+    if (soonest <= while_to_)
+      ahead_.push({soonest, false, pair, static_cast<std::uint32_t>(stages_[a].size()),
+                   static_cast<std::uint32_t>(stages_[b].size())});
   }
 
   // Most pairs have changed their ways before it comes to that.
   void look_closely(Prospect pair) {
-    const auto met = meeting(pair.pair, pair.seen_from);
+    const double from = seen_from(pair.pair);
+    const auto met = meeting(pair.pair, from);
     if (!met) return;
-    pair.time = pair.seen_from + met->time;
+    pair.time = from + met->time;
+    if (pair.time <= while_from_ || pair.time > while_to_) return;
     pair.certain = true;
     pair.point = met->place.point;
     pair.normal = met->place.normal;
@@ -210,11 +288,17 @@ class Run {
     }
     for (const std::uint32_t i : {a, b})
       if (does(i, Response::remove)) change(i, {met.time, place(i, met.time), {0, 0}, true});
-    for (const std::uint32_t i : {a, b}) {
-      if (stages_[i].size() == before[i == a ? 0 : 1] || is_gone(i)) continue;
-      for (const std::uint32_t k : responding_)
-        if (k != i && !(i == b && k == a && !is_fixed(a))) foresee(std::minmax(i, k), met.time);
+    const bool changed_a = stages_[a].size() != before[0],
+               changed_b = stages_[b].size() != before[1];
+    if (search_ == PairSearch::near) {
+      if (changed_a) near_.change(a, stages_[a].back());
+      if (changed_b) near_.change(b, stages_[b].back());
     }
+    if (changed_a) each_near(a, [&](std::uint32_t k) { foresee(std::minmax(a, k)); });
+    if (changed_b)
+      each_near(b, [&](std::uint32_t k) {
+        if (k != a || !changed_a) foresee(std::minmax(b, k));
+      });
   }
 
   std::pair<Vec2, Vec2> velocities_after(const Prospect& met) const {
@@ -240,6 +324,11 @@ class Run {
 
   const std::span<const SimulatedBody> bodies_;
   const double end_;
+  const PairSearch search_;
+  NearBodies near_;
+  double length_ = 0;                     // of a while
+  double while_from_ = 0, while_to_ = 0;  // events after the one, up to the other
+  std::size_t at_once_ = 0;               // events so far at the time of the last
   std::vector<std::vector<Stage>> stages_;
   std::vector<double> radii_;
   std::vector<std::uint32_t> responding_;
@@ -249,8 +338,9 @@ class Run {
 
 }  // namespace
 
-Simulation simulate(std::span<const SimulatedBody> bodies, double end, std::size_t most_events) {
-  return Run(bodies, end).run(most_events);
+Simulation simulate(std::span<const SimulatedBody> bodies, double end, std::size_t most_events,
+                    PairSearch search) {
+  return Run(bodies, end, search).run(most_events);
 }
 
 }  // namespace flatray

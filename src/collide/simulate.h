@@ -28,6 +28,10 @@ struct Simulation : Responses {
 /// Events at one time after which bodies count as jammed, for each body.
 inline constexpr std::size_t kJamEvents = 1024;
 
+/// Which pairs are looked at: those whose boxes meet in a while of time, or all. The same events come
+/// of both, to the last bit.
+enum class PairSearch : std::uint8_t { near, all };
+
 /// Bodies in straight motion from time 0 to `end`, and what they do where they meet.
 ///
 /// Needs   finite places and velocities, masses > 0.
@@ -39,9 +43,10 @@ inline constexpr std::size_t kJamEvents = 1024;
 /// Error   each meeting exact for the doubles at the last event of either; bodies are then placed
 ///         by at + velocity * time, rounded. A pair that rounding has laid into each other by that
 ///         meets at once if the way out is back, not forward. Momentum and energy to rounding.
-/// Cost    n comparisons of discs for an event, a contact for each that is near.
+/// Cost    a contact for each pair that comes near; time is cut into whiles in which some of the bodies
+///         meet, and boxes are made anew for each. Of all pairs: n comparisons of discs for an event.
 Simulation simulate(std::span<const SimulatedBody> bodies, double end,
-                    std::size_t most_events = 1'000'000);
+                    std::size_t most_events = 1'000'000, PairSearch search = PairSearch::near);
 
 /// The entities of a scene as bodies, by number, of their masses or else by area, of density 1; those
 /// named in `fixed`, and what has no area and no mass, are not moved by others.

@@ -1,305 +1,28 @@
 #include "collide/turning_contact.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
-#include "base/portable_math.h"
-#include "geom/polygon.h"
+#include "collide/turning_pair.h"
 
 namespace flatray {
 namespace {
 
 using Verdict = TurningContact::Verdict;
 
-// Of each number some twenty roundings of what its terms add up to, sines and cosines of 1 ulp and
-// angles of some ulps: docs/NUMERICS.md.
-constexpr double kRoundings = 0x1p-47, kLeast = 0x1p-900;
-// Radians from which on the disc in which a body turns is looked at.
-constexpr double kManyTurns = 64;
-constexpr double kUp = 1 + 0x1p-40, kDown = 1 - 0x1p-40;
-
-double dot(const Vec2& p, const Vec2& q) { return p.x() * q.x() + p.y() * q.y(); }
-double length_of(const Vec2& v) { return std::sqrt(dot(v, v)); }
-Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
-
-// A body as it is at one time, seen from where the first is.
-class Placed {
- public:
-  Placed(const TurningBody& body, double scale)
-      : radius(scale * body.radius), spin(body.spin), angle_(body.angle) {
-    for (const std::uint32_t i : turned_ring(body.ring, ring_orientation(body.ring)))
-      local_.push_back(scale * body.ring[i]);
-    for (std::size_t i = 0; local_.size() > 1 && i < local_.size(); ++i) {
-      const Vec2 along = local_[i + 1 == local_.size() ? 0 : i + 1] - local_[i];
-      local_normals_.push_back(Vec2(along.y(), -along.x()).stableNormalized());
-    }
-    for (const Vec2& p : local_) reach = std::max(reach, kUp * length_of(p));
-    arms.resize(local_.size());
-    points.resize(local_.size());
-    normals.resize(local_normals_.size());
-  }
-
-  void place(const Vec2& at, const Vec2& moving, double time) {
-    const double angle = angle_ + time * spin;
-    const double c = portable::cos(angle), s = portable::sin(angle);
-    const auto turn = [c, s](const Vec2& p) {
-      return Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-    };
-    centre = at;
-    velocity = moving;
-    for (std::size_t i = 0; i < local_.size(); ++i) {
-      arms[i] = turn(local_[i]);
-      points[i] = at + arms[i];
-    }
-    for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = turn(local_normals_[i]);
-  }
-
-  double widest_angle(double length) const { return std::fabs(angle_) + std::fabs(spin) * length; }
-  Vec2 moves(std::size_t vertex) const { return velocity + spin * left_of(arms[vertex]); }
-  // How a point would move that turned with the body.
-  Vec2 carries(const Vec2& point) const { return velocity + spin * left_of(point - centre); }
-
-  const double radius, spin;
-  double reach = 0;  ///< of the core
-  Vec2 centre{0, 0}, velocity{0, 0};
-  std::vector<Vec2> points, normals, arms;  ///< arms: points from the centre
-
- private:
-  const double angle_;
-  std::vector<Vec2> local_, local_normals_;
-};
-
-// A power of two that brings what is added up to about 1.
-double scale_of(const TurningBody& a, const TurningBody& b, double length) {
-  double most = std::max((b.at - a.at).cwiseAbs().maxCoeff(),
-                         length * (b.velocity - a.velocity).cwiseAbs().maxCoeff());
-  for (const TurningBody* body : {&a, &b}) {
-    most = std::max(most, body->radius);
-    for (const Vec2& p : body->ring) most = std::max(most, p.cwiseAbs().maxCoeff());
-  }
-  constexpr int kMost = 1000;
-  if (!(most > 0 && most < kInfinity)) return 1;
-  return std::ldexp(1.0, -std::clamp(std::ilogb(most), -kMost, kMost));
-}
-
-// Two bodies at a time, and what is certain of them then.
-class TurningPair {
- public:
-  TurningPair(const TurningBody& a, const TurningBody& b, double length, bool backwards);
-
-  void place(double now) {
-    const double time = backwards_ ? length_ - now : now;
-    a_.place({0, 0}, {0, 0}, time);
-    b_.place(apart_ + time * way_, way_, time);
-  }
-  // For how long from then on they are apart; `enough` ends the search.
-  double apart_for(double enough) const;
-  bool overlap() const;
-  RoundPlace touching_place() const;
-  double scale() const { return scale_; }
-
- private:
-  // What a gap and its slope are off by, and how its slope may change.
-  struct Bounds {
-    double gap_error, slope_error, curve;
-  };
-  Bounds disc_bounds(const Placed& frame, double size, double farthest, double speed) const;
-  double positive_for(double gap, double slope, const Bounds& bounds) const;
-  double positive_for(double gap, double slope, double curve) const {
-    return positive_for(gap, slope, {gap_error_, slope_error_, curve});
-  }
-  double apart_by_centres() const;
-  double apart_by_disc(const Placed& frame, const Placed& other, const Bounds& bounds) const;
-  double apart_by_edges(const Placed& frame, const Placed& other, double curve,
-                        double at_least) const;
-  double apart_by_vertices() const;
-  bool across_all_edges(const Placed& frame, const Placed& other) const;
-  double vertex_distance(const Placed& vertices, const Placed& edges) const;
-
-  const double length_;
-  const bool backwards_;
-  const double scale_;
-  Placed a_, b_;
-  const Vec2 apart_, way_;
-  const double radii_;
-  double gap_error_, slope_error_, curve_a_, curve_b_, curve_still_;
-  Bounds disc_of_b_, disc_of_a_;  ///< seen from the other
-};
-
-TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double length, bool backwards)
-    : length_(length),
-      backwards_(backwards),
-      scale_(scale_of(a, b, length)),
-      a_(a, scale_),
-      b_(b, scale_),
-      apart_(scale_ * (b.at - a.at)),
-      way_(scale_ * (b.velocity - a.velocity)),
-      radii_(a_.radius + b_.radius) {
-  const double turns = 1 + a_.widest_angle(length) + b_.widest_angle(length);
-  const double speed = kUp * length_of(way_), spins = std::fabs(a.spin) + std::fabs(b.spin);
-  const double farthest = kUp * (length_of(apart_) + length * speed);
-  const double size = farthest + a_.reach + b_.reach + radii_;
-  gap_error_ = kRoundings * turns * size + kLeast;
-  slope_error_ = kRoundings * turns * (speed + spins * size) + kLeast;
-  const auto curve = [&](const Placed& frame, const Placed& other) {
-    const double w = std::fabs(frame.spin), relative = std::fabs(other.spin - frame.spin);
-    return kUp * (w * w * farthest + 2 * w * speed + relative * relative * other.reach);
-  };
-  curve_a_ = curve(a_, b_);
-  curve_b_ = curve(b_, a_);
-  curve_still_ = kUp * (a.spin * a.spin * a_.reach + b.spin * b.spin * b_.reach);
-  disc_of_b_ = disc_bounds(a_, size, farthest, speed);
-  disc_of_a_ = disc_bounds(b_, size, farthest, speed);
-}
-
-// How often the other turns does not matter to the disc about it.
-TurningPair::Bounds TurningPair::disc_bounds(const Placed& frame, double size, double farthest,
-                                             double speed) const {
-  const double w = std::fabs(frame.spin), turns = 1 + frame.widest_angle(length_);
-  return {kRoundings * turns * size + kLeast, kRoundings * turns * (speed + w * size) + kLeast,
-          kUp * (w * w * farthest + 2 * w * speed)};
-}
-
-// How long gap + slope t - curve t^2 / 2 certainly stays positive.
-double TurningPair::positive_for(double gap, double slope, const Bounds& bounds) const {
-  const auto& [gap_error, slope_error, curve] = bounds;
-  const double least = gap - gap_error, rise = (backwards_ ? -slope : slope) - slope_error;
-  if (!(least > 0)) return 0;
-  const double root = std::sqrt(rise * rise + 2 * curve * least);
-  if (rise < 0) return kDown * (2 * least / (root - rise));
-  return curve > 0 ? kDown * ((root + rise) / curve) : kInfinity;
-}
-
-// The distance of two points in straight motion is convex: no curve counts.
-double TurningPair::apart_by_centres() const {
-  const Vec2 from = b_.centre - a_.centre;
-  const double distance = length_of(from);
-  if (!(distance > 0)) return 0;
-  return positive_for(distance - kUp * (a_.reach + b_.reach + radii_), dot(from, way_) / distance,
-                      0);
-}
-
-// The gap between an edge of `frame` and the disc in which the other turns.
-double TurningPair::apart_by_disc(const Placed& frame, const Placed& other,
-                                  const Bounds& bounds) const {
-  double best = 0;
-  for (std::size_t i = 0; i < frame.normals.size(); ++i) {
-    const Vec2& normal = frame.normals[i];
-    const double gap = dot(normal, other.centre - frame.points[i]) - (radii_ + kUp * other.reach);
-    if (gap > bounds.gap_error)
-      best = std::max(
-          best,
-          positive_for(gap, dot(normal, other.velocity - frame.carries(other.centre)), bounds));
-  }
-  return best;
-}
-
-// The gaps between edges of `frame` and the other body, as seen by who turns with `frame`. More than
-// `at_least`, or 0.
-double TurningPair::apart_by_edges(const Placed& frame, const Placed& other, double curve,
-                                   double at_least) const {
-  double best = 0;
-  for (std::size_t i = 0; i < frame.normals.size(); ++i) {
-    const Vec2 &normal = frame.normals[i], &on_edge = frame.points[i];
-    double least = kInfinity;
-    for (std::size_t k = 0; k < other.points.size() && least > at_least; ++k) {
-      const Vec2& p = other.points[k];
-      const double gap = dot(normal, p - on_edge) - radii_;
-      if (gap <= gap_error_)
-        least = 0;
-      else
-        least = std::min(least,
-                         positive_for(gap, dot(normal, other.moves(k) - frame.carries(p)), curve));
-    }
-    if (least > at_least) best = at_least = least;
-  }
-  return best;
-}
-
-// Along the line between the two nearest vertices, as the world sees it.
-double TurningPair::apart_by_vertices() const {
-  Vec2 from(0, 0);
-  double nearest = kInfinity;
-  for (const Vec2& p : a_.points)
-    for (const Vec2& q : b_.points)
-      if (const double distance = length_of(q - p); distance < nearest) {
-        nearest = distance;
-        from = q - p;
-      }
-  if (!(nearest > 0)) return 0;
-  const Vec2 normal = from / nearest;
-  double least = kInfinity;
-  for (std::size_t i = 0; i < a_.points.size(); ++i)
-    for (std::size_t k = 0; k < b_.points.size() && least > 0; ++k)
-      least = std::min(least, positive_for(dot(normal, b_.points[k] - a_.points[i]) - radii_,
-                                           dot(normal, b_.moves(k) - a_.moves(i)), curve_still_));
-  return least;
-}
-
-double TurningPair::apart_for(double enough) const {
-  double best = apart_by_centres();
-  if (best < enough && std::fabs(b_.spin) * length_ > kManyTurns)
-    best = std::max(best, apart_by_disc(a_, b_, disc_of_b_));
-  if (best < enough && std::fabs(a_.spin) * length_ > kManyTurns)
-    best = std::max(best, apart_by_disc(b_, a_, disc_of_a_));
-  if (best < enough) best = std::max(best, apart_by_edges(a_, b_, curve_a_, best));
-  if (best < enough) best = std::max(best, apart_by_edges(b_, a_, curve_b_, best));
-  const bool edges_tell = radii_ == 0 && std::max(a_.points.size(), b_.points.size()) > 2;
-  if (best < enough && !edges_tell) best = std::max(best, apart_by_vertices());
-  return best;
-}
-
-// Whether some vertex of the other is certainly behind each edge.
-bool TurningPair::across_all_edges(const Placed& frame, const Placed& other) const {
-  for (std::size_t i = 0; i < frame.normals.size(); ++i)
-    if (std::none_of(other.points.begin(), other.points.end(), [&](const Vec2& p) {
-          return dot(frame.normals[i], p - frame.points[i]) < -gap_error_;
-        }))
-      return false;
-  return true;
-}
-
-double TurningPair::vertex_distance(const Placed& vertices, const Placed& edges) const {
-  double least = kInfinity;
-  for (std::size_t i = 0; i < edges.points.size(); ++i) {
-    const Vec2& start = edges.points[i];
-    const Vec2 along = edges.points[i + 1 == edges.points.size() ? 0 : i + 1] - start;
-    const double squared = dot(along, along);
-    for (const Vec2& p : vertices.points) {
-      const double part = squared > 0 ? std::clamp(dot(p - start, along) / squared, 0.0, 1.0) : 0.0;
-      least = std::min(least, length_of(p - start - part * along));
-    }
-  }
-  return least;
-}
-
-// Separating axes of two convex cores are across their edges.
-bool TurningPair::overlap() const {
-  const bool have_edges = !a_.normals.empty() || !b_.normals.empty();
-  if (have_edges && across_all_edges(a_, b_) && across_all_edges(b_, a_)) return true;
-  if (radii_ == 0) return false;
-  return std::min(vertex_distance(a_, b_), vertex_distance(b_, a_)) < radii_ - gap_error_;
-}
-
-RoundPlace TurningPair::touching_place() const {
-  return resting_place({{a_.points, {0, 0}}, a_.radius}, {{b_.points, {0, 0}}, b_.radius}, 0);
-}
-
 class Search {
  public:
   Search(const TurningBody& a, const TurningBody& b, double length, double width, bool backwards)
       : pair_(a, b, length, backwards), length_(length), width_(width) {}
 
-  TurningContact run() {
-    pair_.place(0);
+  TurningContact run(double from) {
+    pair_.place(from);
     if (pair_.overlap()) {
       found_.verdict = Verdict::meets;
       found_.start = StartPlace::inside;
       found_.place = pair_.touching_place();
       return found_;
     }
-    for (double now = 0; now < length_;) {
+    for (double now = from; now < length_;) {
       pair_.place(now);
       const double ahead = pair_.apart_for(length_ - now);
       if (ahead >= length_ - now) break;
@@ -313,6 +36,26 @@ class Search {
       if (found_.verdict == Verdict::meets) break;
     }
     return found_;
+  }
+  // From a time at which they overlap.
+  std::optional<double> parting(double now) {
+    while (now < length_) {
+      pair_.place(now);
+      const double ahead = pair_.overlap_for();
+      if (ahead >= length_ - now || ++steps_ >= kMostPartingSteps) return std::nullopt;
+      if (ahead >= width_ / 16) {
+        now = (now + ahead) * (1 - 0x1p-51);
+        continue;
+      }
+      double after = width_;
+      for (; now + after < length_; after *= 2) {
+        pair_.place(now + after);
+        if (pair_.apart_for(width_) >= width_ / 16) return now + after;
+        if (pair_.overlap()) break;
+      }
+      now += after;
+    }
+    return std::nullopt;
   }
   double scale() const { return pair_.scale(); }
 
@@ -348,13 +91,18 @@ class Search {
 }  // namespace
 
 TurningContact turning_contact(const TurningBody& a, const TurningBody& b, double length,
-                               double width, bool backwards) {
+                               double width, bool backwards, double from) {
   Search search(a, b, length, width, backwards);
-  TurningContact found = search.run();
+  TurningContact found = search.run(from);
   const double time = backwards ? length - found.first.low : found.first.low;
   found.place.point = found.place.point / search.scale() + a.at + time * a.velocity;
   if (backwards) found.first = {length - found.first.high, length - found.first.low};
   return found;
+}
+
+std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
+                                      double length, double width) {
+  return Search(a, b, length, width, false).parting(from);
 }
 
 }  // namespace flatray

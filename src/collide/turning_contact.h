@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "collide/round_contact.h"
@@ -30,9 +31,9 @@ struct TurningContact {
   RoundPlace place{{0, 0}, {0, 0}};
 };
 
-/// The first touch for t in [0, length], or of the time run backwards from `length`: then the last.
+/// The first touch for t in [from, length], or of the time run backwards from `length`: then the last.
 ///
-/// Needs   finite numbers, 0 < length <= 128, radii not negative.
+/// Needs   finite numbers, 0 < length <= 128, radii not negative; from in [0, length), backwards 0.
 /// Gives   Nothing touches before first.low, and they have an inner point in common at first.high.
 ///         The interval is `width` long, longer where rounding or a grazing leaves a doubt. It holds
 ///         for all motions within 2^-50 of the one given, relative to all that its formula adds up.
@@ -44,8 +45,19 @@ struct TurningContact {
 ///         and a bound of the curvature a gap is known to stay positive for a time, and at a simple
 ///         meeting such steps converge quadratically.
 TurningContact turning_contact(const TurningBody& a, const TurningBody& b, double length,
-                               double width, bool backwards = false);
+                               double width, bool backwards = false, double from = 0);
+
+/// When two bodies that overlap at `from` are first known to be apart again, up to `length`.
+///
+/// Needs   as turning_contact; from in [0, length).
+/// Gives   proven: until some `width` before they have inner points in common without a break but for
+///         times of about `width` that leave a doubt, and then they are apart. nullopt where they are
+///         never known to be, or not after kMostPartingSteps.
+/// Source  as turning_contact, with gaps that stay negative in place of such that stay positive.
+std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
+                                      double length, double width);
 
 inline constexpr int kMostTurningSteps = 1 << 16;
+inline constexpr int kMostPartingSteps = 1 << 12;
 
 }  // namespace flatray

@@ -144,9 +144,12 @@ RoundedTime HitTime::nearest() const {
 
 std::strong_ordering compare(const HitTime& a, const HitTime& b) {
   if (const auto sign = (a.approximate() - b.approximate()).sign()) return order(*sign);
-  const HitTime::Exact ta = a.exact(), tb = b.exact();
-  return order(Rational::two_root_sign(ta.p * tb.a - tb.p * ta.a, ta.s, ta.q * tb.a * tb.a, -tb.s,
-                                       tb.q * ta.a * ta.a));
+  return compare(a.exact(), b.exact());
+}
+
+std::strong_ordering compare(const HitTime::Exact& a, const HitTime::Exact& b) {
+  return order(
+      Rational::two_root_sign(a.p * b.a - b.p * a.a, a.s, a.q * b.a * b.a, -b.s, b.q * a.a * a.a));
 }
 
 std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {

@@ -68,6 +68,7 @@ class HitTime {
 
 /// Which of two hits comes first. Exact.
 std::strong_ordering compare(const HitTime& a, const HitTime& b);
+std::strong_ordering compare(const HitTime::Exact& a, const HitTime::Exact& b);
 
 /// Where a ray's line meets a closed segment (t of any sign).
 struct SegmentHit {

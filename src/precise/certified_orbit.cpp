@@ -82,6 +82,7 @@ class Follower {
       : rules_(rules),
         periodic_(walls, rules.materials),
         flight_(walls, periodic_, start, make),
+        flown_(make(0)),
         scale_(largest_coordinate(walls)),
         walls_(walls.size() + 1),
         bits_(bits),
@@ -108,11 +109,32 @@ class Follower {
     if (flight_.crosses(next)) return cross(next);
     if (absorbs(next)) return stop(OrbitEnd::absorbed, next);
     if (next.kind == Prospect::Kind::corner) return stop(OrbitEnd::corner, next);
-    if (!flight_.bounce(next.walls.front())) return false;
+    return bounce(next.walls.front());
+  }
+
+  bool bounce(std::uint32_t wall) {
+    const Pair<Number> from = flight_.point(), way = flight_.direction();
+    if (!flight_.bounce(wall)) return false;
+    fly(from, flight_.point(), way);
+    Pair<Number> normal = flight_.normal(wall);
+    const auto turned = dot(normal, flight_.direction()).sign();
+    if (!turned || *turned == Sign::zero) return false;
+    if (*turned == Sign::negative) normal = {-normal.x, -normal.y};
     const auto point = rounded(flight_.point(), scale_);
-    if (point) orbit_.bounces.push_back({next.walls.front(), *point});
+    const auto t = rounded(flown_, 1);
+    const auto up = rounded_out(normal, dot(normal, normal));
+    const auto in = rounded_out(way, flight_.size());
+    const auto out = rounded_out(flight_.direction(), flight_.size());
+    if (!point || !t || !up || !in || !out) return false;
+    orbit_.bounces.push_back({wall, *point, *t, *up, *in, *out});
     crossings_ = 0;
-    return point.has_value();
+    flown_ = flown_ - flown_;
+    return true;
+  }
+
+  // Adds the t of a straight way.
+  void fly(const Pair<Number>& from, const Pair<Number>& to, const Pair<Number>& way) {
+    flown_ = flown_ + dot(to - from, way) / flight_.size();
   }
 
   bool absorbs(const Prospect& next) const {
@@ -123,8 +145,10 @@ class Follower {
   }
 
   bool cross(const Prospect& next) {
+    const Pair<Number> start = flight_.point();
     const auto left = flight_.cross_over(next);
     if (!left) return false;
+    fly(start, *left, flight_.direction());
     const auto from = rounded(*left, scale_), to = rounded(flight_.point(), scale_);
     if (!from || !to) return false;
     orbit_.crossings.push_back({orbit_.bounces.size(), *from, *to});
@@ -157,6 +181,7 @@ class Follower {
   const CertifiedRules& rules_;
   PeriodicWalls periodic_;
   Flight<Number, Make> flight_;
+  Number flown_;  // t since the last bounce
   double scale_;
   std::size_t walls_;
   unsigned bits_;
@@ -190,6 +215,7 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
   if (at_start.end != OrbitEnd::limit) {
     CertifiedOrbit stays;
     stays.end = at_start.end;
+    stays.out = at_start.out;
     stays.end_point = at_start.end_point;
     stays.end_surfaces = std::move(at_start.end_surfaces);
     return stays;

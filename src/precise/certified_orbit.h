@@ -8,9 +8,13 @@ namespace flatray {
 
 /// An orbit of which every bounce is proven.
 struct CertifiedOrbit {
+  /// Of exact numbers the nearest doubles.
   struct Bounce {
     std::uint32_t surface;
-    Vec2 point;  ///< the nearest doubles to the exact point
+    Vec2 point;
+    double t;      ///< since the last bounce, in lengths of the start's direction
+    Vec2 normal;   ///< unit, towards the side the ray came from
+    Vec2 in, out;  ///< unit directions before and after it
   };
   std::vector<Bounce> bounces;
   OrbitEnd end = OrbitEnd::limit;

@@ -125,6 +125,16 @@ class Flight {
     return pair(*order == Sign::positive ? wall.b : wall.a);
   }
 
+  /// A normal of the wall that it has just bounced off, of any length, to either side.
+  Pair<Number> normal(std::uint32_t surface) const {
+    if (walls_.is_straight(surface)) {
+      const Pair<Number> edge = pair(segment(surface).b) - pair(segment(surface).a);
+      return {-edge.y, edge.x};
+    }
+    const Ellipse curve = walls_.curve(surface);
+    return curve_normal(make_, curve, curve_form(make_, curve, point_ - pair(curve.centre)));
+  }
+
   /// Where the last bounce was, or where it came in by a periodic wall.
   const Pair<Number>& point() const { return point_; }
   const Pair<Number>& direction() const { return direction_; }

@@ -3,6 +3,7 @@
 
 #include "geom/turn.h"
 #include "scene/look_keys.h"
+#include "scene/moving_mirrors.h"
 #include "scene/scene_keys.h"
 
 namespace flatray {
@@ -32,14 +33,6 @@ template <auto Pointer>
 void set_entity(Builder& builder, const Field& field, EdgeRays& rays) {
   const auto entity = find_entity(builder, field);
   if (!entity) return;
-  const ShapeId id = builder.scene.entities[*entity].shape;
-  if (id >= builder.scene.shapes.size()) return;  // a mistake that has been told
-  const Shape& shape = builder.scene.shapes[id];
-  if (!std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                   [](const ArcPath& path) { return path.is_ellipse(); }))
-    return builder.in.problem(field.value.where,
-                              "no ray is clipped against an arc, sector or capsule yet",
-                              "name another entity: polygons, circles and ellipses are clipped");
   rays.*Pointer = *entity;
 }
 
@@ -90,16 +83,24 @@ void add_fan(Builder& builder, const RayPath& ray, std::vector<RayPath>& rays) {
 }
 
 constexpr Key<RayPath::Ball> kBallKeys[] = {
-    {{"speed", "number", kRequired}, &set_positive<&RayPath::Ball::speed>},
+    {{"speed", "number", "that of the ray"}, &set_positive<&RayPath::Ball::speed>},
     {{"radius", "number", kRequired}, &set_positive<&RayPath::Ball::radius>},
     {{"colour", "\"#rrggbb\"", "the line's"}, &set<&RayPath::Ball::colour>},
 };
 
+// After the speed of the ray.
 void read_ball(Builder& builder, const Field& field, RayPath& ray) {
   RayPath::Ball ball;
   ball.colour = ray.stroke.colour;
   read_keys<RayPath::Ball>(builder, field.value, "ray.ball", kBallKeys, ball);
   ray.ball = ball;
+  const Member* speed = field.value.find("speed");
+  if (speed == nullptr && !ray.speed && field.value.kind == Value::Kind::table)
+    builder.in.problem(field.value.where, "ray.ball needs 'speed'",
+                       "write speed = number, or a speed of the ray");
+  if (speed != nullptr && ray.speed)
+    builder.in.problem(speed->value.where, "the ray has a speed of its own",
+                       "leave the ball's out: it goes where the ray has come to");
 }
 
 constexpr Key<RayPath> kRayKeys[] = {
@@ -107,6 +108,7 @@ constexpr Key<RayPath> kRayKeys[] = {
     {{"at", "[x, y]", kRequired}, &set<&RayPath::at>},
     {{"direction", "[dx, dy]", kRequired}, &read_direction},
     {{"bounces", "whole number", "0"}, &set_integer<&RayPath::bounces, 0, kMaxBounces>},
+    {{"speed", "number", "none"}, &set_positive<&RayPath::speed>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })",
       R"({ width_px = 1.5, colour = "#d62728" })"},
      &change_stroke<&RayPath::stroke>},
@@ -142,6 +144,11 @@ void read_rays(Builder& builder, const Field& field, Scene& scene) {
     read_keys<RayPath>(builder, table, "ray", kRayKeys, ray);
     add_fan(builder, ray, scene.rays);
   });
+  if (!std::any_of(scene.rays.begin(), scene.rays.end(),
+                   [](const RayPath& ray) { return ray.speed.has_value(); }))
+    return;
+  for (Diagnostic& problem : refused_mirrors(scene))
+    builder.in.problems.push_back(std::move(problem));
 }
 
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {

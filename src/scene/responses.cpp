@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "scene/rounded.h"
+
 namespace flatray {
-namespace {
-
-bool changes_outline_or_velocity(const MarkovUse& markov) {
-  for (const std::vector<Look>& state : markov.looks)
-    for (const Look& look : state)
-      if (look.shape || look.velocity) return true;
-  return false;
-}
-
-}  // namespace
 
 Response response_of(const Scene& scene, const Entity& entity) {
   return entity.response.value_or(scene.collisions ? scene.collisions->response : Response::none);
@@ -22,6 +14,21 @@ bool responds(const Scene& scene) {
   return std::any_of(scene.entities.begin(), scene.entities.end(), [&](const Entity& entity) {
     return response_of(scene, entity) != Response::none;
   });
+}
+
+Place where_responds(const Scene& scene) {
+  return scene.collisions
+             ? scene.collisions->where
+             : std::find_if(scene.entities.begin(), scene.entities.end(), [](const Entity& e) {
+                 return e.response.has_value();
+               })->where;
+}
+
+Diagnostic refused_responses(const Scene& scene, const std::string& what) {
+  return {where_responds(scene),
+          "entities respond to contact, and " + what + " looks at what goes on undisturbed",
+          "write response = \"none\", here and in the entities, to see them undisturbed",
+          Trouble::invalid};
 }
 
 std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
@@ -34,12 +41,23 @@ std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity) {
     return Hindrance{"states", "changes its shape or velocity by its states"};
   if (scene.shapes[entity.shape].changes != kNoEntry) return Hindrance{"shape", "changes its size"};
   if (has_parts_left_out(scene.shapes[entity.shape]))
-    return Hindrance{"shape", "has curves or crossing outlines, which nothing can meet"};
+    return Hindrance{
+        "shape",
+        "has curves other than circles and capsules, or crossing outlines, which nothing can meet"};
   return std::nullopt;
 }
 
+bool changes_outline_or_velocity(const MarkovUse& markov) {
+  for (const std::vector<Look>& state : markov.looks)
+    for (const Look& look : state)
+      if (look.shape || look.velocity) return true;
+  return false;
+}
+
 bool has_parts_left_out(const Shape& shape) {
-  return !shape.arc_paths.empty() || !shape.crossing_rings.empty();
+  return !shape.crossing_rings.empty() ||
+         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return !rounded_by(path); });
 }
 
 bool moves(const Group& group) {

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostic.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -18,6 +19,12 @@ const char* name(Response response);
 /// Whether any entity responds.
 bool responds(const Scene& scene);
 
+/// What says so. Needs   a scene that responds.
+Place where_responds(const Scene& scene);
+/// Why it is refused where what entities do when they meet is not looked at: `what` says who does not
+/// look.
+Diagnostic refused_responses(const Scene& scene, const std::string& what);
+
 /// Events after which a scene is given up.
 inline std::uint64_t most_events(const Scene& scene) {
   return scene.collisions ? scene.collisions->most : Collisions{}.most;
@@ -30,6 +37,9 @@ struct Hindrance {
   const char* what;  ///< "turns"
 };
 std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity);
+
+/// Whether the states of a chain change the shape or the velocity of who has it.
+bool changes_outline_or_velocity(const MarkovUse& markov);
 
 /// Whether a shape has parts that contacts leave out: curves other than circles, outlines that
 /// cross.

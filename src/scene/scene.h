@@ -254,13 +254,16 @@ struct RayPath {
   std::string name;
   Vec2 at{0, 0}, direction{1, 0};
   unsigned bounces = 0;
+  /// World units a second when it sets off, in frame 1: mirrors are met where they are when it comes
+  /// there, and what is drawn is its way up to the frame. Unset: those of each frame stand still.
+  std::optional<double> speed;
   Stroke stroke;
   std::optional<Colour> hit_points;  ///< marks where it bounces
   std::optional<Colour> end_colour;  ///< of the line after its last bounce, gone over to evenly
   std::optional<Colour> numbers;     ///< counts its bounces
   /// Goes along the path as time goes by; the path is drawn as far as it has come.
   struct Ball {
-    double speed = 1;  ///< world units a second
+    double speed = 0;  ///< world units a second; of a ray that has a speed of its own not used
     double radius = 1;
     Colour colour;
   };

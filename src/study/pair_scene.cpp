@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "scene/responses.h"
+
 namespace flatray {
 
 void PairScene::tell(const std::vector<Meeting>& meetings) {
@@ -21,6 +23,8 @@ std::string no_pairs(const Scene& scene) {
 
 Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context) {
   if (auto refused = refused_meetings(context.scene)) return tl::unexpected(*std::move(refused));
+  if (responds(context.scene))
+    return tl::unexpected(Diagnostics{refused_responses(context.scene, "this choice")});
   auto scene = std::make_shared<PairScene>(context, reference_budget(context));
   if (scene->truth.compared.empty())
     return fail(named_place(context.scene.name),

@@ -100,7 +100,7 @@ class Search {
         const Shape& shape = shape_of(scene_, frame[i]);
         const bool turns = frame[i].angle != states_.front()[i].angle;
         if (!shape.circles.empty() || turns) bent_[i] = true;
-        if (has_parts_left_out(shape)) left_out_[i] = true;
+        if (has_parts_left_out(shape) || !shape.arc_paths.empty()) left_out_[i] = true;
         const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
         const Vec2 beside = (box.centre() - frame[i].at).cwiseAbs() + box.size();
         places.push_back(turns ? Whereabouts{frame[i].at, 2 * beside.norm()}
@@ -214,7 +214,8 @@ std::string PairTruth::words() const {
         text.empty() ? "" : ", ", bent);
   text += fmt::format("; {} of them meet", meet.size());
   if (grazing > 0) text += fmt::format("; {} graze too closely to be told", grazing);
-  if (left_out > 0) text += fmt::format("; {} with arcs are left out, as by contact", left_out);
+  if (left_out > 0)
+    text += fmt::format("; {} with arcs, ellipses or capsules are left out", left_out);
   return text;
 }
 
@@ -222,9 +223,9 @@ PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double secon
   return Search(timeline, last_frame, seconds).run();
 }
 
-PairErrors pair_errors(const PairTruth& truth, const std::set<Pair>& found) {
+PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found) {
   PairErrors errors;
-  for (const Pair& pair : truth.compared) {
+  for (const PairTruth::Pair& pair : truth.compared) {
     const bool meets = truth.meet.count(pair) > 0, told = found.count(pair) > 0;
     if (meets && !told) ++errors.missed;
     if (told && !meets) ++errors.invented;

@@ -13,7 +13,7 @@ struct PairTruth {
   std::set<Pair> meet;                                   ///< of these
   std::size_t bent = 0;      ///< of those compared, pairs with discs, or of which one turns
   std::size_t grazing = 0;   ///< pairs that come too close for bits to tell: not compared
-  std::size_t left_out = 0;  ///< pairs with arcs, which contact leaves out
+  std::size_t left_out = 0;  ///< pairs with arcs, ellipses, capsules: the reference knows none
   std::size_t cut = 0;       ///< pairs that there was no time for
 
   /// "12 pairs of polygons by shadows in rationals (oracle/contact), 3 of which meet; ..."

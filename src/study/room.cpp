@@ -104,6 +104,12 @@ Result<void> expect_closed(const ExperimentContext& context) {
   if (scene.chambers.empty())
     return fail(place, "has no chamber for orbits to stay in", "add [[chamber]] with a shape");
   const Chamber& chamber = scene.chambers.front();
+  const Shape& shape = scene.shapes[chamber.shape];
+  if (shape.vertices.empty() && shape.circles.empty() &&
+      std::none_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                   [](const ArcPath& path) { return path.closed; }))
+    return fail(chamber.where, "the chamber is open, and orbits leave it",
+                "close its shape: a polygon, a circle, a capsule");
   const bool absorbs =
       chamber.material == Material::absorb ||
       std::any_of(chamber.pillars.begin(), chamber.pillars.end(),

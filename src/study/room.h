@@ -19,6 +19,7 @@ class Room {
   const FrameState& state() const { return state_; }
   const Solids& solids() const { return solids_; }
   const OrbitTracer& orbits() const { return *orbits_; }
+  const std::vector<Material>& materials() const { return materials_; }  ///< by surface
 
   /// Length of all walls but periodic ones, those bounced off on both sides twice.
   double perimeter() const { return before_.back(); }

@@ -29,6 +29,15 @@ std::optional<Wedge> wedge_of(const Surfaces& walls) {
 
 }  // namespace
 
+// The farthest from the tip that a straight ray crosses an image of a wall: as seen from there the
+// ray turns by `turn` in all, and images lie at angles from `first` to `last` of that.
+double farthest_crossing(const Wedge& wedge, const Ray& ray, double turn, double first,
+                         double last) {
+  const double distance =
+      std::fabs(cross(Vec2(ray.origin - wedge.tip), ray.direction)) / ray.direction.norm();
+  return distance / std::min(portable::sin(turn - first), portable::sin(turn - last));
+}
+
 // In the unfolded wedge the ray is straight: seen from the tip, it turns from where it starts to
 // where it points, over one image of a wall after another.
 std::optional<std::uint64_t> wedge_reflections(const Surfaces& walls, const Ray& ray) {
@@ -43,8 +52,13 @@ std::optional<std::uint64_t> wedge_reflections(const Surfaces& walls, const Ray&
   const double here = angle_between(wedge->first, from);
   if (!(alpha > 0 && here >= 0 && here <= alpha)) return std::nullopt;
   const double ahead = angle_between(from, ray.direction);
-  const double left = std::fabs(ahead) + (ahead >= 0 ? here : alpha - here);
-  return static_cast<std::uint64_t>(std::ceil(left / alpha) - 1);
+  const double turn = std::fabs(ahead), first = ahead >= 0 ? alpha - here : here;
+  const double count = std::ceil((turn + alpha - first) / alpha) - 1;
+  const double last = first + (count - 1) * alpha;
+  const double reach = std::min(wedge->first.norm(), wedge->second.norm());
+  if (count > 0 && !(farthest_crossing(*wedge, ray, turn, first, last) < reach))
+    return std::nullopt;
+  return static_cast<std::uint64_t>(count);
 }
 
 }  // namespace flatray

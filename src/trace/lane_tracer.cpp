@@ -53,8 +53,8 @@ bool mark_left(const Surfaces& walls, const CellGrid& grid, const Left& left,
 lanes::Walking columns_of(float* column, const float* numbers, std::size_t room) {
   lanes::Walking w{};
   w.number = numbers;
-  for (float** each :
-       {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax, &w.left_ay, &w.left_bx})
+  for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
+                       &w.left_ay, &w.left_bx, &w.end_low, &w.end_high})
     *each = std::exchange(column, column + room);
   return w;
 }
@@ -65,7 +65,7 @@ class Block {
   explicit Block(std::size_t most)
       : room_(whole_vectors(most) + kVector),
         numbers_(room_),
-        columns_(9 * room_),
+        columns_(11 * room_),
         fate_(room_),
         found_(room_),
         slots_(room_),
@@ -87,10 +87,17 @@ class Block {
               static_cast<int>(padded_.size())};
   }
 
-  // Walls that may be the first of each ray: the record, or what is not certain.
-  void walk(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels) {
+  // Walls that may be the first of each ray, of rays that end one they may meet: the record, or what
+  // is not certain. `up_to` by ray of the batch, or empty.
+  void walk(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels,
+            std::span<const double> up_to = {}) {
     lanes::Walking w = columns_of(columns_.data(), numbers_.data(), room_);
     w.count = static_cast<int>(count_);
+    if (!up_to.empty()) {
+      ends_.assign(room_, 0);
+      std::copy_n(up_to.begin() + static_cast<std::ptrdiff_t>(begin_), count_, ends_.begin());
+      w.up_to = ends_.data();
+    }
     kernels.prepare(grid.view(), given_, w, fate_.data());
     bool any = false;
     for (std::size_t i = 0; i < count_; ++i)
@@ -98,6 +105,9 @@ class Block {
     if (!any) w.left_ax = nullptr;
     (grid.has_cells() ? kernels.walk : kernels.scan)(grid.view(), w, found_.data());
   }
+
+  // Of rays that end.
+  int found(std::size_t i) const { return fate_[i] != 0 ? lanes::kDoubt : found_[i]; }
 
   void finish(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels) {
     for (std::size_t i = 0; i < count_; ++i) {
@@ -116,7 +126,7 @@ class Block {
   std::vector<float> numbers_, columns_;
   std::vector<int> fate_, found_;
   std::vector<std::uint32_t> slots_;
-  std::vector<double> t_;
+  std::vector<double> t_, ends_;
   const RayBatch* rays_ = nullptr;
   std::size_t begin_ = 0, count_ = 0;
   lanes::Rays given_{};
@@ -134,7 +144,7 @@ class LaneTracer : public Accelerator {
         kernels_(lane_kernels(isa).walk) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    if (rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList)) {
+    if (are_few(rays)) {
       for (std::size_t i = 0; i < rays.size(); ++i)
         hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
       return;
@@ -143,6 +153,23 @@ class LaneTracer : public Accelerator {
       if (!decided(verdict, hits[i]))
         hits[i] = decide_exactly(verdict, rays.ray(i), rays.left[i], rays.tangents);
     });
+  }
+  // No ray goes on beyond its end, nor asks which wall of those it meets is the first.
+  void any(const RayBatch& rays, std::span<const double> up_to,
+           std::span<std::uint8_t> met) const override {
+    if (are_few(rays)) return Accelerator::any(rays, up_to, met);
+    Block block(std::min(kBlock, rays.size()));
+    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
+      const std::size_t count = std::min(kBlock, rays.size() - begin);
+      block.load(rays, begin, count);
+      block.walk(walls_, cells_, kernels_, up_to);
+      for (std::size_t i = begin; i < begin + count; ++i) {
+        const int found = block.found(i - begin);
+        const bool open =
+            found == lanes::kDoubt || (found < 0 && may_meet_curve(rays, i, up_to[i]));
+        met[i] = open ? any_of_one(rays.ray(i), up_to[i], rays.left[i], rays.tangents) : found >= 0;
+      }
+    }
   }
   std::size_t left_by_lanes(const RayBatch& rays) const override {
     std::size_t left = 0;
@@ -179,6 +206,15 @@ class LaneTracer : public Accelerator {
   }
 
  private:
+  bool are_few(const RayBatch& rays) const {
+    return rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList);
+  }
+  bool may_meet_curve(const RayBatch& rays, std::size_t i, double up_to) const {
+    return walls_.any_curves() && up_to >= 0 &&
+           !curves_.rivals(rays.ray(i), rays.left[i], up_to * (1 + 0x1p-50) + kUnderflowError)
+                .surfaces.empty();
+  }
+
   // `each(ray, verdict)` of all rays, in order.
   template <class Each>
   void in_lanes(const RayBatch& rays, const Each& each) const {

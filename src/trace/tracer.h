@@ -39,7 +39,8 @@ class Accelerator {
   ///
   /// Needs   as many of both as rays.
   /// Gives   of exact tracers the exact answer, also where t rounds to `up_to`.
-  void any(const RayBatch& rays, std::span<const double> up_to, std::span<std::uint8_t> met) const;
+  virtual void any(const RayBatch& rays, std::span<const double> up_to,
+                   std::span<std::uint8_t> met) const;
   bool any_of_one(const Ray& ray, double up_to, const Left& left = {}, bool tangents = true) const;
   /// Every wall a ray meets, in order of t, those met together by number.
   ///

@@ -34,7 +34,7 @@ run 0 hit row.toml --ray 6,1,1,0 --op union # touches
 says out '  t from 0 to 0'
 run 2 hit row.toml --ray 0,1,1,0 --op difference
 says err 'add --against ENTITY'
-# What is not there is empty; what no ray is clipped against is named.
+# What is not there is empty; what arcs bound has an inside.
 cat row.toml - > gone.toml << 'SCENE'
 [[entity]]
 name = "gone"
@@ -49,8 +49,10 @@ cat row.toml - > pill.toml << 'SCENE'
 name = "pill"
 shape = { capsule = { from = [1, 1], to = [3, 1], radius = 0.5 } }
 SCENE
-run 4 hit pill.toml --ray 0,1,1,0 --op intersection
-says err 'pill.toml:12:1: error: no ray is clipped against'
+run 0 hit pill.toml --ray 0,1,1,0 --op difference --against pill
+says out 'ray: 1 part, length 0.5'
+run 0 hit pill.toml --ray 0,1,1,0 --against pill
+says out 't from 0.5 to 3.5'
 run 2 hit row.toml --ray 0,1,1,0 --op unoin
 says err 'there are: union, intersection, difference'
 run 2 hit row.toml --ray 0,1,1,0 --op union --svg

@@ -1,4 +1,4 @@
-// needs: shapes/circle
+// needs: shapes/circle shapes/capsule shapes/ellipse
 #include "collide/meetings.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +30,33 @@ TEST(Meetings, SameWhicheverFrameRate) {
     EXPECT_TRUE(met[0].straight);
     EXPECT_EQ(met[0].part.normal, Vec2(1, 0));
   }
+}
+
+TEST(Meetings, CapsulesAndEllipsesMeetAsTheyAre) {
+  const Scene scene = scene_of(
+      "flatray = 1\nfps = 1\nframes = 21\n"
+      "[[entity]]\nname = \"pill\"\nvelocity = [1, 0]\n"
+      "shape = { capsule = { from = [0, 0], to = [2, 0], radius = 1 } }\n"
+      "[[entity]]\nname = \"wall\"\nshape = { box = { min = [10, -4], max = [11, 4] } }\n"
+      "[[entity]]\nname = \"fly\"\nat = [1, -6]\nvelocity = [1, 2]\n"
+      "shape = { circle = { radius = 0.5 } }\n"
+      "[[entity]]\nname = \"ring\"\nat = [13, 0]\nshape = { ellipse = { radii = [1, 1] } }\n"
+      "[[entity]]\nname = \"tall\"\nat = [6, 0]\nshape = { ellipse = { radii = [1, 2] } }\n");
+  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 21), 21);
+  ASSERT_EQ(met.size(), 4U);
+  EXPECT_EQ(met[0].b, 4U);  // within proven times
+  EXPECT_LE(met[0].part.times.low, 2);
+  EXPECT_GE(met[0].part.times.low + met[0].part.width, 2);
+  EXPECT_TRUE(met[0].part.width > 0 && met[0].part.width < 1e-11);
+  EXPECT_EQ(met[1].b, 2U);  // from below, against the side: -6 + 2 t = -1.5
+  EXPECT_EQ(met[1].part.times.low, 2.25);
+  EXPECT_EQ(met[1].part.point, Vec2(3.25, -1));
+  EXPECT_EQ(met[2].b, 1U);
+  EXPECT_EQ(met[2].part.times.low, 7);
+  EXPECT_EQ(met[2].part.point, Vec2(10, 0));
+  EXPECT_EQ(met[2].part.times.high, 12);
+  EXPECT_EQ(met[3].b, 3U);
+  EXPECT_EQ(met[3].part.times.low, 9);
 }
 
 TEST(Meetings, WhatTurnsMeetsBetweenFrames) {

@@ -251,5 +251,63 @@ TEST(Simulate, WhatIsRemovedIsAWallToWhoMeetsItAndThenGone) {
   EXPECT_EQ(place_at(done.stages[1], 9), Vec2(5, 0));
 }
 
+void expect_same(const Simulation& one, const Simulation& other) {
+  EXPECT_EQ(one.complete, other.complete);
+  EXPECT_EQ(one.jammed, other.jammed);
+  EXPECT_EQ(one.overlaps, other.overlaps);
+  ASSERT_EQ(one.events.size(), other.events.size());
+  for (std::size_t i = 0; i < one.events.size(); ++i) {
+    const CollisionEvent &a = one.events[i], &b = other.events[i];
+    ASSERT_EQ(a.time, b.time) << i;
+    ASSERT_EQ(a.a, b.a) << i;
+    ASSERT_EQ(a.b, b.b) << i;
+    ASSERT_EQ(a.point, b.point) << i;
+    ASSERT_EQ(a.normal, b.normal) << i;
+    ASSERT_EQ(a.velocity_a, b.velocity_a) << i;
+    ASSERT_EQ(a.velocity_b, b.velocity_b) << i;
+  }
+  for (std::size_t i = 0; i < one.stages.size(); ++i)
+    ASSERT_EQ(one.stages[i].size(), other.stages[i].size()) << i;
+}
+
+TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairs) {
+  for (const int across : {3, 10, 24}) {
+    const std::vector<SimulatedBody> bodies = gas(5, across);
+    const std::size_t events = 6000;
+    const Simulation near = flatray::simulate(bodies, 1e6, events, PairSearch::near);
+    ASSERT_EQ(near.events.size(), events);
+    expect_same(near, flatray::simulate(bodies, 1e6, events, PairSearch::all));
+  }
+}
+
+// Of all sizes and speeds, near and far, at rest and in each other, with any response.
+TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairsOfBodiesOfAnyKind) {
+  constexpr Response kAll[] = {Response::none,   Response::mark,  Response::stop,
+                               Response::bounce, Response::slide, Response::remove};
+  std::size_t events = 0;
+  for (std::uint64_t item = 0; item < 120; ++item) {
+    Draw draw(21, 1, item);
+    const double room = std::pow(10, 6 * draw.unit() - 2), far = std::pow(10, 3 * draw.unit());
+    std::vector<SimulatedBody> bodies;
+    for (int i = 0; i < 60; ++i) {
+      const double x = room * (draw.unit() - 0.5), y = room * (draw.unit() - 0.5);
+      const double size = room * std::pow(10, -3 * draw.unit() - 0.5);
+      const double fast = draw.unit() < 0.3 ? 0 : room * std::pow(10, 4 * draw.unit() - 2);
+      const double angle = 6.28 * draw.unit(), away = draw.unit() < 0.1 ? far : 1;
+      const Vec2 at(away * x, away * y), velocity(fast * std::cos(angle), fast * std::sin(angle));
+      const double mass = draw.unit() < 0.1 ? kInfinity : 0.5 + draw.unit();
+      bodies.push_back(i % 2 == 0 ? disc(at, size, velocity, mass)
+                                  : box(at, {size, 0.5 * size}, velocity, mass));
+      bodies.back().response =
+          item % 2 == 0 ? Response::bounce : kAll[static_cast<std::size_t>(draw.below(6))];
+    }
+    const Simulation near = flatray::simulate(bodies, 20, 300, PairSearch::near);
+    events += near.events.size();
+    expect_same(near, flatray::simulate(bodies, 20, 300, PairSearch::all));
+    if (HasFatalFailure()) FAIL() << item;
+  }
+  EXPECT_GT(events, 10000U);
+}
+
 }  // namespace
 }  // namespace flatray

@@ -50,6 +50,33 @@ TEST(CertifiedOrbit, TwoHundredBouncesAmongDiscsNeedMoreThanDoubles) {
 }
 
 // The walls of a longer orbit begin with those of a shorter one, which needs fewer bits.
+// Not taken from rounded points, which a hit beside a corner leaves an ulp apart.
+TEST(CertifiedOrbit, TimesNormalsAndDirectionsAreThoseOfTheExactOrbit) {
+  const Surfaces square = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const auto orbit = certified_orbit(square, {{0.25, 0.5 - 0x1p-54}, {0.75, 0.5}}, 4);
+  ASSERT_TRUE(orbit);
+  ASSERT_EQ(orbit->bounces.size(), 4U);
+  // y is 1 - 2^-54 at x = 1, and 1 another 2^-54 / 0.5 later.
+  EXPECT_EQ(orbit->bounces[0].t, 1);
+  EXPECT_EQ(orbit->bounces[1].t, 0x1p-53);
+  const double length = std::sqrt(0.75 * 0.75 + 0.5 * 0.5);
+  EXPECT_EQ(orbit->bounces[1].normal, Vec2(0, -1));
+  EXPECT_DOUBLE_EQ(orbit->bounces[1].in.x(), -0.75 / length);
+  EXPECT_DOUBLE_EQ(orbit->bounces[1].in.y(), 0.5 / length);
+  EXPECT_EQ(orbit->bounces[1].out, Vec2(orbit->bounces[1].in.x(), -orbit->bounces[1].in.y()));
+}
+
+TEST(CertifiedOrbit, ReflectsAtTheNormalItTells) {
+  const auto orbit = certified_orbit(sinai(), {{0.1, 0.2}, {3, 1}}, 100);
+  ASSERT_TRUE(orbit);
+  for (const CertifiedOrbit::Bounce& one : orbit->bounces) {
+    const Vec2 out = one.in - 2 * one.in.dot(one.normal) * one.normal;
+    EXPECT_NEAR((out - one.out).norm(), 0, 1e-15);
+    EXPECT_NEAR(one.normal.norm(), 1, 2e-16);
+    EXPECT_LT(one.in.dot(one.normal), 0);
+  }
+}
+
 TEST(CertifiedOrbit, AgreesWithItselfInMoreBits) {
   const Ray start{{-1.5, 0.3}, {1, 0.21}};
   const auto longer = certified_orbit(sinai(), start, 300),

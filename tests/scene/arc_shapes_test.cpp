@@ -73,17 +73,5 @@ TEST(Shapes, CurvesAreWallsOfAnyKind) {
   }
 }
 
-TEST(Shapes, RaysAreClippedAgainstEllipsesAndNoOtherArcs) {
-  const auto against = [](const std::string& shape) {
-    return "flatray = 1\n[[entity]]\nname = \"e\"\nshape = { " + shape +
-           " }\n[[entity]]\nname = \"d\"\nshape = { circle = { radius = 1 } }\n"
-           "[[edge_rays]]\nfrom = \"d\"\nagainst = \"e\"\n";
-  };
-  EXPECT_EQ(refusal(against("ellipse = { radii = [2, 1] }")), "");
-  EXPECT_NE(refusal(against("sector = { radius = 1, from = 0, to = 90 }"))
-                .find("10:11: error: no ray is clipped against an arc, sector or capsule yet"),
-            std::string::npos);
-}
-
 }  // namespace
 }  // namespace flatray

@@ -42,7 +42,7 @@ TEST(Responses, WhatDoesNotKeepItsVelocityIsRefusedWhereItSaysSo) {
       {"flatray = 1\ncollisions = { response = \"stop\" }\n[[entity]]\nshape = { arc = { radius = "
        "1, "
        "from = 0, to = 90 } }\n",
-       "has curves or crossing outlines"},
+       "has curves other than circles and capsules"},
       {with("response = \"bouncy\"", ""), "did you mean 'bounce'?"},
       {with("respond = \"bounce\"", ""), "did you mean 'response'?"},
       {with("most = 0", ""), "collisions.most"},

@@ -153,6 +153,44 @@ TEST_P(AnyHit, OfABatchIsThatOfEachRay) {
   EXPECT_LT(blocked, 290U);
 }
 
+// From within and from far outside, to an end before, between and beyond the walls, at a wall, behind
+// the start, nowhere.
+TEST_P(AnyHit, OfManyWallsIsThatOfTheFirst) {
+  Draws draw(3);
+  const auto place = [&] { return Vec2(draw.point() * 20 - Vec2(10, 10)); };
+  for (int i = 0; i < 600; ++i) {
+    const Vec2 from = place();
+    walls.add(Segment{from, from + 0.1 * place()});
+  }
+  if (std::string(GetParam()->name) != "brute") walls.add(Circle{{3, 3}, 0.25});
+  const auto accelerator = GetParam()->build(walls);
+  RayBatch rays;
+  for (int i = 0; i < 1500; ++i) {
+    const Vec2 from = (i % 3 == 0 ? 50.0 : 1.0) * place();
+    rays.add({from, i % 2 == 0 ? Vec2(place() - from) : 1e-3 * place()});
+  }
+  std::vector<NearestHit> first(rays.size());
+  accelerator->nearest(rays, first);
+  std::vector<double> up_to;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double t = first[i] ? first[i].t : 1, share = 2 * draw.unit();
+    const double ends[] = {t * share, t, std::nextafter(t, 0), kInfinity, -share, 0, t * 1.0001};
+    up_to.push_back(ends[draw.bits() % std::size(ends)]);
+  }
+  std::vector<std::uint8_t> met(rays.size());
+  accelerator->any(rays, up_to, met);
+  std::size_t blocked = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (first[i] && first[i].t == up_to[i])
+      EXPECT_EQ(met[i] == 1, accelerator->any_of_one(rays.ray(i), up_to[i])) << i;
+    else
+      EXPECT_EQ(met[i] == 1, first[i] && first[i].t < up_to[i]) << i;
+    blocked += met[i];
+  }
+  EXPECT_GT(blocked, 300U);
+  EXPECT_LT(blocked, 1000U);
+}
+
 std::string name_of(const testing::TestParamInfo<const Tracer*>& info) { return info.param->name; }
 INSTANTIATE_TEST_SUITE_P(Tracers, AllHits, testing::ValuesIn(exact_tracers()), name_of);
 INSTANTIATE_TEST_SUITE_P(Tracers, AnyHit, testing::ValuesIn(exact_tracers()), name_of);

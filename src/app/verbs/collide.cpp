@@ -88,7 +88,7 @@ std::string left_out(const Scene& scene) {
   std::vector<std::string> names;
   std::size_t more = 0;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
-    if (!has_parts_left_out(scene.shapes[scene.entities[i].shape])) continue;
+    if (!is_left_out(scene, i)) continue;
     if (names.size() == kMostNames)
       ++more;
     else
@@ -96,8 +96,9 @@ std::string left_out(const Scene& scene) {
                                                      : scene.entities[i].name);
   }
   if (names.empty()) return {};
-  return fmt::format("curves are left out: {}{}", comma_list(names),
-                     more == 0 ? "" : fmt::format(" and {} more", more));
+  return fmt::format(
+      "curves are left out but circles, capsules and ellipses that do not turn: {}{}",
+      comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 ReportTable event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
@@ -167,6 +168,19 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
   return meeting_table(scene, find_meetings(timeline, asked.last, outline, *width), asked);
 }
 
+// Methods look for meetings of what goes on undisturbed.
+Result<void> check_method(const Arguments& arguments, const Scene& scene,
+                          const std::optional<Response>& response) {
+  if (!arguments.has("method") || response == Response::none) return {};
+  if (response)
+    return usage_error(arguments.where("method"), "does not go with --response",
+                       "say flatray help collide");
+  if (!responds(scene)) return {};
+  return usage_error(where_responds(scene),
+                     "entities respond to contact, and --method looks at what goes on undisturbed",
+                     "say --response none with it, or leave --method out");
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
@@ -180,9 +194,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto response = response_asked(arguments);
   if (!response) return tl::unexpected(response.error());
   const bool asked = response->has_value();
-  if (asked && arguments.has("method"))
-    return usage_error(arguments.where("method"), "does not go with --response",
-                       "say flatray help collide");
+  if (auto checked = check_method(arguments, *scene, *response); !checked)
+    return fail(std::move(checked));
   if (!asked && arguments.has("fixed"))
     return usage_error(arguments.where("fixed"), "needs --response", "say flatray help collide");
   const auto draws = seed(arguments, *scene);

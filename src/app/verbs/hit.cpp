@@ -36,22 +36,11 @@ struct Question {
   Range within = kRay;
 };
 
-constexpr const char* kNotClipped = "no ray is clipped against an arc, sector or capsule yet";
-constexpr const char* kAskAnother = "ask for another entity, or where rays meet it: flatray orbit";
-
-bool is_clipped(const Scene& scene, std::uint32_t entity) {
-  const std::vector<ArcPath>& paths = scene.shapes[scene.entities[entity].shape].arc_paths;
-  return std::all_of(paths.begin(), paths.end(),
-                     [](const ArcPath& path) { return path.is_ellipse(); });
-}
-
 Result<std::uint32_t> find_entity(const Arguments& arguments, const char* option,
                                   const Scene& scene) {
   const std::string wanted = *arguments.text(option);
   std::vector<std::string> known;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
-    if (scene.entities[i].name == wanted && !is_clipped(scene, i))
-      return usage_error(arguments.where(option), kNotClipped, kAskAnother);
     if (scene.entities[i].name == wanted) return i;
     known.push_back(scene.entities[i].name);
   }
@@ -168,11 +157,8 @@ Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
   for (const Question& question : questions)
     for (const NamedRay& ray : question.rays) {
       std::vector<std::vector<HitReport>> by_entity;
-      for (const std::uint32_t entity : operands_of(*operation, question, scene, from)) {
-        if (!is_clipped(scene, entity))
-          return fail(scene.entities[entity].where, kNotClipped, kAskAnother);
+      for (const std::uint32_t entity : operands_of(*operation, question, scene, from))
         by_entity.push_back(hit_reports(scene, state, ray, entity, question.within));
-      }
       if (!by_entity.empty()) sets.push_back(combine(ray, *operation, by_entity));
     }
   if (arguments.has("csv")) return VerbOutput{csv_text(csv_rows(sets)), 0};
@@ -220,8 +206,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
   if (reports.empty())
     return usage_error(named_place("hit"),
-                       "nothing here has a convex piece, a circle or an ellipse to hit",
-                       "segments, even-odd polygons and arcs have no inside to clip to");
+                       "no entity has a convex piece, a curve or a segment to hit",
+                       "even-odd polygons have no inside to clip to; walls of chambers and their "
+                       "pillars: flatray orbit");
   if (arguments.has("op")) return show_sets(arguments, *scene, *state, *questions);
   if (arguments.has("svg"))
     return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};

@@ -4,7 +4,11 @@
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
 #include "app/verb.h"
+#include "base/number_text.h"
+#include "collide/scene_timeline.h"
 #include "precise/certified_orbit.h"
+#include "scene/moving_mirrors.h"
+#include "scene/responses.h"
 
 namespace flatray::verbs {
 namespace {
@@ -16,6 +20,8 @@ constexpr auto kOptions = with_scene_options(
       "certified proves every bounce, in as many bits as it takes"},
      {"bits", '\0', "N", "most bits of a certified orbit (default 65536)"},
      kTracerOption,
+     {"speed", '\0', "V|none",
+      "world units a second: mirrors are met where they are by then; none: as the frame has them"},
      {"corner", '\0', "stop|back", "what a ray does in a corner: stop, or return the way it came"},
      kFrameOption,
      kSeedOption,
@@ -56,19 +62,103 @@ Result<OrbitRequest> read_request(const Arguments& arguments) {
   return request;
 }
 
+constexpr std::uint64_t kMostBounces = 10'000'000;
+
+// What --speed says of all rays.
+struct SpeedAsked {
+  bool frozen = false;
+  std::optional<double> speed;
+
+  std::optional<double> of(const RayPath& ray) const {
+    if (frozen) return std::nullopt;
+    return speed ? speed : ray.speed;
+  }
+};
+
+Result<SpeedAsked> read_speed(const Arguments& arguments) {
+  const std::optional<std::string> text = arguments.text("speed");
+  if (!text) return SpeedAsked{};
+  if (*text == "none") return SpeedAsked{true, std::nullopt};
+  const auto speed = parse_number(*text);
+  if (!speed || !(*speed > 0) || !(*speed < kFarthest))
+    return usage_error(arguments.where("speed"), "'" + *text + "' is no speed",
+                       "write world units a second, above 0, or none");
+  return SpeedAsked{false, *speed};
+}
+
+// What only mirrors at rest have.
+Result<void> check_frozen(const Arguments& arguments, const std::string& ray) {
+  for (const char* option : {"precision", "tracer", "corner"})
+    if (arguments.has(option) && *arguments.text(option) != "double" &&
+        *arguments.text(option) != "stop")
+      return usage_error(arguments.where(option),
+                         "is not for rays of finite speed, as '" + ray + "' is",
+                         "leave it out, or say --speed none");
+  return {};
+}
+
+// Rays of finite speed set off at the time of the frame; where contact changes how mirrors move,
+// these are known up to the last frame.
+class MovingRoom {
+ public:
+  static Result<MovingRoom> make(const Arguments& arguments, const Scene& scene,
+                                 const FrameState& frame) {
+    if (Diagnostics refused = refused_mirrors(scene); !refused.empty())
+      return tl::unexpected(std::move(refused));
+    const auto seeded = seed(arguments, scene);
+    if (!seeded) return tl::unexpected(seeded.error());
+    const unsigned last = std::max(scene.frames, frame.frame);
+    const auto timeline = make_timeline(scene, *seeded, last);
+    if (!timeline) return tl::unexpected(timeline.error());
+    return MovingRoom(moving_walls(*timeline), frame.time,
+                      responds(scene) ? (last - 1) / scene.fps : kInfinity);
+  }
+
+  OrbitReport follow(const OrbitRoom& room, const RayPath& ray, double speed,
+                     std::uint64_t bounces) const {
+    return follow_moving(room, walls_, ray.name, {ray.at, at_speed(ray.direction, speed)}, from_,
+                         {bounces, until_});
+  }
+
+ private:
+  MovingRoom(MovingWalls walls, double from, double until)
+      : walls_(std::move(walls)), from_(from), until_(until) {}
+
+  MovingWalls walls_;
+  double from_, until_;
+};
+
+Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room,
+                               const FrameState& frame, const RayPath& ray,
+                               const OrbitRequest& request, const SpeedAsked& speeds,
+                               std::optional<MovingRoom>& moving) {
+  const auto bounces = arguments.whole("bounces", ray.bounces, 0, kMostBounces);
+  if (!bounces) return tl::unexpected(bounces.error());
+  const std::optional<double> speed = speeds.of(ray);
+  if (!speed)
+    return follow_orbit(room, ray.name, {world_pose(frame)(ray.at), ray.direction}, *bounces,
+                        request);
+  if (auto checked = check_frozen(arguments, ray.name); !checked) return fail(std::move(checked));
+  if (!moving) {
+    auto made = MovingRoom::make(arguments, room.scene, frame);
+    if (!made) return fail(std::move(made));
+    moving = std::move(*made);
+  }
+  return moving->follow(room, ray, *speed, *bounces);
+}
+
 Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitRoom& room,
                                         const FrameState& frame) {
-  constexpr std::uint64_t kMostBounces = 10'000'000;
   const auto request = read_request(arguments);
   if (!request) return tl::unexpected(request.error());
+  const auto speeds = read_speed(arguments);
+  if (!speeds) return tl::unexpected(speeds.error());
   const auto rays = chosen_rays(arguments, room.scene);
   if (!rays) return tl::unexpected(rays.error());
+  std::optional<MovingRoom> moving;
   std::vector<OrbitReport> reports;
   for (const RayPath* ray : *rays) {
-    const auto bounces = arguments.whole("bounces", ray->bounces, 0, kMostBounces);
-    if (!bounces) return tl::unexpected(bounces.error());
-    auto report = follow_orbit(room, ray->name, {world_pose(frame)(ray->at), ray->direction},
-                               *bounces, *request);
+    auto report = follow_ray(arguments, room, frame, *ray, *request, *speeds, moving);
     if (!report) return tl::unexpected(report.error());
     if (report->starts_badly) report_note(ray->name + " starts " + report->start);
     reports.push_back(std::move(*report));
@@ -76,14 +166,20 @@ Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitR
   return reports;
 }
 
+bool any_timed(const std::vector<OrbitReport>& reports) {
+  return std::any_of(reports.begin(), reports.end(),
+                     [](const OrbitReport& report) { return report.clock.has_value(); });
+}
+
+// Row by row: a million of them would not be kept as values.
 std::string csv_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports) {
-  ReportTable all;
-  for (const OrbitReport& report : reports) {
-    ReportTable bounces = bounce_table(room, report);
-    all.columns = bounces.columns;
-    all.rows.insert(all.rows.end(), bounces.rows.begin(), bounces.rows.end());
-  }
-  return csv_text(all);
+  const bool timed = any_timed(reports);
+  const std::vector<std::string> columns = bounce_columns(timed);
+  std::string text = csv_line(Values(columns.begin(), columns.end()));
+  for (const OrbitReport& report : reports)
+    for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+      text += csv_line(bounce_row(room, report, i, timed));
+  return text;
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -102,7 +198,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (arguments.has("json"))
       values.push_back(as_value(room, report));
     else
-      text += aligned_text(bounce_table(room, report)) + status_line(room, report);
+      text += aligned_text(bounce_table(room, report, report.clock.has_value())) +
+              status_line(room, report);
   }
   if (!arguments.has("json")) return VerbOutput{std::move(text)};
   return VerbOutput{json_report("orbit", arguments, std::move(values), 0)};
@@ -120,6 +217,7 @@ extern const Verb orbit = {
     "  flatray orbit scenes/chamber/hall.toml\n"
     "  flatray orbit scenes/chamber/hall.toml --ray probe -n 100 --csv\n"
     "  flatray orbit scenes/chamber/sinai.toml -n 200 --precision certified\n"
+    "  flatray orbit scenes/chamber/fermi.toml --csv\n"
     "  flatray orbit scenes/chamber/three_discs.toml --svg > orbit.svg\n",
     "nothing traced",
     &run};

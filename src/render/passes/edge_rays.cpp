@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "anim/world.h"
 #include "geom/cyrus_beck.h"
+#include "geom/interval_set.h"
 #include "render/pass.h"
 #include "scene/outline.h"
 #include "trace/hit_intervals.h"
@@ -26,7 +28,7 @@ InWorld in_world(const DrawContext& context, std::uint32_t entity) {
           entity_pose(context.state, entity)};
 }
 
-// Outline edges as rays whose t = 1 is the edge's end.
+// Straight outline edges as rays whose t = 1 is the edge's end.
 std::vector<Ray> outline_rays(const InWorld& thing) {
   std::vector<Ray> rays;
   const Shape& shape = thing.shape;
@@ -38,6 +40,9 @@ std::vector<Ray> outline_rays(const InWorld& thing) {
     const Vec2 a = thing.pose(segment.a);
     rays.push_back({a, thing.pose(segment.b) - a});
   }
+  for (const ArcPath& path : shape.arc_paths)
+    for (const PathEdge& edge : path_in_world(path, thing.pose).edges)
+      if (!edge.arc) rays.push_back({edge.from, edge.to - edge.from});
   return rays;
 }
 
@@ -54,20 +59,6 @@ struct Found {
     if (part.high < 1) exit.push_back(b);
   }
 };
-
-// Where pieces meet in an edge, one interval ends at the very t the next begins with: each is the
-// double nearest to the same number.
-std::vector<Range> united(std::vector<Range> parts) {
-  std::sort(parts.begin(), parts.end(),
-            [](const Range& a, const Range& b) { return a.low < b.low; });
-  std::vector<Range> whole;
-  for (const Range& part : parts)
-    if (!whole.empty() && part.low <= whole.back().high)
-      whole.back().high = std::max(whole.back().high, part.high);
-    else
-      whole.push_back(part);
-  return whole;
-}
 
 // Rays of one entity, and which of them a piece may meet: those whose box meets its own. Rounding
 // an end is monotone, so that no box of doubles tells two apart that meet.
@@ -124,12 +115,13 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
     for (std::size_t i = 0; i < rays.size(); ++i) keep(i, clip_circle(rays[i], there, kSegment));
   }
   for (const ArcPath& path : shape.arc_paths) {
-    const Ellipse there = curve_of(path.arcs.front(), against.pose);  // whole: the scene says so
-    for (std::size_t i = 0; i < rays.size(); ++i) keep(i, clip_ellipse(rays[i], there, kSegment));
+    const CurvedPath there = path_in_world(path, against.pose);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      for (const HitInterval& hit : clip_path(rays[i], there, kSegment)) keep(i, hit);
   }
   Found found;
   for (std::size_t i = 0; i < rays.size(); ++i)
-    for (const Range& part : united(std::move(parts[i]))) found.add(rays[i], part);
+    for (const Range& part : interval_set(std::move(parts[i]))) found.add(rays[i], part);
   return found;
 }
 

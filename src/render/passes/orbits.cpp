@@ -4,7 +4,7 @@
 
 #include "render/pass.h"
 #include "scene/easy_font.h"
-#include "transport/orbit.h"
+#include "transport/moving_orbit.h"
 
 namespace flatray {
 namespace {
@@ -48,6 +48,24 @@ std::vector<OrbitLine> shown_path(const DrawContext& context, const RayPath& ray
   return path;
 }
 
+// From mirror to mirror as they moved, up to the time of the frame.
+std::vector<OrbitLine> way_so_far(const Orbit& orbit) {
+  std::vector<OrbitLine> path;
+  Vec2 last = orbit.start;
+  for (const Bounce& bounce : orbit.bounces) {
+    path.push_back({{last, bounce.point}, true});
+    last = bounce.point;
+  }
+  if (orbit.end_point != last) path.push_back({{last, orbit.end_point}, false});
+  return path;
+}
+
+void displace(Orbit& orbit, const Vec2& by) {
+  orbit.start += by;
+  for (Bounce& bounce : orbit.bounces) bounce.point += by;
+  orbit.end_point += by;
+}
+
 std::uint8_t between(std::uint8_t a, std::uint8_t b, double part) {
   return static_cast<std::uint8_t>(a + part * (b - a) + 0.5);
 }
@@ -76,9 +94,9 @@ void add_number(DrawContext& context, const Vec2& point, std::size_t number, con
   context.add_shape(shape, {point}, Paint(colour), std::nullopt);
 }
 
-void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit) {
+void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit,
+          const std::vector<OrbitLine>& path) {
   constexpr std::size_t kMostNumbers = 999;
-  const std::vector<OrbitLine> path = shown_path(context, ray, orbit);
   std::vector<Segment> lines;
   for (const OrbitLine& part : path) lines.push_back(part.line);
   if (ray.end_colour)
@@ -117,15 +135,34 @@ void draw_some(DrawContext& context, std::span<const Material> materials,
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const RayPath& ray = context.scene.rays[numbers[k]];
     context.place(ray.layer, ray.order, ray.where);
-    context.fade(ray.opacity, [&] { draw(context, ray, orbits[k]); });
+    context.fade(ray.opacity,
+                 [&] { draw(context, ray, orbits[k], shown_path(context, ray, orbits[k])); });
+  }
+}
+
+// Each has a way of its own in time.
+void draw_moving(DrawContext& context) {
+  std::optional<MovingWalls> walls;
+  for (const RayPath& ray : context.scene.rays) {
+    if (!ray.speed) continue;
+    if (context.refused()) return;
+    if (!walls) walls = moving_walls(context.timeline);
+    Orbit orbit = trace_moving_orbit(*walls, {ray.at, at_speed(ray.direction, *ray.speed)}, 0,
+                                     {ray.bounces, context.state.time})
+                      .orbit;
+    displace(orbit, context.state.displaced);
+    context.place(ray.layer, ray.order, ray.where);
+    context.fade(ray.opacity, [&] { draw(context, ray, orbit, way_so_far(orbit)); });
   }
 }
 
 void draw_all(DrawContext& context) {
+  draw_moving(context);
   const std::vector<RayPath>& rays = context.scene.rays;
   const std::vector<Material> materials = context.world().materials();
   std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
-  for (std::size_t i = 0; i < rays.size(); ++i) by_bounces[rays[i].bounces].push_back(i);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    if (!rays[i].speed) by_bounces[rays[i].bounces].push_back(i);
   for (const auto& [bounces, numbers] : by_bounces)
     for (std::size_t begin = 0; begin < numbers.size(); begin += kRaysAtOnce) {
       if (context.refused()) return;

@@ -35,10 +35,10 @@ void add_shape(const Shape& shape, const Pose& place, const RayBatch& rays, Part
     for (std::size_t i = 0; i < rays.size(); ++i) add(clip_circle(rays.ray(i), there), parts[i]);
   }
   for (const ArcPath& path : shape.arc_paths) {
-    if (!path.is_ellipse()) continue;
-    const Ellipse there = curve_of(path.arcs.front(), place);
-    if (apart(y, curve_bounds(there))) continue;
-    for (std::size_t i = 0; i < rays.size(); ++i) add(clip_ellipse(rays.ray(i), there), parts[i]);
+    const CurvedPath there = path_in_world(path, place);
+    if (!there.closed || apart(y, bounds_of(there))) continue;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      for (const HitInterval& hit : clip_path(rays.ray(i), there)) add(hit, parts[i]);
   }
 }
 

@@ -71,6 +71,7 @@ class Choices {
 };
 
 Result<void> expect_movers(const Scene& scene) {
+  if (responds(scene)) return tl::unexpected(Diagnostics{refused_responses(scene, "avoidance")});
   if (scene.entities.size() < 2 || scene.frames < 2)
     return fail({}, "avoidance needs two entities and two frames",
                 "the first entity is the one that is to choose its velocity");

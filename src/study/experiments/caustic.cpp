@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/portable_math.h"
 #include "geom/predicates.h"
 #include "study/blocks.h"
 #include "study/estimate.h"
@@ -14,13 +15,31 @@ namespace flatray {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
+constexpr std::size_t kNumbers = 6;  // of a path, before its cells
 
-// The light of one path, and how near its lines come to a point.
+// The foci of an ellipse: for conjugate half-diameters u, v the roots of u^2 + v^2 as complex
+// numbers lie on them, as seen from the centre.
+struct Foci {
+  Vec2 one, other;
+};
+Foci foci_of(const Ellipse& curve) {
+  const Vec2 &u = curve.u, &v = curve.v;
+  const double x = u.x() * u.x() - u.y() * u.y() + v.x() * v.x() - v.y() * v.y();
+  const double y = 2 * (u.x() * u.y() + v.x() * v.y());
+  const double size = std::sqrt(std::sqrt(x * x + y * y));
+  const double angle = 0.5 * portable::atan2(y, x);
+  const Vec2 reach = size * Vec2(portable::cos(angle), portable::sin(angle));
+  return {curve.centre + reach, curve.centre - reach};
+}
+
+// The light of one path, how near its lines come to a point, and the product of their signed
+// distances to two foci.
 class Lines : public OrbitSink {
  public:
-  Lines(const Room& room, const OrbitStart& start, const Vec2& middle)
+  Lines(const Room& room, const OrbitStart& start, const Vec2& middle, const Foci& foci)
       : density_(room.state().window, room.scene().film.width, room.scene().film.height),
         middle_(middle),
+        foci_(foci),
         last_(start.ray.origin) {
     see(start.ray.direction);
   }
@@ -38,7 +57,7 @@ class Lines : public OrbitSink {
       density_.add(last_, stop.point);
   }
   Numbers numbers() const {
-    Numbers all{first_, nearest_, farthest_};
+    Numbers all{first_, nearest_, farthest_, first_product_, least_product_, most_product_};
     all.insert(all.end(), density_.cells().begin(), density_.cells().end());
     return all;
   }
@@ -46,14 +65,26 @@ class Lines : public OrbitSink {
  private:
   void see(const Vec2& direction) {
     const double size = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-    const double distance = std::fabs(flatray::cross(Vec2(last_ - middle_), direction)) / size;
-    if (nearest_ > farthest_) first_ = distance;
+    const auto distance_to = [&](const Vec2& point) {
+      return flatray::cross(Vec2(last_ - point), direction) / size;
+    };
+    const double distance = std::fabs(distance_to(middle_));
+    const double product = distance_to(foci_.one) * distance_to(foci_.other);
+    if (nearest_ > farthest_) {
+      first_ = distance;
+      first_product_ = least_product_ = most_product_ = product;
+    }
     nearest_ = std::min(nearest_, distance);
     farthest_ = std::max(farthest_, distance);
+    least_product_ = std::min(least_product_, product);
+    most_product_ = std::max(most_product_, product);
   }
   LineDensity density_;
-  Vec2 middle_, last_;
+  Vec2 middle_;
+  Foci foci_;
+  Vec2 last_;
   double first_ = 0, nearest_ = kInfinity, farthest_ = 0;
+  double first_product_ = 0, least_product_ = 0, most_product_ = 0;
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
@@ -61,11 +92,16 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const NamedOrbits orbits = orbits_to_watch(context, room, 1);
   const bool round = room.walls().size() == 1 && room.walls().circles.size() == 1;
-  const Vec2 middle =
-      round ? room.walls().circles.front().centre : Vec2(room.state().window.centre());
+  const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
+                        room.walls().arcs.front().extent == Arc::Extent::whole;
+  const Vec2 middle = round      ? room.walls().circles.front().centre
+                      : elliptic ? room.walls().arcs.front().curve.centre
+                                 : Vec2(room.state().window.centre());
+  const Foci foci = elliptic ? foci_of(room.walls().arcs.front().curve) : Foci{middle, middle};
+  const double extent = bounds_of(room.walls()).size().maxCoeff();
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
-    Lines lines(room, orbits.starts[i], middle);
+    Lines lines(room, orbits.starts[i], middle, foci);
     room.orbits().follow(std::span(&orbits.starts[i], 1), bounces, lines);
     return lines.numbers();
   });
@@ -77,10 +113,19 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     const Numbers& one = (*found)[i];
     // In a circle every line of a path is as far from the centre as the first.
     const auto truth = round ? std::optional(one[0]) : std::nullopt;
-    const double rounding = static_cast<double>(bounces) * 0x1p-50;
+    // What rounding adds up to where lines keep their distance; elsewhere it is that of the orbit as
+    // it was followed.
+    const double rounding = round || elliptic ? static_cast<double>(bounces) * 0x1p-50 * extent : 0;
     measures.push_back({orbits.names[i] + ": nearest line to the middle", one[1], rounding, truth});
     measures.push_back({orbits.names[i] + ": farthest line", one[2], rounding, truth});
-    all.add_cells(std::span(one).subspan(3));
+    // Between the foci of an ellipse it is below 0; lines touch one ellipse or hyperbola with the
+    // same foci for ever.
+    if (elliptic) {
+      measures.push_back({orbits.names[i] + ": least product of distances to the foci", one[4],
+                          rounding * extent, one[3]});
+      measures.push_back({orbits.names[i] + ": largest", one[5], rounding * extent, one[3]});
+    }
+    all.add_cells(std::span(one).subspan(kNumbers));
   }
   ExperimentResult result =
       measured(context, "caustic",

@@ -13,11 +13,33 @@ namespace {
 constexpr std::uint64_t kBounces = 10'000;
 constexpr int kCells = 160;  // along the longer side of the window
 
-// Cells of the room crossed by one path, as a share of those whose centre it could come to.
+struct Grid {
+  int width, height;
+  std::vector<bool> free;  // by cell: whether its centre lies in the room
+  double count = 0;        // of those
+};
+
+Grid grid_of(const Room& room) {
+  const Bounds& window = room.state().window;
+  const double longer = window.size().maxCoeff() / kCells;
+  Grid grid{std::max(1, static_cast<int>(window.size().x() / longer + 0.5)),
+            std::max(1, static_cast<int>(window.size().y() / longer + 0.5)),
+            {}};
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) {
+      const Vec2 centre = window.low + Vec2((x + 0.5) / grid.width * window.size().x(),
+                                            (y + 0.5) / grid.height * window.size().y());
+      grid.free.push_back(room.solids().in_chamber(centre) && !room.solids().holder(centre));
+      grid.count += grid.free.back() ? 1 : 0;
+    }
+  return grid;
+}
+
+// Cells whose centre lies in the room that one path has crossed.
 class Crossed : public OrbitSink {
  public:
-  Crossed(const Room& room, int width, int height, const Vec2& start)
-      : density_(room.state().window, width, height), last_(start) {}
+  Crossed(const Room& room, const Grid& grid, const Vec2& start)
+      : grid_(grid), density_(room.state().window, grid.width, grid.height), last_(start) {}
 
   void bounce(std::size_t, const Bounce& bounce) override {
     density_.add(last_, bounce.point);
@@ -46,33 +68,16 @@ class Crossed : public OrbitSink {
  private:
   void note() {
     double crossed = 0;
-    for (const double cell : density_.cells()) crossed += cell > 0 ? 1 : 0;
+    for (std::size_t i = 0; i < grid_.free.size(); ++i)
+      crossed += grid_.free[i] && density_.cells()[i] > 0 ? 1 : 0;
     curve_.insert(curve_.end(), {static_cast<double>(bounces_), crossed});
   }
+  const Grid& grid_;
   LineDensity density_;
   Vec2 last_;
   std::uint64_t bounces_ = 0, next_ = 1;
   Numbers curve_;
 };
-
-struct Grid {
-  int width, height;
-  double free = 0;  // cells whose centre lies in the room
-};
-
-Grid grid_of(const Room& room) {
-  const Bounds& window = room.state().window;
-  const double longer = window.size().maxCoeff() / kCells;
-  Grid grid{std::max(1, static_cast<int>(window.size().x() / longer + 0.5)),
-            std::max(1, static_cast<int>(window.size().y() / longer + 0.5))};
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x) {
-      const Vec2 centre = window.low + Vec2((x + 0.5) / grid.width * window.size().x(),
-                                            (y + 0.5) / grid.height * window.size().y());
-      if (room.solids().in_chamber(centre) && !room.solids().holder(centre)) ++grid.free;
-    }
-  return grid;
-}
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
@@ -81,7 +86,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Grid grid = grid_of(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
-    Crossed crossed(room, grid.width, grid.height, orbits.starts[i].ray.origin);
+    Crossed crossed(room, grid, orbits.starts[i].ray.origin);
     room.orbits().follow(std::span(&orbits.starts[i], 1), bounces, crossed);
     return crossed.numbers();
   });
@@ -92,15 +97,16 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     Plot::Series& series = plot.series.emplace_back(Plot::Series{orbits.names[i], {}});
     const Numbers& numbers = (*found)[i];
     for (std::size_t k = 1; k < 1 + static_cast<std::size_t>(numbers.front()); k += 2)
-      series.points.push_back({numbers[k], numbers[k + 1] / grid.free});
+      series.points.push_back({numbers[k], numbers[k + 1] / grid.count});
     measures.push_back({orbits.names[i], series.points.back().y});
   }
-  ExperimentResult result =
-      measured(context, "coverage",
-               fmt::format("Part of {} x {} cells, of which {:.0f} lie in the room, that each path "
-                           "crosses in {} bounces; those at the rim count too",
-                           grid.width, grid.height, grid.free, bounces),
-               std::move(measures));
+  ExperimentResult result = measured(
+      context, "coverage",
+      fmt::format(
+          "Part of {} x {} cells, of the {:.0f} whose centre lies in the room, that each path "
+          "crosses in {} bounces",
+          grid.width, grid.height, grid.count, bounces),
+      std::move(measures));
   result.files.push_back({"coverage.svg", svg(plot)});
   return result;
 }

@@ -28,28 +28,40 @@ struct Trio {
 Result<Trio> trace(const Room& room, const Ray& start, std::uint64_t bounces, double apart) {
   const Vec2 along = unit(start.direction);
   const Ray moved{start.origin + apart * Vec2(-along.y(), along.x()), start.direction};
-  auto exact = certified_orbit(room.walls(), start, bounces);
+  if (moved.origin == start.origin)
+    return fail(named_place("--apart"),
+                fmt::format("{:.17g} is less than doubles tell at the start", apart),
+                "say a larger one, as 1e-9", Trouble::usage);
+  const CertifiedRules rules{room.materials()};
+  auto exact = certified_orbit(room.walls(), start, bounces, rules);
   if (!exact) return tl::unexpected(exact.error());
-  auto beside = certified_orbit(room.walls(), moved, bounces);
+  auto beside = certified_orbit(room.walls(), moved, bounces, rules);
   if (!beside) return tl::unexpected(beside.error());
-  const std::vector<Material> mirrors(room.walls().size(), Material::mirror);
   return Trio{std::move(*exact), std::move(*beside),
-              trace_orbit(room.walls(), mirrors, start, bounces)};
+              trace_orbit(room.walls(), room.materials(), start, bounces)};
 }
 
 // Off the wall that a random orbit starts on, so that its neighbour is not beyond it.
 class FirstPoint : public OrbitSink {
  public:
-  explicit FirstPoint(const Vec2& start) : point(start) {}
-  void bounce(std::size_t, const Bounce& bounce) override { point = bounce.point; }
+  explicit FirstPoint(const Vec2& start) : point_(start) {}
+  void bounce(std::size_t, const Bounce& bounce) override { meet(bounce.point); }
+  void cross(std::size_t, const Vec2& from, const Vec2&) override { meet(from); }
   void end(std::size_t, const OrbitStop&) override {}
-  Vec2 point;
+  const Vec2& point() const { return point_; }
+
+ private:
+  void meet(const Vec2& point) {
+    if (!std::exchange(met_, true)) point_ = point;
+  }
+  Vec2 point_;
+  bool met_ = false;
 };
 
 Ray half_way(const Room& room, const OrbitStart& start) {
   FirstPoint first(start.ray.origin);
   room.orbits().follow(std::span(&start, 1), 1, first);
-  return {0.5 * start.ray.origin + 0.5 * first.point, start.ray.direction};
+  return {0.5 * start.ray.origin + 0.5 * first.point(), start.ray.direction};
 }
 
 double distance(const Vec2& a, const Vec2& b) {
@@ -63,7 +75,8 @@ class Study {
       : context_(context), room_(room), size_(bounds_of(room.walls()).size().maxCoeff()) {}
 
   void add(const std::string& name, const Trio& trio) {
-    const std::uint64_t proven = proven_bounces(room_.walls(), trio.plain).bounces;
+    const std::uint64_t proven =
+        proven_bounces(room_.walls(), trio.plain, room_.materials()).bounces;
     const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
     Plot::Series parted{name + ": neighbours", {}}, error{name + ": doubles", {}};
     std::uint64_t same = 0;
@@ -135,7 +148,6 @@ class Study {
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
-  if (auto plain = expect_not_periodic(context); !plain) return fail(std::move(plain));
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const NamedOrbits orbits = orbits_to_watch(context, room, kRandomOrbits);

@@ -72,7 +72,7 @@ class Basins {
   // Beyond some bounces the lengths of paths, and their numbers of bounces, fall off exponentially:
   // the rate is the inverse of the mean excess.
   void add_tail() {
-    double least = kInfinity, sum = 0, bounces = 0, count = 0;
+    double least = 0, sum = 0, bounces = 0, count = 0;
     for (const PixelOutcome& pixel : pixels_)
       if (pixel.bounces == kSettled && gone(pixel)) least = std::max(least, pixel.length);
     for (const PixelOutcome& pixel : pixels_)

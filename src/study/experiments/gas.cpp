@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "collide/simulate.h"
+#include "scene/responses.h"
 #include "study/estimate.h"
 
 namespace flatray {
@@ -79,7 +80,23 @@ std::string fingerprint(const Simulation& done) {
   return hash.hex();
 }
 
+// Where the scene says what entities do that meet, they must bounce.
+Result<void> expect_bounces(const Scene& scene) {
+  if (!responds(scene)) return {};
+  Diagnostics problems;
+  for (const Entity& entity : scene.entities)
+    if (const Response response = response_of(scene, entity); response != Response::bounce)
+      problems.push_back({entity.where,
+                          fmt::format("in a gas everything bounces, and the response of '{}' is {}",
+                                      entity.name, name(response)),
+                          "write response = \"bounce\"; flatray collide shows what the scene does",
+                          Trouble::invalid});
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return {};
+}
+
 Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto bounces = expect_bounces(context.scene); !bounces) return fail(std::move(bounces));
   const Timeline timeline(context.scene, context.seed, 1);
   const auto bodies = bodies_of(timeline, Response::bounce, names_at_rest(context.scene));
   if (!bodies) return tl::unexpected(bodies.error());

@@ -14,30 +14,35 @@
 namespace flatray {
 namespace {
 
-constexpr std::uint64_t kPixelBounces = 1000, kRayBounces = std::uint64_t{1} << 30;
+// Usual limits: of a map in a room that keeps every ray; of a ray, and of one in a wedge, which leaves
+// in the end.
+constexpr std::uint64_t kPixelBounces = 200, kRayBounces = 1'000'000;
+constexpr std::uint64_t kWedgeBounces = std::uint64_t{1} << 30;
 
 class Counts : public OrbitSink {
  public:
-  explicit Counts(std::size_t orbits) : counts_(orbits) {}
-  void bounce(std::size_t number, const Bounce&) override { ++counts_[number]; }
-  void end(std::size_t, const OrbitStop&) override {}
-  const Numbers& counts() const { return counts_; }
+  void bounce(std::size_t, const Bounce&) override { ++count_; }
+  void end(std::size_t, const OrbitStop& stop) override { goes_on_ = stop.end == OrbitEnd::limit; }
+  double count() const { return count_; }
+  bool goes_on() const { return goes_on_; }
 
  private:
-  Numbers counts_;
+  double count_ = 0;
+  bool goes_on_ = false;
 };
 
 // A row for each ray of the scene, with the closed form where its walls are a wedge.
 std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& room) {
   const NamedOrbits orbits = orbits_to_watch(context, room, 0);
-  Counts counts(orbits.starts.size());
-  room.orbits().follow(orbits.starts, context.bounces.value_or(kRayBounces), counts);
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < orbits.starts.size(); ++i) {
-    Measure one{orbits.names[i], counts.counts()[i], 0, std::nullopt};
-    if (const auto known = wedge_reflections(room.walls(), orbits.starts[i].ray))
-      one.expected = static_cast<double>(*known);
-    measures.push_back(one);
+    const auto known = wedge_reflections(room.walls(), orbits.starts[i].ray);
+    Counts counts;
+    room.orbits().follow(std::span(&orbits.starts[i], 1),
+                         context.bounces.value_or(known ? kWedgeBounces : kRayBounces), counts);
+    measures.push_back({orbits.names[i] + (counts.goes_on() ? " (at least)" : ""), counts.count(),
+                        0, std::nullopt});
+    if (known && !counts.goes_on()) measures.back().expected = static_cast<double>(*known);
   }
   return measures;
 }

@@ -3,12 +3,13 @@
 #include "trace/kernels/quotient_body.h"
 
 struct Placed {
-  Real x, y, dx, dy;
+  Real x, y, dx, dy, skipped;  // of its way, before it enters the grid
 };
 
 // Starts rays from beyond the grid where they enter it, in the ring where they pass by.
 void bring_in(const Grid& grid, Placed& r) {
   const Real half_x = all(grid.half_x), half_y = all(grid.half_y), zero = all(0);
+  r.skipped = zero;
   if (full(both(less(size(r.x), half_x), less(size(r.y), half_y)))) return;
   const Real side_x = with_sign_of(half_x, r.dx), side_y = with_sign_of(half_y, r.dy);
   const Real into =
@@ -20,6 +21,14 @@ void bring_in(const Grid& grid, Placed& r) {
   const Real y = choose(starts_out, inside(r.y + into * r.dy, half_y), r.y);
   r.x = choose(misses, all(grid.ring_x), x);
   r.y = choose(misses, all(grid.ring_y), y);
+  r.skipped = into;
+}
+
+// Where rays end, in cells.
+void set_ends(const Grid& grid, const Walking& walking, int i, Real end) {
+  const Real off = size(end) * all(0x1p-22) + all(2 * static_cast<double>(grid.unit));
+  store_single(walking.end_low + i, end - off);
+  store_single(walking.end_high + i, end + off);
 }
 
 void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
@@ -46,6 +55,8 @@ void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
     store_single(walking.dy + i, r.dy);
     store_single(walking.inverse_x + i, one / size(r.dx));
     store_single(walking.inverse_y + i, one / size(r.dy));
+    if (walking.up_to != nullptr)
+      set_ends(grid, walking, i, load(walking.up_to + i) * length - r.skipped);
     double doubt[FLATRAY_LANES];
     store(doubt, choose(able, zero, all(kDoubt)));
     for (int k = 0; k < FLATRAY_LANES; ++k) fate[i + k] = static_cast<int>(doubt[k]);

@@ -19,6 +19,9 @@
 //               e / |s_A - s_B|; by 14.2 u M for its own roundings, and t +- error by 2.9 u M more.
 //               kTime = 33, and kSide for the slope.
 //   no hit      a wall that is not surely crossed meets the ray, if at all, between t_A and t_B.
+//   end         t of the end of a ray that ends is off by less than u M / 10 and 2^-50 of itself in
+//               doubles, and by u of itself once it is a float; 2 u M and 2^-22 of itself are
+//               allowed for.
 //   place       the ray leaves a box of cells at the least t of its two exit planes as computed; up
 //               to there it is within 10 u M of the box, and the next cell is rounded from a place
 //               as near: 20 u M in all. Cells of divided cells are found from the same place, but
@@ -60,11 +63,14 @@ struct Walking {
   const float* number;                               ///< 0, 1, 2, ...
   float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
   float *left_ax, *left_ay, *left_bx;  ///< of the wall just left, NaN where none; null: of no ray
+  /// Where rays end, in lengths of their directions, whole vectors; null: nowhere.
+  const double* up_to;
+  float *end_low, *end_high;  ///< t between which that is, where rays end
   int count;
 };
 
 /// By ray: the record of the wall that surely is the first met, at t > 0 and between its ends, or
-/// kNoRecord (surely none), or kDoubt.
+/// kNoRecord (surely none), or kDoubt. Of rays that end: of any wall that surely is met before.
 inline constexpr int kNoRecord = -1, kDoubt = -2;
 
 /// Rays as given.
@@ -94,7 +100,7 @@ struct AloneHit {
 };
 
 struct WalkKernels {
-  /// Fills `walking` but for the walls left; `fate` of rays that cannot walk is kDoubt, else 0. Rays
+  /// Fills `walking` but for the walls left and `up_to`; `fate` of rays that cannot walk is kDoubt, else 0. Rays
   /// that miss the grid start in the ring.
   void (*prepare)(const Grid&, const Rays&, const Walking&, int* fate);
   void (*walk)(const Grid&, const Walking&, int* found);

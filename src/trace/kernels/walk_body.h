@@ -78,7 +78,12 @@ struct Queue {
   int next;
 };
 
-inline Int verdict(const Group& g) {
+// `other` begins as where a ray ends, at the latest, so that it stops there.
+inline Int verdict(const Group& g, bool end) {
+  if (end) {
+    const Mask open = less(smaller(g.low, g.other), g.end_high);
+    return choose(less(g.high, g.end_low), g.best, choose(open, all(kDoubt), all(kNoRecord)));
+  }
   const Int unsure = choose(less(g.other, all(kFar)), all(kDoubt), all(kNoRecord));
   return choose(less(g.high, g.other), g.best, unsure);
 }
@@ -86,7 +91,7 @@ inline Int verdict(const Group& g) {
 inline void write(unsigned lanes, const Group& g, Queue& queue) {
   alignas(64) unsigned ray[kLanes], record[kLanes];
   store(ray, whole(g.ray));
-  store(record, verdict(g));
+  store(record, verdict(g, queue.rays.up_to != nullptr));
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = __builtin_ctz(lanes);
     queue.found[ray[lane]] = static_cast<int>(record[lane]);
@@ -111,6 +116,12 @@ void take(const Constants& c, unsigned lanes, Group& g, Queue& queue) {
     g.left_ay = spread(lanes, r.left_ay + from, g.left_ay);
     g.left_bx = spread(lanes, r.left_bx + from, g.left_bx);
   }
+  Float farthest = all(kFar);
+  if (r.up_to != nullptr) {
+    g.end_low = spread(lanes, r.end_low + from, g.end_low);
+    g.end_high = spread(lanes, r.end_high + from, g.end_high);
+    farthest = g.end_high = smaller(g.end_high, farthest);
+  }
   g.from_x = turned_by(g.dx, g.ox);
   g.from_y = turned_by(g.dy, g.oy);
   g.step_x = size(g.dx);
@@ -128,7 +139,7 @@ void take(const Constants& c, unsigned lanes, Group& g, Queue& queue) {
   g.y = choose(fresh, g.from_y, g.y);
   g.low = choose(fresh, all(kFar), g.low);
   g.high = choose(fresh, all(kFar), g.high);
-  g.other = choose(fresh, all(kFar), g.other);
+  g.other = choose(fresh, farthest, g.other);
   g.record = choose(fresh, all(-1), g.record);
   g.live = either(g.live, fresh);
   g.moving = either(g.moving, fresh);
@@ -191,6 +202,10 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
     }
     g.limit = all(kEndless);
     g.low = g.high = g.other = all(kFar);
+    if (rays.up_to != nullptr) {
+      g.end_low = load(rays.end_low + i);
+      g.other = g.end_high = smaller(load(rays.end_high + i), g.other);
+    }
     g.record = all(0);
     const Mask in_ring = less(g.ox, edge);
     for (const float* record = grid.records;; record += 4) {
@@ -200,7 +215,7 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
       g.record = next(g.record);
     }
     alignas(64) unsigned record[kLanes];
-    store(record, verdict(g));
+    store(record, verdict(g, rays.up_to != nullptr));
     for (int lane = 0; lane < kLanes; ++lane) found[i + lane] = static_cast<int>(record[lane]);
   }
 }

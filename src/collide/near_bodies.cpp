@@ -1,0 +1,50 @@
+#include "collide/near_bodies.h"
+
+#include <cmath>
+
+namespace flatray {
+
+NearBodies::NearBodies(std::vector<Bounds> shapes)
+    : shapes_(std::move(shapes)), boxes_(shapes_.size()), seen_(shapes_.size(), 0) {}
+
+void NearBodies::open(double from, double to, std::span<const Stage* const> stages) {
+  to_ = to;
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+    boxes_[i] = stages[i] == nullptr ? Bounds{} : way_of(i, *stages[i], from);
+  cells_.emplace(boxes_);
+}
+
+void NearBodies::change(std::uint32_t body, const Stage& stage) {
+  boxes_[body] = stage.gone ? Bounds{} : way_of(body, stage, stage.from);
+  if (!boxes_[body].empty()) cells_->add(body, boxes_[body]);
+}
+
+// Outward by more than rounding of places and of times, theirs and those of their meetings, can be.
+Bounds NearBodies::way_of(std::uint32_t body, const Stage& stage, double from) const {
+  const Bounds& shape = shapes_[body];
+  if (stage.gone || shape.empty()) return {};
+  constexpr double kSlack = 0x1p-46;
+  const Vec2 at = stage.at + (from - stage.from) * stage.velocity;
+  const Vec2 speed = stage.velocity.cwiseAbs();
+  const Vec2 sizes = stage.at.cwiseAbs() + (std::fabs(to_) + std::fabs(from)) * speed +
+                     shape.low.cwiseAbs() + shape.high.cwiseAbs();
+  Bounds way = swept({at + shape.low, at + shape.high}, stage.velocity, to_ - from);
+  way.low -= kSlack * sizes;
+  way.high += kSlack * sizes;
+  // Beyond the doubles it may be anywhere.
+  if (!way.low.allFinite() || !way.high.allFinite())
+    return {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
+  return way;
+}
+
+Bounds bounds_of(std::span<const ShapePart> parts) {
+  Bounds box;
+  for (const ShapePart& part : parts)
+    for (const Vec2& p : part.ring) {
+      const Vec2 reach(part.radius, part.radius);
+      box.add(Bounds{p - reach, p + reach});
+    }
+  return box;
+}
+
+}  // namespace flatray

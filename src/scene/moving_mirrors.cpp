@@ -1,0 +1,72 @@
+#include "scene/moving_mirrors.h"
+
+#include <fmt/core.h>
+
+#include "scene/responses.h"
+
+namespace flatray {
+namespace {
+
+bool is_smooth(const Scene& scene, const std::optional<CurveId>& curve) {
+  return curve && scene.curves[*curve].ease == Curve::Ease::smooth;
+}
+
+// Of an entity or a group; "" where it moves straight from key to key.
+template <class Thing>
+const char* why_not_straight(const Scene& scene, const Thing& thing) {
+  if (thing.angular_velocity != 0 || thing.motion.angle) return "turns";
+  if (thing.motion.follow) return "follows a path";
+  if (is_smooth(scene, thing.motion.x) || is_smooth(scene, thing.motion.y))
+    return "follows a smooth curve";
+  return "";
+}
+
+bool has_arcs(const Scene& scene, ShapeId shape) {
+  return shape < scene.shapes.size() && !scene.shapes[shape].arc_paths.empty();
+}
+
+std::string why_not(const Scene& scene, const Entity& entity) {
+  if (const std::string why = why_not_straight(scene, entity); !why.empty()) return why;
+  if (entity.markov && changes_outline_or_velocity(*entity.markov))
+    return "changes its shape or velocity by its states";
+  if (has_arcs(scene, entity.shape)) return "has curves other than circles";
+  if (entity.shape < scene.shapes.size() && scene.shapes[entity.shape].changes != kNoEntry)
+    return "changes its size";
+  for (auto at = entity.group; at; at = scene.groups[*at].group) {
+    const Group& group = scene.groups[*at];
+    const std::string why = why_not_straight(scene, group);
+    if (!why.empty()) return fmt::format("is in a group that {}", why);
+    if (group.scale_curve) return "is in a group that changes its size";
+  }
+  return {};
+}
+
+void refuse(Diagnostics& problems, const Place& where, const std::string& what) {
+  problems.push_back({where, what + ": no ray of finite speed can be followed there",
+                      "leave the ray's speed out, so that mirrors are met as each frame has them; "
+                      "else mirrors are polygons and circles in straight motion",
+                      Trouble::invalid});
+}
+
+}  // namespace
+
+Diagnostics refused_mirrors(const Scene& scene) {
+  Diagnostics problems;
+  for (const Entity& entity : scene.entities) {
+    if (!entity.material) continue;
+    if (const std::string why = why_not(scene, entity); !why.empty())
+      refuse(problems, entity.where, fmt::format("mirror '{}' {}", entity.name, why));
+  }
+  for (const Chamber& chamber : scene.chambers) {
+    if (chamber.material == Material::periodic)
+      refuse(problems, chamber.where, fmt::format("chamber '{}' has periodic walls", chamber.name));
+    bool arcs = has_arcs(scene, chamber.shape);
+    for (const Chamber::Pillar& pillar : chamber.pillars) arcs |= has_arcs(scene, pillar.shape);
+    if (arcs)
+      refuse(problems, chamber.where,
+             fmt::format("chamber '{}' has curves other than circles", chamber.name));
+  }
+  return problems;
+}
+
+}  // namespace flatray

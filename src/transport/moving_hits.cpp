@@ -1,0 +1,164 @@
+#include "transport/moving_hits.h"
+
+#include <algorithm>
+
+namespace flatray {
+namespace {
+
+using Root = HitTime::Root;
+
+const Segment& segment_of(const MovingWalls& walls, std::uint32_t surface) {
+  const Surfaces& all = walls.world.surfaces;
+  return all.segments[all.slot[surface]];
+}
+const Circle& circle_of(const MovingWalls& walls, std::uint32_t surface) {
+  const Surfaces& all = walls.world.surfaces;
+  return all.circles[all.slot[surface]];
+}
+
+bool is_after(double time, const DoubleDouble& other) {
+  return time > other.hi || (time == other.hi && 0 > other.lo);
+}
+
+// Hits of one wall after the other; the first are kept.
+class Search {
+ public:
+  Search(const MovingWalls& walls, const Mover& mover, const StoodOn& left)
+      : walls_(walls), mover_(mover), left_(left) {}
+
+  void look_at(std::uint32_t surface) {
+    const std::vector<Leg>& legs = walls_.legs(surface);
+    const double gone = walls_.gone_from[walls_.motion_of[surface]];
+    const bool straight = walls_.world.surfaces.is_straight(surface);
+    for (const Leg& leg : legs) {
+      if (is_after_end(leg) || leg.begin >= gone) continue;
+      if (!found_.empty() && is_after(leg.begin, mover_.since) &&
+          compare(MeetTime::at(mover_, leg.begin), found_.front().time) > 0)
+        return;
+      const Window window{leg.begin, std::min(leg.end, gone), gone < kInfinity};
+      if (straight ? meets_segment(surface, leg, window) : meets_circle(surface, leg, window))
+        return;
+    }
+  }
+
+  std::vector<MovingHit> found() && { return std::move(found_); }
+
+ private:
+  // Clock times of a leg; closed but where the wall goes at its end.
+  struct Window {
+    double begin, end;
+    bool goes;
+  };
+
+  bool is_after_end(const Leg& leg) const {
+    return !leg.is_last() && !is_after(leg.end, mover_.since) && leg.end != mover_.since.hi;
+  }
+
+  bool is_in(const MeetTime& time, const Window& window) const {
+    if (time.sign() == Sign::negative) return false;
+    if (is_after(window.begin, mover_.since) &&
+        compare(time, MeetTime::at(mover_, window.begin)) < 0)
+      return false;
+    if (window.end == kInfinity) return true;
+    const auto end = compare(time, MeetTime::at(mover_, window.end));
+    return end < 0 || (end == 0 && !window.goes);
+  }
+
+  bool keep(const MovingHit& hit) {
+    if (!found_.empty()) {
+      const auto order = compare(hit.time, found_.front().time);
+      if (order > 0) return true;
+      if (order < 0) found_.clear();
+    }
+    found_.push_back(hit);
+    return true;
+  }
+
+  bool meets_segment(std::uint32_t surface, const Leg& leg, const Window& window) {
+    const Segment& wall = segment_of(walls_, surface);
+    const Sign to = heading(mover_, leg, wall);
+    if (to == Sign::zero) return meets_end(surface, leg, window);
+    if (surface == left_.surface && to == left_.side) return false;
+    const CrossingPlace place = crossing_place(mover_, leg, wall);
+    if (place == CrossingPlace::before || place == CrossingPlace::beyond) return false;
+    const MeetTime time = MeetTime::on_line(mover_, leg, wall);
+    if (!is_in(time, window)) return false;
+    return keep({time, surface, &leg, -to, place != CrossingPlace::inner, Root::first});
+  }
+
+  // It moves along the line of the wall, or with the wall.
+  bool meets_end(std::uint32_t surface, const Leg& leg, const Window& window) {
+    const Segment& wall = segment_of(walls_, surface);
+    if (surface == left_.surface || side_of(mover_, leg, wall) != Sign::zero) return false;
+    const Sign ahead = decide([&](const auto& number) {
+      return dot(pair_of(number, wall.b) - pair_of(number, wall.a),
+                 pair_of(number, mover_.velocity) - velocity_of(number, leg));
+    });
+    if (ahead == Sign::zero) return false;
+    for (const bool at_b : {ahead == Sign::negative, ahead == Sign::positive}) {
+      const MeetTime time = MeetTime::at_end(mover_, leg, wall, at_b);
+      if (is_in(time, window)) return keep({time, surface, &leg, Sign::zero, true, Root::first});
+    }
+    return false;
+  }
+
+  bool meets_circle(std::uint32_t surface, const Leg& leg, const Window& window) {
+    const Circle& wall = circle_of(walls_, surface);
+    if (!crosses(mover_, leg, wall)) return false;
+    const bool stands = surface == left_.surface;
+    for (const Root root : {Root::first, Root::second}) {
+      const Sign from = root == Root::first ? Sign::positive : Sign::negative;
+      if (stands && from != left_.side) continue;
+      const MeetTime time = MeetTime::on_circle(mover_, leg, wall, root);
+      if (is_in(time, window)) return keep({time, surface, &leg, from, false, root});
+    }
+    return false;
+  }
+
+  const MovingWalls& walls_;
+  const Mover& mover_;
+  const StoodOn& left_;
+  std::vector<MovingHit> found_;  // all at one time
+};
+
+}  // namespace
+
+const Leg& leg_at(const std::vector<Leg>& legs, const DoubleDouble& time) {
+  const auto after = std::find_if(legs.begin(), legs.end(),
+                                  [&](const Leg& leg) { return is_after(leg.begin, time); });
+  return after == legs.begin() ? legs.front() : *(after - 1);
+}
+
+std::vector<MovingHit> first_hits(const MovingWalls& walls, const Mover& mover,
+                                  const StoodOn& left) {
+  Search search(walls, mover, left);
+  for (std::uint32_t i = 0; i < walls.world.surfaces.size(); ++i) search.look_at(i);
+  return std::move(search).found();
+}
+
+Sign side_at(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover,
+             const MeetTime& time) {
+  if (walls.world.surfaces.is_straight(surface)) {
+    const Segment& wall = segment_of(walls, surface);
+    const Sign to = heading(mover, leg, wall);
+    if (to == Sign::zero) return side_of(mover, leg, wall);
+    return to * sign_of(compare(time, MeetTime::on_line(mover, leg, wall)));
+  }
+  const Circle& wall = circle_of(walls, surface);
+  if (!crosses(mover, leg, wall)) return Sign::positive;
+  const auto in = compare(time, MeetTime::on_circle(mover, leg, wall, Root::first));
+  const auto out = compare(time, MeetTime::on_circle(mover, leg, wall, Root::second));
+  return in == 0 || out == 0 ? Sign::zero : (in > 0 && out < 0 ? Sign::negative : Sign::positive);
+}
+
+Sign side_of(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover) {
+  return walls.world.surfaces.is_straight(surface) ? side_of(mover, leg, segment_of(walls, surface))
+                                                   : side_of(mover, leg, circle_of(walls, surface));
+}
+
+Sign heading(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover) {
+  return walls.world.surfaces.is_straight(surface) ? heading(mover, leg, segment_of(walls, surface))
+                                                   : heading(mover, leg, circle_of(walls, surface));
+}
+
+}  // namespace flatray

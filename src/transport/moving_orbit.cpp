@@ -1,0 +1,271 @@
+#include "transport/moving_orbit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "transport/moving_hits.h"
+#include "transport/near_doubles.h"
+#include "transport/reflection.h"
+
+namespace flatray {
+namespace {
+
+const auto kBounded = [](double x) { return Bounded(x); };
+
+// Larger than what kSearchUlps and all rounding on the way can move a point, as a part of the
+// coordinates that go in.
+constexpr double kNear = 0x1p-48;
+
+DoubleDouble as_sum(const Bounded& time) { return {time.hi(), time.lo()}; }
+
+// A particle under way.
+class Flight {
+ public:
+  Flight(const MovingWalls& walls, const Ray& start, double from, const MovingLimits& limits)
+      : walls_(walls), limits_(limits), mover_{start.origin, start.direction, {from, 0}} {
+    done_.orbit.start = start.origin;
+    done_.orbit.direction = start.direction;
+    done_.velocity = start.direction;
+    done_.end_time = from;
+  }
+
+  MovingOrbit run() && {
+    if (sets_off())
+      while (advances()) {
+      }
+    return std::move(done_);
+  }
+
+ private:
+  const Leg& leg_now(std::uint32_t surface) const {
+    return leg_at(walls_.legs(surface), mover_.since);
+  }
+  Material material(std::uint32_t surface) const { return walls_.world.owners[surface].material; }
+  const Surfaces& surfaces() const { return walls_.world.surfaces; }
+
+  // Whether it can set off.
+  bool sets_off() {
+    std::vector<std::uint32_t> stood_on;
+    bool at_end = false;
+    for (std::uint32_t i = 0; i < surfaces().size(); ++i)
+      if (stands_on(i, at_end)) stood_on.push_back(i);
+    if (stood_on.size() > 1 || at_end) return stop(OrbitEnd::corner, std::move(stood_on));
+    if (stood_on.size() == 1) {
+      left_.surface = stood_on.front();
+      left_.side = heading(walls_, left_.surface, leg_now(left_.surface), mover_);
+      if (left_.side == Sign::zero) return stop(OrbitEnd::along, std::move(stood_on));
+    }
+    return limits_.bounces > 0 || stop(OrbitEnd::limit, {});
+  }
+
+  bool stands_on(std::uint32_t surface, bool& at_end) const {
+    const Leg& leg = leg_now(surface);
+    if (mover_.since.hi >= walls_.gone_from[walls_.motion_of[surface]]) return false;
+    if (side_of(walls_, surface, leg, mover_) != Sign::zero) return false;
+    if (!surfaces().is_straight(surface)) return true;
+    const Segment& wall = surfaces().segments[surfaces().slot[surface]];
+    const auto beyond = [&](const Vec2& end, const Vec2& other) {
+      return decide([&](const auto& number) {
+        return dot(pair_of(number, other) - pair_of(number, end),
+                   relative(number, mover_, leg, end).at);
+      });
+    };
+    const Sign a = beyond(wall.a, wall.b), b = beyond(wall.b, wall.a);
+    const bool on = a != Sign::negative && b != Sign::negative;
+    at_end |= on && (a == Sign::zero || b == Sign::zero);
+    return on;
+  }
+
+  // Takes it to its next wall; whether it goes on from there.
+  bool advances() {
+    const std::vector<MovingHit> hits = first_hits(walls_, mover_, left_);
+    if (hits.empty()) return limits_.until < kInfinity ? reaches_end() : stop(OrbitEnd::escape, {});
+    const MovingHit& hit = hits.front();
+    if (limits_.until < kInfinity && compare(hit.time, MeetTime::at(mover_, limits_.until)) > 0)
+      return reaches_end();
+    const Bounded clock = Bounded(mover_.since.hi) + Bounded(mover_.since.lo) + hit.time.value();
+    Mover there{place_at(hit.time), mover_.velocity, as_sum(clock)};
+    std::vector<std::uint32_t> met;
+    for (const MovingHit& one : hits) met.push_back(one.surface);
+    if (hits.size() > 1 || hit.at_end) return arrives(hit, there, std::move(met));
+    if (material(hit.surface) != Material::mirror) return arrives(hit, there, std::move(met));
+    const std::vector<Fence> fences = fences_near(hit, there);
+    const auto stands = nearest_double(there.at, [&](const Vec2& at) {
+      return may_stand({at, there.velocity, there.since}, hit, fences);
+    });
+    if (!stands) {
+      for (const Fence& fence : fences) met.push_back(fence.surface);
+      std::sort(met.begin(), met.end());
+      return arrives(hit, there, std::move(met));
+    }
+    there.at = *stands;
+    return bounces(hit, there);
+  }
+
+  // Nearest doubles.
+  Vec2 place_at(const MeetTime& time) const {
+    const auto coordinate = [&](int axis) {
+      const Bounded place =
+          Bounded(mover_.at[axis]) + time.value() * Bounded(mover_.velocity[axis]);
+      return place.nearest().value_or(place.hi());
+    };
+    return {coordinate(0), coordinate(1)};
+  }
+
+  // A wall that passes so near that rounding might put the particle on its other side.
+  struct Fence {
+    std::uint32_t surface;
+    const Leg* leg;
+    Sign side;
+  };
+  std::vector<Fence> fences_near(const MovingHit& hit, const Mover& there) const {
+    std::vector<Fence> fences;
+    for (std::uint32_t i = 0; i < surfaces().size(); ++i) {
+      if (i == hit.surface || !passes_near(i, there)) continue;
+      const Leg& leg = leg_at(walls_.legs(i), there.since);
+      const Sign side = side_at(walls_, i, leg, mover_, hit.time);
+      if (side != Sign::zero) fences.push_back({i, &leg, side});
+    }
+    return fences;
+  }
+
+  // In doubles, generously.
+  bool passes_near(std::uint32_t surface, const Mover& there) const {
+    const Leg& leg = leg_at(walls_.legs(surface), there.since);
+    const auto number = [](double x) { return x; };
+    const auto u = velocity_of(number, leg);
+    const double elapsed = there.since.hi - leg.begin;
+    const Vec2 moved = leg.from + elapsed * Vec2(u.x, u.y);
+    const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() +
+                         std::fabs(there.since.hi) * (std::fabs(u.x) + std::fabs(u.y));
+    const std::size_t slot = surfaces().slot[surface];
+    if (surfaces().is_straight(surface)) {
+      const Segment& wall = surfaces().segments[slot];
+      const double near = kNear * (sizes + wall.a.lpNorm<1>() + wall.b.lpNorm<1>());
+      const Vec2 at = there.at - moved, edge = wall.b - wall.a;
+      const Vec2 low = wall.a.cwiseMin(wall.b), high = wall.a.cwiseMax(wall.b);
+      for (int axis = 0; axis < 2; ++axis)
+        if (at[axis] < low[axis] - near || at[axis] > high[axis] + near) return false;
+      return !(std::fabs(cross(edge, at - wall.a)) > near * edge.lpNorm<1>());
+    }
+    const Circle& wall = surfaces().circles[slot];
+    const double near = kNear * (sizes + wall.centre.lpNorm<1>() + wall.radius);
+    return !(std::fabs((there.at - moved - wall.centre).stableNorm() - wall.radius) > near);
+  }
+
+  bool may_stand(const Mover& there, const MovingHit& hit, const std::vector<Fence>& fences) const {
+    const Leg& own = leg_at(walls_.legs(hit.surface), there.since);
+    if (side_of(walls_, hit.surface, own, there) == -hit.side) return false;
+    return std::all_of(fences.begin(), fences.end(), [&](const Fence& fence) {
+      return side_of(walls_, fence.surface, *fence.leg, there) == fence.side;
+    });
+  }
+
+  // In the frame of the wall the speed stays; here it does not.
+  bool bounces(const MovingHit& hit, const Mover& there) {
+    const std::array<Bounded, 2> normal = normal_of(hit);
+    const Vec2 rounded =
+        surfaces().is_straight(hit.surface) ? off_segment(hit) : off_circle(hit, normal);
+    const auto out = nearest_double(rounded, [&](const Vec2& velocity) {
+      return heading(walls_, hit.surface, *hit.leg, {there.at, velocity, there.since}) == hit.side;
+    });
+    const double t = hit.time.value().nearest().value_or(hit.time.value().hi());
+    path_ += mover_.velocity.stableNorm() * t;
+    const Vec2 in = mover_.velocity;
+    mover_ = there;
+    left_ = {hit.surface, hit.side};
+    if (!out) return stop(OrbitEnd::along, {hit.surface});
+    const Vec2 towards =
+        static_cast<double>(hit.side) * unit({normal[0].hi(), normal[1].hi()}) + Vec2(0, 0);
+    done_.orbit.bounces.push_back({hit.surface, there.at, t, path_, towards, in, *out});
+    const auto u = velocity_of(kBounded, *hit.leg);
+    done_.times.push_back({there.since.hi, {u.x.hi(), u.y.hi()}});
+    mover_.velocity = *out;
+    done_.velocity = *out;
+    done_.end_time = there.since.hi;
+    return done_.orbit.bounces.size() < limits_.bounces || stop(OrbitEnd::limit, {});
+  }
+
+  // To the left of a segment, outward of a circle.
+  std::array<Bounded, 2> normal_of(const MovingHit& hit) const {
+    const std::size_t slot = surfaces().slot[hit.surface];
+    if (surfaces().is_straight(hit.surface)) {
+      const Segment& wall = surfaces().segments[slot];
+      return {Bounded(wall.a.y()) - Bounded(wall.b.y()), Bounded(wall.b.x()) - Bounded(wall.a.x())};
+    }
+    const auto seen = relative(kBounded, mover_, *hit.leg, surfaces().circles[slot].centre);
+    const auto at = seen.at + hit.time.value() * seen.velocity;
+    return {at.x, at.y};
+  }
+
+  // Nearest doubles.
+  Vec2 off_segment(const MovingHit& hit) const {
+    const Segment& wall = surfaces().segments[surfaces().slot[hit.surface]];
+    const auto component = [&](int axis) {
+      return round_once([&](const auto& number) {
+        const auto v = pair_of(number, mover_.velocity);
+        const auto along = pair_of(number, wall.b) - pair_of(number, wall.a);
+        const auto push =
+            number(2.0) * cross(along, velocity_of(number, *hit.leg) - v) / dot(along, along);
+        return axis == 0 ? v.x - push * along.y : v.y + push * along.x;
+      });
+    };
+    return {component(0), component(1)};
+  }
+
+  Vec2 off_circle(const MovingHit& hit, const std::array<Bounded, 2>& normal) const {
+    const Pair<Bounded> n{normal[0], normal[1]};
+    const auto v = pair_of(kBounded, mover_.velocity);
+    const Bounded push = Bounded(2.0) * dot(velocity_of(kBounded, *hit.leg) - v, n) / dot(n, n);
+    const auto out = v + push * n;
+    return Vec2(out.x.hi(), out.y.hi()) + Vec2(0, 0);
+  }
+
+  // At what does not reflect it.
+  bool arrives(const MovingHit& hit, const Mover& there, std::vector<std::uint32_t> met) {
+    path_ += mover_.velocity.stableNorm() * hit.time.value().hi();
+    mover_ = there;
+    const bool absorbed = std::all_of(
+        met.begin(), met.end(), [&](std::uint32_t i) { return material(i) == Material::absorb; });
+    return stop(absorbed ? OrbitEnd::absorbed : OrbitEnd::corner, std::move(met));
+  }
+
+  bool reaches_end() {
+    mover_.at = place_at(MeetTime::at(mover_, limits_.until));
+    mover_.since = {limits_.until, 0};
+    return stop(OrbitEnd::limit, {});
+  }
+
+  bool stop(OrbitEnd end, std::vector<std::uint32_t> surfaces) {
+    Orbit& orbit = done_.orbit;
+    orbit.end = end;
+    if (mover_.velocity != Vec2(0, 0)) orbit.out = unit(mover_.velocity);
+    orbit.end_point = mover_.at;
+    orbit.end_surfaces = std::move(surfaces);
+    done_.velocity = mover_.velocity;
+    done_.end_time = mover_.since.hi;
+    return false;
+  }
+
+  const MovingWalls& walls_;
+  const MovingLimits limits_;
+  Mover mover_;
+  StoodOn left_;
+  double path_ = 0;
+  MovingOrbit done_;
+};
+
+}  // namespace
+
+MovingOrbit trace_moving_orbit(const MovingWalls& walls, const Ray& start, double from,
+                               const MovingLimits& limits) {
+  return Flight(walls, start, from, limits).run();
+}
+
+Vec2 at_speed(const Vec2& direction, double speed) {
+  const Vec2 near_one = Speed(direction).near_one(direction);
+  return near_one * speed / near_one.norm();
+}
+
+}  // namespace flatray

@@ -1,0 +1,88 @@
+#include "collide/outline_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "anim/scenes.h"
+#include "oracle/families.h"
+
+namespace flatray {
+namespace {
+
+using oracle::Draw;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+MovingShape turning(const Shape& shape, const Vec2& at, const Vec2& velocity, double angle,
+                    double spin) {
+  return {&shape, pose(at, angle), velocity, angle, spin};
+}
+
+// A bar that goes round once meets a disc beside its axle with one arm, then with the other.
+TEST(OutlineContact, EachArmOfWhatTurnsInOneFrameIsAMeetingOfItsOwn) {
+  const Shape bar = testing::box({-3, -0.05}, {3, 0.05});
+  Shape disc;
+  disc.circles = {{{0, 0}, 0.1}};
+  const MovingShape propeller = turning(bar, {0, 0}, {0, 0}, kTurn / 4, kTurn);
+  const MovingShape post = turning(disc, {2, 0}, {0, 0}, 0, 0);
+  const std::vector<MeetingPart> met = shapes_meet(propeller, post, {0, 1});
+  ASSERT_EQ(met.size(), 2U);
+  const double half = std::asin(0.15 / 2) / kTurn;
+  for (int i = 0; i < 2; ++i) {
+    const MeetingPart& part = met[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(part.times.low, 0.25 + 0.5 * i - half, 1e-11);
+    EXPECT_NEAR(part.times.high, 0.25 + 0.5 * i + half, 1e-11);
+    EXPECT_TRUE(part.certain);
+    EXPECT_LE(part.width, kTurningWidth);
+    EXPECT_EQ(part.kind, HitClass::through);
+    EXPECT_EQ(part.start, StartPlace::outside);
+  }
+  // Of four arms, and for three turns, twelve times.
+  Shape cross = bar;
+  const Shape upright = testing::box({-0.05, -3}, {0.05, 3});
+  cross.vertices.insert(cross.vertices.end(), upright.vertices.begin(), upright.vertices.end());
+  cross.edges.insert(cross.edges.end(), upright.edges.begin(), upright.edges.end());
+  cross.begin.push_back(8);
+  EXPECT_EQ(shapes_meet(turning(cross, {0, 0}, {0, 0}, kTurn / 8, 3 * kTurn), post, {0, 1}).size(),
+            12U);
+}
+
+// Whoever looks at many instants sees them overlap in the meetings, and nowhere else.
+TEST(OutlineContact, MeetingsOfWhatTurnsAreThoseOfAllItsInstants) {
+  constexpr int kInstants = 2000;
+  std::size_t several = 0;
+  for (std::uint64_t item = 0; item < 60; ++item) {
+    Draw draw(41, 1, item);
+    const double long_a = 1 + 2 * draw.unit(), long_b = 0.5 + draw.unit();
+    const Shape a = testing::box({-long_a, -0.1}, {long_a, 0.1});
+    const Shape b = testing::box({-long_b, -0.2}, {long_b, 0.2});
+    const double vx = 2 * draw.unit() - 1, vy = 2 * draw.unit() - 1, x = 4 * draw.unit() - 2,
+                 y = 4 * draw.unit() - 2;
+    const double angle_a = 6 * draw.unit(), spin_a = 30 * draw.unit() - 15,
+                 angle_b = 6 * draw.unit(), spin_b = 30 * draw.unit() - 15;
+    const auto at = [&](double t) {
+      return std::pair(turning(a, {0, 0}, {0, 0}, angle_a + t * spin_a, 0),
+                       turning(b, Vec2(x, y) + t * Vec2(vx, vy), {0, 0}, angle_b + t * spin_b, 0));
+    };
+    const std::vector<MeetingPart> met =
+        shapes_meet(turning(a, {0, 0}, {0, 0}, angle_a, spin_a),
+                    turning(b, {x, y}, {vx, vy}, angle_b, spin_b), {0, 1});
+    several += met.size() > 1 ? 1 : 0;
+    for (int i = 0; i <= kInstants; ++i) {
+      const double t = static_cast<double>(i) / kInstants;
+      const auto [one, other] = at(t);
+      const bool overlaps = !shapes_meet(one, other, {0, 0}).empty();
+      bool told = false, near = false;
+      for (const MeetingPart& part : met) {
+        told |= part.times.low <= t && t <= part.times.high;
+        near |= std::fabs(t - part.times.low) < 1e-10 || std::fabs(t - part.times.high) < 1e-10;
+      }
+      EXPECT_TRUE(told == overlaps || near) << item << ' ' << t;
+    }
+  }
+  EXPECT_GT(several, 15U);
+}
+
+}  // namespace
+}  // namespace flatray
