@@ -3,6 +3,7 @@
 
 #include "app/stability_reports.h"
 #include "base/parallel.h"
+#include "precise/certified_orbit.h"
 #include "study/catalogue_check.h"
 
 namespace flatray {
@@ -34,6 +35,14 @@ Values row_of(const oracle::StiffCase& stiff, const Tracer& tracer, const Catalo
           stiff.held_by};
 }
 
+// Of certified orbits: no t, no lanes, nothing that is kept.
+Values certified_row(const oracle::StiffCase& stiff, const CatalogueTally& tally) {
+  return {stiff.id,     stiff.words, "certified", tally.queries,
+          tally.wrong,  tally.leaks, "",          "",
+          "",           "",          "",          tally.right() ? "right" : "wrong",
+          stiff.held_by};
+}
+
 JsonValue nanoseconds(const CatalogueTally& tally) {
   if (tally.in_batches == 0) return "";
   return fmt::format("{:.3g}", 1e9 * tally.seconds / static_cast<double>(tally.in_batches));
@@ -52,43 +61,88 @@ struct CatalogueTables {
   }
 };
 
+// What is known of a case: a tally for each tracer, and one of certified orbits where there are any.
+struct Checked {
+  std::vector<CatalogueTally> by_tracer;
+  std::optional<CatalogueTally> certified;
+};
+
+// How many cases came out right, of those asked, and all of them together.
+struct Score {
+  CatalogueTally sum;
+  std::size_t right = 0, asked = 0;
+
+  void add(const CatalogueTally& tally) {
+    sum.add(tally);
+    ++asked;
+    right += tally.right() ? 1 : 0;
+  }
+  bool sound() const { return right == asked; }
+  std::string words(const char* name, const char* of) const {
+    return fmt::format("{}: {}, {} of {}{} right\n", name, sound() ? "right" : "wrong", right,
+                       asked, of);
+  }
+};
+
+void add_rows(const oracle::StiffCase& stiff, const std::vector<const Tracer*>& tracers,
+              const Checked& checked, CatalogueTables& tables) {
+  for (std::size_t k = 0; k < tracers.size(); ++k)
+    tables.add(row_of(stiff, *tracers[k], checked.by_tracer[k]), nanoseconds(checked.by_tracer[k]));
+  if (checked.certified)
+    tables.add(certified_row(stiff, *checked.certified), nanoseconds(*checked.certified));
+}
+
+Values row_of_its_test(const oracle::StiffCase& stiff) {
+  Values row(kColumns.size(), "");
+  row[0] = stiff.id, row[1] = stiff.words;
+  row[kColumns.size() - 2] = "by its test", row.back() = stiff.held_by;
+  return row;
+}
+
+std::vector<Checked> check_all(const std::vector<oracle::StiffCase>& cases,
+                               const StabilityRequest& request) {
+  const bool certifies = !request.named && can_certify().has_value();
+  std::vector<Checked> checked(cases.size());
+  parallel_for(cases.size(), request.threads, [&](std::size_t i) {
+    checked[i].by_tracer = check_case(cases[i], request.tracers);
+    if (!certifies || cases[i].orbits.empty()) return;
+    if (auto tally = check_certified(cases[i])) checked[i].certified = *std::move(tally);
+  });
+  return checked;
+}
+
 }  // namespace
 
 Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityRequest& request) {
   const std::vector<oracle::StiffCase> cases = oracle::catalogue();
-  std::vector<std::vector<CatalogueTally>> tallies(cases.size());
-  parallel_for(cases.size(), request.threads,
-               [&](std::size_t i) { tallies[i] = check_case(cases[i], request.tracers); });
+  const std::vector<Checked> checked = check_all(cases, request);
   CatalogueTables tables;
-  std::vector<CatalogueTally> sums(request.tracers.size());
-  std::vector<std::size_t> right(request.tracers.size());
+  std::vector<Score> scores(request.tracers.size());
+  Score certified;
   std::size_t asked = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!cases[i].concerns_tracers()) {
-      Values row(kColumns.size(), "");
-      row[0] = cases[i].id, row[1] = cases[i].words;
-      row[kColumns.size() - 2] = "by its test", row.back() = cases[i].held_by;
-      tables.add(std::move(row), "");
+      tables.add(row_of_its_test(cases[i]), "");
       continue;
     }
     ++asked;
-    for (std::size_t k = 0; k < request.tracers.size(); ++k) {
-      sums[k].add(tallies[i][k]);
-      right[k] += tallies[i][k].right() ? 1 : 0;
-      tables.add(row_of(cases[i], *request.tracers[k], tallies[i][k]), nanoseconds(tallies[i][k]));
-    }
+    for (std::size_t k = 0; k < scores.size(); ++k) scores[k].add(checked[i].by_tracer[k]);
+    if (checked[i].certified) certified.add(*checked[i].certified);
+    add_rows(cases[i], request.tracers, checked[i], tables);
   }
+  Checked all;
+  for (const Score& score : scores) all.by_tracer.push_back(score.sum);
+  if (certified.asked > 0) all.certified = certified.sum;
+  add_rows({"all", "", ""}, request.tracers, all, tables);
   ExperimentResult result;
   result.summary = fmt::format("\n{} cases, {} of them asked of tracers\n", cases.size(), asked);
-  bool sound = true;
-  for (std::size_t k = 0; k < right.size(); ++k) {
+  bool sound = certified.sound();
+  for (std::size_t k = 0; k < scores.size(); ++k) {
     const Tracer& tracer = *request.tracers[k];
-    tables.add(row_of({"all", "", ""}, tracer, sums[k]), nanoseconds(sums[k]));
-    const bool good = right[k] == asked;
-    sound = sound && (good || !(request.named || tracer.exact));
-    result.summary += fmt::format("{}: {}, {} of {} right\n", tracer.name, good ? "right" : "wrong",
-                                  right[k], asked);
+    sound = sound && (scores[k].sound() || !(request.named || tracer.exact));
+    result.summary += scores[k].words(tracer.name, "");
   }
+  if (all.certified) result.summary += certified.words("certified", " with orbits");
   result.files.push_back({"catalogue.csv", csv_text(tables.facts)});
   result.files.push_back({"catalogue_times.csv", csv_text(tables.times)});
   return stability_files(arguments, tables.shown, result, sound);

@@ -4,6 +4,7 @@
 
 #include "base/processor_time.h"
 #include "oracle/nearest.h"
+#include "precise/certified_orbit.h"
 #include "study/catalogue_orbit_check.h"
 #include "study/timed.h"
 #include "study/ulps.h"
@@ -18,7 +19,7 @@ constexpr double kTold = 2e-5;        // seconds that the clock of a thread tell
 constexpr std::size_t kShare = 1000;  // of which one answer may be farther off
 
 // Rays among the same walls, and what is true of them.
-struct Group {
+struct RayGroup {
   const Surfaces* walls;
   RayBatch rays;
   std::vector<std::optional<std::uint32_t>> wall{};  // where it is told; of a miss none
@@ -26,8 +27,8 @@ struct Group {
 };
 
 // The rays that follow `first` among the same walls, all at once.
-Group group_of(std::span<const oracle::StiffRay> rays) {
-  Group group{rays.front().walls.get(), {}};
+RayGroup group_of(std::span<const oracle::StiffRay> rays) {
+  RayGroup group{rays.front().walls.get(), {}};
   const Surfaces& walls = *group.walls;
   for (const oracle::StiffRay& asked : rays) {
     if (asked.walls.get() != group.walls) break;
@@ -42,7 +43,14 @@ Group group_of(std::span<const oracle::StiffRay> rays) {
   return group;
 }
 
-void compare(const NearestHit& hit, const Group& group, std::size_t i, CatalogueTally& tally) {
+std::vector<oracle::LongOrbit> truth_of(const oracle::StiffOrbits& orbits) {
+  std::vector<oracle::LongOrbit> truth;
+  for (const Ray& start : orbits.starts)
+    truth.push_back(oracle::long_orbit(orbits.walls, start, orbits.ordered, kBits));
+  return truth;
+}
+
+void compare(const NearestHit& hit, const RayGroup& group, std::size_t i, CatalogueTally& tally) {
   ++tally.queries;
   const auto& wall = group.wall[i];
   const auto& t = group.t[i];
@@ -52,7 +60,7 @@ void compare(const NearestHit& hit, const Group& group, std::size_t i, Catalogue
     tally.ulps.push_back(ulps_between(hit.t, *t));
 }
 
-void check_group(const Group& group, const Tracer& tracer, CatalogueTally& tally) {
+void check_group(const RayGroup& group, const Tracer& tracer, CatalogueTally& tally) {
   const auto walls = tracer.build(*group.walls);
   const std::size_t count = group.rays.size();
   std::vector<NearestHit> alone(count);
@@ -84,6 +92,14 @@ std::vector<NearestHit> measured_hits(const Accelerator& walls, const RayBatch& 
   return hits;
 }
 
+Result<CatalogueTally> check_certified(const oracle::StiffCase& stiff) {
+  if (auto can = can_certify(); !can) return fail(std::move(can));
+  CatalogueTally tally;
+  for (const oracle::StiffOrbits& orbits : stiff.orbits)
+    check_certified_orbits(orbits, truth_of(orbits), tally);
+  return tally;
+}
+
 double CatalogueTally::most_ulps() const {
   return ulps.empty() ? 0 : ulps[ulps.size() - 1 - ulps.size() / kShare];
 }
@@ -106,14 +122,12 @@ std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
                                        std::span<const Tracer* const> tracers) {
   std::vector<CatalogueTally> tallies(tracers.size());
   for (std::size_t i = 0; i < stiff.rays.size();) {
-    const Group group = group_of(std::span(stiff.rays).subspan(i));
+    const RayGroup group = group_of(std::span(stiff.rays).subspan(i));
     for (std::size_t k = 0; k < tracers.size(); ++k) check_group(group, *tracers[k], tallies[k]);
     i += group.rays.size();
   }
   for (const oracle::StiffOrbits& orbits : stiff.orbits) {
-    std::vector<oracle::LongOrbit> truth;
-    for (const Ray& start : orbits.starts)
-      truth.push_back(oracle::long_orbit(orbits.walls, start, orbits.ordered, kBits));
+    const std::vector<oracle::LongOrbit> truth = truth_of(orbits);
     for (std::size_t k = 0; k < tracers.size(); ++k)
       check_orbits(orbits, truth, *tracers[k], tallies[k]);
   }

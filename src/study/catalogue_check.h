@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "base/result.h"
 #include "oracle/catalogue.h"
 #include "trace/tracer.h"
 
@@ -38,5 +39,12 @@ struct CatalogueTally {
 /// Cost    mostly under 0.1 s a tracer, up to 0.7 s (A13).
 std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
                                        std::span<const Tracer* const> tracers);
+
+/// The same of certified orbits, which no tracer has a part in: the walls of the first bounces,
+/// ends, and none that escapes. `in_batches` and `seconds` are of bounces; there is no t.
+///
+/// Error   that of can_certify().
+/// Cost    up to half a second (C15).
+Result<CatalogueTally> check_certified(const oracle::StiffCase& stiff);
 
 }  // namespace flatray

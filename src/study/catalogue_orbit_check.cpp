@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "base/processor_time.h"
 #include "geom/predicates.h"
 #include "oracle/nearest.h"
+#include "precise/certified_orbit.h"
 #include "study/ulps.h"
 #include "trace/many_rays.h"
 #include "transport/orbit.h"
@@ -11,6 +13,9 @@
 namespace flatray {
 namespace {
 
+// Of certified orbits, each again from its start for every number of bits.
+constexpr std::size_t kCertified = 16;
+constexpr std::uint64_t kCertifiedBounces = 50;  // or as many as are in order
 constexpr std::size_t kLegs = 1000;  // of which the oracle tells the t: some 30 us each on a curve
 
 // Outside the room, or on another side of a circle than the start.
@@ -33,7 +38,12 @@ bool ends_as(OrbitEnd end, oracle::StiffOrbits::End expected) {
          (end == OrbitEnd::corner && expected == End::corner);
 }
 
-bool walls_agree(const oracle::LongOrbit& truth, const Orbit& orbit) {
+bool escapes(const oracle::StiffOrbits& orbits, OrbitEnd end) {
+  return end == OrbitEnd::escape && orbits.end != oracle::StiffOrbits::End::escape;
+}
+
+template <class AnyOrbit>
+bool walls_agree(const oracle::LongOrbit& truth, const AnyOrbit& orbit) {
   if (orbit.bounces.size() < truth.bounces.size()) return false;
   for (std::size_t i = 0; i < truth.bounces.size(); ++i)
     if (orbit.bounces[i].surface != truth.bounces[i].surface) return false;
@@ -46,12 +56,10 @@ void compare(const oracle::StiffOrbits& orbits, const oracle::LongOrbit& truth, 
   if (!ends_as(orbit.end, orbits.end) || (orbits.count && orbit.bounces.size() != *orbits.count) ||
       !walls_agree(truth, orbit))
     ++tally.wrong;
-  const bool escapes =
-      orbit.end == OrbitEnd::escape && orbits.end != oracle::StiffOrbits::End::escape;
   const bool out =
       std::any_of(orbit.bounces.begin(), orbit.bounces.end(),
                   [&](const Bounce& bounce) { return is_out(orbits, orbit.start, bounce.point); });
-  if (escapes || out) ++tally.leaks;
+  if (escapes(orbits, orbit.end) || out) ++tally.leaks;
 }
 
 bool is_same(const Orbit& a, const Orbit& b) {
@@ -129,6 +137,24 @@ void check_orbits(const oracle::StiffOrbits& orbits, const std::vector<oracle::L
     if (!is_same(among[i], alone[i % alone.size()])) ++tally.apart;
   }
   check_legs(orbits.walls, legs_of(orbits.walls, alone), tracer, tally);
+}
+
+void check_certified_orbits(const oracle::StiffOrbits& orbits,
+                            const std::vector<oracle::LongOrbit>& truth, CatalogueTally& tally) {
+  const std::uint64_t bounces =
+      std::max(orbits.ordered, std::min(orbits.bounces, kCertifiedBounces));
+  for (std::size_t i = 0; i < std::min(orbits.starts.size(), kCertified); ++i) {
+    const double begin = thread_seconds();
+    const auto orbit = certified_orbit(orbits.walls, orbits.starts[i], bounces);
+    tally.seconds += thread_seconds() - begin;
+    tally.in_batches += orbit->bounces.size();
+    ++tally.queries;
+    const bool whole = bounces == orbits.bounces && orbit->decided;
+    if (!walls_agree(truth[i], *orbit) || (whole && !ends_as(orbit->end, orbits.end)))
+      ++tally.wrong;
+    // Their points are the nearest doubles, on either side of a wall.
+    if (escapes(orbits, orbit->end)) ++tally.leaks;
+  }
 }
 
 }  // namespace flatray

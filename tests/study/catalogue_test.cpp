@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "precise/certified_orbit.h"
 #include "study/catalogue_check.h"
 #include "trace/many_rays.h"
 
@@ -72,6 +73,16 @@ TEST(Catalogue, AsksEveryCaseAlsoInBatchesLongEnoughForLanes) {
   const CatalogueTally orbits = check_case(named(cases, "C1"), asked).front();
   EXPECT_GE(orbits.wrong, kMostRaysOneByOne);  // the orbits of copies
   EXPECT_GT(orbits.apart, orbits.in_batches);  // those and every leg
+}
+
+TEST(Catalogue, CertifiedOrbitsAreRightInAllOfIt) {
+  if (!can_certify()) GTEST_SKIP() << "no MPFR";
+  for (const oracle::StiffCase& stiff : oracle::catalogue()) {
+    const auto tally = check_certified(stiff);
+    ASSERT_TRUE(tally);
+    EXPECT_TRUE(tally->right()) << stiff.id;
+    EXPECT_EQ(tally->queries > 0, !stiff.orbits.empty()) << stiff.id;
+  }
 }
 
 TEST(CatalogueTally, OneAnswerInAThousandMayBeFartherOffThanMost) {
