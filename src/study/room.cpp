@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.h"
 #include "base/philox.h"
+#include "collide/broad_phase.h"
+#include "collide/outline_contact.h"
 #include "geom/predicates.h"
+#include "scene/outline.h"
 #include "study/starts.h"
 #include "study/wall_places.h"
 #include "trace/on_surface.h"
@@ -92,6 +96,73 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
   }
 }
 
+namespace {
+
+bool has_area(const Shape& shape) {
+  return !shape.vertices.empty() || !shape.circles.empty() ||
+         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return path.closed; });
+}
+
+// Any point of it, in the world.
+Vec2 point_of(const Shape& shape, const Pose& place) {
+  if (!shape.vertices.empty()) return place(shape.vertices.front());
+  if (!shape.segments.empty()) return place(shape.segments.front().a);
+  if (!shape.circles.empty()) return place(shape.circles.front().centre);
+  return place(shape.arc_paths.front().arcs.front().start());
+}
+
+// The straight walls of a chamber, without its inside.
+Shape straight_walls(const Shape& chamber) {
+  Shape walls;
+  for (const OutlineEdge& edge : outline(chamber))
+    walls.segments.push_back({chamber.vertices[edge.from], chamber.vertices[edge.to]});
+  return walls;
+}
+
+bool overlap(const MovingShape& a, const MovingShape& b) {
+  if (!has_area(*a.shape) && !has_area(*b.shape)) return false;
+  const std::vector<MeetingPart> parts = shapes_meet(a, b, {0, 0});
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const MeetingPart& part) { return part.kind == HitClass::through; });
+}
+
+constexpr const char* kMovePillar =
+    "move it, or make it smaller: the room's area and walls would be wrong";
+
+std::string named(const Chamber::Pillar& pillar) {
+  return fmt::format("the pillar {} at ({}, {})", pillar.name, number_text(pillar.at.x()),
+                     number_text(pillar.at.y()));
+}
+
+// Whether the pillars of a chamber lie in it and apart, as far as contact tells: curved walls of the
+// chamber, and arcs but those of capsules and ellipses, are not looked at.
+Result<void> expect_apart(const Scene& scene, const Chamber& chamber) {
+  const FrameState state = at(Timeline(scene, scene.seed, 1), 1);
+  const Solids solids(scene, state);
+  const Shape walls = straight_walls(scene.shapes[chamber.shape]);
+  std::vector<MovingShape> bodies;
+  std::vector<Bounds> boxes;
+  for (const Chamber::Pillar& pillar : chamber.pillars) {
+    const Shape& shape = scene.shapes[pillar.shape];
+    bodies.push_back({&shape, pillar_pose(state, pillar), {0, 0}});
+    boxes.push_back(shape_bounds(shape, bodies.back().place));
+    const bool stands_in = solids.in_chamber(point_of(shape, bodies.back().place));
+    if (!stands_in || overlap({&walls, world_pose(state), {0, 0}}, bodies.back()))
+      return fail(chamber.where, fmt::format("{} does not stand in the chamber", named(pillar)),
+                  kMovePillar);
+  }
+  for (const auto& [a, b] : overlapping_pairs(boxes))
+    if (overlap(bodies[a], bodies[b]))
+      return fail(
+          chamber.where,
+          fmt::format("{} and {} overlap", named(chamber.pillars[a]), named(chamber.pillars[b])),
+          kMovePillar);
+  return {};
+}
+
+}  // namespace
+
 Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
   if (room.perimeter() > 0) return {};
   return fail(named_place(context.scene.name), "has no walls",
@@ -105,9 +176,7 @@ Result<void> expect_closed(const ExperimentContext& context) {
     return fail(place, "has no chamber for orbits to stay in", "add [[chamber]] with a shape");
   const Chamber& chamber = scene.chambers.front();
   const Shape& shape = scene.shapes[chamber.shape];
-  if (shape.vertices.empty() && shape.circles.empty() &&
-      std::none_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                   [](const ArcPath& path) { return path.closed; }))
+  if (!has_area(shape))
     return fail(chamber.where, "the chamber is open, and orbits leave it",
                 "close its shape: a polygon, a circle, a capsule");
   const bool absorbs =
@@ -122,7 +191,7 @@ Result<void> expect_closed(const ExperimentContext& context) {
   if (others)
     return fail(place, "has entities that rays meet beside its chamber",
                 "write what stands in the chamber as its pillars: their areas count");
-  return {};
+  return chamber.material == Material::periodic ? Result<void>{} : expect_apart(scene, chamber);
 }
 
 Result<void> expect_not_periodic(const ExperimentContext& context) {

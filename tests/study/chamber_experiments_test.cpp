@@ -177,6 +177,26 @@ TEST(Reflections, OfAWedgeThatIsTooShortOrCutOffHaveNoClosedForm) {
   EXPECT_EQ(measure(run("reflections", cut), "r (at least)").expected, std::nullopt);
 }
 
+// Where they overlap, or leave the room, neither the area nor the length of the walls is what is added
+// up; those that touch, and lone walls that cross each other, are as they are.
+TEST(ClosedRooms, HavePillarsThatLieApartInThem) {
+  const auto told = [](const std::string& pillars) {
+    const Scene scene = room("box = { min = [0, 0], max = [4, 4] }", pillars);
+    const auto result = experiment("mean-free-path").run({scene, 1, 1000, 1});
+    return result ? "" : result.error()[0].message;
+  };
+  const std::string first = "{ shape = { circle = { centre = [1, 1], radius = 0.5 } } }, ";
+  EXPECT_EQ(told(first + "{ shape = { circle = { centre = [2, 1], radius = 0.5 } } }"), "");
+  EXPECT_NE(told(first + "{ shape = { circle = { centre = [1.9, 1], radius = 0.5 } } }"), "");
+  EXPECT_NE(told(first + "{ shape = { segment = { from = [1, 1], to = [3, 1] } } }"), "");
+  EXPECT_NE(told(first + "{ shape = { box = { min = [3, 3], max = [5, 3.5] } } }"), "");
+  EXPECT_NE(told(first + "{ shape = { box = { min = [5, 3], max = [6, 3.5] } } }"), "");
+  EXPECT_EQ(told(first + "{ shape = { box = { min = [3, 3], max = [4, 3.5] } } }"), "");
+  EXPECT_EQ(told("{ shape = { segment = { from = [1, 1], to = [3, 3] } } }, "
+                 "{ shape = { segment = { from = [1, 3], to = [3, 1] } } }"),
+            "");
+}
+
 // Units of length do not matter to exponents by hit.
 TEST(Lyapunov, DoesNotDependOnTheUnitOfLength) {
   const auto by_hit = [](const std::string& side, const std::string& radius) {
