@@ -112,6 +112,7 @@ class Search {
       const std::vector<Vec2> normals = look();
       if (!sound_ || found_.verdict == CurvedContact::Verdict::apart) break;
       std::vector<Vec2> back;
+      back.reserve(normals.size());
       for (const Vec2& n : normals) back.push_back(-n);
       const bool finer_a = a_.refine(normals), finer_b = b_.refine(back);
       if (!finer_a && !finer_b) break;

@@ -17,7 +17,7 @@ namespace {
 // Of what turns a box around all its angles.
 Bounds box_of(const MovingShape& moving) {
   if (moving.spin == 0) return shape_bounds(*moving.shape, moving.place);
-  const Bounds own = shape_bounds(*moving.shape, {{0, 0}, 1, 0, moving.place.scale});
+  Bounds own = shape_bounds(*moving.shape, {{0, 0}, 1, 0, moving.place.scale});
   if (own.empty()) return own;
   const Vec2 farthest = own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs());
   const double reach = (1 + 0x1p-40) * farthest.stableNorm();

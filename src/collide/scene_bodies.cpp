@@ -96,7 +96,7 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
         parts_of(shape_of(scene, states[i]), pose({0, 0}, states[i].angle, states[i].scale));
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
-  const double scale = any_mass(scene) ? 1 : scale_for(bodies);
+  const double scale = any_mass(scene) ? 1.0 : scale_for(bodies);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     const Entity& entity = scene.entities[i];
     const bool held = std::find(fixed.begin(), fixed.end(), entity.name) != fixed.end();

@@ -71,9 +71,7 @@ class Line {
 
  private:
   Sign side(const Vec2& p) const { return side_of_ray(ray_, p); }
-  HitTime abreast(const Vec2& p) const {
-    return HitTime::on_line(ray_, p, {0, 0}, {-ray_.direction.y(), ray_.direction.x()});
-  }
+  HitTime abreast(const Vec2& p) const { return HitTime::abreast(ray_, p); }
   void touch(const HitTime& t, int edge) { events_.push_back({t, {0, 0}, edge, true}); }
   void touch_vertex(const Vec2& p, int edge) {
     if (side(p) == Sign::zero) touch(abreast(p), edge);

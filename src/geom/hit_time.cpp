@@ -181,7 +181,7 @@ std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec
   const Sign side = side_of_ray(ray, centre);
   if (turn == Sign::zero) {
     if (side != Sign::zero) return std::nullopt;
-    return HitTime::on_line(ray, end, {0, 0}, {-ray.direction.y(), ray.direction.x()});
+    return HitTime::abreast(ray, end);
   }
   // Its sides: of the centre w0, of the end w0 + turn; s = -w0 / turn.
   if (side * turn != Sign::negative) return std::nullopt;

@@ -35,6 +35,11 @@ class HitTime {
   /// The same for a line that moves with `velocity`, and a point that moves along the ray.
   static HitTime on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
                                 const Vec2& velocity);
+  /// Where `ray` is level with a point: at the foot of the perpendicular from it. Needs a direction that
+  /// is not zero.
+  static HitTime abreast(const Ray& ray, const Vec2& point) {
+    return on_line(ray, point, {0, 0}, {-ray.direction.y(), ray.direction.x()});
+  }
   /// Where `ray` crosses a curve. Needs a line that meets it, and a direction that is not zero.
   static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root);
 

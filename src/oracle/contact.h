@@ -18,7 +18,8 @@ struct ContactTruth {
 /// Needs   rings as contact() does, within.low <= within.high.
 /// Source  separating axes: on each the shadows of the two must overlap, which holds for a closed
 ///         interval of t; neither the difference of the shapes nor sides of a line are formed.
-/// Cost    some 100 us.
+/// Cost    some 5 us where places, and velocities, are whole numbers of 60 bits of some unit; else
+///         some 50 us in rationals.
 ContactTruth contact_truth(std::span<const Vec2> a, const Vec2& velocity_a, std::span<const Vec2> b,
                            const Vec2& velocity_b, Range within);
 

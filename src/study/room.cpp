@@ -20,6 +20,12 @@
 namespace flatray {
 namespace {
 
+bool has_area(const Shape& shape) {
+  return !shape.vertices.empty() || !shape.circles.empty() ||
+         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return path.closed; });
+}
+
 Sign side_of(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
   const std::uint32_t slot = walls.slot[surface];
   if (!walls.is_straight(surface)) return curve_side(point, walls.curve(surface));
@@ -53,8 +59,7 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
                             ? scene_.chambers[owner.index].pillars[owner.pillar].shape
                             : state_.entities[owner.index].shape;
   const Shape& whole = scene_.shapes[shape];
-  const bool closed = !whole.arc_paths.empty() && whole.arc_paths.front().closed;
-  if (whole.vertices.empty() && whole.circles.empty() && !closed) return std::nullopt;
+  if (!has_area(whole)) return std::nullopt;
   return chamber != curved ? Sign::positive : Sign::negative;
 }
 
@@ -97,12 +102,6 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
 }
 
 namespace {
-
-bool has_area(const Shape& shape) {
-  return !shape.vertices.empty() || !shape.circles.empty() ||
-         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                     [](const ArcPath& path) { return path.closed; });
-}
 
 // Any point of it, in the world.
 Vec2 point_of(const Shape& shape, const Pose& place) {

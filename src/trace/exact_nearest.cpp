@@ -68,21 +68,15 @@ void ExactNearest::offer_point_test(std::uint32_t number, bool on_it, bool at_en
     best_ = hit;
 }
 
-// When the ray is level with a point: the perpendicular through the point is a line it always
-// crosses.
-HitTime ExactNearest::time_abreast_of(const Vec2& point) const {
-  return HitTime::on_line(ray_, point, {0, 0}, {-ray_.direction.y(), ray_.direction.x()});
-}
-
 void ExactNearest::offer_along(const Segment& segment, std::uint32_t number) {
-  const HitTime a = time_abreast_of(segment.a), b = time_abreast_of(segment.b);
+  const HitTime a = HitTime::abreast(ray_, segment.a), b = HitTime::abreast(ray_, segment.b);
   const auto [near, far] = compare(a, b) <= 0 ? std::pair(a, b) : std::pair(b, a);
   if (far.sign() == Sign::negative) return;
   const bool ends_here = far.sign() == Sign::zero;
   const bool at_end = ends_here || near.sign() != Sign::negative;
   const HitClass kind = ends_here || compare(near, far) == 0 ? HitClass::touch : HitClass::along;
   offer({number, kind, Root::none, at_end, 0},
-        at_end && !ends_here ? near : time_abreast_of(ray_.origin));
+        at_end && !ends_here ? near : HitTime::abreast(ray_, ray_.origin));
 }
 
 void ExactNearest::offer_segment(std::size_t slot) {

@@ -34,7 +34,6 @@ class ExactNearest {
   void offer_point_test(std::uint32_t number, bool on_it, bool at_end);
   void offer_along(const Segment& segment, std::uint32_t number);
   void offer_root(std::uint32_t number, const Arc& arc, const CurveHit& met);
-  HitTime time_abreast_of(const Vec2& point) const;
 
   const Surfaces& walls_;
   Ray ray_;
