@@ -114,31 +114,56 @@ std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points) {
 }
 
 std::string words(const FittedOrder& order, const std::string& grows) {
-  return fmt::format("{}error ~ ({})^{:.2f} +- {:.2f}",
-                     order.series.empty() ? "" : order.series + ": ", grows, order.slope,
-                     order.standard_error);
+  const std::string of = order.series.empty() ? "" : order.series + ": ";
+  return order.law == Law::power ? fmt::format("{}error ~ ({})^{:.2f} +- {:.2f}", of, grows,
+                                               order.slope, order.standard_error)
+                                 : fmt::format("{}error ~ e^({:.3f} {}) +- {:.3f}", of, order.slope,
+                                               grows, order.standard_error);
 }
 
 std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
-                                     const std::string& series) {
+                                     const std::string& series, Law law, double saturated) {
   std::vector<std::pair<double, double>> logs;
   for (const AccuracyPoint& point : points)
-    if (point.series == series && point.n > 0 && point.outcome.error > 0)
-      logs.emplace_back(portable::log(point.n), portable::log(point.outcome.error));
+    if (const double error = point.outcome.error;
+        point.series == series && point.n > 0 && error > 0 && error < saturated)
+      logs.emplace_back(law == Law::power ? portable::log(point.n) : point.n, portable::log(error));
   if (logs.size() < 3) return std::nullopt;
   const auto count = static_cast<double>(logs.size());
   double x = 0, y = 0;
   for (const auto& [n, error] : logs) x += n / count, y += error / count;
-  double xx = 0, xy = 0, rest = 0;
-  for (const auto& [n, error] : logs) xx += (n - x) * (n - x), xy += (n - x) * (error - y);
-  if (xx == 0) return std::nullopt;
+  double xx = 0, xy = 0, yy = 0, rest = 0;
+  for (const auto& [n, error] : logs) {
+    xx += (n - x) * (n - x), xy += (n - x) * (error - y);
+    yy = std::max(yy, std::fabs(error - logs.front().second));
+  }
+  if (xx == 0 || yy == 0) return std::nullopt;
   const double slope = xy / xx;
   for (const auto& [n, error] : logs) {
     const double off = error - y - slope * (n - x);
     rest += off * off;
   }
-  return FittedOrder{slope, std::sqrt(rest / (count - 2) / xx), series};
+  return FittedOrder{slope, std::sqrt(rest / (count - 2) / xx), series, law, rest};
 }
+
+namespace {
+
+// Of each series by the first law, unless another leaves less than half of what that does.
+std::vector<FittedOrder> fit_orders(const ChoiceSettings& made,
+                                    const std::vector<AccuracyPoint>& points) {
+  std::vector<FittedOrder> orders;
+  for (const std::string& series : series_of(points)) {
+    std::optional<FittedOrder> nearest;
+    for (const Law law : made.laws)
+      if (auto order = fit_order(points, series, law, made.saturated);
+          order && (!nearest || 2 * order->rest < nearest->rest))
+        nearest = std::move(order);
+    if (nearest) orders.push_back(*std::move(nearest));
+  }
+  return orders;
+}
+
+}  // namespace
 
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context) {
   ChoiceReport report;
@@ -163,9 +188,7 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   more_rounds(rounds, budget, report);
   report.one_question = made->one_question;
   if (report.one_question) mark_best(report.points);
-  if (made->ordered)
-    for (const std::string& series : series_of(report.points))
-      if (auto order = fit_order(report.points, series)) report.orders.push_back(*std::move(order));
+  report.orders = fit_orders(*made, report.points);
   report.seconds = budget.used();
   return report;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,11 +70,18 @@ struct AccuracyPoint {
   std::string series{};
 };
 
-/// Least squares of log error against log n, over the points with both above 0: the error goes like
-/// n^slope.
+/// How an error may go with n.
+enum class Law : std::uint8_t {
+  power,       ///< like n^slope
+  exponential  ///< like e^(slope n)
+};
+
+/// Least squares of log error against log n, or n, over the points with both above 0.
 struct FittedOrder {
   double slope = 0, standard_error = 0;
   std::string series{};
+  Law law = Law::power;
+  double rest = 0;  ///< squares of what it leaves of log error, together
 };
 
 /// What a choice costs and gives on one scene.
@@ -110,7 +118,10 @@ struct ChoiceSettings {
   std::string reference, unit, grows;
   std::vector<Setting> settings;  ///< from the cheapest on
   bool one_question = true;       ///< whether all settings answer the same, so that one is best
-  bool ordered = true;            ///< whether a power of n is to be fitted
+  /// Of which the first is told, or one that fits clearly better.
+  std::vector<Law> laws = {Law::power};
+  /// Errors from which on they cannot grow any more, so that no law holds.
+  double saturated = std::numeric_limits<double>::infinity();
   std::vector<MissingSetting> missing{};
   std::string cut{};  ///< what of the reference the budget left out
 };
@@ -152,13 +163,15 @@ std::string advice(const ChoiceReport& report, const AccuracyPoint& point);
 /// Parts of a point's error, all of it under the choice's kind where no more is defined.
 ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point);
 
-/// The slope of a straight line through (log n, log error) of the points of one series. Nothing for
-/// fewer than three points.
+/// The slope of a straight line through (log n, log error), or (n, log error), of the points of one
+/// series below an error. Nothing for fewer than three points, nor where all errors are the same.
 std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
-                                     const std::string& series = {});
+                                     const std::string& series = {}, Law law = Law::power,
+                                     double saturated = std::numeric_limits<double>::infinity());
 /// The series of some points, in the order they come in.
 std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points);
-/// Such an order in words: "quasi: error ~ (flights)^-0.98 +- 0.02".
+/// Such an order in words: "quasi: error ~ (flights)^-0.98 +- 0.02", "error ~ e^(0.75 bounces) +-
+/// 0.02".
 std::string words(const FittedOrder& order, const std::string& grows);
 
 }  // namespace flatray

@@ -118,6 +118,16 @@ std::string figure(const ChoiceReport& report) {
          "\">\n" + inline_svg(accuracy_plot(report)) + "</figure>\n";
 }
 
+std::string law(const FittedOrder& order, const std::string& grows) {
+  const std::string of = order.series.empty() ? "" : svg_text(order.series) + ": ";
+  return order.law == Law::power
+             ? fmt::format("<p>{}The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
+                           of, grows, order.slope, order.standard_error)
+             : fmt::format(
+                   "<p>{}The error goes like e<sup>({:.3f} &plusmn; {:.3f}) {}</sup>.</p>\n", of,
+                   order.slope, order.standard_error, grows);
+}
+
 std::string section(const ChoiceReport& report) {
   std::string text = fmt::format("<section>\n<h2>{}</h2>\n<p>{}</p>\n", svg_text(report.name),
                                  svg_text(report.question));
@@ -126,10 +136,7 @@ std::string section(const ChoiceReport& report) {
   text += fmt::format("<p>Error of {}: {}; against {}.</p>\n", name(report.kind),
                       svg_text(report.unit), svg_text(report.reference));
   text += table(report);
-  for (const FittedOrder& order : report.orders)
-    text += fmt::format("<p>{}The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
-                        order.series.empty() ? "" : svg_text(order.series) + ": ",
-                        svg_text(report.grows), order.slope, order.standard_error);
+  for (const FittedOrder& order : report.orders) text += law(order, svg_text(report.grows));
   text += "<ul>\n";
   for (const std::string& line : remarks(report)) text += "<li>" + svg_text(line) + "</li>\n";
   text += "</ul>\n" + figure(report);
@@ -150,13 +157,14 @@ std::string accuracy_plot(const ChoiceReport& report) {
   }
   Plot::Series best{"best", {}};
   for (const AccuracyPoint& point : report.points) {
-    if (point.best) best.points.push_back({point.seconds, point.outcome.error});
+    if (point.best && point.outcome.error > 0)
+      best.points.push_back({point.seconds, point.outcome.error});
     if (const std::string words = advice(report, point); !words.empty())
       plot.notes.push_back({point.seconds, point.outcome.error, words});
   }
   std::sort(best.points.begin(), best.points.end(),
             [](const auto& a, const auto& b) { return a.x < b.x; });
-  plot.series.push_back(std::move(best));
+  if (!best.points.empty()) plot.series.push_back(std::move(best));
   return svg(plot);
 }
 

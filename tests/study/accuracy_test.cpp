@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/polygon shapes/segment
+// needs: shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment
 #include "study/accuracy.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/processor_time.h"
+#include "chamber_scenes.h"
+#include "precise/certified_orbit.h"
 #include "scene/scene_text.h"
 #include "study/accuracy_report.h"
 
@@ -46,6 +48,54 @@ TEST(FittedOrder, IsOfOneSeriesAlone) {
 TEST(FittedOrder, OfTwoPointsIsNone) {
   EXPECT_FALSE(fit_order({point(1, 1), point(2, 0.5)}));
   EXPECT_FALSE(fit_order({point(2, 1), point(2, 0.5), point(2, 0.25)}));
+}
+
+TEST(FittedOrder, IsTheExponentOfAnExponentialBelowItsEnd) {
+  std::vector<AccuracyPoint> points;
+  for (const double n : {1.0, 2.0, 8.0, 20.0})
+    points.push_back(point(n, 1e-16 * std::exp(0.75 * n)));
+  points.push_back(point(100, 1));
+  const auto order = fit_order(points, "", Law::exponential, 1e-3);
+  ASSERT_TRUE(order);
+  EXPECT_NEAR(order->slope, 0.75, 1e-12);
+  EXPECT_EQ(words(*order, "bounces"), "error ~ e^(0.750 bounces) +- 0.000");
+  EXPECT_LT(order->rest, 1e-20);
+  EXPECT_GT(fit_order(points, "", Law::power, 1e-3)->rest, 1);
+}
+
+TEST(FittedOrder, OfErrorsThatDoNotChangeIsNone) {
+  EXPECT_FALSE(fit_order({point(1, 0.5), point(2, 0.5), point(4, 0.5)}));
+}
+
+ChoiceReport precision_in(const Scene& scene) {
+  for (const Choice* choice : choices())
+    if (choice->name == std::string("precision"))
+      return measure_choice(*choice, {scene, 1, 1, 1e6});
+  return {};
+}
+
+// By tangents: experiment lyapunov.
+TEST(Accuracy, ErrorOfOrbitsGrowsByTheLyapunovExponentOfTheirRoom) {
+  if (!can_certify()) GTEST_SKIP() << "there is no MPFR";
+  for (const Scene& scene : {testing::sinai("0.3"), testing::stadium()}) {
+    const ChoiceReport report = precision_in(scene);
+    ASSERT_EQ(report.orders.size(), 1U) << report.left_out;
+    EXPECT_EQ(report.orders[0].law, Law::exponential);
+    const Measure exponent =
+        testing::measure(testing::run("lyapunov", {.scene = scene, .count = 200000}), "per_hit");
+    EXPECT_NEAR(report.orders[0].slope, exponent.value, 0.1 * exponent.value);
+  }
+}
+
+TEST(Accuracy, ErrorOfOrbitsInAPolygonGrowsLikeAPower) {
+  if (!can_certify()) GTEST_SKIP() << "there is no MPFR";
+  const Scene scene =
+      testing::room("polygon = { points = [[0, 0], [4, 0], [5, 2], [2, 4], [-1, 2]] }");
+  const ChoiceReport report = precision_in(scene);
+  ASSERT_EQ(report.orders.size(), 1U) << report.left_out;
+  EXPECT_EQ(report.orders[0].law, Law::power);
+  EXPECT_GT(report.orders[0].slope, 0.5);
+  EXPECT_LT(report.orders[0].slope, 2);
 }
 
 std::string always(const Scene&) { return ""; }

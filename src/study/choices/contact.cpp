@@ -24,7 +24,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const auto scene = pair_scene(context);
   if (!scene) return tl::unexpected(scene.error());
   ChoiceSettings made = pair_settings(**scene);
-  made.ordered = false;
+  made.laws = {};
   made.settings = {setting(*scene, "boxes", &boxes), setting(*scene, "minkowski", &exact),
                    setting(*scene, "edge-rays", &find_edge_ray_meetings)};
   return made;

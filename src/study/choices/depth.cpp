@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 
@@ -69,6 +70,14 @@ Outcome judge(const Fates& fates) {
   return {share, half, picture(fates), {half, share, std::nullopt, std::nullopt}};
 }
 
+// Bounces of the longest orbit that ends.
+std::uint64_t longest(const std::vector<PixelOutcome>& pixels) {
+  std::uint64_t most = 0;
+  for (const PixelOutcome& pixel : pixels)
+    if (pixel.kind != Kind::limit) most = std::max<std::uint64_t>(most, pixel.bounces);
+  return most;
+}
+
 Setting limited(const std::shared_ptr<Fates>& fates, std::uint64_t bounces, unsigned threads) {
   return {fmt::format("{} bounce{}", bounces, bounces == 1 ? "" : "s"),
           static_cast<double>(bounces), [=] { fates->found = followed(*fates, bounces, threads); },
@@ -117,8 +126,11 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   if (bounces < kTruthBounces)
     made.cut = fmt::format("reference of {} bounces instead of {}", bounces, kTruthBounces);
   made.grows = "bounces";
-  made.ordered = false;  // rooms that scatter lose their orbits like e^-n, others like a power
-  for (std::uint64_t n = 1; n <= std::min(bounces / 4, kMostBounces); n *= 4)
+  made.laws = {};  // rooms that scatter lose their orbits like e^-n, others like a power
+  // 1, 2, 3, 4, 6, 8, 12, ... until all have ended
+  const std::uint64_t most =
+      std::min({bounces / 4, kMostBounces, std::bit_ceil(longest(fates->truth) + 1)});
+  for (std::uint64_t n = 1; n <= most; n += std::max<std::uint64_t>(1, std::bit_floor(n) / 2))
     made.settings.push_back(limited(fates, n, context.threads));
   return made;
 }

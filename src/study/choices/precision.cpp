@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <memory>
 
 #include "base/processor_time.h"
@@ -13,20 +13,28 @@
 namespace flatray {
 namespace {
 
-// An orbit in doubles or certified, beside one in many bits.
-struct Pair {
-  Pair(const Scene& scene, std::uint64_t seed)
-      : room(scene), mirrors(room.walls().size(), Material::mirror) {
-    start = room.draw_start(seed, 0).ray;
-  }
+// Orbits in doubles or certified, each beside one in many bits.
+struct Orbits {
+  explicit Orbits(const Scene& scene)
+      : room(scene), mirrors(room.walls().size(), Material::mirror) {}
+
+  struct One {
+    Ray start;
+    std::vector<oracle::LongOrbit::Bounce> exact;
+    Vec2 last{0, 0};
+  };
   Room room;
   std::vector<Material> mirrors;
-  Ray start;
-  std::vector<oracle::LongOrbit::Bounce> exact;
-  Vec2 last{0, 0};
+  std::vector<One> all;
+  std::size_t bounces = 0;  // that all of them have
 };
 
-constexpr std::uint64_t kBounces = 128, kFewBounces = 8;
+constexpr std::uint64_t kStarts = 15;  // odd, so that one of them is the median
+constexpr std::uint64_t kFewBounces = 8;
+constexpr std::array<std::uint64_t, 14> kBounces = {1,  2,  4,  8,  12, 16, 20,
+                                                    24, 28, 32, 48, 64, 96, 128};
+constexpr double kSaturated =
+    0x1p-10;  // of the room: farther apart two orbits have nothing in common
 constexpr unsigned kFirstBits = 512, kMostBits = 1 << 14;
 
 // The bounces up to which an orbit is the same in two numbers of bits.
@@ -39,25 +47,27 @@ std::size_t agreeing(const oracle::LongOrbit& a, const oracle::LongOrbit& b) {
   return count;
 }
 
-// Bits are doubled until they tell all bounces, or time is up. Gives   the fewer of the two.
-unsigned find_truth(Pair& pair, double seconds) {
-  const double start = processor_seconds();
-  const auto few = oracle::long_orbit(pair.room.walls(), pair.start, kFewBounces, kFirstBits);
-  const double each = (processor_seconds() - start) / static_cast<double>(kFewBounces);
+// Bounces there is time for.
+std::uint64_t affordable(const Room& room, const Ray& start, double seconds) {
+  const double begin = processor_seconds();
+  const auto few = oracle::long_orbit(room.walls(), start, kFewBounces, kFirstBits);
+  const double each = (processor_seconds() - begin) / static_cast<double>(kFewBounces);
   // The two numbers of bits that are begun with take some four times as long as the fewer alone.
   const double allowed = seconds / std::max(4 * each, 1e-9);
-  const std::uint64_t bounces =
-      allowed > static_cast<double>(kBounces) ? kBounces
-      : allowed < static_cast<double>(kFewBounces)
-          ? kFewBounces
-          : std::uint64_t{1} << (std::bit_width(static_cast<std::uint64_t>(allowed)) - 1);
+  if (allowed >= static_cast<double>(kBounces.back())) return kBounces.back();
+  return std::max(kFewBounces, static_cast<std::uint64_t>(allowed));
+}
+
+// Bits are doubled until they tell all bounces, or time is up. Gives   the fewer of the two.
+unsigned find_truth(const Room& room, std::uint64_t bounces, double seconds, Orbits::One& one) {
+  const double start = processor_seconds();
   unsigned bits = kFirstBits;
-  oracle::LongOrbit orbit = oracle::long_orbit(pair.room.walls(), pair.start, bounces, bits);
+  oracle::LongOrbit orbit = oracle::long_orbit(room.walls(), one.start, bounces, bits);
   for (;; bits *= 2) {
-    oracle::LongOrbit finer = oracle::long_orbit(pair.room.walls(), pair.start, bounces, 2 * bits);
+    oracle::LongOrbit finer = oracle::long_orbit(room.walls(), one.start, bounces, 2 * bits);
     const std::size_t same = agreeing(orbit, finer);
-    pair.exact.assign(finer.bounces.begin(),
-                      finer.bounces.begin() + static_cast<std::ptrdiff_t>(same));
+    one.exact.assign(finer.bounces.begin(),
+                     finer.bounces.begin() + static_cast<std::ptrdiff_t>(same));
     if (same == finer.bounces.size() || 2 * bits >= kMostBits ||
         processor_seconds() - start > seconds / 2)
       return bits;
@@ -65,30 +75,59 @@ unsigned find_truth(Pair& pair, double seconds) {
   }
 }
 
-std::function<Outcome()> judged(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
-  return [pair, bounces] {
-    return Outcome{(pair->last - pair->exact[bounces - 1].point).stableNorm()};
+// All starts with as many bounces as the longest; what ends before, in a corner or as time was up, is
+// left out. Gives   the most bits that took.
+unsigned find_truths(Orbits& orbits, std::uint64_t seed, double seconds) {
+  unsigned bits = kFirstBits;
+  const double each = seconds / static_cast<double>(kStarts);
+  std::uint64_t bounces = 0;
+  for (std::uint64_t number = 0; number < kStarts; ++number) {
+    Orbits::One one;
+    one.start = orbits.room.draw_start(seed, number).ray;
+    if (number == 0) bounces = affordable(orbits.room, one.start, each);
+    bits = std::max(bits, find_truth(orbits.room, bounces, each, one));
+    orbits.bounces = std::max(orbits.bounces, one.exact.size());
+    orbits.all.push_back(std::move(one));
+  }
+  std::erase_if(orbits.all,
+                [&](const Orbits::One& one) { return one.exact.size() < orbits.bounces; });
+  return bits;
+}
+
+// The median of all starts.
+std::function<Outcome()> judged(const std::shared_ptr<Orbits>& orbits, std::size_t bounces) {
+  return [orbits, bounces] {
+    std::vector<double> off;
+    for (const Orbits::One& one : orbits->all)
+      off.push_back((one.last - one.exact[bounces - 1].point).stableNorm());
+    const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+    std::nth_element(off.begin(), middle, off.end());
+    return Outcome{*middle};
   };
 }
 
-// The last bounce of an orbit of so many; an orbit that ends before has no right place.
-Setting doubles(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
+// The last bounce of orbits of so many; an orbit that ends before has no right place.
+Setting doubles(const std::shared_ptr<Orbits>& orbits, std::size_t bounces) {
   return {fmt::format("bounce {} in doubles", bounces), static_cast<double>(bounces),
-          [pair, bounces] {
-            const Orbit orbit =
-                trace_orbit(pair->room.walls(), pair->mirrors, pair->start, bounces);
-            pair->last = orbit.bounces.empty() ? pair->start.origin : orbit.bounces.back().point;
+          [orbits, bounces] {
+            for (Orbits::One& one : orbits->all) {
+              const Orbit orbit =
+                  trace_orbit(orbits->room.walls(), orbits->mirrors, one.start, bounces);
+              one.last = orbit.bounces.empty() ? one.start.origin : orbit.bounces.back().point;
+            }
           },
-          judged(pair, bounces)};
+          judged(orbits, bounces)};
 }
 
-Setting certified(const std::shared_ptr<Pair>& pair, std::size_t bounces) {
+Setting certified(const std::shared_ptr<Orbits>& orbits, std::size_t bounces) {
   return {fmt::format("bounce {} certified", bounces), 0,
-          [pair, bounces] {
-            const auto orbit = certified_orbit(pair->room.walls(), pair->start, bounces);
-            pair->last = orbit->bounces.empty() ? pair->start.origin : orbit->bounces.back().point;
+          [orbits, bounces] {
+            for (Orbits::One& one : orbits->all) {
+              const auto orbit = certified_orbit(orbits->room.walls(), one.start, bounces);
+              one.last = orbit->bounces.empty() ? one.start.origin : orbit->bounces.back().point;
+            }
           },
-          judged(pair, bounces)};
+          judged(orbits, bounces)};
 }
 
 std::string left_out(const Scene& scene) {
@@ -99,22 +138,25 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const auto pair = std::make_shared<Pair>(context.scene, context.seed);
-  const unsigned bits = find_truth(*pair, reference_budget(context));
+  const auto orbits = std::make_shared<Orbits>(context.scene);
+  const unsigned bits = find_truths(*orbits, context.seed, reference_budget(context));
+  const std::size_t most = orbits->bounces;
   ChoiceSettings made;
-  made.unit = "world units between places";
+  made.unit =
+      fmt::format("world units between places, the median of {} starts", orbits->all.size());
   made.reference =
-      fmt::format("a moving point in {} bits by other formulas (oracle/long_orbit), the same in {}",
+      fmt::format("moving points in {} bits by other formulas (oracle/long_orbit), the same in {}",
                   2 * bits, bits);
-  if (pair->exact.size() < kBounces)
-    made.cut = fmt::format("reference of {} bounces instead of {}", pair->exact.size(), kBounces);
+  if (most < kBounces.back())
+    made.cut = fmt::format("reference of {} bounces instead of {}", most, kBounces.back());
   made.grows = "bounces";
   made.one_question = false;
-  made.ordered = false;  // in a chaotic room it grows like e^n, not like a power
-  for (std::size_t bounces = 1; bounces <= pair->exact.size(); bounces *= 2)
-    made.settings.push_back(doubles(pair, bounces));
-  for (std::size_t bounces = 8; bounces <= pair->exact.size(); bounces *= 4)
-    made.settings.push_back(certified(pair, bounces));
+  made.laws = {Law::power, Law::exponential};  // e^n in a chaotic room, which has an end
+  made.saturated = kSaturated * bounds_of(orbits->room.walls()).size().maxCoeff();
+  for (const std::uint64_t bounces : kBounces)
+    if (bounces <= most) made.settings.push_back(doubles(orbits, bounces));
+  for (std::size_t bounces = 8; bounces <= most; bounces *= 4)
+    made.settings.push_back(certified(orbits, bounces));
   return made;
 }
 

@@ -91,7 +91,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
           : "whole numbers of 128 bits, else rationals (oracle/nearest)");
   if (made->truth.size() < kRays)
     all.cut = fmt::format("reference for {} rays instead of {}", made->truth.size(), kRays);
-  all.ordered = false;
+  all.laws = {};
   for (const Tracer* tracer : tracers()) {
     const std::string why = tracer->missing == nullptr ? "" : tracer->missing();
     if (!why.empty()) {
