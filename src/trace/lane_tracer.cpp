@@ -99,10 +99,7 @@ class Block {
       w.up_to = ends_.data();
     }
     kernels.prepare(grid.view(), given_, w, fate_.data());
-    bool any = false;
-    for (std::size_t i = 0; i < count_; ++i)
-      any = mark_left(walls, grid, rays_->left[begin_ + i], w, i, fate_[i]) || any;
-    if (!any) w.left_ax = nullptr;
+    if (!mark_all_left(walls, grid, w)) w.left_ax = nullptr;
     (grid.has_cells() ? kernels.walk : kernels.scan)(grid.view(), w, found_.data());
   }
 
@@ -119,9 +116,27 @@ class Block {
     kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
   }
 
-  Verdict verdict(std::size_t i) const { return {found_[i], slots_[i], t_[i]}; }
+  struct Verdicts {
+    const int* found;
+    const std::uint32_t* slots;
+    const double* t;
+    Verdict operator[](std::size_t i) const { return {found[i], slots[i], t[i]}; }
+  };
+  Verdicts verdicts() const { return {found_.data(), slots_.data(), t_.data()}; }
 
  private:
+  // Whether any ray has left a segment.
+  bool mark_all_left(const Surfaces& walls, const CellGrid& grid, const lanes::Walking& w) {
+    const std::span left = std::span(rays_->left).subspan(begin_, count_);
+    std::uint32_t none = kNoSurface;  // all bits
+    for (const Left& each : left) none &= each.surface;
+    if (none == kNoSurface) return false;
+    bool any = false;
+    for (std::size_t i = 0; i < count_; ++i)
+      any = mark_left(walls, grid, left[i], w, i, fate_[i]) || any;
+    return any;
+  }
+
   std::size_t room_;
   std::vector<float> numbers_, columns_;
   std::vector<int> fate_, found_;
@@ -224,7 +239,8 @@ class LaneTracer : public Accelerator {
       block.load(rays, begin, count);
       block.walk(walls_, cells_, kernels_);
       block.finish(walls_, cells_, kernels_);
-      for (std::size_t i = 0; i < count; ++i) each(begin + i, block.verdict(i));
+      const Block::Verdicts verdicts = block.verdicts();
+      for (std::size_t i = 0; i < count; ++i) each(begin + i, verdicts[i]);
     }
   }
 

@@ -45,7 +45,8 @@ void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
     const Real length = choose(able, root(square), one);
     r.x = choose(able, r.x, all(grid.ring_x));
     r.y = choose(able, r.y, all(grid.ring_y));
-    const Real ux = choose(able, dx / length, one), uy = choose(able, dy / length, zero);
+    const Real shrink = one / length;
+    const Real ux = choose(able, dx * shrink, one), uy = choose(able, dy * shrink, zero);
     r.dx = choose(less(size(ux), least), with_sign_of(least, ux), ux);
     r.dy = choose(less(size(uy), least), with_sign_of(least, uy), uy);
     bring_in(grid, r);
@@ -53,8 +54,9 @@ void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
     store_single(walking.oy + i, r.y);
     store_single(walking.dx + i, r.dx);
     store_single(walking.dy + i, r.dy);
-    store_single(walking.inverse_x + i, one / size(r.dx));
-    store_single(walking.inverse_y + i, one / size(r.dy));
+    const Real size_x = size(r.dx), size_y = size(r.dy), inverse = one / (size_x * size_y);
+    store_single(walking.inverse_x + i, size_y * inverse);
+    store_single(walking.inverse_y + i, size_x * inverse);
     if (walking.up_to != nullptr)
       set_ends(grid, walking, i, load(walking.up_to + i) * length - r.skipped);
     double doubt[FLATRAY_LANES];

@@ -4,14 +4,15 @@
 template <bool some_left>
 inline void judge(const Constants& c, const Record& r, Mask idle, Group& g) {
   const Float ax = r.ax - g.ox, ay = r.ay - g.oy, bx = r.bx - g.ox, by = r.by - g.oy;
-  const Float side_a = g.dx * ay - g.dy * ax, side_b = g.dx * by - g.dy * bx;
-  const Float t_a = g.dx * ax + g.dy * ay, t_b = g.dx * bx + g.dy * by;
+  const Float side_a = fused_difference(g.dx, ay, g.dy * ax);
+  const Float side_b = fused_difference(g.dx, by, g.dy * bx);
+  const Float t_a = fused(g.dx, ax, g.dy * ay), t_b = fused(g.dx, bx, g.dy * by);
   const Float lower = smaller(side_a, side_b), upper = larger(side_a, side_b);
   const Float minus_side = all(0.0F) - c.side;
   const Mask missed = either(less(c.side, lower), less(upper, minus_side));
   const Mask sure = both(less(lower, minus_side), less(c.side, upper));
-  const Float slope = (t_b - t_a) / (side_a - side_b), t = t_a + side_a * slope;
-  const Float error = c.time + c.side * size(slope);
+  const Float slope = (t_b - t_a) / (side_a - side_b), t = fused(side_a, slope, t_a);
+  const Float error = fused(c.side, size(slope), c.time);
   const Float low = choose(sure, t - error, smaller(t_a, t_b) - c.time);
   const Float high = choose(sure, t + error, larger(t_a, t_b) + c.time);
   Mask out = either(either(idle, missed), either(less(high, all(0.0F)), less(g.limit, low)));

@@ -36,7 +36,16 @@ struct Known {
 inline Known cross(const Pair& ax, const Pair& ay, const Pair& bx, const Pair& by) {
   const Pair p = product(ax.high, by.high), q = product(ay.high, bx.high);
   const Pair high = difference(p.high, q.high);
-  const Real mixed = (ax.high * by.low + ax.low * by.high) - (ay.high * bx.low + ay.low * bx.high);
+  const Real mixed =
+      fused(ax.high, by.low, ax.low * by.high) - fused(ay.high, bx.low, ay.low * bx.high);
+  return {{high.high, high.low + (p.low - q.low) + mixed}, size(p.high) + size(q.high)};
+}
+
+// The same of an a that is no sum.
+inline Known cross(Real ax, Real ay, const Pair& bx, const Pair& by) {
+  const Pair p = product(ax, by.high), q = product(ay, bx.high);
+  const Pair high = difference(p.high, q.high);
+  const Real mixed = fused(ax, by.low, all(0) - ay * bx.low);
   return {{high.high, high.low + (p.low - q.low) + mixed}, size(p.high) + size(q.high)};
 }
 
@@ -51,14 +60,15 @@ inline Real quotient(const Known& n, const Known& d) {
   const Real rest = (high - p.low) + (n.value.low - carried);
   const Real rest_terms = size(high) + size(p.low) + size(n.value.low) + size(carried);
   const Real divisor = size(inverse), q2 = rest * inverse;
-  const Real known = (n.terms + size(q1) * d.terms) * all(0x1p-99) + rest_terms * all(0x1p-50);
-  const Real reach =
-      known * divisor + size(q2) * (all(0x1p-49) + all(4) * size(d.value.low) * divisor);
+  const Real known =
+      fused(fused(size(q1), d.terms, n.terms), all(0x1p-99), rest_terms * all(0x1p-50));
+  const Real low_share = size(d.value.low) * divisor;
+  const Real reach = fused(known, divisor, size(q2) * fused(all(4), low_share, all(0x1p-49)));
   const Real sum = q1 + q2, low = q2 - (sum - q1);
   const Mask normal = both(both(less(all(0x1p-800), n.terms), less(all(0x1p-800), d.terms)),
                            both(less(all(0x1p-800), sum), less(sum, all(0x1p900))));
   const Mask certain = both(equal(sum + (low + reach), sum), equal(sum + (low - reach), sum));
-  const Mask small = both(less(size(d.value.low) * divisor, all(0x1p-3)), less(size(q2), size(q1)));
+  const Mask small = both(less(low_share, all(0x1p-3)), less(size(q2), size(q1)));
   return choose(both(both(normal, certain), small), sum, all(__builtin_nan("")));
 }
 
@@ -69,6 +79,5 @@ struct RayLanes {
 inline Real crossing_time(const RayLanes& ray, const Ends& e) {
   const Pair ex = difference(e.bx, e.ax), ey = difference(e.by, e.ay);
   const Pair wx = difference(e.ax, ray.ox), wy = difference(e.ay, ray.oy);
-  const Pair dx = {ray.dx, all(0)}, dy = {ray.dy, all(0)};
-  return quotient(cross(wx, wy, ex, ey), cross(dx, dy, ex, ey));
+  return quotient(cross(wx, wy, ex, ey), cross(ray.dx, ray.dy, ex, ey));
 }

@@ -58,7 +58,7 @@ inline void test_list(const Grid& grid, const Line& line, unsigned record, Rival
   __builtin_prefetch(grid.slots + record);
   for (;; record += kLanes) {
     unsigned at[kLanes];
-    for (unsigned lane = 0; lane < kLanes; ++lane) at[lane] = record + lane;
+    for (unsigned lane = 0; lane < kLanes; ++lane) at[lane] = 2 * (record + lane);
     const Record w = fetch(grid.records, at);
     const unsigned last = bits(odd(w.by)), listed = last ^ (last - 1);
     const Float ax = w.ax - line.ox, ay = w.ay - line.oy;

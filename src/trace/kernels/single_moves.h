@@ -8,14 +8,14 @@ struct Record {
 
 #if FLATRAY_LANES == 1
 inline Record fetch(const float* records, const unsigned* at) {
-  const float* r = records + 4 * static_cast<unsigned long>(*at);
+  const float* r = records + 2 * static_cast<unsigned long>(*at);
   return {r[0], r[1], r[2], r[3]};
 }
 inline Float spread(unsigned, const float* from, Float) { return *from; }
 #elif FLATRAY_LANES == 2
 inline Record fetch(const float* records, const unsigned* at) {
   const auto row = [&](int lane) {
-    return load(records + 4 * static_cast<unsigned long>(at[lane]));
+    return load(records + 2 * static_cast<unsigned long>(at[lane]));
   };
   const Float r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
   const Float x01 = _mm_unpacklo_ps(r0, r1), x23 = _mm_unpacklo_ps(r2, r3);
@@ -33,7 +33,7 @@ inline Float spread(unsigned chosen, const float* from, Float others) {
 #elif FLATRAY_LANES == 4
 inline Record fetch(const float* records, const unsigned* at) {
   const auto row = [&](int lane) {
-    return _mm_loadu_ps(records + 4 * static_cast<unsigned long>(at[lane]));
+    return _mm_loadu_ps(records + 2 * static_cast<unsigned long>(at[lane]));
   };
   const auto rows = [&](int lane) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(row(lane)), row(lane + 4), 1);
@@ -64,7 +64,7 @@ inline Float spread(unsigned chosen, const float* from, Float others) {
 #else
 inline Record fetch(const float* records, const unsigned* at) {
   const auto row = [&](int lane) {
-    return _mm_loadu_ps(records + 4 * static_cast<unsigned long>(at[lane]));
+    return _mm_loadu_ps(records + 2 * static_cast<unsigned long>(at[lane]));
   };
   const auto rows = [&](int lane) {
     Float r = _mm512_setzero_ps();

@@ -26,6 +26,8 @@ inline Float size(Float a) { return __builtin_fabsf(a); }
 inline Float with_sign_of(Float size, Float sign) { return __builtin_copysignf(size, sign); }
 inline Float turned_by(Float sign, Float a) { return __builtin_signbitf(sign) ? -a : a; }
 inline Float floor(Float a) { return __builtin_floorf(a); }
+inline Float fused(Float a, Float b, Float c) { return a * b + c; }
+inline Float fused_difference(Float a, Float b, Float c) { return a * b - c; }
 inline Int whole(Float a) { return static_cast<Int>(a); }
 inline Float real(Int a) { return static_cast<Float>(a); }
 inline Int word_bits(Float a) { return __builtin_bit_cast(Int, a); }
@@ -73,6 +75,8 @@ inline Float with_sign_of(Float size, Float sign) {
 inline Float turned_by(Float sign, Float a) {
   return _mm_xor_ps(a, _mm_and_ps(_mm_set1_ps(-0.0F), sign));
 }
+inline Float fused(Float a, Float b, Float c) { return a * b + c; }
+inline Float fused_difference(Float a, Float b, Float c) { return a * b - c; }
 inline Int whole(Float a) { return _mm_cvttps_epi32(a); }
 inline Float real(Int a) { return _mm_cvtepi32_ps(a); }
 inline Float floor(Float a) {  // of what an Int can hold
@@ -139,6 +143,8 @@ inline Float turned_by(Float sign, Float a) {
   return _mm256_xor_ps(a, _mm256_and_ps(_mm256_set1_ps(-0.0F), sign));
 }
 inline Float floor(Float a) { return _mm256_floor_ps(a); }
+inline Float fused(Float a, Float b, Float c) { return _mm256_fmadd_ps(a, b, c); }
+inline Float fused_difference(Float a, Float b, Float c) { return _mm256_fmsub_ps(a, b, c); }
 inline Int whole(Float a) { return _mm256_cvttps_epi32(a); }
 inline Float real(Int a) { return _mm256_cvtepi32_ps(a); }
 inline Int word_bits(Float a) { return _mm256_castps_si256(a); }
@@ -195,6 +201,8 @@ inline Float turned_by(Float sign, Float a) {
 inline Float floor(Float a) {
   return _mm512_maskz_roundscale_ps(0xffff, a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
 }
+inline Float fused(Float a, Float b, Float c) { return _mm512_fmadd_ps(a, b, c); }
+inline Float fused_difference(Float a, Float b, Float c) { return _mm512_fmsub_ps(a, b, c); }
 inline Int whole(Float a) { return _mm512_maskz_cvttps_epi32(0xffff, a); }
 inline Float real(Int a) { return _mm512_maskz_cvtepi32_ps(0xffff, a); }
 inline Int word_bits(Float a) { return _mm512_castps_si512(a); }

@@ -22,7 +22,10 @@ inline Real size(Real a) { return __builtin_fabs(a); }
 inline Real with_sign_of(Real size, Real sign) { return __builtin_copysign(size, sign); }
 inline Real root(Real a) { return __builtin_sqrt(a); }
 #ifdef __FMA__
+inline Real fused(Real a, Real b, Real c) { return __builtin_fma(a, b, c); }
 inline Real fused_difference(Real a, Real b, Real c) { return __builtin_fma(a, b, -c); }
+#else
+inline Real fused(Real a, Real b, Real c) { return a * b + c; }
 #endif
 inline void store_single(float* to, Real value) { *to = static_cast<float>(value); }
 inline Ends fetch_ends(const double* ends, const unsigned* slot) {
@@ -54,6 +57,7 @@ inline Real with_sign_of(Real size, Real sign) {
   return _mm_or_pd(size, _mm_and_pd(_mm_set1_pd(-0.0), sign));
 }
 inline Real root(Real a) { return _mm_sqrt_pd(a); }
+inline Real fused(Real a, Real b, Real c) { return a * b + c; }
 inline void store_single(float* to, Real value) {
   _mm_storel_pi(reinterpret_cast<__m64*>(to), _mm_cvtpd_ps(value));
 }
@@ -87,6 +91,7 @@ inline Real with_sign_of(Real size, Real sign) {
   return _mm256_or_pd(size, _mm256_and_pd(_mm256_set1_pd(-0.0), sign));
 }
 inline Real root(Real a) { return _mm256_sqrt_pd(a); }
+inline Real fused(Real a, Real b, Real c) { return _mm256_fmadd_pd(a, b, c); }
 inline Real fused_difference(Real a, Real b, Real c) { return _mm256_fmsub_pd(a, b, c); }
 inline void store_single(float* to, Real value) { _mm_storeu_ps(to, _mm256_cvtpd_ps(value)); }
 inline Ends fetch_ends(const double* ends, const unsigned* slot) {
@@ -120,16 +125,26 @@ inline Real with_sign_of(Real size, Real sign) {
   return _mm512_or_pd(size, _mm512_and_pd(_mm512_set1_pd(-0.0), sign));
 }
 inline Real root(Real a) { return _mm512_maskz_sqrt_pd(255, a); }
+inline Real fused(Real a, Real b, Real c) { return _mm512_fmadd_pd(a, b, c); }
 inline Real fused_difference(Real a, Real b, Real c) { return _mm512_fmsub_pd(a, b, c); }
 inline void store_single(float* to, Real value) {
   _mm256_storeu_ps(to, _mm512_maskz_cvtpd_ps(255, value));
 }
 inline Ends fetch_ends(const double* ends, const unsigned* slot) {
-  const auto column = [&](int which) {
-    const __m256i at =
-        _mm256_slli_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(slot)), 2);
-    return _mm512_mask_i32gather_pd(all(0), 255, at, ends + which, 8);
+  const auto row = [&](int lane) {
+    return _mm256_loadu_pd(ends + 4 * static_cast<long>(slot[lane]));
   };
-  return {column(0), column(1), column(2), column(3)};
+  const auto rows = [&](int lane) {
+    return _mm512_maskz_insertf64x4(255, _mm512_castpd256_pd512(row(lane)), row(lane + 4), 1);
+  };
+  const Real r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+  const Real x01 = _mm512_maskz_unpacklo_pd(255, r0, r1);
+  const Real y01 = _mm512_maskz_unpackhi_pd(255, r0, r1);
+  const Real x23 = _mm512_maskz_unpacklo_pd(255, r2, r3);
+  const Real y23 = _mm512_maskz_unpackhi_pd(255, r2, r3);
+  const __m512i a = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+  const __m512i b = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  return {_mm512_permutex2var_pd(x01, a, x23), _mm512_permutex2var_pd(y01, a, y23),
+          _mm512_permutex2var_pd(x01, b, x23), _mm512_permutex2var_pd(y01, b, y23)};
 }
 #endif

@@ -11,6 +11,7 @@
 // within kMargin u M of:
 //   input       A, B, o are off by u M a coordinate, B_y by 2 u M for its last bit, d by a factor
 //               1 + u; the double arithmetic before that by less than u M / 100.
+// Tiers with fused products round some sums once where twice is allowed for.
 //   side        s_A = d x (A - o), and length t_A = d . (A - o): differences are off by 4 u M, in
 //               B_y by 5, which gives 6.41 u M; d gives 2.83 u M, the products 2.83 u M, their sum
 //               2.83 u M, together below e = 15 u M. kSide = 16.

@@ -5,7 +5,8 @@ template <bool some_left>
 inline void test(const Constants& c, const float* records, Group& g) {
   alignas(64) unsigned at[kLanes];
   const Mask idle = negative(g.record);
-  store(at, choose(idle, all(0), g.record));
+  const Int record = choose(idle, all(0), g.record);
+  store(at, sum(record, record));
   const Record r = fetch(records, at);
   judge<some_left>(c, r, idle, g);
   const Mask last = either(idle, odd(r.by));
@@ -20,8 +21,8 @@ inline void advance(Group& g) {
   g.live = but_not(g.live, stop);
   g.done = either(g.done, stop);
   g.moving = but_not(g.moving, stop);
-  const Float x = larger(g.from_x + g.exit * g.step_x, g.x);
-  const Float y = larger(g.from_y + g.exit * g.step_y, g.y);
+  const Float x = larger(fused(g.exit, g.step_x, g.from_x), g.x);
+  const Float y = larger(fused(g.exit, g.step_y, g.from_y), g.y);
   g.x = choose(g.moving, choose(g.across_x, g.exit_x, x), g.x);
   g.y = choose(g.moving, choose(g.across_x, y, g.exit_y), g.y);
 }
@@ -30,7 +31,7 @@ inline void advance(Group& g) {
 // corners.
 inline Int look_up(const unsigned* cells, Group& g, Float& cell) {
   const Float one = all(1.0F), x = floor(g.x), y = floor(g.y);
-  const Int word = gather(cells, whole(g.turn_y * y + (g.turn_x * x + g.first)));
+  const Int word = gather(cells, whole(fused(g.turn_y, y, fused(g.turn_x, x, g.first))));
   const Mask divided = second_bit(word);
   if (bits(divided) == 0) {
     g.x = x;
@@ -66,9 +67,10 @@ inline void enter(const Constants& c, const unsigned* cells, const float* record
   g.limit = choose(less(all(0.0F), side), g.exit - c.near, all(kEndless));
   // The records are wanted when the other groups have looked up theirs.
   alignas(64) unsigned at[kLanes];
-  store(at, choose(negative(g.record), all(0), g.record));
-  for (const unsigned record : at)
-    __builtin_prefetch(records + 4 * static_cast<unsigned long>(record));
+  const Int record = choose(negative(g.record), all(0), g.record);
+  store(at, sum(record, record));
+  for (const unsigned twice : at)
+    __builtin_prefetch(records + 2 * static_cast<unsigned long>(twice));
 }
 
 // The rays still to come, and where the answers go.
