@@ -342,8 +342,8 @@ Sign Rational::root_sign(const Rational& p, int s, const Rational& q) {
 
 Sign Rational::two_root_sign(const Rational& a, int s1, const Rational& q1, int s2,
                              const Rational& q2) {
-  if (s1 == 0) return root_sign(a, s2, q2);
-  if (s2 == 0) return root_sign(a, s1, q1);
+  if (s1 == 0 || q1.sign() == Sign::zero) return root_sign(a, s2, q2);
+  if (s2 == 0 || q2.sign() == Sign::zero) return root_sign(a, s1, q1);
   const auto larger = q1 <=> q2;
   const Sign roots = static_cast<Sign>(s1 == s2 || larger > 0 ? s1 : larger < 0 ? s2 : 0);
   if (roots == Sign::zero) return a.sign();

@@ -49,17 +49,63 @@ Sign apart_at(const RoundCore& a, const RoundCore& b, const Rational& t) {
   return (distance - reach * reach).sign();
 }
 
-bool never_meet(const RoundCore& a, const RoundCore& b) {
-  constexpr Range kAlways{-kInfinity, kInfinity};
-  if (contact_truth(a.ring, a.velocity, b.ring, b.velocity, kAlways).kind != HitClass::miss)
-    return false;
+namespace {
+
+StartPlace start_of(const RoundCore& a, const RoundCore& b, bool cores_meet) {
+  if (cores_meet) return StartPlace::inside;
+  const Sign apart = apart_at(a, b, 0);
+  return apart == Sign::negative ? StartPlace::inside
+         : apart == Sign::zero   ? StartPlace::boundary
+                                 : StartPlace::outside;
+}
+
+// When vertices are nearest to each other, within the range.
+std::vector<Rational> nearest_times(const RoundCore& a, const RoundCore& b, Range within) {
   const Point way = pair_of(kNumber, b.velocity) - pair_of(kNumber, a.velocity);
+  std::vector<Rational> times;
   for (const Vec2& p : a.ring)
     for (const Vec2& q : b.ring) {
       const Point from = pair_of(kNumber, q) - pair_of(kNumber, p);
-      if (apart_at(a, b, -dot(from, way) / dot(way, way)) != Sign::positive) return false;
+      Rational t = -dot(from, way) / dot(way, way);
+      if (within.low == 0 && t.sign() == Sign::negative) t = 0;
+      times.push_back(std::move(t));
     }
-  return true;
+  return times;
+}
+
+HitClass class_at_rest(StartPlace start) {
+  return start == StartPlace::outside    ? HitClass::miss
+         : start == StartPlace::boundary ? HitClass::touch
+                                         : HitClass::through;
+}
+
+}  // namespace
+
+RoundTruth round_truth(const RoundCore& a, const RoundCore& b, Range within) {
+  const ContactTruth cores = contact_truth(a.ring, a.velocity, b.ring, b.velocity, within);
+  RoundTruth truth;
+  truth.start = start_of(a, b, cores.start != StartPlace::outside);
+  if (a.velocity == b.velocity) {
+    truth.kind = class_at_rest(truth.start);
+    return truth;
+  }
+  if (cores.kind != HitClass::miss) {
+    truth.kind = HitClass::through;
+    return truth;
+  }
+  for (const Rational& t : nearest_times(a, b, within)) {
+    const Sign apart = apart_at(a, b, t);
+    if (apart == Sign::negative) {
+      truth.kind = HitClass::through;
+      truth.first = truth.last = std::nullopt;
+      return truth;
+    }
+    if (apart == Sign::positive) continue;
+    if (!truth.first || t < *truth.first) truth.first = t;
+    if (!truth.last || t > *truth.last) truth.last = t;
+  }
+  if (truth.first) truth.kind = *truth.first == *truth.last ? HitClass::touch : HitClass::along;
+  return truth;
 }
 
 }  // namespace flatray::oracle

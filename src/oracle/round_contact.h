@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <span>
 
 #include "geom/exact.h"
+#include "geom/hit_interval.h"
 #include "geom/ray.h"
 
 namespace flatray::oracle {
@@ -20,9 +22,18 @@ struct RoundCore {
 ///         quadratic in t.
 Sign apart_at(const RoundCore& a, const RoundCore& b, const Rational& t);
 
-/// Whether they never meet for t in (-inf, inf). Needs   relative motion.
+/// When two such bodies meet, as round_contact() must answer.
+struct RoundTruth {
+  HitClass kind = HitClass::miss;
+  StartPlace start = StartPlace::outside;
+  std::optional<Rational> first, last;  ///< of what only touches
+};
+
+/// Needs   a radius above 0; `within` kRay or kLine.
 /// Source  the distance is convex in t, so where it never falls to the sum of the radii it does not do
-///         so when any two vertices are nearest, nor when the cores cross.
-bool never_meet(const RoundCore& a, const RoundCore& b);
+///         so when any two vertices are nearest, nor when the cores cross; where it only comes to be
+///         that sum, the first and the last time two vertices are nearest are the ends.
+/// Cost    some 100 us.
+RoundTruth round_truth(const RoundCore& a, const RoundCore& b, Range within);
 
 }  // namespace flatray::oracle

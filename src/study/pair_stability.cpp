@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "collide/contact_batch.h"
+#include "collide/round_contact.h"
 #include "collide/turning_contact.h"
 #include "oracle/contact.h"
 #include "oracle/moving_pairs.h"
+#include "oracle/round_pairs.h"
 #include "oracle/turning_pairs.h"
 
 namespace flatray {
@@ -30,8 +32,10 @@ void check_time(StabilityTally& tally, double t, const std::optional<Rational>& 
   if (t != std::nextafter(nearest, t)) ++tally.off_by_more;
 }
 
-void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
-             const oracle::ContactTruth& truth) {
+// Whether class and start are right.
+template <class Truth>
+bool count_verdict(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
+                   const Truth& truth) {
   ++tally.rays;
   const bool touches = truth.kind != HitClass::miss;
   tally.hits += touches ? 1 : 0;
@@ -43,9 +47,14 @@ void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
       ++tally.invented;
     else
       ++tally.other_wall;
-    return;
+    return false;
   }
-  if (!touches) return;
+  return true;
+}
+
+void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
+             const oracle::ContactTruth& truth) {
+  if (!count_verdict(tally, item, met, truth) || !met) return;
   check_time(tally, met.t_enter, truth.first);
   check_time(tally, met.t_exit, truth.last);
 }
@@ -75,6 +84,34 @@ std::vector<StabilityTally> check_straight(const oracle::StraightFamily& family,
   return tallies;
 }
 
+RoundBody body(const oracle::RoundCore& core) { return {{core.ring, core.velocity}, core.radius}; }
+
+// Of bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they are not apart,
+// where it lasts as long.
+void check_while(StabilityTally& tally, const oracle::RoundPair& pair, const HitInterval& met) {
+  const auto apart = [&](double at) { return oracle::apart_at(pair.a(), pair.b(), Rational(at)); };
+  const double in = std::nextafter(met.t_enter, kInfinity),
+               out = std::nextafter(met.t_exit, -kInfinity);
+  const bool lasts = in <= out;
+  if (met.t_enter != 0 && (apart(std::nextafter(met.t_enter, -kInfinity)) == Sign::negative ||
+                           (lasts && apart(in) == Sign::positive)))
+    ++tally.off_by_more;
+  if (std::isfinite(met.t_exit) &&
+      (apart(std::nextafter(met.t_exit, kInfinity)) == Sign::negative ||
+       (lasts && apart(out) == Sign::positive)))
+    ++tally.off_by_more;
+}
+
+void compare(StabilityTally& tally, std::uint64_t item, const oracle::RoundPair& pair) {
+  const HitInterval met = round_contact(body(pair.a()), body(pair.b()), kRay).times;
+  const oracle::RoundTruth truth = oracle::round_truth(pair.a(), pair.b(), kRay);
+  if (!count_verdict(tally, item, met, truth) || !met) return;
+  check_time(tally, met.t_enter, truth.first);
+  check_time(tally, met.t_exit, truth.last);
+  if (met.kind == HitClass::through && pair.velocity_a != pair.velocity_b)
+    check_while(tally, pair, met);
+}
+
 TurningBody body(const oracle::TurningCore& core) {
   return {core.ring, core.radius, core.at, core.velocity, core.angle, core.spin};
 }
@@ -102,7 +139,10 @@ void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPai
   if (meets && met.first.high - met.first.low > kWidth) ++tally.not_nearest;
 }
 
-// The names of turning families say so, as some are those of straight ones.
+// The names of round and of turning families say so, as some are those of straight ones.
+std::string round_name(const oracle::RoundPairFamily& family) {
+  return std::string("round-") + family.name;
+}
 std::string turning_name(const oracle::TurningFamily& family) {
   return std::string("turning-") + family.name;
 }
@@ -113,6 +153,8 @@ std::vector<PairFamily> pair_families() {
   std::vector<PairFamily> all;
   for (const auto& family : oracle::straight_families())
     all.push_back({family.name, {"contact", "contacts"}});
+  for (const auto& family : oracle::round_pair_families())
+    all.push_back({round_name(family), {"contact"}});
   for (const auto& family : oracle::turning_families())
     all.push_back({turning_name(family), {"turning"}});
   return all;
@@ -123,6 +165,9 @@ std::vector<StabilityTally> check_pairs(const PairFamily& family, std::uint64_t 
   for (const auto& straight : oracle::straight_families())
     if (family.name == straight.name) return check_straight(straight, seed, first, count);
   std::vector<StabilityTally> tallies(1);
+  for (const auto& round : oracle::round_pair_families())
+    for (std::uint64_t i = first; family.name == round_name(round) && i < first + count; ++i)
+      compare(tallies[0], i, oracle::make_pair(round, seed, i));
   for (const auto& turning : oracle::turning_families())
     for (std::uint64_t i = first; family.name == turning_name(turning) && i < first + count; ++i)
       compare(tallies[0], i, oracle::make_pair(turning, seed, i));

@@ -47,6 +47,16 @@ TEST(RoundContact, DiscsThatPassTouchOrMissByOneUlp) {
   EXPECT_EQ(meet(disc({-10, 5}, std::nextafter(3, 2), {1, 0}), still).kind, HitClass::miss);
 }
 
+// At times that are no doubles, so that both ends of the one instant are told by exact numbers.
+TEST(RoundContact, DiscsThatTouchInPassingTouchAtOneInstantWhereverThatIs) {
+  for (const double x : {3.0, 5.0, 7.0, 11.0, 0x1p600 / 3}) {
+    const HitInterval met = meet(disc({0, 0}, 0, {3, 0}), disc({x, 1}, 1, {0, 0}));
+    EXPECT_EQ(met.kind, HitClass::touch) << x;
+    EXPECT_EQ(met.t_enter, x / 3);
+    EXPECT_EQ(met.t_exit, x / 3);
+  }
+}
+
 TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
   const Body square = {kSquare, {0, 0}, 0};
   EXPECT_EQ(meet(disc({-5, 0.5}, 1, {1, 0}), square).t_enter, 4);
@@ -132,7 +142,9 @@ TEST(RoundContact, AgreesWithDistancesInRationals) {
     if (a.velocity == b.velocity || a.radius + b.radius == 0) continue;
     SCOPED_TRACE(item);
     const HitInterval met = meet(a, b, kLine);
-    ASSERT_EQ(met.kind == HitClass::miss, oracle::never_meet(a, b));
+    const oracle::RoundTruth truth = oracle::round_truth(a, b, kLine);
+    ASSERT_EQ(met.kind, truth.kind);
+    ASSERT_EQ(met.start, truth.start);
     ++(met ? met_count : missed);
     if (!met) continue;
     // One ulp before the first time they are apart, one after it no more.

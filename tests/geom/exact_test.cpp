@@ -79,6 +79,17 @@ TEST(Rational, RootSignDecidesCancellation) {
 }
 
 // The double x is nearest when p + s sqrt(q) lies between the middles to its neighbours.
+TEST(Rational, SignOfTwoRootsOfWhichSomeAreZero) {
+  for (const int s : {-1, 1}) {
+    EXPECT_EQ(Rational::two_root_sign(0, s, 0, s, 0), Sign::zero);
+    EXPECT_EQ(Rational::two_root_sign(0, s, 0, -s, 0), Sign::zero);
+    EXPECT_EQ(Rational::two_root_sign(0, s, 0, -s, 2), static_cast<Sign>(-s));
+    EXPECT_EQ(Rational::two_root_sign(0, -s, 2, s, 0), static_cast<Sign>(-s));
+    EXPECT_EQ(Rational::two_root_sign(-3, 1, 9, s, 0), Sign::zero);
+    EXPECT_EQ(Rational::two_root_sign(s, s, 0, s, 0), static_cast<Sign>(s));
+  }
+}
+
 TEST(Rational, RootSumIsTheNearestDoubleAlsoWhereItCancels) {
   EXPECT_EQ(Rational::root_sum(0, 1, 2), std::sqrt(2.0));
   EXPECT_EQ(Rational::root_sum(-3, 1, 9), 0);
