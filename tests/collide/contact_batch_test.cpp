@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 
+#include "collide/certain_contact.h"
 #include "geom/polygon.h"
 #include "oracle/contact.h"
 #include "oracle/families.h"
@@ -126,6 +128,94 @@ TEST(ContactBatch, AgreesWithSeparatingAxesInRationals) {
     ASSERT_EQ(met[i].times.t_exit, truth.last->nearest()) << i;
   }
   EXPECT_GT(hits, 200);
+}
+
+TEST(ContactBatch, SlabsTellWhenBoxesMeet) {
+  const Ring square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  Question asked;
+  for (const double x : {-5.0, -2.5, 2.25, 7.0})
+    for (const double y : {-0.75, 0.125, 0.5})
+      asked.add(square, {0, 0}, {{x, y}, {x + 2, y}, {x + 2, y + 1}, {x, y + 1}},
+                {x < 0 ? 3 : -3, 0});
+  std::vector<Contact> met(asked.pairs.size());
+  contacts(asked.shapes, asked.pairs, kRay, met);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    const double x = asked.shapes.ring(asked.pairs[i].b)[0].x();
+    EXPECT_EQ(met[i].times.kind, HitClass::through) << i;
+    EXPECT_EQ(met[i].times.t_enter, (x < 0 ? -2 - x : x - 1) / 3) << i;
+    EXPECT_EQ(met[i].times.t_exit, (x < 0 ? 1 - x : x + 2) / 3) << i;
+  }
+}
+
+// Parallelograms with the directions of their edges in common, turned and exact: edges that face
+// each other lie on one line when they meet.
+Question parallel_edges() {
+  Question asked;
+  for (std::uint64_t item = 0; item < 600; ++item) {
+    Draw draw(31, 44, item);
+    const double cx = 3 - draw.below(7), cy = 1 + draw.below(4), sx = 1 + draw.below(3);
+    const Vec2 along(cx, cy), across(-sx, draw.below(2));
+    Ring rings[2];
+    for (Ring& ring : rings) {
+      const double x = draw.below(40) - 20, y = draw.below(40) - 20, l = 1 + draw.below(4);
+      const Vec2 at = Vec2(x, y) / 4;
+      ring = {at, at + l * along, at + l * along + across, at + across};
+    }
+    if (non_convex_vertex(rings[0]) || non_convex_vertex(rings[1])) continue;
+    const double vx = draw.unit(), vy = draw.unit();
+    asked.add(rings[0], {0, 0}, rings[1], 9 * Vec2(vx - 0.5, vy - 0.5));
+  }
+  return asked;
+}
+
+TEST(ContactBatch, FacingEdgesGiveTheBitsOfOnePairACallOnEveryTier) {
+  const Question asked = parallel_edges();
+  EXPECT_GT(asked.pairs.size(), 400U);
+  for (const Isa isa : available_isas())
+    for (const Range within : {kSegment, kRay}) expect_same_as_one_by_one(asked, within, isa);
+}
+
+// Proves the entry of a pair for a time that ends while they overlap, from each edge and corner that
+// can be named; how many of them are decided.
+int decided(const Question& asked, std::size_t i) {
+  const MovingPair& pair = asked.pairs[i];
+  const MovingPolygon a = {asked.shapes.ring(pair.a), pair.velocity_a},
+                      b = {asked.shapes.ring(pair.b), pair.velocity_b};
+  const HitInterval all = contact(a, b).times;
+  if (all.kind != HitClass::through || all.start != StartPlace::outside) return -1;
+  const double length = 0.5 * all.t_enter + 0.5 * all.t_exit;
+  const Contact alone = contact(a, b, {0, length});
+  CertainContacts certain(asked.shapes, length, proof::portable::kKernel);
+  int count = 0;
+  for (unsigned guess = 0; guess <= sweep::kGuessBits; ++guess) {
+    const float named = std::bit_cast<float>(std::bit_cast<unsigned>(1.0F) | guess);
+    Contact met;
+    bool left = false;
+    certain.add(pair, {named, -2, 1, -1}, met);
+    certain.run([&](const MovingPair&, Contact&) { left = true; });
+    if (left) continue;
+    ++count;
+    EXPECT_EQ(met, alone) << "pair " << i << ", guess " << guess;
+  }
+  return count;
+}
+
+TEST(CertainContacts, AnyGuessIsPutRightOrLeftUndecided) {
+  const Question asked = questions(45, 1, {0, 0});
+  int some = 0;
+  for (std::size_t i = 0; i < asked.pairs.size(); ++i) some += decided(asked, i) > 0 ? 1 : 0;
+  EXPECT_GT(some, 100);
+}
+
+TEST(CertainContacts, FacingEdgesAreProvenFromAGuessNearby) {
+  const Question asked = parallel_edges();
+  int meet = 0;
+  for (std::size_t i = 0; i < asked.pairs.size(); ++i) {
+    const int count = decided(asked, i);
+    meet += count >= 0 ? 1 : 0;
+    EXPECT_NE(count, 0) << "pair " << i;
+  }
+  EXPECT_GT(meet, 50);
 }
 
 }  // namespace

@@ -1,3 +1,8 @@
 #define FLATRAY_TIER portable
 #define FLATRAY_LANES 4
 #include "collide/kernels/sweep_body.h"
+
+#undef FLATRAY_LANES
+#define FLATRAY_LANES 1
+#include "collide/kernels/proof_body.h"
+#include "collide/kernels/sight_body.h"

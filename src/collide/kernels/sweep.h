@@ -27,15 +27,16 @@ struct Pair {
 
 /// What a kernel tells of a pair.
 struct Guess {
-  /// When it begins to meet, and when it ends with the opposite sign, about; the last four bits are
-  /// the edge that decides it, from kCorners on one of b. `enter` is kApart where an edge keeps the
+  /// When it begins to meet, and when it ends with the opposite sign, about; the last seven bits are
+  /// the edge that decides it, from kCorners on one of b, and the corner of the other shape that
+  /// meets it, times kCornerUnit. `enter` is kApart where an edge keeps the
   /// shapes apart all the time.
   float enter, leave;
   /// Negative where the shapes surely overlap at the start and at the end.
   float first_gap, last_gap;
 };
 inline constexpr float kApart = 0x1p127F;
-inline constexpr unsigned kEdgeBits = 15;
+inline constexpr unsigned kEdgeBits = 15, kCornerUnit = 16, kGuessBits = 127;
 
 /// Shapes as they move for t in [0, length].
 using Kernel = void (*)(const Pair* pairs, int count, float length, Guess* guesses);

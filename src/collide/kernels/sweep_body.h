@@ -17,9 +17,7 @@ typedef int Ints __attribute__((vector_size(FLATRAY_LANES * 4)));
 constexpr int kParts = 2 * kCorners / FLATRAY_LANES;
 
 constexpr float kFar = 0x1p126F;
-#if FLATRAY_LANES == 16
-constexpr Ints kFirstLanes = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-#elif FLATRAY_LANES == 8
+#if FLATRAY_LANES == 8
 constexpr Ints kFirstLanes = {0, 1, 2, 3, 4, 5, 6, 7};
 #else
 constexpr Ints kFirstLanes = {0, 1, 2, 3};
@@ -32,30 +30,42 @@ constexpr Ints kFirstLanes = {0, 1, 2, 3};
 #define FLATRAY_UNROLL _Pragma("GCC unroll 8")
 #endif
 
+#ifdef __AVX2__  // compilers make comparisons and choices of what is below
+FLATRAY_INLINE void keep_smaller(Lanes& a, const Lanes& b) { a = _mm256_min_ps(b, a); }
+FLATRAY_INLINE void keep_larger(Lanes& a, const Lanes& b) { a = _mm256_max_ps(b, a); }
+FLATRAY_INLINE void dot(Lanes& to, const Lanes& ax, const Lanes& ay, const Lanes& bx,
+                        const Lanes& by) {
+  to = _mm256_fmadd_ps(ax, bx, ay * by);
+}
+#else
 FLATRAY_INLINE void keep_smaller(Lanes& a, const Lanes& b) { a = b < a ? b : a; }
 FLATRAY_INLINE void keep_larger(Lanes& a, const Lanes& b) { a = b > a ? b : a; }
+FLATRAY_INLINE void dot(Lanes& to, const Lanes& ax, const Lanes& ay, const Lanes& bx,
+                        const Lanes& by) {
+  to = ax * bx + ay * by;
+}
+#endif
+// Other last bits: those of `bits` where `mask` has none.
+FLATRAY_INLINE void set_bits(Lanes& lanes, const Ints& mask, const Ints& bits) {
+#ifdef __AVX512VL__
+  lanes = (Lanes)_mm256_ternarylogic_epi32((__m256i)lanes, (__m256i)mask, (__m256i)bits, 0xEA);
+#else
+  lanes = (Lanes)(((Ints)lanes & mask) | bits);
+#endif
+}
+
 FLATRAY_INLINE void fill(Lanes& lanes, float value) { lanes = value - Lanes{}; }
 
 // A part of the lanes of a and b: `of_a` where they are edges of a, else `of_b`.
 template <int kPart>
 FLATRAY_INLINE void fill(Lanes& lanes, float of_a, float of_b) {
-  if constexpr (FLATRAY_LANES <= kCorners) {
-    fill(lanes, kPart * FLATRAY_LANES < kCorners ? of_a : of_b);
-  } else {
-    for (int i = 0; i < FLATRAY_LANES; ++i) lanes[i] = i < kCorners ? of_a : of_b;
-  }
+  fill(lanes, kPart * FLATRAY_LANES < kCorners ? of_a : of_b);
 }
 template <int kPart>
 FLATRAY_INLINE void load(Lanes& lanes, const float* of_a, const float* of_b) {
-  if constexpr (FLATRAY_LANES <= kCorners) {
-    constexpr int kFrom = kPart * FLATRAY_LANES;
-    __builtin_memcpy(&lanes, kFrom < kCorners ? of_a + kFrom : of_b + (kFrom - kCorners),
-                     sizeof lanes);
-  } else {
-    char* to = reinterpret_cast<char*>(&lanes);
-    __builtin_memcpy(to, of_a, kCorners * sizeof(float));
-    __builtin_memcpy(to + kCorners * sizeof(float), of_b, kCorners * sizeof(float));
-  }
+  constexpr int kFrom = kPart * FLATRAY_LANES;
+  __builtin_memcpy(&lanes, kFrom < kCorners ? of_a + kFrom : of_b + (kFrom - kCorners),
+                   sizeof lanes);
 }
 
 // The largest lane of each of four.
@@ -94,7 +104,11 @@ FLATRAY_INLINE void guess_part(const Pair& pair, float length, Found& found) {
     Lanes x, y;
     fill<kPart>(x, b.x[k], a.x[k]);
     fill<kPart>(y, b.y[k], a.y[k]);
-    keep_smaller(least, nx * x + ny * y);
+    // The number of the corner in the last bits, which the allowance for rounding covers.
+    Lanes along;
+    dot(along, nx, ny, x, y);
+    set_bits(along, Ints{} - kCorners, Ints{} + k);
+    keep_smaller(least, along);
   }
   fill<kPart>(cx, pair.centre_x, -pair.centre_x);
   fill<kPart>(cy, pair.centre_y, -pair.centre_y);
@@ -103,12 +117,13 @@ FLATRAY_INLINE void guess_part(const Pair& pair, float length, Found& found) {
   const Lanes gap = least + (nx * cx + ny * cy) - reach, change = nx * wx + ny * wy;
   const Lanes now = gap - pair.gap_error, later = now + length * (change - pair.way_error);
   Lanes time = -gap / change;
-  time = time < far ? time : far;
-  time = time > -far ? time : -far;
-  Ints edge = kFirstLanes + kPart * FLATRAY_LANES;
-  constexpr int kEdges = static_cast<int>(kEdgeBits);
-  keep_larger(found.enter, change < 0.0F ? (Lanes)(((Ints)time & ~kEdges) | edge) : -far);
-  keep_larger(found.leave, change > 0.0F ? (Lanes)(((Ints)-time & ~kEdges) | edge) : -far);
+  keep_smaller(time, far);
+  keep_larger(time, -far);
+  const Ints edge = (kFirstLanes + kPart * FLATRAY_LANES) |
+                    ((Ints)least & (kCorners - 1)) * static_cast<int>(kCornerUnit);
+  constexpr int kBits = static_cast<int>(kGuessBits);
+  keep_larger(found.enter, change < 0.0F ? (Lanes)(((Ints)time & ~kBits) | edge) : -far);
+  keep_larger(found.leave, change > 0.0F ? (Lanes)(((Ints)-time & ~kBits) | edge) : -far);
   keep_larger(found.first_gap, gap + pair.gap_error);
   keep_larger(found.last_gap, gap + pair.gap_error + length * (change + pair.way_error));
   found.enter = ((now > 0.0F) & (later > 0.0F)) ? 2 * far : found.enter;
@@ -119,7 +134,7 @@ FLATRAY_INLINE void guess_pair(const Pair& pair, float length, Guess& guess) {
   fill(found.enter, -kFar);
   found.leave = found.first_gap = found.last_gap = found.enter;
   guess_part<0>(pair, length, found);
-  if constexpr (kParts > 1) guess_part<1>(pair, length, found);
+  guess_part<1>(pair, length, found);
   if constexpr (kParts > 2) {
     guess_part<2>(pair, length, found);
     guess_part<3>(pair, length, found);

@@ -1,5 +1,6 @@
 // One ray per lane: FLATRAY_LANES doubles in a Real, a yes or no for each in a Mask. Included by
-// the kernel of one tier only, in its own namespace.
+// the kernel of one tier only, in its own namespace. fetch_ends: four doubles for each lane, those of
+// a slot, or `by` after a pointer.
 #if FLATRAY_LANES == 1
 using Real = double;
 using Mask = bool;
@@ -32,6 +33,10 @@ inline Ends fetch_ends(const double* ends, const unsigned* slot) {
   const double* e = ends + 4 * static_cast<long>(*slot);
   return {e[0], e[1], e[2], e[3]};
 }
+inline Ends fetch_ends(const double* const* from, int by) {
+  const double* e = *from + by;
+  return {e[0], e[1], e[2], e[3]};
+}
 #elif FLATRAY_LANES == 2
 using Real = __m128d;
 using Mask = __m128d;
@@ -61,12 +66,16 @@ inline Real fused(Real a, Real b, Real c) { return a * b + c; }
 inline void store_single(float* to, Real value) {
   _mm_storel_pi(reinterpret_cast<__m64*>(to), _mm_cvtpd_ps(value));
 }
-inline Ends fetch_ends(const double* ends, const unsigned* slot) {
-  const double *e0 = ends + 4 * static_cast<long>(slot[0]),
-               *e1 = ends + 4 * static_cast<long>(slot[1]);
+inline Ends turned(const double* e0, const double* e1) {
   const Real a0 = load(e0), a1 = load(e1), b0 = load(e0 + 2), b1 = load(e1 + 2);
   return {_mm_unpacklo_pd(a0, a1), _mm_unpackhi_pd(a0, a1), _mm_unpacklo_pd(b0, b1),
           _mm_unpackhi_pd(b0, b1)};
+}
+inline Ends fetch_ends(const double* ends, const unsigned* slot) {
+  return turned(ends + 4 * static_cast<long>(slot[0]), ends + 4 * static_cast<long>(slot[1]));
+}
+inline Ends fetch_ends(const double* const* from, int by) {
+  return turned(from[0] + by, from[1] + by);
 }
 #elif FLATRAY_LANES == 4
 using Real = __m256d;
@@ -94,13 +103,18 @@ inline Real root(Real a) { return _mm256_sqrt_pd(a); }
 inline Real fused(Real a, Real b, Real c) { return _mm256_fmadd_pd(a, b, c); }
 inline Real fused_difference(Real a, Real b, Real c) { return _mm256_fmsub_pd(a, b, c); }
 inline void store_single(float* to, Real value) { _mm_storeu_ps(to, _mm256_cvtpd_ps(value)); }
-inline Ends fetch_ends(const double* ends, const unsigned* slot) {
-  const auto row = [&](int lane) { return load(ends + 4 * static_cast<long>(slot[lane])); };
-  const Real r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+inline Ends turned(Real r0, Real r1, Real r2, Real r3) {
   const Real x01 = _mm256_unpacklo_pd(r0, r1), y01 = _mm256_unpackhi_pd(r0, r1);
   const Real x23 = _mm256_unpacklo_pd(r2, r3), y23 = _mm256_unpackhi_pd(r2, r3);
   return {_mm256_permute2f128_pd(x01, x23, 0x20), _mm256_permute2f128_pd(y01, y23, 0x20),
           _mm256_permute2f128_pd(x01, x23, 0x31), _mm256_permute2f128_pd(y01, y23, 0x31)};
+}
+inline Ends fetch_ends(const double* ends, const unsigned* slot) {
+  const auto row = [&](int lane) { return load(ends + 4 * static_cast<long>(slot[lane])); };
+  return turned(row(0), row(1), row(2), row(3));
+}
+inline Ends fetch_ends(const double* const* from, int by) {
+  return turned(load(from[0] + by), load(from[1] + by), load(from[2] + by), load(from[3] + by));
 }
 #else
 using Real = __m512d;
@@ -142,6 +156,21 @@ inline Ends fetch_ends(const double* ends, const unsigned* slot) {
   const Real y01 = _mm512_maskz_unpackhi_pd(255, r0, r1);
   const Real x23 = _mm512_maskz_unpacklo_pd(255, r2, r3);
   const Real y23 = _mm512_maskz_unpackhi_pd(255, r2, r3);
+  const __m512i a = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+  const __m512i b = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  return {_mm512_permutex2var_pd(x01, a, x23), _mm512_permutex2var_pd(y01, a, y23),
+          _mm512_permutex2var_pd(x01, b, x23), _mm512_permutex2var_pd(y01, b, y23)};
+}
+inline Ends fetch_ends(const double* const* from, int by) {
+  const auto rows = [&](int lane) {
+    const Real low = _mm512_maskz_broadcast_f64x4(15, _mm256_loadu_pd(from[lane] + by));
+    return _mm512_mask_broadcast_f64x4(low, 240, _mm256_loadu_pd(from[lane + 4] + by));
+  };
+  const Real r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+  const Real x01 = _mm512_maskz_unpacklo_pd(255, r0, r1),
+             y01 = _mm512_maskz_unpackhi_pd(255, r0, r1);
+  const Real x23 = _mm512_maskz_unpacklo_pd(255, r2, r3),
+             y23 = _mm512_maskz_unpackhi_pd(255, r2, r3);
   const __m512i a = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
   const __m512i b = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
   return {_mm512_permutex2var_pd(x01, a, x23), _mm512_permutex2var_pd(y01, a, y23),

@@ -1,0 +1,71 @@
+// The kernel that looks at many pairs first, written once, as proof_body.h is. Lanes are pairs.
+#include "collide/kernels/sight.h"
+
+namespace flatray::sight {
+namespace FLATRAY_TIER {
+namespace {
+#include "trace/kernels/vector.h"
+
+constexpr double kInfinite = __builtin_inf();
+
+// Where they are at the end of the time.
+inline Real later(Real centre, Real way, double length) {
+  if (length < kInfinite) return centre + all(length) * way;
+  return choose(equal(way, all(0)), centre, way * all(kInfinite));
+}
+
+// Boxes that stay apart along an axis at both ends of the time do so all along. Errors of some u
+// each, of what the terms add up to, are far below the 2^-40 allowed for.
+inline Mask stay_apart(Real centre, Real way, Real half, double length) {
+  const double finite = length < kInfinite ? length : 0;
+  const Real reach = half + all(0x1p-40) * (size(centre) + size(way) * all(finite));
+  const Real end = later(centre, way, length), minus = all(0) - reach;
+  return either(both(less(reach, centre), less(reach, end)),
+                both(less(centre, minus), less(end, minus)));
+}
+
+// Beside the whole way.
+inline Mask passes(Real cx, Real cy, Real wx, Real wy, Real half_x, Real half_y) {
+  const Real left = cx * wy, right = cy * wx;
+  const Real across = size(left - right) - all(0x1p-50) * (size(left) + size(right));
+  const Real reach = half_x * size(wy) + half_y * size(wx);
+  return less(reach * all(1 + 0x1p-40) + all(0x1p-900), across);
+}
+
+struct Rows {
+  const double *a[FLATRAY_LANES], *b[FLATRAY_LANES], *moves[FLATRAY_LANES];
+};
+inline Rows rows(const double* boxes, const Pairs& pairs, int from, int count) {
+  Rows rows;
+  for (int lane = 0; lane < FLATRAY_LANES; ++lane) {
+    const long by = pairs.stride * (from + lane < count ? from + lane : count - 1);
+    const auto* shapes =
+        reinterpret_cast<const unsigned*>(reinterpret_cast<const char*>(pairs.shapes) + by);
+    rows.a[lane] = boxes + 4L * shapes[0];
+    rows.b[lane] = boxes + 4L * shapes[1];
+    rows.moves[lane] =
+        reinterpret_cast<const double*>(reinterpret_cast<const char*>(pairs.moves) + by);
+  }
+  return rows;
+}
+
+void look_at_all(const double* boxes, double length, const Pairs& pairs, int count, double* near) {
+  for (int i = 0; i < count; i += FLATRAY_LANES) {
+    const Rows at = rows(boxes, pairs, i, count);
+    const Ends a = fetch_ends(at.a, 0), b = fetch_ends(at.b, 0), moves = fetch_ends(at.moves, 0);
+    const Real wx = moves.bx - moves.ax, wy = moves.by - moves.ay;
+    const Real cx = b.ax - a.ax, cy = b.ay - a.ay, half_x = a.bx + b.bx, half_y = a.by + b.by;
+    const Mask apart =
+        either(either(stay_apart(cx, wx, half_x, length), stay_apart(cy, wy, half_y, length)),
+               passes(cx, cy, wx, wy, half_x, half_y));
+    const Mask pass = less(all(0), size(wx) + size(wy));
+    store(near + i, choose(both(apart, pass), all(0), all(1)));
+  }
+}
+
+}  // namespace
+
+const Kernel kKernel = &look_at_all;
+
+}  // namespace FLATRAY_TIER
+}  // namespace flatray::sight
