@@ -33,12 +33,12 @@ Tally tally_of(const ChunkLog::Row& row, const std::array<std::uint64_t Tally::*
   return tally;
 }
 
-// Those that are members, then those of far off values of t.
+// Those that are members, those of far off values of t, and what is counted since.
 constexpr std::array kStabilityNames = {
     "rays",       "hits",       "wrong",      "t_not_nearest", "t_off",      "by_rationals",
     "missed",     "invented",   "other_wall", "watched",       "one_by_one", "worst_ulps",
     "timed",      "ns",         "objects",    "bytes",         "t_off_2^8",  "t_off_2^16",
-    "t_off_2^24", "t_off_2^32", "t_off_2^40", "t_off_2^48"};
+    "t_off_2^24", "t_off_2^32", "t_off_2^40", "t_off_2^48",    "whole"};
 constexpr std::array kStabilityCounts = {
     &StabilityTally::rays,        &StabilityTally::hits,        &StabilityTally::wrong,
     &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
@@ -46,7 +46,7 @@ constexpr std::array kStabilityCounts = {
     &StabilityTally::watched,     &StabilityTally::one_by_one,  &StabilityTally::worst_ulps,
     &StabilityTally::timed,       &StabilityTally::nanoseconds, &StabilityTally::objects,
     &StabilityTally::bytes};
-constexpr std::array<std::size_t, 4> kStabilityWidths = {kStabilityNames.size(), 11, 9, 6};
+constexpr std::array<std::size_t, 5> kStabilityWidths = {kStabilityNames.size(), 22, 11, 9, 6};
 
 constexpr std::array kLeakNames = {"rays",    "bounces",     "leaks",   "corners",
                                    "wrong",   "wrong_t",     "asked",   "beside",
@@ -158,14 +158,17 @@ const ChunkLog::Format StabilityRows::kFormat = {"stability.csv", kStabilityName
 ChunkLog::Row StabilityRows::row(const StabilityTally& tally) {
   ChunkLog::Row row = row_of(tally, kStabilityCounts);
   row.counts.insert(row.counts.end(), tally.off_by_far.begin(), tally.off_by_far.end());
+  row.counts.push_back(tally.whole);
   row.note = tally.first_wrong;
   return row;
 }
 
 StabilityTally StabilityRows::tally(const ChunkLog::Row& row) {
   StabilityTally tally = tally_of(row, kStabilityCounts);
-  for (std::size_t i = kStabilityCounts.size(); i < row.counts.size(); ++i)
-    tally.off_by_far[i - kStabilityCounts.size()] = row.counts[i];
+  constexpr std::size_t kFar = kStabilityCounts.size();
+  for (std::size_t i = kFar; i < std::min(row.counts.size(), kFar + tally.off_by_far.size()); ++i)
+    tally.off_by_far[i - kFar] = row.counts[i];
+  if (row.counts.size() == kStabilityNames.size()) tally.whole = row.counts.back();
   tally.first_wrong = row.note;
   return tally;
 }

@@ -86,7 +86,7 @@ std::vector<NearestHit> measured_hits(const Accelerator& walls, const RayBatch& 
   std::vector<NearestHit> hits(rays.size());
   tally.seconds += seconds_of([&] { walls.nearest(rays, hits); }, &thread_seconds, kTold);
   tally.in_batches += rays.size();
-  tally.one_by_one += walls.left_by_lanes(rays);
+  tally.one_by_one += walls.left_by_lanes(rays).rays;
   tally.objects += objects;
   tally.bytes += walls.bytes();
   return hits;

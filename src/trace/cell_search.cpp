@@ -10,6 +10,26 @@
 namespace flatray {
 namespace {
 
+// A segment, or of the one just left its next copy, which may be none.
+std::uint32_t not_left(const Surfaces& walls, const CellGrid* listed, const Left& left,
+                       std::uint32_t slot) {
+  if (walls.segment_numbers[slot] != left.surface) return slot;
+  return listed == nullptr ? CellGrid::kNoSlot : listed->next_copy(slot);
+}
+
+struct WholeOffers {
+  const Surfaces& walls;
+  const CellGrid* listed;
+  const Left& left;
+  WholeNearest nearest;
+
+  void offer(std::uint32_t slot, double = kInfinity) {
+    slot = not_left(walls, listed, left, slot);
+    if (slot != CellGrid::kNoSlot) nearest.offer(slot);
+  }
+  bool settled(double t) const { return nearest.settled(t); }
+};
+
 // The nearest segment as far as bounds can say, and all that may come before it.
 class Rivals {
  public:
@@ -18,10 +38,8 @@ class Rivals {
 
   /// Takes a segment that need not be counted where it is surely met later than `limit`.
   void offer(std::uint32_t slot, double limit = kInfinity) {
-    if (walls_.segment_numbers[slot] == left_.surface) {
-      slot = listed_ == nullptr ? CellGrid::kNoSlot : listed_->next_copy(slot);
-      if (slot == CellGrid::kNoSlot) return;
-    }
+    slot = not_left(walls_, listed_, left_, slot);
+    if (slot == CellGrid::kNoSlot) return;
     ++tested_;
     const FilteredHit hit = filter_(walls_.segments[slot]);
     if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
@@ -84,25 +102,24 @@ class Rivals {
   std::size_t tested_ = 0;
 };
 
-// Of all segments in the cells a ray comes through until nothing nearer can come.
-Rivals rivals_of(const Surfaces& walls, const CellGrid* listed, const CellGrid* grid,
-                 const Ray& ray, const Left& left) {
-  Rivals rivals(walls, listed, ray, left);
+// Offers all segments in the cells a ray comes through until nothing nearer can come.
+template <class Offers>
+void gather(const Surfaces& walls, const CellGrid* listed, const CellGrid* grid, const Ray& ray,
+            Offers& offers) {
   std::optional<CellWalk> walk;
   if (grid != nullptr) walk.emplace(*grid, ray);
   if (!walk || walk->start() == CellWalk::Start::uncertain) {
     for (std::uint32_t slot = 0; slot < walls.segments.size(); ++slot)
-      if (listed == nullptr || !listed->is_copy(slot)) rivals.offer(slot);
-    return rivals;
+      if (listed == nullptr || !listed->is_copy(slot)) offers.offer(slot);
+    return;
   }
   while (walk->next()) {
     for (std::size_t record = walk->record();; ++record) {
-      rivals.offer(grid->slot(record), walk->limit());
+      offers.offer(grid->slot(record), walk->limit());
       if (grid->last(record)) break;
     }
-    if (rivals.settled(walk->limit())) break;
+    if (offers.settled(walk->limit())) break;
   }
-  return rivals;
 }
 
 }  // namespace
@@ -146,12 +163,20 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
     search.offer_curves();
     return search.hit();
   }
-  return rivals_of(walls_, listed_, grid_, ray, left).decide(ray, tangents, curves_);
+  if (whole_.hold(ray)) {
+    WholeOffers offers{walls_, listed_, left, WholeNearest(walls_, ray)};
+    gather(walls_, listed_, grid_, ray, offers);
+    return offers.nearest.hit();
+  }
+  Rivals rivals(walls_, listed_, ray, left);
+  gather(walls_, listed_, grid_, ray, rivals);
+  return rivals.decide(ray, tangents, curves_);
 }
 
 std::size_t CellSearch::tested(const Ray& ray, const Left& left) const {
   if (ray.direction == Vec2(0, 0)) return walls_.size();
-  const Rivals rivals = rivals_of(walls_, listed_, grid_, ray, left);
+  Rivals rivals(walls_, listed_, ray, left);
+  gather(walls_, listed_, grid_, ray, rivals);
   return rivals.tested() + rivals.curved(ray, curves_).tested;
 }
 

@@ -10,6 +10,7 @@
 #include "trace/kernels/tiers.h"
 #include "trace/many_rays.h"
 #include "trace/rescaled.h"
+#include "trace/whole_lanes.h"
 
 namespace flatray {
 namespace {
@@ -156,7 +157,8 @@ class LaneTracer : public Accelerator {
         view_(cells_.view()),
         curves_(walls),
         search_(walls, &cells_, curves_),
-        kernels_(lane_kernels(isa).walk) {}
+        kernels_(lane_kernels(isa).walk),
+        whole_(walls, search_.whole(), lane_kernels(isa).whole) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     if (are_few(rays)) {
@@ -164,7 +166,7 @@ class LaneTracer : public Accelerator {
         hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
       return;
     }
-    in_lanes(rays, [&](std::size_t i, const Verdict& verdict) {
+    in_lanes(rays, hits, [&](std::size_t i, const Verdict& verdict) {
       if (!decided(verdict, hits[i]))
         hits[i] = decide_exactly(verdict, rays.ray(i), rays.left[i], rays.tangents);
     });
@@ -186,11 +188,15 @@ class LaneTracer : public Accelerator {
       }
     }
   }
-  std::size_t left_by_lanes(const RayBatch& rays) const override {
-    std::size_t left = 0;
+  LeftByLanes left_by_lanes(const RayBatch& rays) const override {
+    LeftByLanes left;
     NearestHit hit;
-    in_lanes(rays,
-             [&](std::size_t, const Verdict& verdict) { left += decided(verdict, hit) ? 0 : 1; });
+    std::vector<NearestHit> hits(rays.size());
+    in_lanes(rays, hits, [&](std::size_t i, const Verdict& verdict) {
+      if (decided(verdict, hit)) return;
+      ++left.rays;
+      if (!verdict.is_certain() && search_.is_whole(rays.ray(i))) ++left.whole;
+    });
     return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
@@ -230,9 +236,19 @@ class LaneTracer : public Accelerator {
                 .surfaces.empty();
   }
 
-  // `each(ray, verdict)` of all rays, in order.
+  // The hits of rays that are whole with the walls of one list; `each(ray, verdict)` of all others.
   template <class Each>
-  void in_lanes(const RayBatch& rays, const Each& each) const {
+  void in_lanes(const RayBatch& rays, std::span<NearestHit> hits, const Each& each) const {
+    std::vector<std::size_t> others;
+    const bool may_be_whole = !cells_.has_cells() && search_.whole().any();
+    if (!may_be_whole || !whole_.nearest(rays, hits, others)) return in_blocks(rays, each);
+    if (others.empty()) return;
+    RayBatch rest;
+    for (const std::size_t i : others) rest.add(rays.ray(i), rays.left[i]);
+    in_blocks(rest, [&](std::size_t i, const Verdict& verdict) { each(others[i], verdict); });
+  }
+  template <class Each>
+  void in_blocks(const RayBatch& rays, const Each& each) const {
     Block block(std::min(kBlock, rays.size()));
     for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
       const std::size_t count = std::min(kBlock, rays.size() - begin);
@@ -286,6 +302,7 @@ class LaneTracer : public Accelerator {
   const CurveCells curves_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;
+  const WholeLanes whole_;
 };
 
 // Where coordinates leave no room for lanes.

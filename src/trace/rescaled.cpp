@@ -69,11 +69,13 @@ class Rescaled : public Accelerator {
     inner_->nearest(scaled, found);
     for (std::size_t k = 0; k < numbers.size(); ++k) hits[numbers[k]] = found[k];
   }
-  std::size_t left_by_lanes(const RayBatch& rays) const override {
+  LeftByLanes left_by_lanes(const RayBatch& rays) const override {
     RayBatch scaled;
     for (std::size_t i = 0; i < rays.size(); ++i)
       if (Ray ray = rays.ray(i); factor_.scale(ray)) scaled.add(ray, rays.left[i]);
-    return rays.size() - scaled.size() + inner_->left_by_lanes(scaled);
+    LeftByLanes left = inner_->left_by_lanes(scaled);
+    left.rays += rays.size() - scaled.size();
+    return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     Ray scaled = ray;

@@ -59,11 +59,17 @@ says out 'unknown' # how many rays were decided one by one
 # Its file gets the columns of now, once; what was not counted is empty.
 run 1 stability --families vertex --tracer float --count 20000 -o old
 [[ $(head -n 1 old/stability.csv) == "$(head -n 1 log/stability.csv)" ]] || fail 'the header is still that of before'
-[[ $(awk -F, '{ print NF }' old/stability.csv | uniq -c | awk '{ print $1, $2 }') == '3 29' ]] || fail 'rows are not as wide as the header'
-grep -q ',0.100,,,,,,,,,,,,,,,,,item 3 ray 1$' old/stability.csv || fail 'a row of before has counts it did not make'
+[[ $(awk -F, '{ print NF }' old/stability.csv | uniq -c | awk '{ print $1, $2 }') == '3 30' ]] || fail 'rows are not as wide as the header'
+grep -q ',0.100,,,,,,,,,,,,,,,,,,item 3 ray 1$' old/stability.csv || fail 'a row of before has counts it did not make'
 cp old/stability.csv padded.csv
 run 1 stability --families vertex --tracer float --count 20000 -o old
 cmp -s padded.csv old/stability.csv || fail 'padded rows were not read'
+# So are rows without the share in whole numbers, the column before the last.
+mkdir older
+cut -d, -f1-28,30 log/stability.csv > older/stability.csv
+run 0 stability --families edge,vertex --count 10 -o older
+[[ $(wc -l < older/stability.csv) == $(wc -l < log/stability.csv) ]] || fail 'rows without whole were done again'
+[[ $(head -n 1 older/stability.csv) == "$(head -n 1 log/stability.csv)" ]] || fail 'rows without whole were not padded'
 [[ -z $(find old -name '.*') ]] || fail 'a temporary file stayed'
 
 # However many blocks are asked for, memory is of those at work.

@@ -10,6 +10,7 @@
 #include "base/isa.h"
 #include "collide/scene_timeline.h"
 #include "trace/tracer.h"
+#include "trace/whole_nearest.h"
 
 namespace flatray::verbs {
 namespace {
@@ -34,6 +35,9 @@ Result<TracerChoice> tracer_of(const RenderJob& job) {
   const World world = build_world(job.scene, at(*timeline, frame));
   TracerChoice choice = choose_tracer(world.surfaces);
   choice.reason += "; " + choice.tracer->build(world.surfaces)->structure();
+  if (const WholeWalls whole(world.surfaces); whole.any())
+    choice.reason += fmt::format(
+        "; walls on multiples of {}: rays on such are decided without rounding", whole.unit());
   return choice;
 }
 

@@ -251,7 +251,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   catch_interrupts();
   ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
                      "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
-                     "ns_a_query", "bytes_an_object", "first_wrong"},
+                     "whole", "ns_a_query", "bytes_an_object", "first_wrong"},
                     {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
@@ -262,8 +262,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
                             sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
                             known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
-                            share(sum.one_by_one, sum.watched), share(sum.nanoseconds, sum.timed),
-                            share(sum.bytes, sum.objects), sum.first_wrong});
+                            share(sum.one_by_one, sum.watched), share(sum.whole, sum.watched),
+                            share(sum.nanoseconds, sum.timed), share(sum.bytes, sum.objects),
+                            sum.first_wrong});
     }
   }
   return stability_output(arguments, table, wrong == 0);

@@ -64,6 +64,10 @@ void clip(const Polygon& polygon, const Rays& rays, const Clip& result) {
 
 #include "trace/kernels/grid_body.h"
 
+namespace whole {
+#include "trace/kernels/whole_body.h"
+}  // namespace whole
+
 namespace single {
 // Each over the former.
 // clang-format off
@@ -95,6 +99,7 @@ namespace alone {
 
 extern const Kernels kKernels;
 const Kernels kKernels = {&clip,
-                          {&prepare, &single::walk, &single::scan, &finish, &alone::nearest}};
+                          {&prepare, &single::walk, &single::scan, &finish, &alone::nearest},
+                          {&whole::hold, &whole::scan}};
 
 }  // namespace flatray::lanes::FLATRAY_TIER
