@@ -37,8 +37,9 @@ namespace plain {
 template <bool some_left>
 inline void judge(const Constants&, const Record& r, Mask idle, Group& g) {
   const Float ax = r.ax - g.ox, ay = r.ay - g.oy, bx = r.bx - g.ox, by = r.by - g.oy;
-  const Float side_a = g.dx * ay - g.dy * ax, side_b = g.dx * by - g.dy * bx;
-  const Float t_a = g.dx * ax + g.dy * ay, t_b = g.dx * bx + g.dy * by;
+  const Float side_a = fused_difference(g.dx, ay, g.dy * ax);
+  const Float side_b = fused_difference(g.dx, by, g.dy * bx);
+  const Float t_a = fused(g.dx, ax, g.dy * ay), t_b = fused(g.dx, bx, g.dy * by);
   const Float t = t_a + side_a * ((t_b - t_a) / (side_a - side_b));
   const Mask met = less(side_a * side_b, all(0.0F));
   const Mask closer = but_not(both(both(met, less(all(0.0F), t)), less(t, g.high)), idle);

@@ -32,6 +32,8 @@ inline Float turned_by(Float sign, Float a) {
   return _mm256_xor_pd(a, _mm256_and_pd(_mm256_set1_pd(-0.0), sign));
 }
 inline Float with_sign_of(Float magnitude, Float sign) { return turned_by(sign, magnitude); }
+inline Float fused(Float a, Float b, Float c) { return _mm256_fmadd_pd(a, b, c); }
+inline Float fused_difference(Float a, Float b, Float c) { return _mm256_fmsub_pd(a, b, c); }
 inline Float floor(Float a) { return _mm256_floor_pd(a); }
 inline Int whole(Float a) { return _mm256_cvtepi32_epi64(_mm256_cvttpd_epi32(a)); }
 inline Float real(Int a) { return _mm256_cvtepi32_pd(low_words(a)); }
