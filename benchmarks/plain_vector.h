@@ -67,9 +67,9 @@ inline Mask lanes_of(unsigned chosen) {
 struct Record {
   Float ax, ay, bx, by;
 };
-inline Record fetch(const float* records, const unsigned* at) {
+inline Record fetch(const float* records, const unsigned* twice) {
   const auto row = [&](int lane) {
-    return _mm_loadu_ps(records + 4 * static_cast<unsigned long>(at[lane]));
+    return _mm_loadu_ps(records + 2 * static_cast<unsigned long>(twice[lane]));
   };
   __m128 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
   _MM_TRANSPOSE4_PS(r0, r1, r2, r3);
