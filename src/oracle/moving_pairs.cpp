@@ -110,6 +110,23 @@ StraightPair uneven(Draw& draw) {
   });
 }
 
+// A corner as near to a slanted side as doubles are, the shapes on either side of it.
+StraightPair touching(Draw& draw) {
+  const auto point = [&] {
+    const double x = 6 * draw.unit() - 3, y = 6 * draw.unit() - 3;
+    return Vec2(x, y);
+  };
+  const Vec2 a = point(), b = point(), c = point();
+  const bool left = (b - a).x() * (c - a).y() > (b - a).y() * (c - a).x();
+  const Vec2 from = left ? a : b, to = left ? b : a, along = to - from, out(along.y(), -along.x());
+  const Vec2 corner = from + draw.unit() * along;
+  const Vec2 velocity_a = whole_velocity(draw), velocity_b = whole_velocity(draw);
+  return {{from, to, c},
+          {corner, corner + out - 0.5 * along, corner + out + 0.25 * along},
+          velocity_a,
+          velocity_b};
+}
+
 constexpr std::array kFamilies = {StraightFamily{"grid", &grid},
                                   StraightFamily{"degenerate", &degenerate},
                                   StraightFamily{"decimal", &decimal},
@@ -119,7 +136,8 @@ constexpr std::array kFamilies = {StraightFamily{"grid", &grid},
                                   StraightFamily{"near-parallel", &near_parallel},
                                   StraightFamily{"mixed-magnitude", &mixed_magnitude},
                                   StraightFamily{"sliver", &sliver},
-                                  StraightFamily{"uneven", &uneven}};
+                                  StraightFamily{"uneven", &uneven},
+                                  StraightFamily{"touching", &touching}};
 
 }  // namespace
 

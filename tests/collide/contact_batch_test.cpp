@@ -11,6 +11,7 @@
 #include "geom/polygon.h"
 #include "oracle/contact.h"
 #include "oracle/families.h"
+#include "oracle/moving_pairs.h"
 
 namespace flatray {
 namespace {
@@ -110,7 +111,26 @@ TEST(ContactBatch, TakesWhatTheLanesDoNot) {
     expect_same_as_one_by_one(asked, within, active_isa());
 }
 
-TEST(ContactBatch, AgreesWithSeparatingAxesInRationals) {
+// A corner within rounding of a slanted side at t = 0: the high part of what tells its side has no sign of
+// its own.
+TEST(ContactBatch, TellsCornersThatStartNextToASlantedSide) {
+  Question asked;
+  asked.add(
+      {{-1.1492453445402577, -1.844733897005363}, {1.294812926211971, 1.4531549134999762}, {-3, 2}},
+      {0, 0}, {{0.0039007808442927186, -0.28873674698126395}, {3, -2}, {3, 0}}, {1, 0});
+  asked.add({{0, 0}, {1 + 0x1p-29, 1 + 0x1p-30}, {-1, 2}}, {0, 0},
+            {{(1 + 0x1p-30) / 2, 0.5}, {3, -1}, {3, 1}}, {-1, 0});
+  const auto& families = oracle::straight_families();
+  for (std::uint64_t item = 0; item < 3000; ++item) {
+    const oracle::StraightPair pair = make_pair(families.back(), 5, item);
+    asked.add(pair.ring_a, pair.velocity_a, pair.ring_b, pair.velocity_b);
+  }
+  for (const Isa isa : available_isas())
+    for (const Range within : {kSegment, kRay, kLine})
+      expect_same_as_one_by_one(asked, within, isa);
+}
+
+TEST(ContactBatch, AgreesWithSeparatingAxes) {
   const Question asked = questions(43, 1, {0, 0});
   std::vector<Contact> met(asked.pairs.size());
   contacts(asked.shapes, asked.pairs, kSegment, met);
@@ -130,7 +150,7 @@ TEST(ContactBatch, AgreesWithSeparatingAxesInRationals) {
   EXPECT_GT(hits, 200);
 }
 
-TEST(ContactBatch, SlabsTellWhenBoxesMeet) {
+TEST(ContactBatch, AxisParallelBoxesMeetAtTheClosedForm) {
   const Ring square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   Question asked;
   for (const double x : {-5.0, -2.5, 2.25, 7.0})

@@ -53,8 +53,7 @@ inline Mask are_parallel(const WidePoint& a, const WidePoint& b) {
 }
 
 inline Mask is_certain(const Known& a) {
-  return both(less(all(0x1p-800), a.terms),
-              less(all(0x1p-99) * a.terms, size(a.value.high + a.value.low)));
+  return both(less(all(0x1p-800), a.terms), less(all(0x1p-99) * a.terms, size(a.rounded())));
 }
 
 // Whether a neighbour of the vertex surely lies beyond it, or is on the line of the edge.
@@ -85,7 +84,7 @@ inline void prove(Proofs& proofs, int i) {
   const Beyond after = beyond(edge, step(vertex, {next.bx, next.by}));
   const Known numer = cross(gap, edge), denom = cross(way, edge);
   const Real time = quotient(numer, denom);
-  const Mask down = less(numer.value.high, all(0)), back = less(denom.value.high, all(0));
+  const Mask down = less(numer.rounded(), all(0)), back = less(denom.rounded(), all(0));
   const Mask past = both(either(but_not(down, back), but_not(back, down)),
                          both(is_certain(numer), is_certain(denom)));
   const auto told = [](Mask holds, int what) { return choose(holds, all(what), all(0)); };

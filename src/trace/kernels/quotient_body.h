@@ -26,10 +26,12 @@ Pair product(Real a, Real b) {
 }
 #endif
 
-// A number known to 2^-100 of `terms`.
+// A number known to 2^-100 of `terms`. Its high part alone may be 0, or of the other sign.
 struct Known {
   Pair value;
   Real terms;
+
+  Real rounded() const { return value.high + value.low; }
 };
 // a x b. Of the low parts: each of nine terms is at most 2 u of the products and is rounded some
 // eight times by u, what is left out is u^2 of them; 64 u^2 = 2^-100 covers it.
