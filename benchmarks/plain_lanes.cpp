@@ -40,7 +40,7 @@ inline void judge(const Constants&, const Record& r, Mask idle, Group& g) {
   const Float side_a = fused_difference(g.dx, ay, g.dy * ax);
   const Float side_b = fused_difference(g.dx, by, g.dy * bx);
   const Float t_a = fused(g.dx, ax, g.dy * ay), t_b = fused(g.dx, bx, g.dy * by);
-  const Float t = t_a + side_a * ((t_b - t_a) / (side_a - side_b));
+  const Float t = fused(side_a, (t_b - t_a) / (side_a - side_b), t_a);
   const Mask met = less(side_a * side_b, all(0.0F));
   const Mask closer = but_not(both(both(met, less(all(0.0F), t)), less(t, g.high)), idle);
   g.high = choose(closer, t, g.high);

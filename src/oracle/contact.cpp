@@ -179,7 +179,9 @@ Rational in_rationals(Int128 x) {
          digits(x, middle);
 }
 
-// All places as whole numbers of one unit, all velocities of another.
+// All places as whole numbers of one unit, all velocities of another, below 2^60: so axes are below 2^61, what
+// lies along them below 2^122, their differences below 2^123, and fractions of those are compared in 256 bits.
+// A time fits as a fraction of at most 2^61 over 2^113.
 class WholeBodies {
  public:
   WholeBodies(std::span<const Vec2> a, const Vec2& velocity_a, std::span<const Vec2> b,

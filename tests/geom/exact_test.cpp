@@ -78,7 +78,6 @@ TEST(Rational, RootSignDecidesCancellation) {
   EXPECT_EQ(Rational::root_sign(-1, 0, 2), Sign::negative);
 }
 
-// The double x is nearest when p + s sqrt(q) lies between the middles to its neighbours.
 TEST(Rational, SignOfTwoRootsOfWhichSomeAreZero) {
   for (const int s : {-1, 1}) {
     EXPECT_EQ(Rational::two_root_sign(0, s, 0, s, 0), Sign::zero);
@@ -90,6 +89,7 @@ TEST(Rational, SignOfTwoRootsOfWhichSomeAreZero) {
   }
 }
 
+// The double x is nearest when p + s sqrt(q) lies between the middles to its neighbours.
 TEST(Rational, RootSumIsTheNearestDoubleAlsoWhereItCancels) {
   EXPECT_EQ(Rational::root_sum(0, 1, 2), std::sqrt(2.0));
   EXPECT_EQ(Rational::root_sum(-3, 1, 9), 0);

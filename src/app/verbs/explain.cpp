@@ -37,7 +37,8 @@ Result<TracerChoice> tracer_of(const RenderJob& job) {
   choice.reason += "; " + choice.tracer->build(world.surfaces)->structure();
   if (const WholeWalls whole(world.surfaces); whole.any())
     choice.reason += fmt::format(
-        "; walls on multiples of {}: rays on such are decided without rounding", whole.unit());
+        "; walls on multiples of {}: of rays on such, near them, nothing is rounded but t",
+        whole.unit());
   return choice;
 }
 

@@ -3,8 +3,6 @@
 #define FLATRAY_TIER avx512
 #define FLATRAY_LANES 8
 #include "collide/kernels/sweep_body.h"
-
-#undef FLATRAY_LANES
-#define FLATRAY_LANES 8
+// After it.
 #include "collide/kernels/proof_body.h"
 #include "collide/kernels/sight_body.h"

@@ -13,7 +13,7 @@ inline constexpr int kCorners = 8;  ///< at most, of a shape in the lanes
 /// A convex polygon, counter-clockwise as seen from its centre; what is left over repeats the first.
 struct Shape {
   float normal_x[kCorners], normal_y[kCorners];  ///< unit, outward, about
-  float reach[kCorners];                         ///< not below normal . vertex for any vertex
+  float reach[kCorners];                         ///< about the largest normal . vertex
   float x[kCorners], y[kCorners];
 };
 

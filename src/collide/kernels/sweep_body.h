@@ -3,8 +3,9 @@
 //
 // Lanes are edges: first the eight of a against all corners of b, then the eight of b against all
 // corners of a. Of an edge with normal n, gap(t) = g + d t is how far the other shape is beyond it.
-// Any n gives a gap that is true for that n, so its own rounding needs no allowance. A gap that is
-// positive at both ends of a stretch of time is so all along.
+// A gap that is positive at both ends of a stretch of time is so all along, and proves a miss: any n
+// gives a gap that is true for that n. An overlap is proven by the gaps of all true normals; their
+// rounding, 2^-24 of the sizes, is part of the gap's allowance of 2^-19.
 #include "collide/kernels/sweep.h"
 
 namespace flatray::sweep {

@@ -126,7 +126,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   if (bounces < kTruthBounces)
     made.cut = fmt::format("reference of {} bounces instead of {}", bounces, kTruthBounces);
   made.grows = "bounces";
-  made.laws = {};  // rooms that scatter lose their orbits like e^-n, others like a power
+  made.laws =
+      {};  // orbits of most rooms have ended before either law, e^-n or a power, can be told
   // 1, 2, 3, 4, 6, 8, 12, ... until all have ended
   const std::uint64_t most =
       std::min({bounces / 4, kMostBounces, std::bit_ceil(longest(fates->truth) + 1)});

@@ -26,10 +26,10 @@ struct Orbits {
   Room room;
   std::vector<Material> mirrors;
   std::vector<One> all;
-  std::size_t bounces = 0;  // that all of them have
+  std::size_t bounces = 0;  // that all which are left have
 };
 
-constexpr std::uint64_t kStarts = 15;  // odd, so that one of them is the median
+constexpr std::uint64_t kStarts = 15;  // odd, so that one of them is the median if none is left out
 constexpr std::uint64_t kFewBounces = 8;
 constexpr std::array<std::uint64_t, 14> kBounces = {1,  2,  4,  8,  12, 16, 20,
                                                     24, 28, 32, 48, 64, 96, 128};
