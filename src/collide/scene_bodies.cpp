@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "anim/motion.h"
@@ -35,9 +34,7 @@ double perimeter(const std::vector<Vec2>& ring) {
   return sum;
 }
 
-// Where there is any area at least the smallest normal number, at most the largest.
 double area(const std::vector<ShapePart>& parts, double scale) {
-  if (!has_area(parts)) return 0;
   double sum = 0;
   for (const ShapePart& part : parts) {
     const double radius = scale * part.radius;
@@ -46,7 +43,7 @@ double area(const std::vector<ShapePart>& parts, double scale) {
     sum += ring_area(ring) + std::numbers::pi * radius * radius;
     if (radius > 0) sum += perimeter(ring) * radius;
   }
-  return std::clamp(sum, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  return sum;
 }
 
 // Only the proportions of masses count, so where the areas would overflow or be lost lengths are
@@ -64,6 +61,18 @@ bool any_mass(const Scene& scene) {
   return std::any_of(scene.entities.begin(), scene.entities.end(), [](const Entity& entity) {
     return entity.mass.has_value() && *entity.mass < kInfinity;
   });
+}
+
+// Of an entity that says none and is not held; infinite where it has no area.
+Result<double> mass_by_area(const Entity& entity, const std::vector<ShapePart>& parts,
+                            double scale) {
+  if (!has_area(parts)) return kInfinity;
+  const double mass = area(parts, scale);
+  if (std::isnormal(mass)) return mass;
+  return fail(entity.where,
+              fmt::format("entity '{}' is too {} beside the others for a mass by its area",
+                          entity.name, mass < 1 ? "small" : "large"),
+              "write a mass, or mass = \"fixed\"");
 }
 
 Vec2 velocity_in_world(const Entity& entity, std::span<const GroupPose> groups) {
@@ -100,9 +109,15 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     const Entity& entity = scene.entities[i];
     const bool held = std::find(fixed.begin(), fixed.end(), entity.name) != fixed.end();
-    const double mass = entity.mass.value_or(area(bodies[i].parts, scale));
-    bodies[i].mass = held || mass == 0 ? kInfinity : mass;
+    Result<double> mass = held          ? kInfinity
+                          : entity.mass ? *entity.mass
+                                        : mass_by_area(entity, bodies[i].parts, scale);
+    if (mass)
+      bodies[i].mass = *mass;
+    else
+      problems.push_back(std::move(mass.error().front()));
   }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
   return bodies;
 }
 

@@ -34,7 +34,8 @@ enum class PairSearch : std::uint8_t { near, all };
 
 /// Bodies in straight motion from time 0 to `end`, and what they do where they meet.
 ///
-/// Needs   finite places and velocities, masses > 0.
+/// Needs   finite places and velocities, masses > 0, of which only the ratio counts: one of more than
+///         2^1022 is that of a wall.
 /// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide. What
 ///         bounces off what stops bounces as off a wall, once that has stopped; a mark pushes nothing.
 ///         A shorter time gives the first of the same events. Bodies
@@ -52,7 +53,8 @@ Simulation simulate(std::span<const SimulatedBody> bodies, double end,
 /// named in `fixed`, and what has no area and no mass, are not moved by others.
 ///
 /// Needs   a timeline without responses. `response`: of all, instead of the scene's.
-/// Error   an entity that responds and has a hindrance.
+/// Error   an entity that responds and has a hindrance, or whose area, by which it is to have its mass,
+///         is beyond the doubles beside the masses given or the largest of the others.
 Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
                                              std::optional<Response> response,
                                              std::span<const std::string> fixed);
