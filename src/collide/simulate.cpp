@@ -161,6 +161,7 @@ class Run {
       done.jammed = at_once_ > kJamEvents * bodies_.size();
       if (done.jammed || events.size() == most_events) {
         done.complete = false;
+        done.until = next.time;
         return false;
       }
       respond(next);
@@ -319,8 +320,8 @@ class Run {
     if (stops_b) vb = together;
     const bool wall_a = stops_a || does(a, Response::remove),
                wall_b = stops_b || does(b, Response::remove);
-    const auto [inverse_a, inverse_b] = inverse_masses(wall_a ? kInfinity : bodies_[a].mass,
-                                                       wall_b ? kInfinity : bodies_[b].mass);
+    const auto [inverse_a, inverse_b] =
+        inverse_masses(wall_a ? kInfinity : bodies_[a].mass, wall_b ? kInfinity : bodies_[b].mass);
     const bool slides = does(a, Response::slide) || does(b, Response::slide);
     const double speed = met.normal.dot(va - vb);
     const bool parts = (stops_a || stops_b) && !(speed > 0);  // as the one has stopped

@@ -20,9 +20,10 @@ struct SimulatedBody {
 
 /// Bodies in place of entities, each with its stages, the first from 0.
 struct Simulation : Responses {
-  bool complete = true;   ///< false: as many events as were allowed came first, or
-  bool jammed = false;    ///< the last of them again and again, and time stood still
-  bool overlaps = false;  ///< some lie in each other at time 0
+  bool complete = true;      ///< false: as many events as were allowed came first, or
+  bool jammed = false;       ///< the last of them again and again, and time stood still
+  double until = kInfinity;  ///< time of the first event that is not told
+  bool overlaps = false;     ///< some lie in each other at time 0
 };
 
 /// Events at one time after which bodies count as jammed, for each body.

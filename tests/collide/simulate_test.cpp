@@ -171,8 +171,7 @@ TEST(Simulate, EqualMassesExchangeVelocitiesHoweverLightOrHeavy) {
 }
 
 TEST(Simulate, BesideTheHeaviestTheLightestIsThrownAtTwiceItsSpeed) {
-  const SimulatedBody bodies[] = {disc({0, 0}, 1, {4, 0}, 1e308),
-                                  disc({8, 0}, 1, {0, 0}, 5e-324)};
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {4, 0}, 1e308), disc({8, 0}, 1, {0, 0}, 5e-324)};
   const Simulation done = simulate(bodies, Response::bounce, 10);
   ASSERT_EQ(done.events.size(), 1U);
   EXPECT_EQ(done.events[0].velocity_a, Vec2(4, 0));

@@ -11,6 +11,7 @@
 #include "app/verb.h"
 #include "base/check.h"
 #include "collide/edge_ray_meetings.h"
+#include "collide/scene_timeline.h"
 #include "collide/simulate.h"
 #include "scene/responses.h"
 
@@ -138,14 +139,11 @@ Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline,
   if (!bodies) return tl::unexpected(bodies.error());
   const double end = (asked.last - 1) / timeline.scene().fps;
   const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
-  if (arguments.has("quiet")) return event_table(timeline.scene(), done, asked);
-  if (done.overlaps)
+  const Place where = response ? arguments.where("response") : where_responds(timeline.scene());
+  if (auto complete = check_complete(timeline.scene(), done, end, where); !complete)
+    return fail(std::move(complete));
+  if (done.overlaps && !arguments.has("quiet"))
     report_note("what lies in each other at the start is left alone until it has parted");
-  const CollisionEvent* last = done.events.empty() ? nullptr : &done.events.back();
-  if (!done.complete && last != nullptr)
-    report_note(fmt::format("stopped after {} events{}: entities {} and {} met last, at t = {}",
-                            done.events.size(), done.jammed ? ", jammed" : "", last->a + 1,
-                            last->b + 1, last->time));
   return event_table(timeline.scene(), done, asked);
 }
 
