@@ -86,7 +86,21 @@ says err "growing.toml:4:1: error: entity 'grows' changes its size"
 says err "--method edge-rays"
 run 4 collide growing.toml --response stop
 run 0 collide growing.toml --method edge-rays --csv
-says out "grows,waits,"
+says out "grows,waits,,"
+for which in big,small small,big; do
+  printf 'flatray = 1\nfps = 1\nframes = 3\n' > inside.toml
+  for entity in ${which//,/ }; do
+    half=5 velocity=0
+    [[ $entity == small ]] && half=1 velocity=1
+    printf '[[entity]]\nname = "%s"\nshape = { box = { min = [-%d, -%d], max = [%d, %d] } }\nvelocity = [%d, 0]\n' \
+      $entity $half $half $half $half $velocity >> inside.toml
+  done
+  run 0 collide inside.toml --method edge-rays --csv
+  says out "$which,,0,2,1,,,,,,by frames,"
+done
+run 0 collide inside.toml --method edge-rays --json
+says out '"class":null'
+says out '"start":null,"x":null,"y":null,"normal_x":null,"normal_y":null'
 run 0 hit growing.toml --ray 2.5,0.5,1,0 --against grows -f 2
 says out "inside"
 run 0 explain "$scenes/gas.toml"

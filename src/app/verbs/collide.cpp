@@ -63,8 +63,11 @@ Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
   return Asked{*std::move(frames), last < scene.frames ? last + 1 : last};
 }
 
+// What a method does not know is null.
+enum class Knows : std::uint8_t { all, times };
+
 ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings,
-                          const Asked& asked) {
+                          const Asked& asked, Knows knows = Knows::all) {
   ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
                      "normal_y", "motion", "width"},
                     {}};
@@ -75,10 +78,14 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
     const char* from = times.low > 0                              ? "apart"
                        : turning && start == StartPlace::boundary ? "undecided"
                                                                   : contact_name(start);
+    const auto known = [knows](JsonValue value) {
+      return knows == Knows::all ? std::move(value) : JsonValue();
+    };
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
-                          certain ? name(kind) : "undecided", times.low, times.high,
-                          1 + times.low * scene.fps, from, point.x(), point.y(), normal.x(),
-                          normal.y(), meeting.straight ? "straight" : "by frames", width});
+                          known(certain ? name(kind) : "undecided"), times.low, times.high,
+                          1 + times.low * scene.fps, known(from), known(point.x()),
+                          known(point.y()), known(normal.x()), known(normal.y()),
+                          meeting.straight ? "straight" : "by frames", known(width)});
   }
   return table;
 }
@@ -153,8 +160,9 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
   if (!method) return tl::unexpected(method.error());
   const Scene& scene = timeline.scene();
   if (*method == "edge-rays") {
-    if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
-    return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked);
+    if (!arguments.has("quiet"))
+      report_note("edge-rays knows polygons only, and neither how nor where they meet");
+    return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked, Knows::times);
   }
   if (auto refused = refused_meetings(scene)) return tl::unexpected(*std::move(refused));
   const auto width = threads(arguments);
