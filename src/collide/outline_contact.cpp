@@ -43,7 +43,7 @@ void join(std::vector<MeetingPart>& parts) {
 // An ellipse without area is a segment.
 ShapePart ellipse_part(const Ellipse& curve) {
   if (cross_sign(curve.u, curve.v) != Sign::zero) return {{}, 0, curve};
-  const Vec2 reach = curve.u.squaredNorm() > curve.v.squaredNorm() ? curve.u : curve.v;
+  const Vec2 reach = curve.u.stableNorm() > curve.v.stableNorm() ? curve.u : curve.v;
   return {{curve.centre - reach, curve.centre + reach}};
 }
 

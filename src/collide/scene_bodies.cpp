@@ -27,6 +27,42 @@ bool has_area(const std::vector<ShapePart>& parts) {
   });
 }
 
+// Whether parts have inner points in common wherever they lie together.
+bool can_overlap(const ShapePart& p, const ShapePart& q) {
+  if (has_area({p}) || has_area({q})) return true;
+  const auto end = [](const ShapePart& part) {
+    return *std::find_if(part.ring.begin(), part.ring.end() - 1,
+                         [&](const Vec2& corner) { return corner != part.ring[0]; });
+  };
+  return cross_sign(p.ring[0], end(p), q.ring[0], end(q)) != Sign::zero;
+}
+
+// What contact makes of bodies is found where they overlap: of those that never do, nothing would
+// be seen.
+void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
+                   Diagnostics& problems) {
+  std::vector<std::uint32_t> thin;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (!bodies[i].parts.empty() && !has_area(bodies[i].parts)) thin.push_back(i);
+  for (const std::uint32_t i : thin) {
+    if (bodies[i].mass == kInfinity) continue;
+    const auto unseen = std::find_if(thin.begin(), thin.end(), [&](std::uint32_t k) {
+      if (k == i || (k < i && bodies[k].mass < kInfinity)) return false;  // told with k
+      for (const ShapePart& p : bodies[i].parts)
+        for (const ShapePart& q : bodies[k].parts)
+          if (can_overlap(p, q)) return false;
+      return true;
+    });
+    if (unseen == thin.end()) continue;
+    problems.push_back(
+        {scene.entities[i].where,
+         fmt::format("entities '{}' and '{}' have no area and, wherever they meet, no inner point "
+                     "in common: they would pass through each other",
+                     scene.entities[i].name, scene.entities[*unseen].name),
+         "make one of them a disc or a capsule, or write response = \"none\"", Trouble::invalid});
+  }
+}
+
 double perimeter(const std::vector<Vec2>& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -117,6 +153,7 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
     else
       problems.push_back(std::move(mass.error().front()));
   }
+  refuse_unseen(scene, bodies, problems);
   if (!problems.empty()) return tl::unexpected(std::move(problems));
   return bodies;
 }

@@ -37,7 +37,8 @@ enum class PairSearch : std::uint8_t { near, all };
 ///
 /// Needs   finite places and velocities, masses > 0, of which only the ratio counts: one of more than
 ///         2^1022 is that of a wall.
-/// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide. What
+/// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide: of
+///         points and parallel segments none at all. What
 ///         bounces off what stops bounces as off a wall, once that has stopped; a mark pushes nothing.
 ///         A shorter time gives the first of the same events. Bodies
 ///         that overlap at time 0 are left alone until one of them changes its way after they have
@@ -55,7 +56,8 @@ Simulation simulate(std::span<const SimulatedBody> bodies, double end,
 ///
 /// Needs   a timeline without responses. `response`: of all, instead of the scene's.
 /// Error   an entity that responds and has a hindrance, or whose area, by which it is to have its mass,
-///         is beyond the doubles beside the masses given or the largest of the others.
+///         is beyond the doubles beside the masses given or the largest of the others; two of which one
+///         can be moved and of which nothing would be seen, as points and parallel segments.
 Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
                                              std::optional<Response> response,
                                              std::span<const std::string> fixed);

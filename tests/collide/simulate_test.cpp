@@ -201,6 +201,29 @@ TEST(Simulate, AnEntityTooSmallOrTooLargeForAMassByItsAreaIsRefused) {
   EXPECT_TRUE(bodies_at(-300, ""));
 }
 
+// Points and parallel segments never overlap: of their meetings nothing would be seen.
+TEST(Simulate, PairsThatCannotOverlapAreRefusedWhereOneOfThemCanBeMoved) {
+  const auto refused = [](const std::string& one, const std::string& other) {
+    const Scene scene = scene_of(
+        "flatray = 1\nfps = 1\nframes = 9\ncollisions = { response = \"bounce\" }\n"
+        "[[entity]]\nname = \"a\"\nvelocity = [1, 0]\n" +
+        one + "\n[[entity]]\nname = \"b\"\nat = [3, 0]\n" + other + "\n");
+    const auto bodies = bodies_of(Timeline(scene, 0, 9), std::nullopt, {});
+    return bodies ? "" : format(bodies.error());
+  };
+  const std::string upright = "shape = { segment = { from = [0, -2], to = [0, 2] } }",
+                    taller = "shape = { segment = { from = [0, -3], to = [0, 7] } }",
+                    level = "shape = { segment = { from = [0, 0], to = [1, 0] } }",
+                    disc = "shape = { circle = { radius = 1 } }", moved = "\nmass = 1";
+  EXPECT_NE(refused(upright + moved, taller).find(":5:1: error: entities 'a' and 'b' have no area"),
+            std::string::npos);
+  EXPECT_NE(refused(upright, taller + moved), "");
+  EXPECT_EQ(refused(upright, taller), "");
+  EXPECT_EQ(refused(upright + moved, level), "");
+  EXPECT_EQ(refused(upright + moved, disc), "");
+  EXPECT_EQ(refused(upright + moved, taller + "\nresponse = \"none\""), "");
+}
+
 // Lengths times a power of two: the same events at the same times, velocities times the power.
 TEST(Simulate, TheSameAtAnyScale) {
   const auto done_at = [](int exponent) {
