@@ -60,8 +60,14 @@ Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
   auto frames = parse_frames(*arguments.text("frames"), arguments.where("frames"));
   if (!frames) return tl::unexpected(frames.error());
   const unsigned last = frames->back();
+  if (last > scene.frames)
+    return usage_error(arguments.where("frames"), fmt::format("the scene has no frame {}", last),
+                       fmt::format("say frames from 1 to {}", scene.frames));
   return Asked{*std::move(frames), last < scene.frames ? last + 1 : last};
 }
+
+// Without the sign of a zero, which rounding leaves.
+double plain(double x) { return x + 0.0; }
 
 // What a method does not know is null.
 enum class Knows : std::uint8_t { all, times };
@@ -83,9 +89,10 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
     };
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
                           known(certain ? name(kind) : "undecided"), times.low, times.high,
-                          1 + times.low * scene.fps, known(from), known(point.x()),
-                          known(point.y()), known(normal.x()), known(normal.y()),
-                          meeting.straight ? "straight" : "by frames", known(width)});
+                          1 + times.low * scene.fps, known(from), known(plain(point.x())),
+                          known(plain(point.y())), known(plain(normal.x())),
+                          known(plain(normal.y())), meeting.straight ? "straight" : "by frames",
+                          known(width)});
   }
   return table;
 }
@@ -117,8 +124,9 @@ ReportTable event_table(const Scene& scene, const Simulation& done, const Asked&
     const double frame = 1 + e.time * scene.fps;
     if (!asked.shows(frame, frame)) continue;
     table.rows.push_back({scene.entities[e.a].name, scene.entities[e.b].name, e.time, frame,
-                          e.point.x(), e.point.y(), e.normal.x(), e.normal.y(), e.velocity_a.x(),
-                          e.velocity_a.y(), e.velocity_b.x(), e.velocity_b.y()});
+                          plain(e.point.x()), plain(e.point.y()), plain(e.normal.x()),
+                          plain(e.normal.y()), plain(e.velocity_a.x()), plain(e.velocity_a.y()),
+                          plain(e.velocity_b.x()), plain(e.velocity_b.y())});
   }
   return table;
 }
@@ -187,10 +195,20 @@ Result<void> check_method(const Arguments& arguments, const Scene& scene,
                      "say --response none with it, or leave --method out");
 }
 
+// The paper's tables are of the boxes alone, as text or JSON.
+Result<void> check_table(const Arguments& arguments) {
+  for (const char* other : {"last", "frames", "method", "response", "fixed", "csv"})
+    if (arguments.has(other))
+      return usage_error(arguments.where(other), "does not go with --table",
+                         "leave one of them out");
+  return {};
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
   if (arguments.has("table")) {
+    if (auto checked = check_table(arguments); !checked) return fail(std::move(checked));
     const auto tables = paper_table(*scene, arguments.where("table"));
     if (!tables) return tl::unexpected(tables.error());
     if (arguments.has("json"))
