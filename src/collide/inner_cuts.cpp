@@ -63,13 +63,17 @@ class CutAgainstPart {
 
 void count_cuts(const MovingParts& cut, const MovingParts& other, Range within,
                 std::vector<MeetingPart>& met) {
-  for (const ShapePart& piece : cut.parts)
-    for (const std::uint32_t k : piece.cuts)
-      for (const ShapePart& part : other.parts)
-        if (has_no_area(part))
-          CutAgainstPart(piece.ring[k], piece.ring[k + 1 == piece.ring.size() ? 0 : k + 1],
-                         cut.velocity, part, other.velocity)
-              .tell(within, met);
+  if (std::all_of(cut.parts.begin(), cut.parts.end(),
+                  [](const ShapePart& piece) { return piece.cuts.empty(); }))
+    return;
+  for (const ShapePart& part : other.parts) {
+    if (!has_no_area(part)) continue;
+    for (const ShapePart& piece : cut.parts)
+      for (const std::uint32_t k : piece.cuts)
+        CutAgainstPart(piece.ring[k], piece.ring[k + 1 == piece.ring.size() ? 0 : k + 1],
+                       cut.velocity, part, other.velocity)
+            .tell(within, met);
+  }
 }
 
 }  // namespace
