@@ -50,13 +50,26 @@ Result<std::string> Arguments::one_of(std::string_view name,
                      fmt::format("say {}", comma_list(words)));
 }
 
+namespace {
+
+// As many as `help` has topics are listed; of more, as the entities of a scene, the first few.
+std::string listed(std::vector<std::string> known) {
+  constexpr std::size_t kMostListed = 80, kFirst = 3;
+  if (known.size() <= kMostListed) return comma_list(known);
+  const std::size_t more = known.size() - kFirst;
+  known.resize(kFirst);
+  return fmt::format("{} and {} more", comma_list(known), more);
+}
+
+}  // namespace
+
 tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
                                          const std::vector<std::string>& known) {
   const std::string near = nearest_word(word, known);
   return usage_error(std::move(where),
                      fmt::format("no {} is called '{}'{}", what, word,
                                  near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
-                     known.empty() ? "there is none" : "there are: " + comma_list(known));
+                     known.empty() ? "there is none" : "there are: " + listed(known));
 }
 
 Result<std::vector<std::string>> chosen_names(const Arguments& arguments, const char* option,

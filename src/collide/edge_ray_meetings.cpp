@@ -45,9 +45,9 @@ std::vector<Meeting> find_edge_ray_meetings(const Timeline& timeline, unsigned l
     for (const Entities& pair : overlapping_pairs(boxes)) {
       const auto [a, b] = pair;
       if (rests(scene, a) && rests(scene, b)) continue;
-      if (!any_edge_hits(pieces(shape_of(scene, states[a]), poses[a]),
-                         pieces(shape_of(scene, states[b]), poses[b])))
-        continue;
+      const auto one = pieces(shape_of(scene, states[a]), poses[a]),
+                 other = pieces(shape_of(scene, states[b]), poses[b]);
+      if (!any_edge_hits(one, other) && !any_edge_hits(other, one)) continue;
       std::vector<MeetingPart>& parts = found[pair];
       const bool goes_on = !parts.empty() && parts.back().times.high == (frame - 2) / scene.fps;
       if (goes_on)

@@ -165,10 +165,53 @@ class Search {
   CurvedContact found_;
 };
 
+// Lengths times a power of two, where that is exact: times stay, and squares neither overflow nor are
+// lost.
+class ScaledBody {
+ public:
+  ScaledBody(const CurvedBody& body, int exponent) : exponent_(exponent) {
+    if (body.curve)
+      body_.curve =
+          Ellipse{scaled(body.curve->centre), scaled(body.curve->u), scaled(body.curve->v)};
+    for (const Vec2& p : body.round.core.vertices) ring_.push_back(scaled(p));
+    body_.round = {{ring_, scaled(body.round.core.velocity)}, scaled(body.round.radius)};
+  }
+  ScaledBody(const ScaledBody&) = delete;
+
+  const CurvedBody& body() const { return body_; }
+  bool is_exact() const { return exact_; }
+
+ private:
+  double scaled(double x) {
+    const double there = std::ldexp(x, exponent_);
+    exact_ = exact_ && std::ldexp(there, -exponent_) == x;
+    return there;
+  }
+  Vec2 scaled(const Vec2& v) { return {scaled(v.x()), scaled(v.y())}; }
+
+  const int exponent_;
+  Ring ring_;
+  CurvedBody body_;
+  bool exact_ = true;
+};
+
+double largest_axis(const CurvedBody& body) {
+  if (!body.curve) return 0;
+  return std::max(body.curve->u.cwiseAbs().maxCoeff(), body.curve->v.cwiseAbs().maxCoeff());
+}
+
 }  // namespace
 
 CurvedContact curved_contact(const CurvedBody& a, const CurvedBody& b, Range within) {
-  return Search(a, b, within).run();
+  constexpr int kUsual = 400;
+  const int exponent = -std::ilogb(std::max(largest_axis(a), largest_axis(b)));
+  if (std::abs(exponent) <= kUsual) return Search(a, b, within).run();
+  const ScaledBody one(a, exponent), other(b, exponent);
+  if (!one.is_exact() || !other.is_exact()) return Search(a, b, within).run();
+  CurvedContact found = Search(one.body(), other.body(), within).run();
+  const Vec2& point = found.place.point;
+  found.place.point = {std::ldexp(point.x(), -exponent), std::ldexp(point.y(), -exponent)};
+  return found;
 }
 
 }  // namespace flatray

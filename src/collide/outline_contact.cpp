@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
 #include "collide/ellipse_contact.h"
+#include "collide/inner_cuts.h"
 #include "collide/turning_contact.h"
 #include "scene/rounded.h"
 
@@ -42,7 +43,7 @@ void join(std::vector<MeetingPart>& parts) {
 // An ellipse without area is a segment.
 ShapePart ellipse_part(const Ellipse& curve) {
   if (cross_sign(curve.u, curve.v) != Sign::zero) return {{}, 0, curve};
-  const Vec2 reach = curve.u.squaredNorm() > curve.v.squaredNorm() ? curve.u : curve.v;
+  const Vec2 reach = curve.u.stableNorm() > curve.v.stableNorm() ? curve.u : curve.v;
   return {{curve.centre - reach, curve.centre + reach}};
 }
 
@@ -75,6 +76,7 @@ std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const
       if (met.times) parts.push_back(meeting_part(met, one, other));
     }
   join(parts);
+  count_cuts_as_inside({parts_a, velocity_a}, {parts_b, velocity_b}, within, parts);
   return parts;
 }
 
@@ -142,7 +144,8 @@ class PolygonPairs {
  public:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  PolygonPairs(std::span<const MovingShape> bodies, std::span<const Pair> pairs) : bodies_(bodies) {
+  PolygonPairs(std::span<const MovingShape> bodies, std::span<const Pair> pairs, Range within)
+      : bodies_(bodies), pairs_(pairs), within_(within) {
     parts_.resize(bodies.size());
     shapes_of_.resize(bodies.size());
     for (const Pair& pair : pairs) {
@@ -166,12 +169,12 @@ class PolygonPairs {
     return plain(bodies_[pair.first]) && plain(bodies_[pair.second]);
   }
 
-  void ask(Range within, unsigned threads) {
+  void ask(unsigned threads) {
     found_.resize(asks_.size());
     constexpr std::size_t kBlock = 2048;
     parallel_for((asks_.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
       const std::size_t from = block * kBlock, count = std::min(kBlock, asks_.size() - from);
-      contacts(shapes_, std::span(asks_).subspan(from, count), within,
+      contacts(shapes_, std::span(asks_).subspan(from, count), within_,
                std::span(found_).subspan(from, count));
     });
   }
@@ -186,6 +189,9 @@ class PolygonPairs {
       parts.push_back(meeting_part(round_contact(found_[i], a, b), a, b));
     }
     join(parts);
+    const auto& [a, b] = pairs_[pair];
+    count_cuts_as_inside({parts_[a], bodies_[a].velocity}, {parts_[b], bodies_[b].velocity},
+                         within_, parts);
     return parts;
   }
 
@@ -198,6 +204,8 @@ class PolygonPairs {
   }
 
   const std::span<const MovingShape> bodies_;
+  const std::span<const Pair> pairs_;
+  const Range within_;
   std::vector<std::vector<ShapePart>> parts_;  // by body, as far as asked
   std::vector<std::uint32_t> shapes_of_;       // the first shape of each
   PolygonSet shapes_;
@@ -210,8 +218,12 @@ class PolygonPairs {
 
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
   std::vector<ShapePart> all;
-  for (std::size_t i = 0; i < shape.piece_count(); ++i)
-    all.push_back({posed_piece(shape, i, place)});
+  for (std::size_t i = 0; i < shape.piece_count(); ++i) {
+    ShapePart piece{posed_piece(shape, i, place)};
+    for (std::uint32_t k = shape.begin[i]; k < shape.begin[i + 1]; ++k)
+      if (shape.edges[k] < 0) piece.cuts.push_back(k - shape.begin[i]);
+    all.push_back(std::move(piece));
+  }
   for (const Segment& s : shape.segments) all.push_back({{place(s.a), place(s.b)}});
   for (const Circle& c : shape.circles) {
     const Circle there = posed(c, place);
@@ -256,8 +268,8 @@ std::vector<std::vector<MeetingPart>> pairs_meet(
   for (const auto& [a, b] : pairs) asked[a] = asked[b] = true;
   const auto shapes = std::count(asked.begin(), asked.end(), true);
   const bool together = pairs.size() > static_cast<std::size_t>(shapes);
-  PolygonPairs polygons(bodies, together ? pairs : pairs.first(0));
-  polygons.ask(within, threads);
+  PolygonPairs polygons(bodies, together ? pairs : pairs.first(0), within);
+  polygons.ask(threads);
   std::vector<std::vector<MeetingPart>> met(pairs.size());
   parallel_for(pairs.size(), threads, [&](std::size_t i) {
     const auto& [a, b] = pairs[i];

@@ -23,7 +23,8 @@ struct MovingShape {
 struct ShapePart {
   std::vector<Vec2> ring;
   double radius = 0;
-  std::optional<Ellipse> curve{};  ///< an ellipse that is no circle, instead of the others
+  std::optional<Ellipse> curve{};     ///< an ellipse that is no circle, instead of the others
+  std::vector<std::uint32_t> cuts{};  ///< edges of the ring that only part it from another piece
 };
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place);
 
@@ -34,7 +35,7 @@ struct MeetingPart {
   StartPlace start;  ///< how they lie at t = 0
   Vec2 point;        ///< where they first meet in this part, about; of an overlap a vertex inside
   Vec2 normal;  ///< unit, out of the first shape; of those that meet from the start that of the
-                ///< shortest way apart
+                ///< shortest way apart, of outlines in pieces that of the first two pieces alone
   double width = 0;     ///< of turning shapes and ellipses: they first touch in [low, low + width]
   bool certain = true;  ///< false: they come too close to tell whether they touch
 };
@@ -48,7 +49,8 @@ inline constexpr double kTurningWidth = 0x1p-40;
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their
 /// convex pieces, segments and discs together.
 ///
-/// Gives   kind: through where any pieces overlap, else along where any touch for a while.
+/// Gives   kind: through where any pieces overlap, also only on a cut between them (inner_cuts.h; what
+///         turns then touches), else along where any touch for a while.
 /// Error   as round_contact(); where one turns as turning_contact(), within a range from 0; what
 ///         parts for less than kTurningWidth, or after more than kMostPartingSteps steps, has not
 ///         parted. Of ellipses, which must not turn, as

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "anim/motion.h"
@@ -28,6 +27,42 @@ bool has_area(const std::vector<ShapePart>& parts) {
   });
 }
 
+// Whether parts have inner points in common wherever they lie together.
+bool can_overlap(const ShapePart& p, const ShapePart& q) {
+  if (has_area({p}) || has_area({q})) return true;
+  const auto end = [](const ShapePart& part) {
+    return *std::find_if(part.ring.begin(), part.ring.end() - 1,
+                         [&](const Vec2& corner) { return corner != part.ring[0]; });
+  };
+  return cross_sign(p.ring[0], end(p), q.ring[0], end(q)) != Sign::zero;
+}
+
+// What contact makes of bodies is found where they overlap: of those that never do, nothing would
+// be seen.
+void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
+                   Diagnostics& problems) {
+  std::vector<std::uint32_t> thin;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (!bodies[i].parts.empty() && !has_area(bodies[i].parts)) thin.push_back(i);
+  for (const std::uint32_t i : thin) {
+    if (bodies[i].mass == kInfinity) continue;
+    const auto unseen = std::find_if(thin.begin(), thin.end(), [&](std::uint32_t k) {
+      if (k == i || (k < i && bodies[k].mass < kInfinity)) return false;  // told with k
+      for (const ShapePart& p : bodies[i].parts)
+        for (const ShapePart& q : bodies[k].parts)
+          if (can_overlap(p, q)) return false;
+      return true;
+    });
+    if (unseen == thin.end()) continue;
+    problems.push_back(
+        {scene.entities[i].where,
+         fmt::format("entities '{}' and '{}' have no area and, wherever they meet, no inner point "
+                     "in common: they would pass through each other",
+                     scene.entities[i].name, scene.entities[*unseen].name),
+         "make one of them a disc or a capsule, or write response = \"none\"", Trouble::invalid});
+  }
+}
+
 double perimeter(const std::vector<Vec2>& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -35,9 +70,7 @@ double perimeter(const std::vector<Vec2>& ring) {
   return sum;
 }
 
-// Where there is any area at least the smallest normal number, at most the largest.
 double area(const std::vector<ShapePart>& parts, double scale) {
-  if (!has_area(parts)) return 0;
   double sum = 0;
   for (const ShapePart& part : parts) {
     const double radius = scale * part.radius;
@@ -46,7 +79,7 @@ double area(const std::vector<ShapePart>& parts, double scale) {
     sum += ring_area(ring) + std::numbers::pi * radius * radius;
     if (radius > 0) sum += perimeter(ring) * radius;
   }
-  return std::clamp(sum, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  return sum;
 }
 
 // Only the proportions of masses count, so where the areas would overflow or be lost lengths are
@@ -64,6 +97,18 @@ bool any_mass(const Scene& scene) {
   return std::any_of(scene.entities.begin(), scene.entities.end(), [](const Entity& entity) {
     return entity.mass.has_value() && *entity.mass < kInfinity;
   });
+}
+
+// Of an entity that says none and is not held; infinite where it has no area.
+Result<double> mass_by_area(const Entity& entity, const std::vector<ShapePart>& parts,
+                            double scale) {
+  if (!has_area(parts)) return kInfinity;
+  const double mass = area(parts, scale);
+  if (std::isnormal(mass)) return mass;
+  return fail(entity.where,
+              fmt::format("entity '{}' is too {} beside the others for a mass by its area",
+                          entity.name, mass < 1 ? "small" : "large"),
+              "write a mass, or mass = \"fixed\"");
 }
 
 Vec2 velocity_in_world(const Entity& entity, std::span<const GroupPose> groups) {
@@ -100,9 +145,16 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     const Entity& entity = scene.entities[i];
     const bool held = std::find(fixed.begin(), fixed.end(), entity.name) != fixed.end();
-    const double mass = entity.mass.value_or(area(bodies[i].parts, scale));
-    bodies[i].mass = held || mass == 0 ? kInfinity : mass;
+    Result<double> mass = held          ? kInfinity
+                          : entity.mass ? *entity.mass
+                                        : mass_by_area(entity, bodies[i].parts, scale);
+    if (mass)
+      bodies[i].mass = *mass;
+    else
+      problems.push_back(std::move(mass.error().front()));
   }
+  refuse_unseen(scene, bodies, problems);
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
   return bodies;
 }
 

@@ -8,11 +8,9 @@
 #include "scene/responses.h"
 
 namespace flatray {
-namespace {
-
-// What came after the last frame asked for is not its business.
-Result<void> check_end(const Scene& scene, const Simulation& done, double last) {
-  if (done.complete || done.events.back().time > last) return {};
+Result<void> check_complete(const Scene& scene, const Simulation& done, double last,
+                            const Place& where) {
+  if (done.until > last) return {};
   const CollisionEvent& event = done.events.back();
   const auto name = [&](std::uint32_t i) {
     const std::string& own = scene.entities[i].name;
@@ -21,16 +19,13 @@ Result<void> check_end(const Scene& scene, const Simulation& done, double last) 
   const std::string what = fmt::format("{} and {}", name(event.a), name(event.b));
   if (done.jammed)
     return fail(
-        where_responds(scene),
+        where,
         fmt::format("bodies are jammed: {} meet again and again at t = {}", what, event.time),
         "give them a way out, or end the sequence before");
   return fail(
-      where_responds(scene),
-      fmt::format("{} events before t = {}, the last of {}", done.events.size(), last, what),
+      where, fmt::format("{} events before t = {}, the last of {}", done.events.size(), last, what),
       "end the sequence before, or write a higher most in [collisions]");
 }
-
-}  // namespace
 
 Result<Timeline> make_timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame) {
   Timeline timeline(scene, seed, last_frame);
@@ -45,7 +40,9 @@ Result<Timeline> make_timeline(const Scene& scene, std::uint64_t seed, unsigned 
   const bool ahead = scene.collisions && scene.collisions->time_bar;
   const unsigned frames = ahead ? std::max(last_frame, scene.frames) : last_frame;
   Simulation done = simulate(*bodies, frames / scene.fps, most_events(scene));
-  if (auto ended = check_end(scene, done, (last_frame - 1.0) / scene.fps); !ended)
+  if (auto ended =
+          check_complete(scene, done, (last_frame - 1.0) / scene.fps, where_responds(scene));
+      !ended)
     return fail(std::move(ended));
   for (std::uint32_t i = 0; i < bodies->size(); ++i)
     if ((*bodies)[i].response == Response::none) done.stages[i].clear();

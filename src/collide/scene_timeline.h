@@ -4,6 +4,15 @@
 
 namespace flatray {
 
+struct Simulation;
+
+/// Whether all events up to a time are there.
+///
+/// Error   at `where`: events without end, or more than were allowed, before `last`; what came after
+///         is not its business.
+Result<void> check_complete(const Scene& scene, const Simulation& done, double last,
+                            const Place& where);
+
 /// The timeline of a scene, with what follows where its entities meet.
 ///
 /// Gives   the same places in a frame whatever the last one.

@@ -52,6 +52,15 @@ double radius_of(const SimulatedBody& body) {
   return radius * (1 + 0x1p-40);
 }
 
+// Of both masses in units of the lighter, rounded down to a power of two: only their ratio counts, and
+// none that matters is lost.
+std::pair<double, double> inverse_masses(double a, double b) {
+  const double lighter = std::min(a, b);
+  if (lighter == kInfinity) return {0, 0};
+  const int exponent = -std::ilogb(lighter);
+  return {1 / std::ldexp(a, exponent), 1 / std::ldexp(b, exponent)};
+}
+
 class Run {
  public:
   Run(std::span<const SimulatedBody> bodies, double end, PairSearch search)
@@ -152,6 +161,7 @@ class Run {
       done.jammed = at_once_ > kJamEvents * bodies_.size();
       if (done.jammed || events.size() == most_events) {
         done.complete = false;
+        done.until = next.time;
         return false;
       }
       respond(next);
@@ -310,8 +320,8 @@ class Run {
     if (stops_b) vb = together;
     const bool wall_a = stops_a || does(a, Response::remove),
                wall_b = stops_b || does(b, Response::remove);
-    const double inverse_a = wall_a ? 0 : 1 / bodies_[a].mass,
-                 inverse_b = wall_b ? 0 : 1 / bodies_[b].mass;
+    const auto [inverse_a, inverse_b] =
+        inverse_masses(wall_a ? kInfinity : bodies_[a].mass, wall_b ? kInfinity : bodies_[b].mass);
     const bool slides = does(a, Response::slide) || does(b, Response::slide);
     const double speed = met.normal.dot(va - vb);
     const bool parts = (stops_a || stops_b) && !(speed > 0);  // as the one has stopped

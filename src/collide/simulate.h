@@ -20,9 +20,10 @@ struct SimulatedBody {
 
 /// Bodies in place of entities, each with its stages, the first from 0.
 struct Simulation : Responses {
-  bool complete = true;   ///< false: as many events as were allowed came first, or
-  bool jammed = false;    ///< the last of them again and again, and time stood still
-  bool overlaps = false;  ///< some lie in each other at time 0
+  bool complete = true;      ///< false: as many events as were allowed came first, or
+  bool jammed = false;       ///< the last of them again and again, and time stood still
+  double until = kInfinity;  ///< time of the first event that is not told
+  bool overlaps = false;     ///< some lie in each other at time 0
 };
 
 /// Events at one time after which bodies count as jammed, for each body.
@@ -34,8 +35,10 @@ enum class PairSearch : std::uint8_t { near, all };
 
 /// Bodies in straight motion from time 0 to `end`, and what they do where they meet.
 ///
-/// Needs   finite places and velocities, masses > 0.
-/// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide. What
+/// Needs   finite places and velocities, masses > 0, of which only the ratio counts: one of more than
+///         2^1022 is that of a wall.
+/// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide: of
+///         points and parallel segments none at all. What
 ///         bounces off what stops bounces as off a wall, once that has stopped; a mark pushes nothing.
 ///         A shorter time gives the first of the same events. Bodies
 ///         that overlap at time 0 are left alone until one of them changes its way after they have
@@ -52,7 +55,9 @@ Simulation simulate(std::span<const SimulatedBody> bodies, double end,
 /// named in `fixed`, and what has no area and no mass, are not moved by others.
 ///
 /// Needs   a timeline without responses. `response`: of all, instead of the scene's.
-/// Error   an entity that responds and has a hindrance.
+/// Error   an entity that responds and has a hindrance, or whose area, by which it is to have its mass,
+///         is beyond the doubles beside the masses given or the largest of the others; two of which one
+///         can be moved and of which nothing would be seen, as points and parallel segments.
 Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
                                              std::optional<Response> response,
                                              std::span<const std::string> fixed);

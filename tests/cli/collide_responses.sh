@@ -29,6 +29,35 @@ run 4 experiment gas "$scenes/responses.toml"
 says err "in a gas everything bounces, and the response of"
 run 4 collide "$root/scenes/markov/runner.toml" --response stop
 says err "keep one velocity"
+cat > jam.toml << 'EOF'
+flatray = 1
+fps = 1
+frames = 9
+collisions = { response = "bounce" }
+[[entity]]
+name = "free"
+shape = { box = { min = [0, 0], max = [1, 1] } }
+[[entity]]
+name = "left"
+shape = { box = { min = [-3, 0], max = [-2, 1] } }
+velocity = [1, 0]
+mass = "fixed"
+[[entity]]
+name = "right"
+shape = { box = { min = [3, 0], max = [4, 1] } }
+velocity = [-1, 0]
+mass = "fixed"
+EOF
+for verb in "collide jam.toml -q" "collide jam.toml --json" "render jam.toml -o jam_####.png"; do
+  # shellcheck disable=SC2086
+  run 4 $verb
+  says err "jam.toml:4:14: error: bodies are jammed"
+done
+run 4 collide jam.toml --response bounce --fixed left --fixed right
+says err "--response: error: bodies are jammed"
+run 4 collide jam.toml -q -D collisions.most=1
+says err "1 events before t = 8"
+run 0 collide jam.toml -f 1 --csv
 run 0 collide "$scenes/bullet.toml" --csv
 says out "bullet,wall,through,3.330078125e-09,"
 run 0 collide "$scenes/bullet.toml" --method edge-rays --csv
@@ -57,7 +86,21 @@ says err "growing.toml:4:1: error: entity 'grows' changes its size"
 says err "--method edge-rays"
 run 4 collide growing.toml --response stop
 run 0 collide growing.toml --method edge-rays --csv
-says out "grows,waits,"
+says out "grows,waits,,"
+for which in big,small small,big; do
+  printf 'flatray = 1\nfps = 1\nframes = 3\n' > inside.toml
+  for entity in ${which//,/ }; do
+    half=5 velocity=0
+    [[ $entity == small ]] && half=1 velocity=1
+    printf '[[entity]]\nname = "%s"\nshape = { box = { min = [-%d, -%d], max = [%d, %d] } }\nvelocity = [%d, 0]\n' \
+      $entity $half $half $half $half $velocity >> inside.toml
+  done
+  run 0 collide inside.toml --method edge-rays --csv
+  says out "$which,,0,2,1,,,,,,by frames,"
+done
+run 0 collide inside.toml --method edge-rays --json
+says out '"class":null'
+says out '"start":null,"x":null,"y":null,"normal_x":null,"normal_y":null'
 run 0 hit growing.toml --ray 2.5,0.5,1,0 --against grows -f 2
 says out "inside"
 run 0 explain "$scenes/gas.toml"

@@ -24,4 +24,15 @@ says out '"numer":-47580'
 says out '"t_last":1.1007874015748031'
 run 2 collide "$case_two" --last 99
 says err "--last"
+run 2 collide "$case_two" -f 9..99
+says err "the scene has no frame 99"
+for other in "--csv" "--method boxes" "--response stop" "--last 2" "-f 1"; do
+  # shellcheck disable=SC2086
+  run 2 collide "$case_two" --table $other
+  says err "does not go with --table"
+done
+run 2 collide "$root/scenes/collision/gas.toml" --response bounce --fixed nosuch
+says err " and 101 more"
+run 0 collide "$root/scenes/collision/cradle.toml" --json --response bounce
+grep -q -e '[:,]-0[,}]' out.txt && fail "a zero with a sign"
 finish

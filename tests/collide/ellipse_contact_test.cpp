@@ -102,5 +102,28 @@ TEST(EllipseContact, InsideBesideAndBeyondTheDoubles) {
             Verdict::undecided);
 }
 
+// Lengths times a power of two: the same times, normals and verdicts.
+TEST(EllipseContact, TheSameAtAnyScale) {
+  const auto met_at = [](int exponent) {
+    const auto n = [exponent](double x) { return std::ldexp(x, exponent); };
+    const std::vector<Vec2> box = {{n(5), n(-1)}, {n(6), n(-1)}, {n(6), n(1)}, {n(5), n(1)}};
+    return curved_contact(ellipse({{0, n(0.25)}, {n(2), 0}, {0, n(1)}}, {n(1), 0}),
+                          {std::nullopt, {{box, {0, 0}}, n(0.125)}}, {0, 10});
+  };
+  const CurvedContact one = met_at(0);
+  ASSERT_EQ(one.verdict, Verdict::meets);
+  for (const int exponent : {-1000, -664, -450, 450, 664, 1000}) {
+    SCOPED_TRACE(exponent);
+    const CurvedContact met = met_at(exponent);
+    EXPECT_EQ(met.verdict, Verdict::meets);
+    EXPECT_EQ(met.enter.low, one.enter.low);
+    EXPECT_EQ(met.enter.high, one.enter.high);
+    EXPECT_EQ(met.exit.high, one.exit.high);
+    EXPECT_EQ(met.start, one.start);
+    EXPECT_EQ(met.place.normal, one.place.normal);
+    EXPECT_EQ(std::ldexp(met.place.point.x(), -exponent), one.place.point.x());
+  }
+}
+
 }  // namespace
 }  // namespace flatray

@@ -84,5 +84,70 @@ TEST(OutlineContact, MeetingsOfWhatTurnsAreThoseOfAllItsInstants) {
   EXPECT_GT(several, 15U);
 }
 
+// The arrow (0, 0), (4, 0), (4, 4), (2, 1), (0, 4), cut from (0, 0) to (2, 1).
+Shape arrow() {
+  Shape shape;
+  shape.vertices = {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 0}, {2, 1}, {0, 4}};
+  shape.edges = {0, 1, 2, -1, -1, 3, 4};
+  shape.begin = {0, 4, 7};
+  return shape;
+}
+Shape segment(const Vec2& a, const Vec2& b) {
+  Shape shape;
+  shape.segments = {{a, b}};
+  return shape;
+}
+
+// Asked alone and, of several, together.
+std::vector<MeetingPart> both_ways(const Shape& a, const Shape& b, const Vec2& at,
+                                   const Vec2& velocity, Range within) {
+  const MovingShape bodies[] = {turning(a, {0, 0}, {0, 0}, 0, 0), turning(b, at, velocity, 0, 0)};
+  const std::vector<MeetingPart> alone = shapes_meet(bodies[0], bodies[1], within);
+  const std::pair<std::uint32_t, std::uint32_t> pairs[] = {{0, 1}, {1, 0}, {0, 1}};
+  for (const auto& met : pairs_meet(bodies, pairs, within, 1)) {
+    EXPECT_EQ(met.size(), alone.size());
+    for (std::size_t i = 0; i < std::min(met.size(), alone.size()); ++i) {
+      EXPECT_EQ(met[i].kind, alone[i].kind);
+      EXPECT_EQ(met[i].start, alone[i].start);
+    }
+  }
+  return alone;
+}
+
+TEST(OutlineContact, WhatLiesOnACutIsInside) {
+  const Shape outline = arrow(), bit = segment({0, 0}, {0.0625, 0.03125});
+  Shape dot;
+  dot.circles = {{{0, 0}, 0}};
+  for (const Shape* shape : {&bit, static_cast<const Shape*>(&dot)})
+    for (const Vec2& velocity : {Vec2(0.25, 0.125), Vec2(-0.25, -0.125), Vec2(0.25, 0), Vec2(0, 0)})
+      for (const Range within : {Range{0, 1}, Range{0, 0}}) {
+        const auto met = both_ways(outline, *shape, {1, 0.5}, velocity, within);
+        ASSERT_EQ(met.size(), 1U);
+        EXPECT_EQ(met[0].kind, HitClass::through);
+        EXPECT_EQ(met[0].start, StartPlace::inside);
+      }
+}
+
+TEST(OutlineContact, TheEndsOfACutAreOutline) {
+  const Shape outline = arrow(), bit = segment({0, 0}, {2, 1});
+  const auto at_corner = both_ways(outline, bit, {-2, -1}, {0, 0}, {0, 1});
+  ASSERT_EQ(at_corner.size(), 1U);
+  EXPECT_EQ(at_corner[0].kind, HitClass::touch);
+  EXPECT_EQ(at_corner[0].start, StartPlace::boundary);
+  const auto leaves = both_ways(outline, bit, {-2, -1}, {-2, -1}, {0, 1});
+  ASSERT_EQ(leaves.size(), 1U);
+  EXPECT_EQ(leaves[0].kind, HitClass::touch);
+  const auto comes = both_ways(outline, bit, {-4, -2}, {2, 1}, {0, 1.5});
+  ASSERT_EQ(comes.size(), 1U);
+  EXPECT_EQ(comes[0].times.low, 1);
+  EXPECT_EQ(comes[0].kind, HitClass::through);
+  EXPECT_EQ(comes[0].start, StartPlace::outside);
+  // Along a side of the outline it is still along.
+  const auto side = both_ways(outline, segment({0, 0}, {1, 0}), {1, 0}, {1, 0}, {0, 1});
+  ASSERT_EQ(side.size(), 1U);
+  EXPECT_EQ(side[0].kind, HitClass::along);
+  EXPECT_EQ(side[0].start, StartPlace::boundary);
+}
+
 }  // namespace
 }  // namespace flatray

@@ -136,6 +136,15 @@ TEST(MakeTimeline, MoreEventsThanAllowedAreRefused) {
   EXPECT_NE(format(cut.error()).find("2 events before"), std::string::npos);
 }
 
+// Events at t = 4, 5.975 and 7.95, between frames 80 and 81.
+TEST(MakeTimeline, AsManyEventsAsAllowedAreNotTooMany) {
+  const Scene scene = text_scene(
+      disc("velocity = [1, 0]") + disc("at = [6, 0]") + disc("at = [9.975, 0]\nmass = \"fixed\""),
+      "collisions = { response = \"bounce\", most = 2 }\n");
+  EXPECT_TRUE(make_timeline(scene, 0, 80));
+  EXPECT_FALSE(make_timeline(scene, 0, 81));
+}
+
 // At t = 4 of 10 frames a second: in frame 41, not in frame 40.
 TEST(MakeTimeline, AHitSetsTheStateOfTheChain) {
   const Scene scene = text_scene(

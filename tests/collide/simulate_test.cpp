@@ -157,6 +157,73 @@ TEST(Simulate, ABounceKeepsMomentumWhateverTheMasses) {
   }
 }
 
+// Only the ratio of masses counts, to the last double there is.
+TEST(Simulate, EqualMassesExchangeVelocitiesHoweverLightOrHeavy) {
+  for (const double mass : {5e-324, 1e-308, 1e307, 1e308})
+    for (const double speed : {4.0, 1000.0, 0x1p-600, 0x1p600}) {
+      const SimulatedBody bodies[] = {disc({0, 0}, 1, {speed, 0}, mass),
+                                      disc({8, 0}, 1, {0, 0}, mass)};
+      const Simulation done = simulate(bodies, Response::bounce, 10 / speed);
+      ASSERT_EQ(done.events.size(), 1U) << mass << ' ' << speed;
+      EXPECT_NEAR(done.events[0].velocity_a.x(), 0, 1e-15 * speed) << mass << ' ' << speed;
+      EXPECT_NEAR(done.events[0].velocity_b.x(), speed, 1e-15 * speed) << mass << ' ' << speed;
+    }
+}
+
+TEST(Simulate, BesideTheHeaviestTheLightestIsThrownAtTwiceItsSpeed) {
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {4, 0}, 1e308), disc({8, 0}, 1, {0, 0}, 5e-324)};
+  const Simulation done = simulate(bodies, Response::bounce, 10);
+  ASSERT_EQ(done.events.size(), 1U);
+  EXPECT_EQ(done.events[0].velocity_a, Vec2(4, 0));
+  EXPECT_EQ(done.events[0].velocity_b, Vec2(8, 0));
+}
+
+TEST(Simulate, AnEntityTooSmallOrTooLargeForAMassByItsAreaIsRefused) {
+  const auto bodies_at = [](int exponent, const std::string& second) {
+    const auto n = [exponent](double x) { return fmt::format("{}", std::ldexp(x, exponent)); };
+    const Scene scene = scene_of(
+        "flatray = 1\nfps = 1\nframes = 9\n"
+        "[[entity]]\nname = \"given\"\nshape = { circle = { radius = " +
+        n(1) + " } }\nvelocity = [" + n(4) +
+        ", 0]\nmass = 3\n"
+        "[[entity]]\nname = \"by_area\"\nshape = { circle = { radius = " +
+        n(1) + " } }\nat = [" + n(8) + ", 0]\n" + second);
+    return bodies_of(Timeline(scene, 0, 9), Response::bounce, {});
+  };
+  for (const int exponent : {-600, 600}) {
+    const auto bodies = bodies_at(exponent, "");
+    ASSERT_FALSE(bodies) << exponent;
+    const std::string told = format(bodies.error());
+    EXPECT_NE(told.find(":9:1: error: entity 'by_area' is too"), std::string::npos) << told;
+    EXPECT_TRUE(bodies_at(exponent, "mass = 1\n")) << exponent;
+    EXPECT_TRUE(bodies_at(exponent, "mass = \"fixed\"\n")) << exponent;
+  }
+  EXPECT_TRUE(bodies_at(-300, ""));
+}
+
+// Points and parallel segments never overlap: of their meetings nothing would be seen.
+TEST(Simulate, PairsThatCannotOverlapAreRefusedWhereOneOfThemCanBeMoved) {
+  const auto refused = [](const std::string& one, const std::string& other) {
+    const Scene scene = scene_of(
+        "flatray = 1\nfps = 1\nframes = 9\ncollisions = { response = \"bounce\" }\n"
+        "[[entity]]\nname = \"a\"\nvelocity = [1, 0]\n" +
+        one + "\n[[entity]]\nname = \"b\"\nat = [3, 0]\n" + other + "\n");
+    const auto bodies = bodies_of(Timeline(scene, 0, 9), std::nullopt, {});
+    return bodies ? "" : format(bodies.error());
+  };
+  const std::string upright = "shape = { segment = { from = [0, -2], to = [0, 2] } }",
+                    taller = "shape = { segment = { from = [0, -3], to = [0, 7] } }",
+                    level = "shape = { segment = { from = [0, 0], to = [1, 0] } }",
+                    disc = "shape = { circle = { radius = 1 } }", moved = "\nmass = 1";
+  EXPECT_NE(refused(upright + moved, taller).find(":5:1: error: entities 'a' and 'b' have no area"),
+            std::string::npos);
+  EXPECT_NE(refused(upright, taller + moved), "");
+  EXPECT_EQ(refused(upright, taller), "");
+  EXPECT_EQ(refused(upright + moved, level), "");
+  EXPECT_EQ(refused(upright + moved, disc), "");
+  EXPECT_EQ(refused(upright + moved, taller + "\nresponse = \"none\""), "");
+}
+
 // Lengths times a power of two: the same events at the same times, velocities times the power.
 TEST(Simulate, TheSameAtAnyScale) {
   const auto done_at = [](int exponent) {

@@ -11,6 +11,7 @@
 #include "app/verb.h"
 #include "base/check.h"
 #include "collide/edge_ray_meetings.h"
+#include "collide/scene_timeline.h"
 #include "collide/simulate.h"
 #include "scene/responses.h"
 
@@ -59,11 +60,20 @@ Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
   auto frames = parse_frames(*arguments.text("frames"), arguments.where("frames"));
   if (!frames) return tl::unexpected(frames.error());
   const unsigned last = frames->back();
+  if (last > scene.frames)
+    return usage_error(arguments.where("frames"), fmt::format("the scene has no frame {}", last),
+                       fmt::format("say frames from 1 to {}", scene.frames));
   return Asked{*std::move(frames), last < scene.frames ? last + 1 : last};
 }
 
+// Without the sign of a zero, which rounding leaves.
+double plain(double x) { return x + 0.0; }
+
+// What a method does not know is null.
+enum class Knows : std::uint8_t { all, times };
+
 ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings,
-                          const Asked& asked) {
+                          const Asked& asked, Knows knows = Knows::all) {
   ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
                      "normal_y", "motion", "width"},
                     {}};
@@ -74,10 +84,15 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
     const char* from = times.low > 0                              ? "apart"
                        : turning && start == StartPlace::boundary ? "undecided"
                                                                   : contact_name(start);
+    const auto known = [knows](JsonValue value) {
+      return knows == Knows::all ? std::move(value) : JsonValue();
+    };
     table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
-                          certain ? name(kind) : "undecided", times.low, times.high,
-                          1 + times.low * scene.fps, from, point.x(), point.y(), normal.x(),
-                          normal.y(), meeting.straight ? "straight" : "by frames", width});
+                          known(certain ? name(kind) : "undecided"), times.low, times.high,
+                          1 + times.low * scene.fps, known(from), known(plain(point.x())),
+                          known(plain(point.y())), known(plain(normal.x())),
+                          known(plain(normal.y())), meeting.straight ? "straight" : "by frames",
+                          known(width)});
   }
   return table;
 }
@@ -109,8 +124,9 @@ ReportTable event_table(const Scene& scene, const Simulation& done, const Asked&
     const double frame = 1 + e.time * scene.fps;
     if (!asked.shows(frame, frame)) continue;
     table.rows.push_back({scene.entities[e.a].name, scene.entities[e.b].name, e.time, frame,
-                          e.point.x(), e.point.y(), e.normal.x(), e.normal.y(), e.velocity_a.x(),
-                          e.velocity_a.y(), e.velocity_b.x(), e.velocity_b.y()});
+                          plain(e.point.x()), plain(e.point.y()), plain(e.normal.x()),
+                          plain(e.normal.y()), plain(e.velocity_a.x()), plain(e.velocity_a.y()),
+                          plain(e.velocity_b.x()), plain(e.velocity_b.y())});
   }
   return table;
 }
@@ -138,14 +154,11 @@ Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline,
   if (!bodies) return tl::unexpected(bodies.error());
   const double end = (asked.last - 1) / timeline.scene().fps;
   const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
-  if (arguments.has("quiet")) return event_table(timeline.scene(), done, asked);
-  if (done.overlaps)
+  const Place where = response ? arguments.where("response") : where_responds(timeline.scene());
+  if (auto complete = check_complete(timeline.scene(), done, end, where); !complete)
+    return fail(std::move(complete));
+  if (done.overlaps && !arguments.has("quiet"))
     report_note("what lies in each other at the start is left alone until it has parted");
-  const CollisionEvent* last = done.events.empty() ? nullptr : &done.events.back();
-  if (!done.complete && last != nullptr)
-    report_note(fmt::format("stopped after {} events{}: entities {} and {} met last, at t = {}",
-                            done.events.size(), done.jammed ? ", jammed" : "", last->a + 1,
-                            last->b + 1, last->time));
   return event_table(timeline.scene(), done, asked);
 }
 
@@ -155,8 +168,9 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
   if (!method) return tl::unexpected(method.error());
   const Scene& scene = timeline.scene();
   if (*method == "edge-rays") {
-    if (!arguments.has("quiet")) report_note("edge-rays knows polygons only: all else is left out");
-    return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked);
+    if (!arguments.has("quiet"))
+      report_note("edge-rays knows polygons only, and neither how nor where they meet");
+    return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked, Knows::times);
   }
   if (auto refused = refused_meetings(scene)) return tl::unexpected(*std::move(refused));
   const auto width = threads(arguments);
@@ -181,10 +195,20 @@ Result<void> check_method(const Arguments& arguments, const Scene& scene,
                      "say --response none with it, or leave --method out");
 }
 
+// The paper's tables are of the boxes alone, as text or JSON.
+Result<void> check_table(const Arguments& arguments) {
+  for (const char* other : {"last", "frames", "method", "response", "fixed", "csv"})
+    if (arguments.has(other))
+      return usage_error(arguments.where(other), "does not go with --table",
+                         "leave one of them out");
+  return {};
+}
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
   if (arguments.has("table")) {
+    if (auto checked = check_table(arguments); !checked) return fail(std::move(checked));
     const auto tables = paper_table(*scene, arguments.where("table"));
     if (!tables) return tl::unexpected(tables.error());
     if (arguments.has("json"))
