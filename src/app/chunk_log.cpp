@@ -6,6 +6,7 @@
 
 #include "app/option_values.h"
 #include "base/file.h"
+#include "base/number_text.h"
 
 namespace flatray {
 namespace {
@@ -57,6 +58,31 @@ constexpr std::array kLeakCounts = {
     &LeakTally::nothing, &LeakTally::through_end, &LeakTally::through, &LeakTally::invented};
 constexpr std::array<std::size_t, 1> kLeakWidths = {kLeakNames.size()};
 
+bool is_family(const std::string& name, const auto& families) {
+  return std::any_of(families.begin(), families.end(),
+                     [&](const auto& family) { return name == family.name; });
+}
+
+// Of a family of now, with no more rays than a chunk has, and no more of anything than rays.
+bool possible_stability(const ChunkLog::Key& key, const ChunkLog::Row& row) {
+  const StabilityTally tally = StabilityRows::tally(row);
+  const std::vector<PairFamily> pairs = pair_families();
+  const bool of_pairs = std::any_of(pairs.begin(), pairs.end(), [&](const PairFamily& family) {
+    return key.family == StabilityRows::pairs(family);
+  });
+  if (!of_pairs && !is_family(key.family, oracle::families())) return false;
+  return tally.rays <= (of_pairs ? kPairsAChunk : kRaysAChunk) && tally.hits <= tally.rays &&
+         tally.wrong <= tally.rays && tally.watched <= tally.rays && tally.timed <= tally.rays &&
+         tally.one_by_one <= tally.watched;
+}
+
+bool possible_leaks(const ChunkLog::Key& key, const ChunkLog::Row& row) {
+  const LeakTally tally = LeakRows::tally(row);
+  return is_family(key.family, room_places()) && tally.rays <= kRaysALeakBlock &&
+         tally.leaks <= tally.rays && tally.corners <= tally.rays &&
+         tally.bounces <= tally.rays * kLeakBounces;
+}
+
 }  // namespace
 
 std::string ChunkLog::header(std::size_t counts) const {
@@ -90,7 +116,11 @@ std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
   Row row;
   bool ended = false;
   for (std::size_t i = 0; i <= cells.size() - others; ++i) {
-    if (i == format_.before_seconds) continue;
+    if (i == format_.before_seconds) {
+      const auto seconds = parse_number(cells[kOfKey + i]);
+      if (!seconds || *seconds < 0) return std::nullopt;
+      continue;
+    }
     const auto count = parse_whole(cells[kOfKey + i]);
     ended = ended || cells[kOfKey + i].empty();
     if (ended ? !cells[kOfKey + i].empty() : !count) return std::nullopt;
@@ -98,8 +128,9 @@ std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
   }
   if (!is_width(row.counts.size())) return std::nullopt;
   if (format_.note != nullptr) row.note = cells.back();
-  return std::pair{
-      Key{std::string(cells[0]), std::string(cells[1]), std::string(cells[2]), *seed, *chunk}, row};
+  const Key key{std::string(cells[0]), std::string(cells[1]), std::string(cells[2]), *seed, *chunk};
+  if (!format_.possible(key, row)) return std::nullopt;
+  return std::pair{key, row};
 }
 
 Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::string>& folder) {
@@ -152,8 +183,8 @@ Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
   return append_line(path_, line);
 }
 
-const ChunkLog::Format StabilityRows::kFormat = {"stability.csv", kStabilityNames, 6,
-                                                 kStabilityWidths, "first_wrong"};
+const ChunkLog::Format StabilityRows::kFormat = {
+    "stability.csv", kStabilityNames, 6, kStabilityWidths, &possible_stability, "first_wrong"};
 
 ChunkLog::Row StabilityRows::row(const StabilityTally& tally) {
   ChunkLog::Row row = row_of(tally, kStabilityCounts);
@@ -173,8 +204,8 @@ StabilityTally StabilityRows::tally(const ChunkLog::Row& row) {
   return tally;
 }
 
-const ChunkLog::Format LeakRows::kFormat = {"leaks.csv", kLeakNames, kLeakNames.size(),
-                                            kLeakWidths};
+const ChunkLog::Format LeakRows::kFormat = {"leaks.csv", kLeakNames, kLeakNames.size(), kLeakWidths,
+                                            &possible_leaks};
 
 ChunkLog::Row LeakRows::row(const LeakTally& tally) { return row_of(tally, kLeakCounts); }
 

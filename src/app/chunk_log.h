@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "study/leaks.h"
+#include "study/pair_stability.h"
 #include "study/stability.h"
 
 namespace flatray {
@@ -35,12 +36,13 @@ class ChunkLog {
     std::span<const char* const> counts;
     std::size_t before_seconds;
     std::span<const std::size_t> widths;  ///< counts of rows as written now, and as before
+    bool (*possible)(const Key& key, const Row& row);  ///< whether a run may have counted so
     const char* note = nullptr;
   };
 
   /// The rows that are in `folder`, or none without a folder.
   /// Error   Trouble::missing, Trouble::output; Trouble::invalid, naming the line, where a row is
-  ///         not what add() writes, or wrote.
+  ///         not what add() writes, or wrote, or what no run can have counted.
   static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder);
 
   bool has(const Key& key) const { return rows_.contains(key); }
@@ -98,6 +100,8 @@ class TallyLog {
 /// Of `stability.csv`.
 struct StabilityRows {
   static const ChunkLog::Format kFormat;
+  /// The family of a key, of pairs.
+  static std::string pairs(const PairFamily& family) { return "pairs-" + family.name; }
   static ChunkLog::Row row(const StabilityTally& tally);
   static StabilityTally tally(const ChunkLog::Row& row);
 };

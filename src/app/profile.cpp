@@ -23,6 +23,7 @@ std::string hash_of(const Scene& scene) { return Hash().add(scene.hash).hex(); }
 struct Way {
   std::string words;
   double error = 0, seconds = 0;
+  bool at_most = false;  // as the reference of the error tells no more
   RenderOptions options;
   Place where;
 };
@@ -57,7 +58,7 @@ bool may_choose(const std::string& name, const std::string& value) {
 
 // nullopt where it is none.
 std::optional<Way> way_of(const JsonValue& line, const Place& where) {
-  Way way{text_of(line, "setting"), 0, 0, {}, where};
+  Way way{text_of(line, "setting"), 0, 0, line.find("at_most") != nullptr, {}, where};
   const auto error = number_of(line, "error"), seconds = number_of(line, "seconds");
   const JsonValue* options = line.find("options");
   const auto* fields = options == nullptr ? nullptr : std::get_if<Fields>(&options->data);
@@ -152,6 +153,15 @@ Result<Way> choose(const Profile& profile, const Wish& wish) {
     return fail(quickest->where,
                 fmt::format("nothing takes {} s or less: this is the quickest", wish.seconds),
                 fmt::format("say --time {:.2g}", 1.1 * quickest->seconds));
+  if (nearest->at_most && nearest->seconds <= wish.seconds)
+    return fail(
+        nearest->where,
+        fmt::format("nothing is known to have an error of {} or less: of this, the nearest, "
+                    "the reference tells no more than that it is at most {:.3g}",
+                    wish.error, nearest->error),
+        fmt::format("measure longer, flatray accuracy SCENE --budget 60s --profile FILE, or "
+                    "say --error {:.2g}",
+                    1.1 * nearest->error));
   return fail(nearest->where,
               fmt::format("nothing has an error of {} or less{}: this is the nearest", wish.error,
                           wish.seconds < kInfinity ? fmt::format(" within {} s", wish.seconds)
@@ -181,12 +191,13 @@ std::string profile_text(const Scene& scene, std::span<const ChoiceReport> repor
       if (!point.options) continue;
       Fields options;
       for (const auto& [name, value] : *point.options) options.emplace_back(name, value);
-      text += json_text(Fields{{"choice", report.name},
-                               {"setting", point.setting},
-                               {"error", point.outcome.error},
-                               {"seconds", point.seconds},
-                               {"options", std::move(options)}}) +
-              "\n";
+      Fields way{{"choice", report.name},
+                 {"setting", point.setting},
+                 {"error", point.outcome.error},
+                 {"seconds", point.seconds},
+                 {"options", std::move(options)}};
+      if (point.outcome.at_most) way.emplace_back("at_most", true);
+      text += json_text(std::move(way)) + "\n";
     }
   return text;
 }
@@ -210,8 +221,8 @@ Result<Arguments> with_profile(const Arguments& arguments) {
   const auto way = choose(*profile, *wish);
   if (!way) return tl::unexpected(way.error());
   if (!arguments.has("quiet"))
-    report_note(fmt::format("profile: {}, error {:.3g}, {:.3g} s a frame", way->words, way->error,
-                            way->seconds));
+    report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame", way->words,
+                            way->at_most ? "at most " : "", way->error, way->seconds));
   return with_options(arguments, *way);
 }
 

@@ -44,12 +44,21 @@ struct Rounds {
   double each = 0;
 };
 
+// What is below the doubt of the reference is not told from it.
+Outcome as_far_as_known(Outcome outcome, double doubt) {
+  if (!(outcome.error < doubt)) return outcome;
+  for (std::optional<double>& part : outcome.parts)
+    if (part == outcome.error) part = doubt;
+  outcome.error = doubt;
+  outcome.at_most = true;
+  return outcome;
+}
+
 // The first round: which settings there is time for, what they come to, and how long they took.
-Rounds first_round(const std::vector<Setting>& settings, const Budget& budget,
-                   ChoiceReport& report) {
+Rounds first_round(const ChoiceSettings& made, const Budget& budget, ChoiceReport& report) {
   Rounds round;
   double per_n = 0;
-  for (const Setting& setting : settings) {
+  for (const Setting& setting : made.settings) {
     const double likely = kRounds * per_n * setting.n + (kRounds - 1) * round.each;
     if (!report.points.empty() && !budget.allows(likely)) {
       report.cut += (report.cut.empty() ? "" : ", ") + setting.words;
@@ -60,8 +69,9 @@ Rounds first_round(const std::vector<Setting>& settings, const Budget& budget,
     if (setting.n > 0) per_n = taken / setting.n;
     round.settings.push_back(&setting);
     round.seconds.push_back({taken});
-    report.points.push_back(
-        {setting.words, setting.n, 0, 0, setting.judge(), false, setting.options, setting.series});
+    report.points.push_back({setting.words, setting.n, 0, 0,
+                             as_far_as_known(setting.judge(), made.doubt), false, setting.options,
+                             setting.series});
   }
   return round;
 }
@@ -91,6 +101,14 @@ void mark_best(std::vector<AccuracyPoint>& points) {
 }
 
 }  // namespace
+
+Share share_of(double wrong, double all) {
+  constexpr double z = 1.96;
+  if (all == 0) return {0, 1};
+  const double share = wrong / all, middle = (wrong + 0.5 * z * z) / (all + z * z);
+  const double half = z / (all + z * z) * std::sqrt(share * (all - wrong) + 0.25 * z * z);
+  return {share, std::fabs(middle - share) + half};
+}
 
 const char* name(ErrorKind kind) {
   constexpr const char* kNames[] = {"sampling", "truncation", "discretisation", "rounding"};
@@ -125,8 +143,9 @@ std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
                                      const std::string& series, Law law, double saturated) {
   std::vector<std::pair<double, double>> logs;
   for (const AccuracyPoint& point : points)
-    if (const double error = point.outcome.error;
-        point.series == series && point.n > 0 && error > 0 && error < saturated)
+    if (const double error = point.outcome.error; point.series == series && point.n > 0 &&
+                                                  error > 0 && error < saturated &&
+                                                  !point.outcome.at_most)
       logs.emplace_back(law == Law::power ? portable::log(point.n) : point.n, portable::log(error));
   if (logs.size() < 3) return std::nullopt;
   const auto count = static_cast<double>(logs.size());
@@ -184,7 +203,7 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
   report.grows = made->grows;
   report.missing = made->missing;
   report.cut = made->cut;
-  Rounds rounds = first_round(made->settings, budget, report);
+  Rounds rounds = first_round(*made, budget, report);
   more_rounds(rounds, budget, report);
   report.one_question = made->one_question;
   if (report.one_question) mark_best(report.points);
@@ -212,13 +231,15 @@ const AccuracyPoint* best_within(const ChoiceReport& report, double seconds) {
     if (point.best && point.seconds < seconds &&
         (best == nullptr || point.outcome.error < best->outcome.error))
       best = &point;
-  return best;
+  if (best == nullptr) return nullptr;
+  const bool known = best->outcome.half <= std::max(best->outcome.error, kSmallError);
+  return known ? best : nullptr;
 }
 
 const AccuracyPoint* cheapest_below(const ChoiceReport& report, double error) {
   const AccuracyPoint* best = nullptr;
   for (const AccuracyPoint& point : report.points)
-    if (point.best && point.outcome.error < error &&
+    if (point.best && point.outcome.error + point.outcome.half < error &&
         (best == nullptr || point.seconds < best->seconds))
       best = &point;
   return best;

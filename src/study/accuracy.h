@@ -35,7 +35,18 @@ struct Outcome {
   /// By kind what of the error comes from it, where that is defined; where none is, all is of the
   /// choice's kind.
   ErrorParts parts{};
+  /// `error` is what the reference itself may be off: against it no less is seen.
+  bool at_most = false;
 };
+
+/// A share of `wrong` of `all`, and half of the interval that holds it in 95 % of all runs: not 0,
+/// either, where none or all are wrong. 0 of 0 may be anything.
+///
+/// Source  Wilson, Probable inference, 1927.
+struct Share {
+  double value, half;
+};
+Share share_of(double wrong, double all);
 
 /// Options of `flatray render`, name and value.
 using RenderOptions = std::vector<std::pair<std::string, std::string>>;
@@ -124,6 +135,7 @@ struct ChoiceSettings {
   double saturated = std::numeric_limits<double>::infinity();
   std::vector<MissingSetting> missing{};
   std::string cut{};  ///< what of the reference the budget left out
+  double doubt = 0;   ///< what the reference itself may be off, in the unit
 };
 
 /// Something that trades time for error. A choice is a file in `choices/` and a line in CMake.
@@ -151,7 +163,8 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
 std::vector<ChoiceReport> measure_choices(std::span<const Choice* const> choices,
                                           const AccuracyContext& context);
 
-/// The best point below so many seconds, the cheapest below an error; nullptr for none.
+/// The best point below so many seconds, if its error is known to within itself or kSmallError; the
+/// cheapest whose error is, with its half interval, below one. nullptr for none.
 const AccuracyPoint* best_within(const ChoiceReport& report, double seconds);
 const AccuracyPoint* cheapest_below(const ChoiceReport& report, double error);
 
@@ -164,7 +177,7 @@ std::string advice(const ChoiceReport& report, const AccuracyPoint& point);
 ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point);
 
 /// The slope of a straight line through (log n, log error), or (n, log error), of the points of one
-/// series below an error. Nothing for fewer than three points, nor where all errors are the same.
+/// series below an error; those known as `at_most` tell nothing. Nothing for fewer than three points, nor where all errors are the same.
 std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
                                      const std::string& series = {}, Law law = Law::power,
                                      double saturated = std::numeric_limits<double>::infinity());

@@ -83,10 +83,10 @@ std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kin
     std::string words = svg_text(point.setting);
     if (point.outcome.picture)
       words = fmt::format("<a href=\"#{}\">{}</a>", picture_id(report, point), words);
-    text +=
-        fmt::format("<tr{}><th scope=\"row\">{}</th><td>{:.3g} &plusmn; {:.1g}</td><td>{:.3g}</td>",
-                    point.best ? " class=\"best\"" : "", words, point.seconds, point.spread,
-                    point.outcome.error);
+    text += fmt::format(
+        "<tr{}><th scope=\"row\">{}</th><td>{:.3g} &plusmn; {:.1g}</td><td>{}{:.3g}</td>",
+        point.best ? " class=\"best\"" : "", words, point.seconds, point.spread,
+        point.outcome.at_most ? "&le; " : "", point.outcome.error);
     for (const std::size_t kind : kinds) {
       const std::optional<double> part = error_parts(report, point)[kind];
       text += part ? fmt::format("<td>{:.3g}</td>", *part) : "<td>not defined</td>";

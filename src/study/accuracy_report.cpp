@@ -17,6 +17,11 @@ std::string missing_words(const ChoiceReport& report) {
   return text;
 }
 
+// Of people: what an error is, or is at most.
+Cell error_cell(const Outcome& outcome) {
+  return outcome.at_most ? Cell(fmt::format("<= {:.6g}", outcome.error)) : Cell(outcome.error);
+}
+
 // A part of an error, or that there is none such.
 Cell part_cell(const std::optional<double>& part) {
   return part ? Cell(*part) : Cell(std::string("not defined"));
@@ -24,16 +29,16 @@ Cell part_cell(const std::optional<double>& part) {
 
 Table points_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "series", "setting", "n", "seconds", "seconds_half_range", "error",
-               "error_half_interval", "sampling", "truncation", "discretisation", "rounding",
-               "best", "advice"});
+               "error_half_interval", "at_most", "sampling", "truncation", "discretisation",
+               "rounding", "best", "advice"});
   const auto yes_or_no = [](bool yes) { return std::string(yes ? "yes" : "no"); };
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
       table.add({report.name, point.series, point.setting, point.n, point.seconds, point.spread,
-                 point.outcome.error, point.outcome.half, part_cell(parts[0]), part_cell(parts[1]),
-                 part_cell(parts[2]), part_cell(parts[3]), yes_or_no(point.best),
-                 advice(report, point)});
+                 point.outcome.error, point.outcome.half, yes_or_no(point.outcome.at_most),
+                 part_cell(parts[0]), part_cell(parts[1]), part_cell(parts[2]), part_cell(parts[3]),
+                 yes_or_no(point.best), advice(report, point)});
     }
   return table;
 }
@@ -65,7 +70,7 @@ Table settings_table(const ChoiceReport& report) {
   columns.insert(columns.end(), {"best", ""});
   Table table(columns);
   for (const AccuracyPoint& point : report.points) {
-    std::vector<Cell> row{point.setting, point.seconds, point.outcome.error};
+    std::vector<Cell> row{point.setting, point.seconds, error_cell(point.outcome)};
     for (const std::size_t k : kinds) row.push_back(part_cell(error_parts(report, point)[k]));
     row.emplace_back(std::string(point.best ? "*" : ""));
     row.emplace_back(advice(report, point));
@@ -118,6 +123,10 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
   for (std::size_t k = 0; k < kErrorKinds; ++k)
     if (std::find(kinds.begin(), kinds.end(), k) == kinds.end())
       undefined += (undefined.empty() ? "" : ", ") + std::string(name(static_cast<ErrorKind>(k)));
+  std::string limited;
+  for (const AccuracyPoint& point : report.points)
+    if (point.outcome.at_most) limited += (limited.empty() ? "" : ", ") + point.setting;
+  if (!limited.empty()) lines.push_back("nearer than the reference tells: " + limited);
   if (!undefined.empty()) lines.push_back("not defined for its error: " + undefined);
   for (const MissingSetting& one : report.missing)
     lines.push_back(fmt::format("not here: {}: {}", one.words, one.why));

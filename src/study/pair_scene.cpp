@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "scene/responses.h"
 
 namespace flatray {
@@ -43,10 +41,10 @@ ChoiceSettings pair_settings(const PairScene& scene) {
 std::function<Outcome()> judged_pairs(const std::shared_ptr<PairScene>& scene) {
   return [scene] {
     const PairErrors errors = pair_errors(scene->truth, scene->found);
-    const double share = wrong_share(scene->truth, errors);
-    const auto told = static_cast<double>(scene->truth.meet.size() + errors.invented);
-    const double half =
-        scene->truth.cut == 0 || told == 0 ? 0 : 1.96 * std::sqrt(share * (1 - share) / told);
+    const auto [share, doubt] =
+        share_of(static_cast<double>(errors.missed + errors.invented),
+                 static_cast<double>(scene->truth.meet.size() + errors.invented));
+    const double half = scene->truth.cut == 0 ? 0 : doubt;
     return Outcome{share, half, {}, {half, std::nullopt, share, std::nullopt}};
   };
 }

@@ -11,6 +11,9 @@ struct PairFamily {
 };
 std::vector<PairFamily> pair_families();
 
+/// Of what runs keep and go on from.
+inline constexpr std::uint64_t kPairsAChunk = 1024;
+
 /// Pairs `first` to `first + count - 1` of a family against the oracle.
 ///
 /// Gives   a tally for each method, pairs as rays: `other_wall` counts classes and starts that are wrong,

@@ -233,10 +233,4 @@ PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& 
   return errors;
 }
 
-double wrong_share(const PairTruth& truth, const PairErrors& errors) {
-  const std::size_t all = truth.meet.size() + errors.invented;
-  return all == 0 ? 0
-                  : static_cast<double>(errors.missed + errors.invented) / static_cast<double>(all);
-}
-
 }  // namespace flatray

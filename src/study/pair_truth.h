@@ -35,7 +35,4 @@ struct PairErrors {
 };
 PairErrors pair_errors(const PairTruth& truth, const std::set<PairTruth::Pair>& found);
 
-/// All that is wrong as a share of the pairs that meet or are told to; 0 where there are none.
-double wrong_share(const PairTruth& truth, const PairErrors& errors);
-
 }  // namespace flatray

@@ -41,6 +41,10 @@ struct StabilityTally {
   void add(const StabilityTally& other);
 };
 
+/// Of what runs keep and go on from.
+inline constexpr std::uint64_t kScenesAChunk = 256;
+inline constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
+
 /// Scenes `first` to `first + count - 1` of a family, all their rays in one batch each.
 ///
 /// Gives   a tally for each tracer.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/check.h"
 #include "base/parallel.h"
 #include "trace/cell_raster.h"
 #include "trace/cells.h"
@@ -239,6 +240,7 @@ void CellGrid::join(std::span<const Part> parts, std::span<const RowRange> rows,
     divided_ += part.divided;
   }
   words_.assign(first_word.back(), kEmptyCell);
+  FLATRAY_CHECK(first_record.back() < std::size_t{1} << 30);  // words of cells hold 30 bits
   slots_.resize(first_record.back());
   records_.resize(4 * (first_record.back() + kBeyond));
   parallel_for(parts.size(), threads, [&](std::size_t i) {

@@ -165,6 +165,11 @@ HitTime::Exact MeetTime::exact() const {
   return {std::move(time.numer), 0, 0, std::move(time.denom)};
 }
 
+Quadratic MeetTime::quadratic() const {
+  const HitTime::Exact time = exact();
+  return {time.p / time.a, Rational(time.s) / time.a, time.q};
+}
+
 std::strong_ordering compare(const MeetTime& a, const MeetTime& b) {
   if (const auto sign = (a.value_ - b.value_).sign()) return order(*sign);
   return compare(a.exact(), b.exact());

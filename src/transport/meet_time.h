@@ -1,10 +1,13 @@
 #pragma once
+#include <algorithm>
 #include <compare>
+#include <limits>
 
 #include "anim/moving_walls.h"
 #include "geom/decide.h"
 #include "geom/hit_time.h"
 #include "geom/pair.h"
+#include "transport/quadratic.h"
 
 namespace flatray {
 
@@ -58,7 +61,9 @@ bool crosses(const Mover& mover, const Leg& leg, const Circle& wall);
 /// When a mover meets something, counted from Mover::since, kept as the geometry that defines it.
 ///
 /// Needs   what it is made of to outlive it.
-/// Gives   comparisons without error. Source   HitTime, in relative motion.
+/// Gives   comparisons without error, and what follows from it rounded once, at every scale.
+/// Cost    bounded double-doubles; rationals only where those leave a doubt.
+/// Source  HitTime, in relative motion.
 class MeetTime {
  public:
   /// A time of the clock.
@@ -71,15 +76,41 @@ class MeetTime {
   static MeetTime on_circle(const Mover& mover, const Leg& leg, const Circle& wall,
                             HitTime::Root root);
 
-  const Bounded& value() const { return value_; }
   friend std::strong_ordering compare(const MeetTime& a, const MeetTime& b);
   Sign sign() const;
 
+  /// Nearest double to formula(number, t), as round_once() has it. Needs   a formula that divides by
+  /// nothing that t is part of.
+  ///
+  ///   time.round([&](const auto& number, const auto& t) { return number(x) + t * number(v); })
+  template <class Formula>
+  double round(const Formula& formula) const {
+    if (const auto near = formula(bounded_number, value_).nearest()) return *near;
+    return clamped(formula(quadratic_number, quadratic()).nearest());
+  }
+  /// The same as a sum of two doubles. Error   kSumError of it.
+  template <class Formula>
+  DoubleDouble sum(const Formula& formula) const {
+    const Bounded near = formula(bounded_number, value_);
+    if (near.error() <= kSumError * std::fabs(near.hi())) return {near.hi(), near.lo()};
+    const Quadratic exact = formula(quadratic_number, quadratic());
+    const double hi = clamped(exact.nearest());
+    return {hi, clamped((exact - hi).nearest())};
+  }
+  static constexpr double kSumError = 0x1p-80;
+
  private:
+  static Bounded bounded_number(double x) { return x; }
+  static Quadratic quadratic_number(double x) { return x; }
+  static double clamped(double x) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    return std::clamp(x, -largest, largest) + 0.0;  // never -0
+  }
   enum class Kind { clock, line, end_a, end_b, circle };
   MeetTime(Kind kind, const Mover& mover, const Leg* leg);
   void approximate();
   HitTime::Exact exact() const;
+  Quadratic quadratic() const;
 
   Kind kind_;
   const Mover* mover_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "transport/moving_hits.h"
 #include "transport/near_doubles.h"
@@ -11,13 +12,14 @@
 namespace flatray {
 namespace {
 
-const auto kBounded = [](double x) { return Bounded(x); };
+// Times beyond it are not told.
+constexpr double kLastTime = std::numeric_limits<double>::max();
 
 // Larger than what kSearchUlps and all rounding on the way can move a point, as a part of the
 // coordinates that go in.
 constexpr double kNear = 0x1p-48;
-
-DoubleDouble as_sum(const Bounded& time) { return {time.hi(), time.lo()}; }
+// Added to those, so that the part also covers what underflow may take away.
+constexpr double kSmall = 0x1p-1018;
 
 // A particle under way.
 class Flight {
@@ -84,8 +86,11 @@ class Flight {
     const MovingHit& hit = hits.front();
     if (limits_.until < kInfinity && compare(hit.time, MeetTime::at(mover_, limits_.until)) > 0)
       return reaches_end();
-    const Bounded clock = Bounded(mover_.since.hi) + Bounded(mover_.since.lo) + hit.time.value();
-    Mover there{place_at(hit.time), mover_.velocity, as_sum(clock)};
+    const DoubleDouble clock = hit.time.sum([&](const auto& number, const auto& t) {
+      return number(mover_.since.hi) + number(mover_.since.lo) + t;
+    });
+    if (clock.hi == kLastTime) return reaches_end();
+    Mover there{place_at(hit.time), mover_.velocity, clock};
     std::vector<std::uint32_t> met;
     for (const MovingHit& one : hits) met.push_back(one.surface);
     if (hits.size() > 1 || hit.at_end) return arrives(hit, there, std::move(met));
@@ -103,12 +108,14 @@ class Flight {
     return bounces(hit, there);
   }
 
+  double last_time() const { return std::min(limits_.until, kLastTime); }
+
   // Nearest doubles.
   Vec2 place_at(const MeetTime& time) const {
     const auto coordinate = [&](int axis) {
-      const Bounded place =
-          Bounded(mover_.at[axis]) + time.value() * Bounded(mover_.velocity[axis]);
-      return place.nearest().value_or(place.hi());
+      return time.round([&](const auto& number, const auto& t) {
+        return number(mover_.at[axis]) + t * number(mover_.velocity[axis]);
+      });
     };
     return {coordinate(0), coordinate(1)};
   }
@@ -137,8 +144,8 @@ class Flight {
     const auto u = velocity_of(number, leg);
     const double elapsed = there.since.hi - leg.begin;
     const Vec2 moved = leg.from + elapsed * Vec2(u.x, u.y);
-    const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() +
-                         std::fabs(there.since.hi) * (std::fabs(u.x) + std::fabs(u.y));
+    const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() + kSmall +
+                         std::fabs(there.since.hi) * (std::fabs(u.x) + std::fabs(u.y) + kSmall);
     const std::size_t slot = surfaces().slot[surface];
     if (surfaces().is_straight(surface)) {
       const Segment& wall = surfaces().segments[slot];
@@ -147,7 +154,7 @@ class Flight {
       const Vec2 low = wall.a.cwiseMin(wall.b), high = wall.a.cwiseMax(wall.b);
       for (int axis = 0; axis < 2; ++axis)
         if (at[axis] < low[axis] - near || at[axis] > high[axis] + near) return false;
-      return !(std::fabs(cross(edge, at - wall.a)) > near * edge.lpNorm<1>());
+      return !(std::fabs(cross(edge / edge.lpNorm<1>(), at - wall.a)) > near);
     }
     const Circle& wall = surfaces().circles[slot];
     const double near = kNear * (sizes + wall.centre.lpNorm<1>() + wall.radius);
@@ -164,39 +171,61 @@ class Flight {
 
   // In the frame of the wall the speed stays; here it does not.
   bool bounces(const MovingHit& hit, const Mover& there) {
-    const std::array<Bounded, 2> normal = normal_of(hit);
-    const Vec2 rounded =
-        surfaces().is_straight(hit.surface) ? off_segment(hit) : off_circle(hit, normal);
-    const auto out = nearest_double(rounded, [&](const Vec2& velocity) {
-      return heading(walls_, hit.surface, *hit.leg, {there.at, velocity, there.since}) == hit.side;
-    });
-    const double t = hit.time.value().nearest().value_or(hit.time.value().hi());
-    path_ += mover_.velocity.stableNorm() * t;
+    const bool straight = surfaces().is_straight(hit.surface);
+    const auto out =
+        nearest_double(straight ? off_segment(hit) : off_circle(hit), [&](const Vec2& velocity) {
+          return heading(walls_, hit.surface, *hit.leg, {there.at, velocity, there.since}) ==
+                 hit.side;
+        });
     const Vec2 in = mover_.velocity;
-    mover_ = there;
+    const Vec2 towards = static_cast<double>(hit.side) * unit(normal(hit)) + Vec2(0, 0);
+    const double t = goes_to(hit.time, there);
     left_ = {hit.surface, hit.side};
     if (!out) return stop(OrbitEnd::along, {hit.surface});
-    const Vec2 towards =
-        static_cast<double>(hit.side) * unit({normal[0].hi(), normal[1].hi()}) + Vec2(0, 0);
     done_.orbit.bounces.push_back({hit.surface, there.at, t, path_, towards, in, *out});
-    const auto u = velocity_of(kBounded, *hit.leg);
-    done_.times.push_back({there.since.hi, {u.x.hi(), u.y.hi()}});
+    done_.times.push_back({there.since.hi, wall_velocity(*hit.leg)});
     mover_.velocity = *out;
     done_.velocity = *out;
     done_.end_time = there.since.hi;
     return done_.orbit.bounces.size() < limits_.bounces || stop(OrbitEnd::limit, {});
   }
 
+  // How many seconds that takes.
+  double goes_to(const MeetTime& time, const Mover& there) {
+    const double t = time.round([](const auto&, const auto& exact) { return exact; });
+    path_ += mover_.velocity.stableNorm() * t;
+    mover_ = there;
+    return t;
+  }
+
+  // Nearest doubles.
+  static Vec2 wall_velocity(const Leg& leg) {
+    return {round_once([&](const auto& number) { return velocity_of(number, leg).x; }),
+            round_once([&](const auto& number) { return velocity_of(number, leg).y; })};
+  }
+
   // To the left of a segment, outward of a circle.
-  std::array<Bounded, 2> normal_of(const MovingHit& hit) const {
+  Vec2 normal(const MovingHit& hit) const {
     const std::size_t slot = surfaces().slot[hit.surface];
     if (surfaces().is_straight(hit.surface)) {
       const Segment& wall = surfaces().segments[slot];
-      return {Bounded(wall.a.y()) - Bounded(wall.b.y()), Bounded(wall.b.x()) - Bounded(wall.a.x())};
+      return {wall.a.y() - wall.b.y(), wall.b.x() - wall.a.x()};
     }
-    const auto seen = relative(kBounded, mover_, *hit.leg, surfaces().circles[slot].centre);
-    const auto at = seen.at + hit.time.value() * seen.velocity;
-    return {at.x, at.y};
+    const auto component = [&](int axis) {
+      return hit.time.round([&](const auto& number, const auto& t) {
+        const auto n = from_centre(number, t, hit);
+        return axis == 0 ? n.x : n.y;
+      });
+    };
+    return {component(0), component(1)};
+  }
+
+  // Of the circle of a hit, at a time.
+  template <class Make, class Number>
+  Pair<Number> from_centre(const Make& number, const Number& t, const MovingHit& hit) const {
+    const Circle& wall = surfaces().circles[surfaces().slot[hit.surface]];
+    const auto seen = relative(number, mover_, *hit.leg, wall.centre);
+    return seen.at + t * seen.velocity;
   }
 
   // Nearest doubles.
@@ -214,26 +243,32 @@ class Flight {
     return {component(0), component(1)};
   }
 
-  Vec2 off_circle(const MovingHit& hit, const std::array<Bounded, 2>& normal) const {
-    const Pair<Bounded> n{normal[0], normal[1]};
-    const auto v = pair_of(kBounded, mover_.velocity);
-    const Bounded push = Bounded(2.0) * dot(velocity_of(kBounded, *hit.leg) - v, n) / dot(n, n);
-    const auto out = v + push * n;
-    return Vec2(out.x.hi(), out.y.hi()) + Vec2(0, 0);
+  // Nearest doubles.
+  Vec2 off_circle(const MovingHit& hit) const {
+    const double radius = surfaces().circles[surfaces().slot[hit.surface]].radius;
+    const auto component = [&](int axis) {
+      return hit.time.round([&](const auto& number, const auto& t) {
+        const auto v = pair_of(number, mover_.velocity);
+        const auto n = from_centre(number, t, hit);
+        const auto push = number(2.0) * dot(velocity_of(number, *hit.leg) - v, n) /
+                          (number(radius) * number(radius));
+        return axis == 0 ? v.x + push * n.x : v.y + push * n.y;
+      });
+    };
+    return {component(0), component(1)};
   }
 
   // At what does not reflect it.
   bool arrives(const MovingHit& hit, const Mover& there, std::vector<std::uint32_t> met) {
-    path_ += mover_.velocity.stableNorm() * hit.time.value().hi();
-    mover_ = there;
+    goes_to(hit.time, there);
     const bool absorbed = std::all_of(
         met.begin(), met.end(), [&](std::uint32_t i) { return material(i) == Material::absorb; });
     return stop(absorbed ? OrbitEnd::absorbed : OrbitEnd::corner, std::move(met));
   }
 
   bool reaches_end() {
-    mover_.at = place_at(MeetTime::at(mover_, limits_.until));
-    mover_.since = {limits_.until, 0};
+    mover_.at = place_at(MeetTime::at(mover_, last_time()));
+    mover_.since = {last_time(), 0};
     return stop(OrbitEnd::limit, {});
   }
 

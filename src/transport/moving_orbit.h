@@ -24,7 +24,7 @@ struct MovingOrbit {
 /// How long a particle is followed.
 struct MovingLimits {
   std::uint64_t bounces = 0;
-  double until = kInfinity;  ///< seconds: it ends there as `limit`
+  double until = kInfinity;  ///< seconds: it ends there, or at the last double, as `limit`
 };
 
 /// Follows a particle among mirrors that move in straight lines, from time `from` on, at the
@@ -38,10 +38,10 @@ struct MovingLimits {
 ///         that is removed meets nothing from then on.
 /// Error   which wall is next, and whether there is one, is exact for the doubles of the last bounce
 ///         (place, velocity, time as a sum of two doubles) and the motion of the walls: nothing
-///         tunnels, whatever the speed of walls and of the particle. Rounded are times (to some
-///         2^-100 of them), places (the nearest double on the inner side, as Lander) and
-///         velocities (nearest doubles off straight walls, within 1 ulp off circles; moved by at
-///         most 2 more where that would lead back into the wall).
+///         tunnels, whatever the speed of walls and of the particle. Rounded are times (to 2^-80 of
+///         them), places (the nearest double on the inner side, as Lander) and velocities (nearest
+///         doubles; moved by at most 2 more where that would lead back into the wall): at every
+///         scale the same.
 /// Cost    all walls are looked at for each bounce, some 0.3 us each.
 MovingOrbit trace_moving_orbit(const MovingWalls& walls, const Ray& start, double from,
                                const MovingLimits& limits);

@@ -74,6 +74,10 @@ last=$(tail -1 out.txt)
 run 2 orbit "$fermi" --precision certified
 says err "leave it out, or say --speed none"
 run 2 orbit "$fermi" --speed 0
+run 2 orbit "$fermi" --speed 1e308
+says err "above 0 and below 1e+300, or none"
+run 0 orbit "$fermi" -n 1000
+says out "limit after 1000 bounces"
 run 4 orbit "$fermi" -D 'entity.0.angular_velocity=1'
 says err "mirror 'piston' turns"
 run 0 orbit "$fermi" -D 'entity.0.angular_velocity=1' -D 'ray.0={at=[1,1],direction=[4,3],bounces=3}'

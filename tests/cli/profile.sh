@@ -17,8 +17,10 @@ run 0 render box.toml -o chosen.png --profile centres.profile --error "$error"
 says err "profile: pixel centres, error "
 cmp -s centre.png chosen.png || fail "pixel centres are chosen, and another picture drawn"
 run 4 render box.toml -o no.png --profile box.profile --error 1e-12
-says err "box.profile:3:1: error: nothing has an error of 1e-12 or less: this is the nearest"
+says err "box.profile:3:1: error: nothing is known to have an error of 1e-12 or less"
 says err "say --error "
+run 4 render box.toml -o no.png --profile centres.profile --error 1e-12
+says err "centres.profile:2:1: error: nothing has an error of 1e-12 or less: this is the nearest"
 run 4 render box.toml -o no.png --profile box.profile --time 0
 says err "this is the quickest"
 run 4 render box.toml -o no.png --profile box.profile --time 1 -D fps=12

@@ -96,6 +96,27 @@ run 2 stability --tracer none
 FLATRAY_EMBREE_MODULE=absent.so run 5 stability --tracer embree --count 10
 says err 'the module absent.so is not there'
 run 2 stability --count 0
+# Rows that are none of a run are told by their line.
+head -n 2 one/stability.csv > row.csv
+refuses() { # FIELD VALUE
+  mkdir -p false
+  awk -F, -v OFS=, -v f="$1" -v v="$2" 'NR == 2 { $f = v } 1' row.csv > false/stability.csv
+  run 4 stability --families n-gon --count 10 -o false
+  says err "false/stability.csv:2: error: is no row of this program"
+}
+[[ $(head -n 1 row.csv) == family,tracer,isa,seed,chunk,rays,hits,wrong,*,seconds,* ]] || fail 'the columns are others'
+seconds=$(head -n 1 row.csv | tr , '\n' | grep -n '^seconds$' | cut -d: -f1)
+refuses 7 99999
+refuses 8 99999
+refuses 6 18446744073709551615
+refuses 6 16385
+refuses "$seconds" nan
+refuses "$seconds" -5
+refuses "$seconds" soon
+refuses 1 '#n-gon'
+sed '2s/^\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*\),[0-9]*/\1,1025/' rooms/leaks.csv > false/leaks.csv
+run 4 stability --leaks 10 --tracer float --places origin -o false
+says err 'false/leaks.csv:2: error: is no row of this program'
 echo 'nonsense' >> log/stability.csv
 run 4 stability --families vertex --count 10 -o log
 says err 'stability.csv:'

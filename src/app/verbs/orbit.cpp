@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include "app/option_values.h"
 #include "app/orbit_report.h"
 #include "app/report.h"
@@ -81,8 +83,9 @@ Result<SpeedAsked> read_speed(const Arguments& arguments) {
   if (*text == "none") return SpeedAsked{true, std::nullopt};
   const auto speed = parse_number(*text);
   if (!speed || !(*speed > 0) || !(*speed < kFarthest))
-    return usage_error(arguments.where("speed"), "'" + *text + "' is no speed",
-                       "write world units a second, above 0, or none");
+    return usage_error(
+        arguments.where("speed"), "'" + *text + "' is no speed",
+        fmt::format("write world units a second, above 0 and below {}, or none", kFarthest));
   return SpeedAsked{false, *speed};
 }
 

@@ -18,10 +18,6 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr std::uint64_t kScenesAChunk = 256;
-constexpr std::uint64_t kRaysAChunk = kScenesAChunk * oracle::kRaysAScene;
-constexpr std::uint64_t kPairsAChunk = 1024;
-
 std::vector<std::string> family_names() { return names_of(oracle::families()); }
 std::vector<std::string> place_names() { return names_of(room_places()); }
 
@@ -150,7 +146,8 @@ Result<void> run_chunks(const Plan& plan, const oracle::Family& family, Stabilit
 
 ChunkLog::Key key_of(const Plan& plan, const PairFamily& family, std::size_t method,
                      std::uint64_t chunk) {
-  return {"pairs-" + family.name, family.methods[method], isa_name(active_isa()), plan.seed, chunk};
+  return {StabilityRows::pairs(family), family.methods[method], isa_name(active_isa()), plan.seed,
+          chunk};
 }
 
 // Chunks not yet in the log.

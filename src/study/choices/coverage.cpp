@@ -114,6 +114,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   if (side < kTruthSides.front())
     made.cut = fmt::format("reference of {} samples a pixel instead of {}", side * side,
                            kTruthSides.front() * kTruthSides.front());
+  made.doubt = doubt;
   made.grows = "samples a pixel";
   made.settings = {samples(film, 1),
                    {"exact area", 0,

@@ -65,8 +65,7 @@ Outcome judge(const Fates& fates) {
     ++free;
     if (fates.found[i].kind != fates.truth[i].kind) ++open;
   }
-  const double share = open / std::max(free, 1.0);
-  const double half = 1.96 * std::sqrt(share * (1 - share) / std::max(free, 1.0));
+  const auto [share, half] = share_of(open, free);
   return {share, half, picture(fates), {half, share, std::nullopt, std::nullopt}};
 }
 

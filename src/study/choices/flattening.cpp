@@ -105,6 +105,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
       "frame {} with chords within 2^-18 px, by the exact coverage of polygons; those within 2^-16 "
       "px differ by {:.2g}",
       frame, doubt);
+  made.doubt = doubt;
   made.grows = "chords";
   for (const int part : {1, 4, 16, 64, 256, 1024}) made.settings.push_back(chords(curves, part));
   made.settings.push_back({"curves as they are", 0,

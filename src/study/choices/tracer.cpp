@@ -57,18 +57,16 @@ std::shared_ptr<Shots> shots(const AccuracyContext& context) {
   return made;
 }
 
-double wrong_share(const Shots& shots) {
-  std::size_t wrong = 0;
+double wrong(const Shots& shots) {
+  double count = 0;
   for (std::size_t i = 0; i < shots.truth.size(); ++i)
-    if ((shots.found[i] ? std::int64_t{shots.found[i].surface} : -1) != shots.truth[i]) ++wrong;
-  return static_cast<double>(wrong) / static_cast<double>(shots.truth.size());
+    if ((shots.found[i] ? std::int64_t{shots.found[i].surface} : -1) != shots.truth[i]) ++count;
+  return count;
 }
 
 // What is wrong is rounded; how well so many rays tell its share is a matter of samples.
 Outcome judge(const Shots& shots) {
-  const double share = wrong_share(shots);
-  const double half =
-      1.96 * std::sqrt(share * (1 - share) / static_cast<double>(shots.truth.size()));
+  const auto [share, half] = share_of(wrong(shots), static_cast<double>(shots.truth.size()));
   return {share, half, {}, {half, std::nullopt, std::nullopt, share}};
 }
 

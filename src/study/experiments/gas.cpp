@@ -12,30 +12,65 @@
 namespace flatray {
 namespace {
 
-// Differences allowed, in standard errors of which four are a fault.
+// Differences allowed, of the energy and of the largest coordinate, in standard errors of which four
+// are a fault.
 constexpr double kEnergyError = 0.25e-9, kOverlapError = 0.25e-12;
 constexpr double kEnd = 0x1p40;  // seconds: the count ends it before
 
-std::vector<std::string> names_at_rest(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Entity& entity : scene.entities)
-    if (entity.velocity.isZero(0)) names.push_back(entity.name);
-  return names;
+// What rests is not moved.
+Result<std::vector<SimulatedBody>> gas_bodies(const Timeline& timeline) {
+  auto bodies = bodies_of(timeline, Response::bounce, {});
+  if (!bodies) return bodies;
+  for (std::size_t i = 0; i < bodies->size(); ++i)
+    if (timeline.scene().entities[i].velocity.isZero(0)) (*bodies)[i].mass = kInfinity;
+  return bodies;
 }
 
-double energy(std::span<const SimulatedBody> bodies, const Simulation& done, bool first) {
+// The power of two at or below a size; 1 where there is none.
+double power_below(double size) { return size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1; }
+
+// Of all stages; what its squares are measured in does not count, so they stay near 1.
+struct Units {
+  double mass, speed;
+};
+Units units_of(std::span<const SimulatedBody> bodies, const Simulation& done) {
+  Units most{0, 0};
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].mass < kInfinity) {
+      most.mass = std::max(most.mass, bodies[i].mass);
+      for (const Stage& stage : done.stages[i])
+        most.speed = std::max(most.speed, stage.velocity.cwiseAbs().maxCoeff());
+    }
+  return {power_below(most.mass), power_below(most.speed)};
+}
+
+double energy(std::span<const SimulatedBody> bodies, const Simulation& done, const Units& units,
+              bool first) {
   double sum = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Stage& stage = first ? done.stages[i].front() : done.stages[i].back();
-    if (bodies[i].mass < kInfinity) sum += 0.5 * bodies[i].mass * stage.velocity.squaredNorm();
+    if (bodies[i].mass < kInfinity)
+      sum += 0.5 * (bodies[i].mass / units.mass) * (stage.velocity / units.speed).squaredNorm();
   }
   return sum;
+}
+
+// The largest coordinate of bodies at the beginning and at a time.
+double largest_coordinate(std::span<const SimulatedBody> bodies, const Simulation& done,
+                          double time) {
+  double most = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (const Vec2& at : {bodies[i].at, place_at(done.stages[i], time)})
+      for (const ShapePart& part : bodies[i].parts)
+        for (const Vec2& p : part.ring)
+          most = std::max(most, (at + p).cwiseAbs().maxCoeff() + part.radius);
+  return most;
 }
 
 // How far two bodies lie in each other, by the shorter way out along their motion; 0 apart.
 double depth(const SimulatedBody& a, const Stage& now_a, const SimulatedBody& b,
              const Stage& now_b) {
-  const double speed = (now_b.velocity - now_a.velocity).norm();
+  const double speed = (now_b.velocity - now_a.velocity).stableNorm();
   double most = 0;
   const auto placed = [](const ShapePart& part, const Vec2& at) {
     std::vector<Vec2> ring;
@@ -95,25 +130,49 @@ Result<void> expect_bounces(const Scene& scene) {
   return {};
 }
 
+// What nothing moves must rest, or it gives others energy and takes it.
+Result<void> expect_rest(const Scene& scene, std::span<const SimulatedBody> bodies) {
+  Diagnostics problems;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (const Entity& entity = scene.entities[i];
+        bodies[i].mass == kInfinity && !bodies[i].velocity.isZero(0))
+      problems.push_back(
+          {entity.where,
+           fmt::format("in a gas energy is kept, and '{}' moves though nothing moves it",
+                       entity.name),
+           "let it rest, or give it a mass", Trouble::invalid});
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return {};
+}
+
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto bounces = expect_bounces(context.scene); !bounces) return fail(std::move(bounces));
   const Timeline timeline(context.scene, context.seed, 1);
-  const auto bodies = bodies_of(timeline, Response::bounce, names_at_rest(context.scene));
+  const auto bodies = gas_bodies(timeline);
   if (!bodies) return tl::unexpected(bodies.error());
+  if (auto rest = expect_rest(context.scene, *bodies); !rest) return fail(std::move(rest));
   const Simulation done = simulate(*bodies, kEnd, context.count);
   if (done.events.empty())
-    return fail(context.scene.entities.empty() ? Place{} : context.scene.entities.front().where,
+    return fail(context.scene.entities.empty() ? named_place(context.scene.name)
+                                               : context.scene.entities.front().where,
                 "nothing ever meets", "give the entities velocities, and walls that keep them in");
-  const double time = done.events.back().time, before = energy(*bodies, done, true);
+  const double time = done.events.back().time;
+  const Units units = units_of(*bodies, done);
+  const double before = energy(*bodies, done, units, true);
+  std::vector<Measure> measures = {
+      {"energy_off", energy(*bodies, done, units, false) / before - 1, kEnergyError, 0},
+      {"deepest_overlap", deepest(*bodies, done, time) / largest_coordinate(*bodies, done, time),
+       kOverlapError, 0}};
+  if (time > 0)
+    measures.push_back(
+        {"events_a_second", static_cast<double>(done.events.size()) / time, 0, std::nullopt});
+  measures.push_back({"jammed", done.jammed ? 1.0 : 0.0, 0, 0});
   return measured(
       context, "gas",
       fmt::format("{} events of {} bodies in {:.6g} s{}; fingerprint of all {}", done.events.size(),
                   bodies->size(), time, done.overlaps ? ", some in each other at the start" : "",
                   fingerprint(done)),
-      {{"energy_off", energy(*bodies, done, false) / before - 1, kEnergyError, 0},
-       {"deepest_overlap", deepest(*bodies, done, time), kOverlapError, 0},
-       {"events_a_second", static_cast<double>(done.events.size()) / time, 0, std::nullopt},
-       {"jammed", done.jammed ? 1.0 : 0.0, 0, 0}});
+      std::move(measures));
 }
 
 }  // namespace
