@@ -199,7 +199,10 @@ StabilityTally StabilityRows::tally(const ChunkLog::Row& row) {
   constexpr std::size_t kFar = kStabilityCounts.size();
   for (std::size_t i = kFar; i < std::min(row.counts.size(), kFar + tally.off_by_far.size()); ++i)
     tally.off_by_far[i - kFar] = row.counts[i];
-  if (row.counts.size() == kStabilityNames.size()) tally.whole = row.counts.back();
+  if (row.counts.size() == kStabilityNames.size()) {
+    tally.whole = row.counts.back();
+    tally.whole_watched = tally.watched;
+  }
   tally.first_wrong = row.note;
   return tally;
 }

@@ -46,7 +46,7 @@ done
 # One path of 100 000 lines, and one band.
 scene path.toml 1 '[[chamber]]' 'shape = { box = { min = [0, 0], max = [20, 20] } }' '[[ray]]' \
   'at = [15, 5]' 'direction = [1, 0.7320508]' 'bounces = 100000' 'stroke = { width_px = 1, colour = "#ff0000" }'
-env --default-signal=INT "$flatray" render path.toml --size 100x100 -o path.png -j 1 2> err.txt &
+env --default-signal=INT "$flatray" render path.toml --size 1000x100 -o path.png -j 1 2> err.txt &
 pid=$!
 sleep 2
 kill -INT $pid

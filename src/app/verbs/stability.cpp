@@ -259,7 +259,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
                             sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
                             known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
-                            share(sum.one_by_one, sum.watched), share(sum.whole, sum.watched),
+                            share(sum.one_by_one, sum.watched), share(sum.whole, sum.whole_watched),
                             share(sum.nanoseconds, sum.timed), share(sum.bytes, sum.objects),
                             sum.first_wrong});
     }
