@@ -125,7 +125,7 @@ TEST(Accuracy, BestIsWhatNoOtherSettingBeatsInBothTimeAndError) {
   EXPECT_TRUE(report.points[0].best);
   EXPECT_FALSE(report.points[1].best);
   EXPECT_TRUE(report.points[2].best);
-  EXPECT_GE(report.points[2].seconds, 0.01);
+  EXPECT_GT(report.points[2].seconds, 0.009);  // 0.01 but for rounding of the clock
   EXPECT_EQ(report.cut, "");
 }
 
@@ -149,7 +149,7 @@ TEST(Accuracy, TheBudgetIsOfTheReferenceToo) {
   const Choice choice{"dear", "?", ErrorKind::truncation, &always, &dear};
   const Scene scene;
   const ChoiceReport report = measure_choice(choice, {scene, 1, 1, 0.04});
-  EXPECT_GE(report.reference_seconds, 0.05);
+  EXPECT_GT(report.reference_seconds, 0.049);
   EXPECT_GE(report.seconds, report.reference_seconds);
   EXPECT_EQ(report.points.size(), 1U);
   EXPECT_EQ(report.cut, "reference of less, long and far, long and near");
