@@ -59,7 +59,7 @@ bool are_usual(const sweep::Shape& lanes) {
 // A box of NaN where it is no shape for the lanes.
 Box made_ready(std::span<const Vec2> ring, Ready& ready) {
   const Vec2 nowhere(std::nan(""), std::nan(""));
-  const Box none = {nowhere, nowhere};
+  Box none = {nowhere, nowhere};
   const Sign sense = ring_orientation(ring);
   if (sense == Sign::zero) return none;
   const std::vector<std::uint32_t> numbers = turned_ring(ring, sense);

@@ -38,7 +38,7 @@ class PolygonSet {
     std::array<Vec2, sweep::kCorners + 2> around;
     std::array<std::int32_t, sweep::kCorners> numbers, edges;
 
-    const Vec2& corner(int k) const { return around[static_cast<std::size_t>(k + 1)]; }
+    const Vec2& corner(int k) const { return around[static_cast<std::size_t>(k) + 1]; }
   };
   const Ready& ready(std::uint32_t shape) const { return ready_[shape]; }
 

@@ -92,6 +92,7 @@ class Flight {
     if (clock.hi == kLastTime) return reaches_end();
     Mover there{place_at(hit.time), mover_.velocity, clock};
     std::vector<std::uint32_t> met;
+    met.reserve(hits.size());
     for (const MovingHit& one : hits) met.push_back(one.surface);
     if (hits.size() > 1 || hit.at_end) return arrives(hit, there, std::move(met));
     if (material(hit.surface) != Material::mirror) return arrives(hit, there, std::move(met));

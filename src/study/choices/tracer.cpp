@@ -33,7 +33,7 @@ std::int64_t first_wall(const Surfaces& walls, const Ray& ray) {
 }
 
 std::shared_ptr<Shots> shots(const AccuracyContext& context) {
-  const auto made = std::make_shared<Shots>();
+  auto made = std::make_shared<Shots>();
   const FrameState state = at(Timeline(context.scene, context.seed, 1), 1);
   made->world = build_world(context.scene, state, WorldOf::everything);
   const double start = processor_seconds();
