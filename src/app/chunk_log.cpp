@@ -66,7 +66,7 @@ bool is_family(const std::string& name, const auto& families) {
 // Of a family of now, with no more rays than a chunk has, and no more of anything than rays.
 bool possible_stability(const ChunkLog::Key& key, const ChunkLog::Row& row) {
   const StabilityTally tally = StabilityRows::tally(row);
-  const std::vector<PairFamily> pairs = pair_families();
+  static const std::vector<PairFamily> pairs = pair_families();  // of each row of a log
   const bool of_pairs = std::any_of(pairs.begin(), pairs.end(), [&](const PairFamily& family) {
     return key.family == StabilityRows::pairs(family);
   });

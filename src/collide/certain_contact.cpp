@@ -157,17 +157,16 @@ void CertainContacts::move_vertex(Ask& ask, int by) const {
 void CertainContacts::move_edge(Ask& ask, bool on) const {
   const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
   const Ready &a = shapes_.ready(pair.a), &b = shapes_.ready(pair.b);
-  const int count_a = shapes_.ready(pair.a).count, count_b = shapes_.ready(pair.b).count;
   int& along = ask.of_a ? ask.a : ask.b;
-  if (on) along = wrapped(along + 1, ask.of_a ? count_a : count_b);
+  if (on) along = wrapped(along + 1, ask.of_a ? a.count : b.count);
   const int i = on ? ask.a : ask.a - 1, k = on ? ask.b : ask.b - 1;
   const bool first_of_a =
       first_comes_first(a.corner(i), a.corner(i + 1), b.corner(k), b.corner(k + 1));
   ask.of_a = first_of_a == on;
   if (on) return;
   (ask.of_a ? ask.a : ask.b) -= 1;
-  ask.a = wrapped(ask.a, count_a);
-  ask.b = wrapped(ask.b, count_b);
+  ask.a = wrapped(ask.a, a.count);
+  ask.b = wrapped(ask.b, b.count);
 }
 
 }  // namespace flatray

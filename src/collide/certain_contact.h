@@ -23,7 +23,7 @@ class CertainContacts {
   CertainContacts(const PolygonSet& shapes, double length, proof::Kernel kernel)
       : shapes_(shapes), length_(length), kernel_(kernel) {}
 
-  /// Needs   a contact that is a miss; it is written until run().
+  /// Needs   a contact that is a miss; pair and contact outlive run().
   void add(const MovingPair& pair, const sweep::Guess& guess, Contact& contact);
   /// Proves all that was added, and forgets it; undecided(pair, contact) for what is left.
   template <class Undecided>

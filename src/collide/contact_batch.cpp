@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "collide/certain_contact.h"
-#include "collide/kernels/sight.h"
+#include "collide/kernels/pairs.h"
 
 namespace flatray {
 namespace {
@@ -13,28 +13,21 @@ namespace {
 using Ready = PolygonSet::Ready;
 using Box = PolygonSet::Box;
 constexpr std::size_t kBlock = CertainContacts::kMost;
-// Above, floats could overflow.
-constexpr double kLargest = 0x1p60;
 
-struct Kernels {
-  sight::Kernel look;
-  sweep::Kernel guess;
-  proof::Kernel prove;
-};
-Kernels kernels_of([[maybe_unused]] Isa isa) {
+const pairs::Kernels& kernels_of([[maybe_unused]] Isa isa) {
 #if defined(__x86_64__)
   switch (isa) {
     case Isa::avx512:
-      return {sight::avx512::kKernel, sweep::avx512::kKernel, proof::avx512::kKernel};
+      return pairs::avx512::kKernels;
     case Isa::avx2:
-      return {sight::avx2::kKernel, sweep::avx2::kKernel, proof::avx2::kKernel};
+      return pairs::avx2::kKernels;
     case Isa::baseline:
-      return {sight::baseline::kKernel, sweep::baseline::kKernel, proof::baseline::kKernel};
+      return pairs::baseline::kKernels;
     case Isa::portable:
       break;
   }
 #endif
-  return {sight::portable::kKernel, sweep::portable::kKernel, proof::portable::kKernel};
+  return pairs::portable::kKernels;
 }
 
 void fetch(const Ready& shape) {
@@ -47,7 +40,7 @@ bool is_usual(const PolygonSet& shapes, const MovingPair& pair, sweep::Pair& mad
   const Box &a = shapes.boxes()[pair.a], &b = shapes.boxes()[pair.b];
   const Vec2 centre = b.centre - a.centre, way = pair.velocity_b - pair.velocity_a;
   const double size = centre.cwiseAbs().sum(), speed = way.cwiseAbs().sum();
-  if (!(size < kLargest && speed < kLargest && speed > 0)) return false;
+  if (!(size < sweep::kLargest && speed < sweep::kLargest && speed > 0)) return false;
   const Ready &ready_a = shapes.ready(pair.a), &ready_b = shapes.ready(pair.b);
   fetch(ready_a);
   fetch(ready_b);
@@ -67,7 +60,7 @@ bool is_usual(const PolygonSet& shapes, const MovingPair& pair, sweep::Pair& mad
 
 class Block {
  public:
-  Block(const PolygonSet& shapes, Range within, Kernels kernels)
+  Block(const PolygonSet& shapes, Range within, const pairs::Kernels& kernels)
       : shapes_(shapes),
         within_(within),
         kernels_(kernels),
@@ -116,7 +109,7 @@ class Block {
 
   const PolygonSet& shapes_;
   const Range within_;
-  const Kernels kernels_;
+  const pairs::Kernels& kernels_;
   CertainContacts certain_;
   std::array<double, kBlock> seen_;
   std::size_t near_count_ = 0;

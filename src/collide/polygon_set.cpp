@@ -13,9 +13,6 @@ using Ready = PolygonSet::Ready;
 using Box = PolygonSet::Box;
 constexpr double kUp = 1 + 0x1p-40;
 
-// Above, floats could overflow.
-constexpr double kLargestHalf = 0x1p60;
-
 void set_corners(std::span<const Vec2> ring, std::span<const std::uint32_t> numbers,
                  bool turned_round, Ready& ready) {
   const std::size_t count = numbers.size();
@@ -36,7 +33,7 @@ void set_lanes(const Vec2& centre, Ready& ready) {
     const double length = std::sqrt(along.squaredNorm());
     const auto x = static_cast<float>(along.y() / length);
     const auto y = static_cast<float>(-along.x() / length);
-    double reach = -kLargestHalf;
+    double reach = -sweep::kLargest;
     for (const Vec2& corner : corners) {
       const Vec2 p = corner - centre;
       reach = std::max(reach, static_cast<double>(x) * p.x() + static_cast<double>(y) * p.y());
@@ -68,7 +65,7 @@ Box made_ready(std::span<const Vec2> ring, Ready& ready) {
   for (const Vec2& p : ring) around.add(p);
   const Vec2 centre = 0.5 * around.low + 0.5 * around.high;
   const Vec2 half = kUp * (centre - around.low).cwiseMax(around.high - centre);
-  if (!(half.maxCoeff() > 1 / kLargestHalf && half.maxCoeff() < kLargestHalf)) return none;
+  if (!(half.maxCoeff() > 1 / sweep::kLargest && half.maxCoeff() < sweep::kLargest)) return none;
   set_corners(ring, numbers, sense == Sign::negative, ready);
   set_lanes(centre, ready);
   return are_usual(ready.lanes) ? Box{centre, half} : none;

@@ -151,12 +151,12 @@ std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
   const auto count = static_cast<double>(logs.size());
   double x = 0, y = 0;
   for (const auto& [n, error] : logs) x += n / count, y += error / count;
-  double xx = 0, xy = 0, yy = 0, rest = 0;
+  double xx = 0, xy = 0, spread = 0, rest = 0;
   for (const auto& [n, error] : logs) {
     xx += (n - x) * (n - x), xy += (n - x) * (error - y);
-    yy = std::max(yy, std::fabs(error - logs.front().second));
+    spread = std::max(spread, std::fabs(error - logs.front().second));
   }
-  if (xx == 0 || yy == 0) return std::nullopt;
+  if (xx == 0 || spread == 0) return std::nullopt;
   const double slope = xy / xx;
   for (const auto& [n, error] : logs) {
     const double off = error - y - slope * (n - x);

@@ -177,7 +177,8 @@ std::string advice(const ChoiceReport& report, const AccuracyPoint& point);
 ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point);
 
 /// The slope of a straight line through (log n, log error), or (n, log error), of the points of one
-/// series below an error; those known as `at_most` tell nothing. Nothing for fewer than three points, nor where all errors are the same.
+/// series below an error; those known as `at_most` tell nothing. Nothing for fewer than three
+/// points, nor where all errors are the same.
 std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
                                      const std::string& series = {}, Law law = Law::power,
                                      double saturated = std::numeric_limits<double>::infinity());

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "collide/certain_contact.h"
+#include "collide/kernels/pairs.h"
 #include "geom/polygon.h"
 #include "oracle/contact.h"
 #include "oracle/families.h"
@@ -207,7 +208,7 @@ int decided(const Question& asked, std::size_t i) {
   if (all.kind != HitClass::through || all.start != StartPlace::outside) return -1;
   const double length = 0.5 * all.t_enter + 0.5 * all.t_exit;
   const Contact alone = contact(a, b, {0, length});
-  CertainContacts certain(asked.shapes, length, proof::portable::kKernel);
+  CertainContacts certain(asked.shapes, length, pairs::portable::kKernels.prove);
   int count = 0;
   for (unsigned guess = 0; guess <= sweep::kGuessBits; ++guess) {
     const float named = std::bit_cast<float>(std::bit_cast<unsigned>(1.0F) | guess);

@@ -2,6 +2,7 @@
 // What is told of an error that the reference leaves in doubt.
 #include <gtest/gtest.h>
 
+#include "accuracy_scenes.h"
 #include "scene/scene_text.h"
 #include "study/accuracy_report.h"
 
@@ -55,22 +56,9 @@ TEST(Accuracy, AnErrorBelowTheDoubtOfTheReferenceIsAtMostThat) {
   EXPECT_NE(summary.find("nearer than the reference tells: near"), std::string::npos);
 }
 
-// A small box flies over a thin wall between two frames, and past a triangle whose box it enters.
-constexpr const char* kBullet = R"(
-[[entity]]
-shape    = { box = { min = [0, 4], max = [0.25, 4.25] } }
-velocity = [15.5, 0]
-[[entity]]
-shape = { box = { min = [8, 0], max = [8.125, 8] } }
-[[entity]]
-shape = { polygon = { points = [[14, 0], [18, 0], [14, 4.5]] } }
-at    = [0, 4.125]
-[[entity]]
-shape = { polygon = { points = [[24, 3.5], [24, 16], [12, 16]] } }
-)";
-
 TEST(Accuracy, OneOfManyPairsTellsNothing) {
-  const Scene scene = loaded("flatray = 1\nfps = 1\nframes = 2\n" + std::string(kBullet)).scene;
+  const Scene scene =
+      loaded("flatray = 1\nfps = 1\nframes = 2\n" + std::string(testing::kBullet)).scene;
   for (const Choice* choice : choices()) {
     if (choice->name != std::string_view("contact") && choice->name != std::string_view("motion"))
       continue;

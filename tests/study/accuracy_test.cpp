@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "accuracy_scenes.h"
 #include "base/processor_time.h"
 #include "chamber_scenes.h"
 #include "precise/certified_orbit.h"
@@ -255,20 +256,6 @@ TEST(Accuracy, OfChordsFallsLikeTheSquareOfTheirNumber) {
   EXPECT_NE(report_of("flattening", "").left_out, "");
 }
 
-// A small box flies over a thin wall between two frames, and past a triangle whose box it enters.
-constexpr const char* kBullet = R"(
-[[entity]]
-shape    = { box = { min = [0, 4], max = [0.25, 4.25] } }
-velocity = [15.5, 0]
-[[entity]]
-shape = { box = { min = [8, 0], max = [8.125, 8] } }
-[[entity]]
-shape = { polygon = { points = [[14, 0], [18, 0], [14, 4.5]] } }
-at    = [0, 4.125]
-[[entity]]
-shape = { polygon = { points = [[24, 3.5], [24, 16], [12, 16]] } }
-)";
-
 // A disc flies through a wall, and a bar turns over a disc, both between two frames.
 constexpr const char* kBent = R"(
 [[entity]]
@@ -306,7 +293,9 @@ void expect_that_instants_miss(const std::string& entities) {
   }
 }
 
-TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) { expect_that_instants_miss(kBullet); }
+TEST(Accuracy, OfMotionIsWhatFliesByBetweenInstants) {
+  expect_that_instants_miss(testing::kBullet);
+}
 
 TEST(Accuracy, OfMotionIsOfDiscsAndOfWhatTurnsToo) { expect_that_instants_miss(kBent); }
 

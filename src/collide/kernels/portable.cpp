@@ -6,3 +6,5 @@
 #define FLATRAY_LANES 1
 #include "collide/kernels/proof_body.h"
 #include "collide/kernels/sight_body.h"
+// After them.
+#include "collide/kernels/pairs_body.h"

@@ -32,17 +32,4 @@ inline constexpr int kRatherAfter = 64;   ///< or `after`
 
 using Kernel = void (*)(Proofs& proofs, int count);
 
-namespace portable {
-extern const Kernel kKernel;
-}
-namespace baseline {
-extern const Kernel kKernel;
-}
-namespace avx2 {
-extern const Kernel kKernel;
-}
-namespace avx512 {
-extern const Kernel kKernel;
-}
-
 }  // namespace flatray::proof

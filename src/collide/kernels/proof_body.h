@@ -105,7 +105,5 @@ void prove_all(Proofs& proofs, int count) {
 
 }  // namespace
 
-const Kernel kKernel = &prove_all;
-
 }  // namespace FLATRAY_TIER
 }  // namespace flatray::proof

@@ -19,17 +19,4 @@ using Kernel = void (*)(const double* boxes, double length, const Pairs& pairs, 
                         double* near);
 inline constexpr int kLanes = 8;
 
-namespace portable {
-extern const Kernel kKernel;
-}
-namespace baseline {
-extern const Kernel kKernel;
-}
-namespace avx2 {
-extern const Kernel kKernel;
-}
-namespace avx512 {
-extern const Kernel kKernel;
-}
-
 }  // namespace flatray::sight

@@ -65,7 +65,5 @@ void look_at_all(const double* boxes, double length, const Pairs& pairs, int cou
 
 }  // namespace
 
-const Kernel kKernel = &look_at_all;
-
 }  // namespace FLATRAY_TIER
 }  // namespace flatray::sight

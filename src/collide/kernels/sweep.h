@@ -35,23 +35,12 @@ struct Guess {
   /// Negative where the shapes surely overlap at the start and at the end.
   float first_gap, last_gap;
 };
+/// Sizes, distances and speeds above could overflow in floats.
+inline constexpr double kLargest = 0x1p60;
 inline constexpr float kApart = 0x1p127F;
 inline constexpr unsigned kEdgeBits = 15, kCornerUnit = 16, kGuessBits = 127;
 
 /// Shapes as they move for t in [0, length].
 using Kernel = void (*)(const Pair* pairs, int count, float length, Guess* guesses);
-
-namespace portable {
-extern const Kernel kKernel;
-}
-namespace baseline {
-extern const Kernel kKernel;
-}
-namespace avx2 {
-extern const Kernel kKernel;
-}
-namespace avx512 {
-extern const Kernel kKernel;
-}
 
 }  // namespace flatray::sweep

@@ -159,7 +159,5 @@ void guess_all(const Pair* pairs, int count, float length, Guess* guesses) {
 
 }  // namespace
 
-const Kernel kKernel = &guess_all;
-
 }  // namespace FLATRAY_TIER
 }  // namespace flatray::sweep
