@@ -5,13 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
 
 TEST(ResultFiles, StayInTheirFolderUnderPlainNames) {
   const std::filesystem::path folder =
-      std::filesystem::path(FLATRAY_BINARY_DIR) / "tests" / "result_files_test";
+      std::filesystem::path(binary_path()) / "tests" / "result_files_test";
   std::filesystem::remove_all(folder);
   ExperimentResult result;
   for (const char* name : {"a.csv", "../../b.svg", "/c/d.svg", ".._.._b.svg", "a b.svg"})

@@ -14,6 +14,7 @@
 #include "scene/numbers.h"
 #include "scene/table_texts.h"
 #include "scene/vocabulary.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -169,7 +170,7 @@ Json json_of(const std::string& text) {
 
 std::vector<fs::path> scenes_below(const char* folder) {
   std::vector<fs::path> all;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(FLATRAY_SOURCE_DIR) / folder))
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_path()) / folder))
     if (entry.path().extension() == ".toml") all.push_back(entry.path());
   std::sort(all.begin(), all.end());
   return all;

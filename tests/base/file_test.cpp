@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/paths.h"
+
 namespace flatray {
 namespace {
 
@@ -12,7 +14,7 @@ namespace fs = std::filesystem;
 // An empty folder of its own for each test.
 class File : public ::testing::Test {
  protected:
-  File() : folder_(fs::path(FLATRAY_BINARY_DIR) / "file_test" / test_name()) {
+  File() : folder_(fs::path(binary_path()) / "file_test" / test_name()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

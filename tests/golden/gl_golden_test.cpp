@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "app/golden_check.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -11,8 +12,8 @@ namespace {
 class GlGoldens : public testing::Test {
  protected:
   void SetUp() override {
-    setenv("FLATRAY_GL_MODULE", FLATRAY_BINARY_DIR "/flatray_gl.so", 1);
-    const auto rows = read_goldens(FLATRAY_SOURCE_DIR);
+    setenv("FLATRAY_GL_MODULE", binary_path("/flatray_gl.so").c_str(), 1);
+    const auto rows = read_goldens(source_path());
     ASSERT_TRUE(rows) << format(rows.error());
     for (const GoldenRow& row : *rows)
       if (!row.exact()) rows_.push_back(row);
@@ -23,7 +24,7 @@ class GlGoldens : public testing::Test {
 
 TEST_F(GlGoldens, AreDrawnAgainWithinTheirTolerance) {
   for (const GoldenRow& row : rows_) {
-    const auto check = check_golden(FLATRAY_SOURCE_DIR, row);
+    const auto check = check_golden(source_path(), row);
     ASSERT_TRUE(check) << format(check.error());
     EXPECT_TRUE(check->passes()) << golden_report(row, *check);
   }
@@ -36,7 +37,7 @@ TEST_F(GlGoldens, NameTheVersionOfMesa) {
 
 TEST_F(GlGoldens, AFailureNamesTheWorstPixelAndBothRenderers) {
   const GoldenRow& row = rows_.front();
-  auto check = check_golden(FLATRAY_SOURCE_DIR, row);
+  auto check = check_golden(source_path(), row);
   ASSERT_TRUE(check) << format(check.error());
   std::uint8_t& level = check->actual.at(3, 2)[1];
   level = static_cast<std::uint8_t>(level < 128 ? level + 100 : level - 100);

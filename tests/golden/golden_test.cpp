@@ -6,6 +6,7 @@
 #include "app/golden_check.h"
 #include "base/philox.h"
 #include "image/png.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -19,12 +20,12 @@ struct Committed {
 class Goldens : public testing::Test {
  protected:
   void SetUp() override {
-    const auto rows = read_goldens(FLATRAY_SOURCE_DIR);
+    const auto rows = read_goldens(source_path());
     ASSERT_TRUE(rows) << format(rows.error());
     ASSERT_GE(rows->size(), 2U);
     for (const GoldenRow& row : *rows) {
       rows_.push_back(row);
-      Result<Image> image = read_png(FLATRAY_SOURCE_DIR "/" + row.file());
+      Result<Image> image = read_png(source_path("/" + row.file()));
       ASSERT_TRUE(image) << format(image.error());
       EXPECT_EQ(pixel_hash(*image), row.pixels) << row.file();
       goldens_.push_back({row, std::move(*image)});
@@ -37,7 +38,7 @@ class Goldens : public testing::Test {
 TEST_F(Goldens, AreDrawnAgainExactly) {
   for (const GoldenRow& row : rows_) {
     if (!row.exact()) continue;  // gl_golden_test.cpp
-    const auto check = check_golden(FLATRAY_SOURCE_DIR, row);
+    const auto check = check_golden(source_path(), row);
     ASSERT_TRUE(check) << format(check.error());
     EXPECT_TRUE(check->passes()) << golden_report(row, *check);
   }
@@ -82,12 +83,12 @@ TEST_F(Goldens, BlankPicturesAreDetected) {
 }
 
 TEST_F(Goldens, EveryFileHasItsRowAndAllStayWithinTheLimits) {
-  EXPECT_EQ(stray_goldens(FLATRAY_SOURCE_DIR, rows_), std::vector<std::string>{});
+  EXPECT_EQ(stray_goldens(source_path(), rows_), std::vector<std::string>{});
   std::uintmax_t bytes = 0;
   for (const Committed& golden : goldens_) {  // no bindings: clang 14 cannot capture them
     const GoldenRow& row = golden.row;
     const Image& image = golden.image;
-    bytes += std::filesystem::file_size(FLATRAY_SOURCE_DIR "/" + row.file());
+    bytes += std::filesystem::file_size(source_path("/" + row.file()));
     EXPECT_TRUE(image.width == row.width && image.height == row.height) << row.file();
     EXPECT_LE(std::count_if(rows_.begin(), rows_.end(),
                             [&](const GoldenRow& other) { return other.same_set(row); }),

@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "scene_text.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -18,7 +19,7 @@ std::string paper_chain(const std::string& settings = "") {
 
 // As the paper prints it: facts, section 8.
 TEST(Markov, ThePaperChainIsRefusedNamingTheRowAndTheRepairs) {
-  const auto result = load_scene(FLATRAY_SOURCE_DIR "/tests/scene/refused/paper_chain.toml");
+  const auto result = load_scene(source_path("/tests/scene/refused/paper_chain.toml"));
   ASSERT_FALSE(result);
   ASSERT_EQ(result.error().size(), 1u) << format(result.error());
   const Diagnostic& problem = result.error()[0];

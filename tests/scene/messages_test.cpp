@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "scene/vocabulary.h"
 #include "scene_text.h"
+#include "support/paths.h"
 #include "table_texts.h"
 
 namespace flatray {
@@ -229,7 +230,7 @@ std::string section(const std::string& text, const std::string& name) {
 }
 
 TEST(Documents, TheSceneFormatNamesEveryKeyOfEveryTable) {
-  const Result<std::string> text = read_file(FLATRAY_SOURCE_DIR "/docs/SCENE_FORMAT.md");
+  const Result<std::string> text = read_file(source_path("/docs/SCENE_FORMAT.md"));
   ASSERT_TRUE(text);
   for (const TableInfo& table : vocabulary())
     for (const KeyInfo& key : table.keys) {

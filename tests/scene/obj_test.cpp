@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "scene/obj_text.h"
 #include "scene_text.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -154,8 +155,7 @@ TEST(Obj, AtMostTwentyMistakesAreTold) {
 
 // A folder of its own below the build, removed again.
 struct Folder {
-  std::filesystem::path path =
-      std::filesystem::path(FLATRAY_BINARY_DIR) / "tests" / "scene_import_test";
+  std::filesystem::path path = std::filesystem::path(binary_path()) / "tests" / "scene_import_test";
   Folder() { std::filesystem::create_directories(path); }
   ~Folder() { std::filesystem::remove_all(path); }
 };
@@ -192,7 +192,7 @@ TEST(Import, MistakesAreTold) {
 }
 
 std::filesystem::path shared_obj(const char* name) {
-  return std::filesystem::path(FLATRAY_SOURCE_DIR) / "../shared/data/obj" / name;
+  return std::filesystem::path(source_path()) / "../shared/data/obj" / name;
 }
 
 struct Known {

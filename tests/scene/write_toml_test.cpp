@@ -9,6 +9,7 @@
 #include "scene/format.h"
 #include "scene/numbers.h"
 #include "scene_text.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -64,7 +65,7 @@ void expect_the_same_again(const std::string& name, const std::string& text) {
 
 TEST(WriteToml, EverySceneOfTheProjectReadsBackTheSame) {
   std::size_t scenes = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(FLATRAY_SOURCE_DIR "/scenes")) {
+  for (const auto& entry : fs::recursive_directory_iterator(source_path("/scenes"))) {
     if (format_for_name(entry.path().string()) == nullptr) continue;
     const Result<std::string> text = read_file(entry.path());
     ASSERT_TRUE(text);

@@ -3,6 +3,7 @@
 
 #include "render/frame.h"
 #include "scene/load.h"
+#include "support/paths.h"
 
 namespace flatray {
 
@@ -18,7 +19,7 @@ inline Scene scene_of(const std::string& text, const std::vector<Override>& over
 
 /// A scene of the project, by its path below the project's folder.
 inline Scene scene_at(const std::string& path, const std::vector<Override>& overrides = {}) {
-  Result<LoadedScene> loaded = load_scene(FLATRAY_SOURCE_DIR "/" + path, overrides);
+  Result<LoadedScene> loaded = load_scene(source_path("/" + path), overrides);
   if (!loaded) {
     ADD_FAILURE() << format(loaded.error());
     return {};

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "support/paths.h"
 #include "trace/all_tracers.h"
 
 namespace flatray {
@@ -11,7 +12,7 @@ namespace {
 class Inexact : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    setenv("FLATRAY_EMBREE_MODULE", FLATRAY_BINARY_DIR "/flatray_embree.so", 1);
+    setenv("FLATRAY_EMBREE_MODULE", binary_path("/flatray_embree.so").c_str(), 1);
     tracer = find_tracer(GetParam());
     ASSERT_NE(tracer, nullptr);
     EXPECT_FALSE(tracer->exact);
