@@ -20,6 +20,7 @@ add_library(flatray_options INTERFACE)
 target_compile_options(flatray_options INTERFACE
   -ffp-contract=off  # a fused multiply-add would change bits between machines
   -fno-math-errno    # sqrt is one instruction
+  $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>  # so that a cache of compilations can hold them
   -fPIC              # the libraries may go into shared ones; the same for all, for the precompiled header
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
   # g++ 12 sees both in the standard library's own variant, optional and string.
