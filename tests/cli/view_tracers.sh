@@ -7,7 +7,7 @@ source "$(dirname "$0")/lib.sh"
 compare() {
   local view=$1 size=32x18
   shift
-  [[ $scene == */pile.toml ]] && size=20x2 # 40 000 walls by `exact`; a row is more than 16 rays
+  [[ $scene == */pile.toml ]] && size=17x1 # 40 000 walls by `exact`; a row is more than 16 rays
   rm -rf exact
   run 0 render "$scene" --view "$view" --tracer exact --size $size --quiet -f 1 -o 'exact/#.png'
   for tier; do
@@ -24,6 +24,6 @@ for scene in $(find "$root/scenes" -name '*.toml' -o -name '*.obj' -o -name '*.c
   [[ -n $sanitizers && $scene != */tutorial/* ]] && continue # ten times as slow
   compare hits "${tiers[@]}"
   compare depth "${tiers[-1]}"
-  compare visibility:3,2 "${tiers[-1]}"
+  [[ $scene == */pile.toml ]] || compare visibility:3,2 "${tiers[-1]}"
 done
 finish
