@@ -4,7 +4,7 @@
 
 #include "app/measure.h"
 #include "collide/scene_timeline.h"
-#include "transport/orbit.h"
+#include "render/ray_walls.h"
 
 namespace flatray {
 namespace {
@@ -23,36 +23,37 @@ struct WallTests {
 }  // namespace
 
 Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
-  if (job.scene.rays.empty() || job.frames.empty()) return std::vector<Saving>();
+  if (!need_of_ray_walls(job.scene).needed || job.frames.empty()) return std::vector<Saving>();
   const auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return tl::unexpected(timeline.error());
   const FrameState state = at(*timeline, job.frames.front());
-  const World world = build_world(job.scene, state);
-  if (world.surfaces.size() == 0) return std::vector<Saving>();
-  const auto walls = accelerate(world.surfaces);
-  const std::vector<Material> materials = world.materials();
+  const RayWalls walls(job.scene, state, job.tracer);
+  const std::size_t count = walls.world().surfaces.size();
+  if (count == 0) return std::vector<Saving>();
   WallTests tests;
   for (const RayPath& ray : job.scene.rays) {
+    if (ray.speed) continue;
     const Ray start{world_pose(state)(ray.at), ray.direction};
-    const Orbit orbit = trace_orbit(world.surfaces, materials, start,
-                                    std::min<std::uint64_t>(ray.bounces, kMostBounces));
+    const Orbit orbit = trace_orbits(walls.orbits(), std::span(&start, 1),
+                                     std::min<std::uint64_t>(ray.bounces, kMostBounces))
+                            .front();
     Ray flight = start;
     Left left;
     for (const Bounce& bounce : orbit.bounces) {
-      tests.add(*walls, flight, left);
+      tests.add(walls.orbits().walls(), flight, left);
       flight = {bounce.point, bounce.out};
       left = {bounce.surface, Root::both};
     }
-    if (orbit.end != OrbitEnd::limit) tests.add(*walls, flight, left);
+    if (orbit.end != OrbitEnd::limit) tests.add(walls.orbits().walls(), flight, left);
     tests.hit += orbit.bounces.size() + (orbit.end == OrbitEnd::absorbed ? 1 : 0);
   }
-  const auto all = static_cast<double>(world.surfaces.size() * tests.flights);
+  const auto all = static_cast<double>(count * tests.flights);
   return std::vector<Saving>{
       {"measured: walls tested",
        fmt::format("{:.3g} a flight",
                    static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),
        fmt::format("{:.3g} % of {} walls tested and {:.3g} % hit in {} flights of rays",
-                   100 * static_cast<double>(tests.tested) / all, world.surfaces.size(),
+                   100 * static_cast<double>(tests.tested) / all, count,
                    100 * static_cast<double>(tests.hit) / all, tests.flights)}};
 }
 

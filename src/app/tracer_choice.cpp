@@ -1,5 +1,7 @@
 #include "app/tracer_choice.h"
 
+#include <fmt/core.h>
+
 #include "app/option_values.h"
 
 namespace flatray {
@@ -13,6 +15,20 @@ Result<const Tracer*> usable_tracer(const std::string& name, const Place& where)
   if (!missing.empty())
     return fail(where, "cannot use " + name + ": " + missing, "", Trouble::unavailable);
   return tracer;
+}
+
+Result<void> check_tracer_of_view(const Arguments& arguments, const Tracer* tracer,
+                                  const View& view) {
+  if (tracer == nullptr || tracer->exact || !view.asks_for_all) return {};
+  std::string exact;
+  for (const Tracer* other : tracers())
+    if (other->exact) exact += (exact.empty() ? "" : " or ") + std::string(other->name);
+  return usage_error(
+      arguments.where("tracer"),
+      fmt::format("'{}' finds the first wall of a ray alone, and the view {} asks for "
+                  "all of them",
+                  tracer->name, view.name),
+      "say " + exact + ", or leave out --tracer");
 }
 
 Result<const Tracer*> chosen_tracer(const Arguments& arguments) {

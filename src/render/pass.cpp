@@ -46,11 +46,6 @@ DrawContext::DrawContext(const Timeline& timeline_, const FrameState& state_, co
       film_from_world(scene.film, state_),
       corners_{scene.max_corners} {}
 
-const World& DrawContext::world() {
-  if (!world_) world_ = build_world(scene, state);
-  return *world_;
-}
-
 void DrawContext::place(int layer, std::uint64_t order, const Place& where) {
   layer_ = layer;
   order_ = order;

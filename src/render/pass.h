@@ -31,9 +31,6 @@ class DrawContext {
   const Tracer* const tracer;  ///< of rays; null: the one of choice
   const FilmTransform film_from_world;
 
-  /// The frame's walls; built when first asked for.
-  const World& world();
-
   /// `shape` posed in the world, filled and outlined; nothing where it lies beside the film.
   void add_shape(const Shape& shape, const Pose& world_from_shape, const std::optional<Paint>& fill,
                  const std::optional<Stroke>& stroke);
@@ -75,7 +72,6 @@ class DrawContext {
   LineLook look_of(const Stroke& stroke) const;
 
   std::vector<Placed> items_;
-  std::optional<World> world_;
   int layer_ = 0;
   std::uint64_t order_ = 0;
   Place where_;

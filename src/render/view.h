@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,22 @@
 
 namespace flatray {
 
-/// What a view is drawn from: one ray a pixel, cast from its centre among the outlines of all that
-/// the scene shows, but for what no ray meets: rings that cross themselves. Where nothing else is said rays go to the right, t in pixels.
-struct ViewContext {
+/// One frame, and what of it a view is to draw.
+struct ViewFrame {
   const Scene& scene;
   const FrameState& state;
-  const World& world;           ///< of everything, mirror or not, but for what `argument` lies on
-  const Accelerator& surfaces;  ///< of `world`
-  Vec2 argument;                ///< world point, for views that take one
-  std::vector<Arc> rims;        ///< circles that `argument` lies on; its segments are nowhere
+  const Tracer* tracer;  ///< null: the one of choice
+  Vec2 argument;         ///< world point, for views that take one
   PixelBox crop;
+  unsigned threads;
+};
+
+/// A frame made ready for one view, once for all rows: what its rays are asked of, and no more.
+class ViewRows {
+ public:
+  virtual ~ViewRows() = default;
+  /// A row of the crop into `pixels`, three bytes each. `row` counts from the top of the film.
+  virtual void draw(int row, std::uint8_t* pixels) const = 0;
 };
 
 /// One kind of question asked of every pixel.
@@ -27,23 +34,48 @@ struct View {
   const char* name;
   const char* summary;  ///< one line, no full stop
   bool takes_point;     ///< as in "visibility:x,y"
-  /// A row of the crop into `pixels`, three bytes each. `row` counts from the top of the film.
-  void (*draw_row)(const ViewContext& context, int row, std::uint8_t* pixels);
+  bool asks_for_all;    ///< walls of a ray, not for the first alone: so of exact tracers only
+  std::unique_ptr<ViewRows> (*make)(const ViewFrame& frame);
 };
+
+/// What View::make does for rows of type Rows.
+template <class Rows>
+std::unique_ptr<ViewRows> make_rows(const ViewFrame& frame) {
+  return std::make_unique<Rows>(frame);
+}
 
 /// Registered views by name.
 std::vector<const View*> views();
 
 /// Centre of a pixel in the world.
-Vec2 pixel_centre(const ViewContext& context, int column, int row);
+Vec2 pixel_centre(const ViewFrame& frame, int column, int row);
 /// World length of a pixel's side.
-double pixel_side(const ViewContext& context);
+double pixel_side(const ViewFrame& frame);
 /// One ray to the right from every pixel of a row, t = 1 a pixel on.
-RayBatch rays_to_the_right(const ViewContext& context, int row);
-/// What each ray of a row meets first.
-std::vector<NearestHit> nearest_hits(const ViewContext& context, const RayBatch& rays);
+RayBatch rays_to_the_right(const ViewFrame& frame, int row);
+/// Walls made ready by the tracer of the frame. Needs   `walls` to outlive it.
+std::unique_ptr<Accelerator> made_ready(const Surfaces& walls, const ViewFrame& frame);
 /// 255 at 0 and 0 from `most` on.
 std::uint8_t grey_of(double value, double most);
+
+/// The outlines of all that the scene shows, but for what no ray meets: rings that cross themselves.
+class SeenWalls {
+ public:
+  SeenWalls(const ViewFrame& frame, World world)
+      : world_(std::move(world)), walls_(made_ready(world_.surfaces, frame)) {}
+  explicit SeenWalls(const ViewFrame& frame)
+      : SeenWalls(frame, build_world(frame.scene, frame.state, WorldOf::everything)) {}
+  SeenWalls(const SeenWalls&) = delete;
+  SeenWalls& operator=(const SeenWalls&) = delete;
+
+  /// What each ray of a row meets first.
+  std::vector<NearestHit> nearest(const RayBatch& rays) const;
+  const SurfaceOwner& owner(const NearestHit& hit) const { return world_.owners[hit.surface]; }
+
+ private:
+  const World world_;
+  const std::unique_ptr<Accelerator> walls_;
+};
 
 /// A view as the user asks for it.
 struct ViewRequest {
@@ -53,6 +85,8 @@ struct ViewRequest {
 
 /// Same bytes from every exact tracer (null: the one chosen by the number of walls), for any number
 /// of threads and crop; no picture once `options.stop` has said so.
+///
+/// Needs   an exact tracer where the view asks for all walls of a ray.
 Image draw_view(const ViewRequest& request, const Tracer* tracer, const Scene& scene,
                 const FrameState& state, const FrameOptions& options);
 

@@ -8,6 +8,7 @@ namespace {
 constexpr Word<Coverage> kCoverages[] = {{"area", Coverage::area}, {"centre", Coverage::centre}};
 constexpr Word<CameraMotion> kMotions[] = {{"frame-origin", CameraMotion::frame_origin},
                                            {"objects", CameraMotion::objects}};
+constexpr Word<bool> kWindows[] = {{"pixels", true}};
 constexpr std::int64_t kMaxSide = 2147483647;
 
 void read_size(Builder& builder, const Field& field, Film& film) {
@@ -27,13 +28,20 @@ void read_size(Builder& builder, const Field& field, Film& film) {
   film.height = static_cast<int>(*height);
 }
 
+// The size has been read before.
 void read_world(Builder& builder, const Field& field, Film& film) {
-  if (const auto world = builder.in.box(field)) film.world = world;
+  if (field.value.kind == Value::Kind::string) {
+    if (builder.in.word<bool>(field, kWindows))
+      film.world = Bounds{{0, 0}, Vec2(film.width, film.height)};
+  } else if (const auto world = builder.in.box(field)) {
+    film.world = world;
+  }
 }
 
 constexpr Key<Film> kFilmKeys[] = {
     {{"size", "[width, height]", "[640, 360]"}, &read_size},
-    {{"world", "[[x0, y0], [x1, y1]]", "what the scene holds, and 5 %"}, &read_world},
+    {{"world", R"([[x0, y0], [x1, y1]] or "pixels")", "what the scene holds, and 5 %"},
+     &read_world},
     {{"background", "\"#rrggbb\"", "\"#ffffff\""}, &set<&Film::background>},
     {{"coverage", R"("area" or "centre")", "\"area\""}, &set_word<&Film::coverage, kCoverages>},
 };

@@ -152,7 +152,10 @@ std::vector<NearestHit> CellSearch::all(const Ray& ray, const Left& left, bool t
   for (const std::uint32_t slot : segments_near(ray))
     if (filter(walls_.segments[slot]).verdict != FilteredHit::Verdict::missed)
       every.offers().offer_segment(slot);
-  every.offers().offer_curves();
+  if (ray.direction == Vec2(0, 0))
+    every.offers().offer_curves();
+  else
+    for (const std::uint32_t surface : curves_.near(ray)) every.offers().offer_curve(surface);
   return every.hits();
 }
 

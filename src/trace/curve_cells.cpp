@@ -171,29 +171,29 @@ class CurveCells::Search {
   std::vector<Rival> open_;
 };
 
-CurveCells::Rivals CurveCells::rivals(const Ray& ray, const Left& left, double limit) const {
-  Search search(walls_, ray, left, limit);
+template <class Offers>
+void CurveCells::walk(const Ray& ray, Offers& offers) const {
   const Vec2 origin = (ray.origin - low_) / side_, way = ray.direction / side_;
   const double speed = way.norm();
   const Vec2 all(columns_, rows_);
   if (begin_.empty() || !(speed > kLeast && speed < kMost) ||
       !(origin.cwiseAbs().maxCoeff() < kFar)) {
-    for (const std::uint32_t surface : curves_) search.offer(surface);
-    return search.rivals();
+    for (const std::uint32_t surface : curves_) offers.offer(surface);
+    return;
   }
   // t of what is to come on each axis: the side of the grid, then of each cell.
   double enter = 0, leave = kInfinity;
   for (int axis = 0; axis < 2; ++axis) {
     const double o = origin[axis], d = way[axis];
     if (d == 0) {
-      if (o < 0 || o > all[axis]) return {};
+      if (o < 0 || o > all[axis]) return;
       continue;
     }
     enter = std::max(enter, ((d > 0 ? 0 : all[axis]) - o) / d);
     leave = std::min(leave, ((d > 0 ? all[axis] : 0) - o) / d);
   }
   const double slack = kSlack / speed;
-  if (!(enter <= leave)) return {};
+  if (!(enter <= leave)) return;
   int cell[2];
   for (int axis = 0; axis < 2; ++axis)
     cell[axis] = static_cast<int>(
@@ -206,14 +206,45 @@ CurveCells::Rivals CurveCells::rivals(const Ray& ray, const Left& left, double l
     const std::size_t here =
         static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(columns_) +
         static_cast<std::size_t>(cell[0]);
-    for (std::uint32_t i = begin_[here]; i < begin_[here + 1]; ++i) search.offer(surfaces_[i]);
+    for (std::uint32_t i = begin_[here]; i < begin_[here + 1]; ++i) offers.offer(surfaces_[i]);
     const double x = next(0), y = next(1);
-    if (search.settled(std::min(x, y) - slack)) break;
+    if (offers.settled(std::min(x, y) - slack)) break;
     const int axis = x < y ? 0 : 1;
     cell[axis] += way[axis] > 0 ? 1 : -1;
     if (cell[axis] < 0 || cell[axis] >= (axis == 0 ? columns_ : rows_)) break;
   }
+}
+
+CurveCells::Rivals CurveCells::rivals(const Ray& ray, const Left& left, double limit) const {
+  Search search(walls_, ray, left, limit);
+  walk(ray, search);
   return search.rivals();
+}
+
+std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
+  struct All {
+    std::vector<std::uint32_t> surfaces{};
+    void offer(std::uint32_t surface) { surfaces.push_back(surface); }
+    bool settled(double) const { return false; }
+  } all;
+  walk(ray, all);
+  std::sort(all.surfaces.begin(), all.surfaces.end());
+  all.surfaces.erase(std::unique(all.surfaces.begin(), all.surfaces.end()), all.surfaces.end());
+  std::erase_if(all.surfaces, [&](std::uint32_t surface) {
+    const Arc arc = walls_.arc(surface);  // what joins an arc to its ends is no part of its curve
+    return arc.extent == Arc::Extent::whole &&
+           filter_curve(ray, arc.curve).verdict == FilteredCurve::Verdict::missed;
+  });
+  return all.surfaces;
+}
+
+std::string CurveCells::structure() const {
+  if (curves_.empty()) return {};
+  const std::string count =
+      std::to_string(curves_.size()) + (curves_.size() == 1 ? " curve in " : " curves in ");
+  return count + (begin_.empty()
+                      ? "one list"
+                      : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");
 }
 
 }  // namespace flatray

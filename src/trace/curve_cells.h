@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "geom/bounds.h"
@@ -32,6 +33,8 @@ class CurveCells {
   };
   /// Needs   a direction that is not zero.
   Rivals rivals(const Ray& ray, const Left& left, double limit) const;
+  /// All curves that a ray may meet, ascending.
+  std::vector<std::uint32_t> near(const Ray& ray) const;
   /// Shows every curve that comes within 4 ulps of a point, and others near it; some twice.
   template <class Visit>
   void visit_near(const Vec2& point, const Visit& visit) const {
@@ -54,6 +57,9 @@ class CurveCells {
         for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) visit(surfaces_[i]);
       }
   }
+  /// As Accelerator::structure() and cells(); no words without curves.
+  std::string structure() const;
+  std::size_t cells() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   std::size_t bytes() const { return 4 * (begin_.size() + surfaces_.size()); }
 
  private:
@@ -62,6 +68,9 @@ class CurveCells {
     int left, bottom, width, height;  // in cells
   };
   void divide();
+  // Offers the curves of every cell a ray comes through, some twice, until these are settled.
+  template <class Offers>
+  void walk(const Ray& ray, Offers& offers) const;
   template <class Visit>
   void visit_cells(const Arc& arc, const Rect& rect, const Visit& visit) const;
   bool may_pass(const Arc& arc, const Rect& rect) const;

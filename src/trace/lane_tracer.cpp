@@ -60,6 +60,10 @@ lanes::Walking columns_of(float* column, const float* numbers, std::size_t room)
   return w;
 }
 
+std::string both(std::string segments, const std::string& curves) {
+  return curves.empty() ? segments : std::move(segments) + ", " + curves;
+}
+
 // Some rays of a batch on their way through the kernels.
 class Block {
  public:
@@ -217,7 +221,15 @@ class LaneTracer : public Accelerator {
     return search_.tested(ray, left);
   }
   std::size_t bytes() const override { return cells_.bytes() + curves_.bytes(); }
-  std::string structure() const override {
+  std::string structure() const override { return both(segments_in(), curves_.structure()); }
+  std::size_t cells() const override {
+    const auto side = [](std::int32_t count) { return static_cast<std::size_t>(count); };
+    return (cells_.has_cells() ? side(cells_.columns()) * side(cells_.rows()) : 0) +
+           curves_.cells();
+  }
+
+ private:
+  std::string segments_in() const {
     if (!cells_.has_cells()) return "one list";
     const std::string cells =
         std::to_string(cells_.columns()) + " x " + std::to_string(cells_.rows()) + " cells";
@@ -225,8 +237,6 @@ class LaneTracer : public Accelerator {
                ? cells
                : cells + ", " + std::to_string(cells_.divided()) + " of them crowded and divided";
   }
-
- private:
   bool are_few(const RayBatch& rays) const {
     return rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList);
   }
@@ -317,7 +327,16 @@ class OneByOne : public Accelerator {
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     return search_.nearest(ray, left, tangents);
   }
+  std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
+                                     bool tangents) const override {
+    return search_.all(ray, left, tangents);
+  }
   std::size_t bytes() const override { return curves_.bytes(); }
+  std::string structure() const override {
+    const bool curves_alone = walls_.segments.empty() && walls_.any_curves();
+    return curves_alone ? curves_.structure() : both("one list", curves_.structure());
+  }
+  std::size_t cells() const override { return curves_.cells(); }
 
  private:
   const CurveCells curves_;

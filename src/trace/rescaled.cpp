@@ -97,6 +97,7 @@ class Rescaled : public Accelerator {
     return inner_->bytes() + as_given_->bytes() + scaled_->size() * sizeof(Segment);
   }
   std::string structure() const override { return inner_->structure(); }
+  std::size_t cells() const override { return inner_->cells(); }
 
  private:
   const std::unique_ptr<const Surfaces> scaled_;

@@ -32,7 +32,8 @@ const Tracer* find_tracer(std::string_view name) {
   return found == all.end() ? nullptr : *found;
 }
 
-TracerChoice choose_tracer(const Surfaces& walls) {
+TracerChoice choose_tracer(const Surfaces& walls, const Tracer* asked) {
+  if (asked != nullptr) return {asked, "asked for"};
   const std::size_t segments = walls.segments.size();
   const Tracer* brute = find_tracer("brute");
   const Tracer* grid = find_tracer("grid");

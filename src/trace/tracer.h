@@ -59,8 +59,9 @@ class Accelerator {
            std::vector<std::size_t>& ends) const;
   /// What it holds beside the walls themselves.
   virtual std::size_t bytes() const = 0;
-  /// How the walls are kept, in words; may be empty.
-  virtual std::string structure() const { return {}; }
+  /// How the walls are kept, in words, and how many cells that makes: 0 where all is in lists.
+  virtual std::string structure() const { return "one list"; }
+  virtual std::size_t cells() const { return 0; }
 
  protected:
   const Surfaces& walls_;
@@ -92,8 +93,9 @@ struct TracerChoice {
   const Tracer* tracer;
   std::string reason;
 };
-/// The exact tracer that measured fastest for as many walls (docs/adr/0010-tracers.md).
-TracerChoice choose_tracer(const Surfaces& walls);
+/// The tracer that is asked for; without one the exact one that measured fastest for as many walls
+/// (docs/adr/0010-tracers.md).
+TracerChoice choose_tracer(const Surfaces& walls, const Tracer* asked = nullptr);
 /// Walls made ready for the tracer of choice, in the tier this machine uses.
 std::unique_ptr<Accelerator> accelerate(const Surfaces& walls, unsigned threads = 1);
 

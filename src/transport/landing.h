@@ -32,6 +32,8 @@ class Lander {
   Landing land(const Ray& ray, const NearestHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.
   std::vector<std::uint32_t> walls_at(const Vec2& point) const;
+  /// How the walls are kept.
+  const WallCells& cells() const { return cells_; }
 
  private:
   struct Fence;

@@ -81,14 +81,19 @@ std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {
   return lines;
 }
 
-std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
-                                std::span<const Ray> starts, std::uint64_t bounces,
-                                const OrbitRules& rules) {
+std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const Ray> starts,
+                                std::uint64_t bounces) {
   std::vector<OrbitStart> from;
   for (const Ray& start : starts) from.push_back({start});
   OrbitKeeper keeper(starts);
-  OrbitTracer(walls, materials, rules).follow(from, bounces, keeper);
+  tracer.follow(from, bounces, keeper);
   return std::move(keeper).orbits();
+}
+
+std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,
+                                std::span<const Ray> starts, std::uint64_t bounces,
+                                const OrbitRules& rules) {
+  return trace_orbits(OrbitTracer(walls, materials, rules), starts, bounces);
 }
 
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,

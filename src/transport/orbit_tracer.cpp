@@ -143,7 +143,7 @@ class OrbitTracer::Wave {
 
   bool arrive(Flight& flight, const NearestHit& hit) {
     if (!hit) return stop(flight, OrbitEnd::escape, {});
-    if (!orbits_.exact_ && !is_crossed(flight.ray, hit))
+    if (!orbits_.choice_.tracer->exact && !is_crossed(flight.ray, hit))
       return stop(flight, OrbitEnd::corner, {hit.surface});
     Landing landing = orbits_.lander_.land(flight.ray, hit);
     add(flight.time, hit.t);
@@ -259,9 +259,9 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
     : walls_(walls),
       materials_(materials),
       corners_(rules.corners),
-      exact_(rules.tracer == nullptr || rules.tracer->exact),
+      choice_(choose_tracer(walls, rules.tracer)),
       lander_(walls),
-      tracer_(rules.tracer == nullptr ? accelerate(walls) : rules.tracer->build(walls)),
+      tracer_(choice_.tracer->build(walls)),
       periodic_(walls, materials) {}
 
 void OrbitTracer::follow(std::span<const OrbitStart> starts, std::uint64_t bounces,

@@ -47,6 +47,11 @@ class OrbitTracer {
   /// Needs   directions that are not zero.
   void follow(std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink) const;
 
+  /// What was built: what finds the walls, and why it; what knows the walls near a landing.
+  const TracerChoice& choice() const { return choice_; }
+  const Accelerator& walls() const { return *tracer_; }
+  const WallCells& near_landings() const { return lander_.cells(); }
+
  private:
   struct Flight;
   class Wave;
@@ -54,10 +59,14 @@ class OrbitTracer {
   const Surfaces& walls_;
   std::span<const Material> materials_;
   CornerRule corners_;
-  bool exact_;  ///< the tracer: else what it finds may not be there
+  TracerChoice choice_;  ///< of one that is not exact what it finds may not be there
   Lander lander_;
   std::unique_ptr<Accelerator> tracer_;
   PeriodicWalls periodic_;
 };
+
+/// The orbits of many rays among walls made ready before: what trace_orbits gives.
+std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const Ray> starts,
+                                std::uint64_t bounces);
 
 }  // namespace flatray

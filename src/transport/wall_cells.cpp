@@ -14,38 +14,49 @@ Bounds box_of(const Segment& wall) { return {wall.a.cwiseMin(wall.b), wall.a.cwi
 
 }  // namespace
 
-// Beyond sound arithmetic, as where a few walls are all there is, one cell holds them all.
-WallCells::WallCells(const Surfaces& walls) : curves_(walls) {
-  if (walls.segments.size() > kFewWalls) divide(walls);
+WallCells::WallCells(const Surfaces& walls) : walls_(walls), curves_(walls) {
+  if (walls.segments.size() > kFewWalls && divide()) fill();
+}
+
+void WallCells::fill() {
   std::vector<std::uint32_t> next(side_ * side_ + 1);
-  for (const Segment& wall : walls.segments)
+  for (const Segment& wall : walls_.segments)
     for (const std::size_t cell : cells_of(wall)) ++next[cell + 1];
   for (std::size_t cell = 1; cell < next.size(); ++cell) next[cell] += next[cell - 1];
   begin_ = next;
   segments_.resize(next.back());
-  for (std::size_t slot = 0; slot < walls.segments.size(); ++slot)
-    for (const std::size_t cell : cells_of(walls.segments[slot]))
-      segments_[next[cell]++] = walls.segment_numbers[slot];
+  for (std::size_t slot = 0; slot < walls_.segments.size(); ++slot)
+    for (const std::size_t cell : cells_of(walls_.segments[slot]))
+      segments_[next[cell]++] = walls_.segment_numbers[slot];
 }
 
 // As many cells as walls, or fewer, so that walls that go through many cells have kCellsAWall on
-// average.
-void WallCells::divide(const Surfaces& walls) {
+// average. Whether there is room for them.
+bool WallCells::divide() {
   Bounds all;
-  for (const Segment& wall : walls.segments) all.add(box_of(wall));
+  for (const Segment& wall : walls_.segments) all.add(box_of(wall));
   const double largest = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
   const Vec2 size = all.size();
-  if (!(largest < kMost && size.minCoeff() > kLeast)) return;
+  if (!(largest < kMost && size.minCoeff() > kLeast)) return false;
   double crossed = 0;  // borders, a cell's side being that of all
-  for (const Segment& wall : walls.segments)
+  for (const Segment& wall : walls_.segments)
     crossed += box_of(wall).size().cwiseQuotient(size).sum();
-  const auto count = static_cast<double>(walls.segments.size());
+  const auto count = static_cast<double>(walls_.segments.size());
   side_ = static_cast<std::size_t>(
               std::min({kMostSide, std::sqrt(count), kCellsAWall * count / crossed})) +
           1;
   low_ = all.low;
   scale_ = static_cast<double>(side_) * size.cwiseInverse();
   slack_ = 0x1p-48 * largest;
+  return true;
+}
+
+std::string WallCells::structure() const {
+  const std::string curves = curves_.structure();
+  if (walls_.segments.empty() && !curves.empty()) return curves;
+  const std::string side = std::to_string(side_);
+  const std::string segments = side_ == 0 ? "one list" : side + " x " + side + " cells";
+  return curves.empty() ? segments : segments + ", " + curves;
 }
 
 // In parts about as long as a cell, so that a slanted wall is not in all cells of its box.

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "geom/bounds.h"
@@ -9,6 +10,9 @@
 namespace flatray {
 
 /// The walls of a scene by the cells of a grid, to ask which come near a point.
+///
+/// Few walls, and those whose coordinates leave no room for sound arithmetic, are in no cells: all
+/// of them are looked at.
 ///
 /// Cost    O(n) to build, some 30 bytes a wall; a question looks at the walls of a cell or two.
 class WallCells {
@@ -26,9 +30,12 @@ class WallCells {
     const auto offer = [&](std::uint32_t surface) {
       if (keep(surface)) found.push_back(surface);
     };
-    visit_cells({point - reach, point + reach}, [&](std::size_t cell) {
-      for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) offer(segments_[i]);
-    });
+    if (side_ == 0)
+      for (const std::uint32_t surface : walls_.segment_numbers) offer(surface);
+    else
+      visit_cells({point - reach, point + reach}, [&](std::size_t cell) {
+        for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) offer(segments_[i]);
+      });
     curves_.visit_near(point, offer);
     if (found.size() > 1) {
       std::sort(found.begin(), found.end());
@@ -37,6 +44,9 @@ class WallCells {
     return found;
   }
 
+  /// As Accelerator::structure() and cells().
+  std::string structure() const;
+  std::size_t cells() const { return side_ * side_ + curves_.cells(); }
   /// Segments in all cells together.
   std::size_t entries() const { return segments_.size(); }
 
@@ -54,9 +64,11 @@ class WallCells {
       for (std::size_t x = left; x <= right; ++x) visit(y * side_ + x);
   }
   std::vector<std::size_t> cells_of(const Segment& wall) const;
-  void divide(const Surfaces& walls);
+  bool divide();
+  void fill();
 
-  std::size_t side_ = 1;  // cells along each axis
+  const Surfaces& walls_;
+  std::size_t side_ = 0;  // cells along each axis; 0: none
   Vec2 low_{0, 0}, scale_{0, 0};
   double slack_ = 0;                  // that rounding of places along a wall needs
   std::vector<std::uint32_t> begin_;  // of each cell in segments_, and the end of the last

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Views of every shipped scene: the same picture by every exact tracer, and of the walls met in every tier.
-# needs: shapes/circle shapes/polygon shapes/convex shapes/segment shapes/import formats/obj formats/list
+# needs: shapes/circle shapes/polygon shapes/convex shapes/segment shapes/import formats/obj formats/list tracers/float
 source "$(dirname "$0")/lib.sh"
 
 # compare VIEW TIER...: the view of $scene by `exact`, then by the others in each tier.
@@ -19,11 +19,18 @@ compare() {
   done
 }
 
+# What finds the first wall alone has no answer where all are asked for.
+run 2 render "$root/scenes/demo.toml" --view intervals --tracer float -f 1 -o no.png
+says err "--tracer: error: 'float' finds the first wall of a ray alone, and the view intervals asks for all of them"
+absent no.png
+run 0 render "$root/scenes/demo.toml" --view depth --tracer float -f 1 --quiet --size 32x18 -o float.png
+
 mapfile -t tiers < <("$flatray" list isas | awk '{ print $1 }')
 for scene in $(find "$root/scenes" -name '*.toml' -o -name '*.obj' -o -name '*.chamber' | sort); do
   [[ -n $sanitizers && $scene != */tutorial/* ]] && continue # ten times as slow
   compare hits "${tiers[@]}"
   compare depth "${tiers[-1]}"
   [[ $scene == */pile.toml ]] || compare visibility:3,2 "${tiers[-1]}"
+  compare intervals "${tiers[-1]}"
 done
 finish

@@ -101,6 +101,29 @@ TEST_P(AllHits, AreThoseOfEachWallAlone) {
   EXPECT_GT(met, 500U);
 }
 
+// The same of so many circles that they are in cells; some are tangents.
+TEST_P(AllHits, OfCirclesAreThoseOfEachAlone) {
+  Draws draw(2);
+  for (int i = 0; i < 60; ++i)
+    walls.add(Circle{draw.grid_point(-9, 9), std::fabs(draw.grid_point(1, 3).x())});
+  const auto accelerator = GetParam()->build(walls);
+  std::size_t met = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Ray ray{draw.grid_point(-9, 9), draw.grid_point(-4, 4)};
+    std::vector<std::uint32_t> alone;
+    for (std::uint32_t number = 0; number < walls.size(); ++number) {
+      ExactHits search(walls, ray, {}, true);
+      search.offers().offer(number);
+      for (const NearestHit& hit : search.hits()) alone.push_back(hit.surface);
+    }
+    std::vector<std::uint32_t> found = numbers(accelerator->all_of_one(ray));
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, alone);
+    met += found.size();
+  }
+  EXPECT_GT(met, 1000U);
+}
+
 TEST_P(AllHits, OfABatchFollowOneAnother) {
   walls.add(Segment{{1, -1}, {1, 1}});
   walls.add(Segment{{2, -1}, {2, 1}});

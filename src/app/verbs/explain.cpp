@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include "anim/world.h"
 #include "app/build_parts.h"
 #include "app/measure.h"
 #include "app/render_request.h"
@@ -9,8 +8,7 @@
 #include "app/verb.h"
 #include "base/isa.h"
 #include "collide/scene_timeline.h"
-#include "trace/tracer.h"
-#include "trace/whole_nearest.h"
+#include "render/ray_walls.h"
 
 namespace flatray::verbs {
 namespace {
@@ -26,20 +24,13 @@ constexpr auto kOptions = with_scene_options(
      kThreadsOption,
      kJsonOption});
 
-// What finds the hits of the scene's rays among the walls of its first frame.
-Result<TracerChoice> tracer_of(const RenderJob& job) {
-  if (job.scene.rays.empty()) return TracerChoice{nullptr, "no rays"};
+// What the rays of the first frame are traced by.
+Result<std::vector<RenderPlan::Choice>> walls_of(const RenderJob& job) {
+  if (!need_of_ray_walls(job.scene).needed) return ray_wall_choices(job.scene, {}, job.tracer);
   Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return fail(std::move(timeline));
   const unsigned frame = job.frames.empty() ? 1 : job.frames.front();
-  const World world = build_world(job.scene, at(*timeline, frame));
-  TracerChoice choice = choose_tracer(world.surfaces);
-  choice.reason += "; " + choice.tracer->build(world.surfaces)->structure();
-  if (const WholeWalls whole(world.surfaces); whole.any())
-    choice.reason += fmt::format(
-        "; walls on multiples of {}: of rays on such, near them, nothing is rounded but t",
-        whole.unit());
-  return choice;
+  return ray_wall_choices(job.scene, at(*timeline, frame), job.tracer);
 }
 
 Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
@@ -55,9 +46,9 @@ Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
   if (left_out.empty()) add("build", "whole", "configured with every optional part");
   for (const RenderPlan::Choice& choice : plan.choices)
     add(choice.part, choice.decision, choice.reason);
-  Result<TracerChoice> choice = tracer_of(job);
-  if (!choice) return fail(std::move(choice));
-  add("tracer", choice->tracer == nullptr ? "left out" : choice->tracer->name, choice->reason);
+  const Result<std::vector<RenderPlan::Choice>> walls = walls_of(job);
+  if (!walls) return tl::unexpected(walls.error());
+  for (const RenderPlan::Choice& choice : *walls) add(choice.part, choice.decision, choice.reason);
   const std::size_t count = plan.still ? 1 : job.frames.size();
   const Spread spread = flatray::spread(job, count, threads);
   add("instructions", isa_name(active_isa()),

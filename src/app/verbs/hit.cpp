@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
 
 #include "app/hit_report.h"
@@ -139,6 +140,16 @@ std::vector<std::uint32_t> operands_of(HitOperation operation, const Question& q
   return entities;
 }
 
+tl::unexpected<Diagnostics> nothing_to_clip(const Arguments& arguments) {
+  if (!arguments.has("ray") && !arguments.has("from"))
+    return usage_error(named_place("hit"), "there is no ray to ask about",
+                       "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
+  return usage_error(named_place("hit"),
+                     "no entity has a convex piece, a curve or a segment to hit",
+                     "even-odd polygons have no inside to clip to; walls of chambers and their "
+                     "pillars: flatray orbit");
+}
+
 // --op: what is left of each ray, by the entities that have an inside.
 Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
                              const FrameState& state, const std::vector<Question>& questions) {
@@ -154,13 +165,17 @@ Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
   std::optional<std::uint32_t> from;
   if (arguments.has("from")) from = find_entity(arguments, "from", scene).value();
   std::vector<HitSet> sets;
+  bool any = false;
   for (const Question& question : questions)
     for (const NamedRay& ray : question.rays) {
       std::vector<std::vector<HitReport>> by_entity;
       for (const std::uint32_t entity : operands_of(*operation, question, scene, from))
         by_entity.push_back(hit_reports(scene, state, ray, entity, question.within));
+      any = any || std::any_of(by_entity.begin(), by_entity.end(),
+                               [](const auto& reports) { return !reports.empty(); });
       if (!by_entity.empty()) sets.push_back(combine(ray, *operation, by_entity));
     }
+  if (!any) return nothing_to_clip(arguments);
   if (arguments.has("csv")) return VerbOutput{csv_text(csv_rows(sets)), 0};
   Values values;
   std::string text;
@@ -195,21 +210,14 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!state) return tl::unexpected(state.error());
   const auto questions = read_questions(arguments, *scene, *state);
   if (!questions) return tl::unexpected(questions.error());
+  if (arguments.has("op")) return show_sets(arguments, *scene, *state, *questions);
   std::vector<HitReport> reports;
   for (const Question& question : *questions)
     for (const NamedRay& ray : question.rays)
       for (const std::uint32_t entity : question.against)
         for (HitReport& report : hit_reports(*scene, *state, ray, entity, question.within))
           reports.push_back(std::move(report));
-  if (reports.empty() && !arguments.has("ray") && !arguments.has("from"))
-    return usage_error(named_place("hit"), "there is no ray to ask about",
-                       "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
-  if (reports.empty())
-    return usage_error(named_place("hit"),
-                       "no entity has a convex piece, a curve or a segment to hit",
-                       "even-odd polygons have no inside to clip to; walls of chambers and their "
-                       "pillars: flatray orbit");
-  if (arguments.has("op")) return show_sets(arguments, *scene, *state, *questions);
+  if (reports.empty()) return nothing_to_clip(arguments);
   if (arguments.has("svg"))
     return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};
   return show(arguments, reports);

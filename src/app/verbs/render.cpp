@@ -68,6 +68,9 @@ Result<VerbOutput> run(const Arguments& given) {
   if (!view) return tl::unexpected(view.error());
   const auto tracer = chosen_tracer(arguments);
   if (!tracer) return tl::unexpected(tracer.error());
+  if (*view)
+    if (auto can = check_tracer_of_view(arguments, *tracer, *(*view)->view); !can)
+      return fail(std::move(can));
   for (RenderJob& job : *jobs) {
     job.tracer = *tracer;
     job.renderer = *renderer;

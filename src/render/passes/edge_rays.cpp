@@ -60,8 +60,8 @@ struct Found {
   }
 };
 
-// Rays of one entity, and which of them a piece may meet: those whose box meets its own. Rounding
-// an end is monotone, so that no box of doubles tells two apart that meet.
+// Rays of one entity, and which of them a piece or curve may meet: those whose box meets its own.
+// Rounding an end is monotone, so that no box of doubles tells two apart that meet.
 class RayBoxes {
  public:
   explicit RayBoxes(std::span<const Ray> rays) {
@@ -112,11 +112,12 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
   }
   for (const Circle& circle : shape.circles) {
     const Circle there = posed(circle, against.pose);
-    for (std::size_t i = 0; i < rays.size(); ++i) keep(i, clip_circle(rays[i], there, kSegment));
+    for (const std::size_t i : boxes.near(curve_bounds(there)))
+      keep(i, clip_circle(rays[i], there, kSegment));
   }
   for (const ArcPath& path : shape.arc_paths) {
     const CurvedPath there = path_in_world(path, against.pose);
-    for (std::size_t i = 0; i < rays.size(); ++i)
+    for (const std::size_t i : boxes.near(bounds_of(there)))
       for (const HitInterval& hit : clip_path(rays[i], there, kSegment)) keep(i, hit);
   }
   Found found;

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "render/pass.h"
+#include "render/ray_walls.h"
 #include "scene/easy_font.h"
 #include "transport/moving_orbit.h"
 
@@ -123,15 +124,14 @@ void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit,
 // Rays of as many bounces are advanced together, a few at a time: orbits are long.
 constexpr std::size_t kRaysAtOnce = 64;
 
-void draw_some(DrawContext& context, std::span<const Material> materials,
+void draw_some(DrawContext& context, const OrbitTracer& tracer,
                std::span<const std::size_t> numbers, std::uint64_t bounces) {
   std::vector<Ray> starts;
   for (const std::size_t i : numbers) {
     const RayPath& ray = context.scene.rays[i];
     starts.push_back({world_pose(context.state)(ray.at), ray.direction});
   }
-  const std::vector<Orbit> orbits = trace_orbits(context.world().surfaces, materials, starts,
-                                                 bounces, {CornerRule::stop, context.tracer});
+  const std::vector<Orbit> orbits = trace_orbits(tracer, starts, bounces);
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const RayPath& ray = context.scene.rays[numbers[k]];
     context.place(ray.layer, ray.order, ray.where);
@@ -159,7 +159,8 @@ void draw_moving(DrawContext& context) {
 void draw_all(DrawContext& context) {
   draw_moving(context);
   const std::vector<RayPath>& rays = context.scene.rays;
-  const std::vector<Material> materials = context.world().materials();
+  if (!need_of_ray_walls(context.scene).needed) return;
+  const RayWalls walls(context.scene, context.state, context.tracer);
   std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
   for (std::size_t i = 0; i < rays.size(); ++i)
     if (!rays[i].speed) by_bounces[rays[i].bounces].push_back(i);
@@ -167,7 +168,7 @@ void draw_all(DrawContext& context) {
     for (std::size_t begin = 0; begin < numbers.size(); begin += kRaysAtOnce) {
       if (context.refused()) return;
       const std::size_t count = std::min(kRaysAtOnce, numbers.size() - begin);
-      draw_some(context, materials, std::span(numbers).subspan(begin, count), bounces);
+      draw_some(context, walls.orbits(), std::span(numbers).subspan(begin, count), bounces);
     }
 }
 

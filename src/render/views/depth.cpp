@@ -3,17 +3,26 @@
 namespace flatray::views_of {
 namespace {
 
-void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
-  for (const NearestHit& hit : nearest_hits(context, rays_to_the_right(context, row))) {
-    const std::uint8_t grey = hit ? grey_of(hit.t, context.scene.film.width) : 0;
-    pixels = std::fill_n(pixels, 3, grey);
+class Depth : public ViewRows {
+ public:
+  explicit Depth(const ViewFrame& frame) : frame_(frame), seen_(frame) {}
+
+  void draw(int row, std::uint8_t* pixels) const override {
+    for (const NearestHit& hit : seen_.nearest(rays_to_the_right(frame_, row))) {
+      const std::uint8_t grey = hit ? grey_of(hit.t, frame_.scene.film.width) : 0;
+      pixels = std::fill_n(pixels, 3, grey);
+    }
   }
-}
+
+ private:
+  const ViewFrame frame_;
+  const SeenWalls seen_;
+};
 
 }  // namespace
 
 extern const View depth = {
     "depth", "how far it is to the first wall on the right: near is white, a film's width black",
-    false, &draw_row};
+    false, false, &make_rows<Depth>};
 
 }  // namespace flatray::views_of

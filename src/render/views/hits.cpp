@@ -18,26 +18,34 @@ std::array<std::uint8_t, 3> colour_of(std::uint32_t object) {
 }
 
 // Entities first, then chambers and their pillars.
-std::uint32_t object_of(const ViewContext& context, const SurfaceOwner& owner) {
+std::uint32_t object_of(const Scene& scene, const SurfaceOwner& owner) {
   if (owner.kind == SurfaceOwner::Kind::entity) return owner.index;
-  auto number = static_cast<std::uint32_t>(context.scene.entities.size());
+  auto number = static_cast<std::uint32_t>(scene.entities.size());
   for (std::uint32_t i = 0; i < owner.index; ++i)
-    number += 1 + static_cast<std::uint32_t>(context.scene.chambers[i].pillars.size());
+    number += 1 + static_cast<std::uint32_t>(scene.chambers[i].pillars.size());
   return owner.kind == SurfaceOwner::Kind::pillar ? number + 1 + owner.pillar : number;
 }
 
-void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
-  for (const NearestHit& hit : nearest_hits(context, rays_to_the_right(context, row))) {
-    constexpr std::array<std::uint8_t, 3> kNothing{255, 255, 255};
-    const auto rgb =
-        hit ? colour_of(object_of(context, context.world.owners[hit.surface])) : kNothing;
-    pixels = std::copy(rgb.begin(), rgb.end(), pixels);
+class Hits : public ViewRows {
+ public:
+  explicit Hits(const ViewFrame& frame) : frame_(frame), seen_(frame) {}
+
+  void draw(int row, std::uint8_t* pixels) const override {
+    for (const NearestHit& hit : seen_.nearest(rays_to_the_right(frame_, row))) {
+      constexpr std::array<std::uint8_t, 3> kNothing{255, 255, 255};
+      const auto rgb = hit ? colour_of(object_of(frame_.scene, seen_.owner(hit))) : kNothing;
+      pixels = std::copy(rgb.begin(), rgb.end(), pixels);
+    }
   }
-}
+
+ private:
+  const ViewFrame frame_;
+  const SeenWalls seen_;
+};
 
 }  // namespace
 
 extern const View hits = {"hits", "the nearest object to the right of each pixel, by colour", false,
-                          &draw_row};
+                          false, &make_rows<Hits>};
 
 }  // namespace flatray::views_of

@@ -1,68 +1,79 @@
-#include "geom/bounds.h"
-#include "geom/interval_set.h"
+#include <algorithm>
+
+#include "render/closed_parts.h"
+#include "render/row_lengths.h"
 #include "render/view.h"
-#include "trace/hit_intervals.h"
 
 namespace flatray::views_of {
 namespace {
 
-using Parts = std::vector<std::vector<Range>>;  // inside something, by pixel of the row
-
-void add(const HitInterval& hit, std::vector<Range>& parts) {
-  if (hit) parts.push_back({hit.t_enter, hit.t_exit});
+// Whether the grey of a length stays the same where it is off by `error`. That of a picture is a
+// product of 255 that is rounded some four times.
+bool is_sure(double length, double error, double most) {
+  const double grey = 255 * (1 - std::clamp(length / most, 0.0, 1.0));
+  const double to_a_half = std::fabs(grey - std::floor(grey) - 0.5);
+  return to_a_half > 255 * error / most + 0x1p-40;
 }
 
-// Whether a row at height y passes by. A rounded difference above the radius is one.
-bool apart(double y, const Bounds& box) { return y < box.low.y() || y > box.high.y(); }
-bool apart(double y, const Circle& circle) {
-  return std::fabs(y - circle.centre.y()) > circle.radius;
-}
+// All rays of a row lie on the first: the parts that one meets are asked of the tracer, and lengths
+// taken along it. Pixels whose grey that leaves in doubt are clipped each for itself.
+class Intervals : public ViewRows {
+ public:
+  explicit Intervals(const ViewFrame& frame)
+      : frame_(frame),
+        parts_(frame.scene, frame.state),
+        walls_(made_ready(parts_.walls(), frame)) {}
 
-void add_shape(const Shape& shape, const Pose& place, const RayBatch& rays, Parts& parts) {
-  const double y = rays.oy.front();
-  std::vector<HitInterval> intervals(rays.size());
-  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    const std::vector<Vec2> corners = posed_piece(shape, piece, place);
-    Bounds box;
-    for (const Vec2& corner : corners) box.add(corner);
-    if (apart(y, box)) continue;
-    clip_convex_batch(rays, corners, kRay, intervals);
-    for (std::size_t i = 0; i < intervals.size(); ++i) add(intervals[i], parts[i]);
+  void draw(int row, std::uint8_t* pixels) const override {
+    const RayBatch rays = rays_to_the_right(frame_, row);
+    const std::vector<std::uint32_t> met = parts_met(rays.ray(0));
+    RayBatch first, doubtful;
+    first.add(rays.ray(0));
+    std::vector<Range> inside;
+    for (const std::uint32_t part : met) parts_.clip(part, first, {&inside, 1});
+    RowLengths lengths(std::move(inside));
+    const double most = frame_.scene.film.width;
+    std::vector<std::uint8_t*> left;
+    for (std::size_t i = 0; i < rays.size(); ++i, pixels += 3) {
+      const double length = lengths.ahead((rays.ox[i] - rays.ox[0]) / rays.dx[0]);
+      std::fill_n(pixels, 3, grey_of(length, most));
+      if (is_sure(length, lengths.error(), most)) continue;
+      doubtful.add(rays.ray(i));
+      left.push_back(pixels);
+    }
+    draw_each(doubtful, met, left);
   }
-  for (const Circle& circle : shape.circles) {
-    const Circle there = posed(circle, place);
-    if (apart(y, there)) continue;
-    for (std::size_t i = 0; i < rays.size(); ++i) add(clip_circle(rays.ray(i), there), parts[i]);
-  }
-  for (const ArcPath& path : shape.arc_paths) {
-    const CurvedPath there = path_in_world(path, place);
-    if (!there.closed || apart(y, bounds_of(there))) continue;
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      for (const HitInterval& hit : clip_path(rays.ray(i), there)) add(hit, parts[i]);
-  }
-}
 
-void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
-  const RayBatch rays = rays_to_the_right(context, row);
-  Parts parts(rays.size());
-  for (std::size_t i = 0; i < context.scene.entities.size(); ++i)
-    if (!context.state.entities[i].gone)
-      add_shape(shape_of(context.scene, context.state.entities[i]), entity_pose(context.state, i),
-                rays, parts);
-  for (const Chamber& chamber : context.scene.chambers)
-    for (const Chamber::Pillar& pillar : chamber.pillars)
-      add_shape(context.scene.shapes[pillar.shape], pillar_pose(context.state, pillar), rays,
-                parts);
-  for (std::vector<Range>& inside : parts) {
-    const double length = length_of(interval_set(std::move(inside)));
-    pixels = std::fill_n(pixels, 3, grey_of(length, context.scene.film.width));
+ private:
+  std::vector<std::uint32_t> parts_met(const Ray& ray) const {
+    std::vector<std::uint32_t> met;
+    for (const NearestHit& hit : walls_->all_of_one(ray))
+      met.push_back(parts_.part_of(hit.surface));
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    return met;
   }
-}
+
+  void draw_each(const RayBatch& rays, std::span<const std::uint32_t> met,
+                 std::span<std::uint8_t* const> pixels) const {
+    if (rays.size() == 0) return;
+    std::vector<std::vector<Range>> inside(rays.size());
+    for (const std::uint32_t part : met) parts_.clip(part, rays, inside);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const double length = length_of(interval_set(std::move(inside[i])));
+      std::fill_n(pixels[i], 3, grey_of(length, frame_.scene.film.width));
+    }
+  }
+
+  const ViewFrame frame_;
+  const ClosedParts parts_;
+  const std::unique_ptr<Accelerator> walls_;
+};
 
 }  // namespace
 
 extern const View intervals = {"intervals",
                                "how much of the way to the right lies inside shapes: none is white",
-                               false, &draw_row};
+                               false, true, &make_rows<Intervals>};
 
 }  // namespace flatray::views_of

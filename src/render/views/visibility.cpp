@@ -4,6 +4,7 @@
 #include "geom/exact_hit.h"
 #include "geom/hit_time.h"
 #include "render/view.h"
+#include "trace/on_surface.h"
 
 namespace flatray::views_of {
 namespace {
@@ -18,26 +19,65 @@ bool leaves_before_tip(const Ray& ray, const Arc& rim) {
           ExactHit(ray, rim.curve, HitTime::Root::second).place_in(rim) != ArcPlace::outside);
 }
 
-// Rays start at the point itself: the walls it lies on are told exactly, and hide nothing, as they
-// are thin. What ends on a wall is lit.
-void draw_row(const ViewContext& context, int row, std::uint8_t* pixels) {
-  RayBatch rays;
-  for (int i = 0; i < context.crop.width; ++i)
-    rays.add({context.argument, pixel_centre(context, context.crop.x + i, row) - context.argument});
-  const std::vector<NearestHit> hits = nearest_hits(context, rays);
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    constexpr std::uint8_t kShadow = 64, kLit = 255;
-    const bool shadow = (hits[i] && hits[i].t < 1) ||
-                        std::any_of(context.rims.begin(), context.rims.end(), [&](const Arc& rim) {
-                          return leaves_before_tip(rays.ray(i), rim);
-                        });
-    pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
+// What is left of a world without the walls a point lies on.
+World without_walls_at(const Vec2& point, const World& all, std::vector<Arc>& rims) {
+  World rest;
+  for (std::size_t i = 0; i < all.surfaces.size(); ++i) {
+    const auto number = static_cast<std::uint32_t>(i);
+    const std::uint32_t slot = all.surfaces.slot[i];
+    if (all.surfaces.is_straight(number)) {
+      const Segment& wall = all.surfaces.segments[slot];
+      if (lies_on(point, wall)) continue;
+      rest.surfaces.add(wall);
+    } else if (const Arc wall = all.surfaces.arc(number);
+               place_on(wall, point) != ArcPlace::outside) {
+      rims.push_back(wall);
+      continue;
+    } else if (all.surfaces.kinds[i] == SurfaceKind::circle) {
+      rest.surfaces.add(all.surfaces.circles[slot]);
+    } else {
+      rest.surfaces.add(wall);
+    }
+    rest.owners.push_back(all.owners[i]);
   }
+  return rest;
 }
+
+class Visibility : public ViewRows {
+ public:
+  explicit Visibility(const ViewFrame& frame)
+      : frame_(frame),
+        seen_(frame, without_walls_at(frame.argument,
+                                      build_world(frame.scene, frame.state, WorldOf::everything),
+                                      rims_)) {}
+
+  // Rays start at the point itself: the walls it lies on are told exactly, and hide nothing, as they
+  // are thin. What ends on a wall is lit.
+  void draw(int row, std::uint8_t* pixels) const override {
+    RayBatch rays;
+    for (int i = 0; i < frame_.crop.width; ++i)
+      rays.add({frame_.argument, pixel_centre(frame_, frame_.crop.x + i, row) - frame_.argument});
+    const std::vector<NearestHit> hits = seen_.nearest(rays);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      constexpr std::uint8_t kShadow = 64, kLit = 255;
+      const bool shadow = (hits[i] && hits[i].t < 1) ||
+                          std::any_of(rims_.begin(), rims_.end(), [&](const Arc& rim) {
+                            return leaves_before_tip(rays.ray(i), rim);
+                          });
+      pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
+    }
+  }
+
+ private:
+  const ViewFrame frame_;
+  std::vector<Arc> rims_;  // circles that the point lies on; its segments are nowhere
+  const SeenWalls seen_;
+};
 
 }  // namespace
 
-extern const View visibility = {
-    "visibility", "what a point at x,y lights; one on a wall, both its sides", true, &draw_row};
+extern const View visibility = {"visibility",
+                                "what a point at x,y lights; one on a wall, both its sides", true,
+                                false, &make_rows<Visibility>};
 
 }  // namespace flatray::views_of

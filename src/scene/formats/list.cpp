@@ -7,7 +7,7 @@
 namespace flatray::scene_formats {
 namespace {
 
-// The paper's block: every object is a box of this size, its lower left corner at the point given.
+// The paper's block: every object is a box of this size, its lower left corner at the pixel given.
 constexpr double kBlockWidth = 64, kBlockHeight = 128;
 constexpr const char* kLineHint = "a line reads { NAME, x, y } or NAME, x, y";
 
@@ -37,6 +37,8 @@ class ListReader {
     std::vector<Member> root;
     root.push_back({"flatray", whole, built_in_number(1)});
     root.push_back({"fps", whole, built_in_number(1)});
+    root.push_back(
+        {"film", whole, table_value(whole, {member("world", string_value(whole, "pixels"))})});
     root.push_back({"entity", whole, array_value(whole, std::move(entities_))});
     return SceneDesc{table_value(whole, std::move(root))};
   }
