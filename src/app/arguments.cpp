@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/option_values.h"
+#include "base/left_out.h"
 
 namespace flatray {
 
@@ -65,6 +66,8 @@ std::string listed(std::vector<std::string> known) {
 
 tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
                                          const std::vector<std::string>& known) {
+  if (const auto problem = if_left_out(where, what, word))
+    return tl::unexpected(Diagnostics{*problem});
   const std::string near = nearest_word(word, known);
   return usage_error(std::move(where),
                      fmt::format("no {} is called '{}'{}", what, word,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/left_out.h"
+
 namespace flatray {
 namespace {
 
@@ -35,6 +37,9 @@ std::vector<std::string> backend_names() {
 
 Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
                                                         unsigned threads) {
+  const std::string asked = arguments.text("backend").value_or("");
+  if (const auto problem = if_left_out(arguments.where("backend"), "backend", asked))
+    return tl::unexpected(Diagnostics{*problem});
   const Result<std::string> name = arguments.one_of("backend", backend_names());
   if (!name) return tl::unexpected(name.error());
   const Result<unsigned> count = samples(arguments, *name);

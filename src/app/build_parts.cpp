@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace flatray {
 namespace {
@@ -37,7 +38,10 @@ const Part kParts[] = {
      }},
     {"passes/contacts",
      [](const Scene& scene) {
-       return Use{scene.collisions ? std::size_t{1} : 0, "[collisions] that may be drawn"};
+       const auto& asked = scene.collisions;
+       const bool drawn =
+           asked && (asked->points || asked->normals || asked->ghosts || asked->time_bar);
+       return Use{drawn ? std::size_t{1} : 0, "[collisions] to be drawn"};
      }},
     {"passes/edge_rays",
      [](const Scene& scene) {
@@ -49,34 +53,39 @@ const Part kParts[] = {
      }},
     {"passes/orbits", [](const Scene& scene) { return rays(scene, "rays to be drawn"); }}};
 
-MissingPart missing_part(const Scene& scene, const std::string& name) {
+MissingPart missing_part(const Scene& scene, std::string_view name) {
   for (const Part& part : kParts) {
     if (name != part.name) continue;
     const Use use = part.use(scene);
-    return {name, use.count > 0, fmt::format("{} {}", use.count, use.words)};
+    return {std::string(name), use.count > 0, fmt::format("{} {}", use.count, use.words)};
   }
-  if (name == "GL") return {name, false, "software draws, unless --backend says else"};
+  if (name == "GL") return {std::string(name), false, "software draws, unless --backend says else"};
   if (name.starts_with("shapes/") || name.starts_with("formats/"))
-    return {name, false, "a scene that needs it is refused"};
-  return {name, false, "nothing of a scene calls for it"};
+    return {std::string(name), false, "a scene that needs it is refused"};
+  return {std::string(name), false, "nothing of a scene calls for it"};
 }
 
 }  // namespace
 
-std::vector<std::string> left_out_of_build() {
-  // The build passes it (CMakeLists.txt of this folder), names with a blank after each.
-  std::vector<std::string> names;
-  std::string_view rest = FLATRAY_LEFT_OUT;
-  for (std::size_t end = 0; (end = rest.find(' ')) != std::string_view::npos;
-       rest.remove_prefix(end + 1))
-    names.emplace_back(rest.substr(0, end));
-  return names;
+std::vector<MissingPart> missing_parts(const Scene& scene,
+                                       std::span<const std::string_view> left_out) {
+  std::vector<MissingPart> parts;
+  for (const std::string_view name : left_out) parts.push_back(missing_part(scene, name));
+  return parts;
 }
 
-std::vector<MissingPart> missing_parts(const Scene& scene, std::span<const std::string> left_out) {
-  std::vector<MissingPart> parts;
-  for (const std::string& name : left_out) parts.push_back(missing_part(scene, name));
-  return parts;
+Result<void> can_draw(const Scene& scene, std::span<const std::string_view> left_out) {
+  Diagnostics problems;
+  for (const std::string_view name : left_out) {
+    if (!name.starts_with("passes/")) continue;
+    if (const MissingPart part = missing_part(scene, name); part.concerns)
+      problems.push_back(
+          {named_place(scene.name),
+           fmt::format("has {}, and {} is left out of this build", part.reason, name),
+           "configure it without FLATRAY_ONLY and FLATRAY_WITHOUT", Trouble::unavailable});
+  }
+  if (problems.empty()) return {};
+  return tl::unexpected(std::move(problems));
 }
 
 }  // namespace flatray

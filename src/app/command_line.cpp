@@ -11,6 +11,7 @@
 #include "app/report.h"
 #include "app/version.h"
 #include "base/isa.h"
+#include "base/left_out.h"
 
 namespace flatray {
 
@@ -38,6 +39,7 @@ const Verb* find_verb(const std::string& name) {
 }
 
 Diagnostics unknown_verb(const std::string& word) {
+  if (const auto problem = if_left_out(named_place(word), "verb", word)) return {*problem};
   const std::vector<std::string> known = names_of(all_verbs());
   const std::string near = nearest_word(word, known);
   std::error_code ignored;

@@ -64,7 +64,11 @@ class FrameMaker {
 
   JobResult result() {
     JobResult result;
+    result.drawn = drawn_;
+    result.encoded = encoded_;
     for (Made& made : made_) {
+      result.drawn += made.drawn;
+      result.encoded += made.encoded;
       result.written.insert(result.written.end(), std::move_iterator(made.records.begin()),
                             std::move_iterator(made.records.end()));
       result.seconds.insert(result.seconds.end(), made.seconds.begin(), made.seconds.end());
@@ -80,6 +84,8 @@ class FrameMaker {
     std::vector<FrameRecord> records;
     std::vector<double> seconds;
     Diagnostics problems;
+    DrawCounts drawn;
+    std::size_t encoded = 0;
   };
 
   // Enough runs for each thread to find work to the end.
@@ -97,6 +103,8 @@ class FrameMaker {
     else if (*made != nullptr)
       still_ = **made;
     stopped_ = !still_;
+    drawn_ = encoder.counts();
+    encoded_ = encoder.encoded();
   }
 
   // Names and lines of a run are flushed together: what a machine that stops then loses of them,
@@ -111,6 +119,12 @@ class FrameMaker {
 
   void draw_run(std::size_t begin, Made& made) {
     FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
+    write_run(begin, encoder, made);
+    made.drawn = encoder.counts();
+    made.encoded = encoder.encoded();
+  }
+
+  void write_run(std::size_t begin, FrameEncoder& encoder, Made& made) {
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
       const auto start = std::chrono::steady_clock::now();
@@ -156,6 +170,8 @@ class FrameMaker {
   const fs::path manifest_;
   std::vector<Made> made_;
   std::optional<Encoded> still_;
+  DrawCounts drawn_;  ///< for it
+  std::size_t encoded_ = 0;
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
 

@@ -70,6 +70,8 @@ struct JobResult {
   std::vector<FrameRecord> written;  ///< by frame
   std::vector<double> seconds;       ///< each took
   Diagnostics problems;              ///< why writing stopped
+  DrawCounts drawn{};                ///< by the software back end
+  std::size_t encoded = 0;           ///< pictures; the others have the bytes of one before
 };
 /// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
 /// whole frames kept, when interrupted or when a file cannot be written. `done` is told of every

@@ -41,6 +41,15 @@ std::string dry_text(const Work& work, unsigned threads) {
   return text;
 }
 
+// What it took: counts, the same whenever it is done again by as many threads.
+JsonValue work_value(const JobResult& result) {
+  const DrawCounts& drawn = result.drawn;
+  return Fields{{"pictures_encoded", result.encoded}, {"bands_drawn", drawn.bands},
+                {"bands_kept", drawn.kept_bands},     {"pieces", drawn.items},
+                {"pieces_still", drawn.still_items},  {"pieces_hidden", drawn.hidden_items},
+                {"pieces_scanned", drawn.scans}};
+}
+
 // Records of the job's frames, kept and written, as --json shows them.
 JsonValue job_value(const Work& work, const Manifests& kept, const JobResult& result) {
   std::map<unsigned, FrameRecord> records;
@@ -50,11 +59,9 @@ JsonValue job_value(const Work& work, const Manifests& kept, const JobResult& re
   for (const FrameRecord& record : result.written) records[record.frame] = record;
   Values frames;
   for (const auto& [frame, record] : records) frames.push_back(as_value(record));
-  return Fields{{"scene", work.job->scene.name},
-                {"folder", work.job->folder().string()},
-                {"written", result.written.size()},
-                {"kept", kept_count(work)},
-                {"frames", std::move(frames)}};
+  return Fields{{"scene", work.job->scene.name},    {"folder", work.job->folder().string()},
+                {"written", result.written.size()}, {"kept", kept_count(work)},
+                {"work", work_value(result)},       {"frames", std::move(frames)}};
 }
 
 class Run {

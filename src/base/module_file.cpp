@@ -16,7 +16,7 @@ std::vector<fs::path> candidates(const ModuleFile& file) {
   if (named != nullptr && *named != '\0') return {named};
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return {folder / file.name, folder / file.installed};
+  return {folder / file.name, folder / FLATRAY_MODULE_FOLDER / file.name};
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 
 namespace flatray {
 
-/// Looks for a module that is loaded at run time: the file that the environment variable names, or
-/// else the one called `name` beside the program, then `installed`, a path from there.
+/// A module that is loaded at run time: the file that the environment variable names, or else the one called
+/// `name` beside the program, then in the folder where modules are installed.
 struct ModuleFile {
-  const char *name, *variable, *installed;
+  const char *name, *variable;
 };
 
 /// What a module answers by.

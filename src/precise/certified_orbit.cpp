@@ -1,18 +1,15 @@
+// Part of the module flatray_certified.so.
 #include "precise/certified_orbit.h"
 
 #include <algorithm>
 
 #include "base/check.h"
-
-#ifdef FLATRAY_HAVE_MPFR
 #include "precise/ball.h"
 #include "precise/certain.h"
 #include "precise/flight.h"
-#endif
+#include "precise/module.h"
 
 namespace flatray {
-
-#ifdef FLATRAY_HAVE_MPFR
 namespace {
 
 constexpr unsigned kFirstBits = 128;
@@ -206,8 +203,8 @@ CertifiedOrbit in_rationals(const Surfaces& walls, const CertifiedRules& rules, 
 
 }  // namespace
 
-Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
-                                       std::uint64_t bounces, const CertifiedRules& rules) {
+CertifiedOrbit certify(const Surfaces& walls, const Ray& start, std::uint64_t bounces,
+                       const CertifiedRules& rules) {
   FLATRAY_CHECK(rules.materials.empty() || rules.materials.size() == walls.size());
   std::vector<Material> materials(rules.materials.begin(), rules.materials.end());
   materials.resize(walls.size(), Material::mirror);
@@ -236,29 +233,6 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
       keep(in_rationals(walls, rules, start, bounces, work));
     if (best.decided || last) return best;
   }
-}
-
-Result<void> can_certify() { return {}; }
-#else
-Result<void> can_certify() {
-  return fail(named_place("certified orbits"), "this build has no MPFR",
-              "install it (tools/setup does) and configure again", Trouble::unavailable);
-}
-
-Result<CertifiedOrbit> certified_orbit(const Surfaces&, const Ray&, std::uint64_t,
-                                       const CertifiedRules&) {
-  return tl::unexpected(can_certify().error());
-}
-#endif
-
-std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact, const Orbit& plain) {
-  const double far = kHorizonShare * bounds_of(walls).size().maxCoeff();
-  const auto near = [&](const CertifiedOrbit::Bounce& there, const Bounce& here) {
-    return there.surface == here.surface && (there.point - here.point).stableNorm() < far;
-  };
-  const auto parted = std::mismatch(exact.bounces.begin(), exact.bounces.end(),
-                                    plain.bounces.begin(), plain.bounces.end(), near);
-  return static_cast<std::uint64_t>(parted.first - exact.bounces.begin());
 }
 
 }  // namespace flatray

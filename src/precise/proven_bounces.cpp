@@ -1,85 +1,19 @@
 #include "precise/proven_bounces.h"
 
-#include "base/check.h"
 #include "geom/bounded.h"
-#include "precise/flight.h"
-#ifdef FLATRAY_HAVE_MPFR
-#include "precise/ball.h"
-#endif
+#include "precise/module.h"
 
 namespace flatray {
-namespace {
-
-struct Proof {
-  Proven proven;
-  bool ended;  // at the orbit's end, or where the exact one goes elsewhere: more bits tell no more
-};
-
-// Whether what lies ahead is how the orbit ends.
-bool is_end(const Prospect& next, const Orbit& orbit) {
-  switch (orbit.end) {
-    case OrbitEnd::limit:
-      return true;
-    case OrbitEnd::escape:
-      return next.kind == Prospect::Kind::escape;
-    case OrbitEnd::absorbed:
-    case OrbitEnd::corner:
-      return next.kind != Prospect::Kind::escape && next.walls == orbit.end_surfaces;
-    case OrbitEnd::along:
-      return false;
-  }
-  unreachable();
-}
-
-// Whether an orbit crosses the periodic walls that lie ahead.
-bool crosses_same(const Crossing& crossing, const PeriodicWalls& periodic, const Prospect& next) {
-  Vec2 way(0, 0);
-  for (const std::uint32_t surface : next.walls) {
-    const PeriodicWalls::Side& side = *periodic.find(surface);
-    way[side.axis] = side.far - side.near;
-  }
-  const Vec2 crossed = crossing.to - crossing.from;
-  return sign_of(crossed.x()) == sign_of(way.x()) && sign_of(crossed.y()) == sign_of(way.y());
-}
-
-template <class Number, class Make>
-Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& orbit,
-            const Make& make) {
-  Flight<Number, Make> flight(walls, periodic, {orbit.start, orbit.direction}, make);
-  auto crossing = orbit.crossings.begin();
-  const std::size_t bounces = orbit.bounces.size();
-  for (std::uint64_t proven = 0;; ++proven) {
-    if (proven == bounces && orbit.end == OrbitEnd::limit) return {{bounces, true}, true};
-    Prospect next = flight.next();
-    const auto crossed = [&] {
-      return crossing != orbit.crossings.end() && crossing->bounces == proven;
-    };
-    for (; flight.crosses(next); next = flight.next(), ++crossing) {
-      if (!crossed() || !crosses_same(*crossing, periodic, next)) return {{proven, false}, true};
-      if (!flight.cross_over(next)) return {{proven, false}, false};
-    }
-    if (next.kind == Prospect::Kind::open) return {{proven, false}, false};
-    if (crossed()) return {{proven, false}, true};
-    if (proven == bounces) return {{proven, is_end(next, orbit)}, true};
-    const std::uint32_t wall = orbit.bounces[proven].surface;
-    const bool same = next.kind == Prospect::Kind::wall && next.walls.front() == wall;
-    if (!same) return {{proven, false}, true};
-    if (!flight.bounce(wall)) return {{proven + 1, false}, false};
-  }
-}
-
-}  // namespace
 
 Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
                       std::span<const Material> materials) {
   if (orbit.bounces.empty()) return {0, true};  // decided without rounding
   const PeriodicWalls periodic(walls, materials);
   Proof proof = prove<Bounded>(walls, periodic, orbit, [](double x) { return Bounded(x); });
-#ifdef FLATRAY_HAVE_MPFR
   constexpr int kFirstBits = 256, kLastBits = 2048;
-  for (int bits = kFirstBits; !proof.ended && bits <= kLastBits; bits *= 2)
-    proof = prove<Ball>(walls, periodic, orbit, [bits](double x) { return Ball(x, bits); });
-#endif
+  const CertifiedModule* module = proof.ended ? nullptr : certified_module().module;
+  for (int bits = kFirstBits; module != nullptr && !proof.ended && bits <= kLastBits; bits *= 2)
+    proof = module->prove(walls, periodic, orbit, bits);
   // The first hit was decided without rounding.
   if (!periodic.any()) proof.proven.bounces = std::max<std::uint64_t>(proof.proven.bounces, 1);
   return proof.proven;

@@ -20,6 +20,7 @@ class BandPainter {
                     const StillBand* still, int y);
   /// Items the last call left out, as one above hides them.
   std::size_t hidden() const { return hidden_; }
+  std::uint64_t scans() const { return item_scan_.scans(); }
 
  private:
   std::optional<std::size_t> hiding_item(const PixelBox& box, const Band& band, std::size_t first,

@@ -26,6 +26,7 @@ class FlatPainter {
   /// are then still to be drawn.
   std::optional<std::size_t> paint(const PixelBox& box, const Band& band, const StillBand* still,
                                    int y, Image& out);
+  std::uint64_t scans() const { return scan_.scans(); }
 
  private:
   /// A share of a pixel in the colour of an item.

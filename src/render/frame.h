@@ -23,7 +23,8 @@ inline PixelBox crop_of(const DrawList& list, const FrameOptions& options) {
   return options.crop.value_or(PixelBox{0, 0, list.width, list.height});
 }
 
-/// What was drawn and what was not, in bands of rows.
+/// What was drawn and what was not, in bands of rows. What is said to be left out is not among the
+/// scans: these count the work.
 struct DrawCounts {
   std::uint64_t bands = 0;          ///< drawn
   std::uint64_t kept_bands = 0;     ///< not drawn: they show what they showed in the frame before
@@ -31,12 +32,13 @@ struct DrawCounts {
   std::uint64_t still_items = 0;    ///< of these, as they lay still below all that moved: not drawn
   std::uint64_t hidden_items = 0;   ///< of these, left out: one above covers the whole band, opaque
   std::uint64_t stopped_bands = 0;  ///< not drawn: FrameOptions::stop said so
+  std::uint64_t scans = 0;          ///< of an item in a band, to find its pixels
 
   DrawCounts& operator+=(const DrawCounts& more) {
     bands += more.bands, kept_bands += more.kept_bands;
     items += more.items, still_items += more.still_items;
     hidden_items += more.hidden_items;
-    stopped_bands += more.stopped_bands;
+    stopped_bands += more.stopped_bands, scans += more.scans;
     return *this;
   }
 };

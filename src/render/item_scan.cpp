@@ -15,6 +15,7 @@ ItemScan::ItemScan(const DrawList& list, bool (*stop)())
 void ItemScan::scan(const Band& band, const BandItem& band_item, const PixelBox& box,
                     RunList& out) {
   using Part = BandItem::Part;
+  ++scans_;
   if (band_item.part == Part::ring &&
       monotone_scan_.scan(band.ring(band_item), list_.coverage, box, out))
     return;

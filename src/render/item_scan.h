@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "render/bands.h"
 #include "render/coverage_arcs.h"
 #include "render/coverage_monotone.h"
@@ -13,6 +16,8 @@ class ItemScan {
 
   /// Adds the runs of an item in a band.
   void scan(const Band& band, const BandItem& band_item, const PixelBox& box, RunList& out);
+  /// Calls of it so far.
+  std::uint64_t scans() const { return scans_; }
 
  private:
   const DrawList& list_;
@@ -21,6 +26,7 @@ class ItemScan {
   CentreScan centre_scan_;
   ArcScan arc_scan_;
   std::vector<std::uint32_t> chosen_;
+  std::uint64_t scans_ = 0;
 };
 
 /// Whether the runs of a region cover every pixel of the box.

@@ -28,12 +28,17 @@ const Format* find_format(std::string_view name) {
   return nullptr;
 }
 
-const Format* format_for_name(std::string_view file_name) {
+std::string extension_of(std::string_view file_name) {
   const std::size_t point = file_name.rfind('.');
-  if (point == std::string_view::npos) return nullptr;
+  if (point == std::string_view::npos) return {};
   std::string extension(file_name.substr(point + 1));
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+const Format* format_for_name(std::string_view file_name) {
+  const std::string extension = extension_of(file_name);
   for (const Format* format : formats())
     for (const std::string_view known : format->extensions)
       if (known == extension) return format;

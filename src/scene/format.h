@@ -31,6 +31,8 @@ struct Format {
 
 /// Registered formats by name.
 std::vector<const Format*> formats();
+/// What follows the last point, in lower case.
+std::string extension_of(std::string_view file_name);
 /// nullptr: none of that name or extension.
 const Format* find_format(std::string_view name);
 const Format* format_for_name(std::string_view file_name);

@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/left_out.h"
 #include "scene/build_scene.h"
 #include "scene/format.h"
 #include "scene/include.h"
@@ -17,7 +18,10 @@ Result<const Format*> choose_format(const SourceText& source) {
   const Format* format =
       is_stream ? format_for_text(source.text()) : format_for_name(source.name());
   if (format != nullptr) return format;
-  return fail(named_place(source.name()), "no scene format has this extension",
+  const std::string& name = source.name();
+  if (const auto problem = if_left_out(named_place(name), "format", extension_of(name)))
+    return tl::unexpected(Diagnostics{*problem});
+  return fail(named_place(name), "no scene format has this extension",
               "known: " + known_extensions());
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "base/left_out.h"
 #include "scene/build_scene.h"
 #include "scene/shape.h"
 
@@ -37,6 +38,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 Diagnostic unknown_word(Place where, std::string_view what, std::string_view word,
                         const std::vector<std::string>& known) {
+  if (const auto problem = if_left_out(where, what, word)) return *problem;
   const std::string near = nearest_word(word, known);
   const std::string message = fmt::format("unknown {} '{}'", what, word.substr(0, 64));
   if (near.empty())

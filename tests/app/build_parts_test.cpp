@@ -5,7 +5,8 @@
 namespace flatray {
 namespace {
 
-const std::string kNames[] = {"MPFR", "GL", "shapes/circle", "passes/chambers", "metrics/psnr"};
+constexpr std::string_view kNames[] = {"MPFR", "GL", "shapes/circle", "passes/chambers",
+                                       "metrics/psnr"};
 
 TEST(MissingParts, OfARoomWithARayConcernItWhereItCouldUseThem) {
   const Scene scene = loaded(R"(

@@ -1,8 +1,6 @@
 // needs: gl shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment formats/obj
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "app/golden_check.h"
 #include "support/paths.h"
 
@@ -12,7 +10,6 @@ namespace {
 class GlGoldens : public testing::Test {
  protected:
   void SetUp() override {
-    setenv("FLATRAY_GL_MODULE", binary_path("/flatray_gl.so").c_str(), 1);
     const auto rows = read_goldens(source_path());
     ASSERT_TRUE(rows) << format(rows.error());
     for (const GoldenRow& row : *rows)

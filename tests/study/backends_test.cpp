@@ -11,7 +11,6 @@
 #include "render/backend.h"
 #include "render/gradient.h"
 #include "study/point_samples.h"
-#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -21,7 +20,6 @@ constexpr int kWidth = 97, kHeight = 71;
 class GlBackends : public testing::Test {
  protected:
   static std::unique_ptr<Renderer> opened(const std::string& name, unsigned samples) {
-    setenv("FLATRAY_GL_MODULE", binary_path("/flatray_gl.so").c_str(), 1);
     for (const Backend* one : backends())
       if (name == one->name) {
         auto renderer = one->open({2, samples});

@@ -1,9 +1,6 @@
 // Tracers in single precision: right to its digits where nothing is close, and wrong as it is.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
-#include "support/paths.h"
 #include "trace/all_tracers.h"
 
 namespace flatray {
@@ -12,7 +9,6 @@ namespace {
 class Inexact : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    setenv("FLATRAY_EMBREE_MODULE", binary_path("/flatray_embree.so").c_str(), 1);
     tracer = find_tracer(GetParam());
     ASSERT_NE(tracer, nullptr);
     EXPECT_FALSE(tracer->exact);

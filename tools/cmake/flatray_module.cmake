@@ -18,10 +18,36 @@ endfunction()
 # One registered entry: compiles <folder>/<name>.cpp and puts it in the table <folder>.inc.
 #   flatray_register(scene shapes box)
 function(flatray_register module folder name)
-  if(NOT "${folder}/${name}" IN_LIST FLATRAY_WITHOUT)
-    target_sources(flatray_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${name}.cpp)
-    set_property(TARGET flatray_${module} APPEND PROPERTY FLATRAY_ENTRIES_${folder} ${name})
+  set(entry ${folder}/${name})
+  set_property(GLOBAL APPEND PROPERTY FLATRAY_ENTRIES ${entry})
+  if(entry IN_LIST FLATRAY_WITHOUT OR (FLATRAY_ONLY AND NOT entry IN_LIST FLATRAY_ONLY))
+    set_property(GLOBAL APPEND PROPERTY FLATRAY_ENTRIES_LEFT_OUT ${entry})
+    return()
   endif()
+  target_sources(flatray_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp)
+  set_property(TARGET flatray_${module} APPEND PROPERTY FLATRAY_ENTRIES_${folder} ${name})
+endfunction()
+
+# After all entries: FLATRAY_ONLY and FLATRAY_WITHOUT name nothing that is not registered, and the program knows what it
+# lacks.
+function(flatray_finish_entries)
+  get_property(entries GLOBAL PROPERTY FLATRAY_ENTRIES)
+  foreach(list FLATRAY_ONLY FLATRAY_WITHOUT)
+    foreach(entry IN LISTS ${list})
+      if(NOT entry IN_LIST entries)
+        message(FATAL_ERROR "${list} names ${entry}, which is no registered entry")
+      endif()
+    endforeach()
+  endforeach()
+  get_property(left_out GLOBAL PROPERTY FLATRAY_ENTRIES_LEFT_OUT)
+  foreach(feature EMBREE MPFR GL)
+    if(NOT FLATRAY_HAVE_${feature})
+      list(PREPEND left_out ${feature})
+    endif()
+  endforeach()
+  list(TRANSFORM left_out REPLACE "(.+)" "FLATRAY_LEFT_OUT(\"\\1\")\n")
+  list(JOIN left_out "" table)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/src/base/left_out.inc CONTENT "${table}")
 endfunction()
 
 # Writes <folder>.inc, a line FLATRAY_ENTRY(name) each, sorted. One source includes it twice: to declare the
@@ -51,4 +77,26 @@ function(flatray_kernels module folder)
     set_source_files_properties(${source} PROPERTIES
       SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "${flags_${tier}}")
   endforeach()
+endfunction()
+
+# A module that the program does not link, as it needs a package that few runs need: `flatray_<name>.so`, loaded when it is
+# asked for (base/module_file.h). It lies beside the program as built, and in FLATRAY_MODULE_FOLDER where installed.
+#   flatray_loaded_module(embree SOURCES embree/module.cpp INCLUDES ... LIBRARIES ...)
+set(FLATRAY_MODULE_FOLDER ${CMAKE_INSTALL_LIBDIR}/flatray)
+function(flatray_loaded_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;INCLUDES;LIBRARIES;DEFINITIONS" ${ARGN})
+  add_library(flatray_${name} MODULE ${arg_SOURCES})
+  target_compile_features(flatray_${name} PRIVATE cxx_std_20)
+  target_include_directories(flatray_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(flatray_${name} SYSTEM PRIVATE ${arg_INCLUDES})
+  target_compile_definitions(flatray_${name} PRIVATE ${arg_DEFINITIONS})
+  target_link_libraries(flatray_${name} PRIVATE flatray_options ${arg_LIBRARIES})
+  target_link_options(flatray_${name} PRIVATE -Wl,--exclude-libs,ALL)  # what it holds of flatray is its own
+  if(NOT FLATRAY_SANITIZE)  # clang leaves a sanitizer's own functions to the program that loads the module
+    target_link_options(flatray_${name} PRIVATE -Wl,--no-undefined)
+  endif()
+  set_target_properties(flatray_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  set_property(GLOBAL APPEND PROPERTY FLATRAY_LOADED_MODULES flatray_${name})
+  install(TARGETS flatray_${name} LIBRARY DESTINATION ${FLATRAY_MODULE_FOLDER})
 endfunction()

@@ -8,6 +8,7 @@ option(FLATRAY_WERROR "warnings are errors" OFF)
 option(FLATRAY_FUZZ "build the fuzz targets of tests/fuzz with clang's libFuzzer" OFF)
 set(FLATRAY_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize takes them")
 set(FLATRAY_WITHOUT "" CACHE STRING "registered entries to leave out, as folder/name")
+set(FLATRAY_ONLY "" CACHE STRING "registered entries to keep, as folder/name, all others left out; empty keeps all")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)

@@ -7,6 +7,7 @@
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/isa.h"
+#include "base/left_out.h"
 #include "collide/scene_timeline.h"
 #include "render/ray_walls.h"
 
@@ -39,7 +40,7 @@ Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
   const auto add = [&](std::string part, std::string decision, std::string reason) {
     table.rows.push_back({std::move(part), std::move(decision), std::move(reason)});
   };
-  const std::vector<std::string> left_out = left_out_of_build();
+  const auto left_out = left_out_of_build();
   for (const MissingPart& part : missing_parts(job.scene, left_out))
     add("build " + part.name, "left out",
         (part.concerns ? "concerns this scene: " : "does not concern this scene: ") + part.reason);

@@ -1,10 +1,12 @@
 #include "app/backend_choice.h"
+#include "app/build_parts.h"
 #include "app/interrupt.h"
 #include "app/profile.h"
 #include "app/render_run.h"
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
 #include "app/view_choice.h"
+#include "base/left_out.h"
 
 namespace flatray::verbs {
 namespace {
@@ -62,6 +64,8 @@ Result<VerbOutput> run(const Arguments& given) {
   if (!mode) return tl::unexpected(mode.error());
   auto jobs = make_jobs(arguments, *request);
   if (!jobs) return tl::unexpected(jobs.error());
+  for (const RenderJob& job : *jobs)
+    if (auto able = can_draw(job.scene, left_out_of_build()); !able) return fail(std::move(able));
   const auto renderer = chosen_renderer(arguments, request->threads);
   if (!renderer) return tl::unexpected(renderer.error());
   const auto view = chosen_view(arguments);

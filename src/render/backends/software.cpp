@@ -44,6 +44,9 @@ class BandsOfTask {
         blended_(list, !options.keep_all, options.stop),
         plain_(!options.keep_all),
         counts_(counts) {}
+  BandsOfTask(const BandsOfTask&) = delete;
+  BandsOfTask& operator=(const BandsOfTask&) = delete;
+  ~BandsOfTask() { counts_.scans += flat_.scans() + blended_.scans(); }
 
   template <class Picture>
   void draw(const BandTask& task, Picture& out) {

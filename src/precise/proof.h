@@ -1,0 +1,70 @@
+#pragma once
+#include "base/check.h"
+#include "precise/flight.h"
+#include "precise/proven_bounces.h"
+
+namespace flatray {
+
+/// How far an arithmetic proves an orbit.
+struct Proof {
+  Proven proven;
+  bool
+      ended;  ///< at the orbit's end, or where the exact one goes elsewhere: more bits tell no more
+};
+
+/// Whether what lies ahead is how the orbit ends.
+inline bool is_end(const Prospect& next, const Orbit& orbit) {
+  switch (orbit.end) {
+    case OrbitEnd::limit:
+      return true;
+    case OrbitEnd::escape:
+      return next.kind == Prospect::Kind::escape;
+    case OrbitEnd::absorbed:
+    case OrbitEnd::corner:
+      return next.kind != Prospect::Kind::escape && next.walls == orbit.end_surfaces;
+    case OrbitEnd::along:
+      return false;
+  }
+  unreachable();
+}
+
+/// Whether an orbit crosses the periodic walls that lie ahead.
+inline bool crosses_same(const Crossing& crossing, const PeriodicWalls& periodic,
+                         const Prospect& next) {
+  Vec2 way(0, 0);
+  for (const std::uint32_t surface : next.walls) {
+    const PeriodicWalls::Side& side = *periodic.find(surface);
+    way[side.axis] = side.far - side.near;
+  }
+  const Vec2 crossed = crossing.to - crossing.from;
+  return sign_of(crossed.x()) == sign_of(way.x()) && sign_of(crossed.y()) == sign_of(way.y());
+}
+
+/// The orbit followed in numbers that make(double) gives, as Flight has them.
+template <class Number, class Make>
+Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& orbit,
+            const Make& make) {
+  Flight<Number, Make> flight(walls, periodic, {orbit.start, orbit.direction}, make);
+  auto crossing = orbit.crossings.begin();
+  const std::size_t bounces = orbit.bounces.size();
+  for (std::uint64_t proven = 0;; ++proven) {
+    if (proven == bounces && orbit.end == OrbitEnd::limit) return {{bounces, true}, true};
+    Prospect next = flight.next();
+    const auto crossed = [&] {
+      return crossing != orbit.crossings.end() && crossing->bounces == proven;
+    };
+    for (; flight.crosses(next); next = flight.next(), ++crossing) {
+      if (!crossed() || !crosses_same(*crossing, periodic, next)) return {{proven, false}, true};
+      if (!flight.cross_over(next)) return {{proven, false}, false};
+    }
+    if (next.kind == Prospect::Kind::open) return {{proven, false}, false};
+    if (crossed()) return {{proven, false}, true};
+    if (proven == bounces) return {{proven, is_end(next, orbit)}, true};
+    const std::uint32_t wall = orbit.bounces[proven].surface;
+    const bool same = next.kind == Prospect::Kind::wall && next.walls.front() == wall;
+    if (!same) return {{proven, false}, true};
+    if (!flight.bounce(wall)) return {{proven + 1, false}, false};
+  }
+}
+
+}  // namespace flatray
