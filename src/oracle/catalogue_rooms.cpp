@@ -34,13 +34,13 @@ StiffOrbits stadium(double half, std::uint64_t ordered) {
   walls.add(Segment{{half, 1}, {-half, 1}});
   walls.add(end(half, -1));
   walls.add(end(-half, 1));
-  return {std::move(walls), fan({0.1, 0.2}, 4), 200, End::limit, 200, ordered};
+  return {std::move(walls), fan({0.1, 0.2}, 2), 200, End::limit, 200, ordered};
 }
 
 StiffOrbits sinai(double radius, std::uint64_t ordered) {
   Surfaces walls = ring(kSquare);
   walls.add(Circle{{0.5, 0.5}, radius});
-  return {std::move(walls), fan({0.05, 0.04}, 4), 200, End::limit, 200, ordered, 4};
+  return {std::move(walls), fan({0.05, 0.04}, 2), 200, End::limit, 200, ordered, 4};
 }
 
 // The torus unrolled: one disc in each square, as far as a few bounces lead.
@@ -49,14 +49,14 @@ StiffOrbits torus(double radius, std::uint64_t bounces) {
   for (int x = -5; x <= 5; ++x)
     for (int y = -5; y <= 5; ++y)
       walls.add(Circle{{static_cast<double>(x), static_cast<double>(y)}, radius});
-  return {std::move(walls), fan({0.5, 0.45}, 4), bounces, End::open, {}, bounces};
+  return {std::move(walls), fan({0.5, 0.45}, 2), bounces, End::open, {}, bounces};
 }
 
 Orbits mean_free_paths() {
   Surfaces circle;
   circle.add(Circle{{0, 0}, 1});
-  return {{ring(kSquare), fan({0.3, 0.2}, 4), 200, End::limit, 200, 100, 4},
-          {std::move(circle), fan({0.3, 0.2}, 4), 200, End::limit, 200, 100},
+  return {{ring(kSquare), fan({0.3, 0.2}, 2), 200, End::limit, 200, 100, 4},
+          {std::move(circle), fan({0.3, 0.2}, 2), 200, End::limit, 200, 100},
           stadium(1, 20),
           sinai(0.25, 20),
           torus(0.25, 6)};
