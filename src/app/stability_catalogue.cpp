@@ -43,6 +43,14 @@ Values certified_row(const oracle::StiffCase& stiff, const CatalogueTally& tally
           stiff.held_by};
 }
 
+// Of contacts: t, but nothing that is kept, and no share that is decided one by one.
+Values contact_row(const oracle::StiffCase& stiff, const CatalogueTally& tally) {
+  return {stiff.id,          stiff.words, "contact",   tally.queries,
+          tally.wrong,       "",          tally.apart, tally.worst_ulps(),
+          tally.most_ulps(), "",          "",          tally.right() ? "right" : "wrong",
+          stiff.held_by};
+}
+
 JsonValue nanoseconds(const CatalogueTally& tally) {
   if (tally.in_batches == 0) return "";
   return fmt::format("{:.3g}", 1e9 * tally.seconds / static_cast<double>(tally.in_batches));
@@ -61,10 +69,11 @@ struct CatalogueTables {
   }
 };
 
-// What is known of a case: a tally for each tracer, and one of certified orbits where there are any.
+// What is known of a case: a tally for each tracer, and of certified orbits and contacts where there
+// are any.
 struct Checked {
   std::vector<CatalogueTally> by_tracer;
-  std::optional<CatalogueTally> certified;
+  std::optional<CatalogueTally> certified, contacts;
 };
 
 // How many cases came out right, of those asked, and all of them together.
@@ -86,15 +95,17 @@ struct Score {
 
 void add_rows(const oracle::StiffCase& stiff, const std::vector<const Tracer*>& tracers,
               const Checked& checked, CatalogueTables& tables) {
-  for (std::size_t k = 0; k < tracers.size(); ++k)
+  for (std::size_t k = 0; k < checked.by_tracer.size(); ++k)
     tables.add(row_of(stiff, *tracers[k], checked.by_tracer[k]), nanoseconds(checked.by_tracer[k]));
   if (checked.certified)
     tables.add(certified_row(stiff, *checked.certified), nanoseconds(*checked.certified));
+  if (checked.contacts)
+    tables.add(contact_row(stiff, *checked.contacts), nanoseconds(*checked.contacts));
 }
 
 Values row_of_its_test(const oracle::StiffCase& stiff) {
   Values row(kColumns.size(), "");
-  row[0] = stiff.id, row[1] = stiff.words;
+  row[0] = stiff.id, row[1] = stiff.words, row[2] = stiff.matter;
   row[kColumns.size() - 2] = "by its test", row.back() = stiff.held_by;
   return row;
 }
@@ -104,7 +115,8 @@ std::vector<Checked> check_all(const std::vector<oracle::StiffCase>& cases,
   const bool certifies = !request.named && can_certify().has_value();
   std::vector<Checked> checked(cases.size());
   parallel_for(cases.size(), request.threads, [&](std::size_t i) {
-    checked[i].by_tracer = check_case(cases[i], request.tracers);
+    if (cases[i].concerns_tracers()) checked[i].by_tracer = check_case(cases[i], request.tracers);
+    if (!cases[i].contacts.empty()) checked[i].contacts = check_contacts(cases[i]);
     if (!certifies || cases[i].orbits.empty()) return;
     if (auto tally = check_certified(cases[i])) checked[i].certified = *std::move(tally);
   });
@@ -118,31 +130,37 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
   const std::vector<Checked> checked = check_all(cases, request);
   CatalogueTables tables;
   std::vector<Score> scores(request.tracers.size());
-  Score certified;
-  std::size_t asked = 0;
+  Score certified, contacts;
+  std::size_t of_tracers = 0, of_none = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (!cases[i].concerns_tracers()) {
-      tables.add(row_of_its_test(cases[i]), "");
-      continue;
-    }
-    ++asked;
-    for (std::size_t k = 0; k < scores.size(); ++k) scores[k].add(checked[i].by_tracer[k]);
+    const std::vector<CatalogueTally>& tallies = checked[i].by_tracer;
+    if (!tallies.empty()) ++of_tracers;
+    for (std::size_t k = 0; k < tallies.size(); ++k) scores[k].add(tallies[k]);
     if (checked[i].certified) certified.add(*checked[i].certified);
+    if (checked[i].contacts) contacts.add(*checked[i].contacts);
+    if (tallies.empty() && !checked[i].contacts) {
+      ++of_none;
+      tables.add(row_of_its_test(cases[i]), "");
+    }
     add_rows(cases[i], request.tracers, checked[i], tables);
   }
   Checked all;
   for (const Score& score : scores) all.by_tracer.push_back(score.sum);
   if (certified.asked > 0) all.certified = certified.sum;
+  all.contacts = contacts.sum;
   add_rows({"all", "", ""}, request.tracers, all, tables);
   ExperimentResult result;
-  result.summary = fmt::format("\n{} cases, {} of them asked of tracers\n", cases.size(), asked);
-  bool sound = certified.sound();
+  result.summary = fmt::format(
+      "\n{} cases: {} asked of tracers, {} of contact, {} of files and pictures by their tests\n",
+      cases.size(), of_tracers, contacts.asked, of_none);
+  bool sound = certified.sound() && contacts.sound();
   for (std::size_t k = 0; k < scores.size(); ++k) {
     const Tracer& tracer = *request.tracers[k];
     sound = sound && (scores[k].sound() || !(request.named || tracer.exact));
     result.summary += scores[k].words(tracer.name, "");
   }
   if (all.certified) result.summary += certified.words("certified", " with orbits");
+  result.summary += contacts.words("contact", "");
   result.files.push_back({"catalogue.csv", csv_text(tables.facts)});
   result.files.push_back({"catalogue_times.csv", csv_text(tables.times)});
   return stability_files(arguments, tables.shown, result, sound);

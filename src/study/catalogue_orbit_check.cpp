@@ -33,13 +33,16 @@ bool is_out(const oracle::StiffOrbits& orbits, const Vec2& start, const Vec2& po
 
 bool ends_as(OrbitEnd end, oracle::StiffOrbits::End expected) {
   using End = oracle::StiffOrbits::End;
-  return expected == End::any || (end == OrbitEnd::limit && expected == End::limit) ||
+  return expected == End::any || expected == End::open ||
+         (end == OrbitEnd::limit && expected == End::limit) ||
          (end == OrbitEnd::escape && expected == End::escape) ||
-         (end == OrbitEnd::corner && expected == End::corner);
+         (end == OrbitEnd::corner && expected == End::corner) ||
+         (end == OrbitEnd::along && expected == End::along);
 }
 
 bool escapes(const oracle::StiffOrbits& orbits, OrbitEnd end) {
-  return end == OrbitEnd::escape && orbits.end != oracle::StiffOrbits::End::escape;
+  using End = oracle::StiffOrbits::End;
+  return end == OrbitEnd::escape && orbits.end != End::escape && orbits.end != End::open;
 }
 
 template <class AnyOrbit>
@@ -60,6 +63,18 @@ void compare(const oracle::StiffOrbits& orbits, const oracle::LongOrbit& truth, 
       std::any_of(orbit.bounces.begin(), orbit.bounces.end(),
                   [&](const Bounce& bounce) { return is_out(orbits, orbit.start, bounce.point); });
   if (escapes(orbits, orbit.end) || out) ++tally.leaks;
+}
+
+// Whether an orbit turned round at its last bounce comes to the walls before it, the last of them
+// first.
+template <class Follow>
+bool leads_back(const Orbit& there, const Follow& follow) {
+  if (there.bounces.size() < 2) return false;
+  const Bounce &last = there.bounces.back(), &before = there.bounces[there.bounces.size() - 2];
+  const Orbit back = std::move(follow({Ray{last.point, -before.out}}).front());
+  return back.bounces.size() + 1 >= there.bounces.size() &&
+         std::equal(there.bounces.rbegin() + 1, there.bounces.rend(), back.bounces.begin(),
+                    [](const Bounce& a, const Bounce& b) { return a.surface == b.surface; });
 }
 
 bool is_same(const Orbit& a, const Orbit& b) {
@@ -131,7 +146,12 @@ void check_orbits(const oracle::StiffOrbits& orbits, const std::vector<oracle::L
   while (many.size() <= kMostRaysOneByOne)
     many.insert(many.end(), orbits.starts.begin(), orbits.starts.end());
   const std::vector<Orbit> among = follow(many);
-  for (std::size_t i = 0; i < alone.size(); ++i) compare(orbits, truth[i], alone[i], tally);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    compare(orbits, truth[i], alone[i], tally);
+    if (!orbits.there_and_back) continue;
+    ++tally.queries;
+    if (!leads_back(alone[i], follow)) ++tally.wrong;
+  }
   for (std::size_t i = 0; i < among.size(); ++i) {
     compare(orbits, truth[i % alone.size()], among[i], tally);
     if (!is_same(among[i], alone[i % alone.size()])) ++tally.apart;

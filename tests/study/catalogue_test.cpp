@@ -85,6 +85,50 @@ TEST(Catalogue, CertifiedOrbitsAreRightInAllOfIt) {
   }
 }
 
+TEST(Catalogue, ContactsAreRightInAllOfIt) {
+  for (const oracle::StiffCase& stiff : oracle::catalogue()) {
+    const CatalogueTally tally = check_contacts(stiff);
+    EXPECT_TRUE(tally.right()) << stiff.id << ": " << tally.wrong << " wrong, " << tally.apart
+                               << " apart, " << tally.worst_ulps() << " ulps";
+    EXPECT_EQ(tally.queries, 65 * stiff.contacts.size()) << stiff.id;
+  }
+}
+
+// What can be asked has figures; the rest says what it is about instead.
+TEST(Catalogue, HasFiguresOrSaysWhyNot) {
+  std::size_t with_figures = 0;
+  for (const oracle::StiffCase& stiff : oracle::catalogue()) {
+    const bool asked = stiff.concerns_tracers() || !stiff.contacts.empty();
+    with_figures += asked ? 1 : 0;
+    EXPECT_EQ(asked, std::string(stiff.matter).empty()) << stiff.id;
+    EXPECT_EQ(asked, stiff.id[0] != 'E') << stiff.id;
+  }
+  EXPECT_EQ(with_figures, 70U);
+}
+
+// A case whose truth is another: the check has to see it.
+TEST(Catalogue, AWrongTruthOfAContactIsSeen) {
+  oracle::StiffCase stiff = named(oracle::catalogue(), "D1");
+  const double first = stiff.contacts.front().first;
+  stiff.contacts.front().first = std::nextafter(std::nextafter(first, 1.0), 1.0);
+  EXPECT_GT(check_contacts(stiff).worst_ulps(), 1);
+  stiff.contacts.front().kind = HitClass::touch;
+  EXPECT_EQ(check_contacts(stiff).wrong, 65U);
+}
+
+// After 200 bounces among curves no digit of a chaotic orbit is left: it does not lead back.
+TEST(Catalogue, AWayBackOverOtherWallsIsSeen) {
+  oracle::StiffCase stiff = named(oracle::catalogue(), "C22");
+  const Tracer* const brute[] = {find_tracer("brute")};
+  EXPECT_EQ(check_case(stiff, brute).front().wrong, 0U);
+  std::size_t starts = 0;
+  for (oracle::StiffOrbits& orbits : stiff.orbits) {
+    orbits.there_and_back = true;
+    starts += orbits.starts.size();
+  }
+  EXPECT_EQ(check_case(stiff, brute).front().wrong, starts);
+}
+
 TEST(CatalogueTally, OneAnswerInAThousandMayBeFartherOffThanMost) {
   CatalogueTally tally;
   tally.ulps.assign(999, 0.5);
