@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <tuple>
 
 #include "precise/ball.h"
 #include "precise/certified_orbit.h"
@@ -50,21 +51,25 @@ TEST(CertifiedOrbit, AWallOnTheRaysLineIsMetBeforeOneThatCrossesIt) {
 // The last doubling of the first bits is what was asked for, not a bit more.
 TEST(CertifiedOrbit, MostBitsAreReachedByDoubling) { EXPECT_TRUE(std::has_single_bit(kMostBits)); }
 
-// The doubles 0.6 and 0.8 lie off the circle. The line by them to (1, 0), where the arc ends on it,
-// meets this end first.
+// Doubles for 0.6 and 0.8 lie off the circle, those for 1.8 and 0.8 off the ellipse. The line by them
+// to the other end, which is on the curve, meets them first; where it meets the ellipse no number of
+// bits tells.
 TEST(CertifiedOrbit, AnEndOffItsCurveIsACornerWhateverLiesBeyond) {
-  const Vec2 from(0.6, 0.8), to(1, 0), way(to - from);
-  for (const bool ends_there : {false, true}) {
-    const Arc::Extent between = Arc::Extent::between;
-    Surfaces walls;
-    walls.add(ends_there ? Arc{Circle{{0, 0}, 1}, between, to, from}
-                         : Arc{Circle{{0, 0}, 1}, between, from, to});
-    const auto orbit = certified_orbit(walls, {from - way, way}, 1, {.most_bits = 512});
-    ASSERT_TRUE(orbit);
-    EXPECT_TRUE(orbit->decided);
-    EXPECT_EQ(orbit->end, OrbitEnd::corner);
-    EXPECT_EQ(orbit->end_point, from);
-  }
+  const Ellipse ellipse({0, 0}, {3, 0}, {0, 1});
+  for (const auto& [curve, from, to] :
+       {std::tuple(Ellipse(Circle{{0, 0}, 1}), Vec2(0.6, 0.8), Vec2(1, 0)),
+        std::tuple(ellipse, Vec2(1.8, 0.8), Vec2(3, 0))})
+    for (const bool ends_there : {false, true}) {
+      const Vec2 way(to - from);
+      Surfaces walls;
+      walls.add(ends_there ? Arc{curve, Arc::Extent::between, to, from}
+                           : Arc{curve, Arc::Extent::between, from, to});
+      const auto orbit = certified_orbit(walls, {from - way, way}, 1, {.most_bits = 512});
+      ASSERT_TRUE(orbit);
+      EXPECT_TRUE(orbit->decided);
+      EXPECT_EQ(orbit->end, OrbitEnd::corner);
+      EXPECT_EQ(orbit->end_point, from);
+    }
 }
 
 }  // namespace
