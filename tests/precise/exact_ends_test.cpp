@@ -15,8 +15,9 @@ namespace {
 // (1 + 2^-200) - 1, of a number that held 128 bits before.
 TEST(Ball, TakesTheBitsOfWhatItIsSetTo) {
   const Ball one(1, 256);
+  const Ball more = one + Ball(0x1p-200, 256);
   Ball set(7, 128);
-  set = one + Ball(0x1p-200, 256);
+  set = more;
   EXPECT_EQ((set - one).sign(), Sign::positive);
   const Ball copy(set);
   EXPECT_EQ((copy - one).sign(), Sign::positive);
