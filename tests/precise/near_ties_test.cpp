@@ -2,8 +2,11 @@
 // Curved walls met or missed by less than the first bits tell, and ends that no bits tell.
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "precise/ball.h"
 #include "precise/certified_orbit.h"
+#include "precise/rooms.h"
 
 namespace flatray {
 namespace {
@@ -32,6 +35,21 @@ TEST(CertifiedOrbit, AnEllipseIsMetOrMissedByAsLittleAsCoordinatesSay) {
     EXPECT_EQ(past->end, OrbitEnd::escape);
     EXPECT_TRUE(past->bounces.empty());
   }
+}
+
+// 128 bits, twice that, and so on, until all is told.
+TEST(CertifiedOrbit, PrecisionIsDoubledUntilAllIsTold) {
+  Surfaces walls = room({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+  walls.add(Circle{{0, 0}, 1});
+  unsigned before = 0;
+  for (const std::uint64_t bounces : {5U, 60U, 120U, 250U}) {
+    const auto orbit = certified_orbit(walls, {{-1.5, 0.3}, {1, 0.21}}, bounces);
+    ASSERT_TRUE(orbit && orbit->decided);
+    EXPECT_EQ(std::bit_floor(orbit->bits / 128) * 128, orbit->bits);
+    EXPECT_GE(orbit->bits, before);
+    before = orbit->bits;
+  }
+  EXPECT_GE(before, 512U);
 }
 
 // Exactly at an end that lies on the curve it is no bounce, however many bits there are; beside it on
