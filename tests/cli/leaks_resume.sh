@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# needs: tracers/grid
 # Blocks of `flatray stability --leaks` that are in the folder are not followed again, the others are.
 source "$(dirname "$0")/lib.sh"
 leaks() { run 0 stability --leaks "$1" --tracer grid --places origin -o rooms; }

@@ -1,4 +1,4 @@
-// needs: gl
+// needs: gl backends/gl
 // Regions of whole pixels, of which every sample sees the same: GL has the very light of the software back end.
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 
 #include "precise/ball.h"
 #include "precise/certified_orbit.h"
@@ -67,6 +68,21 @@ TEST(CertifiedOrbit, AnEndMetExactlyIsNoBounce) {
   const CertifiedOrbit beside = met(-0x1p-40);
   EXPECT_TRUE(beside.decided);
   EXPECT_EQ(beside.end, OrbitEnd::escape);
+}
+
+// What joins an end to its curve is as short as the end is off it: rays through the disc do not meet it.
+TEST(CertifiedOrbit, AnEndOffItsCurveIsMetNowhereElse) {
+  Surfaces walls;
+  walls.add(Arc{Circle{{0, 0}, 1}, Arc::Extent::between, {0.6, 0.8}, {-1, 0}});
+  for (const double y : {-0.9, -0.2, 0.1, 0.7}) {
+    const auto orbit = certified_orbit(walls, {{3, y}, {-1, 0}}, 1, {.most_bits = 512}).value();
+    EXPECT_TRUE(orbit.decided) << y;
+    EXPECT_EQ(orbit.end, y < 0 ? OrbitEnd::escape : OrbitEnd::limit) << y;
+    if (y > 0) {
+      ASSERT_EQ(orbit.bounces.size(), 1U);
+      EXPECT_NEAR(orbit.bounces[0].point.x(), -std::sqrt(1 - y * y), 1e-15);
+    }
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// needs: shapes/circle shapes/arc
+// needs: shapes/circle shapes/arc views/visibility tracers/brute
 // Shadows of round walls that the point of a visibility view does not lie on.
 #include <gtest/gtest.h>
 

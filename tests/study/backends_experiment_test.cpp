@@ -1,4 +1,4 @@
-// needs: gl shapes/box
+// needs: gl shapes/box experiments/backends backends/gl passes/entities
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle
+// needs: shapes/box shapes/circle experiments/coverage experiments/escape experiments/caustic experiments/phase_portion
 // What experiments must come to by what they do, on scenes where it can be counted.
 #include <fmt/core.h>
 #include <gtest/gtest.h>

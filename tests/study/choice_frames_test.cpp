@@ -1,4 +1,4 @@
-// needs: shapes/box
+// needs: shapes/box choices/coverage passes/entities
 #include <gtest/gtest.h>
 
 #include "scene/scene_text.h"

@@ -1,3 +1,4 @@
+// needs: tracers/grid
 #include <gtest/gtest.h>
 
 #include "study/leaks.h"

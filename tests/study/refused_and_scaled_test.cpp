@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/segment
+// needs: shapes/box shapes/circle shapes/segment experiments/mean_free_path experiments/lyapunov experiments/escape experiments/caustic experiments/coverage experiments/phase_portion experiments/poincare experiments/divergence
 // Experiments on what they cannot be done on, and on the same room at another scale.
 #include <fmt/core.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/segment
+// needs: shapes/segment
 #include <gtest/gtest.h>
 
 #include <cmath>
