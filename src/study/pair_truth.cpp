@@ -113,7 +113,7 @@ class Search {
     const double start = processor_seconds();
     const std::vector<Pair> pairs = all_pairs();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (i > 0 && processor_seconds() - start > seconds_) {
+      if (i > 0 && processor_seconds() - start >= seconds_) {
         truth_.cut = pairs.size() - i;
         break;
       }

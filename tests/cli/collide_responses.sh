@@ -137,7 +137,6 @@ run 0 experiment avoidance "$scenes/methods.toml" -o map
 exists map/avoidance.png map/avoidance.csv map/avoidance_times.csv
 run 0 experiment avoidance "$scenes/methods.toml" -o one -j 1
 cmp map/avoidance.png one/avoidance.png || fail "threads change the map"
-finish
 # Ellipses within proven times, and capsules; what turns is left out, and told.
 cat > curved.toml << 'END'
 flatray = 1
@@ -158,3 +157,4 @@ run 0 collide curved.toml -D entity.egg.angular_velocity=5 --csv
 says err "ellipses that do not turn: egg"
 run 4 collide curved.toml --response bounce
 says err "has curves other than circles and capsules"
+finish

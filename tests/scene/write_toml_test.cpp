@@ -108,9 +108,10 @@ TEST(WriteToml, NumbersAreTheShortestOfTheirDecimal) {
 }
 
 TEST(WriteToml, MembersOfATableKeepTheirOrder) {
-  const std::string text = "[[entity]]\nshape = { a = 1 }\nb = " + std::string(1, '[') +
-                           "1]\nlast = { c = \"" + std::string(200, 'x') +
-                           "\" }\n[[entity.parts]]\nd = 1\n";
+  const std::string text = fmt::format(
+      "[[entity]]\nshape = {{ a = 1 }}\nb = [1]\nlast = {{ c = \"{}\" }}\n[[entity.parts]]\nd = "
+      "1\n",
+      std::string(200, 'x'));
   const Result<SceneDesc> desc = read("t.toml", text);
   ASSERT_TRUE(desc);
   const std::string written = write_toml(*desc);

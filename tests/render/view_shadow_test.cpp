@@ -1,0 +1,68 @@
+// needs: shapes/circle shapes/arc views/visibility tracers/brute
+// Shadows of round walls that the point of a visibility view does not lie on.
+#include <gtest/gtest.h>
+
+#include "render/view.h"
+#include "support/pictures.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kRadius = 1.25;
+
+Image lit_from(const std::string& shape, const Vec2& point) {
+  const Scene scene = scene_of(
+      "flatray = 1\nfilm = { size = [81, 81], world = [[-4, -4], [4, 4]] }\n"
+      "[[entity]]\nshape = { " +
+      shape + " }\nstroke = { width = 0.1, colour = \"#000000\" }\n");
+  const Timeline timeline(scene, scene.seed, 1);
+  for (const View* view : views())
+    if (std::string(view->name) == "visibility")
+      return draw_view({view, point}, find_tracer("brute"), scene, at(timeline, 1), {});
+  return {};
+}
+
+// Of the way from p to the light, the square of how near it comes to the origin.
+double nearest_squared(const Vec2& p, const Vec2& light) {
+  const Vec2 way = light - p;
+  const double t = std::clamp(-p.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  return (p + t * way).squaredNorm();
+}
+
+// Whether the way crosses the circle in its upper half; each crossing is a root of a quadratic.
+bool crosses_upper_half(const Vec2& p, const Vec2& light) {
+  const Vec2 way = light - p;
+  const double a = way.squaredNorm(), b = p.dot(way), c = p.squaredNorm() - kRadius * kRadius;
+  if (b * b < a * c) return false;
+  const double root = std::sqrt(b * b - a * c);
+  for (const double t : {(-b - root) / a, (-b + root) / a})
+    if (t >= 0 && t <= 1 && p.y() + t * way.y() > 0) return true;
+  return false;
+}
+
+template <class Lit>
+void expect_lit(const std::string& shape, const Vec2& light, const Lit& lit) {
+  const Image seen = lit_from(shape, light);
+  ASSERT_EQ(seen.width, 81);
+  for (int y = 0; y < 81; ++y)
+    for (int x = 0; x < 81; ++x) {
+      const Vec2 centre((x + 0.5) * 8 / 81 - 4, 4 - (y + 0.5) * 8 / 81);
+      EXPECT_EQ(seen.at(x, y)[0] == 255, lit(centre)) << centre.transpose();
+    }
+}
+
+// All of its inside and what is behind it.
+TEST(View, ADiscIsDarkAndThrowsAShadow) {
+  for (const Vec2& light : {Vec2(3.1, 0.57), Vec2(-1.9, -2.3)})
+    expect_lit("circle = { radius = 1.25 }", light,
+               [&](const Vec2& p) { return nearest_squared(p, light) > kRadius * kRadius; });
+}
+
+TEST(View, AnArcThrowsAShadowByItsHalfAlone) {
+  const Vec2 light(0.11, 3.2);
+  expect_lit("arc = { centre = [0, 0], radius = 1.25, from = 0, to = 180 }", light,
+             [&](const Vec2& p) { return !crosses_upper_half(p, light); });
+}
+
+}  // namespace
+}  // namespace flatray

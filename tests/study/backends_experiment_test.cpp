@@ -1,0 +1,35 @@
+// needs: gl shapes/box experiments/backends backends/gl passes/entities
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "chamber_scenes.h"
+#include "support/paths.h"
+
+namespace flatray {
+namespace {
+
+using namespace flatray::testing;
+
+// Of three frames with 4 samples and with 16: whole pixels do not differ, and the text says so.
+TEST(BackendsExperiment, SaysThatSamplesExplainAllDifferences) {
+  setenv("FLATRAY_GL_MODULE", binary_path("/flatray_gl.so").c_str(), 1);
+  const Scene scene = scene_of(
+      "frames = 5\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n"
+      "[[entity]]\nshape = { box = { min = [2, 2], max = [9.25, 9] } }\nvelocity = [1, 2.5]\nfill "
+      "= \"#c03020\"\n");
+  const ExperimentResult result = run("backends", {scene});
+  EXPECT_TRUE(result.holds);
+  EXPECT_NE(result.summary.find("all differences are those between exact areas and samples\n"),
+            std::string::npos)
+      << result.summary;
+  ASSERT_EQ(result.files.size(), 2U);
+  const std::string& rows = result.files[0].content;
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 2 * 3);
+  for (const char* frame : {",1,4,", ",3,4,", ",5,4,", ",1,16,", ",3,16,", ",5,16,"})
+    EXPECT_NE(rows.find(frame), std::string::npos) << frame;
+  EXPECT_NE(result.files[1].content.find("\"faults\": 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace flatray
