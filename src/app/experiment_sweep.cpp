@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/arguments.h"
@@ -59,15 +60,24 @@ SweepResults::SweepResults(std::string experiment, Sweep sweep)
 
 void SweepResults::add(const std::string& value, const ExperimentResult& result) {
   for (const Measure& one : result.measures) {
-    const double half = kHalfInterval * one.standard_error;
-    table_.add({value, one.name, one.value, one.value - half, one.value + half,
-                one.expected ? Cell(*one.expected) : Cell(std::string()),
-                !one.expected ? ""
-                : agrees(one) ? "yes"
-                              : "no"});
+    const std::optional<double> half = half_interval(one);
+    const auto end = [&](double sign) {
+      return half ? Cell(one.value + sign * *half) : Cell(std::string());
+    };
+    table_.add({value, one.name, one.value, end(-1), end(1),
+                one.expected ? Cell(*one.expected) : Cell(std::string()), verdict(one)});
   }
   holds_ = holds_ && result.holds;
   found_.emplace_back(value, result.measures);
+}
+
+// Of the measures of all values: which there are may depend on what is found.
+std::vector<std::string> SweepResults::names() const {
+  std::vector<std::string> names;
+  for (const auto& [value, measures] : found_)
+    for (const Measure& one : measures)
+      if (std::find(names.begin(), names.end(), one.name) == names.end()) names.push_back(one.name);
+  return names;
 }
 
 ExperimentResult SweepResults::result() && {
@@ -76,22 +86,21 @@ ExperimentResult SweepResults::result() && {
   all.files.push_back(
       {"sweep.json", json_document({{"experiment", experiment_}, {"sweep", sweep_.key}},
                                    {{"measures", &table_}})});
-  if (!found_.empty())
-    for (std::size_t i = 0; i < found_.front().second.size(); ++i) {
-      Plot plot{experiment_ + ": " + found_.front().second[i].name,
-                sweep_.key,
-                found_.front().second[i].name,
-                {{"found", {}, true}, {"expected", {}, false}}};
-      for (const auto& [value, measures] : found_) {
-        const auto x = parse_number(value);
-        if (!x || i >= measures.size()) continue;
-        plot.series[0].points.push_back(
-            {*x, measures[i].value, kHalfInterval * measures[i].standard_error});
-        if (measures[i].expected) plot.series[1].points.push_back({*x, *measures[i].expected, 0});
+  for (const std::string& name : names()) {
+    Plot plot{experiment_ + ": " + name,
+              sweep_.key,
+              name,
+              {{"found", {}, true}, {"expected", {}, false}}};
+    for (const auto& [value, measures] : found_) {
+      const auto x = parse_number(value);
+      for (const Measure& one : measures) {
+        if (!x || one.name != name) continue;
+        plot.series[0].points.push_back({*x, one.value, half_interval(one).value_or(0)});
+        if (one.expected) plot.series[1].points.push_back({*x, *one.expected, 0});
       }
-      if (!plot.series[0].points.empty())
-        all.files.push_back({"sweep_" + found_.front().second[i].name + ".svg", svg(plot)});
     }
+    if (!plot.series[0].points.empty()) all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
+  }
   all.summary = fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, table_.text());
   all.holds = holds_;
   return all;

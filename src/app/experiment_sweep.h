@@ -24,6 +24,8 @@ class SweepResults {
   ExperimentResult result() &&;
 
  private:
+  std::vector<std::string> names() const;
+
   std::string experiment_;
   Sweep sweep_;
   Table table_;

@@ -133,10 +133,8 @@ std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points) {
 
 std::string words(const FittedOrder& order, const std::string& grows) {
   const std::string of = order.series.empty() ? "" : order.series + ": ";
-  return order.law == Law::power ? fmt::format("{}error ~ ({})^{:.2f} +- {:.2f}", of, grows,
-                                               order.slope, order.standard_error)
-                                 : fmt::format("{}error ~ e^({:.3f} {}) +- {:.3f}", of, order.slope,
-                                               grows, order.standard_error);
+  return of + (order.law == Law::power ? fmt::format("error ~ ({})^{:.2f}", grows, order.slope)
+                                       : fmt::format("error ~ e^({:.3f} {})", order.slope, grows));
 }
 
 std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
@@ -162,7 +160,7 @@ std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
     const double off = error - y - slope * (n - x);
     rest += off * off;
   }
-  return FittedOrder{slope, std::sqrt(rest / (count - 2) / xx), series, law, rest};
+  return FittedOrder{slope, series, law, rest};
 }
 
 namespace {

@@ -87,9 +87,10 @@ enum class Law : std::uint8_t {
   exponential  ///< like e^(slope n)
 };
 
-/// Least squares of log error against log n, or n, over the points with both above 0.
+/// Least squares of log error against log n, or n, over the points with both above 0. What they leave is
+/// no error of the slope: most points are computed, not drawn, and lie near a line, not on it.
 struct FittedOrder {
-  double slope = 0, standard_error = 0;
+  double slope = 0;
   std::string series{};
   Law law = Law::power;
   double rest = 0;  ///< squares of what it leaves of log error, together
@@ -184,8 +185,7 @@ std::optional<FittedOrder> fit_order(const std::vector<AccuracyPoint>& points,
                                      double saturated = std::numeric_limits<double>::infinity());
 /// The series of some points, in the order they come in.
 std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points);
-/// Such an order in words: "quasi: error ~ (flights)^-0.98 +- 0.02", "error ~ e^(0.75 bounces) +-
-/// 0.02".
+/// Such an order in words: "quasi: error ~ (flights)^-0.98", "error ~ e^(0.750 bounces)".
 std::string words(const FittedOrder& order, const std::string& grows);
 
 }  // namespace flatray

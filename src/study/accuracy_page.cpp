@@ -121,11 +121,10 @@ std::string figure(const ChoiceReport& report) {
 std::string law(const FittedOrder& order, const std::string& grows) {
   const std::string of = order.series.empty() ? "" : svg_text(order.series) + ": ";
   return order.law == Law::power
-             ? fmt::format("<p>{}The error goes like ({})<sup>{:.2f} &plusmn; {:.2f}</sup>.</p>\n",
-                           of, grows, order.slope, order.standard_error)
-             : fmt::format(
-                   "<p>{}The error goes like e<sup>({:.3f} &plusmn; {:.3f}) {}</sup>.</p>\n", of,
-                   order.slope, order.standard_error, grows);
+             ? fmt::format("<p>{}The error goes like ({})<sup>{:.2f}</sup>.</p>\n", of, grows,
+                           order.slope)
+             : fmt::format("<p>{}The error goes like e<sup>{:.3f} {}</sup>.</p>\n", of, order.slope,
+                           grows);
 }
 
 std::string section(const ChoiceReport& report) {

@@ -54,12 +54,11 @@ Table choices_table(std::span<const ChoiceReport> reports) {
 }
 
 Table orders_table(std::span<const ChoiceReport> reports) {
-  Table table({"choice", "series", "grows", "law", "order", "standard_error"});
+  Table table({"choice", "series", "grows", "law", "order"});
   for (const ChoiceReport& report : reports)
     for (const FittedOrder& order : report.orders)
       table.add({report.name, order.series, report.grows,
-                 std::string(order.law == Law::power ? "power" : "exponential"), order.slope,
-                 order.standard_error});
+                 std::string(order.law == Law::power ? "power" : "exponential"), order.slope});
   return table;
 }
 

@@ -14,22 +14,46 @@ struct RatioSums {
 
   /// Sum of x over sum of y.
   double ratio() const { return x / y; }
-  /// Of the ratio: that of the mean of x - ratio * y over the mean of y. Needs some 30 samples for
-  /// it to mean anything.
+  /// Of the ratio: that of the mean of x - ratio * y over the mean of y.
+  ///
+  /// Needs   two samples or more; of few the interval is wide, by Student's t.
   double standard_error() const;
+  /// The ratio as a measure, without an error where there is a sample alone.
+  Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
 
   /// As six numbers, for blocks.
   void append_to(Numbers& numbers) const;
   static RatioSums from(std::span<const double> six);
 };
 
-/// Standard errors that a measure may lie from what must come out.
+/// Standard errors that a measure may lie from what must come out, where they are many's.
 inline constexpr double kAllowedErrors = 4;
-/// Half of an interval that covers the truth in 95 % of all runs, in standard errors.
-inline constexpr double kHalfInterval = 1.96;
 
-/// Whether a measure lies near enough to what is expected, where anything is.
+/// Standard errors on either side that hold the truth in 95 % of all runs: Student's t, 1.96 where
+/// `freedom` is infinite.
+///
+/// Error   1 % for 3 degrees of freedom, 0.1 % for 5 and more.
+/// Source  Abramowitz and Stegun 26.7.5.
+double student_95(double freedom);
+/// The same of chi-squared: it is below this in 95 % of all runs, and below the other in 5 %.
+///
+/// Error   1 % from 2 degrees of freedom on, the lower one from 8 on.
+/// Source  Wilson and Hilferty 1931.
+double chi_squared_95(double freedom);
+double chi_squared_5(double freedom);
+
+/// Half of the interval of a root mean square of `count` normal numbers, as a part of it, that holds the true
+/// one in 95 % of all runs: it is seldom more too small, and hardly ever as much too large.
+double half_of_rms(double count);
+
+/// Half of the interval that covers the truth in 95 % of all runs; none without a standard error.
+std::optional<double> half_interval(const Measure& measure);
+
+/// Whether a measure lies near enough to what is expected, where anything is: by its standard error,
+/// or as far as rounding is allowed to take it.
 bool agrees(const Measure& measure);
+/// That in a word: "yes" or "no", "" where it cannot be said.
+std::string verdict(const Measure& measure);
 
 /// Result of an experiment whose answer is a list of measures: NAME.csv, NAME.json, and the table
 /// as text after `headline`.

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,12 +50,19 @@ struct ExperimentContext {
   Starts starts = Starts::random;
 };
 
-/// A number found, with the error of its estimate, beside what must come out where that is known.
+/// A number found, beside what must come out where that is known.
 struct Measure {
   std::string name;
   double value = 0;
-  double standard_error = 0;
+  /// Estimated from the data; none where the number is counted or computed, or no limit is known.
+  std::optional<double> standard_error{};
   std::optional<double> expected{};
+  /// Degrees of freedom of the standard error: independent parts of the data, less one.
+  double freedom = std::numeric_limits<double>::infinity();
+  /// Of a number without an error: how far from what is expected rounding may take it, 0 of a count;
+  /// none where nothing can be said of that.
+  std::optional<double> allowed{};
+  std::string remark{};  ///< what the error is estimated from, or why there is none
 };
 
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with

@@ -16,8 +16,6 @@
 namespace flatray {
 namespace {
 
-constexpr double kWidth = 0x1p-40;
-
 void add_wrong(StabilityTally& tally, std::uint64_t item) {
   ++tally.wrong;
   if (tally.first_wrong.empty()) tally.first_wrong = fmt::format("item {}", item);
@@ -119,7 +117,7 @@ TurningBody body(const oracle::TurningCore& core) {
 void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPair& pair) {
   using Verdict = TurningContact::Verdict;
   using Kind = oracle::FirstTouch::Kind;
-  const TurningContact met = turning_contact(body(pair.a()), body(pair.b()), 1, kWidth);
+  const TurningContact met = turning_contact(body(pair.a()), body(pair.b()), 1, kAskedWidth);
   const oracle::FirstTouch truth = oracle::first_touch(pair.a(), pair.b(), 1);
   ++tally.rays;
   tally.hits += truth.kind == Kind::touch ? 1 : 0;
@@ -136,7 +134,7 @@ void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPai
     wrong = true;
   }
   if (wrong) add_wrong(tally, item);
-  if (meets && met.first.high - met.first.low > kWidth) ++tally.not_nearest;
+  if (meets && met.first.high - met.first.low > kAskedWidth) ++tally.not_nearest;
 }
 
 // The names of round and of turning families say so, as some are those of straight ones.

@@ -3,6 +3,9 @@
 
 namespace flatray {
 
+/// Of the times at which turning pairs meet: wider ones count as not told exactly.
+inline constexpr double kAskedWidth = 0x1p-40;
+
 /// A kind of moving pairs that are hard to tell about: in straight motion, asked one by one
 /// ("contact") and, without radii, together ("contacts"), or turning ("turning").
 struct PairFamily {

@@ -1,5 +1,6 @@
 #include "study/pixel_map.h"
 
+#include "base/philox.h"
 #include "base/portable_math.h"
 #include "study/blocks.h"
 #include "transport/reflection.h"
@@ -64,22 +65,16 @@ PixelOutcome outcome(std::span<const double> six) {
           {six[4], six[5]}};
 }
 
-// Starts of the pixels of a film.
-class PixelStarts {
+// Starts of the places of a picture.
+class PlaceStarts {
  public:
-  PixelStarts(const Room& room, PixelMap map)
-      : film_(room.scene().film), window_(room.state().window), map_(map) {
+  PlaceStarts(const Room& room, PixelMap map) : window_(room.state().window), map_(map) {
     const std::vector<RayPath>& rays = room.scene().rays;
     const Vec2 at = rays.empty() ? window_.centre() : world_pose(room.state())(rays.front().at);
     ray_ = {at, unit(rays.empty() ? Vec2(1, 0) : rays.front().direction)};
   }
-  std::uint64_t count() const {
-    return static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height);
-  }
-  Ray operator[](std::uint64_t pixel) const {
-    const auto width = static_cast<std::uint64_t>(film_.width);
-    const double x = (static_cast<double>(pixel % width) + 0.5) / film_.width;
-    const double y = (static_cast<double>(pixel / width) + 0.5) / film_.height;
+  Ray operator[](const UnitPoint& place) const {
+    const auto [x, y] = place;
     const Vec2 size = window_.size(), &d = ray_.direction;
     if (map_ == PixelMap::position)
       return {{window_.low.x() + x * size.x(), window_.high.y() - y * size.y()}, d};
@@ -90,29 +85,64 @@ class PixelStarts {
   }
 
  private:
-  const Film& film_;
   const Bounds& window_;
   PixelMap map_;
   Ray ray_;
 };
 
+// The place of a pixel that is so far across and down in it.
+UnitPoint in_pixel(const Film& film, std::uint64_t pixel, double across, double down) {
+  const auto width = static_cast<std::uint64_t>(film.width);
+  return {(static_cast<double>(pixel % width) + across) / film.width,
+          (static_cast<double>(pixel / width) + down) / film.height};
+}
+
 }  // namespace
 
-Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
-                                               std::uint64_t bounces, PixelMap usual) {
-  const PixelStarts starts(room, context.map == PixelMap::usual ? usual : context.map);
-  const Blocks blocks{starts.count(), 1024};
+std::uint64_t pixel_count(const Film& film) {
+  return static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
+}
+
+UnitPoint pixel_centre(const Film& film, std::uint64_t pixel) {
+  return in_pixel(film, pixel, 0.5, 0.5);
+}
+
+UnitPoint drawn_in_pixel(const Film& film, std::uint64_t pixel, std::uint64_t seed) {
+  const UnitPoint in = drawn_place(seed, pixel);
+  return in_pixel(film, pixel, in.x, in.y);
+}
+
+UnitPoint drawn_place(std::uint64_t seed, std::uint64_t number) {
+  const auto draw = [&](std::uint32_t which) {
+    return unit_double(random_bits(seed, Stream::experiment, number >> 32, number, which));
+  };
+  return {draw(0), draw(1)};
+}
+
+Result<std::vector<PixelOutcome>> trace_places(
+    const ExperimentContext& context, const Room& room, std::uint64_t bounces, PixelMap usual,
+    std::uint64_t count, const std::function<UnitPoint(std::uint64_t)>& place) {
+  const PlaceStarts starts(room, context.map == PixelMap::usual ? usual : context.map);
+  const Blocks blocks{count, 1024};
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
     Outcomes outcomes(room);
-    for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i) outcomes.add(starts[i]);
+    for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
+      outcomes.add(starts[place(i)]);
     return outcomes.follow(bounces);
   });
   if (!found) return tl::unexpected(found.error());
-  std::vector<PixelOutcome> pixels;
+  std::vector<PixelOutcome> outcomes;
   for (const Numbers& block : *found)
     for (std::size_t i = 0; i < block.size(); i += kColumns)
-      pixels.push_back(outcome(std::span(block).subspan(i, kColumns)));
-  return pixels;
+      outcomes.push_back(outcome(std::span(block).subspan(i, kColumns)));
+  return outcomes;
+}
+
+Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
+                                               std::uint64_t bounces, PixelMap usual) {
+  const Film& film = context.scene.film;
+  return trace_places(context, room, bounces, usual, pixel_count(film),
+                      [&](std::uint64_t pixel) { return pixel_centre(film, pixel); });
 }
 
 }  // namespace flatray

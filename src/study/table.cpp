@@ -27,6 +27,7 @@ std::string csv_cell(const Cell& cell) {
 }
 
 std::string shown(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
   const auto* measure = std::get_if<double>(&cell);
   return measure != nullptr ? fmt::format("{:.6g}", *measure) : csv_cell(cell);
 }
@@ -81,6 +82,10 @@ std::string Table::csv() const {
 std::string Table::text() const {
   std::vector<std::string> lines(rows_.size() + 1);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (std::all_of(rows_.begin(), rows_.end(),
+                    [i](const std::vector<Cell>& row) { return row[i] == Cell(std::string()); }) &&
+        !rows_.empty())
+      continue;
     std::size_t widest = width(columns_[i]);
     for (const std::vector<Cell>& row : rows_) widest = std::max(widest, width(shown(row[i])));
     const bool right = std::any_of(rows_.begin(), rows_.end(),

@@ -23,7 +23,8 @@ class Table {
 
   /// RFC 4180 with '\n', numbers shortest round-trip.
   std::string csv() const;
-  /// Columns side by side for a terminal, measures to six digits, counts and measures to the right.
+  /// Columns side by side for a terminal, measures to six digits, counts and measures to the right; none
+  /// of a column in which nothing stands.
   std::string text() const;
 
  private:

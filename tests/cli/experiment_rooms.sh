@@ -46,8 +46,8 @@ run 2 experiment divergence "$sinai" --apart 0
 run 2 experiment escape "$sinai" --map angel
 says err "angle"
 # Options that would change nothing, all told at once.
-run 2 experiment escape "$sinai" --count 10 --apart 0.1 --map angle
-says err "--count: error: is nothing that escape looks at"
+run 2 experiment reflections "$sinai" --count 10 --apart 0.1 --map angle
+says err "--count: error: is nothing that reflections looks at"
 says err "--apart: error"
 says err "it takes --bounces, --map, --resume"
 scene box.toml 1

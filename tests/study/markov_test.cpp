@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "chains.h"
+#include "full_counts.h"
 #include "study/chain_walks.h"
 #include "study/experiment.h"
 #include "xml.h"
@@ -65,6 +67,22 @@ TEST(Markov, TheStandardErrorIsThatOfTheWalks) {
   // A geometric wait of 1/4 to 3/4: variance (1/4) / (3/4)^2 = 4/9.
   const Result<ExperimentResult> result = run(scene_with(paper_chains()), 1, 10'000);
   EXPECT_DOUBLE_EQ(starts(*result)[2]["standard_error"].get<double>(), 2.0 / 3 / 100);
+}
+
+// The error of the closed form is that of the walks: |z| is below 1.96 in 95 % of all runs, within three and
+// a half deviations of as many.
+TEST(Markov, TheStandardErrorCovers) {
+  const Scene scene = scene_with(paper_chains());
+  const std::uint64_t seeds = times(1000, 150);
+  std::vector<double> held;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const nlohmann::json rows = starts(*run(scene, seed, 400));
+    held.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (std::fabs(rows[i]["z"].get<double>()) <= 1.96) ++held[i];
+  }
+  const auto n = static_cast<double>(seeds);
+  for (const double one : held) EXPECT_NEAR(one, 0.95 * n, 3.5 * std::sqrt(0.95 * 0.05 * n));
 }
 
 TEST(Markov, SeedsGiveDifferentWalks) {

@@ -97,7 +97,7 @@ TEST(Starts, QuasiRandomOnesKnowTheirError) {
                                                          .bounces = 1,
                                                          .starts = Starts::quasi}),
                                   "mean_free_path");
-    if (std::fabs(found.value - *found.expected) <= kHalfInterval * found.standard_error) ++holds;
+    if (std::fabs(found.value - *found.expected) <= *half_interval(found)) ++holds;
   }
   EXPECT_GE(holds, 43);  // of 95 %
 }

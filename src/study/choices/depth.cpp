@@ -21,7 +21,7 @@ constexpr std::uint64_t kTruthBounces = 4096, kLeastBounces = 64, kMostBounces =
 
 // The room on a small film, and where its orbits end.
 struct Fates {
-  explicit Fates(const Scene& whole) : scene(whole) {
+  Fates(const Scene& whole, std::uint64_t of_seed) : scene(whole), seed(of_seed) {
     const double shrink =
         std::min(1.0, static_cast<double>(kSide) / std::max(scene.film.width, scene.film.height));
     scene.film.width = std::max(1, static_cast<int>(shrink * scene.film.width));
@@ -29,13 +29,18 @@ struct Fates {
     room.emplace(scene);
   }
   Scene scene;
+  std::uint64_t seed;
   std::optional<Room> room;
   std::vector<PixelOutcome> truth, found;
 };
 
+// From anywhere in each pixel: their centres may lie on a few orbits together.
 std::vector<PixelOutcome> followed(const Fates& fates, std::uint64_t bounces, unsigned threads) {
-  auto pixels = trace_pixels({.scene = fates.scene, .threads = threads}, *fates.room, bounces,
-                             PixelMap::position);
+  const Film& film = fates.scene.film;
+  auto pixels = trace_places({.scene = fates.scene, .threads = threads}, *fates.room, bounces,
+                             PixelMap::position, pixel_count(film), [&](std::uint64_t pixel) {
+                               return drawn_in_pixel(film, pixel, fates.seed);
+                             });
   FLATRAY_CHECK(pixels.has_value());  // nothing stops it
   return std::move(*pixels);
 }
@@ -105,7 +110,7 @@ std::uint64_t find_truth(Fates& fates, unsigned threads, double seconds) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const auto fates = std::make_shared<Fates>(context.scene);
+  const auto fates = std::make_shared<Fates>(context.scene, context.seed);
   const std::uint64_t bounces = find_truth(*fates, context.threads, reference_budget(context));
   const auto stay = std::count_if(fates->truth.begin(), fates->truth.end(),
                                   [](const PixelOutcome& p) { return p.kind == Kind::limit; });
@@ -118,7 +123,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   ChoiceSettings made;
   made.unit = "share of the orbits that end whose end is not reached";
   made.reference = fmt::format(
-      "{} orbits, one a pixel, followed for {} bounces, in which {} of them do not end and are "
+      "{} orbits, one from anywhere in each pixel, followed for {} bounces, in which {} of them do "
+      "not end and are "
       "left "
       "out",
       count, bounces, stay);

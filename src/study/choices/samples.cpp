@@ -6,7 +6,7 @@
 
 #include "base/check.h"
 #include "study/accuracy.h"
-#include "study/experiment.h"
+#include "study/estimate.h"
 #include "study/room.h"
 
 namespace flatray {
@@ -37,13 +37,13 @@ const Experiment* experiment() {
   return nullptr;
 }
 
-// Root mean square over the seeds; its own relative error is 1 / sqrt(2 N).
+// Root mean square over the seeds.
 Outcome judge(const Paths& paths) {
   double sum = 0;
   for (const double path : paths.found) sum += (path - paths.expected) * (path - paths.expected);
   const auto count = static_cast<double>(paths.found.size());
   const double rms = std::sqrt(sum / count);
-  return {rms / paths.expected, 1.96 * rms / paths.expected / std::sqrt(2 * count), {}};
+  return {rms / paths.expected, half_of_rms(count) * rms / paths.expected, {}};
 }
 
 std::string left_out(const Scene& scene) {

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
@@ -98,12 +97,13 @@ ExperimentResult results(const ExperimentContext& context, double duration, cons
   }
   Table table({"met_before", "velocities"});
   for (int k = 0; k < kTenths; ++k) table.add({(k + 1) * duration / kTenths, by_tenth[k]});
-  const double all = static_cast<double>(times.size()), part = static_cast<double>(free) / all;
+  Measure part{"meets nothing", static_cast<double>(free) / static_cast<double>(times.size())};
+  part.remark = "of these velocities, counted";
   ExperimentResult result =
       measured(context, "avoidance",
                fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width,
                            film.height, context.scene.entities[0].name, duration),
-               {{"meets nothing", part, std::sqrt(part * (1 - part) / all)}});
+               {std::move(part)});
   result.files.push_back({"avoidance_times.csv", table.csv()});
   result.files.push_back(png_file("avoidance.png", image, context.threads));
   return result;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/portable_math.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
@@ -17,7 +18,7 @@ namespace flatray {
 namespace {
 
 constexpr std::uint64_t kBounces = 200;
-constexpr std::uint64_t kRandomOrbits = 4;
+constexpr std::uint64_t kRandomOrbits = 16;
 
 // One orbit three times: without error, beside itself, and in doubles.
 struct Trio {
@@ -105,10 +106,18 @@ class Study {
     measures_.push_back({name + ": walls of doubles right until bounce", bounces(same)});
     measures_.push_back({name + ": bounces of doubles proven", bounces(proven)});
     measures_.push_back({name + ": bits of the exact orbit", bounces(trio.exact.bits)});
-    measures_.push_back(slope(name));
+    if (const auto rate = slope()) {
+      measures_.push_back({name + ": growth per bounce", *rate});
+      growth_.add(*rate, 1);
+    }
   }
 
-  ExperimentResult result() && {
+  ExperimentResult result(bool random) && {
+    if (random && growth_.samples > 1) {
+      measures_.push_back(growth_.measure("growth per bounce, mean of starts"));
+      measures_.back().remark =
+          fmt::format("until 1 % of the room apart; error from {} starts", growth_.samples);
+    }
     ExperimentResult all = measured(
         context_, "divergence",
         fmt::format("Orbits {} apart at their start, and the error of doubles, beside exact ones",
@@ -120,28 +129,27 @@ class Study {
   }
 
  private:
-  // Least squares of the logarithm of the distance.
-  Measure slope(const std::string& name) {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  // Least squares of the logarithm of the distance; what they leave is no error of the slope, as it is
+  // the same way of one orbit.
+  std::optional<double> slope() {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const auto& [at, log] : std::exchange(rate_points_, {})) {
       ++n;
       x += at;
       y += log;
       xx += at * at;
       xy += at * log;
-      yy += log * log;
     }
     const double spread = n * xx - x * x;
-    if (!(n > 2 && spread > 0)) return {name + ": growth per bounce", 0, 0};
-    const double rate = (n * xy - x * y) / spread;
-    const double rest = std::max(0.0, (n * yy - y * y) / spread - rate * rate);
-    return {name + ": growth per bounce", rate, std::sqrt(rest / (n - 2))};
+    if (!(n > 2 && spread > 0)) return std::nullopt;
+    return (n * xy - x * y) / spread;
   }
 
   const ExperimentContext& context_;
   const Room& room_;
   double size_;
   std::vector<std::pair<double, double>> rate_points_;
+  RatioSums growth_;
   std::vector<Measure> measures_;
   Table table_{{"orbit", "bounce", "neighbours_apart", "error_of_doubles", "wall_right", "proven"}};
   Plot plot_{"How far orbits have parted", "bounce", "distance", {}, true};
@@ -151,14 +159,17 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const NamedOrbits orbits = orbits_to_watch(context, room, kRandomOrbits);
-  Study study(context, room);
-  for (std::size_t i = 0; i < orbits.starts.size(); ++i) {
+  std::vector<std::optional<Result<Trio>>> trios(orbits.starts.size());
+  parallel_for(trios.size(), context.threads, [&](std::size_t i) {
     const Ray start = orbits.random ? half_way(room, orbits.starts[i]) : orbits.starts[i].ray;
-    const auto trio = trace(room, start, context.bounces.value_or(kBounces), context.apart);
-    if (!trio) return tl::unexpected(trio.error());
-    study.add(orbits.names[i], *trio);
+    trios[i] = trace(room, start, context.bounces.value_or(kBounces), context.apart);
+  });
+  Study study(context, room);
+  for (std::size_t i = 0; i < trios.size(); ++i) {
+    if (!*trios[i]) return tl::unexpected(trios[i]->error());
+    study.add(orbits.names[i], **trios[i]);
   }
-  return std::move(study).result();
+  return std::move(study).result(orbits.random);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
-#include <cmath>
+#include <algorithm>
 #include <map>
 
 #include "base/portable_math.h"
-#include "study/estimate.h"
 #include "study/palette.h"
 #include "study/pixel_map.h"
+#include "study/survival.h"
 #include "study/svg_plot.h"
 #include "study/table.h"
 
@@ -16,7 +16,6 @@ namespace {
 using Kind = PixelOutcome::Kind;
 
 constexpr std::uint64_t kBounces = 1000;
-constexpr std::uint32_t kSettled = 3;  // bounces after which escape is that of the trapped orbits
 constexpr Light kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
 
 // Who absorbed a ray: an entity, pillar or chamber, as one number.
@@ -24,8 +23,14 @@ using Exit = std::pair<SurfaceOwner::Kind, std::uint64_t>;
 
 class Basins {
  public:
-  Basins(const ExperimentContext& context, const Room& room, std::vector<PixelOutcome> pixels)
-      : context_(context), room_(room), pixels_(std::move(pixels)) {
+  /// `pixels`, and what starts from anywhere in the picture.
+  Basins(const ExperimentContext& context, const Room& room, std::uint64_t bounces,
+         std::vector<PixelOutcome> pixels, std::span<const PixelOutcome> drawn)
+      : context_(context), room_(room), bounces_(bounces), pixels_(std::move(pixels)) {
+    for (const PixelOutcome& one : drawn)
+      if (one.kind != Kind::solid)
+        drawn_.push_back({static_cast<double>(one.bounces), one.length, gone(one)});
+    survival_ = survival(drawn_);
     for (const PixelOutcome& pixel : pixels_) {
       if (pixel.kind == Kind::solid) continue;
       ++free_;
@@ -36,7 +41,6 @@ class Basins {
       if (pixel.bounces >= gone_after_.size()) gone_after_.resize(pixel.bounces + 1);
       ++gone_after_[pixel.bounces];
     }
-    add_tail();
   }
 
   ExperimentResult result() const {
@@ -69,29 +73,6 @@ class Basins {
                                                  : scene.chambers[0].pillars[index].name;
   }
 
-  // Beyond some bounces the lengths of paths, and their numbers of bounces, fall off exponentially:
-  // the rate is the inverse of the mean excess.
-  void add_tail() {
-    double least = 0, sum = 0, bounces = 0, count = 0;
-    for (const PixelOutcome& pixel : pixels_)
-      if (pixel.bounces == kSettled && gone(pixel)) least = std::max(least, pixel.length);
-    for (const PixelOutcome& pixel : pixels_)
-      if (gone(pixel) && pixel.length > least) {
-        sum += pixel.length - least;
-        ++count;
-      }
-    if (count > 1)
-      tail_.push_back({"escape_rate_per_length", count / sum, count / sum / std::sqrt(count)});
-    count = 0;
-    for (const PixelOutcome& pixel : pixels_)
-      if (gone(pixel) && pixel.bounces >= kSettled) {
-        bounces += pixel.bounces - kSettled;
-        ++count;
-      }
-    if (bounces > 0)
-      tail_.push_back({"escape_rate_per_bounce", portable::log(1 + count / bounces),
-                       1 / std::sqrt(bounces * (1 + bounces / count))});
-  }
   static bool gone(const PixelOutcome& pixel) {
     return pixel.kind == Kind::escape || pixel.kind == Kind::absorbed;
   }
@@ -99,21 +80,60 @@ class Basins {
   std::vector<Measure> measures() const {
     const auto free = static_cast<double>(free_);
     const auto share = [&](std::string name, std::uint64_t count) {
-      const double part = static_cast<double>(count) / free;
-      return Measure{std::move(name), part, std::sqrt(part * (1 - part) / free)};
+      Measure part{std::move(name), static_cast<double>(count) / free};
+      part.remark = "of the pixels, counted";
+      return part;
     };
     std::vector<Measure> all;
     for (const auto& [exit, count] : exits_) all.push_back(share("into " + exit_name(exit), count));
     all.push_back(share("into the open", escaped_));
     all.push_back(share("trapped", trapped_));
-    all.insert(all.end(), tail_.begin(), tail_.end());
+    add_decay(all);
     return all;
+  }
+
+  // A rate where there is one; else both fits, which are no more than that.
+  void add_decay(std::vector<Measure>& all) const {
+    using Law = Survival::Law;
+    if (survival_.freedom == 0) return;
+    if (survival_.law == Law::exponential) {
+      for (Measure& rate : escape_rates(drawn_, survival_, bounces_))
+        all.push_back(std::move(rate));
+      return;
+    }
+    const auto add = [&](const char* name, double value, double rest) {
+      all.push_back({name, value});
+      all.back().remark = fmt::format("no error: leaves {:.3g} for {:.0f} degrees of freedom", rest,
+                                      survival_.freedom);
+    };
+    add("fit_of_a_rate_per_bounce", survival_.rate, survival_.rate_rest);
+    add("fit_of_a_power_of_flights", survival_.power, survival_.power_rest);
+  }
+
+  std::string decay_words() const {
+    using Law = Survival::Law;
+    if (survival_.freedom == 0)
+      return fmt::format("of {} drawn orbits too few stay to tell how their number falls",
+                         drawn_.size());
+    const std::string of =
+        fmt::format("of {} drawn orbits, those left after n bounces fall ", drawn_.size());
+    const std::string fits =
+        fmt::format("e^(-{:.4g} n) or (n + 1)^-{:.4g}", survival_.rate, survival_.power);
+    if (survival_.law == Law::exponential) return of + "exponentially";
+    if (survival_.law == Law::power)
+      return of + fmt::format("like (n + 1)^-{:.3g}: there is no rate", survival_.power);
+    const bool neither =
+        std::min(survival_.rate_rest, survival_.power_rest) > chi_squared_95(survival_.freedom);
+    if (!neither) return of + "like " + fits + ": undecided";
+    const bool powers = survival_.power_rest < survival_.rate_rest;
+    return of + fmt::format("like neither {}; the data prefer {}", fits,
+                            powers ? "the power" : "the exponential");
   }
 
   std::string headline() const {
     return fmt::format(
-        "{} x {} pixels, an orbit each: {} start in the free, {} stay for all bounces",
-        context_.scene.film.width, context_.scene.film.height, free_, trapped_);
+        "{} x {} pixels, an orbit each: {} start in the free, {} stay for all bounces; {}",
+        context_.scene.film.width, context_.scene.film.height, free_, trapped_, decay_words());
   }
 
   // Basins by colour: who absorbed the ray, or where it went; the darker the longer it stayed.
@@ -139,19 +159,29 @@ class Basins {
 
   const ExperimentContext& context_;
   const Room& room_;
+  std::uint64_t bounces_;
   std::vector<PixelOutcome> pixels_;
+  std::vector<Departure> drawn_;
+  Survival survival_;
   std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0;
   std::map<Exit, std::uint64_t> exits_;
   std::vector<std::uint64_t> gone_after_;  // by number of bounces
-  std::vector<Measure> tail_;
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
-  auto pixels = trace_pixels(context, room, context.bounces.value_or(kBounces), PixelMap::angle);
-  if (!pixels) return fail(std::move(pixels));
-  return Basins(context, room, std::move(*pixels)).result();
+  const Film& film = context.scene.film;
+  const std::uint64_t bounces = context.bounces.value_or(kBounces), count = pixel_count(film);
+  auto all = trace_places(
+      context, room, bounces, PixelMap::angle, count + context.count, [&](std::uint64_t i) {
+        return i < count ? pixel_centre(film, i) : drawn_place(context.seed, i - count);
+      });
+  if (!all) return fail(std::move(all));
+  const std::vector<PixelOutcome> drawn(all->begin() + static_cast<std::ptrdiff_t>(count),
+                                        all->end());
+  all->resize(count);
+  return Basins(context, room, bounces, std::move(*all), drawn).result();
 }
 
 }  // namespace
@@ -161,7 +191,7 @@ extern const Experiment escape = {
     "escape",
     "Where does a ray from each pixel leave, and after how many bounces?",
     &run,
-    {.bounces = true, .map = true, .resume = true}};
+    {.count = true, .bounces = true, .map = true, .seed = true, .resume = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -1,11 +1,12 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/portable_math.h"
 #include "study/blocks.h"
-#include "study/room.h"
+#include "study/flight_tail.h"
 #include "study/starts.h"
 #include "study/wall_places.h"
 
@@ -35,6 +36,11 @@ struct Tangent {
   }
 };
 
+// What is summed over orbits: growth over length, over hits, over hits of curved walls; that between
+// a half and all bounces over that between a quarter and a half; and the former alone.
+constexpr std::size_t kSums = 5;
+enum Sum : std::size_t { of_length, of_hits, of_curved, of_doubling, of_power };
+
 class Growth : public OrbitSink {
  public:
   Growth(const Surfaces& walls, Starts starts, std::uint64_t begin, std::uint64_t end,
@@ -43,7 +49,7 @@ class Growth : public OrbitSink {
         starts_(starts),
         begin_(begin),
         extent_(bounds_of(walls).size().maxCoeff()),
-        half_(kSettling + (bounces - kSettling) / 2),
+        quarter_(bounces / 4),
         states_(end - begin) {}
 
   void bounce(std::size_t number, const Bounce& bounce) override {
@@ -52,43 +58,132 @@ class Growth : public OrbitSink {
     state.tangent.fly(bounce.t / extent_);
     state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / portable::cos(bounce.incidence()));
     const double grown = state.tangent.restore();
-    if (++state.bounces <= kSettling) return;
+    state.longest = std::max(state.longest, bounce.t);
+    ++state.bounces;
+    if (state.bounces > quarter_ && state.bounces <= 2 * quarter_) state.second_quarter += grown;
+    if (state.bounces > 2 * quarter_ && state.bounces <= 4 * quarter_) state.half += grown;
+    if (state.bounces <= kSettling) return;
     state.grown += grown;
-    state.late += state.bounces > half_ ? grown : 0;
     state.length += bounce.t;
     state.curved += bend != 0 ? 1 : 0;
   }
   void end(std::size_t, const OrbitStop&) override {}
 
   Numbers numbers() const {
-    StartSums length(starts_), hits(starts_), curved(starts_), late(starts_);
+    std::array<StartSums, kSums> sums = none(starts_);
+    std::vector<double> longest;
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const State& state = states_[i];
+      longest.push_back(state.longest);
       if (state.bounces <= kSettling) continue;
-      length.add(begin_ + i, state.grown, state.length);
-      hits.add(begin_ + i, state.grown, static_cast<double>(state.bounces - kSettling));
-      curved.add(begin_ + i, state.grown, state.curved);
-      if (state.bounces > half_)
-        late.add(begin_ + i, state.late, static_cast<double>(state.bounces - half_));
+      sums[of_length].add(begin_ + i, state.grown, state.length);
+      sums[of_hits].add(begin_ + i, state.grown, static_cast<double>(state.bounces - kSettling));
+      sums[of_curved].add(begin_ + i, state.grown, state.curved);
+      if (state.bounces < 4 * quarter_) continue;
+      sums[of_doubling].add(begin_ + i, state.half, state.second_quarter);
+      sums[of_power].add(begin_ + i, state.half, 1);
     }
+    FlightTail tail;
+    tail.add(longest, 4 * quarter_);
     Numbers all;
-    for (const StartSums& sums : {length, hits, curved, late}) sums.append_to(all);
+    tail.append_to(all);
+    for (const StartSums& one : sums) one.append_to(all);
     return all;
+  }
+  static std::array<StartSums, kSums> none(Starts starts) {
+    const StartSums one(starts);
+    return {one, one, one, one, one};
   }
 
  private:
   struct State {
     Tangent tangent;
     std::uint64_t bounces = 0;
-    double grown = 0, length = 0, curved = 0, late = 0;
+    double grown = 0, length = 0, curved = 0, longest = 0;
+    double second_quarter = 0, half = 0;  // growth in that quarter, in the second half
   };
   const Surfaces& walls_;
   Starts starts_;
   std::uint64_t begin_;  // the number of the first
   double extent_;
-  std::uint64_t half_;  // bounces, of which what comes after counts as late
+  std::uint64_t quarter_;  // of the bounces
   std::vector<State> states_;
 };
+
+// All blocks together.
+struct Grown {
+  FlightTail tail;
+  std::array<RatioSums, kSums> sums;
+};
+Grown together(const std::vector<Numbers>& blocks, Starts starts) {
+  Grown grown;
+  std::array<StartSums, kSums> all = Growth::none(starts);
+  const std::size_t size = StartSums::size(starts);
+  for (const Numbers& block : blocks) {
+    grown.tail += FlightTail::from(block);
+    for (std::size_t i = 0; i < kSums; ++i)
+      all[i] +=
+          StartSums::from(starts, std::span(block).subspan(FlightTail::kNumbers + size * i, size));
+  }
+  for (std::size_t i = 0; i < kSums; ++i) grown.sums[i] = all[i].all();
+  return grown;
+}
+
+// How neighbours part.
+enum class Law { straight, exponential, power, undecided };
+
+// What grows like e^(rate t) grows twice as much from a half on as between a quarter and a half, what
+// grows like a power as much: where the quotient lies, by more than chance, is the law. Nearer to 2
+// and not 2 is neither yet, as where orbits of both kinds are mixed.
+Law law_of(const Surfaces& walls, const RatioSums& doubling) {
+  if (!walls.any_curves()) return Law::straight;
+  if (doubling.samples < 3) return Law::undecided;
+  const double quotient = doubling.ratio();
+  const double chance = kAllowedErrors / student_95(kInfinity) * student_95(doubling.samples - 1) *
+                        doubling.standard_error();
+  if (quotient + chance < 1.5) return Law::power;
+  return quotient - chance > 1.5 && std::fabs(quotient - 2) <= chance ? Law::exponential
+                                                                      : Law::undecided;
+}
+
+std::string words(Law law, double power) {
+  if (law == Law::exponential) return "neighbours part exponentially";
+  const std::string finite = "what is told is of finite time, without an error";
+  if (law == Law::straight)
+    return fmt::format("exactly 0, as all walls are straight; neighbours part like t^{:.1f}",
+                       power);
+  if (law == Law::power)
+    return fmt::format("no exponential growth found: grows like t^{:.1f}; {}", power, finite);
+  return "undecided whether neighbours part exponentially; " + finite;
+}
+
+std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, double power) {
+  const std::array names = {"per_length", "per_hit", "per_curved_hit"};
+  std::vector<Measure> measures;
+  if (law == Law::straight)
+    for (const char* name : {"per_length", "per_hit"}) {
+      measures.push_back({name, 0});
+      measures.back().remark = "all walls are straight";
+    }
+  for (std::size_t i = of_length; i <= of_curved; ++i) {
+    if (!(grown.sums[i].y > 0)) continue;
+    Measure one = grown.sums[i].measure(names[i]);
+    if (law != Law::exponential) {
+      one.name.insert(0, "finite_time_");
+      one.remark = law == Law::undecided ? "no error: may have no limit but 0"
+                                         : "no error: falls to 0 with time";
+    } else if (i == of_length) {
+      one.remark = no_error_of_flights(room, grown.tail);
+    }
+    if (!one.remark.empty()) one.standard_error.reset();
+    measures.push_back(std::move(one));
+  }
+  if (law != Law::exponential) {
+    measures.push_back({"power_of_growth", power});
+    measures.back().remark = "of time, in the later half";
+  }
+  return measures;
+}
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
@@ -110,23 +205,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     return growth.numbers();
   });
   if (!found) return fail(std::move(found));
-  const std::size_t size = StartSums::size(context.starts);
-  std::array<RatioSums, 4> sums;
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    StartSums all(context.starts);
-    for (const Numbers& block : *found)
-      all += StartSums::from(context.starts, std::span(block).subspan(size * i, size));
-    sums[i] = all.all();
-  }
-  std::vector<Measure> measures;
-  const std::array names = {"per_length", "per_hit", "per_curved_hit",
-                            "per_hit_second_half"};  // falls where growth is no exponential
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    if (sums[i].y > 0) measures.push_back({names[i], sums[i].ratio(), sums[i].standard_error()});
-  return measured(
-      context, "lyapunov",
-      fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits", sums[1].y, plan->orbits),
-      std::move(measures));
+  const Grown grown = together(*found, context.starts);
+  const Law law = law_of(room.walls(), grown.sums[of_doubling]);
+  const double power = grown.sums[of_power].ratio() / portable::log(2);
+  return measured(context, "lyapunov",
+                  fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits: {}",
+                              grown.sums[of_hits].y, plan->orbits, words(law, power)),
+                  exponents(room, grown, law, power));
 }
 
 }  // namespace

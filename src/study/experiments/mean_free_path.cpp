@@ -1,7 +1,9 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "study/blocks.h"
-#include "study/room.h"
+#include "study/flight_tail.h"
 #include "study/starts.h"
 
 namespace flatray {
@@ -14,9 +16,15 @@ constexpr double kPi = 0x1.921fb54442d18p+1;
 // By orbit: the way flown and the flights it is made of.
 class Flights : public OrbitSink {
  public:
-  Flights(Starts starts, std::uint64_t begin, std::uint64_t end)
-      : starts_(starts), begin_(begin), lengths_(end - begin), flights_(end - begin) {}
+  Flights(Starts starts, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces)
+      : starts_(starts),
+        begin_(begin),
+        bounces_(bounces),
+        lengths_(end - begin),
+        flights_(end - begin),
+        longest_(end - begin) {}
   void bounce(std::size_t number, const Bounce& bounce) override {
+    longest_[number] = std::max(longest_[number], bounce.path_length - lengths_[number]);
     lengths_[number] = bounce.path_length;
     ++flights_[number];
   }
@@ -29,6 +37,9 @@ class Flights : public OrbitSink {
     for (std::size_t i = 0; i < lengths_.size(); ++i)
       if (flights_[i] > 0) sums.add(begin_ + i, lengths_[i], flights_[i]);
     Numbers all{escaped_, corners_};
+    FlightTail tail;
+    tail.add(longest_, bounces_);
+    tail.append_to(all);
     sums.append_to(all);
     return all;
   }
@@ -36,7 +47,8 @@ class Flights : public OrbitSink {
  private:
   Starts starts_;
   std::uint64_t begin_;  // the number of the first
-  std::vector<double> lengths_, flights_;
+  std::uint64_t bounces_;
+  std::vector<double> lengths_, flights_, longest_;
   double escaped_ = 0, corners_ = 0;
 };
 
@@ -51,28 +63,33 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Flights flights(context.starts, blocks.begin(block), blocks.end(block));
+    Flights flights(context.starts, blocks.begin(block), blocks.end(block), plan->bounces);
     follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, flights);
     return flights.numbers();
   });
   if (!found) return fail(std::move(found));
   StartSums all(context.starts);
+  FlightTail tail;
   double escaped = 0, corners = 0;
   for (const Numbers& block : *found) {
     escaped += block[0];
     corners += block[1];
-    all += StartSums::from(context.starts, std::span(block).subspan(2));
+    tail += FlightTail::from(std::span(block).subspan(2));
+    all += StartSums::from(context.starts, std::span(block).subspan(2 + FlightTail::kNumbers));
   }
   const RatioSums sums = all.all();
   const double area = room.solids().free_area(), expected = kPi * area / room.perimeter();
+  Measure path = sums.measure("mean_free_path", expected);
+  path.remark = no_error_of_flights(room, tail);
+  if (!path.remark.empty()) path.standard_error.reset();
   return measured(
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
                   "{:.6g}, P = {:.6g}",
                   sums.y, plan->orbits, area, room.perimeter()),
-      {{"mean_free_path", sums.ratio(), sums.standard_error(), expected},
-       {"orbits_escaped", escaped, 0, 0},
-       {"orbits_into_corners", corners, 0, std::nullopt}});
+      {std::move(path),
+       {"orbits_escaped", escaped, {}, 0, kInfinity, 0},
+       {"orbits_into_corners", corners}});
 }
 
 }  // namespace

@@ -5,14 +5,13 @@
 #include "base/number_text.h"
 #include "base/portable_math.h"
 #include "study/boundary_orbits.h"
-#include "study/estimate.h"
 #include "study/palette.h"
+#include "study/stretches.h"
 
 namespace flatray {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
-constexpr std::size_t kLeastSamples = 32;  // for a standard error
 constexpr int kWidth = 1200, kHeight = 600;
 constexpr std::size_t kRows = 100'000;  // of points listed, evenly over all
 
@@ -53,31 +52,34 @@ std::string list(const BoundaryOrbits& found) {
   return text;
 }
 
-// Sums over runs of bounces: orbits where there are many, else stretches of a few. A stretch of
-// bounces says little of the next where it is long enough.
-RatioSums square_sines(const BoundaryOrbits& found) {
-  const std::size_t stretches = (kLeastSamples + found.points.size() - 1) / found.points.size();
-  RatioSums sums;
+// Runs of bounces: drawn orbits as they are, independent of each other; orbits asked for in stretches.
+std::vector<Stretch> square_sines(const BoundaryOrbits& found) {
+  const std::size_t parts =
+      found.orbits.random ? 1 : (kStretches + found.points.size() - 1) / found.points.size();
+  std::vector<Stretch> all;
   for (const auto& orbit : found.points) {
-    const std::size_t parts = std::min(stretches, orbit.size());
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::size_t begin = part * orbit.size() / parts;
-      const std::size_t end = (part + 1) * orbit.size() / parts;
+    const std::size_t here = orbit.size() < parts * kLeastInStretch ? 1 : parts;
+    for (std::size_t part = 0; part < here; ++part) {
+      const std::size_t begin = part * orbit.size() / here;
+      const std::size_t end = (part + 1) * orbit.size() / here;
       double squares = 0;
       for (std::size_t i = begin; i < end; ++i)
         squares += static_cast<double>(orbit[i].sine) * static_cast<double>(orbit[i].sine);
-      sums.add(squares, static_cast<double>(end - begin));
+      if (end > begin) all.push_back({squares, static_cast<double>(end - begin)});
     }
   }
-  return sums;
+  return all;
 }
 
 // Random starts have the measure that reflection keeps, in which the sine is uniform: the mean of
 // its square is 1/3 in every room, whatever orbits do there.
-Measure mean_square_sine(const BoundaryOrbits& found, const RatioSums& sums) {
-  Measure measure{"mean_square_sine", sums.ratio(), sums.samples > 1 ? sums.standard_error() : 0,
-                  std::nullopt};
-  if (found.orbits.random) measure.expected = 1.0 / 3;
+Measure mean_square_sine(const BoundaryOrbits& found) {
+  const std::vector<Stretch> stretches = square_sines(found);
+  if (!found.orbits.random) return measure_of_run("mean_square_sine", stretches);
+  RatioSums sums;
+  for (const Stretch& one : stretches) sums.add(one.x, one.y);
+  Measure measure = sums.measure("mean_square_sine", 1.0 / 3);
+  if (measure.standard_error) measure.remark = fmt::format("error from {} orbits", sums.samples);
   return measure;
 }
 
@@ -86,14 +88,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   const auto found = boundary_orbits(context, room, kRandomOrbits);
   if (!found) return tl::unexpected(found.error());
-  const RatioSums sums = square_sines(*found);
-  ExperimentResult result = measured(
-      context, "poincare",
-      fmt::format(
-          "Bounces of {} orbits by place along the walls and sine of the angle; errors from "
-          "{:.0f} stretches of them",
-          found->points.size(), sums.samples),
-      {mean_square_sine(*found, sums)});
+  ExperimentResult result =
+      measured(context, "poincare",
+               fmt::format("Bounces of {} orbits by place along the walls and sine of the angle",
+                           found->points.size()),
+               {mean_square_sine(*found)});
   result.files.push_back({"poincare_points.csv", list(*found)});
   result.files.push_back(png_file("poincare.png", picture(*found), context.threads));
   return result;
