@@ -1,5 +1,5 @@
 // The paper's list: "SPIDER MAN" at (200, 200) appears at that pixel of the screen.
-// needs: shapes/box formats/list
+// needs: shapes/box formats/list formats/toml
 #include <gtest/gtest.h>
 
 #include "support/pictures.h"

@@ -1,5 +1,5 @@
 // What `flatray explain` says of the walls that rays are traced by is what is built for them.
-// needs: shapes/box shapes/circle tracers/brute tracers/grid
+// needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/ngon shapes/penrose shapes/polygon shapes/polyline shapes/sector shapes/segment shapes/star shapes/text shapes/tokarsky formats/toml formats/obj formats/list tracers/brute tracers/grid tracers/exact
 #include "render/ray_walls.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The view `intervals` against every part clipped to the ray of every pixel.
-// needs: shapes/circle shapes/box shapes/segment
+// needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/ngon shapes/penrose shapes/polygon shapes/polyline shapes/sector shapes/segment shapes/star shapes/text shapes/tokarsky formats/toml formats/obj formats/list tracers/brute tracers/grid tracers/exact
 #include <gtest/gtest.h>
 
 #include "counting_tracer.h"
