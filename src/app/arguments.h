@@ -46,7 +46,7 @@ class Arguments {
   Arguments(std::map<std::string, Given, std::less<>> given, std::vector<std::string> operands)
       : given_(std::move(given)), operands_(std::move(operands)) {}
 
-  /// Scenes, files, names: what is no option, in order.
+  /// Scenes, files, names: what is not an option, in order.
   const std::vector<std::string>& operands() const { return operands_; }
   /// Everything given, by option name.
   const std::map<std::string, Given, std::less<>>& given() const { return given_; }

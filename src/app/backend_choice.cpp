@@ -55,7 +55,7 @@ Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& argumen
 Result<std::unique_ptr<Renderer>> open_backend(const std::string& name,
                                                const BackendChoice& choice) {
   if (const Backend* backend = find_backend(name)) return backend->open(choice);
-  return fail(named_place(name), "is no back end of this build", "", Trouble::unavailable);
+  return fail(named_place(name), "is not a back end of this build", "", Trouble::unavailable);
 }
 
 std::string backends_text() {

@@ -11,7 +11,10 @@ namespace {
 // How many things of a scene a part is about, and in which words.
 struct Use {
   std::size_t count;
-  std::string words;
+  const char* words;
+
+  Use(std::size_t number, const char* one, const char* several = nullptr)
+      : count(number), words(number == 1 || several == nullptr ? one : several) {}
 };
 
 // A row for each part that a scene may call for without naming it.
@@ -20,21 +23,29 @@ struct Part {
   Use (*use)(const Scene& scene);
 };
 
-Use rays(const Scene& scene, const char* words) { return {scene.rays.size(), words}; }
+Use rays(const Scene& scene, const char* one, const char* several) {
+  return {scene.rays.size(), one, several};
+}
 
 const Part kParts[] = {
-    {"MPFR", [](const Scene& scene) { return rays(scene, "rays whose orbits it would certify"); }},
+    {"MPFR",
+     [](const Scene& scene) {
+       return rays(scene, "ray whose orbit it would certify", "rays whose orbits it would certify");
+     }},
     {"EMBREE",
-     [](const Scene& scene) { return rays(scene, "rays on which it would be a second opinion"); }},
+     [](const Scene& scene) {
+       return rays(scene, "ray on which it would be a second opinion",
+                   "rays on which it would be a second opinion");
+     }},
     {"passes/bounding_boxes",
      [](const Scene& scene) {
        const auto boxes = std::count_if(scene.entities.begin(), scene.entities.end(),
                                         [](const Entity& one) { return !!one.bounding_box; });
-       return Use{static_cast<std::size_t>(boxes), "boxes to be drawn"};
+       return Use{static_cast<std::size_t>(boxes), "box to be drawn", "boxes to be drawn"};
      }},
     {"passes/chambers",
      [](const Scene& scene) {
-       return Use{scene.chambers.size(), "chambers to be drawn"};
+       return Use{scene.chambers.size(), "chamber to be drawn", "chambers to be drawn"};
      }},
     {"passes/contacts",
      [](const Scene& scene) {
@@ -45,13 +56,14 @@ const Part kParts[] = {
      }},
     {"passes/edge_rays",
      [](const Scene& scene) {
-       return Use{scene.edge_rays.size(), "pairs of entities"};
+       return Use{scene.edge_rays.size(), "pair of entities", "pairs of entities"};
      }},
     {"passes/entities",
      [](const Scene& scene) {
-       return Use{scene.entities.size(), "entities to be drawn"};
+       return Use{scene.entities.size(), "entity to be drawn", "entities to be drawn"};
      }},
-    {"passes/orbits", [](const Scene& scene) { return rays(scene, "rays to be drawn"); }}};
+    {"passes/orbits",
+     [](const Scene& scene) { return rays(scene, "ray to be drawn", "rays to be drawn"); }}};
 
 MissingPart missing_part(const Scene& scene, std::string_view name) {
   for (const Part& part : kParts) {

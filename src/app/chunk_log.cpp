@@ -163,7 +163,8 @@ Result<void> ChunkLog::read() {
     auto parsed = read_row(row);
     if (line == 1 || !parsed)
       return fail(named_place(fmt::format("{}:{}", path_.string(), line)),
-                  "is no row of this program", "move the file away, or name another folder");
+                  "is not a row that this program writes",
+                  "move the file away, or name another folder");
     rows_.insert(std::move(*parsed));
     now += padded(row) + "\n";
   }

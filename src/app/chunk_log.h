@@ -15,8 +15,8 @@
 namespace flatray {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
-/// without its end, as a full disk leaves it, is taken away; a file of before gets the columns of
-/// now, empty in its rows.
+/// without its end, as a full disk leaves it, is taken away; an older file gets the
+/// present columns, empty in its rows.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -85,10 +85,15 @@ class TallyLog {
   Result<void> add(const ChunkLog::Key& key, const Tally& tally, double seconds) {
     return log_.add(key, Rows::row(tally), seconds);
   }
-  /// Chunks 0 to `chunks` - 1 together, whatever the chunk of `key`.
+  /// `each(tally)` of chunks 0 to `chunks` - 1, whatever the chunk of `key`.
+  template <class Each>
+  void for_each(const ChunkLog::Key& key, std::uint64_t chunks, const Each& each) const {
+    log_.for_each(key, chunks, [&](const ChunkLog::Row& row) { each(Rows::tally(row)); });
+  }
+  /// All of them together.
   Tally sum(const ChunkLog::Key& key, std::uint64_t chunks) const {
     Tally sum;
-    log_.for_each(key, chunks, [&](const ChunkLog::Row& row) { sum.add(Rows::tally(row)); });
+    for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
   }
 

@@ -53,8 +53,8 @@ Result<void> ExperimentMonitor::read(const std::string& key) {
   while (!rest.empty()) {
     auto block = read_block(next_line(rest));
     if (!block)
-      return fail(named_place(path_.string()), "has a line that is no block",
-                  "remove it: the run begins again");
+      return fail(named_place(path_.string()), "has a line that is not a block",
+                  "remove it, and the run begins anew");
     kept_.insert(std::move(*block));
   }
   return {};

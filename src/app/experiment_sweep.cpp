@@ -45,7 +45,7 @@ Result<Sweep> parse_sweep(std::string_view text, const Place& where) {
     auto stepped = steps(values);
     if (!stepped)
       return usage_error(
-          where, fmt::format("'{}' is no range of up to {} steps", values, kMostValues), kHint);
+          where, fmt::format("'{}' is not a range of up to {} steps", values, kMostValues), kHint);
     sweep.values = std::move(*stepped);
   } else {
     for (const std::string_view value : split_commas(values)) sweep.values.emplace_back(value);

@@ -47,7 +47,7 @@ class RowReader {
   GoldenRow read() {
     GoldenRow row;
     row.scene = text("scene");
-    if (!is_scene_path(row.scene)) wrong("scene", "is no path below scenes/");
+    if (!is_scene_path(row.scene)) wrong("scene", "is not a path below scenes/");
     row.frame = static_cast<unsigned>(whole("frame", 1, 9'999'999));
     row.seed = whole("seed", 0, ~std::uint64_t{0});
     read_size(row);
@@ -86,14 +86,14 @@ class RowReader {
                          std::uint64_t high) {
     const auto number = value.as_whole();
     if (number && *number >= low && *number <= high) return *number;
-    wrong(key, fmt::format("is no number from {} to {}", low, high));
+    wrong(key, fmt::format("is not a number from {} to {}", low, high));
     return low;
   }
 
   void read_size(GoldenRow& row) {
     const JsonValue* field = value_.find("size");
     const auto* sides = field == nullptr ? nullptr : std::get_if<Values>(&field->data);
-    if (sides == nullptr || sides->size() != 2) return wrong("size", "is no [width, height]");
+    if (sides == nullptr || sides->size() != 2) return wrong("size", "is not [width, height]");
     row.width = static_cast<int>(in_range((*sides)[0], "size", 1, kGoldenWidth));
     row.height = static_cast<int>(in_range((*sides)[1], "size", 1, kGoldenHeight));
   }
@@ -186,12 +186,12 @@ Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
   const Result<std::string> text = read_file(root / kManifest);
   if (!text) return tl::unexpected(text.error());
   const std::optional<JsonValue> json = parse_json(*text);
-  if (!json) return bad_manifest("is no JSON");
+  if (!json) return bad_manifest("is not JSON");
   const JsonValue* schema = json->find("schema");
   const JsonValue* list = json->find("goldens");
   const auto* values = list == nullptr ? nullptr : std::get_if<Values>(&list->data);
   if (schema == nullptr || schema->as_text() != kSchema || values == nullptr)
-    return bad_manifest("is no manifest of goldens");
+    return bad_manifest("is not a manifest of goldens");
   std::vector<GoldenRow> rows;
   Diagnostics problems;
   for (const JsonValue& value : *values)

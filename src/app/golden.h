@@ -24,7 +24,7 @@ struct Tolerance {
   }
   /// "max=0;pixels=0".
   std::string text() const;
-  /// nullopt for what is no such text.
+  /// nullopt for any other text.
   static std::optional<Tolerance> parse(std::string_view text);
 };
 
@@ -60,7 +60,7 @@ struct GoldenRow {
 };
 
 /// Rows of `root`/golden_images/manifest.json, sorted by file.
-/// Error   Trouble::missing without a manifest; Trouble::invalid for what is none, all bad rows
+/// Error   Trouble::missing without a manifest; Trouble::invalid for what is not one, all bad rows
 ///         together: paths that leave the project, rows without a value, two rows of one file, a
 ///         file that is not the row's own.
 Result<std::vector<GoldenRow>> read_goldens(const std::filesystem::path& root);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/counted.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -51,8 +52,8 @@ HitSet combine(const NamedRay& ray, HitOperation operation,
 std::string text_of(const HitSet& set) {
   if (set.parts.empty()) return fmt::format("{}: no part\n", set.ray.name);
   std::string text =
-      fmt::format("{}: {} {}, length {}\n", set.ray.name, set.parts.size(),
-                  set.parts.size() == 1 ? "part" : "parts", number_text(length_of(set.parts)));
+      fmt::format("{}: {}, length {}\n", set.ray.name, counted(set.parts.size(), "part"),
+                  number_text(length_of(set.parts)));
   for (const Range& part : set.parts)
     text += fmt::format("  t from {} to {}\n", number_text(part.low), number_text(part.high));
   return text;

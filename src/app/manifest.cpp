@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Longer lines are no record of ours; this also bounds how deep a hostile one can nest.
+// Longer lines are not records of ours; this also bounds how deep a hostile one can nest.
 constexpr std::size_t kLongestLine = 4096;
 
 std::string shard_suffix(const Shard& shard) {

@@ -26,7 +26,7 @@ struct FrameRecord {
 
 JsonValue as_value(const FrameRecord& record);
 std::string manifest_line(const FrameRecord& record);
-/// nullopt for a torn line, and for anything else that is no record.
+/// nullopt for a torn line, and for anything else that is not a record.
 std::optional<FrameRecord> parse_manifest_line(std::string_view line);
 
 /// manifest.jsonl, or manifest.I-of-N.jsonl for a shard; timings.jsonl likewise.

@@ -3,36 +3,23 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
+#include "app/cost.h"
 #include "app/frame_encoder.h"
 #include "base/check.h"
+#include "base/counted.h"
 #include "base/processor_time.h"
 #include "collide/scene_timeline.h"
 
 namespace flatray {
 namespace {
 
-constexpr std::size_t kRounds = 3;
-
-// One drawing of all frames.
-struct Measured {
+// What one drawing of all frames gives; the same every time.
+struct Drawn {
   std::vector<std::string> files;  // hashes of their bytes
   DrawCounts counts;
   std::size_t encoded = 0;
   std::uint64_t packed = 0, kept = 0;  // bands of PNGs
-  std::array<double, kRounds> seconds{};
-
-  double median() const {
-    std::array<double, kRounds> sorted = seconds;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[kRounds / 2];
-  }
-  // Half of the range of the rounds, in percent of their median.
-  double spread() const {
-    const auto [low, high] = std::minmax_element(seconds.begin(), seconds.end());
-    return 50 * (*high - *low) / median();
-  }
 };
 
 // Something left out that is kept for once, to see what that saves.
@@ -65,15 +52,14 @@ RenderPlan plan_with(const RenderJob& job, const Kept& kept) {
   return plan;
 }
 
-Result<void> measure(const RenderJob& given, const Kept& kept, std::size_t round, Measured& out) {
+Result<Drawn> draw(const RenderJob& given, const Kept& kept) {
   RenderJob job = given;
   job.keep_all = given.keep_all || kept.painting;
-  const double start = processor_seconds();
   const RenderPlan plan = plan_with(given, kept);
   auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return fail(std::move(timeline));
   FrameEncoder encoder(job, 1);
-  out.files.clear();
+  Drawn out;
   for (const unsigned frame : job.frames) {
     if (plan.still && !out.files.empty()) {
       out.files.push_back(out.files.front());
@@ -87,8 +73,7 @@ Result<void> measure(const RenderJob& given, const Kept& kept, std::size_t round
   out.encoded = encoder.encoded();
   out.packed = encoder.png().packed();
   out.kept = encoder.png().kept();
-  out.seconds[round] = processor_seconds() - start;
-  return {};
+  return out;
 }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {
@@ -96,59 +81,93 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
       "{:.1f} %", whole == 0 ? 0.0 : 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-std::string milliseconds(double seconds, std::size_t frames) {
-  return fmt::format("{:.2f} ms a frame", 1e3 * seconds / static_cast<double>(frames));
+// A way to draw the frames: a job, and what it keeps that is left out else.
+struct Way {
+  RenderJob job;
+  Kept kept;
+};
+
+// As the job is, with everything kept, and with each thing kept by itself.
+std::vector<Way> ways_to_draw(const RenderJob& job) {
+  std::vector<Way> ways{{job, {}}, {job, {}}};
+  ways[1].job.keep_all = true;
+  for (Kept& kept : omissions(job)) ways.push_back({job, std::move(kept)});
+  return ways;
 }
 
-Saving saving_of(const Kept& kept, const Measured& without, const Measured& with,
-                 std::size_t frames) {
-  return {"saved by: " + kept.part,
-          fmt::format("{:.0f} %", 100 * (1 - without.median() / with.median())),
-          fmt::format("{} with it kept, the same bytes; spread {:.0f} %",
-                      milliseconds(with.median(), frames), with.spread())};
+// What each way costs in each round. Every other round goes through the ways backwards, so that none
+// is always the later one.
+Result<std::vector<CostRounds>> costs_of(const std::vector<Way>& ways, const Drawn& expected) {
+  std::vector<std::vector<Cost>> costs(ways.size());
+  const auto turn = [&](std::size_t i) -> Result<void> {
+    Result<Drawn> drawn;
+    costs[i].push_back(cost_of([&] { drawn = draw(ways[i].job, ways[i].kept); }));
+    if (!drawn) return fail(std::move(drawn));
+    FLATRAY_CHECK(drawn->files == expected.files);  // leaving out changes no byte
+    return {};
+  };
+  const auto all_in_turn = [&](bool backwards) -> Result<void> {
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      if (auto done = turn(backwards ? ways.size() - 1 - i : i); !done) return done;
+    return {};
+  };
+  // The first round tells how many there is time for, and does not count: caches were cold.
+  const double start = thread_seconds();
+  if (auto done = all_in_turn(false); !done) return fail(std::move(done));
+  const std::size_t rounds = rounds_for(thread_seconds() - start);
+  for (auto& of_way : costs) of_way.clear();
+  for (std::size_t round = 0; round < rounds; ++round)
+    if (auto done = all_in_turn(round % 2 == 1); !done) return fail(std::move(done));
+  return in_one_unit(costs);
+}
+
+// "7 of 12 bands".
+std::string part_of(std::uint64_t part, std::uint64_t whole, const char* one, const char* several) {
+  return fmt::format("{} of {}", part, counted(whole, one, several));
+}
+
+// What was drawn and what was not, in counts that are the same every time.
+std::vector<Saving> counts_of(const Drawn& some, std::size_t frames) {
+  const DrawCounts& counts = some.counts;
+  const std::uint64_t bands = counts.bands + counts.kept_bands, packed = some.packed + some.kept;
+  return {{"measured", counted(frames, "frame"), "the same bytes as with everything kept"},
+          {"measured: frames encoded", fmt::format("{} of {}", some.encoded, frames),
+           "the others repeat the one before"},
+          {"measured: bands carried", share(counts.kept_bands, bands),
+           part_of(counts.kept_bands, bands, "band of rows", "bands of rows") + " as before"},
+          {"measured: bands of PNGs carried", share(some.kept, packed),
+           part_of(some.kept, packed, "band", "bands") +
+               " of the frames encoded with the bytes of before"},
+          {"measured: items still", share(counts.still_items, counts.items),
+           part_of(counts.still_items, counts.items, "piece", "pieces") +
+               " in the bands drawn below all that moves there"},
+          {"measured: items hidden", share(counts.hidden_items, counts.items),
+           part_of(counts.hidden_items, counts.items, "piece", "pieces") +
+               " in the bands drawn below one that hides them"}};
 }
 
 }  // namespace
 
 Result<std::vector<Saving>> measured_savings(const RenderJob& job) {
-  RenderJob all = job;
-  all.keep_all = true;
-  Measured some, every;
-  const std::vector<Kept> parts = omissions(job);
-  std::vector<Measured> with(parts.size());
-  for (std::size_t round = 0; round < kRounds; ++round) {
-    if (auto drawn = measure(job, {}, round, some); !drawn) return fail(std::move(drawn));
-    if (auto drawn = measure(all, {}, round, every); !drawn) return fail(std::move(drawn));
-    FLATRAY_CHECK(some.files == every.files);  // leaving out changes no byte
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (auto drawn = measure(job, parts[i], round, with[i]); !drawn)
-        return fail(std::move(drawn));
-      FLATRAY_CHECK(some.files == with[i].files);
-    }
-  }
+  const std::vector<Way> ways = ways_to_draw(job);
+  const Result<Drawn> drawn = draw(job, {});
+  if (!drawn) return tl::unexpected(drawn.error());
+  const Result<std::vector<CostRounds>> costs = costs_of(ways, *drawn);
+  if (!costs) return tl::unexpected(costs.error());
+  const CostRounds &some = costs->at(0), &every = costs->at(1);
   const std::size_t frames = job.frames.size();
-  const DrawCounts& counts = some.counts;
-  std::vector<Saving> rows{
-      {"measured", fmt::format("{} frames", frames), "the same bytes as with everything kept"},
-      {"measured: frames encoded", fmt::format("{} of {}", some.encoded, frames),
-       "the others repeat the one before"},
-      {"measured: bands carried", share(counts.kept_bands, counts.bands + counts.kept_bands),
-       fmt::format("{} of {} bands of rows show what they showed", counts.kept_bands,
-                   counts.bands + counts.kept_bands)},
-      {"measured: bands of PNGs carried", share(some.kept, some.packed + some.kept),
-       fmt::format("{} of {} bands of the frames encoded have the bytes they had", some.kept,
-                   some.packed + some.kept)},
-      {"measured: items still", share(counts.still_items, counts.items),
-       fmt::format("{} of {} pieces in the bands drawn lie still below all that moves there",
-                   counts.still_items, counts.items)},
-      {"measured: items hidden", share(counts.hidden_items, counts.items),
-       fmt::format("{} of {} pieces in the bands drawn lie below one that hides them",
-                   counts.hidden_items, counts.items)},
-      {"measured: time", milliseconds(some.median(), frames),
-       fmt::format("{} with everything kept: {:.0f} % saved", milliseconds(every.median(), frames),
-                   100 * (1 - some.median() / every.median()))}};
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    rows.push_back(saving_of(parts[i], some, with[i], frames));
+  std::vector<Saving> rows = counts_of(*drawn, frames);
+  rows.push_back({"measured: by", some.instructions ? "instructions" : "processor time",
+                  fmt::format("{} in turns; medians, and in brackets where they lie with {:.0f} % "
+                              "confidence{}",
+                              counted(some.values.size(), "round"), 100 * kConfidence,
+                              some.instructions ? "" : "; this machine counts no instructions")});
+  rows.push_back({"measured: cost", amount_words(some, frames), "as it is drawn"});
+  rows.push_back({"saved by: all of it", saving_words(some, every),
+                  amount_words(every, frames) + " with everything kept, the same bytes"});
+  for (std::size_t i = 2; i < ways.size(); ++i)
+    rows.push_back({"saved by: " + ways[i].kept.part, saving_words(some, costs->at(i)),
+                    amount_words(costs->at(i), frames) + " with it kept, the same bytes"});
   return rows;
 }
 

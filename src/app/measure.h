@@ -11,11 +11,12 @@ struct Saving {
   std::string part, decision, reason;
 };
 
-/// What leaving out saves: the job's frames drawn and encoded by one thread, nothing written, once
-/// as they are, once with everything kept, and once with each thing kept that is left out, in turns.
+/// What leaving out saves: the job's frames drawn and encoded by one thread, nothing written, as
+/// they are, with everything kept, and with each thing kept that is left out, in rounds of turns.
 ///
-/// Gives   the same bytes every time, or it stops the program.
-/// Units   milliseconds of processor time, medians of three rounds.
+/// Gives   counts, which are the same every time; costs and savings with intervals (app/cost.h), or
+///         that they cannot be measured. The frames have the same bytes, or it stops the program.
+/// Units   instructions where the machine counts them, else milliseconds of processor time.
 /// Error   a frame that draws too many corners.
 Result<std::vector<Saving>> measured_savings(const RenderJob& job);
 

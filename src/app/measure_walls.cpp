@@ -52,7 +52,7 @@ Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
       {"measured: walls tested",
        fmt::format("{:.3g} a flight",
                    static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),
-       fmt::format("{:.3g} % of {} walls tested and {:.3g} % hit in {} flights of rays",
+       fmt::format("{:.3g} % of the walls, {} in all, tested and {:.3g} % hit; flights of rays: {}",
                    100 * static_cast<double>(tests.tested) / all, count,
                    100 * static_cast<double>(tests.hit) / all, tests.flights)}};
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/arguments.h"
+#include "base/counted.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -46,8 +47,8 @@ Result<std::uint64_t> parse_side(std::string_view text, const char* side, const 
     return usage_error(where, fmt::format("{} 0 leaves no picture", side), "say 1 or more");
   if (*value > max_pixels)
     return usage_error(where, fmt::format("{} {} is over the limit", side, text),
-                       fmt::format("at most {} pixels; --max-pixels N raises it up to {}",
-                                   max_pixels, kMostPixels));
+                       fmt::format("at most {}; --max-pixels N raises it up to {}",
+                                   counted(max_pixels, "pixel"), kMostPixels));
   return *value;
 }
 
@@ -81,7 +82,7 @@ Result<PixelBox> parse_crop(std::string_view text, const Place& where, const Fil
                     at[2] <= film.width && at[3] <= film.height;
   if (!fits)
     return usage_error(
-        where, fmt::format("'{}' is no part of a {}x{} picture", text, film.width, film.height),
+        where, fmt::format("'{}' is not part of a {}x{} picture", text, film.width, film.height),
         "say x0,y0,x1,y1 with 0 <= x0 < x1 <= width, 0 <= y0 < y1 <= height");
   return PixelBox{at[0], at[1], at[2] - at[0], at[3] - at[1]};
 }

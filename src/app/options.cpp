@@ -62,7 +62,7 @@ std::string environment_name(const Option& option) {
   return name;
 }
 
-// nullopt: the word is no yes and no no.
+// nullopt: the word means neither yes nor no.
 std::optional<bool> truth(const std::string& word) {
   for (const char* yes : {"1", "true", "yes", "on"})
     if (word == yes) return true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/number_text.h"
 #include "geom/hit_interval.h"
 #include "precise/certified_orbit.h"
@@ -239,8 +240,8 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
 
 std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   const Orbit& orbit = report.orbit;
-  std::string text =
-      fmt::format("{}: {} after {} bounces", report.ray, end_text(report), orbit.bounces.size());
+  std::string text = fmt::format("{}: {} after {}", report.ray, end_text(report),
+                                 counted(orbit.bounces.size(), "bounce"));
   if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
     text += fmt::format(" at {}, {}", point_text(orbit.end_point),
                         walls_text(room, orbit.end_surfaces));

@@ -77,7 +77,7 @@ Result<PictureFormat> format_of(const std::string& text, const std::optional<std
     return usage_error(where, fmt::format("'{}' ends neither in .png nor in .hdr", text),
                        "say which, or --format png");
   if (wanted && "." + lower_case(*wanted) != extension)
-    return usage_error(where, fmt::format("'{}' is no name for --format {}", text, *wanted),
+    return usage_error(where, fmt::format("'{}' is not a name for --format {}", text, *wanted),
                        fmt::format("end it in .{}, or leave --format out", *wanted));
   return format_named(extension.substr(1), where);
 }

@@ -88,12 +88,13 @@ Result<Profile> read_profile(const std::string& path) {
     if (begin == 0) {
       profile.head = place;
       if (!line || text_of(*line, "schema") != kSchema)
-        return fail(place, "is no profile", "flatray accuracy SCENE --profile FILE writes one");
+        return fail(place, "is not a profile", "flatray accuracy SCENE --profile FILE writes one");
       profile.hash = text_of(*line, "scene_hash");
     } else if (line && (way = way_of(*line, place))) {
       profile.ways.push_back(std::move(*way));
     } else {
-      problems.push_back({place, "is no setting of a profile", "have it written anew"});
+      problems.push_back({place, "is not a setting of a profile",
+                          "write the profile anew: flatray accuracy SCENE --profile FILE"});
     }
     begin = end + 1;
   }
@@ -112,7 +113,7 @@ Result<double> limit(const Arguments& arguments, const char* option) {
   if (std::string_view(option) == "time" && digits.ends_with('s')) digits.pop_back();
   const auto number = parse_number(digits);
   if (!number || !(*number >= 0))
-    return usage_error(arguments.where(option), "is no number from 0 on", "say 0.001");
+    return usage_error(arguments.where(option), "is not a number of 0 or more", "say 0.001");
   return *number;
 }
 
@@ -125,7 +126,8 @@ Result<Wish> read_wish(const Arguments& arguments) {
     return usage_error(arguments.where("profile"), "needs --error or --time",
                        "say --error 0.001, or --time 0.1");
   if (arguments.operands().size() != 1)
-    return usage_error(arguments.where("profile"), "is of one scene", "render them one by one");
+    return usage_error(arguments.where("profile"), "goes with one scene only",
+                       "render the scenes one by one");
   for (const char* other : {"backend", "samples", "view", "size", "seed"})
     if (arguments.has(other))
       return usage_error(arguments.where(other), "does not go with --profile",
@@ -151,22 +153,23 @@ Result<Way> choose(const Profile& profile, const Wish& wish) {
   if (best != nullptr) return *best;
   if (nearest == nullptr)
     return fail(quickest->where,
-                fmt::format("nothing takes {} s or less: this is the quickest", wish.seconds),
+                fmt::format("no setting takes {} s or less: this is the quickest", wish.seconds),
                 fmt::format("say --time {:.2g}", 1.1 * quickest->seconds));
   if (nearest->at_most && nearest->seconds <= wish.seconds)
     return fail(
         nearest->where,
-        fmt::format("nothing is known to have an error of {} or less: of this, the nearest, "
-                    "the reference tells no more than that it is at most {:.3g}",
+        fmt::format("no setting is known to have an error of {} or less: of the nearest one "
+                    "the reference tells only that it is at most {:.3g}",
                     wish.error, nearest->error),
         fmt::format("measure longer, flatray accuracy SCENE --budget 60s --profile FILE, or "
                     "say --error {:.2g}",
                     1.1 * nearest->error));
-  return fail(nearest->where,
-              fmt::format("nothing has an error of {} or less{}: this is the nearest", wish.error,
-                          wish.seconds < kInfinity ? fmt::format(" within {} s", wish.seconds)
-                                                   : std::string()),
-              fmt::format("say --error {:.2g}", 1.1 * nearest->error));
+  return fail(
+      nearest->where,
+      fmt::format(
+          "no setting has an error of {} or less{}: this is the nearest", wish.error,
+          wish.seconds < kInfinity ? fmt::format(" within {} s", wish.seconds) : std::string()),
+      fmt::format("say --error {:.2g}", 1.1 * nearest->error));
 }
 
 Arguments with_options(const Arguments& arguments, const Way& way) {

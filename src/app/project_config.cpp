@@ -95,8 +95,8 @@ Result<Arguments> with_project_config(std::span<const Option> options, Arguments
   if (toml == nullptr || fs::symlink_status(file, missing).type() == fs::file_type::not_found)
     return arguments;
   if (!fs::is_regular_file(file, missing))  // a pipe could keep the reader for ever
-    return fail(named_place(file.string()), "is no plain file", "remove it, or write options there",
-                Trouble::missing);
+    return fail(named_place(file.string()), "is not a plain file",
+                "remove it, or write options there", Trouble::missing);
   Result<std::string> text = read_file(file, kMostBytes);
   if (!text) return fail(std::move(text));
   Result<SceneDesc> parsed =

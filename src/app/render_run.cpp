@@ -7,14 +7,11 @@
 #include "app/interrupt.h"
 #include "app/json_failure.h"
 #include "app/report.h"
+#include "base/counted.h"
 #include "base/file.h"
 
 namespace flatray {
 namespace {
-
-std::string counted(std::size_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::size_t kept_count(const Work& work) { return work.job->frames.size() - work.frames.size(); }
 

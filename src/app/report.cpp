@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/version.h"
+#include "base/counted.h"
 
 namespace flatray {
 
@@ -26,9 +27,8 @@ int exit_code(const Diagnostics& problems) {
 }
 
 int report_failure(const Diagnostics& problems, const std::string& undone) {
-  const std::string closing =
-      fmt::format("flatray: {} error{}{}{}", problems.size(), problems.size() == 1 ? "" : "s",
-                  undone.empty() ? "" : ", ", undone);
+  const std::string closing = fmt::format("flatray: {}{}{}", counted(problems.size(), "error"),
+                                          undone.empty() ? "" : ", ", undone);
   std::fputs(format(problems).c_str(), stderr);
   report_note(closing);
   return exit_code(problems);

@@ -7,7 +7,7 @@
 namespace flatray {
 
 /// Writes the files of a result into a folder.
-/// Gives   their paths, all in that folder: what is no plain letter in a name is "_" there.
+/// Gives   their paths, all in that folder: what is not a plain letter in a name is "_" there.
 Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder);
 
 }  // namespace flatray

@@ -161,6 +161,10 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
   }
   if (all.certified) result.summary += certified.words("certified", " with orbits");
   result.summary += contacts.words("contact", "");
+  result.summary += fmt::format(
+      "ns_a_query: processor time, of tracers the least of up to {} measurements, of certified "
+      "orbits one alone\n",
+      kTimesOfACase);
   result.files.push_back({"catalogue.csv", csv_text(tables.facts)});
   result.files.push_back({"catalogue_times.csv", csv_text(tables.times)});
   return stability_files(arguments, tables.shown, result, sound);

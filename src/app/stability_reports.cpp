@@ -7,6 +7,7 @@
 #include "app/report.h"
 #include "app/result_files.h"
 #include "app/scene_input.h"
+#include "base/counted.h"
 #include "base/parallel.h"
 #include "study/margins.h"
 #include "study/scale_sweep.h"
@@ -112,17 +113,15 @@ Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityReq
   const auto exact = std::count_if(all.begin(), all.end(),
                                    [](const Margin& margin) { return margin.distance == 0; });
   if (all.empty())
-    result.summary = "\nno ray comes by an end of a wall or a tangent\n";
+    result.summary = "\nno ray passes an end of a wall or a tangent\n";
   else
     result.summary = fmt::format(
-        "\n{} straight ways; {} meet an end or a tangent exactly, {} come within {} ulps of one, "
-        "{} "
-        "within 2^20\nsmallest margin: {:.3g} world units, {:.3g} ulps, of {} after {} bounces, "
-        "from "
-        "{} at ({}, {})\n",
-        all.size(), exact, below(kNearUlps), kNearUlps, below(kCloseUlps), all.front().distance,
-        all.front().ulps, all.front().ray, all.front().leg, all.front().wall, all.front().at.x(),
-        all.front().at.y());
+        "\n{} from wall to wall: {} to an end or a tangent exactly, {} within {} ulps of one, "
+        "{} within 2^20\nsmallest margin: {:.3g} world units, {:.3g} ulps, of {} after {}, from {} "
+        "at ({}, {})\n",
+        counted(all.size(), "leg"), exact, below(kNearUlps), kNearUlps, below(kCloseUlps),
+        all.front().distance, all.front().ulps, all.front().ray, counted(all.front().leg, "bounce"),
+        all.front().wall, all.front().at.x(), all.front().at.y());
   if (!arguments.has("json") && table.rows.size() > kShown) table.rows.resize(kShown);
   return stability_files(arguments, table, result, true);
 }

@@ -45,7 +45,7 @@ struct JsonValue {
 };
 
 /// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts
-/// "inf" and "-inf"; bytes that are no UTF-8 become U+FFFD.
+/// "inf" and "-inf"; bytes that are not UTF-8 become U+FFFD.
 std::string json_text(const JsonValue& value);
 /// The same over many lines, two blanks a level.
 std::string indented_json(const JsonValue& value);
@@ -57,7 +57,7 @@ struct JsonMistake {
 /// Numbers are rounded once; of a name given twice in an object the first counts. Nested at most
 /// 64 deep.
 tl::expected<JsonValue, JsonMistake> read_json(std::string_view text);
-/// nullopt for what is no JSON.
+/// nullopt for what is not JSON.
 std::optional<JsonValue> parse_json(std::string_view text);
 
 /// Rows of equal length under column names.

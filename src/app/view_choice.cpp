@@ -19,7 +19,7 @@ Result<Vec2> read_point(std::string_view text, const std::string& view, const Pl
   const auto x = parse_number(parts[0]);
   const auto y = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
   if (!x || !y)
-    return usage_error(where, fmt::format("'{}' is no point", text),
+    return usage_error(where, fmt::format("'{}' is not a point", text),
                        fmt::format("say {}:x,y with two numbers", view));
   return Vec2(*x, *y);
 }

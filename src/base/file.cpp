@@ -14,6 +14,8 @@
 #include <cstring>
 #include <optional>
 
+#include "base/counted.h"
+
 namespace flatray {
 namespace {
 
@@ -85,7 +87,7 @@ Result<std::string> read_file(const fs::path& path, std::size_t limit, std::stri
     if (count < 0) return cannot("read", path, errno, Trouble::missing);
     if (count == 0) return content;
     if (content.size() + static_cast<std::size_t>(count) > limit)
-      return fail(named_place(path.string()), fmt::format("is larger than {} bytes", limit),
+      return fail(named_place(path.string()), "is larger than " + counted(limit, "byte"),
                   std::move(raise), Trouble::missing);
     content.append(buffer.data(), static_cast<std::size_t>(count));
   }

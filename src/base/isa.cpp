@@ -61,7 +61,8 @@ Result<Isa> chosen_isa() {
     return fail(named_place("FLATRAY_ISA"), fmt::format("this machine cannot run '{}'", wanted),
                 fmt::format("the fastest here is {}", isa_name(have.back())), Trouble::unavailable);
   }
-  return fail(named_place("FLATRAY_ISA"), fmt::format("'{}' is no instruction-set tier", wanted),
+  return fail(named_place("FLATRAY_ISA"),
+              fmt::format("'{}' is not an instruction-set tier", wanted),
               "say portable, baseline, avx2 or avx512", Trouble::usage);
 }
 

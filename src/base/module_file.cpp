@@ -29,7 +29,7 @@ LoadedEntry load_module(const ModuleFile& file, const char* symbol) {
     void* handle = dlopen(one.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (handle == nullptr) return {nullptr, dlerror()};
     void* entry = dlsym(handle, symbol);
-    return {entry, entry == nullptr ? one.string() + " is no module of flatray" : ""};
+    return {entry, entry == nullptr ? one.string() + " is not a module of flatray" : ""};
   }
   return {nullptr, "the module " + files.front().string() + " is not there"};
 }

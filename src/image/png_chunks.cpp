@@ -128,7 +128,7 @@ Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::s
                                   std::uint64_t max_pixels) {
   ChunkReader reader(bytes, name);
   if (!reader.starts_as_png())
-    return reader.wrong("is no PNG", "PNG pictures are read; convert other formats first");
+    return reader.wrong("is not a PNG", "PNG pictures are read; convert other formats first");
   Result<Chunk> chunk = reader.next();
   if (!chunk) return fail(std::move(chunk));
   Result<PngHeader> png = header(reader, *chunk, max_pixels);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/counted.h"
 #include "render/gradient.h"
 
 namespace flatray {
@@ -66,7 +67,7 @@ void DrawContext::add(DrawItem&& item) {
 Result<std::vector<DrawItem>> DrawContext::sorted_items() && {
   if (refused_)
     return fail(*refused_,
-                fmt::format("with this a frame draws more than {} corners", scene.max_corners),
+                "with this a frame draws more than " + counted(scene.max_corners, "corner"),
                 "those of lines and dashes count: make dashes longer and wide lines thinner, draw "
                 "less, or say --max-corners N");
   // Numbers are sorted, not items: g++ 12 takes the swap of a variant for a use before set.

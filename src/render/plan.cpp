@@ -40,7 +40,7 @@ RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer) {
   plan.still = motion.empty() && !keep_all;
   plan.choices.push_back({"frames", plan.still ? "drawn once" : "each drawn",
                           !motion.empty() ? motion
-                          : keep_all      ? "nothing moves (asked)"
+                          : keep_all      ? "nothing moves, but nothing is to be left out"
                                           : "nothing moves"});
   return plan;
 }

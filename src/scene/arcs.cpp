@@ -20,7 +20,7 @@ Result<EllipseArc> circular_arc(Args& args, const Vec2& centre, double radius) {
   if (!(degrees > 0 && degrees <= 360) || to == from)
     return fail(
         args.place("to"),
-        fmt::format("from {} to {} is no part of a turn", number_text(from), number_text(to)),
+        fmt::format("from {} to {} is not part of a turn", number_text(from), number_text(to)),
         "write angles less than a turn apart, or to = from + 360 for a whole one");
   const Vec2 u = radius * unit_at_degrees(from);
   return EllipseArc{centre, u, {-u.y(), u.x()}, 0, radians(degrees)};

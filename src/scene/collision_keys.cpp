@@ -69,8 +69,8 @@ void refuse_hindered(Builder& builder, const Entity& entity, const Value& table)
     if (entity.markov && entity.markov->hit)
       builder.in.problem(
           table.find("markov")->value.where,
-          fmt::format("entity '{}' responds to no contact, so nothing hits it", entity.name),
-          R"(write response = "mark", or what else it does)");
+          fmt::format("entity '{}' does not respond to contact, so nothing hits it", entity.name),
+          R"(write response = "mark", or another response)");
     return;
   }
   if (entity.shape >= builder.scene.shapes.size()) return;  // a mistake that has been told

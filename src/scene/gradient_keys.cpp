@@ -1,3 +1,4 @@
+#include "base/counted.h"
 #include "scene/corner_limit.h"
 #include "scene/curve_keys.h"
 #include "scene/look_keys.h"
@@ -33,7 +34,7 @@ void read_stops(Builder& builder, const Field& field, Gradient& gradient) {
   const std::vector<Value>& items = field.value.items;
   if (items.size() < 2 || items.size() > kMostStops)
     return builder.in.problem(field.value.where,
-                              fmt::format("{} has {} colours", field.name, items.size()),
+                              fmt::format("{} has {}", field.name, counted(items.size(), "colour")),
                               fmt::format("write from 2 to {}", kMostStops));
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double evenly = static_cast<double>(i) / static_cast<double>(items.size() - 1);

@@ -1,5 +1,6 @@
 #include <numeric>
 
+#include "base/counted.h"
 #include "scene/copies.h"
 #include "scene/corner_limit.h"
 #include "scene/look_keys.h"
@@ -60,7 +61,7 @@ class Nesting {
   const Member* name(std::size_t i) const { return tables_.items[i].find("name"); }
 
   // Known from here on, also where a mistake or a limit leaves it without copies: what stands in it
-  // is no second mistake.
+  // is not a second mistake.
   void add_name(std::size_t i) {
     if (name(i) != nullptr) builder_.groups[name(i)->value.text];
     if (name(i) == nullptr || numbers_.emplace(name(i)->value.text, i).second) return;
@@ -113,7 +114,7 @@ class Nesting {
       if (!too_deep_)
         builder_.in.problem(
             tables_.items[i].find("group")->value.where,
-            fmt::format("group {} stands in more than {} groups", name_of(i), depth - 1),
+            fmt::format("group {} stands in more than {}", name_of(i), counted(depth - 1, "group")),
             fmt::format("the limit is {}; --max-depth raises it", builder_.limits.max_depth));
       too_deep_ = true;
       parents_[i].reset();

@@ -36,12 +36,12 @@ Result<SourcePtr> Imports::include(const std::string& file, const Place& where) 
 Result<SourcePtr> Imports::read(const std::string& file, const std::string& path,
                                 const Place& where, bool included) {
   if (file.empty() || file.find('\0') != std::string::npos)
-    return fail(where, "this is no file name", R"(write file = "outline.obj")");
+    return fail(where, "this is not a file name", R"(write file = "outline.obj")");
   if (const auto known = files_.find(path); known != files_.end()) return known->second;
   const fs::path full = fs::path(scene_->name()).parent_path() / path;
   std::error_code missing;  // a pipe or device could keep the reader for ever
   if (fs::exists(full, missing) && !fs::is_regular_file(full, missing))
-    return fail(where, fmt::format("'{}' is no regular file", file), "name an OBJ or list file",
+    return fail(where, fmt::format("'{}' is not a regular file", file), "name an OBJ or list file",
                 Trouble::missing);
   // "-" is a file beside the scene here, never standard input.
   Result<std::string> text =

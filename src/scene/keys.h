@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "scene/builder.h"
 
 namespace flatray {
@@ -100,7 +101,8 @@ void each_table(Builder& builder, const Field& field, const Read& read) {
   if (!builder.in.is(field, Value::Kind::array, "an array of tables")) return;
   if (field.value.items.size() > limit)
     return builder.in.problem(
-        field.value.where, fmt::format("{} has {} entries", field.name, field.value.items.size()),
+        field.value.where,
+        fmt::format("{} has {}", field.name, counted(field.value.items.size(), "entry", "entries")),
         fmt::format("the limit is {}; --max-entities raises it", limit));
   for (const Value& item : field.value.items) read(item);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "scene/corner_limit.h"
 #include "scene/keys.h"
 #include "scene/motion_keys.h"
@@ -44,7 +45,7 @@ std::vector<double> dash_lengths(Builder& builder, const Field& field) {
   for (std::size_t i = 0; i < field.value.items.size(); ++i) {
     const double length = builder.in.number(field.item(i)).value_or(0);
     if (!(length >= 0 && length <= kFarthest))
-      builder.in.problem(field.value.items[i].where, field.item(i).name + " is no length",
+      builder.in.problem(field.value.items[i].where, field.item(i).name + " is not a length",
                          "write numbers from 0 to 1e300: line, gap, line, gap, ...");
     lengths.push_back(length);
   }
@@ -56,7 +57,8 @@ void read_dashes(Builder& builder, const Field& field, Stroke& stroke) {
   if (!builder.in.is(field, Value::Kind::array, "a list of numbers")) return;
   if (field.value.items.size() > kMostLengths)
     return builder.in.problem(
-        field.value.where, fmt::format("{} has {} lengths", field.name, field.value.items.size()),
+        field.value.where,
+        fmt::format("{} has {}", field.name, counted(field.value.items.size(), "length")),
         fmt::format("at most {}", kMostLengths));
   const std::size_t problems = builder.in.problems.size();
   std::vector<double> lengths = dash_lengths(builder, field);

@@ -1,5 +1,6 @@
 #include "scene/markov.h"
 
+#include "base/counted.h"
 #include "scene/keys.h"
 #include "scene/numbers.h"
 #include "scene/scene_keys.h"
@@ -61,7 +62,7 @@ struct ChainReader {
         chain.states.push_back(member.key);
       } else if (std::any_of(member.key.begin(), member.key.end(), is_upper)) {
         in().problem(member.where,
-                     fmt::format("'{}' is no name of a state", member.key.substr(0, 64)),
+                     fmt::format("'{}' is not a name of a state", member.key.substr(0, 64)),
                      "states are upper case: " + upper_case(member.key.substr(0, 64)));
       } else {
         lower.members.push_back(member);
@@ -209,7 +210,7 @@ void read_chains(Builder& builder, const Field& field, Scene& scene) {
   if (!builder.in.is(field, Value::Kind::table, "a table of chains")) return;
   if (field.value.members.size() > kMaxChains)
     return builder.in.problem(field.value.where,
-                              fmt::format("{} Markov chains", field.value.members.size()),
+                              counted(field.value.members.size(), "Markov chain"),
                               fmt::format("at most {}", kMaxChains));
   for (const Member& member : field.value.members) {
     if (!builder.in.is({"markov." + member.key, member.value, "{ STATE = { ... } }"},

@@ -120,7 +120,7 @@ class ChunkReader {
       ignored.emplace_back(name);
   }
 
-  // A vertex that is wrong keeps its number: faces after it are no second mistake.
+  // A vertex that is wrong keeps its number: faces after it are not second mistakes.
   void read_vertex(std::string_view record) {
     Vec2& vertex = chunk_.vertices.emplace_back(0, 0);
     std::size_t count = 0;
@@ -129,7 +129,7 @@ class ChunkReader {
       if (!value || count == kMaxCoordinates)
         return problem(word,
                        value ? "a vertex has too many numbers"
-                             : fmt::format("'{}' is no finite number", word.substr(0, 40)),
+                             : fmt::format("'{}' is not a finite number", word.substr(0, 40)),
                        "a vertex reads v x y [z [w]]");
       if (count < 2) vertex[static_cast<Eigen::Index>(count)] = *value;
     }
@@ -173,7 +173,7 @@ class ChunkReader {
     }
     const bool forward = index >= base_, backward = base_ == 1 && index < 0;
     if (!good || !rest.empty() || !(forward || backward)) {
-      problem(word, fmt::format("'{}' is no vertex number", word.substr(0, 40)),
+      problem(word, fmt::format("'{}' is not a vertex number", word.substr(0, 40)),
               base_ == 0 ? "write i, counted from 0"
                          : "write i, i/t, i/t/n or i//n, counted from 1, or from -1 backwards");
       return false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/counted.h"
 #include "base/parallel.h"
 #include "scene/obj_chunk.h"
 
@@ -130,7 +131,7 @@ class Merger {
       if (!good(corners[i]))
         problems.push_back({obj_corner_place(source_, (again.*chains).offsets[i]),
                             "there is no such vertex",
-                            fmt::format("the file has {}", obj_.vertices.size())});
+                            "the file has " + counted(obj_.vertices.size(), "vertex", "vertices")});
   }
 
   void name_ignored() {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 
+#include "base/counted.h"
 #include "scene/format.h"
 #include "scene/vocabulary.h"
 
@@ -33,7 +34,8 @@ Result<Value*> entry(Value& array, const Member& step) {
   if (parsed.ec == std::errc{} && parsed.ptr == end) {
     if (index < array.items.size()) return &array.items[index];
     return fail(step.where, fmt::format("there is no entry {}", index),
-                fmt::format("the scene has {}, counted from 0", array.items.size()),
+                fmt::format("the scene has {}, numbered from 0",
+                            counted(array.items.size(), "entry", "entries")),
                 Trouble::usage);
   }
   for (Value& item : array.items)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "geom/turn.h"
 #include "scene/look_keys.h"
 #include "scene/moving_mirrors.h"
@@ -63,8 +64,7 @@ void read_fan(Builder& builder, const Field& field, RayPath& ray) {
 void add_fan(Builder& builder, const RayPath& ray, std::vector<RayPath>& rays) {
   const RayPath::Fan fan = ray.fan.value_or(RayPath::Fan{});
   if (rays.size() + fan.count > builder.limits.max_entities)
-    return builder.in.problem(ray.where,
-                              fmt::format("more than {} rays", builder.limits.max_entities),
+    return builder.in.problem(ray.where, "more than " + counted(builder.limits.max_entities, "ray"),
                               "--max-entities raises the limit");
   const Vec2& d = ray.direction;
   const double size = std::max(std::fabs(d.x()), std::fabs(d.y()));

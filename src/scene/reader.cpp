@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/counted.h"
 #include "base/number_text.h"
 #include "scene/numbers.h"
 
@@ -178,9 +179,10 @@ std::optional<Vec2> Reader::plain_point(const Field& field) {
   if (refuse_curve(field)) return std::nullopt;
   if (!is(field, Value::Kind::array, "two numbers")) return std::nullopt;
   if (field.value.items.size() != 2) {
-    problem(field.value.where,
-            fmt::format("{} has {} numbers, not two", field.name, field.value.items.size()),
-            how_to_write(field));
+    problem(
+        field.value.where,
+        fmt::format("{} has {}, not two", field.name, counted(field.value.items.size(), "number")),
+        how_to_write(field));
     return std::nullopt;
   }
   const std::optional<double> x = number(field.item(0)), y = number(field.item(1));
@@ -231,7 +233,8 @@ std::optional<Colour> Reader::plain_colour(const Field& field) {
   if (!text) return std::nullopt;
   const std::optional<Colour> parsed = parse_colour(*text);
   if (!parsed)
-    problem(field.value.where, fmt::format("{} '{}' is no colour", field.name, text->substr(0, 40)),
+    problem(field.value.where,
+            fmt::format("{} '{}' is not a colour", field.name, text->substr(0, 40)),
             R"(write "#rrggbb" or "#rrggbbaa")");
   return parsed;
 }

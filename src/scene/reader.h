@@ -54,7 +54,7 @@ class Reader {
   std::optional<Colour> colour(const Field& field);
 
   /// Reads `{ choice = [...] }` by `read`, a function of Field to std::optional: all of the list, so
-  /// that all mistakes are found; gives the one drawn. What is no choice is read as it is.
+  /// that all mistakes are found; gives the one drawn. What is not a choice is read as it is.
   template <class Read>
   auto chosen(const Field& field, const Read& read) -> decltype(read(field)) {
     if (!is_choice(field.value)) return read(field);

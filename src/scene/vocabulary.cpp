@@ -9,7 +9,7 @@
 namespace flatray {
 namespace {
 
-// More than this of one table are no slips of the pen.
+// More than this of one table are not slips of the pen.
 constexpr std::size_t kMaxUnknownKeys = 20;
 
 // Words of other programs for what is a key here.

@@ -55,7 +55,7 @@ img {{ min-width: min(100%, 20rem); image-rendering: pixelated; }}
 <body>
 <main>
 <h1>{0}: error against run time</h1>
-<p>Seconds are processor time: the median of rounds in turn. Marked rows are best: no other setting of the choice is both as
+<p>Seconds are processor time: the median of rounds in turn, &plusmn; half of their range. Marked rows are best: no other setting of the choice is both as
 fast and as near. Points without any error are in the tables, not in the plots, whose axes are logarithms.</p>
 )";
 
@@ -83,10 +83,11 @@ std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kin
     std::string words = svg_text(point.setting);
     if (point.outcome.picture)
       words = fmt::format("<a href=\"#{}\">{}</a>", picture_id(report, point), words);
-    text += fmt::format(
-        "<tr{}><th scope=\"row\">{}</th><td>{:.3g} &plusmn; {:.1g}</td><td>{}{:.3g}</td>",
-        point.best ? " class=\"best\"" : "", words, point.seconds, point.spread,
-        point.outcome.at_most ? "&le; " : "", point.outcome.error);
+    const auto half = half_range(report, point);
+    text += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{:.3g}{}</td><td>{}{:.3g}</td>",
+                        point.best ? " class=\"best\"" : "", words, point.seconds,
+                        half ? fmt::format(" &plusmn; {:.1g}", *half) : "",
+                        point.outcome.at_most ? "&le; " : "", point.outcome.error);
     for (const std::size_t kind : kinds) {
       const std::optional<double> part = error_parts(report, point)[kind];
       text += part ? fmt::format("<td>{:.3g}</td>", *part) : "<td>not defined</td>";

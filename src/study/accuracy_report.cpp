@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/counted.h"
 #include "study/accuracy_page.h"
 #include "study/table.h"
 
@@ -27,6 +28,11 @@ Cell part_cell(const std::optional<double>& part) {
   return part ? Cell(*part) : Cell(std::string("not defined"));
 }
 
+Cell half_range_cell(const ChoiceReport& report, const AccuracyPoint& point) {
+  const auto half = half_range(report, point);
+  return half ? Cell(*half) : Cell(std::string("unknown"));
+}
+
 Table points_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "series", "setting", "n", "seconds", "seconds_half_range", "error",
                "error_half_interval", "at_most", "sampling", "truncation", "discretisation",
@@ -35,10 +41,11 @@ Table points_table(std::span<const ChoiceReport> reports) {
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
-      table.add({report.name, point.series, point.setting, point.n, point.seconds, point.spread,
-                 point.outcome.error, point.outcome.half, yes_or_no(point.outcome.at_most),
-                 part_cell(parts[0]), part_cell(parts[1]), part_cell(parts[2]), part_cell(parts[3]),
-                 yes_or_no(point.best), advice(report, point)});
+      table.add({report.name, point.series, point.setting, point.n, point.seconds,
+                 half_range_cell(report, point), point.outcome.error, point.outcome.half,
+                 yes_or_no(point.outcome.at_most), part_cell(parts[0]), part_cell(parts[1]),
+                 part_cell(parts[2]), part_cell(parts[3]), yes_or_no(point.best),
+                 advice(report, point)});
     }
   return table;
 }
@@ -64,12 +71,13 @@ Table orders_table(std::span<const ChoiceReport> reports) {
 
 Table settings_table(const ChoiceReport& report) {
   const std::vector<std::size_t> kinds = kinds_of_error(report);
-  std::vector<std::string> columns{"setting", "seconds", "error"};
+  std::vector<std::string> columns{"setting", "seconds", "half_range", "error"};
   for (const std::size_t k : kinds) columns.emplace_back(name(static_cast<ErrorKind>(k)));
   columns.insert(columns.end(), {"best", ""});
   Table table(columns);
   for (const AccuracyPoint& point : report.points) {
-    std::vector<Cell> row{point.setting, point.seconds, error_cell(point.outcome)};
+    std::vector<Cell> row{point.setting, point.seconds, half_range_cell(report, point),
+                          error_cell(point.outcome)};
     for (const std::size_t k : kinds) row.push_back(part_cell(error_parts(report, point)[k]));
     row.emplace_back(std::string(point.best ? "*" : ""));
     row.emplace_back(advice(report, point));
@@ -108,6 +116,10 @@ std::vector<std::size_t> kinds_of_error(const ChoiceReport& report) {
   return kinds;
 }
 
+std::optional<double> half_range(const ChoiceReport& report, const AccuracyPoint& point) {
+  return report.rounds < 2 ? std::nullopt : std::optional(point.spread);
+}
+
 std::vector<std::string> remarks(const ChoiceReport& report) {
   std::vector<std::string> lines;
   const auto words = [](const AccuracyPoint* point) {
@@ -130,9 +142,9 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
   for (const MissingSetting& one : report.missing)
     lines.push_back(fmt::format("not here: {}: {}", one.words, one.why));
   if (!report.cut.empty()) lines.push_back("not within the budget: " + report.cut);
-  lines.push_back(fmt::format(
-      "{} round{}, {:.3g} s of processor time, {:.3g} s of it for the reference", report.rounds,
-      report.rounds == 1 ? "" : "s", report.seconds, report.reference_seconds));
+  lines.push_back(fmt::format("{}, {:.3g} s of processor time, {:.3g} s of it for the reference",
+                              counted(report.rounds, "round"), report.seconds,
+                              report.reference_seconds));
   return lines;
 }
 

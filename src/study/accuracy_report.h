@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,6 +15,9 @@ ExperimentResult accuracy_report(const std::string& scene, std::span<const Choic
 
 /// The kinds of error that any point has, the choice's own among them.
 std::vector<std::size_t> kinds_of_error(const ChoiceReport& report);
+
+/// Half of the range of the times of a point, which one round alone does not tell.
+std::optional<double> half_range(const ChoiceReport& report, const AccuracyPoint& point);
 
 /// What is to be said of a choice beside its table, a line each: what is missing here, what the
 /// budget cut, what is best, what the reference took.

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "base/counted.h"
 #include "base/parallel.h"
 
 namespace flatray {
@@ -35,7 +36,7 @@ Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::s
   });
   if (finished == count) return results;
   return fail(named_place(context.scene.name),
-              fmt::format("stopped after {} of {} blocks", finished.load(), count));
+              fmt::format("stopped after {} of {}", finished.load(), counted(count, "block")));
 }
 
 }  // namespace flatray

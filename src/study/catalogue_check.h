@@ -8,6 +8,9 @@
 
 namespace flatray {
 
+/// How often each batch of a case is timed, one that takes long but once; the least counts.
+inline constexpr int kTimesOfACase = 3;
+
 /// How a tracer does on one stiff case: every ray and orbit is asked twice, among so few that they
 /// go one by one, and among so many, of copies where it takes them, that they go through the lanes.
 struct CatalogueTally {
@@ -21,7 +24,7 @@ struct CatalogueTally {
 
   std::uint64_t in_batches = 0;  ///< rays in the batches that were timed
   std::uint64_t one_by_one = 0;  ///< of those, that no lanes were certain of
-  double seconds = 0;            ///< for them, of processor time
+  double seconds = 0;            ///< for them, of processor time: see kTimesOfACase
   std::uint64_t objects = 0;     ///< walls, each time they were made ready
   std::uint64_t bytes = 0;       ///< that took beside the walls themselves
 
@@ -49,7 +52,8 @@ std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
 CatalogueTally check_contacts(const oracle::StiffCase& stiff);
 
 /// The same of certified orbits, which no tracer has a part in: the walls of the first bounces,
-/// ends, and none that escapes. `in_batches` and `seconds` are of bounces; there is no t.
+/// ends, and none that escapes. `in_batches` and `seconds` are of bounces, each orbit timed
+/// once; there is no t.
 ///
 /// Error   that of can_certify().
 /// Cost    up to half a second (C15).

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -32,9 +33,10 @@ Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context) {
 
 ChoiceSettings pair_settings(const PairScene& scene) {
   ChoiceSettings made;
-  made.unit = "share of the pairs that meet, or are told to, that are told wrong";
+  made.unit = "share of wrong answers among the pairs that meet or are said to";
   made.reference = scene.truth.words();
-  if (scene.truth.cut > 0) made.cut = fmt::format("reference for {} pairs more", scene.truth.cut);
+  if (scene.truth.cut > 0)
+    made.cut = fmt::format("reference for {} more", counted(scene.truth.cut, "pair"));
   return made;
 }
 

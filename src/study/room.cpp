@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/number_text.h"
 #include "base/philox.h"
 #include "collide/broad_phase.h"
@@ -214,8 +215,8 @@ Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t us
   const OrbitPlan plan{(context.count + bounces - 1) / bounces, bounces};
   if (context.starts == Starts::quasi && plan.orbits < 2 * kShifts)
     return fail(named_place("--count"),
-                fmt::format("{} orbits are too few for {} shifts of quasi-random starts",
-                            plan.orbits, kShifts),
+                fmt::format("quasi-random starts in {} shifts need more than {}", kShifts,
+                            counted(plan.orbits, "orbit")),
                 fmt::format("say --count {} or more, or fewer --bounces", 2 * kShifts * bounces),
                 Trouble::usage);
   return plan;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/counted.h"
 
 namespace flatray {
 namespace {
@@ -39,8 +40,8 @@ TracerChoice choose_tracer(const Surfaces& walls, const Tracer* asked) {
   const Tracer* grid = find_tracer("grid");
   FLATRAY_CHECK(brute != nullptr || grid != nullptr, "no exact tracer is registered in this build");
   const std::size_t curves = walls.size() - segments;
-  const std::string many = std::to_string(segments) + (segments == 1 ? " segment" : " segments") +
-                           (curves == 0 ? "" : " beside " + std::to_string(curves) + " curves");
+  const std::string many =
+      counted(segments, "segment") + (curves == 0 ? "" : " beside " + counted(curves, "curve"));
   if (grid == nullptr) return {brute, "no other in this build"};
   if (brute == nullptr) return {grid, "no other in this build"};
   if (segments <= kFewSegments) return {brute, many + ": fewer than cells pay for"};

@@ -27,7 +27,7 @@ class Lander {
   /// Needs   `walls` to outlive it.
   explicit Lander(const Surfaces& walls);
 
-  /// Needs   a hit by `ray` that is no tangent of a curve.
+  /// Needs   a hit by `ray` that is not a tangent of a curve.
   /// Cost    a look at the walls of a cell; some 100 us for each wall within a few ulps of the point.
   Landing land(const Ray& ray, const NearestHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.

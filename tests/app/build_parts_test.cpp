@@ -21,7 +21,7 @@ direction = [1, 0.5]
   const std::vector<MissingPart> parts = missing_parts(scene, kNames);
   ASSERT_EQ(parts.size(), 5U);
   EXPECT_TRUE(parts[0].concerns);
-  EXPECT_EQ(parts[0].reason, "1 rays whose orbits it would certify");
+  EXPECT_EQ(parts[0].reason, "1 ray whose orbit it would certify");
   EXPECT_FALSE(parts[1].concerns);
   EXPECT_FALSE(parts[2].concerns);
   EXPECT_EQ(parts[2].reason, "a scene that needs it is refused");

@@ -82,7 +82,7 @@ TEST_F(Verbs, CompareMatchesFoldersByName) {
   for (const char* name : {"a/1.png", "b/1.png", "a/deep/2.png", "b/deep/2.png"})
     picture(name, 3, 10);
   EXPECT_EQ(compare("a", "b"), 0);
-  EXPECT_EQ(out_, "1.png: equal\ndeep/2.png: equal\n2 pictures, 0 differ\n");
+  EXPECT_EQ(out_, "1.png: equal\ndeep/2.png: equal\n2 pictures, 0 of them different\n");
   picture("b/deep/2.png", 3, 11);
   EXPECT_EQ(compare("a", "b", {"--diff", path("d")}), 1);
   EXPECT_EQ(read_png(path("d/deep/2.png"))->pixels.front(), 16);
@@ -134,7 +134,7 @@ TEST_F(Verbs, GoldenCheckPassesUntilThePictureChanges) {
       out_,
       "golden_images/box/frame_0001.png: new\n  look:   out/golden/box/frame_0001/sheet.png\n");
   EXPECT_EQ(golden({"check"}), 0);
-  EXPECT_EQ(out_, "1 goldens, 0 differ\n");
+  EXPECT_EQ(out_, "1 golden, 0 of them different\n");
   std::string text = kScene;
   text.replace(text.find("#336699"), 7, "#33669a");
   ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", text));

@@ -123,10 +123,10 @@ TEST(Query, ArcsThatAreNoneAreRefused) {
                   R"(}],"origin":[0,0],"direction":[1,0]})");
   };
   const std::pair<const char*, const char*> cases[] = {
-      {R"({"center":[0,0],"radius":1})", "walls[0].arc.from: is no number of degrees"},
+      {R"({"center":[0,0],"radius":1})", "walls[0].arc.from: is not a number of degrees"},
       {R"({"center":[0,0],"radius":1,"towards":[0,0]})", "walls[0].arc.towards: is zero"},
-      {R"({"center":[0,0],"radius":1,"from":0,"to":361})", "are no part of a turn"},
-      {R"({"center":[0,0],"radius":-1,"towards":[1,0]})", "radius: is no number of 0 or more"},
+      {R"({"center":[0,0],"radius":1,"from":0,"to":361})", "do not span part of a turn"},
+      {R"({"center":[0,0],"radius":-1,"towards":[1,0]})", "radius: is not a number of 0 or more"},
       {R"({"center":[0,0],"radius":1,"towards":[1,0],"to":9})", "not both"},
       {R"({"center":[1,0],"radius":1e-30,"from":0,"to":9})", "do not tell its ends apart"},
   };
@@ -168,7 +168,7 @@ TEST(Query, AllMistakesOfAQuestionAreNamedWithTheirPlaces) {
                   R"("origin":[1],"directoin":[1,0],"domain":"lin"})");
   EXPECT_FALSE(said.ok);
   for (const char* part :
-       {R"("id":7)", "origin: is no point", "direction: is missing", "domain: is none of",
+       {R"("id":7)", "origin: is not a point", "direction: is missing", "domain: is none of",
         "polygon[2]: the polygon is not convex", "directoin", "(did you mean 'direction'?)"})
     EXPECT_NE(said.line.find(part), std::string::npos) << part << "\n" << said.line;
 }

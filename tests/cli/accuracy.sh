@@ -16,5 +16,5 @@ says out "exact area, 4 samples a pixel"
 run 2 accuracy box.toml --choice covrage
 says err "did you mean 'coverage'?"
 run 2 accuracy box.toml --budget soon
-says err "is no time above 0"
+says err "is not a time above 0"
 finish

@@ -10,7 +10,7 @@ bytes() { head -c "$1" /dev/zero | tr '\0' "$2"; }  # bytes COUNT BYTE
 run 0 check comment.obj
 { printf 'v 0 0\nv '; bytes 100000000 1; } > number.obj
 run 4 check number.obj
-says err "number.obj:2:3: error: '1111111111111111111111111111111111111111' is no finite number"
+says err "number.obj:2:3: error: '1111111111111111111111111111111111111111' is not a finite number"
 { printf 'v 0 0\nv 1 0\nv 0 1\nf'; yes ' 1 2 3' | head -n 16000000 | tr -d '\n'; } > face.obj
 run 4 check face.obj
 says err "face.obj:4:1: error: 'f' has more than 1000000 vertices"

@@ -34,7 +34,7 @@ run 2 experiment mean-free-path "$sinai" --count 3000 --starts quasi
 says err "say --count 6400 or more"
 run 2 experiment mean-free-path "$sinai" --starts sobol
 run 2 experiment escape "$sinai" --starts quasi
-says err "is nothing that escape looks at"
+says err "is not an option of experiment escape"
 # Sweeps.
 run 0 experiment mean-free-path "$sinai" --count 5000 -o sweep --sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.1
 exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg
@@ -47,7 +47,7 @@ run 2 experiment escape "$sinai" --map angel
 says err "angle"
 # Options that would change nothing, all told at once.
 run 2 experiment reflections "$sinai" --count 10 --apart 0.1 --map angle
-says err "--count: error: is nothing that reflections looks at"
+says err "--count: error: is not an option of experiment reflections"
 says err "--apart: error"
 says err "it takes --bounces, --map, --resume"
 scene box.toml 1

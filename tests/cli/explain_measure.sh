@@ -36,11 +36,16 @@ says out "12 frames"
 # Frame 1 draws all 8 bands of 64 rows, the six moves after it one band each, and the five frames of STOP none.
 says out "7 of 12"
 says out "82 of 96 bands"
+# What is saved has an interval that leaves out no change, or is not measurable.
+grep '^saved by' out.txt | grep -vE ' not measurable |  -?[0-9.e+]+ % \((-[0-9.e+]+ to -|[0-9])' &&
+  fail "a saving without its doubt"
+(($(grep -c '^saved by' out.txt) >= 3)) || fail "savings are left out"
+says out "confidence"
 run 0 explain --measure -f 1..3 hold.toml
 says out "3 frames"
 run 0 explain --measure --keep-all hold.toml
 says out "0 of 96 bands"
-run 0 explain --measure --json hold.toml
+run 0 explain --measure --json -f 1..2 hold.toml
 says out '"measured: bands carried"'
 run 2 explain --measure -f 0 hold.toml
 absent out
@@ -63,7 +68,7 @@ bounces = 2
 TOML
 run 0 explain --measure room.toml
 says out "3.5 a flight"
-says out "87.5 % of 4 walls tested and 25 % hit in 2 flights of rays"
+says out "87.5 % of the walls, 4 in all, tested and 25 % hit; flights of rays: 2"
 # A forced tracer draws the same bytes; hit counts primitives.
 for tracer in brute grid exact; do run 0 render room.toml --tracer "$tracer" -o "$tracer.png"; done
 cmp brute.png grid.png && cmp brute.png exact.png || fail "a tracer draws another picture"

@@ -10,7 +10,7 @@ for verb in render check explain hit orbit; do
   says out '"line":3,"column":1'
   says err 'wrong.toml:2:7: error: fps is not above 0'
   run 4 $verb --json bytes.toml
-  says out '"message":"this byte is no UTF-8"'
+  says out '"message":"this byte is not UTF-8"'
   run 3 $verb --json none.toml
   says out '"file":"none.toml","message":"cannot read'
 done

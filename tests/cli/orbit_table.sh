@@ -49,7 +49,7 @@ if "$flatray" --version | grep -q "MPFR"; then
   says out "doubles are noise after"
   run 0 orbit "$hall" -n 9 --precision certified -D 'chamber.0.shape={polygon={points=[[0,0],[3,0],[0,4]]}}' \
     -D 'ray.0.at=[1,1]' -D 'ray.0.direction=[71,47]'
-  says out "probe: corner after 1 bounces at (0, 0)"
+  says out "probe: corner after 1 bounce at (0, 0)"
   says out "rational numbers"
 fi
 run 2 orbit "$hall" --ray prob

@@ -17,19 +17,19 @@ run 0 render box.toml -o chosen.png --profile centres.profile --error "$error"
 says err "profile: pixel centres, error "
 cmp -s centre.png chosen.png || fail "pixel centres are chosen, and another picture drawn"
 run 4 render box.toml -o no.png --profile box.profile --error 1e-12
-says err "box.profile:3:1: error: nothing is known to have an error of 1e-12 or less"
+says err "box.profile:3:1: error: no setting is known to have an error of 1e-12 or less"
 says err "say --error "
 run 4 render box.toml -o no.png --profile centres.profile --error 1e-12
-says err "centres.profile:2:1: error: nothing has an error of 1e-12 or less: this is the nearest"
+says err "centres.profile:2:1: error: no setting has an error of 1e-12 or less: this is the nearest"
 run 4 render box.toml -o no.png --profile box.profile --time 0
 says err "this is the quickest"
 run 4 render box.toml -o no.png --profile box.profile --time 1 -D fps=12
 says err "box.profile:1:1: error: is of another scene"
 run 4 render box.toml -o no.png --profile box.toml --time 1
-says err "is no profile"
+says err "is not a profile"
 printf '%s\n' "$(head -1 box.profile)" '{"setting":7}' > bad.profile
 run 4 render box.toml -o no.png --profile bad.profile --time 1
-says err "bad.profile:2:1: error: is no setting of a profile"
+says err "bad.profile:2:1: error: is not a setting of a profile"
 run 3 render box.toml -o no.png --profile none.profile --time 1
 run 2 render box.toml -o no.png --error 0.1
 says err "needs --profile"

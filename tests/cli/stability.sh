@@ -20,6 +20,15 @@ run 0 stability --families n-gon --count 40000 -j 3 -o three
 cmp -s <(cut -d, -f1-11 one/stability.csv | sort) <(cut -d, -f1-11 three/stability.csv | sort) \
   || fail 'counts depend on the threads'
 
+# The mean of the times of all chunks lies between the least and the most of them, which one chunk does not have.
+run 0 stability --families n-gon --tracer grid --count 40000 -o one
+awk 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+     { split($at["ns_of_chunks"], range, "[.][.]"); mean = $at["ns_a_query"] + 0
+       exit !(NF > 5 && range[1] + 0 <= mean && mean <= range[2] + 0 && range[1] != range[2]) }' "$work/out.txt" ||
+  fail 'the range of the chunks does not hold their mean'
+run 0 stability --families n-gon --tracer grid --count 10
+says out ' unknown '
+
 # A row cut short by a full disk is done again.
 truncate -s -3 one/stability.csv
 run 0 stability --families n-gon --count 40000 -o one
@@ -103,7 +112,7 @@ refuses() { # FIELD VALUE
   mkdir -p false
   awk -F, -v OFS=, -v f="$1" -v v="$2" 'NR == 2 { $f = v } 1' row.csv > false/stability.csv
   run 4 stability --families n-gon --count 10 -o false
-  says err "false/stability.csv:2: error: is no row of this program"
+  says err "false/stability.csv:2: error: is not a row that this program writes"
 }
 [[ $(head -n 1 row.csv) == family,tracer,isa,seed,chunk,rays,hits,wrong,*,seconds,* ]] || fail 'the columns are others'
 seconds=$(head -n 1 row.csv | tr , '\n' | grep -n '^seconds$' | cut -d: -f1)
@@ -117,7 +126,7 @@ refuses "$seconds" soon
 refuses 1 '#n-gon'
 sed '2s/^\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*\),[0-9]*/\1,1025/' rooms/leaks.csv > false/leaks.csv
 run 4 stability --leaks 10 --tracer float --places origin -o false
-says err 'false/leaks.csv:2: error: is no row of this program'
+says err 'false/leaks.csv:2: error: is not a row that this program writes'
 echo 'nonsense' >> log/stability.csv
 run 4 stability --families vertex --count 10 -o log
 says err 'stability.csv:'

@@ -10,6 +10,7 @@ figures=$(awk -F, '$1 ~ /^[A-E][0-9]+$/ && $(NF - 9) != "" { print $1 }' out/cat
 says out "grid: right, 61 of 61 right"
 [[ $(cut -d, -f1 out/catalogue.csv | sort -u | grep -c '[0-9]') == 81 ]] || fail "not every id is in catalogue.csv"
 exists out/catalogue_times.csv
+says out "least of up to 3"
 run 0 stability --catalogue --tracer grid -j 1 -o one
 cmp -s out/catalogue.csv one/catalogue.csv || fail "catalogue.csv is not the same every time"
 run 1 stability --catalogue --tracer float

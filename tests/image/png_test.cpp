@@ -238,7 +238,7 @@ TEST(Png, InterlacedPicturesOfAnySizeHaveTheBytesTheyNeed) {
 }
 
 TEST(Png, WhatIsNoPngIsRefused) {
-  expect_refused({}, "is no PNG");
+  expect_refused({}, "is not a PNG");
   expect_refused(png({}), "ends in the middle");
   expect_refused(png({kEnd}), "does not begin with its header");
   expect_refused(png({header(1, 1, 8, 2), kEnd}), "cannot be unpacked");

@@ -52,10 +52,10 @@ TEST(Shapes, ACapsuleIsTwoHalfCirclesWhateverItsLength) {
 TEST(Shapes, CurvesThatAreNoneAreRefused) {
   const Refused cases[] = {
       {"ellipse = { radii = [1, 0] }", "4:31: error: ellipse.radii are not above 0"},
-      {"ellipse = { radii = [1] }", "ellipse.radii has 1 numbers, not two"},
-      {"arc = { radius = 1, from = 0, to = 0 }", "from 0 to 0 is no part of a turn"},
+      {"ellipse = { radii = [1] }", "ellipse.radii has 1 number, not two"},
+      {"arc = { radius = 1, from = 0, to = 0 }", "from 0 to 0 is not part of a turn"},
       {"arc = { radius = 1, from = 0, to = 361 }", "or to = from + 360 for a whole one"},
-      {"arc = { radius = 1, from = 0, to = 1e300 }", "is no part of a turn"},
+      {"arc = { radius = 1, from = 0, to = 1e300 }", "is not part of a turn"},
       {"arc = { radius = 0, from = 0, to = 9 }", "arc.radius is 0"},
       {"sector = { radius = 1, inner = 1, from = 0, to = 9 }", "sector.inner does not lie between"},
       {"capsule = { from = [0, 0], to = [1, 0], radius = -1 }", "capsule.radius is -1"},

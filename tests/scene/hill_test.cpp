@@ -38,7 +38,7 @@ TEST(HillFormat, MistakesAreToldWhereTheyStand) {
             std::string::npos);
   EXPECT_NE(refusal_of("1\n3 0 2 0\n0 0 1 0 0 1").find("green must be from 0 to 1"),
             std::string::npos);
-  EXPECT_NE(refusal_of("1\n3 0 0 0\n0 0 1 zero 0 1").find("'zero' is no finite number"),
+  EXPECT_NE(refusal_of("1\n3 0 0 0\n0 0 1 zero 0 1").find("'zero' is not a finite number"),
             std::string::npos);
   EXPECT_NE(refusal_of("1\n3 0 0 0\n0 0 1 0 0").find("the file ends where y should stand"),
             std::string::npos);

@@ -140,7 +140,7 @@ TEST_F(Includes, RefusalsSayWhatToWrite) {
       {"include = [\"/etc/a.toml\"]", "'/etc/a.toml' is an absolute path"},
       {"include = [\"a.png\"]", "'a.png' has no extension of a scene\n"},
       {"include = [\"a.toml\"]", "file 'a.toml': cannot read: No such file"},
-      {"include = [\"folder.toml\"]", "'folder.toml' is no regular file"},
+      {"include = [\"folder.toml\"]", "'folder.toml' is not a regular file"},
       {"include = [\"old.toml\"]", "old.toml:1:1: error: the included scene needs 'flatray'"},
       {"include = [\"new.toml\"]", "scene version 2 is newer than this program"},
       {"include = [\"bad.toml\"]", "bad.toml:1:11: error"},

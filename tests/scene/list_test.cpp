@@ -35,9 +35,9 @@ TEST(List, MistakesHaveALineAndAColumn) {
       {", 1", "1:1: error: a name and two numbers are wanted"},
       {"1", "1:1: error: a name and two numbers are wanted"},
       {", 1, 2", "1:1: error: the name is missing"},
-      {"B, x, 2", "1:4: error: 'x' is no finite number"},
-      {"B, 1, nan", "1:7: error: 'nan' is no finite number"},
-      {"B, 1,", "1:1: error: '' is no finite number"},
+      {"B, x, 2", "1:4: error: 'x' is not a finite number"},
+      {"B, 1, nan", "1:7: error: 'nan' is not a finite number"},
+      {"B, 1,", "1:1: error: '' is not a finite number"},
       {"{", "1:1: error: the closing brace is missing"},
   };
   expect_refused(cases, [](const std::string& text) {

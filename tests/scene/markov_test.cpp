@@ -112,7 +112,7 @@ TEST(Markov, MistakesAreNamed) {
       {"repair = \"to-start\"\nA = { A = 0.6, B = 0.5 }\nB = { B = 1 }", "sum to 1.1"},
       {"repair = \"scaled\"\nA = { A = 0 }", "sum to 0\n"},
       {"repair = \"to-strat\"\nA = { A = 1 }", "(did you mean 'to-start'?)"},
-      {"Run = { Run = 1 }", "3:1: error: 'Run' is no name of a state"},
+      {"Run = { Run = 1 }", "3:1: error: 'Run' is not a name of a state"},
       {"hold = 0\nA = { A = 1 }", "3:8: error: markov.c.hold is 0"},
       {"hold = 2", "chain 'c' has no states"},
   };

@@ -117,7 +117,7 @@ A = { B = 1 }
       "t.toml:6:17: error: box has no area",
       "t.toml:8:12: error: unknown film.coverage 'areaa' (did you mean 'area'?)",
       "t.toml:9:1: error: ray needs 'direction'",
-      "t.toml:10:6: error: ray.at has 1 numbers, not two",
+      "t.toml:10:6: error: ray.at has 1 number, not two",
       "t.toml:12:7: error: state 'B' has no row"};
   std::size_t at = 0;
   for (const std::string& start : starts) {
@@ -204,7 +204,7 @@ TEST(StiffCases, E5BracketsAndDottedKeysDoNotExhaustTheStack) {
 TEST(Messages, HostileBytesAreRefusedWithAPlace) {
   EXPECT_NE(refusal(std::string("flatray = 1\n\0", 13)).find("t.toml:2:1: error:"),
             std::string::npos);
-  EXPECT_NE(refusal("flatray = 1\nseed = \"\xff\"").find("2:9: error: this byte is no UTF-8"),
+  EXPECT_NE(refusal("flatray = 1\nseed = \"\xff\"").find("2:9: error: this byte is not UTF-8"),
             std::string::npos);
 }
 

@@ -76,10 +76,10 @@ void expect_the_table() {
       {"\"1,5\"", "t.toml:2:7: error: fps is a string, not a number"},
       {"\"+5\"", "t.toml:2:7: error: fps is a string, not a number"},
       {"1,5", "t.toml:2:7: error: key-value pair"},
-      {".5", "t.toml:2:7: error: '.5' is no number"},
-      {"5.", "t.toml:2:7: error: '5.' is no number"},
-      {"1e", "t.toml:2:7: error: '1e' is no number"},
-      {"--5", "t.toml:2:7: error: '--5' is no number"},
+      {".5", "t.toml:2:7: error: '.5' is not a number"},
+      {"5.", "t.toml:2:7: error: '5.' is not a number"},
+      {"1e", "t.toml:2:7: error: '1e' is not a number"},
+      {"--5", "t.toml:2:7: error: '--5' is not a number"},
   };
   for (const auto& [number, expected] : cases) {
     const std::string shown = refusal(fps_with(number));

@@ -77,7 +77,7 @@ TEST(Obj, FacesWithoutAreaAndCrossingOnesAreCounted) {
   EXPECT_EQ(scene->scene.shapes[0].piece_count(), 1u);
   ASSERT_EQ(scene->warnings.size(), 2u);
   EXPECT_EQ(scene->warnings[0].message, "3 faces without area left out; this is the first");
-  EXPECT_EQ(scene->warnings[1].message, "1 face left out for edges that cross");
+  EXPECT_EQ(scene->warnings[1].message, "1 face left out because of edges that cross");
   for (int i : {0, 1}) {
     const Place& where = scene->warnings[static_cast<std::size_t>(i)].where;
     EXPECT_EQ(where.source->position(where.offset).line, i == 0 ? 7 : 10);
@@ -116,23 +116,23 @@ TEST(Obj, TwoDimensionalFilesCountFromZero) {
 
 TEST(Obj, MistakesHaveALineAndAColumn) {
   const Refused cases[] = {
-      {"v 0 0\nv 1 x 0\n", "dir/part.obj:2:5: error: 'x' is no finite number"},
-      {"v 0 nan\n", "dir/part.obj:1:5: error: 'nan' is no finite number"},
-      {"v 0 1e400\n", "1:5: error: '1e400' is no finite number"},
-      {"v 0 1,5\n", "1:5: error: '1,5' is no finite number"},
+      {"v 0 0\nv 1 x 0\n", "dir/part.obj:2:5: error: 'x' is not a finite number"},
+      {"v 0 nan\n", "dir/part.obj:1:5: error: 'nan' is not a finite number"},
+      {"v 0 1e400\n", "1:5: error: '1e400' is not a finite number"},
+      {"v 0 1,5\n", "1:5: error: '1,5' is not a finite number"},
       {"v 0\n", "1:1: error: a vertex has no x and y"},
       {"v 1 2 3 4 5 6 7 8\n", "1:17: error: a vertex has too many numbers"},
       {"f 1 2\n", "1:1: error: 'f' needs at least 3 vertices"},
       {"l 1\n", "1:1: error: 'l' needs at least 2 vertices"},
-      {"v 0 0\nv 1 0\nv 0 1\nf 1 2 0\n", "4:7: error: '0' is no vertex number"},
+      {"v 0 0\nv 1 0\nv 0 1\nf 1 2 0\n", "4:7: error: '0' is not a vertex number"},
       {"v 0 0\nv 1 0\nv 0 1\nf 1 2 4\n", "4:7: error: there is no such vertex"},
       {"v 0 0\nv 1 0\nv 0 1\nf 1 2 -4\n", "4:7: error: there is no such vertex"},
-      {"v 0 0\nf 1 1/x 1\n", "2:5: error: '1/x' is no vertex number"},
-      {"v 0 0\nf 1 1/ 1\n", "2:5: error: '1/' is no vertex number"},
-      {"v 0 0\nf 1 1// 1\n", "2:5: error: '1//' is no vertex number"},
-      {"v 0 0\nf 1 1/1/1/1 1\n", "2:5: error: '1/1/1/1' is no vertex number"},
+      {"v 0 0\nf 1 1/x 1\n", "2:5: error: '1/x' is not a vertex number"},
+      {"v 0 0\nf 1 1/ 1\n", "2:5: error: '1/' is not a vertex number"},
+      {"v 0 0\nf 1 1// 1\n", "2:5: error: '1//' is not a vertex number"},
+      {"v 0 0\nf 1 1/1/1/1 1\n", "2:5: error: '1/1/1/1' is not a vertex number"},
       {"v 0 0\nf 1 99999999999999999999 1\n",
-       "2:5: error: '99999999999999999999' is no vertex number"},
+       "2:5: error: '99999999999999999999' is not a vertex number"},
       {"", "the file holds no face or line"},
       {"v 0 0\n", "the file holds no face or line"},
   };
@@ -179,15 +179,16 @@ TEST(Import, MistakesAreTold) {
             std::string::npos);
   EXPECT_EQ(load(with_shape("import = { file = \"none.obj\" }")).error()[0].trouble,
             Trouble::missing);
-  EXPECT_NE(refusal(with_shape("import = { file = \"t.toml\" }")).find("'t.toml' is no outline"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(with_shape("import = { file = \"t.toml\" }")).find("'t.toml' is not an outline"),
+      std::string::npos);
   EXPECT_NE(refusal(with_shape("import = { file = \"a\", format = \"svg\" }"))
-                .find("'svg' is no outline"),
+                .find("'svg' is not an outline"),
             std::string::npos);
   EXPECT_NE(refusal(with_shape("import = { file = \"a.obj\", scale = 0 }")).find("a scale of 0"),
             std::string::npos);
   EXPECT_NE(
-      refusal(with_shape("import = { file = \"a\\u0000.obj\" }")).find("this is no file name"),
+      refusal(with_shape("import = { file = \"a\\u0000.obj\" }")).find("this is not a file name"),
       std::string::npos);
 }
 

@@ -100,13 +100,13 @@ TEST(ObjText, MistakesOfAllChunksAreToldInTheOrderOfTheText) {
     const auto at = one[i].where.source->position(one[i].where.offset);
     EXPECT_EQ(at.line, static_cast<int>(6000 * (i + 1)));
     EXPECT_EQ(at.column, i == 0 ? 8 : 9);
-    EXPECT_EQ(one[i].message, "'x' is no finite number");
+    EXPECT_EQ(one[i].message, "'x' is not a finite number");
   }
   EXPECT_NE(format(one[10]).find("m.obj:60002:7: error: there is no such vertex"),
             std::string::npos);
   EXPECT_NE(format(one[11]).find("m.obj:60003:10: error: there is no such vertex"),
             std::string::npos);
-  EXPECT_EQ(one[10].hint, "the file has 60000");
+  EXPECT_EQ(one[10].hint, "the file has 60000 vertices");
   for (const unsigned threads : {2u, 5u}) EXPECT_EQ(format(mistakes(text, threads)), format(one));
 }
 

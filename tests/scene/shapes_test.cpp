@@ -196,7 +196,7 @@ TEST(Shapes, ArgumentsOfTheWrongKindAreTold) {
   EXPECT_NE(refused("box = { min = [0, 0] }").find("4:17: error: box needs 'max'"),
             std::string::npos);
   EXPECT_NE(refused("convex = { points = [] }").find("convex.points is empty"), std::string::npos);
-  EXPECT_NE(refused("convex = { points = [[0, 0], [1]] }").find("convex.points[1] has 1 numbers"),
+  EXPECT_NE(refused("convex = { points = [[0, 0], [1]] }").find("convex.points[1] has 1 number"),
             std::string::npos);
   EXPECT_NE(refused("convex = { points = [[0, \"0\"]] }").find("convex.points[0][1] is a string"),
             std::string::npos);

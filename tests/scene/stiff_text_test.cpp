@@ -56,7 +56,7 @@ TEST(StiffText, E5NulAndStrayBytesAreRefusedWhereTheyStand) {
   EXPECT_NE(message("t.toml", "flatray = 1\nseed = \0001\n"s).find("t.toml:2:8: error: "),
             std::string::npos);
   EXPECT_NE(message("t.toml", "flatray = 1\n# n\xc3\xa9 \xff\n")
-                .find("t.toml:2:7: error: this byte is no UTF-8\n    # n\xc3\xa9 ?\n"),
+                .find("t.toml:2:7: error: this byte is not UTF-8\n    # n\xc3\xa9 ?\n"),
             std::string::npos);
   EXPECT_NE(
       message("t.toml", "flatray = 1\nx = \"\xed\xa0\x80\"\n").find("t.toml:2:6: error: this"),
@@ -64,12 +64,12 @@ TEST(StiffText, E5NulAndStrayBytesAreRefusedWhereTheyStand) {
   EXPECT_NE(message("t.toml",
                     "\xff\xfe"
                     "f\0l\0"s)
-                .find("t.toml:1:1: error: this byte is no UTF-8"),
+                .find("t.toml:1:1: error: this byte is not UTF-8"),
             std::string::npos);
   EXPECT_NE(message("t.obj", "v 0 0\nv 1 \xff\xfe\n")
-                .find("t.obj:2:5: error: '\?\?' is no finite number\n    v 1 \?\?\n"),
+                .find("t.obj:2:5: error: '\?\?' is not a finite number\n    v 1 \?\?\n"),
             std::string::npos);
-  EXPECT_NE(message("t.obj", "v 0 0\0\n"s).find("t.obj:1:5: error: '0?' is no finite number"),
+  EXPECT_NE(message("t.obj", "v 0 0\0\n"s).find("t.obj:1:5: error: '0?' is not a finite number"),
             std::string::npos);
   EXPECT_NE(message("t.list", "A, 1, 2\0\n"s).find("t.list:1:7: error: '2?'"), std::string::npos);
 }
@@ -112,7 +112,7 @@ TEST(StiffText, E5AFaceOfMoreThanAMillionCornersIsRefused) {
   const std::string found =
       message("t.obj", square + "f" + repeated(" 1 2 3", 333'334) + "\nf 1 x 2");
   EXPECT_NE(found.find("t.obj:5:1: error: 'f' has more than 1000000 vertices"), std::string::npos);
-  EXPECT_NE(found.find("t.obj:6:5: error: 'x' is no vertex number"), std::string::npos);
+  EXPECT_NE(found.find("t.obj:6:5: error: 'x' is not a vertex number"), std::string::npos);
 }
 
 }  // namespace

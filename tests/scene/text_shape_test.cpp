@@ -42,7 +42,7 @@ TEST(Text, LinesAreAlignedAtTheOrigin) {
 TEST(Text, WhatTheFontLacksIsWarnedOfWithItsPlace) {
   const LoadedScene got = loaded(with_shape("text = { string = \"\u00e9t\u00e9\", size = 1 }"));
   ASSERT_EQ(got.warnings.size(), 1U);
-  EXPECT_EQ(got.warnings[0].message, "the font lacks 2 of the characters");
+  EXPECT_EQ(got.warnings[0].message, "the font lacks 2 characters");
 }
 
 TEST(Text, WhatShowsNothingIsRefused) {

@@ -185,6 +185,27 @@ TEST(Accuracy, TheBestUnderASecondAndTheCheapestUnderAThousandthAreMarked) {
   EXPECT_EQ(advice(report, report.points[2]), "best under 1 s and cheapest under 0.001");
 }
 
+// Times of one round have no spread that could be told; it was told to be 0.
+TEST(Accuracy, TheRangeOfTimesIsUnknownAfterOneRound) {
+  ChoiceReport report;
+  report.name = "one";
+  report.rounds = 1;
+  report.points.push_back({"once", 0, 0.5, 0, {0.1}});
+  const auto file = [&](const char* name) {
+    const ExperimentResult result = accuracy_report("scene", {&report, 1});
+    for (const ExperimentResult::File& one : result.files)
+      if (one.name == name) return one.content;
+    return std::string();
+  };
+  EXPECT_NE(file("accuracy.csv").find("0.5,unknown,"), std::string::npos);
+  EXPECT_NE(file("accuracy.html").find("<td>0.5</td>"), std::string::npos);
+  report.rounds = 3;
+  report.points[0].spread = 0.25;
+  EXPECT_NE(file("accuracy.csv").find("0.5,0.25,"), std::string::npos);
+  EXPECT_NE(file("accuracy.html").find("<td>0.5 &plusmn; 0.2</td>"), std::string::npos);
+  EXPECT_NE(accuracy_report("scene", {&report, 1}).summary.find("half_range"), std::string::npos);
+}
+
 // 20 rays of each tracer of this build, against arithmetic that none of them has.
 TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
   const Scene scene =

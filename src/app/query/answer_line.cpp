@@ -57,7 +57,7 @@ Answer answer_line(std::string_view line, const Precision& precision) {
   const JsonValue* op = json->find("op");
   if (op == nullptr) return mistake(id, "op: is missing");
   const auto name = op->as_text();
-  if (!name) return mistake(id, "op: is no text");
+  if (!name) return mistake(id, "op: is not text");
   for (const Query* query : all_queries()) {
     if (*name != query->name) continue;
     Question question(*json, precision);

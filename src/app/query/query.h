@@ -35,7 +35,7 @@ struct Answer {
 /// Answers one line of JSON: {"id":.., "op":"clip", ..}.
 ///
 /// Gives   the answer's fields after the question's own id, where it has one; {"id":..,"error":..}
-///         for what is no question. Never fails otherwise, whatever the line holds.
+///         for what is not a question. Never fails otherwise, whatever the line holds.
 Answer answer_line(std::string_view line, const Precision& precision = {});
 /// The answer to a line that is longer than `most` bytes.
 Answer answer_to_long_line(std::size_t most);

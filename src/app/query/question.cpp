@@ -34,11 +34,11 @@ const JsonValue* Question::find(std::string_view name) {
 Vec2 Question::read_point(const JsonValue& value, const std::string& where) {
   const auto* items = std::get_if<Values>(&value.data);
   if (items == nullptr || items->size() != 2) {
-    mistake(where, "is no point: say [x, y]");
+    mistake(where, "is not a point: say [x, y]");
     return {0, 0};
   }
   const auto x = number_in((*items)[0]), y = number_in((*items)[1]);
-  if (!x || !y) mistake(where, "is no point: both must be numbers");
+  if (!x || !y) mistake(where, "is not a point: both must be numbers");
   return {x.value_or(0), y.value_or(0)};
 }
 
@@ -51,7 +51,7 @@ std::string Question::word(std::string_view name) {
   const JsonValue* value = find(name);
   if (value == nullptr) return "";
   const auto text = value->as_text();
-  if (!text) mistake(name, "is no text");
+  if (!text) mistake(name, "is not text");
   return text.value_or("");
 }
 
@@ -59,7 +59,7 @@ std::uint64_t Question::whole(std::string_view name) {
   const JsonValue* value = find(name);
   if (value == nullptr) return 0;
   const auto number = value->as_whole();
-  if (!number) mistake(name, "is no whole number of 0 or more");
+  if (!number) mistake(name, "is not a whole number of 0 or more");
   return number.value_or(0);
 }
 
@@ -83,7 +83,7 @@ std::vector<Vec2> Question::polygon(std::string_view name) {
 std::vector<Vec2> Question::read_polygon(const JsonValue& value, const std::string& where) {
   const auto* items = std::get_if<Values>(&value.data);
   if (items == nullptr || items->empty()) {
-    mistake(where, "is no list of points: say [[x, y], ...]");
+    mistake(where, "is not a list of points: say [[x, y], ...]");
     return {};
   }
   std::vector<Vec2> corners;
@@ -115,7 +115,7 @@ Question::Moving Question::moving(std::string_view name) {
     return body;
   }
   const auto length = radius == nullptr ? std::optional<double>(0) : number_in(*radius);
-  if (!length || *length < 0) mistake(where + ".radius", "is no number of 0 or more");
+  if (!length || *length < 0) mistake(where + ".radius", "is not a number of 0 or more");
   Moving body = {read_polygon(*polygon, where + ".polygon"), way, length.value_or(0)};
   read_spin(*value, where, body);
   return body;
@@ -129,7 +129,7 @@ void Question::read_spin(const JsonValue& value, const std::string& where, Movin
     return;
   }
   const auto degrees = number_in(*spin);
-  if (!degrees) mistake(where + ".spin", "is no number");
+  if (!degrees) mistake(where + ".spin", "is not a number");
   body.spin = degrees.value_or(0) * (std::numbers::pi / 180);
 }
 
@@ -164,7 +164,7 @@ Circle Question::read_circle(const JsonValue& value, const std::string& where) {
     return {{0, 0}, 0};
   }
   const auto length = number_in(*radius);
-  if (!length || *length < 0) mistake(where + ".radius", "is no number of 0 or more");
+  if (!length || *length < 0) mistake(where + ".radius", "is not a number of 0 or more");
   return {read_point(*centre, where + ".center"), length.value_or(0)};
 }
 
@@ -195,7 +195,7 @@ void Question::read_degrees(const JsonValue& value, const std::string& where, co
   const auto degrees = [&](const char* name) {
     const JsonValue* field = value.find(name);
     const auto number = field == nullptr ? std::nullopt : number_in(*field);
-    if (!number) mistake(where + "." + name, "is no number of degrees, and nothing says towards");
+    if (!number) mistake(where + "." + name, "is not a number of degrees, and towards is missing");
     return number.value_or(0);
   };
   const double from = degrees("from"), to = degrees("to");
@@ -203,7 +203,7 @@ void Question::read_degrees(const JsonValue& value, const std::string& where, co
   const double sweep = to > from ? to - from : to - from + 360;
   if (!(sweep > 0 && sweep <= 360) || to == from)
     return mistake(where,
-                   "from and to are no part of a turn: say less than 360 degrees, or to = "
+                   "from and to do not span part of a turn: say less than 360 degrees, or to = "
                    "from + 360 for all of it");
   if (sweep == 360 || circle.radius == 0) {
     walls.add(circle);
@@ -232,13 +232,13 @@ void Question::read_wall(const JsonValue& value, const std::string& where, Surfa
   }
   if (segment == nullptr) {
     mistake(where,
-            "is no wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...} or "
+            "is not a wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...} or "
             "{\"arc\": ...}");
     return;
   }
   const auto* ends = std::get_if<Values>(&segment->data);
   if (ends == nullptr || ends->size() != 2) {
-    mistake(where + ".segment", "is no pair of points");
+    mistake(where + ".segment", "is not a pair of points");
     return;
   }
   walls.add(Segment{read_point((*ends)[0], where + ".segment[0]"),
@@ -251,7 +251,7 @@ Surfaces Question::walls(std::string_view name) {
   if (value == nullptr) return walls;
   const auto* items = std::get_if<Values>(&value->data);
   if (items == nullptr) {
-    mistake(name, "is no list of walls");
+    mistake(name, "is not a list of walls");
     return walls;
   }
   for (std::size_t i = 0; i < items->size(); ++i)

@@ -23,9 +23,9 @@ std::vector<std::string> choice_names() { return names_of(flatray::choices()); }
 constexpr auto kOptions = with_scene_options(
     {{"output", 'o', "FOLDER", "where its files go (default out/accuracy)"},
      {"budget", '\0', "SECONDS",
-      "of processor time for all of it, what settings are compared with among it (default 60s)"},
+      "of processor time for everything, the references included (default 60s)"},
      {"choice", '\0', "NAME,NAME", "only these choices", OptionKind::text, &choice_names},
-     {"profile", '\0', "FILE", "write, too, what flatray render --profile chooses from"},
+     {"profile", '\0', "FILE", "also write what flatray render --profile chooses from"},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
      kThreadsOption,
      kJsonOption});
@@ -36,7 +36,7 @@ Result<double> read_budget(const Arguments& arguments) {
   if (text.ends_with('s')) text.pop_back();
   const auto seconds = parse_number(text);
   if (!seconds || !(*seconds > 0 && *seconds <= 1e6))
-    return usage_error(arguments.where("budget"), "is no time above 0", "say 60s");
+    return usage_error(arguments.where("budget"), "is not a time above 0", "say 60s");
   return *seconds;
 }
 

@@ -5,6 +5,7 @@
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "base/counted.h"
 
 namespace flatray::verbs {
 namespace {
@@ -18,9 +19,10 @@ Values as_values(const Diagnostics& diagnostics) {
 }
 
 std::string facts(const Scene& scene) {
-  return fmt::format("{} entities, {} chambers, {} rays, {} frames of {}x{}", scene.entities.size(),
-                     scene.chambers.size(), scene.rays.size(), scene.frames, scene.film.width,
-                     scene.film.height);
+  return fmt::format("{}, {}, {}, {} of {}x{}",
+                     counted(scene.entities.size(), "entity", "entities"),
+                     counted(scene.chambers.size(), "chamber"), counted(scene.rays.size(), "ray"),
+                     counted(scene.frames, "frame"), scene.film.width, scene.film.height);
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {

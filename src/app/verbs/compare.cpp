@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> metric_names() { return names_of(metrics()); }
 
 constexpr Option kOptions[] = {
-    {"metric", '\0', "NAME", "print this number, too: flatray list metrics", OptionKind::text,
+    {"metric", '\0', "NAME", "also print this number: flatray list metrics", OptionKind::text,
      &metric_names},
     {"diff", '\0', "OUT.png", "write the difference x16; of two folders, a folder"},
     kThreadsOption,
@@ -160,7 +160,7 @@ Result<VerbOutput> report(const Arguments& arguments, const std::vector<Pair>& a
     text = json_report("compare", arguments,
                        Fields{{"equal", differ == 0}, {"pictures", std::move(values)}}, seconds);
   else if (all.size() > 1)
-    text += fmt::format("{} pictures, {} differ\n", all.size(), differ);
+    text += fmt::format("{} pictures, {} of them different\n", all.size(), differ);
   return VerbOutput{std::move(text), differ == 0 ? 0 : 1};
 }
 

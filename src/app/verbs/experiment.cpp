@@ -24,12 +24,12 @@ constexpr auto kOptions = with_scene_options(
      {"bounces", 'n', "N", "of one orbit (each experiment has its own default)"},
      {"apart", '\0', "D", "of orbits that start near each other (default 1e-9)"},
      {"map", '\0', "position|angle",
-      "what the pixels of a picture stand for, instead of what is usual"},
+      "what the pixels of a picture stand for, instead of the usual"},
      {"starts", '\0', "random|quasi",
       "how starts that are drawn are spread: each by itself (usual), or evenly together, which has "
       "a smaller error where orbits are short"},
      {"sweep", '\0', "KEY=A..B:STEP",
-      "once for every value of a key of the scene, also KEY=V,V,..."},
+      "run once for each value of a key of the scene, also KEY=V,V,..."},
      {"resume", '\0', "", "keep what is done, and go on from what was kept", OptionKind::flag},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
      kThreadsOption,
@@ -58,8 +58,8 @@ Result<void> expect_used(const Arguments& arguments, const Experiment& experimen
     if (is_used || given == arguments.given().end() || !given->second.origin.starts_with("--"))
       continue;
     problems.push_back({arguments.where(name),
-                        fmt::format("is nothing that {} looks at", experiment.name),
-                        used.empty() ? "it has a scene alone" : "it takes " + used});
+                        fmt::format("is not an option of experiment {}", experiment.name),
+                        used.empty() ? "it takes a scene and no such option" : "it takes " + used});
     problems.back().trouble = Trouble::usage;
   }
   if (problems.empty()) return {};
@@ -93,7 +93,7 @@ Result<Request> read_request(const Arguments& arguments) {
   if (!width) return tl::unexpected(width.error());
   const auto apart = parse_number(arguments.text("apart").value_or("1e-9"));
   if (!apart || !(*apart > 0 && *apart < 1))
-    return usage_error(arguments.where("apart"), "is no distance between 0 and 1", "say 1e-9");
+    return usage_error(arguments.where("apart"), "is not a distance between 0 and 1", "say 1e-9");
   const auto map = arguments.one_of("map", {"usual", "position", "angle"});
   if (!map) return tl::unexpected(map.error());
   request.map = *map == "position" ? PixelMap::position

@@ -6,6 +6,7 @@
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "base/counted.h"
 #include "base/isa.h"
 #include "base/left_out.h"
 #include "collide/scene_timeline.h"
@@ -16,14 +17,14 @@ namespace {
 
 constexpr std::size_t kMeasuredFrames = 24;
 
-constexpr auto kOptions = with_scene_options(
-    {{"measure", '\0', "", "draw the frames, write nothing, and say what was saved",
-      OptionKind::flag},
-     {"frames", 'f', "LIST", "frames to measure (default: the first 24)"},
-     {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
-     {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
-     kThreadsOption,
-     kJsonOption});
+constexpr auto kOptions =
+    with_scene_options({{"measure", '\0', "",
+                         "draw the frames, write nothing, and say what is saved", OptionKind::flag},
+                        {"frames", 'f', "LIST", "frames to measure (default: the first 24)"},
+                        {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
+                        {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
+                        kThreadsOption,
+                        kJsonOption});
 
 // What the rays of the first frame are traced by.
 Result<std::vector<RenderPlan::Choice>> walls_of(const RenderJob& job) {
@@ -55,8 +56,9 @@ Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
   add("instructions", isa_name(active_isa()),
       "the fastest tier of this machine, or FLATRAY_ISA; same bits on all");
   add("threads",
-      fmt::format("{} frames at once, {} threads each", spread.frames_at_once, spread.threads_each),
-      fmt::format("{} threads, {} to draw", threads, count));
+      fmt::format("{} at once, {} each", counted(spread.frames_at_once, "frame"),
+                  counted(spread.threads_each, "thread")),
+      fmt::format("{}, {} to draw", counted(threads, "thread"), counted(count, "frame")));
   add("memory",
       fmt::format("{:.1f} MB of pictures",
                   static_cast<double>(picture_bytes_at_once(job, count, threads)) / 1e6),

@@ -9,6 +9,7 @@
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
+#include "base/counted.h"
 #include "base/parallel.h"
 #include "image/compare.h"
 
@@ -79,7 +80,7 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
     output.text += *report + "\n";
   }
   output.text +=
-      fmt::format("{} goldens, {} differ{}\n", rows.size(), differ,
+      fmt::format("{}, {} of them different{}\n", counted(rows.size(), "golden"), differ,
                   left_out == 0 ? "" : fmt::format(", {} not drawn: no GL here", left_out));
   output.exit_code = differ == 0 ? 0 : 1;
   if (!problems.empty()) output.exit_code = report_failure(problems, "");

@@ -84,7 +84,7 @@ Result<SpeedAsked> read_speed(const Arguments& arguments) {
   const auto speed = parse_number(*text);
   if (!speed || !(*speed > 0) || !(*speed < kFarthest))
     return usage_error(
-        arguments.where("speed"), "'" + *text + "' is no speed",
+        arguments.where("speed"), "'" + *text + "' is not a speed",
         fmt::format("write world units a second, above 0 and below {}, or none", kFarthest));
   return SpeedAsked{false, *speed};
 }

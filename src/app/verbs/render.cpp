@@ -29,7 +29,7 @@ constexpr auto kOptions = with_scene_options(
      {"resume", '\0', "", "keep frames already written whole for this very scene",
       OptionKind::flag},
      {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
-     {"keep-all", '\0', "", "leave nothing out that the plan would; same pictures",
+     {"keep-all", '\0', "", "draw also what the plan would leave out; same pictures",
       OptionKind::flag},
      {"format", '\0', "png|hdr", "format where the name does not say it"},
      {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},

@@ -39,9 +39,10 @@ std::vector<std::string> all_family_names() {
 
 constexpr auto kOptions = with_scene_options(
     {{"families", '\0', "NAME,NAME",
-      "only these families of inputs, as docs/NUMERICS.md names them; with --pairs of pairs",
+      "only these families of inputs, as docs/NUMERICS.md names them; with --pairs, families of "
+      "pairs",
       OptionKind::text, &all_family_names},
-     {"tracer", '\0', "NAME,NAME", "these tracers, not all exact ones", OptionKind::text,
+     {"tracer", '\0', "NAME,NAME", "these tracers instead of all exact ones", OptionKind::text,
       &tracer_names},
      {"count", '\0', "N",
       "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
@@ -225,6 +226,20 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
   return fmt::format("{:.3g}", static_cast<double>(part) / static_cast<double>(whole));
 }
 
+// From the quickest chunk to the slowest: how far the mean of one run can be trusted. One chunk alone
+// does not tell.
+std::string range_of_times(const StabilityLog& log, const ChunkLog::Key& key,
+                           std::uint64_t chunks) {
+  std::vector<double> times;
+  log.for_each(key, chunks, [&](const StabilityTally& tally) {
+    if (tally.timed > 0)
+      times.push_back(static_cast<double>(tally.nanoseconds) / static_cast<double>(tally.timed));
+  });
+  if (times.size() < 2) return "unknown";
+  const auto [least, most] = std::minmax_element(times.begin(), times.end());
+  return fmt::format("{:.3g}..{:.3g}", *least, *most);
+}
+
 JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
   return tally.timed == tally.rays ? JsonValue(ulps) : JsonValue("unknown");
 }
@@ -248,19 +263,21 @@ Result<VerbOutput> run(const Arguments& arguments) {
   catch_interrupts();
   ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
                      "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
-                     "whole", "ns_a_query", "bytes_an_object", "first_wrong"},
+                     "whole", "ns_a_query", "ns_of_chunks", "bytes_an_object", "first_wrong"},
                     {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
     if (auto done = run_chunks(*plan, *family, *log); !done) return fail(std::move(done));
     for (const Tracer* tracer : plan->tracers) {
-      const StabilityTally sum = log->sum(key_of(*plan, *family, *tracer, 0), plan->chunks);
+      const ChunkLog::Key key = key_of(*plan, *family, *tracer, 0);
+      const StabilityTally sum = log->sum(key, plan->chunks);
       wrong += sum.wrong + sum.off_by_more;
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
                             sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
                             known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
                             share(sum.one_by_one, sum.watched), share(sum.whole, sum.whole_watched),
-                            share(sum.nanoseconds, sum.timed), share(sum.bytes, sum.objects),
+                            share(sum.nanoseconds, sum.timed),
+                            range_of_times(*log, key, plan->chunks), share(sum.bytes, sum.objects),
                             sum.first_wrong});
     }
   }

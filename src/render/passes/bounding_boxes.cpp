@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/counted.h"
 #include "render/pass.h"
 
 namespace flatray {
@@ -13,7 +14,7 @@ std::ptrdiff_t boxed(const Scene& scene) {
 Need need(const Scene& scene) {
   const std::ptrdiff_t count = boxed(scene);
   if (count == 0) return skip("no entity asks for its box");
-  return run(std::to_string(count) + " boxes");
+  return run(counted(count, "box", "boxes"));
 }
 
 void draw(DrawContext& context) {

@@ -1,3 +1,4 @@
+#include "base/counted.h"
 #include "render/pass.h"
 
 namespace flatray {
@@ -5,8 +6,7 @@ namespace {
 
 Need need(const Scene& scene) {
   if (scene.chambers.empty()) return skip("no chamber");
-  return run("a chamber with " + std::to_string(scene.chambers.front().pillars.size()) +
-             " pillars");
+  return run("a chamber with " + counted(scene.chambers.front().pillars.size(), "pillar"));
 }
 
 void draw(DrawContext& context) {

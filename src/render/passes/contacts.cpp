@@ -13,7 +13,7 @@ constexpr double kBarMargin = 0.05;   // of the window, to its left, right and b
 Need need(const Scene& scene) {
   const auto& asked = scene.collisions;
   if (!asked || !(asked->points || asked->normals || asked->ghosts || asked->time_bar))
-    return skip("nothing of contacts is to be drawn");
+    return skip("nothing is drawn of contacts");
   std::string what;
   const auto add = [&](bool has, const char* name) {
     if (has) what += (what.empty() ? "" : ", ") + std::string(name);

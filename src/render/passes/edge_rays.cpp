@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "anim/world.h"
+#include "base/counted.h"
 #include "geom/cyrus_beck.h"
 #include "geom/interval_set.h"
 #include "render/pass.h"
@@ -15,7 +16,7 @@ constexpr double kMarkWidths = 4;    // entering and exiting points
 
 Need need(const Scene& scene) {
   if (scene.edge_rays.empty()) return skip("no edge rays");
-  return run(std::to_string(scene.edge_rays.size()) + " pairs of entities");
+  return run(counted(scene.edge_rays.size(), "pair of entities", "pairs of entities"));
 }
 
 struct InWorld {

@@ -1,3 +1,4 @@
+#include "base/counted.h"
 #include "render/pass.h"
 
 namespace flatray {
@@ -5,7 +6,7 @@ namespace {
 
 Need need(const Scene& scene) {
   if (scene.entities.empty()) return skip("no entities");
-  return run(std::to_string(scene.entities.size()) + " entities");
+  return run(counted(scene.entities.size(), "entity", "entities"));
 }
 
 void draw(DrawContext& context) {

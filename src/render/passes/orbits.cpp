@@ -2,6 +2,7 @@
 #include <map>
 #include <span>
 
+#include "base/counted.h"
 #include "render/pass.h"
 #include "render/ray_walls.h"
 #include "scene/easy_font.h"
@@ -15,7 +16,7 @@ constexpr double kMarkWidths = 2.5;
 
 Need need(const Scene& scene) {
   if (scene.rays.empty()) return skip("no rays");
-  return run(std::to_string(scene.rays.size()) + " rays");
+  return run(counted(scene.rays.size(), "ray"));
 }
 
 // As far along the ray as anything the window shows, and farther.

@@ -64,7 +64,7 @@ class HillReader {
     const auto literal = parse_literal(word);
     if (!literal)
       return fail(place(word),
-                  fmt::format("'{}' is no finite number: {}", word.substr(0, 40), what), kHint);
+                  fmt::format("'{}' is not a finite number: {}", word.substr(0, 40), what), kHint);
     return Number{literal->value, place(word)};
   }
   // `raise` moves the most there may be, which fits into an int.

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "scene/builder.h"
 #include "scene/format.h"
 #include "scene/numbers.h"
@@ -52,7 +53,7 @@ class ListReader {
     line = trimmed(line.substr(0, line.find('#')));
     if (line.empty()) return {};
     if (entities_.size() >= max_entities_)
-      return fail(place(line), fmt::format("the list has more than {} objects", max_entities_),
+      return fail(place(line), "the list has more than " + counted(max_entities_, "object"),
                   "--max-entities raises the limit");
     const std::string_view whole = line;
     const bool opened = line.starts_with('{'), closed = line.ends_with('}') && line.size() > 1;
@@ -79,7 +80,7 @@ class ListReader {
     for (const std::string_view part : parts) {
       if (!parse_literal(part))
         return fail(place(part.empty() ? whole : part),
-                    fmt::format("'{}' is no finite number", part.substr(0, 40)), kLineHint);
+                    fmt::format("'{}' is not a finite number", part.substr(0, 40)), kLineHint);
       at.push_back({Value::Kind::number, place(part), {}, {}, {}});
     }
     add(whole, name, std::move(at));

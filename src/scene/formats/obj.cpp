@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "scene/format.h"
 #include "scene/obj_chunk.h"
 #include "scene/obj_text.h"
@@ -76,10 +77,6 @@ void each(const ObjText::Chains& chains, const Add& add) {
     add(std::span(chains.corners).subspan(chains.begin[i], chains.begin[i + 1] - chains.begin[i]));
 }
 
-std::string plural(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 void warn(const ShapeMaker& maker, const ObjText& obj, const SourcePtr& source,
           Diagnostics& warnings) {
   const auto left_out = [&](const std::vector<std::size_t>& faces, const char* why,
@@ -87,11 +84,11 @@ void warn(const ShapeMaker& maker, const ObjText& obj, const SourcePtr& source,
     if (!faces.empty())
       warnings.push_back(
           {obj_record_place(source, "f", faces.front()),
-           plural(faces.size(), "face") + why + (faces.size() == 1 ? "" : "; this is the first"),
+           counted(faces.size(), "face") + why + (faces.size() == 1 ? "" : "; this is the first"),
            hint});
   };
   left_out(maker.flat, " without area left out", "z is dropped: faces seen edge-on have none");
-  left_out(maker.crossing, " left out for edges that cross", "cut it where they do");
+  left_out(maker.crossing, " left out because of edges that cross", "cut it where they do");
   const Place file = named_place(source->name());
   std::string ignored;
   for (const std::string& record : obj.ignored) ignored += (ignored.empty() ? "" : ", ") + record;

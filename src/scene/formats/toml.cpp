@@ -136,7 +136,7 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
   // What toml++ says of a number names its grammar, not the mistake.
   for (const char* grammar : {"floating-point: e", "decimal integer: expected"})
     if (message.starts_with(grammar) && message.find("length") == std::string::npos)
-      return fail(token, fmt::format("'{}' is no number", text.substr(0, 40)),
+      return fail(token, fmt::format("'{}' is not a number", text.substr(0, 40)),
                   "numbers are written like 12, -0.5 or 1e-3");
   if (message.find("could not be interpreted") != std::string::npos)
     return fail(token, fmt::format("{} is beyond the doubles", text.substr(0, 40)),
@@ -150,7 +150,7 @@ Result<void> check_load(const SourcePtr& source) {
     return fail(named_place(source->name()), fmt::format("the scene is {} bytes long", text.size()),
                 fmt::format("TOML scenes end at {} bytes; import outlines instead", kMaxBytes));
   if (const std::size_t stray = utf8_prefix(text); stray < text.size())
-    return fail({source, stray, 1}, "this byte is no UTF-8", "save the file as UTF-8");
+    return fail({source, stray, 1}, "this byte is not UTF-8", "save the file as UTF-8");
   const TomlLoad load = scan_toml(text);
   if (load.deep_key)
     return fail({source, *load.deep_key, 1},

@@ -19,7 +19,7 @@ Result<const Format*> outline_format(Args& args, const std::string& file) {
   for (const Format* one : formats())
     if (one->outline != nullptr) known.emplace_back(one->name);
   return fail(args.place(name.empty() ? "file" : "format"),
-              fmt::format("'{}' is no outline this program reads", name.empty() ? file : name),
+              fmt::format("'{}' is not an outline this program reads", name.empty() ? file : name),
               "formats of outlines: " + joined(known));
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "scene/easy_font.h"
 #include "scene/shape.h"
 
@@ -28,8 +29,8 @@ std::string printable(Args& args, const std::string& text) {
     }
   }
   if (lacking > 0)
-    args.warning(args.place("string"), fmt::format("the font lacks {} of the characters", lacking),
-                 "it has those of ASCII; a question mark stands for each of the others");
+    args.warning(args.place("string"), "the font lacks " + counted(lacking, "character"),
+                 "it has those of ASCII; a question mark stands for any other");
   return shown;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "collide/broad_phase.h"
 #include "study/pair_scene.h"
 
@@ -38,9 +39,8 @@ std::set<PairTruth::Pair> sampled(const PairScene& motion, int samples) {
 }
 
 Setting instants(const std::shared_ptr<PairScene>& scene, int samples) {
-  return {fmt::format("{} instant{} a frame", samples, samples == 1 ? "" : "s"),
-          static_cast<double>(samples), [=] { scene->found = sampled(*scene, samples); },
-          judged_pairs(scene)};
+  return {counted(samples, "instant") + " a frame", static_cast<double>(samples),
+          [=] { scene->found = sampled(*scene, samples); }, judged_pairs(scene)};
 }
 
 Setting continuous(const std::shared_ptr<PairScene>& scene) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "base/counted.h"
 #include "base/processor_time.h"
 #include "oracle/long_orbit.h"
 #include "precise/certified_orbit.h"
@@ -142,13 +143,13 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const unsigned bits = find_truths(*orbits, context.seed, reference_budget(context));
   const std::size_t most = orbits->bounces;
   ChoiceSettings made;
-  made.unit =
-      fmt::format("world units between places, the median of {} starts", orbits->all.size());
+  made.unit = "world units between places, the median of " + counted(orbits->all.size(), "start");
   made.reference =
       fmt::format("moving points in {} bits by other formulas (oracle/long_orbit), the same in {}",
                   2 * bits, bits);
   if (most < kBounces.back())
-    made.cut = fmt::format("reference of {} bounces instead of {}", most, kBounces.back());
+    made.cut =
+        fmt::format("reference of {} instead of {}", counted(most, "bounce"), kBounces.back());
   made.grows = "bounces";
   made.one_question = false;
   made.laws = {Law::power, Law::exponential};  // e^n in a chaotic room, which has an end

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "anim/world.h"
+#include "base/counted.h"
 #include "base/philox.h"
 #include "base/processor_time.h"
 #include "oracle/long_orbit.h"
@@ -82,13 +83,15 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   ChoiceSettings all;
   all.unit = "share of rays told the wrong wall";
   all.reference = fmt::format(
-      "{} random rays among {} walls by {}", made->truth.size(), made->world.surfaces.size(),
+      "{} among {} by {}", counted(made->truth.size(), "random ray"),
+      counted(made->world.surfaces.size(), "wall"),
       made->world.surfaces.any_curves()
           ? fmt::format("Cramer's rule and the quadratic formula in {} bits (oracle/long_orbit)",
                         kBits)
           : "whole numbers of 128 bits, else rationals (oracle/nearest)");
   if (made->truth.size() < kRays)
-    all.cut = fmt::format("reference for {} rays instead of {}", made->truth.size(), kRays);
+    all.cut =
+        fmt::format("reference for {} instead of {}", counted(made->truth.size(), "ray"), kRays);
   all.laws = {};
   for (const Tracer* tracer : tracers()) {
     const std::string why = tracer->missing == nullptr ? "" : tracer->missing();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/portable_math.h"
 #include "geom/predicates.h"
 #include "study/blocks.h"
@@ -135,8 +136,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   }
   ExperimentResult result =
       measured(context, "caustic",
-               fmt::format("Distances of the lines of {} bounces from ({:.6g}, {:.6g})", bounces,
-                           middle.x(), middle.y()),
+               fmt::format("Distances of the lines of {} from ({:.6g}, {:.6g})",
+                           counted(bounces, "bounce"), middle.x(), middle.y()),
                std::move(measures));
   result.files.push_back(png_file("caustic.png", all.picture(), context.threads));
   return result;

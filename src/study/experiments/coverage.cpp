@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "base/counted.h"
 #include "study/blocks.h"
 #include "study/estimate.h"
 #include "study/line_density.h"
@@ -104,8 +105,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       context, "coverage",
       fmt::format(
           "Part of {} x {} cells, of the {:.0f} whose centre lies in the room, that each path "
-          "crosses in {} bounces",
-          grid.width, grid.height, grid.count, bounces),
+          "crosses in {}",
+          grid.width, grid.height, grid.count, counted(bounces, "bounce")),
       std::move(measures));
   result.files.push_back({"coverage.svg", svg(plot)});
   return result;
