@@ -50,7 +50,7 @@ struct OrbitReport {
   std::optional<Clock> clock{};
 };
 
-/// Error   of certified orbits: Trouble::unavailable in a build without MPFR.
+/// Error   of certified orbits: Trouble::unavailable without their module.
 Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
                                  std::uint64_t bounces, const OrbitRequest& request);
 

@@ -13,7 +13,7 @@ namespace flatray {
 ///
 /// Gives   where nothing is rounded the radius stays 0. Overflow makes it infinite or NaN: a sign or
 ///         a rounding that is given is right, whatever happens.
-/// Source  MPFR, which no other file includes.
+/// Source  MPFR, which no other file includes: part of the module flatray_certified.so.
 class Ball {
  public:
   /// Needs   bits >= 53, so that every double is held.

@@ -38,7 +38,7 @@ struct CertifiedRules {
   std::optional<std::uint64_t> most_work{};
 };
 
-/// Error   Trouble::unavailable in a build without MPFR.
+/// Error   Trouble::unavailable where the module flatray_certified.so is not there.
 Result<void> can_certify();
 
 /// Follows the exact orbit of `start`: the working precision is doubled, from 128 bits on, until

@@ -34,6 +34,7 @@ TEST(Omissions, OfASceneAtRestOnePictureIsDrawnAndEncodedForAllFrames) {
     EXPECT_EQ(once.encoded, 1U);
     EXPECT_EQ(once.drawn.bands, 1U);
     EXPECT_EQ(once.drawn.scans, 1U);
+    EXPECT_EQ(once.drawn.kept_bands, 0U) << "nor is it compared with the next";
     const JobResult all = four_frames("at = [3, 2]", true, pattern);
     EXPECT_EQ(all.encoded, 4U);
     EXPECT_EQ(all.drawn.scans, 4U);
