@@ -57,6 +57,10 @@ Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& o
     for (; flight.crosses(next); next = flight.next(), ++crossing) {
       if (!crossed() || !crosses_same(*crossing, periodic, next)) return {{proven, false}, true};
       if (!flight.cross_over(next)) return {{proven, false}, false};
+      if (flight.circles())
+        return {{proven, proven == bounces && crossing + 1 == orbit.crossings.end() &&
+                             orbit.end == OrbitEnd::escape},
+                true};
     }
     if (next.kind == Prospect::Kind::open) return {{proven, false}, false};
     if (crossed()) return {{proven, false}, true};
@@ -72,7 +76,7 @@ Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& o
 
 Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
                       std::span<const Material> materials) {
-  if (orbit.bounces.empty()) return {0, true};  // decided without rounding
+  if (orbit.bounces.empty() && orbit.crossings.empty()) return {0, true};  // without rounding
   const PeriodicWalls periodic(walls, materials);
   Proof proof = prove<Bounded>(walls, periodic, orbit, [](double x) { return Bounded(x); });
 #ifdef FLATRAY_HAVE_MPFR
