@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -51,6 +52,9 @@ class Arguments {
   /// Everything given, by option name.
   const std::map<std::string, Given, std::less<>>& given() const { return given_; }
 
+  /// When they were read: the time a verb takes counts from here.
+  std::chrono::steady_clock::time_point read_at() const { return read_at_; }
+
   bool has(std::string_view name) const { return given_.find(name) != given_.end(); }
   /// Value of a text option, if given.
   std::optional<std::string> text(std::string_view name) const;
@@ -69,6 +73,7 @@ class Arguments {
  private:
   std::map<std::string, Given, std::less<>> given_;
   std::vector<std::string> operands_;
+  std::chrono::steady_clock::time_point read_at_ = std::chrono::steady_clock::now();
 };
 
 /// Reads the words after the verb. Options and operands may stand in any order; `--` ends the

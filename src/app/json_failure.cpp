@@ -9,7 +9,7 @@ std::string json_failure(const char* verb, const Arguments& arguments,
   if (!arguments.has("json")) return "";
   Values errors;
   for (const Diagnostic& one : problems) errors.push_back(as_value(one));
-  return json_report(verb, arguments, Fields{{"errors", std::move(errors)}}, 0);
+  return json_report(verb, arguments, Fields{{"errors", std::move(errors)}});
 }
 
 }  // namespace flatray

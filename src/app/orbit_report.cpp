@@ -108,6 +108,22 @@ double speed_of(const Orbit& orbit) {
   return (orbit.bounces.empty() ? orbit.direction : orbit.bounces.back().out).stableNorm();
 }
 
+// Of a certified orbit: whether doubles are seen to leave it, as far as it is told.
+bool leaves_doubles(const OrbitReport& report) {
+  return report.bits > 0 && report.horizon < report.orbit.bounces.size();
+}
+
+std::string precision_text(const OrbitReport& report) {
+  std::string text = fmt::format(
+      "; {} {}{} bits", report.decided ? "certified in" : "all certified, what follows is not by",
+      report.decided && report.rational ? "exact numbers of " : "", report.bits);
+  if (leaves_doubles(report))
+    text += fmt::format(", doubles are noise after {} bounces", report.horizon);
+  else if (!report.orbit.bounces.empty())
+    text += ", doubles are near all of these bounces";
+  return text;
+}
+
 const char* end_text(const OrbitReport& report) {
   return report.decided ? name(report.orbit.end) : "undecided";
 }
@@ -221,7 +237,7 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"precision", report.certified ? "certified" : "double"},
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
       {"rational", report.rational},
-      {"horizon_of_doubles", report.bits > 0 ? JsonValue(report.horizon) : JsonValue()},
+      {"horizon_of_doubles", leaves_doubles(report) ? JsonValue(report.horizon) : JsonValue()},
       {"bounces", JsonValue()},
       {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
       {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
@@ -254,12 +270,7 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
     text += fmt::format("; speed {} at time {}", number_text(speed_of(orbit)),
                         number_text(report.clock->end));
   else if (report.bits > 0)
-    text += fmt::format("; {} {}{} bits, doubles are noise {}",
-                        report.decided ? "certified in" : "all certified, what follows is not by",
-                        report.rational ? "rational numbers of " : "", report.bits,
-                        report.horizon == orbit.bounces.size()
-                            ? "nowhere"
-                            : fmt::format("after {} bounces", report.horizon));
+    text += precision_text(report);
   else if (report.certain < std::min(orbit.bounces.size(), kMostProven))
     text += fmt::format("; only the first {} are certain", report.certain);
   else if (!report.end_certain && orbit.bounces.size() <= kMostProven)

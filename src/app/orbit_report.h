@@ -38,8 +38,8 @@ struct OrbitReport {
   bool end_certain = true;  ///< all bounces are, and it ends as the exact orbit does
   bool certified = false;   ///< not in doubles
   unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles, and for none needed
-  bool rational = false;    ///< that it took rational numbers of so many bits
-  std::uint64_t horizon = 0;  ///< of a certified orbit: bounces until doubles are noise
+  bool rational = false;    ///< that it took numbers without error of so many bits
+  std::uint64_t horizon = 0;  ///< of a certified orbit: bounces until doubles are noise, or all
   bool decided = true;        ///< false: the bits allowed were not enough for what comes next
   /// At finite speed, of which nothing is proven: when it set off, when each bounce was, and when it
   /// ended.

@@ -124,8 +124,7 @@ class Run {
                               kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
     constexpr int kInterrupted = 130;
     VerbOutput output{"", stopped ? kInterrupted : 0};
-    if (arguments_.has("json"))
-      output.text = json_report("render", arguments_, results_, time.count());
+    if (arguments_.has("json")) output.text = json_report("render", arguments_, results_);
     return output;
   }
 
@@ -155,7 +154,7 @@ VerbOutput describe(const Arguments& arguments, const WorkList& list) {
     values.push_back(dry_value(work, list.threads));
     text += dry_text(work, list.threads);
   }
-  if (arguments.has("json")) return {json_report("render", arguments, std::move(values), 0), 0};
+  if (arguments.has("json")) return {json_report("render", arguments, std::move(values)), 0};
   return {std::move(text), 0};
 }
 

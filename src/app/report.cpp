@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstdio>
 
 #include "app/version.h"
@@ -41,7 +42,8 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
 void report_note(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
 std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
-                        double seconds, Fields of_all) {
+                        Fields of_all) {
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - arguments.read_at();
   Fields options;
   for (const auto& [name, given] : arguments.given()) {
     Values values(given.values.begin(), given.values.end());
@@ -55,7 +57,7 @@ std::string json_report(const char* verb, const Arguments& arguments, JsonValue 
                 {"args", Fields{{"operands", Values(operands.begin(), operands.end())},
                                 {"options", std::move(options)}}},
                 {"results", JsonValue()},
-                {"timing", Fields{{"seconds", seconds}}}};
+                {"timing", Fields{{"seconds", time.count()}}}};
   report[3].second = std::move(results);  // lists copy what they begin with
   std::move(of_all.begin(), of_all.end(), std::back_inserter(report));
   return json_text(report) + "\n";

@@ -20,10 +20,10 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments);
 /// One line for people on standard error.
 void report_note(const std::string& line);
 
-/// The one object --json prints: schema "flatray.VERB/1", version, args, results, timing, and what
-/// the verb tells of all results.
+/// The one object --json prints: schema "flatray.VERB/1", version, args, results, timing (seconds
+/// since the arguments were read), and what the verb tells of all results.
 std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
-                        double seconds, Fields of_all = {});
+                        Fields of_all = {});
 
 /// A diagnostic as an object: file, line, column, message, hint.
 JsonValue as_value(const Diagnostic& diagnostic);

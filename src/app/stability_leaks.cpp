@@ -33,7 +33,7 @@ Result<void> run_blocks(const StabilityRequest& request, const RoomPlace& place,
 VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound) {
   const int code = interrupted() ? 130 : sound ? 0 : 1;
   if (arguments.has("json"))
-    return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
+    return VerbOutput{json_report("stability", arguments, as_objects(table)), code};
   return VerbOutput{aligned_text(table), code};
 }
 

@@ -37,7 +37,7 @@ Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable
   }
   const int code = sound ? 0 : 1;
   if (arguments.has("json"))
-    return VerbOutput{json_report("stability", arguments, as_objects(table), 0), code};
+    return VerbOutput{json_report("stability", arguments, as_objects(table)), code};
   return VerbOutput{aligned_text(table) + result.summary, code};
 }
 

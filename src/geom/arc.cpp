@@ -10,6 +10,21 @@ Sign curve_side(const Vec2& point, const Ellipse& curve) {
   });
 }
 
+// By their centres and by u u' + v v', which no change of conjugate half-diameters moves.
+bool is_same_curve(const Ellipse& a, const Ellipse& b) {
+  if (a.centre != b.centre) return false;
+  const auto is_same = [&](int i, int j) {
+    return decide([&](const auto& number) {
+             const auto form = [&](const Ellipse& curve) {
+               return number(curve.u[i]) * number(curve.u[j]) +
+                      number(curve.v[i]) * number(curve.v[j]);
+             };
+             return form(a) - form(b);
+           }) == Sign::zero;
+  };
+  return (a.u == b.u && a.v == b.v) || (is_same(0, 0) && is_same(0, 1) && is_same(1, 1));
+}
+
 ArcPlace place_on(const Arc& arc, const Vec2& point) {
   const Vec2& centre = arc.curve.centre;
   const Sign side = curve_side(point, arc.curve);

@@ -102,6 +102,9 @@ inline ArcPlace place_in_cone(const Arc& arc, const Vec2& point) {
 /// Whether a point lies on an arc, and where. Exact.
 ArcPlace place_on(const Arc& arc, const Vec2& point);
 
+/// Whether two curves have the same points, whichever half-diameters they are given by. Exact.
+bool is_same_curve(const Ellipse& a, const Ellipse& b);
+
 /// Box around the whole curve of an arc, rounded outward.
 Bounds curve_bounds(const Ellipse& curve);
 

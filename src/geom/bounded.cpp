@@ -36,6 +36,11 @@ Bounded square_root(const Bounded& a) {
   return {value, (miss / (first * (1 - 0x1p-50)) + kUnderflowError) * kRadiusInflation};
 }
 
+Bounded either_root(const Bounded& a) {
+  const double most = std::fabs(a.value_.hi) * (1 + 0x1p-50) + a.error_ + kUnderflowError;
+  return {{0, 0}, std::sqrt(most) * kRadiusInflation};
+}
+
 std::optional<Sign> Bounded::sign() const {
   if (error_ == 0 || std::fabs(value_.hi) * (1 - 0x1p-50) > error_) return sign_of(value_.hi);
   return std::nullopt;

@@ -25,6 +25,12 @@ class Bounded {
   Bounded operator-() const { return {{-value_.hi, -value_.lo}, error_}; }
   /// Root of a number that is certain to be positive or exactly 0; else an unknown.
   friend Bounded square_root(const Bounded& a);
+  /// A number about 0 that is either root of what may not be negative of a.
+  friend Bounded either_root(const Bounded& a);
+
+  /// It is known to be the sum of these: one without error, and one about 0.
+  Bounded middle() const { return {value_, 0}; }
+  Bounded rest() const { return {{0, 0}, error_}; }
 
   /// The sign, where the error leaves no doubt.
   std::optional<Sign> sign() const;

@@ -352,6 +352,20 @@ Sign Rational::two_root_sign(const Rational& a, int s1, const Rational& q1, int 
   return a.sign() * root_sign(a * a - q1 - q2, -s1 * s2, Rational(4) * q1 * q2);
 }
 
+std::optional<Rational> Rational::exact_root(const Rational& q) {
+  Rational root = q;
+  Value& shortest = value(root.storage_);
+  shorten(shortest);  // the bottom is always odd
+  if (shortest.is_zero()) return Rational(0);
+  const bool square = shortest.exponent % 2 == 0 && mpz_perfect_square_p(shortest.top) != 0 &&
+                      mpz_perfect_square_p(shortest.bottom) != 0;
+  if (!square) return std::nullopt;
+  mpz_sqrt(shortest.top, shortest.top);
+  mpz_sqrt(shortest.bottom, shortest.bottom);
+  shortest.exponent /= 2;
+  return root;
+}
+
 double Rational::root_sum(const Rational& p, int s, const Rational& q) {
   if (root_sign(p, s, q) == Sign::zero) return 0;
   if (s == 0 || q.sign() == Sign::zero) return p.nearest();

@@ -1,6 +1,7 @@
 #pragma once
 #include <compare>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "geom/predicates.h"
@@ -54,6 +55,9 @@ class Rational {
 
   /// Nearest double to p + s * sqrt(q), halves to even, also where the two cancel. Needs q >= 0.
   static double root_sum(const Rational& p, int s, const Rational& q);
+
+  /// The root, where it is a rational number too. Needs q >= 0.
+  static std::optional<Rational> exact_root(const Rational& q);
 
   static constexpr std::size_t kBytes = 40;
 

@@ -1,9 +1,8 @@
 #include "precise/ball.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 
 namespace flatray {
 namespace {
@@ -40,6 +39,22 @@ Ball::Ball(mpfr_prec_t bits) {
 }
 Ball::Ball(double exact, int bits) : Ball(static_cast<mpfr_prec_t>(bits)) {
   mpfr_set_d(middle_, exact, MPFR_RNDN);
+}
+// A sum of doubles, each the nearest to what those before left, so that less is left than the last.
+Ball::Ball(const Rational& exact, int bits) : Ball(0.0, bits) {
+  Rational left = exact;
+  double part = left.nearest();
+  const double least = std::ldexp(std::fabs(part), -bits);
+  while (std::isfinite(part) && std::fabs(part) > least) {
+    *this = *this + Ball(part, bits);
+    left -= part;
+    part = left.nearest();
+  }
+  if (left.sign() == Sign::zero) return;
+  Radius size;  // infinite where a part is
+  mpfr_set_d(size.value, std::fabs(part) + std::numeric_limits<double>::denorm_min(), MPFR_RNDU);
+  mpfr_mul_2ui(size.value, size.value, 1, MPFR_RNDU);
+  mpfr_add(radius_, radius_, size.value, MPFR_RNDU);
 }
 Ball::Ball(const Ball& other) : Ball(other.bits()) { *this = other; }
 Ball::Ball(Ball&& other) noexcept : Ball(other.bits()) { *this = std::move(other); }
@@ -135,6 +150,15 @@ Ball square_root(const Ball& a) {
   return root;
 }
 
+Ball either_root(const Ball& a) {
+  Ball root(0.0, static_cast<int>(a.bits()));
+  Radius size;
+  set_size_up(size.value, a.middle_);
+  mpfr_add(size.value, size.value, a.radius_, MPFR_RNDU);
+  mpfr_sqrt(root.radius_, size.value, MPFR_RNDU);
+  return root;
+}
+
 std::optional<Sign> Ball::sign() const {
   if (mpfr_nan_p(radius_) || mpfr_nan_p(middle_)) return std::nullopt;
   if (mpfr_zero_p(radius_) && mpfr_zero_p(middle_)) return Sign::zero;
@@ -156,16 +180,15 @@ std::optional<double> Ball::nearest() const {
   return low + 0.0;  // never -0
 }
 
-std::optional<double> Ball::nearest_or_even(double scale) const {
-  if (const auto value = nearest()) return value;
-  constexpr int kTieBits = 256;
-  Radius least;
-  mpfr_set_d(least.value, std::ldexp(scale, -kTieBits), MPFR_RNDD);
-  if (!(mpfr_cmp(radius_, least.value) < 0)) return std::nullopt;
-  const auto [low, high] = ends();
-  if (mpfr_cmpabs(middle_, least.value) < 0) return 0;
-  if (std::nextafter(low, high) != high) return std::nullopt;
-  return (std::bit_cast<std::uint64_t>(low) & 1) == 0 ? low : high;
+Ball Ball::middle() const {
+  Ball exact(*this);
+  mpfr_set_zero(exact.radius_, 1);
+  return exact;
+}
+Ball Ball::rest() const {
+  Ball about_zero(*this);
+  mpfr_set_zero(about_zero.middle_, 1);
+  return about_zero;
 }
 
 }  // namespace flatray

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "geom/predicates.h"
+#include "geom/exact.h"
 
 namespace flatray {
 
@@ -18,6 +18,7 @@ class Ball {
  public:
   /// Needs   bits >= 53, so that every double is held.
   Ball(double exact, int bits);
+  Ball(const Rational& exact, int bits);
   Ball(const Ball& other);
   Ball(Ball&& other) noexcept;
   Ball& operator=(const Ball& other);
@@ -31,14 +32,17 @@ class Ball {
   Ball operator-() const;
   /// Root of a number that is certain to be positive; else an unknown.
   friend Ball square_root(const Ball& a);
+  /// A number about 0 that is either root of what may not be negative of a.
+  friend Ball either_root(const Ball& a);
 
   /// The sign, where the radius leaves no doubt.
   std::optional<Sign> sign() const;
   /// The nearest double, where the radius leaves no doubt and it is finite.
   std::optional<double> nearest() const;
-  /// The same; and where the radius is below 2^-256 of `scale`, so that no radius may ever tell: of
-  /// two neighbouring doubles the even one, and 0 for what is below 2^-256 of `scale`.
-  std::optional<double> nearest_or_even(double scale) const;
+
+  /// It is known to be the sum of these: one without error, and one about 0.
+  Ball middle() const;
+  Ball rest() const;
 
  private:
   explicit Ball(mpfr_prec_t bits);

@@ -13,6 +13,7 @@ namespace flatray {
 namespace {
 
 constexpr unsigned kFirstBits = 128;
+constexpr unsigned kLongest = 16;  // numbers without error, in parts of the bits of balls
 
 std::uint64_t work_for(unsigned most_bits) {
   constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
@@ -24,28 +25,31 @@ struct MakeBall {
   Ball operator()(double x) const { return {x, bits}; }
 };
 struct MakeCertain {
-  Certain operator()(double x) const { return Certain(x); }
+  int bits;
+  Certain operator()(double x) const { return {x, bits}; }
 };
 
-std::optional<double> rounded(const Ball& x, double scale) { return x.nearest_or_even(scale); }
-std::optional<double> rounded(const Certain& x, double) { return x.value().nearest(); }
-
 template <class Number>
-std::optional<Vec2> rounded(const Pair<Number>& point, double scale) {
-  const auto x = rounded(point.x, scale), y = rounded(point.y, scale);
+std::optional<Vec2> rounded(const Pair<Number>& point) {
+  const auto x = point.x.nearest(), y = point.y.nearest();
   return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
 }
 
 // A direction at length 1, of which the square of the length is given.
 std::optional<Vec2> rounded_out(const Pair<Ball>& direction, const Ball& size) {
   const Ball length = square_root(size);
-  return rounded(Pair<Ball>{direction.x / length, direction.y / length}, 1);
+  return rounded(Pair<Ball>{direction.x / length, direction.y / length});
+}
+// By squares, of which more are rational than of roots.
+std::optional<double> rounded_share(const Certain& x, const Certain& size) {
+  const Certain share = x * x / size;
+  if (const Rational* square = share.rational())
+    if (const auto sign = x.sign()) return Rational::root_sum(0, static_cast<int>(*sign), *square);
+  return (x.ball() / square_root(size.ball())).nearest();
 }
 std::optional<Vec2> rounded_out(const Pair<Certain>& direction, const Certain& size) {
-  const auto share = [&](const Rational& x) {
-    return Rational::root_sum(0, static_cast<int>(x.sign()), x * x / size.value());
-  };
-  return Vec2(share(direction.x.value()), share(direction.y.value()));
+  const auto x = rounded_share(direction.x, size), y = rounded_share(direction.y, size);
+  return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
 }
 
 // Bits that the numbers of a flight hold, and what a wall costs then, counted in bits of balls: long
@@ -55,7 +59,7 @@ unsigned bits_of(const Flight<Certain, MakeCertain>& flight, unsigned) {
   std::size_t most = 0;
   for (const Certain* x : {&flight.moment(), &flight.direction().x, &flight.direction().y,
                            &flight.point().x, &flight.point().y})
-    most = std::max(most, x->value().bits());
+    most = std::max(most, x->bits());
   return static_cast<unsigned>(most);
 }
 std::uint64_t cost_of(const Flight<Ball, MakeBall>&, unsigned bits) { return bits; }
@@ -63,10 +67,10 @@ std::uint64_t cost_of(const Flight<Certain, MakeCertain>&, unsigned bits) {
   return bits + std::uint64_t{bits} * bits / 4096;
 }
 
-double largest_coordinate(const Surfaces& walls) {
-  const Bounds box = bounds_of(walls);
-  const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  return std::min(largest, std::numeric_limits<double>::max());
+// Makes balls of numbers without error that have become too long.
+void keep_short(Flight<Ball, MakeBall>&, unsigned) {}
+void keep_short(Flight<Certain, MakeCertain>& flight, unsigned longest) {
+  if (bits_of(flight, 0) > longest) flight.blur();
 }
 
 // The orbit as far as an arithmetic tells it.
@@ -79,15 +83,15 @@ class Follower {
       : rules_(rules),
         periodic_(walls, rules.materials),
         flight_(walls, periodic_, start, make),
-        flown_(make(0)),
-        scale_(largest_coordinate(walls)),
+        none_(make(0)),
+        flown_(none_),
         walls_(walls.size() + 1),
-        bits_(bits),
-        first_entry_(flight_.point()) {}
+        bits_(bits) {}
 
   // Takes what it does from `work`, and is undecided where none is left.
   CertifiedOrbit follow(std::uint64_t bounces, std::uint64_t& work) {
     while (orbit_.decided && orbit_.end == OrbitEnd::limit && orbit_.bounces.size() < bounces) {
+      keep_short(flight_, std::min(kLongest * bits_, rules_.most_bits));
       const unsigned bits = bits_of(flight_, bits_);
       orbit_.bits = std::max(orbit_.bits, bits);
       const std::uint64_t cost = cost_of(flight_, bits) * walls_;
@@ -117,15 +121,14 @@ class Follower {
     const auto turned = dot(normal, flight_.direction()).sign();
     if (!turned || *turned == Sign::zero) return false;
     if (*turned == Sign::negative) normal = {-normal.x, -normal.y};
-    const auto point = rounded(flight_.point(), scale_);
-    const auto t = rounded(flown_, 1);
+    const auto point = rounded(flight_.point());
+    const auto t = flown_.nearest();
     const auto up = rounded_out(normal, dot(normal, normal));
     const auto in = rounded_out(way, flight_.size());
     const auto out = rounded_out(flight_.direction(), flight_.size());
     if (!point || !t || !up || !in || !out) return false;
     orbit_.bounces.push_back({wall, *point, *t, *up, *in, *out});
-    crossings_ = 0;
-    flown_ = flown_ - flown_;
+    flown_ = none_;
     return true;
   }
 
@@ -146,26 +149,19 @@ class Follower {
     const auto left = flight_.cross_over(next);
     if (!left) return false;
     fly(start, *left, flight_.direction());
-    const auto from = rounded(*left, scale_), to = rounded(flight_.point(), scale_);
+    const auto from = rounded(*left), to = rounded(flight_.point());
     if (!from || !to) return false;
     orbit_.crossings.push_back({orbit_.bounces.size(), *from, *to});
-    const Pair<Number>& entry = flight_.point();
-    const bool circles = crossings_ > 0 && is_same(first_entry_, entry);
-    if (crossings_++ == 0) first_entry_ = entry;
-    if (circles || crossings_ >= kMostCrossings)
+    if (flight_.circles())
       return finish(OrbitEnd::escape, rounded_out(flight_.direction(), flight_.size()), orbit_.out);
     return true;
   }
 
-  static bool is_same(const Pair<Number>& a, const Pair<Number>& b) {
-    return (a.x - b.x).sign() == Sign::zero && (a.y - b.y).sign() == Sign::zero;
-  }
-
   bool stop(OrbitEnd end, const Prospect& next) {
     const auto point = flight_.corner_at(next.walls.front());
-    if (!point) return false;
+    if (!point || !finish(end, rounded(*point), orbit_.end_point)) return false;
     orbit_.end_surfaces = next.walls;
-    return finish(end, rounded(*point, scale_), orbit_.end_point);
+    return true;
   }
 
   bool finish(OrbitEnd end, const std::optional<Vec2>& value, Vec2& out) {
@@ -178,12 +174,9 @@ class Follower {
   const CertifiedRules& rules_;
   PeriodicWalls periodic_;
   Flight<Number, Make> flight_;
-  Number flown_;  // t since the last bounce
-  double scale_;
+  Number none_, flown_;  // t since the last bounce
   std::size_t walls_;
   unsigned bits_;
-  std::uint32_t crossings_ = 0;  // since the last bounce
-  Pair<Number> first_entry_;     // to which the first of them led
   CertifiedOrbit orbit_;
 };
 
@@ -193,10 +186,11 @@ CertifiedOrbit in_balls(const Surfaces& walls, const CertifiedRules& rules, cons
   return Follower<Ball, MakeBall>(walls, rules, start, make, bits).follow(bounces, work);
 }
 
-CertifiedOrbit in_rationals(const Surfaces& walls, const CertifiedRules& rules, const Ray& start,
-                            std::uint64_t bounces, std::uint64_t& work) {
+CertifiedOrbit in_roots(const Surfaces& walls, const CertifiedRules& rules, const Ray& start,
+                        std::uint64_t bounces, unsigned bits, std::uint64_t& work) {
+  const MakeCertain make{static_cast<int>(bits)};
   CertifiedOrbit orbit =
-      Follower<Certain, MakeCertain>(walls, rules, start, {}, 0).follow(bounces, work);
+      Follower<Certain, MakeCertain>(walls, rules, start, make, bits).follow(bounces, work);
   orbit.rational = true;
   return orbit;
 }
@@ -218,7 +212,6 @@ CertifiedOrbit certify(const Surfaces& walls, const Ray& start, std::uint64_t bo
     return stays;
   }
   std::uint64_t work = rules.most_work.value_or(work_for(rules.most_bits));
-  const bool straight = walls.segments.size() == walls.size();
   CertifiedOrbit best;
   const auto keep = [&](CertifiedOrbit orbit) {
     const bool further = orbit.bounces.size() > best.bounces.size();
@@ -226,12 +219,11 @@ CertifiedOrbit certify(const Surfaces& walls, const Ray& start, std::uint64_t bo
     return further;
   };
   for (unsigned bits = kFirstBits;; bits = std::min(2 * bits, rules.most_bits)) {
-    const bool further = keep(in_balls(walls, rules, start, bounces, bits, work));
-    if (best.decided) return best;
-    const bool last = bits >= rules.most_bits || work == 0;
-    if (straight && (!further || last) && !best.rational)
-      keep(in_rationals(walls, rules, start, bounces, work));
-    if (best.decided || last) return best;
+    const bool last = bits >= rules.most_bits;
+    const bool further = !best.rational && keep(in_balls(walls, rules, start, bounces, bits, work));
+    if (!best.decided && (!further || last))
+      keep(in_roots(walls, rules, start, bounces, bits, work));
+    if (best.decided || last || work == 0) return best;
   }
 }
 

@@ -23,8 +23,8 @@ struct CertifiedOrbit {
   Vec2 end_point{0, 0};  ///< where it is absorbed or stops in a corner, the same
   std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
   std::vector<Crossing> crossings;          ///< of periodic walls, nearest doubles
-  unsigned bits = 0;      ///< of working precision that were enough; of the longest rational number
-  bool rational = false;  ///< what balls left open is told by rational numbers
+  unsigned bits = 0;      ///< of the longest number: of working precision, or of one without error
+  bool rational = false;  ///< what balls left open is told by numbers without error
 };
 
 inline constexpr unsigned kMostBits = 65536;
@@ -42,21 +42,22 @@ struct CertifiedRules {
 Result<void> can_certify();
 
 /// Follows the exact orbit of `start`: the working precision is doubled, from 128 bits on, until
-/// every bounce is told and every point is rounded. Where walls are straight and more bits got no
-/// further, rational numbers tell what they cannot: corners met exactly.
+/// every bounce is told and every point is rounded. Where more bits got no further, numbers without
+/// error tell what they cannot, as long as they are rational or a + b sqrt(q) with one root: a corner
+/// or a tangent met exactly, a coordinate that is 0 or the middle between two doubles.
 ///
 /// Needs   a direction that is not zero.
-/// Gives   ends as trace_orbit has them, in corners by the rule `stop`. Of curved walls a corner or
-///         a tangent met exactly is left undecided. In balls a coordinate within 2^-256 of the
-///         largest one of the walls to the middle between two doubles is the even one, and one as
-///         near to 0 is 0: exact ties, which no number of bits would tell.
+/// Gives   ends as trace_orbit has them, in corners by the rule `stop`. Nothing is taken to be equal
+///         because it is near: what neither arithmetic proves is left undecided. Walls on one line or
+///         curve are known to meet a ray in one point.
 /// Error   that of can_certify.
-/// Cost    bits grow by some 0.5 a bounce between straight walls, and by what discs part rays: 512
-///         for 200 bounces of a Sinai room, 20 ms. Rational numbers grow by up to 106 a bounce, and
-///         by none in a room whose walls lie along the axes. Every precision begins again at the
-///         start, so work is counted, as bounces times (walls + 1) times bits: after `most_work` the
-///         orbit stays undecided, as if bits had run out. That is a minute or two, and some ten
-///         with 65536 bits.
+/// Cost    bits grow by the logarithm of the number of bounces between straight walls and in a
+///         circle, and by what discs part rays: 512 for 200 bounces of a Sinai room, 20 ms. Numbers
+///         without error grow by up to 106 bits a bounce, and by none in a room whose walls lie along
+///         the axes; those longer than 16 times the working precision become balls. Every precision
+///         begins again at the start, so work is counted, as bounces times (walls + 1) times bits:
+///         after `most_work` the orbit stays undecided, as if bits had run out. That is a minute or
+///         two, and some ten with 65536 bits.
 Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
                                        std::uint64_t bounces, const CertifiedRules& rules = {});
 
@@ -64,7 +65,8 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
 inline constexpr double kHorizonShare = 0.01;
 
 /// Bounces from the first on that the orbit of the same start in doubles has on the same walls and
-/// near the same points; what follows is noise.
+/// near the same points. Where they are fewer than those of `exact`, what follows is noise; of more
+/// bounces than these nothing is said.
 std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact, const Orbit& plain);
 
 }  // namespace flatray

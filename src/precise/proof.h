@@ -8,8 +8,8 @@ namespace flatray {
 /// How far an arithmetic proves an orbit.
 struct Proof {
   Proven proven;
-  bool
-      ended;  ///< at the orbit's end, or where the exact one goes elsewhere: more bits tell no more
+  /// At the orbit's end, or where the exact one goes elsewhere: more bits tell no more.
+  bool ended;
 };
 
 /// Whether what lies ahead is how the orbit ends.
@@ -56,6 +56,10 @@ Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& o
     for (; flight.crosses(next); next = flight.next(), ++crossing) {
       if (!crossed() || !crosses_same(*crossing, periodic, next)) return {{proven, false}, true};
       if (!flight.cross_over(next)) return {{proven, false}, false};
+      if (flight.circles())
+        return {{proven, proven == bounces && crossing + 1 == orbit.crossings.end() &&
+                             orbit.end == OrbitEnd::escape},
+                true};
     }
     if (next.kind == Prospect::Kind::open) return {{proven, false}, false};
     if (crossed()) return {{proven, false}, true};

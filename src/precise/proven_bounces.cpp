@@ -7,7 +7,7 @@ namespace flatray {
 
 Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
                       std::span<const Material> materials) {
-  if (orbit.bounces.empty()) return {0, true};  // decided without rounding
+  if (orbit.bounces.empty() && orbit.crossings.empty()) return {0, true};  // without rounding
   const PeriodicWalls periodic(walls, materials);
   Proof proof = prove<Bounded>(walls, periodic, orbit, [](double x) { return Bounded(x); });
   constexpr int kFirstBits = 256, kLastBits = 2048;

@@ -29,6 +29,13 @@ says out "only the first 4"
 if "$flatray" --version | grep -q "MPFR"; then
   run 0 orbit "$sinai" --ray one -n 60 --precision certified --csv
   (($(grep -c ',yes$' out.txt) == 60)) || fail "a certified orbit has bounces that are not"
+  # Of what follows an undecided orbit nothing is known, and nothing said.
+  run 0 orbit "$sinai" --ray one -n 60 --precision certified --bits 128
+  says out "one: undecided after 3"
+  says out "what follows is not by 128 bits, doubles are near all of these bounces"
+  run 0 orbit "$sinai" --ray one -n 60 --precision certified --bits 128 --json
+  says out '"horizon_of_doubles":null'
+  says out '"end_certain":false,"end":"undecided"'
 fi
 run 2 orbit "$sinai" --precision certified --corner back
 says err "leave --corner back out"
@@ -50,7 +57,7 @@ if "$flatray" --version | grep -q "MPFR"; then
   run 0 orbit "$hall" -n 9 --precision certified -D 'chamber.0.shape={polygon={points=[[0,0],[3,0],[0,4]]}}' \
     -D 'ray.0.at=[1,1]' -D 'ray.0.direction=[71,47]'
   says out "probe: corner after 1 bounce at (0, 0)"
-  says out "rational numbers"
+  says out "exact numbers"
 fi
 run 2 orbit "$hall" --ray prob
 says err "did you mean 'probe'?"

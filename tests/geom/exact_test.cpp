@@ -105,5 +105,16 @@ TEST(Rational, RootSumIsTheNearestDoubleAlsoWhereItCancels) {
   }
 }
 
+TEST(Rational, HasAnExactRootWhereThatIsRational) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const Rational root = Rational(std::fabs(any_finite(i))) / Rational(static_cast<double>(i + 1));
+    EXPECT_EQ(Rational::exact_root(root * root), root);
+    if (root.sign() == Sign::zero) continue;
+    for (const double factor : {2.0, 3.0, 0.5})
+      EXPECT_FALSE(Rational::exact_root(root * root * factor).has_value());
+  }
+  EXPECT_EQ(Rational::exact_root(Rational(0)), Rational(0));
+}
+
 }  // namespace
 }  // namespace flatray

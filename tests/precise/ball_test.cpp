@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "geom/exact.h"
 
 namespace flatray {
@@ -35,6 +37,45 @@ TEST(Ball, MoreBitsTellWhatFewerLeaveOpen) {
   };
   EXPECT_EQ(sign_at(128), std::nullopt);
   EXPECT_EQ(sign_at(256), Sign::positive);
+}
+
+// Of thirds, whose sum of doubles never ends, and of numbers at the ends of the doubles.
+TEST(Ball, ARationalNumberIsWithinIts) {
+  for (const Rational& exact :
+       {Rational(1) / 3, Rational(-1e300) / 7, Rational(5e-324) / 3,
+        Rational(0.1) * 0.1 * 0.1 * 0.1, Rational(1) + Rational(0x1p-500), Rational(0)})
+    for (const int bits : {53, 128, 1000}) {
+      const Ball close(exact, bits);
+      for (const double hair : {0x1p-40, -0x1p-40}) {
+        const Ball beside(exact * (Rational(1) + hair), bits);
+        const auto order = (close - beside).sign();
+        const auto truth = (-(exact * hair)).sign();
+        EXPECT_TRUE(order == truth || !order || truth == Sign::zero);
+        EXPECT_TRUE(order || std::fabs(exact.nearest()) < 1e-300);
+      }
+      const auto off = (close * ball(3, bits) - Ball(exact * 3, bits)).sign();
+      EXPECT_EQ(off.value_or(Sign::zero), Sign::zero);
+    }
+  EXPECT_EQ((Ball(Rational(0.75), 53) - ball(0.75)).sign(), Sign::zero);
+  EXPECT_EQ(Ball(Rational(1e300) * 1e300, 128).sign(), std::nullopt);
+}
+
+TEST(Ball, IsItsMiddleAndItsRest) {
+  const Ball third = ball(1) / ball(3);
+  EXPECT_EQ((third.middle() - third.middle()).sign(), Sign::zero);
+  EXPECT_EQ(third.rest().sign(), std::nullopt);
+  EXPECT_EQ(third.middle().rest().sign(), Sign::zero);
+  EXPECT_EQ((third.middle() + third.rest() - third).sign(), std::nullopt);
+}
+
+// Of a number whose sign is open, as far as it may be positive: here up to 2^-126 or so.
+TEST(Ball, EitherRootHoldsBoth) {
+  const Ball open = ball(1) / ball(3) * ball(3) - ball(1), root = either_root(open);
+  EXPECT_EQ(root.sign(), std::nullopt);
+  EXPECT_EQ((root + ball(0x1p-62)).sign(), Sign::positive);
+  EXPECT_EQ((either_root(ball(4)) - ball(1.999)).sign(), std::nullopt);
+  EXPECT_EQ((either_root(ball(4)) + ball(1.999)).sign(), std::nullopt);
+  EXPECT_EQ((either_root(ball(4)) - ball(2.001)).sign(), Sign::negative);
 }
 
 // Expressions that cancel to the last bit or altogether, in few bits: what is told is what the

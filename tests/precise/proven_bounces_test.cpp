@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/exact.h"
+#include "precise/certified_orbit.h"
 #include "precise/rooms.h"
 
 namespace flatray {
@@ -132,6 +133,28 @@ TEST(ProvenBounces, BetweenPeriodicWallsCountTheWallsCrossedToo) {
   ASSERT_GE(astray.crossings[0].bounces, 1U);
   std::swap(astray.crossings[0].from, astray.crossings[0].to);
   EXPECT_EQ(proven_bounces(cell, astray, materials).bounces, astray.crossings[0].bounces);
+}
+
+// In doubles the ray stays at one height, which is to cross the cell for ever. Exactly it rises by half an
+// ulp a cell, and meets the disc. Along the diagonal it does escape.
+TEST(ProvenBounces, ThatARayOnlyCrossesPeriodicWallsIsNotTakenForGranted) {
+  Surfaces cell = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  cell.add(Circle{{0.5, 0.75}, 0.25 - 0x1p-52});
+  std::vector<Material> materials(5, Material::periodic);
+  materials[4] = Material::mirror;
+  const Ray start{{0.5, 0.5}, {1, 5e-17}};
+  const Orbit plain = trace_orbit(cell, materials, start, 1);
+  ASSERT_EQ(plain.end, OrbitEnd::escape);
+  ASSERT_TRUE(plain.bounces.empty());
+  EXPECT_FALSE(proven_bounces(cell, plain, materials).end);
+  if (const auto exact = certified_orbit(cell, start, 1, {materials})) {
+    EXPECT_TRUE(exact->decided);
+    EXPECT_EQ(exact->bounces.size(), 1U);
+  }
+  const Ray diagonal{{0.125, 0.875}, {1, 1}};
+  const Orbit round = trace_orbit(cell, materials, diagonal, 1);
+  ASSERT_EQ(round.end, OrbitEnd::escape);
+  EXPECT_TRUE(proven_bounces(cell, round, materials).end);
 }
 
 }  // namespace

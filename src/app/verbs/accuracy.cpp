@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/option_values.h"
 #include "app/profile.h"
@@ -41,7 +40,6 @@ Result<double> read_budget(const Arguments& arguments) {
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
   const auto names = chosen_names(arguments, "choice", "choice", choice_names());
   if (!names) return tl::unexpected(names.error());
   const auto budget = read_budget(arguments);
@@ -72,9 +70,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
     files->emplace_back(*path);
   }
   if (!arguments.has("json")) return VerbOutput{result.summary, 0};
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   Fields fields{{"summary", result.summary}, {"files", std::move(*files)}};
-  return VerbOutput{json_report("accuracy", arguments, std::move(fields), time.count()), 0};
+  return VerbOutput{json_report("accuracy", arguments, std::move(fields)), 0};
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <chrono>
-
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
@@ -26,7 +24,6 @@ std::string facts(const Scene& scene) {
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
   Values results;
   Diagnostics problems;
   std::string text;
@@ -43,8 +40,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     problems.insert(problems.end(), errors.begin(), errors.end());
   }
   if (arguments.has("json")) {
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    text = json_report("check", arguments, std::move(results), time.count());
+    text = json_report("check", arguments, std::move(results));
   } else if (arguments.has("quiet")) {
     text.clear();
   }

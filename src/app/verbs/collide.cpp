@@ -211,8 +211,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (auto checked = check_table(arguments); !checked) return fail(std::move(checked));
     const auto tables = paper_table(*scene, arguments.where("table"));
     if (!tables) return tl::unexpected(tables.error());
-    if (arguments.has("json"))
-      return VerbOutput{json_report("collide", arguments, tables->json(), 0)};
+    if (arguments.has("json")) return VerbOutput{json_report("collide", arguments, tables->json())};
     return VerbOutput{tables->text()};
   }
   const auto response = response_asked(arguments);
@@ -233,7 +232,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
                              : meetings(arguments, timeline, *asked_frames);
   if (!table) return tl::unexpected(table.error());
   if (arguments.has("json"))
-    return VerbOutput{json_report("collide", arguments, as_objects(*table), 0)};
+    return VerbOutput{json_report("collide", arguments, as_objects(*table))};
   return VerbOutput{arguments.has("csv") ? csv_text(*table) : aligned_text(*table)};
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include "app/difference_text.h"
@@ -139,8 +138,7 @@ std::string as_text(const Pair& pair, const Outcome& outcome, const Metric* metr
 }
 
 Result<VerbOutput> report(const Arguments& arguments, const std::vector<Pair>& all,
-                          const std::vector<Result<Outcome>>& outcomes, const Metric* metric,
-                          double seconds) {
+                          const std::vector<Result<Outcome>>& outcomes, const Metric* metric) {
   Diagnostics problems;
   Values values;
   std::string text;
@@ -158,14 +156,13 @@ Result<VerbOutput> report(const Arguments& arguments, const std::vector<Pair>& a
   if (!problems.empty()) return tl::unexpected(std::move(problems));
   if (arguments.has("json"))
     text = json_report("compare", arguments,
-                       Fields{{"equal", differ == 0}, {"pictures", std::move(values)}}, seconds);
+                       Fields{{"equal", differ == 0}, {"pictures", std::move(values)}});
   else if (all.size() > 1)
     text += fmt::format("{} pictures, {} of them different\n", all.size(), differ);
   return VerbOutput{std::move(text), differ == 0 ? 0 : 1};
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
   const Result<const Metric*> metric = chosen_metric(arguments);
   if (!metric) return tl::unexpected(metric.error());
   const Result<unsigned> count = threads(arguments);
@@ -177,8 +174,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   std::vector<Result<Outcome>> outcomes(all->size());
   parallel_for(outcomes.size(), *count,
                [&](std::size_t i) { outcomes[i] = measure((*all)[i], *metric, diff); });
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  return report(arguments, *all, outcomes, *metric, time.count());
+  return report(arguments, *all, outcomes, *metric);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
-
 #include "app/experiment_monitor.h"
 #include "app/experiment_sweep.h"
 #include "app/interrupt.h"
@@ -167,7 +165,6 @@ int report_interrupted(const Diagnostics& why) {
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
-  const auto start = std::chrono::steady_clock::now();
   const auto experiment = find_experiment(arguments.operands()[0]);
   if (!experiment) return tl::unexpected(experiment.error());
   if (auto used = expect_used(arguments, **experiment); !used) return fail(std::move(used));
@@ -180,13 +177,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!files) return fail(std::move(files));
   const int code = result->holds ? 0 : 1;
   if (!arguments.has("json")) return VerbOutput{result->summary, code};
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   Fields fields{{"experiment", (*experiment)->name},
                 {"question", (*experiment)->question},
                 {"holds", result->holds},
                 {"summary", result->summary},
                 {"files", std::move(*files)}};
-  return VerbOutput{json_report("experiment", arguments, std::move(fields), time.count()), code};
+  return VerbOutput{json_report("experiment", arguments, std::move(fields)), code};
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
           {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});
   }
   if (arguments.has("json"))
-    return VerbOutput{json_report("explain", arguments, as_objects(table), 0)};
+    return VerbOutput{json_report("explain", arguments, as_objects(table))};
   return VerbOutput{aligned_text(table)};
 }
 

@@ -183,8 +183,7 @@ Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
     values.push_back(as_value(set));
     text += text_of(set);
   }
-  if (arguments.has("json"))
-    return VerbOutput{json_report("hit", arguments, std::move(values), 0), 0};
+  if (arguments.has("json")) return VerbOutput{json_report("hit", arguments, std::move(values)), 0};
   return VerbOutput{std::move(text), 0};
 }
 
@@ -197,9 +196,9 @@ VerbOutput show(const Arguments& arguments, const std::vector<HitReport>& report
     text += (text.empty() ? "" : "\n") + text_of(report);
   }
   if (arguments.has("json"))
-    return {json_report("hit", arguments, std::move(values), 0,
-                        {{"primitives", primitives_hit(reports)}}),
-            0};
+    return {
+        json_report("hit", arguments, std::move(values), {{"primitives", primitives_hit(reports)}}),
+        0};
   return {std::move(text), 0};
 }
 

@@ -79,7 +79,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
     text += aligned_text(table, wanted.empty() ? "  " : "");
   }
   if (all.empty()) return unknown_name(named_place("list"), "list", wanted, kind_names());
-  if (arguments.has("json")) text = json_report("list", arguments, std::move(all), 0);
+  if (arguments.has("json")) text = json_report("list", arguments, std::move(all));
   return VerbOutput{std::move(text)};
 }
 

@@ -205,7 +205,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
               status_line(room, report);
   }
   if (!arguments.has("json")) return VerbOutput{std::move(text)};
-  return VerbOutput{json_report("orbit", arguments, std::move(values), 0)};
+  return VerbOutput{json_report("orbit", arguments, std::move(values))};
 }
 
 }  // namespace
