@@ -9,6 +9,8 @@
 namespace flatray {
 namespace {
 
+double time_of(const Scene& scene, unsigned frame) { return (frame - 1.0) / scene.fps; }
+
 void apply(const Look& look, EntityState& state) {
   if (look.shape) state.shape = *look.shape;
   if (look.fill) state.fill = look.fill;
@@ -34,6 +36,9 @@ EntityState local_state(const Timeline& timeline, std::uint32_t index, unsigned 
   }
   const Timeline::MarkovFrame walk = timeline.markov(index, frame);
   state.at = held(state.at + walk.moved);
+  if (const double part = time * scene.fps - (frame - 1.0);
+      part > 0 && time > time_of(scene, frame))
+    state.at += part * (timeline.markov(index, frame + 1).moved - walk.moved);
   state.state = walk.state;
   state.sub_state = walk.sub_state;
   const auto& looks = entity.markov->looks;
@@ -75,8 +80,6 @@ void change_shapes(const Scene& scene, double time, std::vector<EntityState>& st
   }
 }
 
-double time_of(const Scene& scene, unsigned frame) { return (frame - 1.0) / scene.fps; }
-
 Bounds window_at(const Timeline& timeline, unsigned frame) {
   const double time = time_of(timeline.scene(), frame);
   const std::optional<std::uint32_t> follow = timeline.scene().camera.follow;
@@ -88,7 +91,12 @@ Bounds window_at(const Timeline& timeline, unsigned frame) {
 }  // namespace
 
 std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame) {
-  const double time = time_of(timeline.scene(), frame);
+  return entity_states_between(timeline, frame, 0);
+}
+
+std::vector<EntityState> entity_states_between(const Timeline& timeline, unsigned frame,
+                                               double part) {
+  const double time = (frame - 1.0 + part) / timeline.scene().fps;
   const std::vector<GroupPose> groups = group_poses(timeline.scene(), time);
   std::vector<EntityState> states;
   states.reserve(timeline.scene().entities.size());

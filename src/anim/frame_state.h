@@ -43,6 +43,11 @@ FrameState at(const Timeline& timeline, unsigned frame);
 /// Its entities alone, before the camera displaces anything.
 std::vector<EntityState> entity_states(const Timeline& timeline, unsigned frame);
 
+/// The same at a part in [0, 1) of the time from a frame to the next, with the looks of the frame.
+/// Needs   a timeline without responses; with a part above 0 not its last frame.
+std::vector<EntityState> entity_states_between(const Timeline& timeline, unsigned frame,
+                                               double part);
+
 /// Kept where the scene's own coordinates must be, within kFarthest; so written that a NaN is, too.
 inline double held(double v) {
   return v > -kFarthest ? (v < kFarthest ? v : kFarthest) : -kFarthest;

@@ -5,39 +5,39 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "base/parallel.h"
 #include "collide/broad_phase.h"
+#include "collide/frame_bodies.h"
 #include "scene/responses.h"
 #include "scene/rounded.h"
 
 namespace flatray {
 namespace {
 
-// Of what turns a box around all its angles.
-Bounds box_of(const MovingShape& moving) {
-  if (moving.spin == 0) return shape_bounds(*moving.shape, moving.place);
-  Bounds own = shape_bounds(*moving.shape, {{0, 0}, 1, 0, moving.place.scale});
-  if (own.empty()) return own;
-  const Vec2 farthest = own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs());
-  const double reach = (1 + 0x1p-40) * farthest.stableNorm();
-  return {moving.place.at - Vec2(reach, reach), moving.place.at + Vec2(reach, reach)};
-}
-
-bool turns_with_path(const Scene& scene, std::uint32_t entity) {
-  const auto turns = [](const Motion& motion) { return motion.follow && motion.follow->turn; };
-  const Entity& e = scene.entities[entity];
-  bool any = turns(e.motion);
-  for (auto group = e.group; group; group = scene.groups[*group].group)
-    any |= turns(scene.groups[*group].motion);
+// Whether it or what carries it ever turns.
+bool turns(const Scene& scene, std::uint32_t entity) {
+  const auto turning = [](const auto& thing) {
+    return thing.angular_velocity != 0 || thing.motion.angle ||
+           (thing.motion.follow && thing.motion.follow->turn);
+  };
+  bool any = turning(scene.entities[entity]);
+  for (auto group = scene.entities[entity].group; group; group = scene.groups[*group].group)
+    any |= turning(scene.groups[*group]);
   return any;
 }
 
-// Where everything is, for a stretch of time in which motion is straight.
-struct Stretch {
-  std::vector<MovingShape> bodies;  // by entity; without a shape it plays no part
-  Range within;
-};
+// Whether any shape it may have, by its states, is so.
+template <class Is>
+bool any_look(const Scene& scene, std::uint32_t entity, const Is& is) {
+  const Entity& e = scene.entities[entity];
+  if (is(scene.shapes[e.shape])) return true;
+  if (!e.markov) return false;
+  for (const std::vector<Look>& state : e.markov->looks)
+    for (const Look& look : state)
+      if (look.shape && is(scene.shapes[*look.shape])) return true;
+  return false;
+}
 
 class Search {
  public:
@@ -74,61 +74,50 @@ class Search {
  private:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  const Shape* shape(const EntityState& state) const { return &shape_of(scene_, state); }
-
   // What keeps its velocity, from the first frame to the last.
   void whole_time(unsigned last_frame) {
     const std::vector<EntityState> states = entity_states(timeline_, 1);
-    Stretch stretch{{}, {0, (last_frame - 1.0) / scene_.fps}};
-    for (std::uint32_t i = 0; i < states.size(); ++i)
-      stretch.bodies.push_back({straight_[i] ? shape(states[i]) : nullptr,
-                                pose(states[i].at, states[i].angle, states[i].scale),
-                                scene_.entities[i].velocity});
-    for_meetings(stretch, rests_,
-                 [this](const Pair& pair, const MeetingPart& part) { add(pair, part); });
-  }
-
-  // What does not, against everything, from one frame to the next: t counts frames.
-  void one_frame(unsigned frame, const std::vector<EntityState>& now,
-                 const std::vector<EntityState>& next) {
-    Stretch stretch{{}, {0, 1}};
-    for (std::uint32_t i = 0; i < now.size(); ++i)
-      stretch.bodies.push_back({shape(now[i]), pose(now[i].at, now[i].angle, now[i].scale),
-                                next[i].at - now[i].at, now[i].angle,
-                                turn_between(scene_, i, now[i].angle, next[i].angle)});
-    for_meetings(stretch, straight_, [&](const Pair& pair, MeetingPart part) {
-      part.times.low = (frame - 1 + part.times.low) / scene_.fps;
-      part.times.high = (frame - 1 + part.times.high) / scene_.fps;
-      part.width /= scene_.fps;
-      add(pair, part);
-    });
-  }
-
-  std::vector<Pair> close_pairs(const Stretch& stretch) const {
+    const Range within{0, (last_frame - 1.0) / scene_.fps};
+    std::vector<MovingShape> bodies;
     std::vector<Bounds> boxes;
-    for (const MovingShape& body : stretch.bodies)
-      boxes.push_back(body.shape == nullptr
-                          ? Bounds{}
-                          : swept(box_of(body), body.velocity, stretch.within.high));
-    return overlapping_pairs(boxes);
-  }
-
-  // In the order of the pairs, without those of two that are both left out.
-  template <class Take>
-  void for_meetings(const Stretch& stretch, const std::vector<bool>& left_out,
-                    const Take& take) const {
-    std::vector<Pair> pairs = close_pairs(stretch);
-    std::erase_if(pairs, [&](const Pair& p) { return left_out[p.first] && left_out[p.second]; });
+    for (std::uint32_t i = 0; i < states.size(); ++i) {
+      const EntityState& state = states[i];
+      bodies.push_back({&shape_of(scene_, state), pose(state.at, state.angle, state.scale),
+                        scene_.entities[i].velocity});
+      const MovingShape& body = bodies.back();
+      boxes.push_back(straight_[i]
+                          ? swept(shape_bounds(*body.shape, body.place), body.velocity, within.high)
+                          : Bounds{});
+    }
+    std::vector<Pair> pairs = overlapping_pairs(boxes);
+    std::erase_if(pairs, [&](const Pair& p) { return rests_[p.first] && rests_[p.second]; });
     if (outline_ == Outline::own) {
-      const auto met = pairs_meet(stretch.bodies, pairs, stretch.within, threads_);
-      for (std::size_t i = 0; i < pairs.size(); ++i)
-        for (const MeetingPart& part : met[i]) take(pairs[i], part);
+      add(pairs, pairs_meet(bodies, pairs, within, threads_));
       return;
     }
-    for (const Pair& pair : pairs)
-      for (const MeetingPart& part :
-           boxes_meet(stretch.bodies[pair.first], stretch.bodies[pair.second], stretch.within))
-        take(pair, part);
+    for (const auto& [a, b] : pairs)
+      for (const MeetingPart& part : boxes_meet(bodies[a], bodies[b], within)) add({a, b}, part);
+  }
+
+  // What does not, against everything, from one frame to the next.
+  void one_frame(unsigned frame, const std::vector<EntityState>& now,
+                 const std::vector<EntityState>& next) {
+    const FrameBodies bodies(timeline_, outline_, frame, now, next);
+    std::vector<Pair> together, others;
+    for (const Pair& pair : overlapping_pairs(bodies.boxes()))
+      if (!straight_[pair.first] || !straight_[pair.second])
+        (bodies.are_even(pair) ? together : others).push_back(pair);
+    auto even = pairs_meet(bodies.even(), together, {0, 1}, threads_);
+    for (std::vector<MeetingPart>& parts : even) parts = bodies.in_seconds(std::move(parts));
+    add(together, even);
+    std::vector<std::vector<MeetingPart>> met(others.size());
+    parallel_for(others.size(), threads_, [&](std::size_t i) { met[i] = bodies.meet(others[i]); });
+    add(others, met);
+  }
+
+  void add(const std::vector<Pair>& pairs, const std::vector<std::vector<MeetingPart>>& met) {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      for (const MeetingPart& part : met[i]) add(pairs[i], part);
   }
 
   // In the order of time; what goes on from one frame to the next is one part.
@@ -151,28 +140,34 @@ class Search {
 
 }  // namespace
 
-double turn_between(const Scene& scene, std::uint32_t entity, double from, double to) {
-  const double turn = to - from;
-  if (!turns_with_path(scene, entity)) return turn;
-  constexpr double kWhole = 2 * std::numbers::pi;
-  return turn - kWhole * std::round(turn / kWhole);
-}
-
 bool changes_size(const Scene& scene, std::uint32_t entity) {
-  const auto changes = [&](ShapeId shape) { return scene.shapes[shape].changes != kNoEntry; };
-  const Entity& e = scene.entities[entity];
-  if (changes(e.shape)) return true;
-  if (e.markov)
-    for (const std::vector<Look>& state : e.markov->looks)
-      for (const Look& look : state)
-        if (look.shape && changes(*look.shape)) return true;
-  for (auto group = e.group; group; group = scene.groups[*group].group)
+  if (any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }))
+    return true;
+  for (auto group = scene.entities[entity].group; group; group = scene.groups[*group].group)
     if (scene.groups[*group].scale_curve) return true;
   return false;
 }
 
-std::optional<Diagnostics> refused_meetings(const Scene& scene) {
+std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline) {
   Diagnostics problems;
+  const auto expect_few_corners = [&](const char* kind, const auto& thing) {
+    if (corners_a_frame(scene, thing.motion) > kMostCorners)
+      problems.push_back({thing.where,
+                          fmt::format("{} '{}' passes more than {} corners of its path from one "
+                                      "frame to the next",
+                                      kind, thing.name, kMostCorners),
+                          "write a lower speed or more frames a second"});
+  };
+  for (const Group& group : scene.groups) expect_few_corners("group", group);
+  for (const Entity& entity : scene.entities) expect_few_corners("entity", entity);
+  for (std::uint32_t i = 0; outline == Outline::box && i < scene.entities.size(); ++i)
+    if (turns(scene, i) && any_look(scene, i, has_parts_left_out))
+      problems.push_back({scene.entities[i].where,
+                          fmt::format("entity '{}' turns, and has curves other than circles and "
+                                      "capsules, or crossing outlines: when the box around it "
+                                      "meets others is not known",
+                                      scene.entities[i].name),
+                          "leave --method out, or give it a shape of polygons and circles"});
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (changes_size(scene, i))
       problems.push_back(
@@ -193,16 +188,11 @@ bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
 }
 
 bool is_left_out(const Scene& scene, std::uint32_t entity) {
-  const Entity& e = scene.entities[entity];
-  const Shape& shape = scene.shapes[e.shape];
-  if (!has_parts_left_out(shape)) return false;
-  if (!shape.crossing_rings.empty()) return true;
-  bool turns = e.angular_velocity != 0 || e.motion.angle || turns_with_path(scene, entity);
-  for (auto group = e.group; group; group = scene.groups[*group].group)
-    turns |= scene.groups[*group].angular_velocity != 0 || scene.groups[*group].motion.angle;
-  return turns ||
-         !std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                      [](const ArcPath& path) { return path.is_ellipse() || rounded_by(path); });
+  return any_look(scene, entity, [](const Shape& shape) {
+    return !shape.crossing_rings.empty() ||
+           !std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                        [](const ArcPath& path) { return path.is_ellipse() || rounded_by(path); });
+  });
 }
 
 bool rests(const Scene& scene, std::uint32_t entity) {

@@ -4,10 +4,10 @@
 
 #include "anim/world.h"
 #include "base/parallel.h"
+#include "collide/carried_contact.h"
 #include "collide/contact_batch.h"
 #include "collide/ellipse_contact.h"
 #include "collide/inner_cuts.h"
-#include "collide/turning_contact.h"
 #include "scene/rounded.h"
 
 namespace flatray {
@@ -23,21 +23,6 @@ MeetingPart meeting_part(const RoundContact& met, const RoundBody& a, const Roun
   part.point = place.point;
   part.normal = place.normal;
   return part;
-}
-
-void join(std::vector<MeetingPart>& parts) {
-  std::sort(parts.begin(), parts.end(),
-            [](const MeetingPart& p, const MeetingPart& q) { return p.times.low < q.times.low; });
-  std::size_t kept = 0;
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    MeetingPart& last = parts[kept];
-    if (parts[i].times.low > last.times.high) {
-      parts[++kept] = parts[i];
-      continue;
-    }
-    extend(last, parts[i]);
-  }
-  if (!parts.empty()) parts.resize(kept + 1);
 }
 
 // An ellipse without area is a segment.
@@ -78,65 +63,6 @@ std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const
   join(parts);
   count_cuts_as_inside({parts_a, velocity_a}, {parts_b, velocity_b}, within, parts);
   return parts;
-}
-
-// Parts as a turning body sees them; of one that does not turn as it lies.
-std::vector<ShapePart> parts_about(const MovingShape& moving) {
-  const Pose& place = moving.place;
-  return parts_of(*moving.shape, moving.spin == 0 ? Pose{{0, 0}, place.cos, place.sin, place.scale}
-                                                  : Pose{{0, 0}, 1, 0, place.scale});
-}
-
-TurningBody turning_body(const ShapePart& part, const MovingShape& moving) {
-  return {part.ring,
-          part.radius,
-          moving.place.at,
-          moving.velocity,
-          moving.spin == 0 ? 0 : moving.angle,
-          moving.spin};
-}
-
-// The first meeting after a time, and when it is over: nothing for the last one, and without any.
-std::optional<double> add_turning_part(const TurningBody& a, const TurningBody& b, double from,
-                                       double length, std::vector<MeetingPart>& parts) {
-  const TurningContact first = turning_contact(a, b, length, kTurningWidth, false, from);
-  if (first.verdict == TurningContact::Verdict::apart) return std::nullopt;
-  const bool certain = first.verdict == TurningContact::Verdict::meets;
-  const double met = first.first.high;
-  const std::optional<double> parted =
-      certain && met < length ? turning_parting(a, b, met, length, kTurningWidth) : std::nullopt;
-  const double last = parted    ? *parted
-                      : certain ? turning_contact(a, b, length, kTurningWidth, true).first.high
-                                : met;
-  parts.push_back({{first.first.low, std::max(met, last)},
-                   certain ? HitClass::through : HitClass::touch,
-                   first.start,
-                   first.place.point,
-                   first.place.normal,
-                   met - first.first.low,
-                   certain});
-  return parted;
-}
-
-std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingShape& b,
-                                             double length) {
-  std::vector<MeetingPart> parts;
-  const std::vector<ShapePart> parts_b = parts_about(b);
-  for (const ShapePart& p : parts_about(a))
-    for (const ShapePart& q : parts_b) {
-      if (p.curve || q.curve) continue;
-      const TurningBody one = turning_body(p, a), other = turning_body(q, b);
-      for (std::optional<double> from = 0; from && *from < length;)
-        from = add_turning_part(one, other, *from, length, parts);
-    }
-  join(parts);
-  return parts;
-}
-
-std::vector<ShapePart> box_of(const MovingShape& moving) {
-  const Bounds box = shape_bounds(*moving.shape, moving.place);
-  if (box.empty()) return {};
-  return {{{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}}};
 }
 
 // Polygons of many bodies, asked together.
@@ -243,6 +169,27 @@ std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
   return all;
 }
 
+void join(std::vector<MeetingPart>& parts) {
+  std::sort(parts.begin(), parts.end(),
+            [](const MeetingPart& p, const MeetingPart& q) { return p.times.low < q.times.low; });
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    MeetingPart& last = parts[kept];
+    if (parts[i].times.low > last.times.high) {
+      parts[++kept] = parts[i];
+      continue;
+    }
+    extend(last, parts[i]);
+  }
+  if (!parts.empty()) parts.resize(kept + 1);
+}
+
+std::vector<ShapePart> box_part(const MovingShape& moving) {
+  const Bounds box = shape_bounds(*moving.shape, moving.place);
+  if (box.empty()) return {};
+  return {{{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}}};
+}
+
 void extend(MeetingPart& last, const MeetingPart& next) {
   if (!last.certain) {
     last.width = std::max(last.width, next.times.low + next.width - last.times.low);
@@ -280,7 +227,7 @@ std::vector<std::vector<MeetingPart>> pairs_meet(
 }
 
 std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within) {
-  return parts_meet(box_of(a), a.velocity, box_of(b), b.velocity, within);
+  return parts_meet(box_part(a), a.velocity, box_part(b), b.velocity, within);
 }
 
 }  // namespace flatray

@@ -42,6 +42,10 @@ struct MeetingPart {
 
 /// Adds a part that begins before `last` ends.
 void extend(MeetingPart& last, const MeetingPart& next);
+/// Sorts parts by time, and makes one of those that overlap.
+void join(std::vector<MeetingPart>& parts);
+/// The upright box around a shape; nothing of an empty one.
+std::vector<ShapePart> box_part(const MovingShape& moving);
 
 /// Width asked for the times of turning shapes, in units of t.
 inline constexpr double kTurningWidth = 0x1p-40;
@@ -53,8 +57,8 @@ inline constexpr double kTurningWidth = 0x1p-40;
 ///         turns then touches), else along where any touch for a while.
 /// Error   as round_contact(); where one turns as turning_contact(), within a range from 0; what
 ///         parts for less than kTurningWidth, or after more than kMostPartingSteps steps, has not
-///         parted. Of ellipses, which must not turn, as
-///         curved_contact(); other arcs are left out.
+///         parted. Of ellipses as
+///         curved_contact(), or as carried_curves_meet(); other arcs are left out.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
 /// What shapes_meet tells of each of many pairs of bodies, bit for bit.

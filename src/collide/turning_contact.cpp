@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collide/box_pair.h"
 #include "collide/turning_pair.h"
 
 namespace flatray {
@@ -9,10 +10,11 @@ namespace {
 
 using Verdict = TurningContact::Verdict;
 
+template <class Pair>
 class Search {
  public:
-  Search(const TurningBody& a, const TurningBody& b, double length, double width, bool backwards)
-      : pair_(a, b, length, backwards), length_(length), width_(width) {}
+  Search(Pair pair, double length, double width)
+      : pair_(std::move(pair)), length_(length), width_(width) {}
 
   TurningContact run(double from) {
     pair_.place(from);
@@ -57,7 +59,6 @@ class Search {
     }
     return std::nullopt;
   }
-  double scale() const { return pair_.scale(); }
 
  private:
   void begin_doubt(double now, double ahead) {
@@ -82,27 +83,42 @@ class Search {
     return length_;
   }
 
-  TurningPair pair_;
+  Pair pair_;
   const double length_, width_;
   int steps_ = 0;
   TurningContact found_;
 };
 
-}  // namespace
-
-TurningContact turning_contact(const TurningBody& a, const TurningBody& b, double length,
-                               double width, bool backwards, double from) {
-  Search search(a, b, length, width, backwards);
-  TurningContact found = search.run(from);
+template <class Pair>
+TurningContact contact_of(const Pair& pair, const RigidMotion& a, double length, double width,
+                          bool backwards, double from) {
+  TurningContact found = Search<Pair>(pair, length, width).run(from);
   const double time = backwards ? length - found.first.low : found.first.low;
-  found.place.point = found.place.point / search.scale() + a.at + time * a.velocity;
+  found.place.point = found.place.point / pair.scale() + a.at(time);
   if (backwards) found.first = {length - found.first.high, length - found.first.low};
   return found;
 }
 
+}  // namespace
+
+TurningContact turning_contact(const TurningBody& a, const TurningBody& b, double length,
+                               double width, bool backwards, double from) {
+  return contact_of(TurningPair(a, b, length, backwards), a.motion, length, width, backwards, from);
+}
+
 std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
                                       double length, double width) {
-  return Search(a, b, length, width, false).parting(from);
+  return Search(TurningPair(a, b, length, false), length, width).parting(from);
+}
+
+TurningContact box_contact(std::span<const TurningBody> a, std::span<const TurningBody> b,
+                           double length, double width, bool backwards, double from) {
+  return contact_of(BoxPair(a, b, length, backwards), a[0].motion, length, width, backwards, from);
+}
+
+std::optional<double> box_parting(std::span<const TurningBody> a, std::span<const TurningBody> b,
+                                  double from, double length, double width) {
+  return Search(BoxPair(a, b, length, false), length, width).parting(from);
 }
 
 }  // namespace flatray

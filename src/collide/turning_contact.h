@@ -3,17 +3,17 @@
 #include <optional>
 #include <span>
 
+#include "anim/rigid_motion.h"
 #include "collide/round_contact.h"
 
 namespace flatray {
 
-/// All points within `radius` of a convex core that moves along a line and turns evenly: a vertex p
-/// of it is at + t * velocity + R(angle + t * spin) p.
+/// All points within `radius` of a convex core that is carried along: a vertex p of it is where the
+/// motion is + R(its angle) p.
 struct TurningBody {
   std::span<const Vec2> ring;  ///< the core as seen from where it turns about, as clip_convex needs
   double radius = 0;
-  Vec2 at{0, 0}, velocity{0, 0};
-  double angle = 0, spin = 0;  ///< radians
+  RigidMotion motion{};
 };
 
 /// When two turning bodies first touch, as far as it is proven.
@@ -43,7 +43,8 @@ struct TurningContact {
 ///         is to be followed close by. After kMostTurningSteps it is undecided to the end.
 /// Source  conservative advancement by gaps along edges that turn with their body: from value, slope
 ///         and a bound of the curvature a gap is known to stay positive for a time, and at a simple
-///         meeting such steps converge quadratically.
+///         meeting such steps converge quadratically. What groups that turn add to the curvature adds
+///         up over them: docs/NUMERICS.md.
 TurningContact turning_contact(const TurningBody& a, const TurningBody& b, double length,
                                double width, bool backwards = false, double from = 0);
 
@@ -56,6 +57,13 @@ TurningContact turning_contact(const TurningBody& a, const TurningBody& b, doubl
 /// Source  as turning_contact, with gaps that stay negative in place of such that stay positive.
 std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b, double from,
                                       double length, double width);
+
+/// The same of the upright boxes around two bodies of several parts, all of one motion. Boxes without
+/// area are undecided where they meet.
+TurningContact box_contact(std::span<const TurningBody> a, std::span<const TurningBody> b,
+                           double length, double width, bool backwards = false, double from = 0);
+std::optional<double> box_parting(std::span<const TurningBody> a, std::span<const TurningBody> b,
+                                  double from, double length, double width);
 
 inline constexpr int kMostTurningSteps = 1 << 16;
 inline constexpr int kMostPartingSteps = 1 << 12;

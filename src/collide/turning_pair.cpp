@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "base/portable_math.h"
-#include "geom/polygon.h"
-
 namespace flatray {
 namespace {
 
@@ -13,18 +10,24 @@ namespace {
 constexpr double kRoundings = 0x1p-47, kLeast = 0x1p-900;
 // Radians from which on the disc in which a body turns is looked at.
 constexpr double kManyTurns = 64;
-constexpr double kUp = 1 + 0x1p-40, kDown = 1 - 0x1p-40;
 
-double dot(const Vec2& p, const Vec2& q) { return p.x() * q.x() + p.y() * q.y(); }
-double length_of(const Vec2& v) { return std::sqrt(dot(v, v)); }
+double largest(const Cubic<Vec2>& way, double length) {
+  double most = 0, factor = 1;
+  for (const Vec2& p : way.c) {
+    most = std::max(most, factor * p.cwiseAbs().maxCoeff());
+    factor *= length;
+  }
+  return most;
+}
 
 // A power of two that brings what is added up to about 1.
 double scale_of(const TurningBody& a, const TurningBody& b, double length) {
-  double most = std::max((b.at - a.at).cwiseAbs().maxCoeff(),
-                         length * (b.velocity - a.velocity).cwiseAbs().maxCoeff());
+  double most = largest(b.motion.at - a.motion.at, length);
   for (const TurningBody* body : {&a, &b}) {
     most = std::max(most, body->radius);
     for (const Vec2& p : body->ring) most = std::max(most, p.cwiseAbs().maxCoeff());
+    for (const Swing& swing : body->motion.swings)
+      most = std::max(most, largest(swing.arm, length));
   }
   constexpr int kMost = 1000;
   if (!(most > 0 && most < kInfinity)) return 1;
@@ -33,72 +36,60 @@ double scale_of(const TurningBody& a, const TurningBody& b, double length) {
 
 }  // namespace
 
-TurnedBody::TurnedBody(const TurningBody& body, double scale)
-    : radius(scale * body.radius), spin(body.spin), angle_(body.angle) {
-  for (const std::uint32_t i : turned_ring(body.ring, ring_orientation(body.ring)))
-    local_.push_back(scale * body.ring[i]);
-  for (std::size_t i = 0; local_.size() > 1 && i < local_.size(); ++i) {
-    const Vec2 along = local_[i + 1 == local_.size() ? 0 : i + 1] - local_[i];
-    local_normals_.push_back(Vec2(along.y(), -along.x()).stableNormalized());
-  }
-  for (const Vec2& p : local_) reach = std::max(reach, kUp * length_of(p));
-  arms.resize(local_.size());
-  points.resize(local_.size());
-  normals.resize(local_normals_.size());
-}
-
-void TurnedBody::place(const Vec2& at, const Vec2& moving, double time) {
-  const double angle = angle_ + time * spin;
-  const double c = portable::cos(angle), s = portable::sin(angle);
-  const auto turn = [c, s](const Vec2& p) {
-    return Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-  };
-  centre = at;
-  velocity = moving;
-  for (std::size_t i = 0; i < local_.size(); ++i) {
-    arms[i] = turn(local_[i]);
-    points[i] = at + arms[i];
-  }
-  for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = turn(local_normals_[i]);
-}
-
 TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double length, bool backwards)
     : length_(length),
       backwards_(backwards),
       scale_(scale_of(a, b, length)),
-      a_(a, scale_),
-      b_(b, scale_),
-      apart_(scale_ * (b.at - a.at)),
-      way_(scale_ * (b.velocity - a.velocity)),
-      radii_(a_.radius + b_.radius) {
-  const double turns = 1 + a_.widest_angle(length) + b_.widest_angle(length);
-  const double speed = kUp * length_of(way_), spins = std::fabs(a.spin) + std::fabs(b.spin);
-  const double farthest = kUp * (length_of(apart_) + length * speed);
+      a_(a, scale_, length),
+      b_(b, scale_, length),
+      way_(scale_ * (b.motion.at - a.motion.at)),
+      radii_(a_.radius + b_.radius),
+      speed_(kUp * way_.sum_of_slope(length) + a_.swing_speed + b_.swing_speed),
+      bend_(kUp * way_.most_bend(length) + a_.swing_bend + b_.swing_bend) {
+  const double swings =
+      static_cast<double>(a.motion.swings.size()) + static_cast<double>(b.motion.swings.size());
+  const double turns = 1 + swings + a_.widest_angle + b_.widest_angle;
+  const double farthest = kUp * way_.sum(length) + a_.swung + b_.swung;
   const double size = farthest + a_.reach + b_.reach + radii_;
-  gap_error_ = kRoundings * turns * size + kLeast;
-  slope_error_ = kRoundings * turns * (speed + spins * size) + kLeast;
+  given_ = kUp * (scale_ * (a.motion.doubt + b.motion.doubt) + a.motion.angle_doubt * a_.reach +
+                  b.motion.angle_doubt * b_.reach);
+  gap_error_ = kRoundings * turns * size + given_ + kLeast;
+  slope_error_ = kRoundings * turns * (speed_ + (a_.most_spin + b_.most_spin) * size) + kLeast;
+  const Cubic<double> turn = b_.angle - a_.angle;
+  const double relative = turn.most_slope(length), turning = turn.most_bend(length);
   const auto curve = [&](const TurnedBody& frame, const TurnedBody& other) {
-    const double w = std::fabs(frame.spin), relative = std::fabs(other.spin - frame.spin);
-    return kUp * (w * w * farthest + 2 * w * speed + relative * relative * other.reach);
+    return carried_curve(frame, farthest) + kUp * (relative * relative + turning) * other.reach;
   };
   curve_a_ = curve(a_, b_);
   curve_b_ = curve(b_, a_);
-  curve_still_ = kUp * (a.spin * a.spin * a_.reach + b.spin * b.spin * b_.reach);
-  disc_of_b_ = disc_bounds(a_, size, farthest, speed);
-  disc_of_a_ = disc_bounds(b_, size, farthest, speed);
+  const auto own = [](const TurnedBody& body) {
+    return (body.most_spin * body.most_spin + body.most_turn) * body.reach;
+  };
+  curve_still_ = kUp * (own(a_) + own(b_)) + bend_;
+  disc_of_b_ = disc_errors(a_, size, farthest);
+  disc_of_a_ = disc_errors(b_, size, farthest);
 }
 
-// How often the other turns does not matter to the disc about it.
-TurningPair::Bounds TurningPair::disc_bounds(const TurnedBody& frame, double size, double farthest,
-                                             double speed) const {
-  const double w = std::fabs(frame.spin), turns = 1 + frame.widest_angle(length_);
-  return {kRoundings * turns * size + kLeast, kRoundings * turns * (speed + w * size) + kLeast,
-          kUp * (w * w * farthest + 2 * w * speed)};
+// How the slope of a gap to the other's centre may change, seen by who turns with `frame`.
+double TurningPair::carried_curve(const TurnedBody& frame, double farthest) const {
+  const double w = frame.most_spin;
+  return kUp * ((w * w + frame.most_turn) * farthest + 2 * w * speed_) + bend_;
+}
+
+// How often the other turns does not matter to the disc about it, but for what its swings do.
+TurningPair::Errors TurningPair::disc_errors(const TurnedBody& frame, double size,
+                                             double farthest) const {
+  const bool swings = a_.swung > 0 || b_.swung > 0;
+  if (swings) return {gap_error_, slope_error_, carried_curve(frame, farthest)};
+  const double turns = 1 + frame.widest_angle;
+  return {kRoundings * turns * size + given_ + kLeast,
+          kRoundings * turns * (speed_ + frame.most_spin * size) + kLeast,
+          carried_curve(frame, farthest)};
 }
 
 // How long gap + slope t - curve t^2 / 2 certainly stays positive.
-double TurningPair::positive_for(double gap, double slope, const Bounds& bounds) const {
-  const auto& [gap_error, slope_error, curve] = bounds;
+double TurningPair::positive_for(double gap, double slope, const Errors& errors) const {
+  const auto& [gap_error, slope_error, curve] = errors;
   const double least = gap - gap_error, rise = (backwards_ ? -slope : slope) - slope_error;
   if (!(least > 0)) return 0;
   const double root = std::sqrt(rise * rise + 2 * curve * least);
@@ -106,26 +97,26 @@ double TurningPair::positive_for(double gap, double slope, const Bounds& bounds)
   return curve > 0 ? kDown * ((root + rise) / curve) : kInfinity;
 }
 
-// The distance of two points in straight motion is convex: no curve counts.
+// The distance of two points in straight motion is convex: only how they leave it counts.
 double TurningPair::apart_by_centres() const {
   const Vec2 from = b_.centre - a_.centre;
   const double distance = length_of(from);
   if (!(distance > 0)) return 0;
-  return positive_for(distance - kUp * (a_.reach + b_.reach + radii_), dot(from, way_) / distance,
-                      0);
+  return positive_for(distance - kUp * (a_.reach + b_.reach + radii_),
+                      dot(from, b_.velocity - a_.velocity) / distance, bend_);
 }
 
 // The gap between an edge of `frame` and the disc in which the other turns.
 double TurningPair::apart_by_disc(const TurnedBody& frame, const TurnedBody& other,
-                                  const Bounds& bounds) const {
+                                  const Errors& errors) const {
   double best = 0;
   for (std::size_t i = 0; i < frame.normals.size(); ++i) {
     const Vec2& normal = frame.normals[i];
     const double gap = dot(normal, other.centre - frame.points[i]) - (radii_ + kUp * other.reach);
-    if (gap > bounds.gap_error)
+    if (gap > errors.gap_error)
       best = std::max(
           best,
-          positive_for(gap, dot(normal, other.velocity - frame.carries(other.centre)), bounds));
+          positive_for(gap, dot(normal, other.velocity - frame.carries(other.centre)), errors));
   }
   return best;
 }
@@ -163,7 +154,10 @@ double TurningPair::apart_by_vertices() const {
         from = q - p;
       }
   if (!(nearest > 0)) return 0;
-  const Vec2 normal = from / nearest;
+  return apart_along(from / nearest);
+}
+
+double TurningPair::apart_along(const Vec2& normal) const {
   double least = kInfinity;
   for (std::size_t i = 0; i < a_.points.size(); ++i)
     for (std::size_t k = 0; k < b_.points.size() && least > 0; ++k)
@@ -174,9 +168,9 @@ double TurningPair::apart_by_vertices() const {
 
 double TurningPair::apart_for(double enough) const {
   double best = apart_by_centres();
-  if (best < enough && std::fabs(b_.spin) * length_ > kManyTurns)
+  if (best < enough && b_.most_spin * length_ > kManyTurns)
     best = std::max(best, apart_by_disc(a_, b_, disc_of_b_));
-  if (best < enough && std::fabs(a_.spin) * length_ > kManyTurns)
+  if (best < enough && a_.most_spin * length_ > kManyTurns)
     best = std::max(best, apart_by_disc(b_, a_, disc_of_a_));
   if (best < enough) best = std::max(best, apart_by_edges(a_, b_, curve_a_, best));
   if (best < enough) best = std::max(best, apart_by_edges(b_, a_, curve_b_, best));
@@ -241,9 +235,32 @@ double TurningPair::overlap_for() const {
   if (radii_ == 0) return longest;
   const double distance = std::min(vertex_distance(a_, b_), vertex_distance(b_, a_));
   const double speed =
-      kUp * (length_of(way_) + std::fabs(a_.spin) * a_.reach + std::fabs(b_.spin) * b_.reach) +
-      slope_error_;
+      kUp * (speed_ + a_.most_spin * a_.reach + b_.most_spin * b_.reach) + slope_error_;
   return std::max(longest, kDown * (radii_ - distance - gap_error_) / speed);
+}
+
+bool TurningPair::overlap_along(const Vec2& normal) const {
+  for (const Vec2& p : a_.points)
+    for (const Vec2& q : b_.points)
+      if (dot(normal, q - p) - radii_ < -gap_error_) return true;
+  return false;
+}
+
+double TurningPair::overlap_along_for(const Vec2& normal) const {
+  double longest = 0;
+  for (std::size_t i = 0; i < a_.points.size(); ++i)
+    for (std::size_t k = 0; k < b_.points.size(); ++k)
+      longest =
+          std::max(longest, positive_for(radii_ - dot(normal, b_.points[k] - a_.points[i]),
+                                         -dot(normal, b_.moves(k) - a_.moves(i)), curve_still_));
+  return longest;
+}
+
+Bounds TurningPair::box_of(const TurnedBody& body) const {
+  Bounds box;
+  const Vec2 reach(body.radius, body.radius);
+  for (const Vec2& p : body.points) box.add(Bounds{(p - reach) / scale_, (p + reach) / scale_});
+  return box;
 }
 
 RoundPlace TurningPair::touching_place() const {

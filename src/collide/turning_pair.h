@@ -1,36 +1,8 @@
 #pragma once
-#include <cmath>
-#include <vector>
-
-#include "collide/turning_contact.h"
+#include "collide/turned_body.h"
+#include "geom/bounds.h"
 
 namespace flatray {
-
-// A body as it is at one time, seen from where the first is.
-class TurnedBody {
- public:
-  TurnedBody(const TurningBody& body, double scale);
-
-  void place(const Vec2& at, const Vec2& moving, double time);
-
-  double widest_angle(double length) const { return std::fabs(angle_) + std::fabs(spin) * length; }
-  Vec2 moves(std::size_t vertex) const {
-    return velocity + spin * Vec2(-arms[vertex].y(), arms[vertex].x());
-  }
-  // How a point would move that turned with the body.
-  Vec2 carries(const Vec2& point) const {
-    return velocity + spin * Vec2(centre.y() - point.y(), point.x() - centre.x());
-  }
-
-  const double radius, spin;
-  double reach = 0;  ///< of the core
-  Vec2 centre{0, 0}, velocity{0, 0};
-  std::vector<Vec2> points, normals, arms;  ///< arms: points from the centre
-
- private:
-  const double angle_;
-  std::vector<Vec2> local_, local_normals_;
-};
 
 // Two bodies at a time, and what is certain of them then.
 class TurningPair {
@@ -40,7 +12,7 @@ class TurningPair {
   void place(double now) {
     const double time = backwards_ ? length_ - now : now;
     a_.place({0, 0}, {0, 0}, time);
-    b_.place(apart_ + time * way_, way_, time);
+    b_.place(way_(time), way_.slope(time), time);
   }
   // For how long from then on they are apart; `enough` ends the search.
   double apart_for(double enough) const;
@@ -50,19 +22,29 @@ class TurningPair {
   RoundPlace touching_place() const;
   double scale() const { return scale_; }
 
+  // The same along one direction of the world alone.
+  double apart_along(const Vec2& normal) const;
+  bool overlap_along(const Vec2& normal) const;
+  double overlap_along_for(const Vec2& normal) const;
+  // About, as the world has them but for where the first would be without its swings.
+  Bounds box_a() const { return box_of(a_); }
+  Bounds box_b() const { return box_of(b_); }
+
  private:
   // What a gap and its slope are off by, and how its slope may change.
-  struct Bounds {
+  struct Errors {
     double gap_error, slope_error, curve;
   };
-  Bounds disc_bounds(const TurnedBody& frame, double size, double farthest, double speed) const;
-  double positive_for(double gap, double slope, const Bounds& bounds) const;
+  Bounds box_of(const TurnedBody& body) const;
+  double carried_curve(const TurnedBody& frame, double farthest) const;
+  Errors disc_errors(const TurnedBody& frame, double size, double farthest) const;
+  double positive_for(double gap, double slope, const Errors& errors) const;
   double positive_for(double gap, double slope, double curve) const {
     return positive_for(gap, slope, {gap_error_, slope_error_, curve});
   }
   double apart_by_centres() const;
   double apart_by_disc(const TurnedBody& frame, const TurnedBody& other,
-                       const Bounds& bounds) const;
+                       const Errors& errors) const;
   double apart_by_edges(const TurnedBody& frame, const TurnedBody& other, double curve,
                         double at_least) const;
   double apart_by_vertices() const;
@@ -74,10 +56,11 @@ class TurningPair {
   const bool backwards_;
   const double scale_;
   TurnedBody a_, b_;
-  const Vec2 apart_, way_;
+  const Cubic<Vec2> way_;  // from the first to the second
   const double radii_;
-  double gap_error_, slope_error_, curve_a_, curve_b_, curve_still_;
-  Bounds disc_of_b_, disc_of_a_;  ///< seen from the other
+  const double speed_, bend_;  // at most, of the centres; how the speed changes
+  double given_, gap_error_, slope_error_, curve_a_, curve_b_, curve_still_;
+  Errors disc_of_b_, disc_of_a_;  ///< seen from the other
 };
 
 }  // namespace flatray

@@ -64,11 +64,26 @@ double as(double x, double) { return x; }
 Long as(double x, const Long&) { return number(x); }
 
 template <class Number>
+Number power_sum(const std::array<double, 4>& c, const Number& t) {
+  const auto n = [&t](double x) { return as(x, t); };
+  Number sum = n(c[3]);
+  for (const int i : {2, 1, 0}) sum = Number(sum * t + n(c[static_cast<std::size_t>(i)]));
+  return sum;
+}
+
+template <class Number>
 Ring<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& t) {
   const auto n = [&t](double x) { return as(x, t); };
-  const Angle<Number> turned = turn(Number(n(body.angle) + t * n(body.spin)));
-  const Number x = n(body.at.x()) - n(origin.x()) + t * n(body.velocity.x());
-  const Number y = n(body.at.y()) - n(origin.y()) + t * n(body.velocity.y());
+  const Angle<Number> turned =
+      turn(power_sum({body.angle, body.spin, body.angle_bends[0], body.angle_bends[1]}, t));
+  Number x = n(body.at.x()) - n(origin.x()) + t * n(body.velocity.x());
+  Number y = n(body.at.y()) - n(origin.y()) + t * n(body.velocity.y());
+  for (const CoreSwing& swing : body.swings) {
+    const Angle<Number> by = turn(power_sum(swing.angle, t));
+    const Number p = power_sum(swing.x, t), q = power_sum(swing.y, t);
+    x += by.cos * p - by.sin * q;
+    y += by.sin * p + by.cos * q;
+  }
   Ring<Number> ring;
   for (const Vec2& p : body.ring)
     ring.push_back({x + turned.cos * n(p.x()) - turned.sin * n(p.y()),
@@ -149,15 +164,29 @@ double reach(const TurningCore& body) {
   return most;
 }
 
+// At most, up to a time.
+double size(const std::array<double, 4>& c, double t) {
+  return std::fabs(c[0]) + t * (std::fabs(c[1]) + t * (std::fabs(c[2]) + t * std::fabs(c[3])));
+}
+double pace(const std::array<double, 4>& c, double t) {
+  return std::fabs(c[1]) + t * (2 * std::fabs(c[2]) + t * 3 * std::fabs(c[3]));
+}
+double own_speed(const TurningCore& body, double t) {
+  double speed = pace({0, body.spin, body.angle_bends[0], body.angle_bends[1]}, t) * reach(body);
+  for (const CoreSwing& swing : body.swings)
+    speed += pace(swing.x, t) + pace(swing.y, t) +
+             pace(swing.angle, t) * (size(swing.x, t) + size(swing.y, t));
+  return speed;
+}
+
 class Scan {
  public:
   Scan(const TurningCore& a, const TurningCore& b, double length)
       : a_(a),
         b_(b),
         length_(length),
-        speed_(1e-300 +
-               (1 + 1e-12) * ((b.velocity - a.velocity).norm() + std::fabs(a.spin) * reach(a) +
-                              std::fabs(b.spin) * reach(b))) {}
+        speed_(1e-300 + (1 + 1e-12) * ((b.velocity - a.velocity).norm() + own_speed(a, length) +
+                                       own_speed(b, length))) {}
 
   FirstTouch run() const {
     double now = 0;

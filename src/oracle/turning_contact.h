@@ -1,17 +1,26 @@
 #pragma once
+#include <array>
 #include <span>
+#include <vector>
 
 #include "geom/ray.h"
 
 namespace flatray::oracle {
 
+/// What a core is carried by: R(angle) (x, y), each c[0] + c[1] t + c[2] t^2 + c[3] t^3.
+struct CoreSwing {
+  std::array<double, 4> x, y, angle;
+};
+
 /// A convex core with all points within `radius` of it: vertex p is at + t * velocity + R(angle + t *
-/// spin) p.
+/// spin) p, and what its swings add.
 struct TurningCore {
   std::span<const Vec2> ring;
   double radius;
   Vec2 at, velocity;
   double angle, spin;
+  std::array<double, 2> angle_bends{0, 0};  ///< what t^2 and t^3 add to the angle
+  std::vector<CoreSwing> swings{};
 };
 
 /// When two turning bodies first touch within [0, length].

@@ -1,7 +1,6 @@
 #include "scene/curve.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flatray {
 namespace {
@@ -23,6 +22,14 @@ double smooth(const Curve& curve, std::size_t i, double u) {
   return curve.values[i] + u * u * (3 - 2 * u) * rise(curve, i) + h * u * (1 - u) * bend;
 }
 
+// The terms of `smooth` by powers of u - from, which goes up by `way`.
+Cubic<double> smooth_from(const Curve& curve, std::size_t i, double from, double way) {
+  const double p = span(curve, i) * slope(curve, i), q = span(curve, i) * slope(curve, i + 1);
+  const double square = 3 * rise(curve, i) - 2 * p - q, cube = p + q - 2 * rise(curve, i);
+  return {{smooth(curve, i, from), way * (p + from * (2 * square + 3 * from * cube)),
+           way * way * (square + 3 * from * cube), way * way * way * cube}};
+}
+
 }  // namespace
 
 double value_at(const Curve& curve, double time) {
@@ -35,6 +42,18 @@ double value_at(const Curve& curve, double time) {
                                                          : curve.values[i] + u * rise(curve, i);
   const auto [low, high] = std::minmax(curve.values[i], curve.values[i + 1]);
   return std::clamp(value, low, high);
+}
+
+Cubic<double> cubic_between(const Curve& curve, double from, double to) {
+  const double middle = from + 0.5 * (to - from);
+  const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), middle);
+  const double begin = value_at(curve, from);
+  const bool rests = after == curve.times.begin() || after == curve.times.end();
+  if (rests) return linear(begin, 0);
+  if (curve.ease == Curve::Ease::linear) return linear(begin, value_at(curve, to) - begin);
+  const auto i = static_cast<std::size_t>(after - curve.times.begin()) - 1;
+  const double h = span(curve, i);
+  return smooth_from(curve, i, (from - curve.times[i]) / h, (to - from) / h);
 }
 
 double lowest(const Curve& curve) {

@@ -1,4 +1,7 @@
 #pragma once
+#include <cmath>
+
+#include "geom/cubic.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -13,6 +16,12 @@ namespace flatray {
 /// Source  Fritsch and Butland 1984, "A method for constructing local monotone piecewise cubic
 ///         interpolants".
 double value_at(const Curve& curve, double time);
+
+/// The same while time goes from one moment to another, as a cubic of the part of it gone by.
+///
+/// Needs   no key strictly between them.
+/// Error   some ulps of the values and rises at the keys around.
+Cubic<double> cubic_between(const Curve& curve, double from, double to);
 
 /// Smallest and largest value of a curve.
 double lowest(const Curve& curve);
@@ -35,5 +44,18 @@ struct PathPoint {
   Vec2 at, direction;
 };
 PathPoint point_at(const Path& path, double length);
+
+/// Lengths strictly between two at which `point_at` comes to a corner, or to the end of an open path:
+/// calls take(length) for each.
+template <class Take>
+void corners_between(const Path& path, double from, double to, const Take& take) {
+  const double whole = path.lengths.back();
+  double round = path.closed ? std::floor(from / whole) : 0;
+  for (; round * whole < to; ++round) {
+    for (const double length : path.lengths)
+      if (const double there = round * whole + length; there > from && there < to) take(there);
+    if (!path.closed) break;
+  }
+}
 
 }  // namespace flatray

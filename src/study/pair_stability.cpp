@@ -111,7 +111,7 @@ void compare(StabilityTally& tally, std::uint64_t item, const oracle::RoundPair&
 }
 
 TurningBody body(const oracle::TurningCore& core) {
-  return {core.ring, core.radius, core.at, core.velocity, core.angle, core.spin};
+  return {core.ring, core.radius, even_motion(core.at, core.velocity, core.angle, core.spin)};
 }
 
 void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPair& pair) {

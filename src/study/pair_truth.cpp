@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "anim/frame_state.h"
+#include "anim/rigid_motion.h"
 #include "base/philox.h"
 #include "base/processor_time.h"
 #include "collide/meetings.h"
@@ -19,21 +19,24 @@ namespace {
 
 using Pair = PairTruth::Pair;
 
-// An entity for a stretch of time in which it moves straight, and turns evenly. Parts lie as placed,
-// of what turns as seen from where it turns about.
+// An entity for a stretch of time. Parts lie as placed if it is straight, else as seen from where it
+// turns about.
 struct Body {
   std::vector<ShapePart> parts;
-  Vec2 velocity{0, 0};
-  Vec2 at{0, 0};
-  double angle = 0, spin = 0;
+  RigidMotion motion;
+  bool straight = true;
+
+  Vec2 velocity() const { return motion.at.c[1]; }
 };
 
 enum class Answer { apart, meet, grazing };
 
-// About where an entity is in a frame.
+// About where an entity is in a frame, and how it goes on to the next.
 struct Whereabouts {
   Vec2 centre{0, 0};
   double reach = 0;  // twice what is needed: roundings do not matter
+  Vec2 way{0, 0};
+  double strays = 0;  // as far as it may go beside that
 };
 
 // Whether two cannot come near each other on ways of so much together.
@@ -44,15 +47,15 @@ bool far_apart(const Whereabouts& a, const Whereabouts& b, double way) {
 Whereabouts about(const std::vector<Vec2>& ring) {
   Bounds box;
   for (const Vec2& point : ring) box.add(point);
-  return {box.centre(), box.size().norm()};
+  return {box.centre(), box.size().norm(), {0, 0}, 0};
 }
 
 Answer polygons_meet(const Body& a, const Body& b, double length) {
-  const double way = (a.velocity - b.velocity).norm() * length;
+  const double way = (a.velocity() - b.velocity()).norm() * length;
   for (const ShapePart& p : a.parts)
     for (const ShapePart& q : b.parts)
       if (!far_apart(about(p.ring), about(q.ring), way) &&
-          oracle::contact_truth(p.ring, a.velocity, q.ring, b.velocity, {0, length}).kind !=
+          oracle::contact_truth(p.ring, a.velocity(), q.ring, b.velocity(), {0, length}).kind !=
               HitClass::miss)
         return Answer::meet;
   return Answer::apart;
@@ -65,8 +68,28 @@ struct Core {
 
   Core(const ShapePart& part, const Body& body, double scale) {
     for (const Vec2& p : part.ring) ring.push_back(scale * p);
-    core = {ring,     scale * part.radius, scale * body.at, scale * body.velocity, body.angle,
-            body.spin};
+    const RigidMotion& motion = body.motion;
+    const Cubic<Vec2> at = scale * motion.at;
+    const auto& angle = motion.angle.c;
+    core = {ring,
+            scale * part.radius,
+            body.straight ? Vec2(0, 0) : at.c[0],
+            at.c[1],
+            body.straight ? 0 : angle[0],
+            angle[1],
+            {angle[2], angle[3]},
+            {}};
+    if (!at.is_linear())
+      core.swings.push_back(
+          {{0, 0, at.c[2].x(), at.c[3].x()}, {0, 0, at.c[2].y(), at.c[3].y()}, {0, 0, 0, 0}});
+    for (const Swing& swing : motion.swings) {
+      oracle::CoreSwing& there = core.swings.emplace_back();
+      for (std::size_t i = 0; i < 4; ++i) {
+        there.x[i] = scale * swing.arm.c[i].x();
+        there.y[i] = scale * swing.arm.c[i].y();
+      }
+      there.angle = swing.turned.c;
+    }
   }
 };
 
@@ -89,22 +112,22 @@ Answer cores_meet(const Body& a, const Body& b, double length) {
 class Search {
  public:
   Search(const Timeline& timeline, unsigned last_frame, double seconds)
-      : timeline_(timeline), scene_(timeline.scene()), last_(last_frame), seconds_(seconds) {
+      : timeline_(timeline),
+        scene_(timeline.scene()),
+        last_(last_frame),
+        seconds_(seconds),
+        motion_(timeline) {
     for (unsigned frame = 1; frame <= last_; ++frame)
       states_.push_back(entity_states(timeline_, frame));
     bent_.assign(scene_.entities.size(), false);
     left_out_.assign(scene_.entities.size(), false);
-    for (const std::vector<EntityState>& frame : states_) {
-      std::vector<Whereabouts>& places = places_.emplace_back();
-      for (std::size_t i = 0; i < frame.size(); ++i) {
-        const Shape& shape = shape_of(scene_, frame[i]);
-        const bool turns = frame[i].angle != states_.front()[i].angle;
-        if (!shape.circles.empty() || turns) bent_[i] = true;
-        if (has_parts_left_out(shape) || !shape.arc_paths.empty()) left_out_[i] = true;
-        const Bounds box = shape_bounds(shape, pose(frame[i].at, frame[i].angle, frame[i].scale));
-        const Vec2 beside = (box.centre() - frame[i].at).cwiseAbs() + box.size();
-        places.push_back(turns ? Whereabouts{frame[i].at, 2 * beside.norm()}
-                               : Whereabouts{box.centre(), box.size().norm()});
+    for (std::size_t frame = 0; frame < states_.size(); ++frame) {
+      places_.emplace_back();
+      for (std::uint32_t i = 0; i < scene_.entities.size(); ++i) {
+        const Shape& now = shape(frame, i);
+        if (!now.circles.empty()) bent_[i] = true;
+        if (has_parts_left_out(now) || !now.arc_paths.empty()) left_out_[i] = true;
+        places_.back().push_back(whereabouts(frame, i));
       }
     }
   }
@@ -131,6 +154,39 @@ class Search {
   }
 
  private:
+  // From the frame to the next.
+  Whereabouts whereabouts(std::size_t frame, std::uint32_t entity) {
+    const EntityState& state = states_[frame][entity];
+    const Bounds box = shape_bounds(shape(frame, entity), pose(state.at, state.angle, state.scale));
+    Whereabouts place{box.centre(), box.size().norm(), {0, 0}, 0};
+    if (frame + 1 == states_.size()) return place;
+    const double begin = static_cast<double>(frame) / scene_.fps,
+                 end = static_cast<double>(frame + 1) / scene_.fps;
+    std::vector<double> times = motion_.knots(entity, std::nullopt, begin, end);
+    const bool whole = times.empty();
+    times.push_back(end);
+    bool turns = false;
+    for (double from = begin; const double to : times) {
+      const RigidMotion motion =
+          motion_.between(entity, std::nullopt, static_cast<unsigned>(frame) + 1, from, to).motion;
+      from = to;
+      turns |= !motion.angle.is_constant() || !whole;
+      if (!whole || !motion.is_even() || turns) bent_[entity] = true;
+      if (whole && motion.is_even()) {
+        place.way = motion.at.c[1];
+        continue;
+      }
+      place.strays += motion.at.sum_of_slope(1);
+      for (const Swing& swing : motion.swings)
+        place.strays += swing.arm.sum_of_slope(1) + swing.turned.sum_of_slope(1) * swing.arm.sum(1);
+    }
+    if (!turns) return place;
+    const Vec2 beside = (box.centre() - state.at).cwiseAbs() + box.size();
+    place.centre = state.at;
+    place.reach = 2 * beside.norm();
+    return place;
+  }
+
   // Those to look at, in an order in which the first few are of all kinds.
   std::vector<Pair> all_pairs() {
     std::vector<Pair> pairs;
@@ -151,50 +207,81 @@ class Search {
     return pairs;
   }
 
-  Body body(std::size_t frame, std::uint32_t entity, const Vec2& velocity, double turn) const {
+  const Shape& shape(std::size_t frame, std::uint32_t entity) const {
+    return shape_of(scene_, states_[frame][entity]);
+  }
+
+  Body straight_body(std::size_t frame, std::uint32_t entity, const Vec2& velocity) const {
     const EntityState& state = states_[frame][entity];
-    const Shape& shape = shape_of(scene_, state);
-    if (turn != 0)
-      return {parts_of(shape, {{0, 0}, 1, 0, state.scale}), velocity, state.at, state.angle, turn};
-    return {parts_of(shape, pose(state.at, state.angle, state.scale)), velocity};
+    return {parts_of(shape(frame, entity), pose(state.at, state.angle, state.scale)),
+            {linear(state.at, velocity)}};
+  }
+
+  // From one time in a frame to another; all of it where there are no knots.
+  Body body(std::size_t frame, std::uint32_t entity, double from, double to, bool whole) const {
+    const auto [motion, scale] =
+        motion_.between(entity, std::nullopt, static_cast<unsigned>(frame) + 1, from, to);
+    const bool straight = motion.is_even() && motion.angle.is_constant();
+    if (straight && whole)
+      return straight_body(frame, entity,
+                           states_[frame + 1][entity].at - states_[frame][entity].at);
+    if (straight)
+      return {parts_of(shape(frame, entity), pose(motion.at.c[0], motion.angle.c[0], scale)),
+              {linear(motion.at.c[0], motion.at.c[1])}};
+    return {parts_of(shape(frame, entity), {{0, 0}, 1, 0, scale}), motion, false};
   }
 
   Answer bodies_meet(const Body& a, const Body& b, bool bent, double length) const {
-    return bent ? cores_meet(a, b, length) : polygons_meet(a, b, length);
+    return bent || !a.straight || !b.straight ? cores_meet(a, b, length)
+                                              : polygons_meet(a, b, length);
   }
 
   Answer pair_meets(std::uint32_t a, std::uint32_t b) const {
-    const bool bent = bent_[a] || bent_[b];
     if (keeps_velocity(scene_, a) && keeps_velocity(scene_, b)) {
       const Vec2 &v = scene_.entities[a].velocity, &w = scene_.entities[b].velocity;
       const double length = (last_ - 1.0) / scene_.fps;
       if (far_apart(places_[0][a], places_[0][b], (v - w).norm() * length)) return Answer::apart;
-      return bodies_meet(body(0, a, v, 0), body(0, b, w, 0), bent, length);
+      return bodies_meet(straight_body(0, a, v), straight_body(0, b, w), bent_[a] || bent_[b],
+                         length);
     }
     Answer answer = Answer::apart;
     for (std::size_t frame = 0; frame + 1 < states_.size(); ++frame) {
-      const Answer one = meet_in_frame(frame, a, b, bent);
+      const Answer one = meet_in_frame(frame, a, b);
       if (one == Answer::meet) return one;
       if (one == Answer::grazing) answer = one;
     }
     return answer;
   }
 
-  Answer meet_in_frame(std::size_t frame, std::uint32_t a, std::uint32_t b, bool bent) const {
-    const std::vector<EntityState>&now = states_[frame], &next = states_[frame + 1];
-    const auto moved = [&](std::uint32_t i) {
-      return body(frame, i, next[i].at - now[i].at,
-                  turn_between(scene_, i, now[i].angle, next[i].angle));
-    };
-    const Vec2 way = (next[a].at - now[a].at) - (next[b].at - now[b].at);
-    if (far_apart(places_[frame][a], places_[frame][b], way.norm())) return Answer::apart;
-    return bodies_meet(moved(a), moved(b), bent, 1);
+  Answer meet_in_frame(std::size_t frame, std::uint32_t a, std::uint32_t b) const {
+    const Whereabouts &one = places_[frame][a], &other = places_[frame][b];
+    const Vec2 way = one.way - other.way;
+    if (far_apart(one, other, one.strays + other.strays + way.norm())) return Answer::apart;
+    const double begin = static_cast<double>(frame) / scene_.fps,
+                 end = static_cast<double>(frame + 1) / scene_.fps;
+    std::vector<double> times = motion_.knots(a, std::nullopt, begin, end);
+    const std::vector<double> others = motion_.knots(b, std::nullopt, begin, end);
+    times.insert(times.end(), others.begin(), others.end());
+    std::sort(times.begin(), times.end());
+    const bool whole = times.empty(), bent = bent_[a] || bent_[b];
+    times.push_back(end);
+    Answer answer = Answer::apart;
+    for (double from = begin; const double to : times) {
+      if (to == from) continue;
+      const Answer now =
+          bodies_meet(body(frame, a, from, to, whole), body(frame, b, from, to, whole), bent, 1);
+      if (now == Answer::meet) return now;
+      if (now == Answer::grazing) answer = now;
+      from = to;
+    }
+    return answer;
   }
 
   const Timeline& timeline_;
   const Scene& scene_;
   const unsigned last_;
   const double seconds_;
+  const TrueMotion motion_;
   std::vector<std::vector<EntityState>> states_;  // by frame
   std::vector<std::vector<Whereabouts>> places_;  // likewise
   std::vector<bool> bent_, left_out_;

@@ -20,8 +20,8 @@ struct PairTruth {
   std::string words() const;
 };
 
-/// Motion as find_meetings() has it: straight for the whole time where velocities are kept, else
-/// from frame to frame.
+/// Motion as find_meetings() has it: straight for the whole time where velocities are kept, else as
+/// TrueMotion tells, from frame to frame.
 ///
 /// Needs   last_frame as the timeline has it.
 /// Gives   pairs of which one moves; those never within each other's reach take no arithmetic.

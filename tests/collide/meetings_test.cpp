@@ -73,7 +73,7 @@ TEST(Meetings, WhatTurnsMeetsBetweenFrames) {
   const double first = low / (std::numbers::pi / 2), last = 2 - first;
   EXPECT_LE(met[0].part.times.low, first + 1e-15);
   EXPECT_GE(met[0].part.times.low + met[0].part.width, first - 1e-15);
-  EXPECT_LE(met[0].part.width, 0x1p-40);
+  EXPECT_LE(met[0].part.width, 0x1p-40 + 0x1p-48);  // in seconds rounded outwards
   EXPECT_NEAR(met[0].part.times.high, last, 1e-12);
   EXPECT_TRUE(met[0].part.certain);
   EXPECT_NEAR((met[0].part.point - Vec2(0.1, 1.5)).norm(), 0, 1e-11);

@@ -14,7 +14,7 @@ using Verdict = TurningContact::Verdict;
 constexpr double kWidth = 0x1p-40;
 
 TurningBody body(const oracle::TurningCore& core) {
-  return {core.ring, core.radius, core.at, core.velocity, core.angle, core.spin};
+  return {core.ring, core.radius, even_motion(core.at, core.velocity, core.angle, core.spin)};
 }
 
 // Apart before first.low, overlapping at first.high, and the truth between; or truly apart.
@@ -54,7 +54,7 @@ TEST(TurningContact, AgreesWithBisectionInManyBits) {
 // A hand of length 2 comes down to a shelf 1 below: sin(angle) = 1/2.
 TEST(TurningContact, AHandMeetsAShelf) {
   const std::vector<Vec2> hand = {{0, 0}, {2, 0}}, shelf = {{1, -1}, {1, -9}, {9, -9}, {9, -1}};
-  const TurningBody a{hand, 0, {0, 0}, {0, 0}, 0, -std::numbers::pi / 3}, b{shelf};
+  const TurningBody a{hand, 0, even_motion({0, 0}, {0, 0}, 0, -std::numbers::pi / 3)}, b{shelf};
   const TurningContact met = turning_contact(a, b, 1, kWidth);
   ASSERT_EQ(met.verdict, Verdict::meets);
   EXPECT_LE(met.first.low, 0.5);
@@ -72,9 +72,10 @@ TEST(TurningContact, HoldsTheTimeOfStraightMotion) {
     pair.shaped_a.angle = pair.shaped_b.angle = pair.shaped_a.spin = pair.shaped_b.spin = 0;
     const TurningBody a = body(pair.a()), b = body(pair.b());
     std::vector<Vec2> ring_a, ring_b;
-    for (const Vec2& p : a.ring) ring_a.push_back(a.at + p);
-    for (const Vec2& p : b.ring) ring_b.push_back(b.at + p);
-    const HitInterval exact = contact({ring_a, a.velocity}, {ring_b, b.velocity}, {0, 1}).times;
+    for (const Vec2& p : a.ring) ring_a.push_back(pair.shaped_a.at + p);
+    for (const Vec2& p : b.ring) ring_b.push_back(pair.shaped_b.at + p);
+    const HitInterval exact =
+        contact({ring_a, pair.shaped_a.velocity}, {ring_b, pair.shaped_b.velocity}, {0, 1}).times;
     const TurningContact met = turning_contact(a, b, 1, kWidth);
     ASSERT_EQ(met.verdict == Verdict::meets, exact.kind == HitClass::through) << item;
     if (met.verdict != Verdict::meets) continue;
@@ -108,16 +109,18 @@ TEST(TurningContact, TheSameAtAnyScale) {
 // Two points are never proven to meet, and a miss by 2^-20 is proven.
 TEST(TurningContact, SaysWhatItCannotTell) {
   const std::vector<Vec2> point = {{1, 0}};
-  const TurningBody a{point, 0, {0, 0}, {0, 0}, 0, 1}, b{point, 0, {0.5, 0.75}, {0, 0}};
+  const TurningBody a{point, 0, even_motion({0, 0}, {0, 0}, 0, 1)},
+      b{point, 0, even_motion({0.5, 0.75}, {0, 0}, 0, 0)};
   EXPECT_EQ(turning_contact(a, b, 1, kWidth).verdict, Verdict::apart);
   const std::vector<Vec2> origin = {{0, 0}};
-  const TurningBody flies{origin, 0, {-1, 0}, {2, 0}}, rests{origin, 0, {0, 0}, {0, 0}, 0, 1};
+  const TurningBody flies{origin, 0, even_motion({-1, 0}, {2, 0}, 0, 0)},
+      rests{origin, 0, even_motion({0, 0}, {0, 0}, 0, 1)};
   const TurningContact met = turning_contact(flies, rests, 1, kWidth);
   EXPECT_EQ(met.verdict, Verdict::undecided);
   EXPECT_LE(met.first.low, 0.5);
   EXPECT_GE(met.first.high, 0.5);
   EXPECT_LE(met.first.high - met.first.low, 1e-10);
-  const TurningBody passes{origin, 0, {-1, 0x1p-20}, {2, 0}};
+  const TurningBody passes{origin, 0, even_motion({-1, 0x1p-20}, {2, 0}, 0, 0)};
   EXPECT_EQ(turning_contact(passes, rests, 1, kWidth).verdict, Verdict::apart);
 }
 
@@ -125,12 +128,12 @@ TEST(TurningContact, SaysWhatItCannotTell) {
 TEST(TurningContact, WhatSpinsFasterThanCanBeFollowedIsKnownToMissBesideAWall) {
   const std::vector<Vec2> rod{{-1, 0}, {1, 0}}, wall{{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
   for (const double spin : {1e3, 1e7, 1e9, 1e12}) {
-    const TurningBody fast{rod, 0, {-5, 1.25}, {10, 0}, 0.5, spin}, still{wall};
+    const TurningBody fast{rod, 0, even_motion({-5, 1.25}, {10, 0}, 0.5, spin)}, still{wall};
     EXPECT_EQ(turning_contact(fast, still, 1, 0x1p-40).verdict, TurningContact::Verdict::apart);
     EXPECT_EQ(turning_contact(still, fast, 1, 0x1p-40).verdict, TurningContact::Verdict::apart);
     EXPECT_EQ(turning_contact(still, fast, 1, 0x1p-40, true).verdict,
               TurningContact::Verdict::apart);
-    const TurningBody low{rod, 0, {-5, 0.75}, {10, 0}, 0.5, spin};
+    const TurningBody low{rod, 0, even_motion({-5, 0.75}, {10, 0}, 0.5, spin)};
     EXPECT_NE(turning_contact(low, still, 1, 0x1p-40).verdict, TurningContact::Verdict::apart);
   }
 }

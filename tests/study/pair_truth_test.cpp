@@ -48,6 +48,21 @@ TEST(PairTruth, FollowsWhatTurnsBetweenFrames) {
   EXPECT_EQ(truth.compared.size(), 3U);
 }
 
+// A tip that goes round once from frame to frame, so that no chord goes anywhere; and one that smooth
+// keys send to a disc and back.
+TEST(PairTruth, FollowsWhatIsCarriedBetweenFrames) {
+  const PairTruth truth = truth_of(scene_of("[[group]]\nname = \"arm\"\nangular_velocity = 360\n" +
+                                            disc(10, 0, 0.5, "group = \"arm\"\n") +
+                                            disc(0, 10, 0.5) + disc(0, 8.9, 0.5)));
+  EXPECT_EQ(truth.meet, (std::set<Pair>{{0, 1}}));
+  EXPECT_EQ(truth.compared, (std::set<Pair>{{0, 1}, {0, 2}}));
+  const PairTruth keys = truth_of(scene_of(
+      "[[entity]]\nshape = { circle = { radius = 1 } }\nat = { keys = [[0, [0, 0]], [0.5, [5, 0]], "
+      "[1, [0, 0]]], ease = \"smooth\" }\n" +
+      disc(6.9, 0, 1) + disc(7.1, 0, 1)));
+  EXPECT_EQ(keys.meet, (std::set<Pair>{{0, 1}}));
+}
+
 TEST(PairTruth, LeavesArcsOutAndSaysSo) {
   const PairTruth truth = truth_of(scene_of(
       disc(0, 0, 1, "velocity = [10, 0]\n") +

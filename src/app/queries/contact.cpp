@@ -15,8 +15,8 @@ JsonValue interval(const Range& range) { return Values{range.low, range.high}; }
 
 Fields turning_answer(const Question::Moving& a, const Question::Moving& b) {
   const std::vector<Vec2> ring_a = from_about(a), ring_b = from_about(b);
-  const TurningBody one = {ring_a, a.radius, a.about, a.velocity, 0, a.spin};
-  const TurningBody other = {ring_b, b.radius, b.about, b.velocity, 0, b.spin};
+  const TurningBody one = {ring_a, a.radius, even_motion(a.about, a.velocity, 0, a.spin)};
+  const TurningBody other = {ring_b, b.radius, even_motion(b.about, b.velocity, 0, b.spin)};
   constexpr double kLength = 1, kWidth = 0x1p-40;
   const TurningContact first = turning_contact(one, other, kLength, kWidth);
   const bool meets = first.verdict == TurningContact::Verdict::meets;

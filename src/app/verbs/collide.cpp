@@ -91,7 +91,10 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
                           known(certain ? name(kind) : "undecided"), times.low, times.high,
                           1 + times.low * scene.fps, known(from), known(plain(point.x())),
                           known(plain(point.y())), known(plain(normal.x())),
-                          known(plain(normal.y())), meeting.straight ? "straight" : "by frames",
+                          known(plain(normal.y())),
+                          meeting.straight      ? "straight"
+                          : knows == Knows::all ? "changing"
+                                                : "by frames",
                           known(width)});
   }
   return table;
@@ -111,9 +114,8 @@ std::string left_out(const Scene& scene) {
                                                      : scene.entities[i].name);
   }
   if (names.empty()) return {};
-  return fmt::format(
-      "curves are left out but circles, capsules and ellipses that do not turn: {}{}",
-      comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
+  return fmt::format("curves are left out but circles, capsules and ellipses: {}{}",
+                     comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
 ReportTable event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
@@ -172,10 +174,10 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
       report_note("edge-rays knows polygons only, and neither how nor where they meet");
     return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked, Knows::times);
   }
-  if (auto refused = refused_meetings(scene)) return tl::unexpected(*std::move(refused));
+  const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
+  if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
   const auto width = threads(arguments);
   if (!width) return tl::unexpected(width.error());
-  const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (const std::string note = left_out(scene);
       outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);

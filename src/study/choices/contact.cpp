@@ -25,8 +25,10 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   if (!scene) return tl::unexpected(scene.error());
   ChoiceSettings made = pair_settings(**scene);
   made.laws = {};
-  made.settings = {setting(*scene, "boxes", &boxes), setting(*scene, "minkowski", &exact),
-                   setting(*scene, "edge-rays", &find_edge_ray_meetings)};
+  if (!refused_meetings(context.scene, Outline::box))
+    made.settings.push_back(setting(*scene, "boxes", &boxes));
+  made.settings.push_back(setting(*scene, "minkowski", &exact));
+  made.settings.push_back(setting(*scene, "edge-rays", &find_edge_ray_meetings));
   return made;
 }
 

@@ -7,17 +7,13 @@
 namespace flatray {
 namespace {
 
-// Who overlaps at one instant between two frames: nothing moves while it is looked at.
+// Who overlaps at one instant: nothing moves while it is looked at.
 void look(const Scene& scene, const std::vector<EntityState>& now,
-          const std::vector<EntityState>& next, double part, std::set<PairTruth::Pair>& found) {
+          std::set<PairTruth::Pair>& found) {
   std::vector<MovingShape> bodies;
   std::vector<Bounds> boxes;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const Vec2 at = now[i].at + part * (next[i].at - now[i].at);
-    const auto entity = static_cast<std::uint32_t>(i);
-    const double turn = turn_between(scene, entity, now[i].angle, next[i].angle);
-    bodies.push_back(
-        {&shape_of(scene, now[i]), pose(at, now[i].angle + part * turn, now[i].scale), {0, 0}});
+  for (const EntityState& state : now) {
+    bodies.push_back({&shape_of(scene, state), pose(state.at, state.angle, state.scale), {0, 0}});
     boxes.push_back(shape_bounds(*bodies.back().shape, bodies.back().place));
   }
   for (const auto& [a, b] : overlapping_pairs(boxes))
@@ -27,14 +23,10 @@ void look(const Scene& scene, const std::vector<EntityState>& now,
 
 std::set<PairTruth::Pair> sampled(const PairScene& motion, int samples) {
   std::set<PairTruth::Pair> found;
-  std::vector<EntityState> now = entity_states(motion.timeline, 1);
-  for (unsigned frame = 1; frame <= motion.frames(); ++frame) {
-    const bool last = frame == motion.frames();
-    std::vector<EntityState> next = last ? now : entity_states(motion.timeline, frame + 1);
-    for (int k = 0; k < (last ? 1 : samples); ++k)
-      look(motion.timeline.scene(), now, next, static_cast<double>(k) / samples, found);
-    now = std::move(next);
-  }
+  for (unsigned frame = 1; frame <= motion.frames(); ++frame)
+    for (int k = 0; k < (frame == motion.frames() ? 1 : samples); ++k)
+      look(motion.timeline.scene(),
+           entity_states_between(motion.timeline, frame, static_cast<double>(k) / samples), found);
   return found;
 }
 

@@ -1,0 +1,145 @@
+#include "collide/frame_bodies.h"
+
+#include <algorithm>
+
+#include "anim/motion.h"
+#include "collide/broad_phase.h"
+
+namespace flatray {
+namespace {
+
+// From where a turning shape turns about to its farthest point.
+double reach_of(const Shape& shape, double scale) {
+  const Bounds own = shape_bounds(shape, {{0, 0}, 1, 0, scale});
+  if (own.empty()) return 0;
+  return (1 + 0x1p-40) * Vec2(own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs())).stableNorm();
+}
+
+// Of what turns a box around all its angles; empty without a shape.
+Bounds still_box(const Shape& shape, const Pose& place, bool turns) {
+  const Bounds lies = shape_bounds(shape, place);
+  if (lies.empty() || !turns) return lies;
+  const double reach = reach_of(shape, place.scale);
+  return {place.at - Vec2(reach, reach), place.at + Vec2(reach, reach)};
+}
+
+// Times of [0, 1] in seconds, as `at` has them; what is proven stays so.
+template <class At>
+void stretch(MeetingPart& part, const At& at) {
+  const double from = at(0), to = at(1), low = at(part.times.low), high = at(part.times.high);
+  if (part.width == 0) {
+    part.times = {low, high};
+    return;
+  }
+  const double rounding = 0x1p-50 * std::fabs(to);
+  const double end = std::min(at(part.times.low + part.width) + rounding, to);
+  part.times = {std::max(low - rounding, from), std::max(high, end)};
+  part.width = (1 + 0x1p-50) * (end - part.times.low);
+}
+
+}  // namespace
+
+FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
+                         std::span<const EntityState> now, std::span<const EntityState> next)
+    : scene_(timeline.scene()),
+      motion_(timeline),
+      outline_(outline),
+      frame_(frame),
+      from_((frame - 1) / scene_.fps),
+      to_(frame / scene_.fps),
+      now_(now) {
+  for (std::uint32_t i = 0; i < now.size(); ++i) {
+    const double scale = now[i].scale;
+    is_even_.push_back(motion_.knots(i, std::nullopt, from_, to_).empty());
+    RigidMotion motion;
+    if (is_even_[i]) motion = motion_.between(i, std::nullopt, frame_, from_, to_).motion;
+    is_even_[i] = is_even_[i] && motion.is_even();
+    const double angle = motion.angle.c[0], spin = is_even_[i] ? motion.angle.c[1] : 0;
+    even_.push_back({shape(i), pose(now[i].at, angle, scale), next[i].at - now[i].at, angle, spin});
+  }
+}
+
+const Shape* FrameBodies::shape(std::uint32_t entity) const {
+  return &shape_of(scene_, now_[entity]);
+}
+
+bool FrameBodies::are_even(const Pair& pair) const {
+  const auto& [a, b] = pair;
+  const bool turn = even_[a].spin != 0 && even_[b].spin != 0;
+  return outline_ == Outline::own && is_even_[a] && is_even_[b] &&
+         !(turn && moving_group_of_both(scene_, a, b));
+}
+
+std::vector<Bounds> FrameBodies::boxes() const {
+  std::vector<Bounds> boxes;
+  for (std::uint32_t i = 0; i < even_.size(); ++i) {
+    const MovingShape& body = even_[i];
+    boxes.push_back(
+        is_even_[i] ? swept(still_box(*body.shape, body.place, body.spin != 0), body.velocity, 1)
+                    : box_of(i));
+  }
+  return boxes;
+}
+
+Bounds FrameBodies::box_of(std::uint32_t entity) const {
+  Bounds box;
+  std::vector<double> times = motion_.knots(entity, std::nullopt, from_, to_);
+  times.push_back(to_);
+  for (double from = from_; const double to : times) {
+    const auto [motion, scale] = motion_.between(entity, std::nullopt, frame_, from, to);
+    const bool turns = !motion.angle.is_constant();
+    const Bounds around = box_around(motion),
+                 still = still_box(*shape(entity), pose({0, 0}, motion.angle.c[0], scale), turns);
+    if (still.empty()) return still;
+    const Vec2 low = around.low + still.low, high = around.high + still.high;
+    const bool tame = low.cwiseAbs().maxCoeff() < kTamest && high.cwiseAbs().maxCoeff() < kTamest;
+    if (!tame) return {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
+    box.add(Bounds{low, high});
+    from = to;
+  }
+  const Vec2 rounding = 0x1p-50 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs());
+  return {box.low - rounding, box.high + rounding};
+}
+
+std::vector<MeetingPart> FrameBodies::meet(const Pair& pair) const {
+  const auto top = outline_ == Outline::own  // boxes stand upright in the world
+                       ? moving_group_of_both(scene_, pair.first, pair.second)
+                       : std::nullopt;
+  std::vector<double> times = motion_.knots(pair.first, top, from_, to_);
+  const std::vector<double> others = motion_.knots(pair.second, top, from_, to_);
+  times.insert(times.end(), others.begin(), others.end());
+  times.push_back(to_);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  std::vector<MeetingPart> met;
+  for (double from = from_; const double to : times) {
+    add_meetings(pair, top, from, to, met);
+    from = to;
+  }
+  return met;
+}
+
+void FrameBodies::add_meetings(const Pair& pair, std::optional<std::uint32_t> top, double from,
+                               double to, std::vector<MeetingPart>& met) const {
+  const auto carried = [&](std::uint32_t entity) {
+    return CarriedShape{shape(entity), motion_.between(entity, top, frame_, from, to)};
+  };
+  for (MeetingPart& part :
+       carried_shapes_meet(carried(pair.first), carried(pair.second), outline_)) {
+    stretch(part, [&](double t) { return t == 1 ? to : from + t * (to - from); });
+    if (top) {
+      const Pose place = group_poses(scene_, part.times.low)[*top].pose;
+      part.point = place(part.point);
+      part.normal = place.turned(part.normal).stableNormalized();
+    }
+    met.push_back(part);
+  }
+}
+
+std::vector<MeetingPart> FrameBodies::in_seconds(std::vector<MeetingPart> parts) const {
+  for (MeetingPart& part : parts)
+    stretch(part, [&](double t) { return (frame_ - 1 + t) / scene_.fps; });
+  return parts;
+}
+
+}  // namespace flatray

@@ -1,0 +1,48 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "anim/rigid_motion.h"
+#include "collide/carried_contact.h"
+
+namespace flatray {
+
+/// The bodies of a scene from one frame to the next, along their true motion.
+class FrameBodies {
+ public:
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// Needs   what entities look like in the frame and where they are in the next; all outlive it.
+  ///         Not the last frame of the timeline.
+  FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
+              std::span<const EntityState> now, std::span<const EntityState> next);
+
+  /// Bodies of those that go straight and turn evenly, if at all, from frame to frame: t counts frames.
+  std::span<const MovingShape> even() const { return even_; }
+  /// Whether both do and it is their own outlines that meet, and what carries both turns neither.
+  bool are_even(const Pair& pair) const;
+  /// A box around each on its way.
+  std::vector<Bounds> boxes() const;
+
+  /// Times in seconds from frame 1 in which two meet.
+  std::vector<MeetingPart> meet(const Pair& pair) const;
+  /// What shapes_meet() tells of two, in such times.
+  std::vector<MeetingPart> in_seconds(std::vector<MeetingPart> parts) const;
+
+ private:
+  Bounds box_of(std::uint32_t entity) const;
+  void add_meetings(const Pair& pair, std::optional<std::uint32_t> top, double from, double to,
+                    std::vector<MeetingPart>& met) const;
+  const Shape* shape(std::uint32_t entity) const;
+
+  const Scene& scene_;
+  const TrueMotion motion_;
+  const Outline outline_;
+  const unsigned frame_;
+  const double from_, to_;  // seconds
+  const std::span<const EntityState> now_;
+  std::vector<MovingShape> even_;
+  std::vector<bool> is_even_;
+};
+
+}  // namespace flatray
