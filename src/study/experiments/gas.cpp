@@ -167,12 +167,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     measures.push_back(
         {"events_a_second", static_cast<double>(done.events.size()) / time, 0, std::nullopt});
   measures.push_back({"jammed", done.jammed ? 1.0 : 0.0, 0, 0});
-  return measured(
-      context, "gas",
-      fmt::format("{} events of {} bodies in {:.6g} s{}; fingerprint of all {}", done.events.size(),
-                  bodies->size(), time, done.overlaps ? ", some in each other at the start" : "",
-                  fingerprint(done)),
-      std::move(measures));
+  return measured(context, "gas",
+                  fmt::format("{} events of {} bodies in {:.6g} s{}; fingerprint of all {}",
+                              done.events.size(), bodies->size(), time,
+                              !done.overlaps.empty() ? ", some in each other at the start" : "",
+                              fingerprint(done)),
+                  std::move(measures));
 }
 
 }  // namespace
