@@ -89,7 +89,9 @@ int run_verb(const Verb& verb, std::vector<std::string> words) {
   if (!output)
     return print(json_failure(verb.name, *arguments, output.error()),
                  report_failure(output.error(), verb.undone));
-  return print(output->text, output->exit_code);
+  const int code = print(output->text, output->exit_code);
+  if (output->problems.empty() || code != output->exit_code) return code;
+  return report_failure(output->problems, "what came before is told");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace flatray {
 struct VerbOutput {
   std::string text;
   int exit_code = 0;
+  Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
 };
 
 /// One word of the command line after `flatray`. Options every verb has (--help) are added to its

@@ -308,6 +308,7 @@ RoundPlace resting_place(const RoundBody& a, const RoundBody& b, double t) {
     const Vec2 outward = count == 1 ? Vec2(0, 0) : side_normal(corner, a, b);
     const Vec2 along(-outward.y(), outward.x());
     const bool beside = count > 1 && along.dot(start) >= 0 && along.dot(end) <= 0;
+    if (beside && !difference.has_area && outward.dot(start) < 0) continue;  // the side back is
     const double distance = beside ? std::fabs(outward.dot(start)) : start.stableNorm();
     if (!(distance < least)) continue;
     least = distance;

@@ -11,20 +11,23 @@ namespace flatray {
 Result<void> check_complete(const Scene& scene, const Simulation& done, double last,
                             const Place& where) {
   if (done.until > last) return {};
-  const CollisionEvent& event = done.events.back();
   const auto name = [&](std::uint32_t i) {
     const std::string& own = scene.entities[i].name;
     return own.empty() ? fmt::format("entity {}", i + 1) : fmt::format("'{}'", own);
   };
-  const std::string what = fmt::format("{} and {}", name(event.a), name(event.b));
+  const auto names = [&](std::uint32_t a, std::uint32_t b) {
+    return fmt::format("{} and {}", name(a), name(b));
+  };
   if (done.jammed)
-    return fail(
-        where,
-        fmt::format("bodies are jammed: {} meet again and again at t = {}", what, event.time),
-        "give them a way out, or end the sequence before");
-  return fail(
-      where, fmt::format("{} events before t = {}, the last of {}", done.events.size(), last, what),
-      "end the sequence before, or write a higher most in [collisions]");
+    return fail(where,
+                fmt::format("bodies are jammed: {} find no way out at t = {}",
+                            names(done.untold.first, done.untold.second), done.until),
+                "give them a way out, or end the sequence before");
+  const CollisionEvent& event = done.events.back();
+  return fail(where,
+              fmt::format("{} events before t = {}, the last of {}", done.events.size(), last,
+                          names(event.a, event.b)),
+              "end the sequence before, or write a higher most in [collisions]");
 }
 
 Result<Timeline> make_timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "anim/timeline.h"
@@ -21,9 +22,10 @@ struct SimulatedBody {
 /// Bodies in place of entities, each with its stages, the first from 0.
 struct Simulation : Responses {
   bool complete = true;      ///< false: as many events as were allowed came first, or
-  bool jammed = false;       ///< the last of them again and again, and time stood still
+  bool jammed = false;       ///< there was no way out, or time stood still
   double until = kInfinity;  ///< time of the first event that is not told
-  bool overlaps = false;     ///< some lie in each other at time 0
+  std::pair<std::uint32_t, std::uint32_t> untold{0, 0};           ///< whose that is
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;  ///< in each other at time 0
 };
 
 /// Events at one time after which bodies count as jammed, for each body.
@@ -40,12 +42,13 @@ enum class PairSearch : std::uint8_t { near, all };
 /// Gives   no event of two whose mass is infinite, nor where two only touch and part or slide: of
 ///         points and parallel segments none at all. What
 ///         bounces off what stops bounces as off a wall, once that has stopped; a mark pushes nothing.
-///         A shorter time gives the first of the same events. Bodies
-///         that overlap at time 0 are left alone until one of them changes its way after they have
-///         parted; all others pass through nothing, however fast.
+///         Hits at one instant are resolved together, and with them what rests on those hit, instant.h:
+///         velocities do not depend on the order of bodies. A shorter time gives the first of the same
+///         events. Bodies that overlap, from time 0 or by rounding, meet at once where they come nearer
+///         along the shortest way out, marks of time 0 never; else they are left alone until one of
+///         them changes its way. All others pass through nothing, however fast.
 /// Error   each meeting exact for the doubles at the last event of either; bodies are then placed
-///         by at + velocity * time, rounded. A pair that rounding has laid into each other by that
-///         meets at once if the way out is back, not forward. Momentum and energy to rounding.
+///         by at + velocity * time, rounded. Momentum and energy to rounding.
 /// Cost    a contact for each pair that comes near; time is cut into whiles in which some of the bodies
 ///         meet, and boxes are made anew for each. Of all pairs: n comparisons of discs for an event.
 Simulation simulate(std::span<const SimulatedBody> bodies, double end,

@@ -47,17 +47,69 @@ name = "right"
 shape = { box = { min = [3, 0], max = [4, 1] } }
 velocity = [-1, 0]
 mass = "fixed"
+[[entity]]
+name = "one"
+shape = { circle = { radius = 1 } }
+at = [0, 50]
+velocity = [1, 0]
+[[entity]]
+name = "two"
+shape = { circle = { radius = 1 } }
+at = [3, 50]
 EOF
 for verb in "collide jam.toml -q" "collide jam.toml --json" "render jam.toml -o jam_####.png"; do
   # shellcheck disable=SC2086
   run 4 $verb
   says err "jam.toml:4:14: error: bodies are jammed"
 done
+# What came before is told, and then the jam.
+run 4 collide jam.toml --csv
+says out "one,two,1,2,"
+says err "find no way out at t = "
+says err "flatray: 1 error, what came before is told"
+run 4 collide jam.toml --json
+says out '"a":"one","b":"two","t":1,'
+says out '"errors":[{"file":"jam.toml","line":4,'
+run 4 collide jam.toml --csv --response slide --fixed left --fixed right
+(($(wc -l < out.txt) == 2)) || fail "what slides is jammed when the second comes"
+says err "no way out at t = 2"
 run 4 collide jam.toml --response bounce --fixed left --fixed right
 says err "--response: error: bodies are jammed"
-run 4 collide jam.toml -q -D collisions.most=1
+run 4 collide jam.toml -q --csv -D collisions.most=1
 says err "1 events before t = 8"
+(($(wc -l < out.txt) == 2)) || fail "the event that is allowed is told"
 run 0 collide jam.toml -f 1 --csv
+# Boxes that land lie still after an event each; one that stands a last bit too low is held by the floor.
+cat > pile.toml << 'EOF'
+flatray = 1
+fps = 1
+frames = 100
+collisions = { response = "slide" }
+[[entity]]
+name = "floor"
+shape = { box = { min = [-5, -1], max = [5, 0.2] } }
+mass = "fixed"
+[[entity]]
+name = "low"
+shape = { box = { min = [-0.1, -0.1], max = [0.1, 0.1] } }
+at = [0, 0.3]
+velocity = [0, -1]
+[[entity]]
+name = "high"
+shape = { box = { min = [-0.5, -0.5], max = [0.5, 0.5] } }
+at = [0, 4]
+velocity = [0, -1]
+mass = 3
+[[entity]]
+name = "top"
+shape = { box = { min = [-0.5, -0.5], max = [0.5, 0.5] } }
+at = [0, 6]
+velocity = [0, -1]
+EOF
+run 0 collide pile.toml --csv
+(($(wc -l < out.txt) == 4)) || fail "an event for each box"
+(($(grep -c ',0,0,0,0$' out.txt) == 3)) || fail "all come to rest"
+says err "respond only where they come nearer: floor and low"
 run 0 collide "$scenes/bullet.toml" --csv
 says out "bullet,wall,through,3.330078125e-09,"
 run 0 collide "$scenes/bullet.toml" --method edge-rays --csv

@@ -7,27 +7,14 @@
 #include <cmath>
 
 #include "oracle/families.h"
+#include "simulated_bodies.h"
 #include "support/pictures.h"
 
 namespace flatray {
 namespace {
 
+using namespace flatray::testing;
 using oracle::Draw;
-
-SimulatedBody disc(const Vec2& at, double radius, const Vec2& velocity, double mass = 1) {
-  return {{{{{0, 0}}, radius}}, at, velocity, mass};
-}
-SimulatedBody box(const Vec2& at, const Vec2& half, const Vec2& velocity, double mass) {
-  return {{{{-half, {half.x(), -half.y()}, half, {-half.x(), half.y()}}, 0}}, at, velocity, mass};
-}
-
-// All respond alike.
-Simulation simulate(std::span<const SimulatedBody> bodies, Response response, double end,
-                    std::size_t most_events = 1'000'000) {
-  std::vector<SimulatedBody> all(bodies.begin(), bodies.end());
-  for (SimulatedBody& body : all) body.response = response;
-  return flatray::simulate(all, end, most_events);
-}
 
 TEST(Simulate, EqualDiscsExchangeTheirVelocities) {
   const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), disc({6, 0}, 1, {-1, 0})};
@@ -309,7 +296,7 @@ TEST(Simulate, WhatSlidesIntoACornerIsNotJammed) {
 TEST(Simulate, WhatIsRemovedIsAWallToWhoMeetsItAndThenGone) {
   SimulatedBody brick = box({5, 0}, {1, 1}, {0, 0}, 1);
   brick.response = Response::remove;
-  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), brick, disc({10, 0}, 1, {-1, 0})};
+  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}), brick, disc({11, 0}, 1, {-1, 0})};
   const Simulation done = flatray::simulate(bodies, 20);
   ASSERT_EQ(done.events.size(), 1U);  // the third flies through where it was, behind the first
   EXPECT_EQ(done.events[0].velocity_a, Vec2(-1, 0));

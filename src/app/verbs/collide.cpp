@@ -100,6 +100,11 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
   return table;
 }
 
+std::string called(const Scene& scene, std::uint32_t i) {
+  const std::string& own = scene.entities[i].name;
+  return own.empty() ? fmt::format("entity {}", i + 1) : own;
+}
+
 // What the answer is not about, so that nobody takes silence for a miss; "" for nothing.
 std::string left_out(const Scene& scene) {
   constexpr std::size_t kMostNames = 3;
@@ -110,8 +115,7 @@ std::string left_out(const Scene& scene) {
     if (names.size() == kMostNames)
       ++more;
     else
-      names.push_back(scene.entities[i].name.empty() ? fmt::format("entity {}", i + 1)
-                                                     : scene.entities[i].name);
+      names.push_back(called(scene, i));
   }
   if (names.empty()) return {};
   return fmt::format("curves are left out but circles, capsules and ellipses: {}{}",
@@ -145,8 +149,31 @@ Result<std::optional<Response>> response_asked(const Arguments& arguments) {
   unreachable();
 }
 
-Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline, const Asked& asked,
-                           std::optional<Response> response) {
+// At most three of many: "a and b", more separated by commas.
+std::string named_pairs(const Scene& scene,
+                        std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+  constexpr std::size_t kMostPairs = 3;
+  std::vector<std::string> told;
+  for (const auto& [a, b] : pairs.first(std::min(pairs.size(), kMostPairs)))
+    told.push_back(fmt::format("{} and {}", called(scene, a), called(scene, b)));
+  const std::size_t more = pairs.size() - told.size();
+  return comma_list(told) + (more == 0 ? "" : fmt::format(" ({} more)", more));
+}
+
+// A table, and why it ends before it should.
+struct Answer {
+  ReportTable table;
+  Diagnostics problems{};
+
+  Fields errors() const {
+    Values values;
+    for (const Diagnostic& problem : problems) values.push_back(as_value(problem));
+    return problems.empty() ? Fields{} : Fields{{"errors", std::move(values)}};
+  }
+};
+
+Result<Answer> events(const Arguments& arguments, const Timeline& timeline, const Asked& asked,
+                      std::optional<Response> response) {
   const std::vector<std::string> fixed = arguments.list("fixed");
   const std::vector<std::string> known = names_of(timeline.scene().entities);
   for (const std::string& entity : fixed)
@@ -157,22 +184,26 @@ Result<ReportTable> events(const Arguments& arguments, const Timeline& timeline,
   const double end = (asked.last - 1) / timeline.scene().fps;
   const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
   const Place where = response ? arguments.where("response") : where_responds(timeline.scene());
+  if (!done.overlaps.empty() && !arguments.has("quiet"))
+    report_note(
+        fmt::format("in each other at the start, so that they respond only where they come "
+                    "nearer: {}",
+                    named_pairs(timeline.scene(), done.overlaps)));
+  Answer answer{event_table(timeline.scene(), done, asked)};
   if (auto complete = check_complete(timeline.scene(), done, end, where); !complete)
-    return fail(std::move(complete));
-  if (done.overlaps && !arguments.has("quiet"))
-    report_note("what lies in each other at the start is left alone until it has parted");
-  return event_table(timeline.scene(), done, asked);
+    answer.problems = std::move(complete.error());
+  return answer;
 }
 
-Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timeline,
-                             const Asked& asked) {
+Result<Answer> meetings(const Arguments& arguments, const Timeline& timeline, const Asked& asked) {
   const auto method = arguments.one_of("method", {"minkowski", "edge-rays", "boxes"});
   if (!method) return tl::unexpected(method.error());
   const Scene& scene = timeline.scene();
   if (*method == "edge-rays") {
     if (!arguments.has("quiet"))
       report_note("edge-rays knows polygons only, and neither how nor where they meet");
-    return meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked, Knows::times);
+    return Answer{
+        meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked, Knows::times)};
   }
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
@@ -181,7 +212,7 @@ Result<ReportTable> meetings(const Arguments& arguments, const Timeline& timelin
   if (const std::string note = left_out(scene);
       outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);
-  return meeting_table(scene, find_meetings(timeline, asked.last, outline, *width), asked);
+  return Answer{meeting_table(scene, find_meetings(timeline, asked.last, outline, *width), asked)};
 }
 
 // Methods look for meetings of what goes on undisturbed.
@@ -230,12 +261,15 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const Timeline timeline(*scene, *draws, asked_frames->last);
   const bool respond =
       asked ? **response != Response::none : !arguments.has("method") && responds(*scene);
-  const auto table = respond ? events(arguments, timeline, *asked_frames, *response)
-                             : meetings(arguments, timeline, *asked_frames);
-  if (!table) return tl::unexpected(table.error());
-  if (arguments.has("json"))
-    return VerbOutput{json_report("collide", arguments, as_objects(*table))};
-  return VerbOutput{arguments.has("csv") ? csv_text(*table) : aligned_text(*table)};
+  const auto answer = respond ? events(arguments, timeline, *asked_frames, *response)
+                              : meetings(arguments, timeline, *asked_frames);
+  if (!answer) return tl::unexpected(answer.error());
+  const auto& [table, problems] = *answer;
+  return VerbOutput{arguments.has("json")
+                        ? json_report("collide", arguments, as_objects(table), answer->errors())
+                    : arguments.has("csv") ? csv_text(table)
+                                           : aligned_text(table),
+                    0, problems};
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   return measured(
       context, "gas",
       fmt::format("{} events of {} bodies in {:.6g} s{}; fingerprint of all {}", done.events.size(),
-                  bodies->size(), time, done.overlaps ? ", some in each other at the start" : "",
+                  bodies->size(), time, !done.overlaps.empty() ? ", some in each other at the start" : "",
                   fingerprint(done)),
       std::move(measures));
 }

@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "anim/responses.h"
+#include "collide/simulate.h"
+
+namespace flatray {
+
+using BodyPair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower number first
+
+/// A part of each of two bodies, and where they touch.
+struct Touch {
+  std::uint32_t part_a, part_b;
+  RoundPlace place;
+};
+
+/// When two bodies meet, and all places where they do at that time, with different normals.
+struct Met {
+  double time;  ///< from when they are seen
+  Touch first;
+  std::vector<Touch> others;
+};
+
+/// Pairs of bodies, each on the last of its stages.
+class BodyPairs {
+ public:
+  /// Needs   both to outlive it.
+  BodyPairs(std::span<const SimulatedBody> bodies, const std::vector<std::vector<Stage>>& stages);
+
+  double radius(std::uint32_t body) const { return radii_[body]; }
+  Vec2 place(std::uint32_t body, double time) const;
+
+  /// Whether they have inner points in common at a time.
+  bool overlap(const BodyPair& pair, double time) const;
+  /// A time from `time` on before which they do not meet; none where they never do before `end`.
+  std::optional<double> least_wait(const BodyPair& pair, double time, double end) const;
+  /// When they meet, as seen from `time`. Two that lie in each other meet at once, where they come nearer
+  /// along the shortest way out; with `pass` they do not.
+  std::optional<Met> meeting(const BodyPair& pair, double time, double end, bool pass) const;
+  /// Whether two parts that have touched with this normal, and not parted along it since, lie along an
+  /// edge with that normal.
+  bool face(const BodyPair& pair, const Touch& touch, double time) const;
+
+ private:
+  RoundBody part(std::uint32_t body, const ShapePart& part, const Vec2& at,
+                 std::vector<Vec2>& ring) const;
+  template <class Look>
+  void each_contact(const BodyPair& pair, double time, Range within, const Look& look) const;
+
+  const std::span<const SimulatedBody> bodies_;
+  const std::vector<std::vector<Stage>>& stages_;
+  std::vector<double> radii_;
+};
+
+}  // namespace flatray

@@ -1,0 +1,265 @@
+#include "collide/complementarity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace flatray {
+namespace {
+
+double about(const Rational& x) { return x.nearest(); }
+double about(double x) { return x; }
+
+// L D L^T of the rows and columns of M that are chosen, each row of L from its first entry on that is
+// not 0. Columns that hang on those before have D = 0 and z = 0.
+template <class Number>
+class Factors {
+ public:
+  Factors(const Couplings& m, const std::vector<std::size_t>& chosen) : chosen_(chosen) {
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      fill(m, i);
+      factor(i);
+    }
+  }
+
+  // The chosen z of M z = -q.
+  std::vector<Number> solve(const std::vector<Number>& q) const {
+    std::vector<Number> z;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      z.push_back(-q[chosen_[i]]);
+      for (std::size_t k = first_[i]; k < i; ++k) z[i] -= row(i, k) * z[k];
+    }
+    for (std::size_t i = z.size(); i-- > 0;) {
+      z[i] = hangs_[i] ? Number(0) : z[i] / diagonal_[i];
+      for (std::size_t k = i + 1; k < z.size(); ++k)
+        if (first_[k] <= i) z[i] -= hangs_[i] ? Number(0) : row(k, i) * z[k];
+    }
+    return z;
+  }
+
+ private:
+  const Number& row(std::size_t i, std::size_t k) const { return rows_[i][k - first_[i]]; }
+
+  void fill(const Couplings& m, std::size_t i) {
+    std::vector<std::pair<std::size_t, Number>> entries;
+    for (const Couplings::Entry& entry : m.row(chosen_[i])) {
+      const auto at = std::lower_bound(chosen_.begin(), chosen_.end(), entry.column);
+      if (at == chosen_.end() || *at > chosen_[i] || *at != entry.column) continue;
+      entries.emplace_back(at - chosen_.begin(), Number(entry.template value<Number>()));
+    }
+    std::size_t first = i;
+    for (const auto& [column, value] : entries) first = std::min(first, column);
+    first_.push_back(first);
+    rows_.emplace_back(i - first + 1, Number(0));
+    for (const auto& [column, value] : entries) rows_[i][column - first] = value;
+  }
+
+  void factor(std::size_t i) {
+    std::vector<Number>& mine = rows_[i];
+    const Number whole = mine.back();
+    for (std::size_t k = first_[i]; k < i; ++k)
+      for (std::size_t c = std::max(first_[i], first_[k]); c < k; ++c)
+        mine[k - first_[i]] -= mine[c - first_[i]] * row(k, c);
+    for (std::size_t k = first_[i]; k < i; ++k) {
+      Number& entry = mine[k - first_[i]];
+      const Number before = entry;
+      entry = hangs_[k] ? Number(0) : entry / diagonal_[k];
+      mine.back() -= before * entry;
+    }
+    constexpr double kRounding = 0x1p-40;  // of doubles, which only guess
+    const bool exact = std::is_same_v<Number, Rational>;
+    hangs_.push_back(about(mine.back()) <= (exact ? 0 : kRounding) * about(whole));
+    diagonal_.push_back(mine.back());
+  }
+
+  const std::vector<std::size_t>& chosen_;
+  std::vector<std::vector<Number>> rows_;
+  std::vector<std::size_t> first_;
+  std::vector<Number> diagonal_;
+  std::vector<bool> hangs_;
+};
+
+// z of the unknowns chosen, and 0 of the others.
+template <class Number>
+std::vector<Number> solve(const Couplings& m, const std::vector<Number>& q,
+                          const std::vector<std::size_t>& chosen) {
+  std::vector<Number> z(q.size(), Number(0));
+  const std::vector<Number> part = Factors<Number>(m, chosen).solve(q);
+  for (std::size_t i = 0; i < chosen.size(); ++i) z[chosen[i]] = part[i];
+  return z;
+}
+
+// w of all.
+template <class Number>
+std::vector<Number> result(const Couplings& m, const std::vector<Number>& q,
+                           const std::vector<Number>& z) {
+  std::vector<Number> w = q;
+  for (std::size_t i = 0; i < w.size(); ++i)
+    for (const Couplings::Entry& entry : m.row(i))
+      w[i] += entry.template value<Number>() * z[entry.column];
+  return w;
+}
+
+// Which unknowns are not 0, by doubles: those that are wrong are changed, all of them as long as they
+// become fewer, else the last one.
+std::vector<std::size_t> guess(const Couplings& m, const std::vector<double>& q) {
+  constexpr double kRounding = 0x1p-40;
+  constexpr int kPatience = 8;
+  std::vector<bool> in(q.size(), false);
+  std::size_t least = q.size() + 1;
+  int patience = kPatience;
+  for (std::size_t step = 0;; ++step) {
+    std::vector<std::size_t> chosen, wrong;
+    for (std::size_t i = 0; i < in.size(); ++i)
+      if (in[i]) chosen.push_back(i);
+    const std::vector<double> z = solve(m, q, chosen), w = result(m, q, z);
+    double most_z = 0, most_w = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      most_z = std::max(most_z, std::fabs(z[i]));
+      most_w = std::max(most_w, std::fabs(q[i]));
+    }
+    for (std::size_t i = 0; i < in.size(); ++i)
+      if (in[i] ? z[i] < -kRounding * most_z : w[i] < -kRounding * most_w) wrong.push_back(i);
+    if (wrong.empty() || step > 64 + q.size()) return chosen;
+    if (wrong.size() < least) {
+      least = wrong.size();
+      patience = kPatience;
+    } else if (patience-- <= 0) {
+      wrong = {wrong.back()};
+    }
+    for (const std::size_t i : wrong) in[i] = !in[i];
+  }
+}
+
+// Multiplications it takes to solve for the unknowns chosen, at most.
+double steps_of(const Couplings& m, const std::vector<std::size_t>& chosen) {
+  double steps = 0;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    std::size_t first = i;
+    for (const Couplings::Entry& entry : m.row(chosen[i])) {
+      const auto at = std::lower_bound(chosen.begin(), chosen.end(), entry.column);
+      if (at != chosen.end() && *at == entry.column)
+        first = std::min(first, static_cast<std::size_t>(at - chosen.begin()));
+    }
+    const auto width = static_cast<double>(i - first + 1);
+    steps += width * width / 2;
+  }
+  return steps;
+}
+
+bool any_negative(const std::vector<Rational>& values) {
+  return std::any_of(values.begin(), values.end(),
+                     [](const Rational& x) { return x.sign() == Sign::negative; });
+}
+
+// w - M z - z0 = q as rows solved for one unknown each: w are the columns 0 to n - 1, z the next n,
+// then z0, then what is on the right.
+class Tableau {
+ public:
+  Tableau(const Couplings& m, const std::vector<Rational>& q) : n_(q.size()) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      std::vector<Rational> row(2 * n_ + 2, Rational(0));
+      row[i] = 1;
+      for (const Couplings::Entry& entry : m.row(i)) row[n_ + entry.column] = -entry.exact;
+      row[extra()] = -1;
+      row[right()] = q[i];
+      rows_.push_back(std::move(row));
+      solved_for_.push_back(i);
+    }
+  }
+
+  // Whether z = 0 will not do; then z0 is brought in by the row that is least.
+  bool begin() {
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < n_; ++i)
+      if (rows_[i][right()] <= rows_[least][right()]) least = i;
+    if (n_ == 0 || rows_[least][right()].sign() != Sign::negative) return false;
+    enter(extra(), least);
+    return true;
+  }
+
+  // Brings in one unknown after the other, always the partner of the one that went, until z0 goes.
+  bool run() {
+    while (left_ != extra()) {
+      const std::size_t column = left_ < n_ ? left_ + n_ : left_ - n_;
+      std::optional<std::size_t> row;
+      for (std::size_t i = 0; i < n_; ++i)
+        if (rows_[i][column].sign() == Sign::positive && (!row || is_less(i, *row, column)))
+          row = i;
+      if (!row) return false;
+      enter(column, *row);
+    }
+    return true;
+  }
+
+  std::vector<Rational> z() const {
+    std::vector<Rational> found(n_, Rational(0));
+    for (std::size_t i = 0; i < n_; ++i)
+      if (solved_for_[i] >= n_ && solved_for_[i] < extra())
+        found[solved_for_[i] - n_] = rows_[i][right()];
+    return found;
+  }
+
+ private:
+  std::size_t extra() const { return 2 * n_; }
+  std::size_t right() const { return 2 * n_ + 1; }
+
+  // Whether row i, divided by what it has in a column, comes before row k in lexicographic order:
+  // the right side, then the columns of w. Both have something positive there.
+  bool is_less(std::size_t i, std::size_t k, std::size_t column) const {
+    for (std::size_t c = right(); c == right() || c < n_; c = c == right() ? 0 : c + 1) {
+      const auto order = rows_[i][c] * rows_[k][column] <=> rows_[k][c] * rows_[i][column];
+      if (order != 0) return order < 0;
+    }
+    return false;
+  }
+
+  // Solves a row for the unknown of a column, which leaves the others.
+  void enter(std::size_t column, std::size_t row) {
+    std::vector<Rational>& by = rows_[row];
+    const Rational divisor = by[column];
+    for (Rational& entry : by)
+      if (entry.sign() != Sign::zero) entry /= divisor;
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (i == row || rows_[i][column].sign() == Sign::zero) continue;
+      const Rational times = rows_[i][column];
+      for (std::size_t c = 0; c < by.size(); ++c)
+        if (by[c].sign() != Sign::zero) rows_[i][c] -= times * by[c];
+    }
+    left_ = std::exchange(solved_for_[row], column);
+  }
+
+  const std::size_t n_;
+  std::vector<std::vector<Rational>> rows_;
+  std::vector<std::size_t> solved_for_;
+  std::size_t left_ = 0;  // the unknown that no row is solved for any more, of the last step
+};
+
+}  // namespace
+
+std::optional<Complementarity> solve_complementarity(const Couplings& m,
+                                                     const std::vector<Rational>& q) {
+  std::vector<double> near;
+  for (const Rational& one : q) near.push_back(one.nearest());
+  const std::vector<std::size_t> chosen = guess(m, near);
+  if (steps_of(m, chosen) <= kMostSteps) {
+    std::vector<Rational> z = solve(m, q, chosen);
+    const std::vector<Rational> w = result(m, q, z);
+    const auto touches = [&](std::size_t i) { return w[i].sign() == Sign::zero; };
+    if (!any_negative(z) && !any_negative(w) && std::all_of(chosen.begin(), chosen.end(), touches))
+      return Complementarity{std::move(z), w};
+  }
+  if (q.size() > kMostPivoted) {
+    const std::vector<double> z = solve(m, near, chosen);
+    std::vector<Rational> w(q.size(), Rational(1));
+    for (const std::size_t i : chosen) w[i] = 0;
+    return Complementarity{{z.begin(), z.end()}, std::move(w)};
+  }
+  Tableau tableau(m, q);
+  if (tableau.begin() && !tableau.run()) return std::nullopt;
+  std::vector<Rational> z = tableau.z(), w = result(m, q, z);
+  return Complementarity{std::move(z), std::move(w)};
+}
+
+}  // namespace flatray

@@ -1,0 +1,132 @@
+#include "collide/impact.h"
+
+#include <algorithm>
+
+#include "collide/complementarity.h"
+#include "geom/pair.h"
+#include "geom/ray.h"
+
+namespace flatray {
+namespace {
+
+using Exact = Pair<Rational>;
+
+Exact exact(const Vec2& v) {
+  return pair_of([](double x) { return Rational(x); }, v);
+}
+
+// Which way a push along the normal of a contact drives a body.
+int side_of(const ImpactContact& contact, std::uint32_t body) {
+  return contact.b == body ? 1 : contact.a == body ? -1 : 0;
+}
+
+class Solver {
+ public:
+  Solver(std::span<const ImpactBody> bodies, std::span<const ImpactContact> contacts)
+      : bodies_(bodies), contacts_(contacts) {
+    double lightest = kInfinity;  // only the ratio counts
+    for (const ImpactBody& body : bodies) lightest = std::min(lightest, body.mass);
+    for (const ImpactBody& body : bodies) {
+      velocities_.push_back(exact(body.velocity));
+      inverse_.push_back(body.mass == kInfinity ? Rational(0)
+                                                : Rational(lightest) / Rational(body.mass));
+    }
+    for (const ImpactContact& contact : contacts) normals_.push_back(exact(contact.normal));
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto& [a, b, normal, slides] = contacts[i];
+      parting_.push_back(dot(normals_[i], velocities_[b] - velocities_[a]));
+      if (slides || parting_[i].sign() == Sign::negative) asked_.push_back(i);
+    }
+    couple();
+  }
+
+  // Those that slide leave at a speed each, times the length of the normal.
+  std::optional<Impact> solve(std::span<const double> leaves) const {
+    std::vector<Rational> lack;
+    for (const std::size_t i : asked_)
+      lack.push_back(contacts_[i].slides ? parting_[i] - Rational(leaves[i])
+                                         : parting_[i] + parting_[i]);
+    const auto pushes = solve_complementarity(*couplings_, lack);
+    if (!pushes) return std::nullopt;
+    Impact impact{{}, std::vector<bool>(contacts_.size(), false)};
+    for (std::size_t i = 0; i < asked_.size(); ++i)
+      impact.rests[asked_[i]] = contacts_[asked_[i]].slides && pushes->w[i].sign() == Sign::zero;
+    std::vector<Exact> velocities = velocities_;
+    for (std::size_t i = 0; i < asked_.size(); ++i)
+      for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
+        velocities[body] = velocities[body] + (Rational(side_of(contacts_[asked_[i]], body)) *
+                                               pushes->z[i] * inverse_[body]) *
+                                                  normals_[asked_[i]];
+    for (const Exact& velocity : velocities)
+      impact.velocities.emplace_back(velocity.x.nearest(), velocity.y.nearest());
+    return impact;
+  }
+
+ private:
+  // How fast a push in one contact makes those of another part, for all that share a body.
+  void couple() {
+    std::vector<std::vector<std::size_t>> of_body(bodies_.size());
+    for (std::size_t i = 0; i < asked_.size(); ++i)
+      for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
+        if (inverse_[body].sign() != Sign::zero) of_body[body].push_back(i);
+    couplings_.emplace(asked_.size());
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const ImpactContact& contact = contacts_[asked_[i]];
+      std::vector<std::size_t> others{i};
+      for (const std::uint32_t body : {contact.a, contact.b})
+        for (const std::size_t k : of_body[body])
+          if (std::find(others.begin(), others.end(), k) == others.end()) others.push_back(k);
+      for (const std::size_t k : others) couplings_->add(i, k, coupling(asked_[i], asked_[k]));
+    }
+  }
+
+  Rational coupling(std::size_t i, std::size_t k) const {
+    Rational sum = 0;
+    for (const std::uint32_t body : {contacts_[i].a, contacts_[i].b})
+      if (const int sides = side_of(contacts_[i], body) * side_of(contacts_[k], body); sides != 0)
+        sum += Rational(sides) * inverse_[body];
+    return sum * dot(normals_[i], normals_[k]);
+  }
+
+  const std::span<const ImpactBody> bodies_;
+  const std::span<const ImpactContact> contacts_;
+  std::vector<Exact> velocities_, normals_;
+  std::vector<Rational> inverse_, parting_;
+  std::vector<std::size_t> asked_;
+  std::optional<Couplings> couplings_;
+};
+
+// Whether two do not come nearer to each other, whatever rounding made of normal and velocities.
+bool certainly_rest(const Vec2& a, const Vec2& b, const Vec2& normal) {
+  return (normal.x() == 0 || a.x() == b.x()) && (normal.y() == 0 || a.y() == b.y());
+}
+
+}  // namespace
+
+std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
+                                   std::span<const ImpactContact> contacts) {
+  double fastest = 0;
+  for (const ImpactBody& body : bodies)
+    fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
+  const Solver solver(bodies, contacts);
+  std::vector<double> leaves(contacts.size(), 0);
+  std::optional<Impact> impact = solver.solve(leaves);
+  for (bool more = impact.has_value(); more;) {
+    more = false;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto& [a, b, normal, slides] = contacts[i];
+      if (!impact->rests[i] || leaves[i] > 0 ||
+          certainly_rest(impact->velocities[a], impact->velocities[b], normal))
+        continue;
+      leaves[i] = kSlideLeaves * fastest * normal.norm();
+      more |= leaves[i] > 0;
+    }
+    if (!more) break;
+    std::optional<Impact> apart = solver.solve(leaves);
+    if (!apart) break;  // there is room for those at rest only
+    impact = std::move(apart);
+  }
+  return impact;
+}
+
+}  // namespace flatray

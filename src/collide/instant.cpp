@@ -1,0 +1,203 @@
+#include "collide/instant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace flatray {
+namespace {
+
+// Of both masses in units of the lighter, rounded down to a power of two: only their ratio counts, and
+// none that matters is lost.
+std::pair<double, double> inverse_masses(double a, double b) {
+  const double lighter = std::min(a, b);
+  if (lighter == kInfinity) return {0, 0};
+  const int exponent = -std::ilogb(lighter);
+  return {1 / std::ldexp(a, exponent), 1 / std::ldexp(b, exponent)};
+}
+
+// Orders velocities by their speed; of equal ones as numbers, so that it is an order of all.
+bool is_slower(const Vec2& a, const Vec2& b) {
+  const auto key = [](const Vec2& v) { return std::tuple(v.squaredNorm(), v.x(), v.y()); };
+  return key(a) < key(b);
+}
+
+// An order that bodies have no part in, and that keeps those together that are near.
+template <class Push>
+bool comes_first(const Push& a, const Push& b) {
+  const auto key = [](const Push& push) {
+    const auto& [point, normal] = push.touch.place;
+    return std::tuple(point.x(), point.y(), std::fabs(normal.x()), std::fabs(normal.y()));
+  };
+  return key(a) < key(b);
+}
+
+bool is_same(const BodyPair& pair, const Touch& touch, const BodyPair& other,
+             const Touch& other_touch) {
+  return pair == other && touch.part_a == other_touch.part_a && touch.part_b == other_touch.part_b;
+}
+
+}  // namespace
+
+bool Instants::does(std::uint32_t body, Response response) const {
+  const bool of_all = response == Response::mark || response == Response::remove;
+  return bodies_[body].response == response && (of_all || !is_fixed(body));
+}
+
+Instants::Player Instants::player(std::uint32_t body, bool hit) const {
+  const bool wall = is_fixed(body) || does(body, Response::stop) || does(body, Response::remove);
+  return {stages_[body].back().velocity, wall, hit, body};
+}
+
+std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, double time) {
+  Players players;
+  for (const Hit& hit : hits)
+    if (!is_mark(hit.pair))
+      for (const std::uint32_t body : {hit.pair.first, hit.pair.second})
+        players.insert_or_assign(body, player(body, true));
+  stop(hits, players);
+  std::vector<Push> pushes = pushes_of(hits, players);
+  add_resting(pushes, players, time);
+  if (!resolve(pushes, players, time)) return std::nullopt;
+  std::vector<Change> changes;
+  for (const auto& [body, player] : players) {
+    const bool gone = player.hit && does(body, Response::remove);
+    if (!gone &&
+        (is_fixed(body) || (!player.hit && player.velocity == stages_[body].back().velocity)))
+      continue;
+    changes.push_back({body, gone ? Vec2(0, 0) : player.velocity, gone});
+    // What rests on a wall is not asked when that goes.
+    if (player.wall)
+      for (const Resting& resting : std::vector(resting_[body])) forget(resting);
+  }
+  return changes;
+}
+
+// What stops stands still, or goes with the fastest of those that nothing moves.
+void Instants::stop(std::span<const Hit> hits, Players& players) const {
+  for (auto& [body, player] : players)
+    if (does(body, Response::stop)) player.velocity = {0, 0};
+  for (const Hit& hit : hits) {
+    if (is_mark(hit.pair)) continue;
+    for (const auto& [body, other] : {hit.pair, BodyPair(hit.pair.second, hit.pair.first)})
+      if (does(body, Response::stop) && is_fixed(other))
+        players.at(body).velocity =
+            std::max(players.at(body).velocity, players.at(other).velocity, is_slower);
+  }
+}
+
+std::vector<Instants::Push> Instants::pushes_of(std::span<const Hit> hits,
+                                                const Players& players) const {
+  std::vector<Push> pushes;
+  for (const Hit& hit : hits) {
+    const auto [a, b] = hit.pair;
+    if (is_mark(hit.pair) || (players.at(a).wall && players.at(b).wall)) continue;
+    const bool slides = does(a, Response::slide) || does(b, Response::slide);
+    pushes.push_back({hit.pair, hit.first, slides});
+    for (const Touch& touch : hit.others) pushes.push_back({hit.pair, touch, slides});
+  }
+  return pushes;
+}
+
+// What rests on those that are pushed is pushed, too.
+void Instants::add_resting(std::vector<Push>& pushes, Players& players, double time) {
+  std::vector<std::uint32_t> reached;
+  for (const auto& [body, player] : players) reached.push_back(body);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (players.at(reached[i]).wall) continue;
+    for (const Resting& resting : std::vector(resting_[reached[i]])) {
+      const auto& [pair, touch, since] = resting;
+      const bool there = std::any_of(pushes.begin(), pushes.end(), [&](const Push& push) {
+        return is_same(push.pair, push.touch, resting.pair, resting.touch);
+      });
+      if (there) continue;
+      if (!still_rests(resting, time)) {
+        forget(resting);
+        continue;
+      }
+      pushes.push_back({pair, touch, true});
+      for (const std::uint32_t body : {pair.first, pair.second})
+        if (players.emplace(body, player(body, false)).second) reached.push_back(body);
+    }
+  }
+}
+
+bool Instants::still_rests(const Resting& resting, double time) const {
+  const Stage &a = stages_[resting.pair.first].back(), &b = stages_[resting.pair.second].back();
+  if (a.gone || b.gone) return false;
+  return resting.since == time || a.velocity == b.velocity ||
+         pairs_.face(resting.pair, resting.touch, time);
+}
+
+// Those that push each other together, whatever goes on elsewhere.
+bool Instants::resolve(std::span<const Push> pushes, Players& players, double time) {
+  for (const auto& [pair, touch, slides] : pushes) {
+    const Player &a = players.at(pair.first), &b = players.at(pair.second);
+    if (a.wall || b.wall || a.cluster == b.cluster) continue;
+    const auto [low, high] = std::minmax({a.cluster, b.cluster});
+    for (auto& [body, player] : players)
+      if (player.cluster == high) player.cluster = low;
+  }
+  std::map<std::uint32_t, std::vector<Push>> clusters;
+  for (const Push& push : pushes) {
+    const Player &a = players.at(push.pair.first), &b = players.at(push.pair.second);
+    clusters[a.wall ? b.cluster : a.cluster].push_back(push);
+  }
+  for (auto& [body, together] : clusters) {
+    std::sort(together.begin(), together.end(), comes_first<Push>);
+    if (together.size() == 1 && !together.front().slides)
+      bounce(together.front(), players);
+    else if (!push_together(together, players, time))
+      return false;
+  }
+  return true;
+}
+
+// One bounce alone, as the formula has it.
+void Instants::bounce(const Push& push, Players& players) const {
+  const auto [a, b] = push.pair;
+  Player &one = players.at(a), &other = players.at(b);
+  const Vec2& normal = push.touch.place.normal;
+  const double speed = normal.dot(one.velocity - other.velocity);
+  if ((does(a, Response::stop) || does(b, Response::stop)) && !(speed > 0))
+    return;  // as it stopped
+  const auto [inverse_a, inverse_b] = inverse_masses(one.wall ? kInfinity : bodies_[a].mass,
+                                                     other.wall ? kInfinity : bodies_[b].mass);
+  const double thrust = 2 * speed / (inverse_a + inverse_b);
+  one.velocity -= thrust * inverse_a * normal;
+  other.velocity += thrust * inverse_b * normal;
+}
+
+bool Instants::push_together(std::span<const Push> pushes, Players& players, double time) {
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  std::vector<ImpactBody> bodies;
+  std::vector<ImpactContact> contacts;
+  const auto number = [&](std::uint32_t body) {
+    const auto [at, is_new] = numbers.emplace(body, static_cast<std::uint32_t>(bodies.size()));
+    const Player& player = players.at(body);
+    if (is_new) bodies.push_back({player.velocity, player.wall ? kInfinity : bodies_[body].mass});
+    return at->second;
+  };
+  for (const auto& [pair, touch, slides] : pushes)
+    contacts.push_back({number(pair.first), number(pair.second), touch.place.normal, slides});
+  const std::optional<Impact> impact = solve_impact(bodies, contacts);
+  if (!impact) return false;
+  for (const auto& [body, at] : numbers)
+    if (!players.at(body).wall) players.at(body).velocity = impact->velocities[at];
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    forget({pushes[i].pair, pushes[i].touch, time});
+    if (!impact->rests[i]) continue;
+    for (const std::uint32_t body : {pushes[i].pair.first, pushes[i].pair.second})
+      resting_[body].push_back({pushes[i].pair, pushes[i].touch, time});
+  }
+  return true;
+}
+
+void Instants::forget(const Resting& resting) {
+  for (const std::uint32_t body : {resting.pair.first, resting.pair.second})
+    std::erase_if(resting_[body], [&](const Resting& other) {
+      return is_same(other.pair, other.touch, resting.pair, resting.touch);
+    });
+}
+
+}  // namespace flatray

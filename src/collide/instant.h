@@ -1,0 +1,84 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "collide/body_pairs.h"
+#include "collide/impact.h"
+
+namespace flatray {
+
+struct Hit {
+  BodyPair pair;
+  Touch first;
+  std::vector<Touch> others;
+};
+
+/// A body goes on like this.
+struct Change {
+  std::uint32_t body;
+  Vec2 velocity;
+  bool gone = false;
+};
+
+/// What bodies do where they meet, and which of them lie on each other since.
+class Instants {
+ public:
+  /// Needs   all to outlive it.
+  Instants(std::span<const SimulatedBody> bodies, const std::vector<std::vector<Stage>>& stages,
+           const BodyPairs& pairs)
+      : bodies_(bodies), stages_(stages), pairs_(pairs), resting_(bodies.size()) {}
+
+  /// What follows of all hits at one instant: docs/adr/0020.
+  ///
+  /// Gives   the bodies that change their way, ascending, whatever the order of hits; nullopt where
+  ///         they have no way out.
+  std::optional<std::vector<Change>> respond(std::span<const Hit> hits, double time);
+
+  bool is_fixed(std::uint32_t body) const { return bodies_[body].mass == kInfinity; }
+  /// What nothing moves is a wall to all, whatever it would do itself, but for what needs no motion.
+  bool does(std::uint32_t body, Response response) const;
+  bool is_mark(const BodyPair& pair) const {
+    return does(pair.first, Response::mark) || does(pair.second, Response::mark);
+  }
+
+ private:
+  // Two of which one slides and that have not parted since a time.
+  struct Resting {
+    BodyPair pair;
+    Touch touch;
+    double since;
+  };
+  // One that plays a part in what happens at an instant.
+  struct Player {
+    Vec2 velocity;
+    bool wall;  // pushed by nothing
+    bool hit;
+    std::uint32_t cluster;  // the lowest body of those that push each other
+  };
+  struct Push {
+    BodyPair pair;
+    Touch touch;
+    bool slides;
+  };
+  using Players = std::map<std::uint32_t, Player>;
+
+  Player player(std::uint32_t body, bool hit) const;
+  void stop(std::span<const Hit> hits, Players& players) const;
+  std::vector<Push> pushes_of(std::span<const Hit> hits, const Players& players) const;
+  void add_resting(std::vector<Push>& pushes, Players& players, double time);
+  bool still_rests(const Resting& resting, double time) const;
+  bool resolve(std::span<const Push> pushes, Players& players, double time);
+  void bounce(const Push& push, Players& players) const;
+  bool push_together(std::span<const Push> pushes, Players& players, double time);
+  void forget(const Resting& resting);
+
+  const std::span<const SimulatedBody> bodies_;
+  const std::vector<std::vector<Stage>>& stages_;
+  const BodyPairs& pairs_;
+  std::vector<std::vector<Resting>> resting_;  // by body, of each pair twice
+};
+
+}  // namespace flatray
