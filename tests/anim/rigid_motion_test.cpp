@@ -68,11 +68,11 @@ TEST(TrueMotion, IsWhatFramesInBetweenShow) {
       const auto [motion, scale] = motions.between(0, std::nullopt, frame, from, to);
       ++pieces;
       EXPECT_EQ(scale, 1.5);
-      EXPECT_LT(motion.doubt, 1e-12);
+      EXPECT_LT(motion.doubt, 1e-11);  // arms of some 10, in four groups
       for (const double t : {0.125, 0.5, 0.8}) {
         const double part = (from + t * (to - from) - begin) * scene.fps;
         const EntityState state = entity_states_between(timeline, frame, part)[0];
-        EXPECT_NEAR((place_of(motion, t) - state.at).norm(), 0, 1e-12);
+        EXPECT_LE((place_of(motion, t) - state.at).norm(), std::min(motion.doubt, 1e-12));
         EXPECT_NEAR(motion.angle(t), state.angle, 1e-12);
         const Bounds box = box_around(motion);
         EXPECT_TRUE((box.low.array() <= state.at.array()).all() &&

@@ -28,7 +28,7 @@ class ChunkLogRows : public testing::Test {
     EXPECT_TRUE(Log::open(folder_.string())->add(key, tally, 1.5));
     const auto again = Log::open(folder_.string());
     if (!again) {
-      EXPECT_NE(format(again.error()).find(".csv:2: error: is no row of this program"),
+      EXPECT_NE(format(again.error()).find(".csv:2: error: is not a row that this program writes"),
                 std::string::npos);
       return false;
     }

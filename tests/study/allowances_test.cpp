@@ -138,7 +138,8 @@ TEST(Allowances, OfTurningPairsAreFarBelowAFrame) {
   for (const oracle::TurningFamily& family : oracle::turning_families()) {
     const oracle::TurningPair pair = oracle::make_pair(family, 1, 1);
     const auto body = [](const oracle::TurningCore& core) {
-      return TurningBody{core.ring, core.radius, core.at, core.velocity, core.angle, core.spin};
+      return TurningBody{core.ring, core.radius,
+                         even_motion(core.at, core.velocity, core.angle, core.spin)};
     };
     const oracle::FirstTouch truth = oracle::first_touch(pair.a(), pair.b(), 1);
     const TurningContact met = turning_contact(body(pair.a()), body(pair.b()), 1, kAskedWidth);
