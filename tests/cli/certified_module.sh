@@ -18,7 +18,7 @@ FLATRAY_CERTIFIED_MODULE=absent.so run 0 orbit "$sinai" -n 3
 # A library of another name is no module of ours.
 math=$(ldd "$flatray" | awk '/libm\.so/ { print $3 }')
 FLATRAY_CERTIFIED_MODULE=$math run 5 orbit "$sinai" -n 3 --precision certified
-says err "is no module of flatray"
+says err "is not a module of flatray"
 
 # Neither MPFR nor the module is linked, and a render loads neither.
 readelf -d "$flatray" | grep NEEDED | grep -qE 'mpfr|flatray_certified' && fail "flatray links MPFR"

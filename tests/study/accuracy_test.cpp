@@ -277,7 +277,8 @@ TEST(Accuracy, OfChordsFallsLikeTheSquareOfTheirNumber) {
   EXPECT_NE(report_of("flattening", "").left_out, "");
 }
 
-// A disc flies through a wall, and a bar turns over a disc, both between two frames.
+// A disc flies through a wall, and a bar turns over a disc, both between two frames; the first ends
+// beside a third disc, which only its box meets.
 constexpr const char* kBent = R"(
 [[entity]]
 shape    = { circle = { radius = 0.25 } }
@@ -292,6 +293,9 @@ angular_velocity = 90
 [[entity]]
 shape = { circle = { radius = 0.2 } }
 at    = [1.5, 21.5]
+[[entity]]
+shape = { circle = { radius = 0.25 } }
+at    = [15.9, 4.525]
 )";
 
 void expect_that_instants_miss(const std::string& entities) {
