@@ -26,7 +26,8 @@ std::vector<RenderPlan::Choice> RayWalls::choices() const {
   std::string reason = choice.reason + "; " + orbits_.walls().structure();
   if (const WholeWalls whole(world_.surfaces); whole.any())
     reason += fmt::format(
-        "; walls on multiples of {}: of rays on such, near them, nothing is rounded but t",
+        "; walls on multiples of {}: for rays nearby that start and point in such multiples only t "
+        "is rounded",
         whole.unit());
   return {{"tracer", choice.tracer->name, std::move(reason)},
           {"landing", orbits_.near_landings().structure(), "walls near a bounce are looked at"}};

@@ -6,9 +6,9 @@ namespace flatray {
 namespace {
 
 // So many turns of a loop that nothing leaves out.
-void turns(int count) {
-  volatile int sum = 0;
-  for (int i = 0; i < count; ++i) sum = sum + i;
+void turns(unsigned count) {
+  volatile unsigned sum = 0;
+  for (unsigned i = 0; i < count; ++i) sum = sum + i;
 }
 
 TEST(InstructionCount, TellsTheWorkOrThatItIsNotCounted) {

@@ -90,7 +90,7 @@ direction = [1, 1]
 bounces   = 2
 TOML
 run 0 explain room.toml
-says out 'walls on multiples of 0.5: of rays on such, near them, nothing is rounded but t'
+says out 'walls on multiples of 0.5: for rays nearby that start and point in such multiples only t is rounded'
 run 0 explain room.toml -D 'chamber.0.shape.box.max=[20, 12.1]'
 [[ $(cat "$work/out.txt") != *multiples* ]] || fail 'walls of tenths are on no multiples'
 finish
