@@ -14,7 +14,7 @@ struct Cost {
 
 Cost cost_of(const std::function<void()>& work);
 
-/// How often a round can be repeated in a few seconds if it takes so many: often enough for
+/// How often a round can be repeated in about a second if it takes so many: often enough for
 /// kConfidence, and no more than is of use.
 std::size_t rounds_for(double seconds_a_round);
 

@@ -35,7 +35,8 @@ inline constexpr double kSlideLeaves = 0x1p-40;
 ///         for those that bounce plus that before. Contacts that bounce and do not approach are left
 ///         out. The velocities do not depend on the order of bodies and contacts. nullopt where
 ///         there is no way out, as between walls that close in.
-/// Error   velocities are the exact ones, rounded once; for a normal not along an axis, of what slides,
+/// Error   velocities are the exact ones, rounded once, and no way out is proven, within the limits of
+///         complementarity.h, to rounding beyond them; for a normal not along an axis, of what slides,
 ///         with kSlideLeaves.
 /// Cost    that of solve_complementarity, twice where something must leave.
 std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,

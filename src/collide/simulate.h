@@ -43,7 +43,7 @@ enum class PairSearch : std::uint8_t { near, all };
 ///         points and parallel segments none at all. What
 ///         bounces off what stops bounces as off a wall, once that has stopped; a mark pushes nothing.
 ///         Hits at one instant are resolved together, and with them what rests on those hit, instant.h:
-///         velocities do not depend on the order of bodies. A shorter time gives the first of the same
+///         velocities do not depend on the order of bodies, but for the limits told in docs/adr/0020. A shorter time gives the first of the same
 ///         events. Bodies that overlap, from time 0 or by rounding, meet at once where they come nearer
 ///         along the shortest way out, marks of time 0 never; else they are left alone until one of
 ///         them changes its way. All others pass through nothing, however fast.

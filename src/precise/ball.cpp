@@ -41,19 +41,23 @@ Ball::Ball(double exact, int bits) : Ball(static_cast<mpfr_prec_t>(bits)) {
   mpfr_set_d(middle_, exact, MPFR_RNDN);
 }
 // A sum of doubles, each the nearest to what those before left, so that less is left than the last.
+// What is left is scaled up by as much as it has become smaller, for it would leave the range of doubles.
 Ball::Ball(const Rational& exact, int bits) : Ball(0.0, bits) {
+  constexpr int kStep = 52;
   Rational left = exact;
   double part = left.nearest();
-  const double least = std::ldexp(std::fabs(part), -bits);
-  while (std::isfinite(part) && std::fabs(part) > least) {
-    *this = *this + Ball(part, bits);
-    left -= part;
+  long scale = 0;  // what is left is left * 2^-scale
+  for (; left.sign() != Sign::zero && std::isfinite(part) && scale <= bits; scale += kStep) {
+    Ball term(part, bits);
+    mpfr_mul_2si(term.middle_, term.middle_, -scale, MPFR_RNDN);
+    *this = *this + term;
+    left = (left - Rational(part)) * Rational(0x1p52);
     part = left.nearest();
   }
   if (left.sign() == Sign::zero) return;
   Radius size;  // infinite where a part is
   mpfr_set_d(size.value, std::fabs(part) + std::numeric_limits<double>::denorm_min(), MPFR_RNDU);
-  mpfr_mul_2ui(size.value, size.value, 1, MPFR_RNDU);
+  mpfr_mul_2si(size.value, size.value, 1 - scale, MPFR_RNDU);
   mpfr_add(radius_, radius_, size.value, MPFR_RNDU);
 }
 Ball::Ball(const Ball& other) : Ball(other.bits()) { *this = other; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "trace/curve_filter.h"
 
 namespace flatray {
@@ -240,11 +241,9 @@ std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
 
 std::string CurveCells::structure() const {
   if (curves_.empty()) return {};
-  const std::string count =
-      std::to_string(curves_.size()) + (curves_.size() == 1 ? " curve in " : " curves in ");
-  return count + (begin_.empty()
-                      ? "one list"
-                      : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");
+  return counted(curves_.size(), "curve") + " in " +
+         (begin_.empty() ? "one list"
+                         : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");
 }
 
 }  // namespace flatray

@@ -20,7 +20,7 @@ TEST(InstructionCount, TellsTheWorkOrThatItIsNotCounted) {
   const auto thrice = count.read();
   ASSERT_EQ(start.has_value(), once.has_value());
   ASSERT_EQ(start.has_value(), thrice.has_value());
-  if (!start) return;  // a machine that hides its counters
+  if (!start) GTEST_SKIP() << "this machine counts no instructions";
   const auto one = static_cast<double>(*once - *start), two = static_cast<double>(*thrice - *once);
   EXPECT_GE(one, 300'000);
   EXPECT_NEAR(two / one, 2, 0.01);

@@ -71,7 +71,7 @@ for scene in "${scenes[@]}"; do
   rm -f {all,few}/*.png
   instructions all "$scene" >all.count &
   instructions few "$scene" >few.count
-  wait $!
+  wait
   with=$(cat all.count) without=$(cat few.count)
   [[ -n $with && -n $without ]] || { echo "FAIL: $scene is not drawn" && failed=1 && continue; }
   printf '%-32s %11d instructions, %11d with few parts: %+.2f %%\n' "${scene#"$root"/}" "$with" "$without" \

@@ -23,6 +23,16 @@ TEST(Ball, AThirdIsRoundedOnceAndItsTripleIsOpenAgainstOne) {
   EXPECT_EQ((third * ball(3) - ball(1)).sign(), std::nullopt);
 }
 
+// However many bits are asked for: rationals that no double has were 2^-1073 off at best.
+TEST(Ball, ARationalIsKnownToItsBits) {
+  const Ball third(Rational(1) / Rational(3), 4096);
+  Ball little = ball(0x1p-1000, 4096);
+  little = little * little * little * little;
+  const Ball off = third * ball(3, 4096) - ball(1, 4096);
+  EXPECT_EQ((off + little).sign(), Sign::positive);
+  EXPECT_EQ((off - little).sign(), Sign::negative);
+}
+
 TEST(Ball, DividingByWhatMayBeZeroIsUnknown) {
   const Ball open = ball(1) / ball(3) * ball(3) - ball(1);
   EXPECT_EQ((ball(1) / open).sign(), std::nullopt);

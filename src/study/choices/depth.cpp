@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/check.h"
+#include "base/counted.h"
 #include "base/processor_time.h"
 #include "study/accuracy.h"
 #include "study/palette.h"
@@ -83,8 +84,8 @@ std::uint64_t longest(const std::vector<PixelOutcome>& pixels) {
 }
 
 Setting limited(const std::shared_ptr<Fates>& fates, std::uint64_t bounces, unsigned threads) {
-  return {fmt::format("{} bounce{}", bounces, bounces == 1 ? "" : "s"),
-          static_cast<double>(bounces), [=] { fates->found = followed(*fates, bounces, threads); },
+  return {counted(bounces, "bounce"), static_cast<double>(bounces),
+          [=] { fates->found = followed(*fates, bounces, threads); },
           [fates] { return judge(*fates); }};
 }
 

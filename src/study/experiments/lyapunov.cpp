@@ -134,7 +134,7 @@ enum class Law { straight, exponential, power, undecided };
 
 // What grows like e^(rate t) grows twice as much from a half on as between a quarter and a half, what
 // grows like a power as much: where the quotient lies, by more than chance, is the law. Nearer to 2
-// and not 2 is neither yet, as where orbits of both kinds are mixed.
+// and not 2 is neither yet. Where orbits of both kinds are mixed those that part exponentially win.
 Law law_of(const Surfaces& walls, const RatioSums& doubling) {
   if (!walls.any_curves()) return Law::straight;
   if (doubling.samples < 3) return Law::undecided;
