@@ -11,8 +11,10 @@ says out "grid: right, 61 of 61 right"
 [[ $(cut -d, -f1 out/catalogue.csv | sort -u | grep -c '[0-9]') == 81 ]] || fail "not every id is in catalogue.csv"
 exists out/catalogue_times.csv
 says out "least of up to 3"
-run 0 stability --catalogue --tracer grid -j 1 -o one
-cmp -s out/catalogue.csv one/catalogue.csv || fail "catalogue.csv is not the same every time"
+if [[ -z $sanitizers ]]; then # ten times as slow
+  run 0 stability --catalogue --tracer grid -j 1 -o one
+  cmp -s out/catalogue.csv one/catalogue.csv || fail "catalogue.csv is not the same every time"
+fi
 run 1 stability --catalogue --tracer float
 says out "float: wrong"
 run 0 stability --sweep --tracer grid -o out

@@ -25,7 +25,7 @@ TEST(LineDensity, CountsFromTheTopLeft) {
   EXPECT_NEAR(std::accumulate(cells.begin(), cells.end(), 0.0), 2.75, 1e-14);
   LineDensity down(kWindow, 8, 4);
   down.add({0.5, 9}, {0.5, 2.5});
-  for (int y = 0; y < 4; ++y) EXPECT_NEAR(down.cells()[8U * y + 1], y == 3 ? 0.5 : 1, 1e-15);
+  for (unsigned y = 0; y < 4; ++y) EXPECT_NEAR(down.cells()[8U * y + 1], y == 3 ? 0.5 : 1, 1e-15);
 }
 
 // Each cell has the part of the way that clipping to it leaves.
