@@ -29,8 +29,10 @@ Table table_of(const std::vector<Measure>& measures) {
   for (const Measure& one : measures) {
     const std::optional<double> half = half_interval(one);
     const auto end = [&](double sign) { return half ? Cell(one.value + sign * *half) : cell({}); };
-    table.add({one.name, one.value, end(-1), end(1), cell(one.standard_error), cell(one.expected),
-               cell(z(one)), verdict(one), one.remark});
+    const bool known = std::isfinite(one.value);
+    table.add({one.name, known ? Cell(one.value) : cell({}), end(-1), end(1),
+               cell(one.standard_error), cell(one.expected), cell(z(one)), verdict(one),
+               known ? one.remark : "nothing was measured"});
   }
   return table;
 }
@@ -92,12 +94,13 @@ double chi_squared_5(double freedom) { return chi_squared(freedom, -1.6448536269
 double half_of_rms(double count) { return std::sqrt(count / chi_squared_5(count)) - 1; }
 
 std::optional<double> half_interval(const Measure& measure) {
-  if (!measure.standard_error) return std::nullopt;
+  if (!measure.standard_error || !std::isfinite(measure.value)) return std::nullopt;
   return student_95(measure.freedom) * *measure.standard_error;
 }
 
 bool agrees(const Measure& measure) {
   if (!measure.expected) return true;
+  if (!std::isfinite(measure.value)) return false;
   const double errors = kAllowedErrors * student_95(measure.freedom) / student_95(kInfinity);
   const std::optional<double> allowed =
       measure.standard_error ? errors * *measure.standard_error : measure.allowed;
@@ -126,8 +129,7 @@ ExperimentResult measured(const ExperimentContext& context, const std::string& n
   result.summary = fmt::format("{}\n\n{}", headline, table.text());
   if (!result.holds)
     result.summary += fmt::format(
-        "\nDISAGREES: more than {} standard errors from what must come "
-        "out\n",
+        "\nDISAGREES: not what must come out, or more than {} standard errors from it\n",
         kAllowedErrors);
   result.measures = std::move(measures);
   return result;

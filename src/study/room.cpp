@@ -191,7 +191,7 @@ Result<void> expect_closed(const ExperimentContext& context) {
   if (others)
     return fail(place, "has entities that rays meet beside its chamber",
                 "write what stands in the chamber as its pillars: their areas count");
-  return chamber.material == Material::periodic ? Result<void>{} : expect_apart(scene, chamber);
+  return expect_apart(scene, chamber);
 }
 
 Result<void> expect_not_periodic(const ExperimentContext& context) {

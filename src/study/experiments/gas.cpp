@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/hash.h"
 #include "collide/simulate.h"
 #include "scene/responses.h"
@@ -193,12 +194,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
             deepest(*bodies, done, time) / largest_coordinate(*bodies, done, time), kOverlap)};
   if (time > 0) measures.push_back(rate(done.events));
   measures.push_back(known("jammed", done.jammed ? 1.0 : 0.0, 0));
-  return measured(context, "gas",
-                  fmt::format("{} events of {} bodies in {:.6g} s{}; fingerprint of all {}",
-                              done.events.size(), bodies->size(), time,
-                              !done.overlaps.empty() ? ", some in each other at the start" : "",
-                              fingerprint(done)),
-                  std::move(measures));
+  return measured(
+      context, "gas",
+      fmt::format("{} of {} in {:.6g} s{}; fingerprint of all {}",
+                  counted(done.events.size(), "event"), counted(bodies->size(), "body", "bodies"),
+                  time, !done.overlaps.empty() ? ", some in each other at the start" : "",
+                  fingerprint(done)),
+      std::move(measures));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/portable_math.h"
 #include "study/blocks.h"
 #include "study/flight_tail.h"
@@ -150,8 +151,8 @@ std::string words(Law law, double power) {
   if (law == Law::exponential) return "neighbours part exponentially";
   const std::string finite = "what is told is of finite time, without an error";
   if (law == Law::straight)
-    return fmt::format("exactly 0, as all walls are straight; neighbours part like t^{:.1f}",
-                       power);
+    return "exactly 0, as all walls are straight" +
+           (std::isfinite(power) ? fmt::format("; neighbours part like t^{:.1f}", power) : "");
   if (law == Law::power)
     return fmt::format("no exponential growth found: grows like t^{:.1f}; {}", power, finite);
   return "undecided whether neighbours part exponentially; " + finite;
@@ -192,7 +193,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!plan) return tl::unexpected(plan.error());
   if (plan->bounces < 2 * kSettling)
     return fail(named_place("--bounces"),
-                fmt::format("{} are too few for an exponent", plan->bounces),
+                "too few for an exponent: " + counted(plan->bounces, "bounce") + " an orbit",
                 fmt::format("say --bounces {} or more, of which the first {} do not count, and "
                             "--count of several times as many",
                             2 * kSettling, kSettling),

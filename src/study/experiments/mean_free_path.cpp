@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "study/blocks.h"
 #include "study/flight_tail.h"
@@ -55,7 +56,7 @@ class Flights : public OrbitSink {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  if (const double area = room.solids().free_area(); !(area > 0))
+  if (const double area = room.solids().free_area(); !(area > 0 && std::isfinite(area)))
     return fail(context.scene.chambers.front().where,
                 fmt::format("the chamber encloses an area of {:.6g}", area),
                 "give it an outline that is closed, larger than its pillars");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/counted.h"
 #include "base/number_text.h"
 #include "base/portable_math.h"
 #include "study/boundary_orbits.h"
@@ -90,8 +91,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!found) return tl::unexpected(found.error());
   ExperimentResult result =
       measured(context, "poincare",
-               fmt::format("Bounces of {} orbits by place along the walls and sine of the angle",
-                           found->points.size()),
+               fmt::format("Bounces of {} by place along the walls and sine of the angle",
+                           counted(found->points.size(), "orbit")),
                {mean_square_sine(*found)});
   result.files.push_back({"poincare_points.csv", list(*found)});
   result.files.push_back(png_file("poincare.png", picture(*found), context.threads));
