@@ -241,6 +241,7 @@ class Tableau {
 std::optional<Complementarity> solve_complementarity(const Couplings& m,
                                                      const std::vector<Rational>& q) {
   std::vector<double> near;
+  near.reserve(q.size());
   for (const Rational& one : q) near.push_back(one.nearest());
   const std::vector<std::size_t> chosen = guess(m, near);
   if (steps_of(m, chosen) <= kMostSteps) {

@@ -37,6 +37,11 @@ bool is_same(const BodyPair& pair, const Touch& touch, const BodyPair& other,
   return pair == other && touch.part_a == other_touch.part_a && touch.part_b == other_touch.part_b;
 }
 
+double mass_of(bool wall, const SimulatedBody& body) {
+  if (wall) return kInfinity;
+  return body.mass;
+}
+
 }  // namespace
 
 bool Instants::does(std::uint32_t body, Response response) const {
@@ -161,8 +166,8 @@ void Instants::bounce(const Push& push, Players& players) const {
   const double speed = normal.dot(one.velocity - other.velocity);
   if ((does(a, Response::stop) || does(b, Response::stop)) && !(speed > 0))
     return;  // as it stopped
-  const auto [inverse_a, inverse_b] = inverse_masses(one.wall ? kInfinity : bodies_[a].mass,
-                                                     other.wall ? kInfinity : bodies_[b].mass);
+  const auto [inverse_a, inverse_b] =
+      inverse_masses(mass_of(one.wall, bodies_[a]), mass_of(other.wall, bodies_[b]));
   const double thrust = 2 * speed / (inverse_a + inverse_b);
   one.velocity -= thrust * inverse_a * normal;
   other.velocity += thrust * inverse_b * normal;
@@ -175,7 +180,7 @@ bool Instants::push_together(std::span<const Push> pushes, Players& players, dou
   const auto number = [&](std::uint32_t body) {
     const auto [at, is_new] = numbers.emplace(body, static_cast<std::uint32_t>(bodies.size()));
     const Player& player = players.at(body);
-    if (is_new) bodies.push_back({player.velocity, player.wall ? kInfinity : bodies_[body].mass});
+    if (is_new) bodies.push_back({player.velocity, mass_of(player.wall, bodies_[body])});
     return at->second;
   };
   for (const auto& [pair, touch, slides] : pushes)
