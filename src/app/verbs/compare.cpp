@@ -74,6 +74,7 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
   expect_all(names_b, names_a, a, problems);
   if (!problems.empty()) return tl::unexpected(std::move(problems));
   std::vector<Pair> all;
+  all.reserve(names_a.size());
   for (const std::string& name : names_a)
     all.push_back({name, fs::path(a) / name, fs::path(b) / name});
   return all;
