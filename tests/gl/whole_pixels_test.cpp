@@ -2,12 +2,9 @@
 // Regions of whole pixels, of which every sample sees the same: GL has the very light of the software back end.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "base/philox.h"
 #include "render/backend.h"
 #include "render/gradient.h"
-#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -15,7 +12,6 @@ namespace {
 constexpr int kWidth = 61, kHeight = 47;
 
 std::unique_ptr<Renderer> opened(const std::string& name, unsigned samples) {
-  setenv("FLATRAY_GL_MODULE", binary_path("/flatray_gl.so").c_str(), 1);
   for (const Backend* one : backends())
     if (name == one->name)
       if (auto renderer = one->open({2, samples})) return std::move(*renderer);
