@@ -9,13 +9,7 @@ namespace {
 
 void add_segment(World& world, const Vec2& a, const Vec2& b, const SurfaceOwner& owner) {
   if (a == b) return;  // so small and so far away that the doubles do not tell its ends apart
-  world.surfaces.add(Segment{a, b});
-  world.owners.push_back(owner);
-}
-
-void add_curve(World& world, const Arc& arc, const SurfaceOwner& owner) {
-  world.surfaces.add(arc);
-  world.owners.push_back(owner);
+  world.add(Segment{a, b}, owner);
 }
 
 // Between the points at which it is drawn to begin and end, so that what is joined to it has no gap.
@@ -41,7 +35,7 @@ void add_path(World& world, const ArcPath& path, const Pose& place, SurfaceOwner
   for (const PathEdge& edge : path_in_world(path, place).edges) {
     owner.edge = edge.number;
     if (edge.arc)
-      add_curve(world, *edge.arc, owner);
+      world.add(*edge.arc, owner);
     else
       add_segment(world, edge.from, edge.to, owner);
   }
@@ -60,10 +54,7 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
     ++owner.edge;
   }
   owner.edge = kNoEdge;
-  for (const Circle& circle : shape.circles) {
-    world.surfaces.add(posed(circle, place));
-    world.owners.push_back(owner);
-  }
+  for (const Circle& circle : shape.circles) world.add(posed(circle, place), owner);
   for (const ArcPath& path : shape.arc_paths) add_path(world, path, place, owner);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "anim/frame_state.h"
+#include "base/check.h"
 #include "geom/curved_path.h"
 #include "trace/surfaces.h"
 
@@ -17,9 +18,23 @@ struct SurfaceOwner {
 };
 
 /// The walls of one frame in world coordinates, each with its owner.
+///
+/// Which edges are left out depends on where things stand: a surface number means something in the
+/// world it comes from alone.
 struct World {
   Surfaces surfaces;
   std::vector<SurfaceOwner> owners;  ///< by surface number
+
+  template <class Wall>
+  void add(const Wall& wall, const SurfaceOwner& owner) {
+    surfaces.add(wall);
+    owners.push_back(owner);
+  }
+  /// Needs   the number of one of its surfaces.
+  const SurfaceOwner& owner(std::uint32_t surface) const {
+    FLATRAY_CHECK(surface < owners.size());
+    return owners[surface];
+  }
 
   /// By surface number, as orbits take them.
   std::vector<Material> materials() const;

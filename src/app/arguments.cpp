@@ -9,6 +9,12 @@
 
 namespace flatray {
 
+std::string environment_name(const Option& option) {
+  std::string name = fmt::format("FLATRAY_{}", option.name);
+  for (char& c : name) c = c == '-' ? '_' : static_cast<char>(std::toupper(c));
+  return name;
+}
+
 std::optional<std::string> Arguments::text(std::string_view name) const {
   const auto found = given_.find(name);
   if (found == given_.end()) return std::nullopt;

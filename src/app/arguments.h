@@ -34,6 +34,9 @@ struct Option {
   Words words = nullptr;  ///< its values, where they are names
 };
 
+/// The variable that stands for it: FLATRAY_MAX_PIXELS.
+std::string environment_name(const Option& option);
+
 /// What the user asked of one verb. Flags of the command line win over the environment.
 class Arguments {
  public:

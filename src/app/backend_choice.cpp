@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/interrupt.h"
 #include "base/left_out.h"
 
 namespace flatray {
@@ -46,6 +47,7 @@ Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& argumen
   if (!count) return tl::unexpected(count.error());
   const Backend* backend = find_backend(*name == "auto" ? "gl" : *name);
   if (*name == kSoftware || backend == nullptr) return nullptr;
+  expect_crashes_of_gl();
   Result<std::unique_ptr<Renderer>> opened = backend->open({threads, *count});
   if (opened) return std::shared_ptr<const Renderer>(std::move(*opened));
   if (*name == "auto") return nullptr;
@@ -54,6 +56,7 @@ Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& argumen
 
 Result<std::unique_ptr<Renderer>> open_backend(const std::string& name,
                                                const BackendChoice& choice) {
+  expect_crashes_of_gl();
   if (const Backend* backend = find_backend(name)) return backend->open(choice);
   return fail(named_place(name), "is not a back end of this build", "", Trouble::unavailable);
 }
@@ -61,6 +64,7 @@ Result<std::unique_ptr<Renderer>> open_backend(const std::string& name,
 std::string backends_text() {
   std::string text = kSoftware;
   if (const Backend* gl = find_backend("gl")) {
+    expect_crashes_of_gl();
     const auto opened = gl->open({1, 4});
     text += opened ? ", " + (*opened)->description() : std::string("; no gl");
   }

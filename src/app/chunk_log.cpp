@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/option_values.h"
-#include "base/file.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -133,47 +133,58 @@ std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
   return std::pair{key, row};
 }
 
-Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::string>& folder) {
+Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::string>& folder,
+                                const Outputs& outputs) {
   ChunkLog rows(format);
   if (!folder) return rows;
-  rows.path_ = std::filesystem::path(*folder) / format.file;
+  const std::string head = rows.header(format.counts.size()) + "\n";
+  rows.journal_.emplace(std::filesystem::path(*folder) / format.file, head);
+  const std::filesystem::path& path = rows.journal_->path();
+  if (auto allowed = outputs.make_way(path, head); !allowed) return fail(std::move(allowed));
+  const auto text = rows.journal_->read();
+  if (!text) return tl::unexpected(text.error());
+  if (const auto now = rows.read(*text)) {
+    rows.old_ = *now != *text;
+    return rows;
+  } else if (!outputs.force()) {
+    return tl::unexpected(now.error());
+  }
   std::error_code error;
-  std::filesystem::create_directories(*folder, error);
-  if (error) return fail(named_place(*folder), error.message(), "", Trouble::output);
-  const bool there = std::filesystem::exists(rows.path_);
-  auto done = there ? rows.read() : append_line(rows.path_, rows.header(format.counts.size()));
-  if (!done) return fail(std::move(done));
+  std::filesystem::remove(path, error);
+  if (error) return fail(named_place(path.string()), error.message(), "", Trouble::output);
+  rows.rows_.clear();
   return rows;
 }
 
-Result<void> ChunkLog::read() {
-  const auto text = read_whole_lines(path_);
-  if (!text) return tl::unexpected(text.error());
-  std::string_view rest = *text;
-  if (rest.empty()) return append_line(path_, header(format_.counts.size()));
+// The text in the columns of now.
+Result<std::string> ChunkLog::read(const std::string& text) {
+  if (text.empty()) return text;
   const auto is_header = [&](std::string_view line) {
     return std::any_of(format_.widths.begin(), format_.widths.end(),
                        [&](std::size_t width) { return line == header(width); });
   };
-  std::string now = header(format_.counts.size()) + "\n";
-  for (int line = 1; !rest.empty(); ++line) {
-    const std::string_view row = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), row.size() + 1));
-    if (line == 1 && is_header(row)) continue;
-    auto parsed = read_row(row);
-    if (line == 1 || !parsed)
-      return fail(named_place(fmt::format("{}:{}", path_.string(), line)),
-                  "is not a row that this program writes",
-                  "move the file away, or name another folder");
-    rows_.insert(std::move(*parsed));
-    now += padded(row) + "\n";
-  }
-  return now == *text ? Result<void>() : write_file(path_, now);
+  std::string now;
+  int number = 0, wrong = 0;
+  each_line(text, [&](std::string_view line) {
+    ++number;
+    auto parsed = number == 1 ? std::nullopt : read_row(line);
+    if (wrong == 0 && (number == 1 ? !is_header(line) : !parsed)) wrong = number;
+    if (parsed) rows_.insert(std::move(*parsed));
+    now += (parsed ? padded(line) : header(format_.counts.size())) + "\n";
+  });
+  if (wrong == 0) return now;
+  return fail(named_place(fmt::format("{}:{}", journal_->path().string(), wrong)),
+              "is not a row that this program writes",
+              "name another folder; --force begins the file anew", Trouble::output);
 }
 
 Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
   rows_.emplace(key, row);
-  if (path_.empty()) return {};
+  if (!journal_) return {};
+  if (std::exchange(old_, false)) {
+    auto merged = journal_->merge([this](const std::string& text) { return read(text); });
+    if (!merged) return merged;
+  }
   std::string line =
       fmt::format("{},{},{},{},{}", key.family, key.tracer, key.isa, key.seed, key.chunk);
   for (std::size_t i = 0; i <= row.counts.size(); ++i) {
@@ -181,7 +192,7 @@ Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
     if (i < row.counts.size()) line += fmt::format(",{}", row.counts[i]);
   }
   if (format_.note != nullptr) line += "," + row.note;
-  return append_line(path_, line);
+  return journal_->add(line + "\n");
 }
 
 const ChunkLog::Format StabilityRows::kFormat = {

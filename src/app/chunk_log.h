@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/journal.h"
+#include "app/outputs.h"
 #include "base/result.h"
 #include "study/leaks.h"
 #include "study/pair_stability.h"
@@ -15,8 +17,8 @@
 namespace flatray {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
-/// without its end, as a full disk leaves it, is taken away; an older file gets the
-/// present columns, empty in its rows.
+/// without its end, as a full disk leaves it, does not count; an older file gets the present columns,
+/// empty in its rows, with its next row.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -40,10 +42,11 @@ class ChunkLog {
     const char* note = nullptr;
   };
 
-  /// The rows that are in `folder`, or none without a folder.
-  /// Error   Trouble::missing, Trouble::output; Trouble::invalid, naming the line, where a row is
-  ///         not what add() writes, or wrote, or what no run can have counted.
-  static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder);
+  /// The rows that are in `folder`, or none without a folder. Writes nothing.
+  /// Error   Trouble::output; naming the line where a row is not what add() writes, or wrote, or
+  ///         what no run can have counted.
+  static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder,
+                               const Outputs& outputs);
 
   bool has(const Key& key) const { return rows_.contains(key); }
   /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
@@ -57,7 +60,7 @@ class ChunkLog {
     const auto last = rows_.lower_bound(end);
     for (auto row = rows_.lower_bound(key); row != last; ++row) each(row->second);
   }
-  /// Appends a row, flushed.
+  /// Appends a row.
   Result<void> add(const Key& key, const Row& row, double seconds);
 
  private:
@@ -65,10 +68,11 @@ class ChunkLog {
   std::string header(std::size_t counts) const;
   std::string padded(std::string_view line) const;
   std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
-  Result<void> read();
+  Result<std::string> read(const std::string& text);
 
   Format format_;
-  std::filesystem::path path_;  ///< "" where nothing is kept
+  std::optional<Journal> journal_;  ///< none where nothing is kept
+  bool old_ = false;                ///< with columns of before
   std::map<Key, Row> rows_;
 };
 
@@ -76,8 +80,9 @@ class ChunkLog {
 template <class Tally, class Rows>
 class TallyLog {
  public:
-  static Result<TallyLog> open(const std::optional<std::string>& folder) {
-    auto log = ChunkLog::open(Rows::kFormat, folder);
+  static Result<TallyLog> open(const std::optional<std::string>& folder,
+                               const Outputs& outputs = {}) {
+    auto log = ChunkLog::open(Rows::kFormat, folder, outputs);
     if (!log) return fail(std::move(log));
     return TallyLog(std::move(*log));
   }

@@ -1,17 +1,24 @@
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
 #include "app/help.h"
+#include "app/interrupt.h"
 #include "app/json_failure.h"
 #include "app/option_values.h"
+#include "app/places.h"
 #include "app/project_config.h"
 #include "app/report.h"
+#include "app/resource_limits.h"
 #include "app/version.h"
 #include "base/isa.h"
 #include "base/left_out.h"
+#include "base/module_file.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 
@@ -30,13 +37,28 @@ std::vector<const Verb*> all_verbs() {
 #undef FLATRAY_ENTRY
 }
 
-namespace {
+std::vector<Option> options_of(const Verb& verb) {
+  std::vector<Option> options(verb.options.begin(), verb.options.end());
+  const std::vector<std::string> own = names_of(verb.options);
+  if (std::find(own.begin(), own.end(), "root") == own.end() && !own.empty())
+    options.push_back({"root", '\0', "DIR", "read and write nothing outside of this folder"});
+  if (!own.empty())
+    options.push_back({"sandbox", '\0', "",
+                       "let the kernel refuse all other files: flatray help safety",
+                       OptionKind::flag});
+  options.insert(
+      options.end(),
+      {kMaxSecondsOption, kMaxMemoryOption, {"help", 'h', "", "show this", OptionKind::flag}});
+  return options;
+}
 
 const Verb* find_verb(const std::string& name) {
   for (const Verb* verb : all_verbs())
     if (name == verb->name) return verb;
   return nullptr;
 }
+
+namespace {
 
 Diagnostics unknown_verb(const std::string& word) {
   if (const auto problem = if_left_out(named_place(word), "verb", word)) return {*problem};
@@ -60,15 +82,14 @@ int print(const std::string& text, int code) {
 }
 
 Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {
-  std::vector<Option> options(verb.options.begin(), verb.options.end());
-  options.push_back(kHelpOption);
+  const std::vector<Option> options = options_of(verb);
   Result<Arguments> arguments = parse_arguments(options, std::move(words), [](const char* name) {
     // Help in the environment would turn every render into a success that draws nothing.
     const bool asks_help = std::string_view(name) == "FLATRAY_HELP";
     return asks_help ? nullptr : static_cast<const char*>(std::getenv(name));
   });
   if (!arguments || arguments->has("help")) return arguments;
-  arguments = with_project_config(options, std::move(*arguments));
+  if (!verb.options.empty()) arguments = with_project_config(options, std::move(*arguments));
   if (!arguments) return arguments;
   const std::size_t count = arguments->operands().size();
   const std::string hint = fmt::format("flatray {} {}", verb.name, verb.operands);
@@ -78,20 +99,58 @@ Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {
     return usage_error(named_place(verb.name),
                        fmt::format("does not take '{}'", arguments->operands()[verb.most_operands]),
                        hint);
+  if (auto inside = check_root(verb, *arguments); !inside) return fail(std::move(inside));
   return arguments;
 }
 
-int run_verb(const Verb& verb, std::vector<std::string> words) {
+// Variables of the environment that mean nothing here, most likely misspelt.
+Diagnostics unknown_variables() {
+  std::vector<std::string> given;
+  for (char** one = environ; one != nullptr && *one != nullptr; ++one)
+    if (const std::string_view entry = *one; entry.starts_with("FLATRAY_"))
+      given.emplace_back(entry.substr(0, entry.find('=')));
+  if (given.empty()) return {};
+  std::vector<std::string> known{"FLATRAY_ISA", "FLATRAY_HELP", "FLATRAY_WERROR",
+                                 "FLATRAY_FULL_COUNTS"};
+  known.insert(known.end(), std::begin(kModuleVariables), std::end(kModuleVariables));
+  for (const Verb* verb : all_verbs())
+    for (const Option& option : options_of(*verb)) known.push_back(environment_name(option));
+  Diagnostics warnings;
+  for (const std::string& name : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string near = nearest_word(name, known);
+    warnings.push_back(
+        {named_place(name), "no option is set by this variable",
+         near.empty() ? "flatray help environment" : fmt::format("did you mean {}?", near)});
+  }
+  return warnings;
+}
+
+int answer(const Verb& verb, std::vector<std::string> words) {
   const Result<Arguments> arguments = parse(verb, std::move(words));
   if (!arguments) return report_failure(arguments.error(), verb.undone);
   if (arguments->has("help")) return print(help_text(verb), 0);
-  const Result<VerbOutput> output = verb.run(*arguments);
+  report_warnings(unknown_variables(), *arguments);
+  if (const auto entered = enter_sandbox(verb, *arguments); !entered)
+    return report_failure(entered.error(), verb.undone);
+  Result<VerbOutput> output =
+      limit_resources(*arguments).and_then([&] { return verb.run(*arguments); });
   if (!output)
     return print(json_failure(verb.name, *arguments, output.error()),
                  report_failure(output.error(), verb.undone));
-  const int code = print(output->text, output->exit_code);
+  const int code = print(output->picture ? output->text : shown_lines(std::move(output->text)),
+                         output->exit_code);
   if (output->problems.empty() || code != output->exit_code) return code;
   return report_failure(output->problems, "what came before is told");
+}
+
+// Who stops a run, stops what goes on from it, too, even where all was done meanwhile.
+int run_verb(const Verb& verb, std::vector<std::string> words) {
+  catch_interrupts(verb.kept);
+  const int code = answer(verb, std::move(words));
+  if (!interrupted() || code > 1) return code;
+  report_note(fmt::format("flatray: {}, when all was done", interruption()));
+  return interrupted_code();
 }
 
 }  // namespace

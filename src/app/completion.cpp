@@ -6,6 +6,8 @@
 #include <set>
 
 #include "app/help.h"
+#include "app/places.h"
+#include "base/shown_text.h"
 #include "scene/build_scene.h"
 #include "scene/format.h"
 #include "scene/load.h"
@@ -21,12 +23,6 @@ std::vector<std::string> split(std::string_view text, char at) {
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }
-}
-
-const Verb* find_verb(const std::string& name) {
-  for (const Verb* verb : all_verbs())
-    if (name == verb->name) return verb;
-  return nullptr;
 }
 
 // Words of a command line as the options of its verb divide them.
@@ -46,8 +42,7 @@ const Option* find_option(const CommandLine& line, const std::string& word) {
 }
 
 CommandLine divide(const Verb& verb, std::vector<std::string> words) {
-  CommandLine line{{verb.options.begin(), verb.options.end()}, {}, nullptr, words.back(), {}};
-  line.options.push_back(kHelpOption);
+  CommandLine line{options_of(verb), {}, nullptr, words.back(), {}};
   words.pop_back();
   for (const std::string& word : words) {
     if (word == "=") continue;  // bash parts --size=3 into three words
@@ -94,7 +89,7 @@ std::vector<std::string> keys_to_set() {
 
 void add(Completion& completion, const CommandLine& line, const std::vector<std::string>& words) {
   for (const std::string& word : words)
-    if (word.starts_with(line.last))
+    if (word.starts_with(line.last) && shown_text(word) == word)  // else no line holds it
       completion.candidates.push_back({line.before_value + word, ""});
 }
 
@@ -119,15 +114,6 @@ void add_values(Completion& completion, const CommandLine& line, const std::stri
   if (what == "PATTERN") completion.extensions = {"png", "hdr"};
   const std::size_t dot = what.find('.');
   if (dot != std::string::npos) completion.extensions = {what.substr(dot + 1)};
-}
-
-// "[SCENE...]" and "check|update" of "check|update [SCENE...]"; the last word repeats.
-std::string operand_word(const Verb& verb, std::size_t index) {
-  const std::vector<std::string> words = split(verb.operands, ' ');
-  std::string word = words[std::min(index, words.size() - 1)];
-  word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == '[' || c == ']'; }),
-             word.end());
-  return word.substr(0, word.find("..."));
 }
 
 void complete_operand(Completion& completion, const CommandLine& line, const Verb& verb) {
@@ -169,11 +155,11 @@ std::string completion_lines(const Completion& completion) {
   for (const auto& [word, summary] : completion.candidates)
     text += summary.empty() ? word + "\n" : fmt::format("{}\t{}\n", word, summary);
   if (!completion.extensions.empty()) {
-    text += ":files";
+    text += "\tfiles";
     for (const std::string& extension : completion.extensions) text += " " + extension;
     text += "\n";
   }
-  return text + (completion.folders ? ":folders\n" : "");
+  return text + (completion.folders ? "\tfolders\n" : "");
 }
 
 }  // namespace flatray

@@ -20,8 +20,9 @@ struct Completion {
 /// come from the scene that stands among the words, if it can be read.
 Completion complete(const std::vector<std::string>& words);
 
-/// For the scripts: a line for each candidate, its summary after a tab; then ":files EXT..." and
-/// ":folders".
+/// For the scripts: a line for each candidate, its summary after a tab; then, after a tab that no
+/// candidate begins with, "files EXT..." and "folders". Candidates are bare: quoting them for the
+/// shell is the script's part, for they hold what a scene says.
 std::string completion_lines(const Completion& completion);
 
 /// Script that a shell sources; "" for a shell there is none for.

@@ -68,7 +68,9 @@ std::string saving_words(const CostRounds& without, const CostRounds& with) {
     percents.push_back(100 * (1 - without.values[i] / with.values[i]));
   const MedianInterval saved = median_interval(std::move(percents), kConfidence);
   const bool known = saved.confidence >= kConfidence && (saved.low > 0 || saved.high < 0);
-  return known ? spanned(saved, "%") : "not measurable";
+  if (!known) return "not measurable";
+  return saved.high < 0 ? "costs " + spanned({-saved.median, -saved.high, -saved.low}, "%")
+                        : spanned(saved, "%");
 }
 
 }  // namespace flatray

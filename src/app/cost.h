@@ -34,7 +34,8 @@ std::vector<CostRounds> in_one_unit(const std::vector<std::vector<Cost>>& works)
 std::string amount_words(const CostRounds& rounds, std::size_t frames);
 
 /// "25 % (24 to 26)": the median of what each round of `without` takes less than that of `with`,
-/// and its interval; "not measurable" where the interval includes no change.
+/// and its interval; "costs 4 % (3 to 5)" where it takes more; "not measurable" where the interval
+/// includes no change.
 ///
 /// Needs   rounds of both in turns, as many of one as of the other.
 std::string saving_words(const CostRounds& without, const CostRounds& with);

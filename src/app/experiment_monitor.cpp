@@ -8,12 +8,6 @@
 namespace flatray {
 namespace {
 
-std::string_view next_line(std::string_view& rest) {
-  const std::string_view line = rest.substr(0, rest.find('\n'));
-  rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-  return line;
-}
-
 std::optional<std::pair<std::size_t, Numbers>> read_block(std::string_view line) {
   const std::vector<std::string_view> cells = split_commas(line);
   const auto block = parse_whole(cells.front());
@@ -30,34 +24,56 @@ std::optional<std::pair<std::size_t, Numbers>> read_block(std::string_view line)
 }  // namespace
 
 Result<std::unique_ptr<ExperimentMonitor>> ExperimentMonitor::open(
-    const std::optional<std::filesystem::path>& kept_in, const std::string& key) {
+    const std::optional<std::filesystem::path>& kept_in, const Fields& setting,
+    const Outputs& outputs) {
   auto monitor = std::make_unique<ExperimentMonitor>();
   if (!kept_in) return monitor;
-  monitor->path_ = *kept_in;
-  std::error_code error;
-  std::filesystem::create_directories(kept_in->parent_path(), error);
-  if (error) return fail(named_place(kept_in->string()), error.message(), "", Trouble::output);
-  auto begun = std::filesystem::exists(*kept_in) ? monitor->read(key) : append_line(*kept_in, key);
-  if (!begun) return fail(std::move(begun));
+  const std::string key = json_text(setting);
+  if (auto allowed = outputs.make_way(*kept_in, key); !allowed) return fail(std::move(allowed));
+  remove_leftovers(folder_of(*kept_in));
+  auto claim = Claim::take(folder_of(*kept_in), kept_in->filename(), key, outputs.force());
+  if (!claim) return fail(std::move(claim));
+  monitor->claim_.emplace(std::move(*claim));
+  monitor->journal_.emplace(*kept_in, key + "\n");
+  if (auto read = monitor->read(key, outputs.force()); !read) return fail(std::move(read));
   return monitor;
 }
 
-Result<void> ExperimentMonitor::read(const std::string& key) {
-  const auto text = read_whole_lines(path_);
+Result<void> ExperimentMonitor::read(const std::string& key, bool force) {
+  const auto text = journal_->read();
   if (!text) return tl::unexpected(text.error());
-  std::string_view rest = *text;
-  if (rest.empty()) return append_line(path_, key);
-  if (next_line(rest) != key)
-    return fail(named_place(path_.string()), "was kept by another run",
-                "remove it, or name another folder with -o");
-  while (!rest.empty()) {
-    auto block = read_block(next_line(rest));
-    if (!block)
-      return fail(named_place(path_.string()), "has a line that is not a block",
-                  "remove it, and the run begins anew");
-    kept_.insert(std::move(*block));
-  }
+  if (text->empty()) return {};
+  const std::string head = text->substr(0, text->find('\n'));
+  std::string problem = head == key ? "" : "was kept by another run: " + differences(head, key);
+  each_line(std::string_view(*text).substr(head.size() + 1), [&](std::string_view line) {
+    auto block = read_block(line);
+    if (block)
+      kept_.insert(std::move(*block));
+    else if (problem.empty())
+      problem = "has a line that is not a block";
+  });
+  if (problem.empty()) return {};
+  kept_.clear();
+  if (force) return remove();
+  return fail(named_place(journal_->path().string()), problem,
+              "name another folder with -o; --force begins anew", Trouble::output);
+}
+
+Result<void> ExperimentMonitor::remove() const {
+  std::error_code error;
+  std::filesystem::remove(journal_->path(), error);
+  if (error)
+    return fail(named_place(journal_->path().string()), error.message(), "", Trouble::output);
   return {};
+}
+
+bool are_blocks(const std::string& text) {
+  const std::size_t head = text.find('\n');
+  if (head == std::string::npos || !parse_json(text.substr(0, head))) return text.empty();
+  bool sound = text.back() == '\n';
+  each_line(std::string_view(text).substr(head + 1),
+            [&](std::string_view line) { sound = sound && read_block(line); });
+  return sound;
 }
 
 void ExperimentMonitor::begin(std::size_t blocks) {
@@ -71,12 +87,13 @@ std::optional<Numbers> ExperimentMonitor::kept(std::size_t block) {
 
 void ExperimentMonitor::done(std::size_t block, const Numbers& result) {
   progress_->step();
-  if (path_.empty() || kept_.contains(block)) return;
+  if (!journal_ || kept_.contains(block)) return;
   std::string line = std::to_string(block);
   for (const double number : result) line += "," + number_text(number);
   const std::lock_guard lock(mutex_);
   if (failure_) return;
-  if (auto written = append_line(path_, line); !written) failure_ = written.error();
+  auto written = journal_->add(line + "\n", [this] { return claim_->expect_held(); });
+  if (!written) failure_ = written.error();
 }
 
 bool ExperimentMonitor::stopped() {
@@ -85,14 +102,12 @@ bool ExperimentMonitor::stopped() {
   return failure_.has_value();
 }
 
-Result<void> ExperimentMonitor::finish(bool over) {
+Result<void> ExperimentMonitor::finish() {
   if (progress_) progress_->finish();
   if (failure_) return tl::unexpected(*failure_);
-  if (!over || path_.empty()) return {};
-  std::error_code error;
-  std::filesystem::remove(path_, error);
-  if (error) return fail(named_place(path_.string()), error.message(), "", Trouble::output);
   return {};
 }
+
+Result<void> ExperimentMonitor::forget() const { return journal_ ? remove() : Result<void>(); }
 
 }  // namespace flatray

@@ -26,7 +26,11 @@ FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)(
     : job_(job),
       options_{job.crop, threads, job.keep_all, stop},
       drawer_(drawer_for(job, options_)),
-      png_(threads) {}
+      png_(threads) {
+  out_.record.scene = job.fingerprint();
+  out_.record.seed = job.seed;
+  out_.record.backend = job.backend();
+}
 
 Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
   if (!list) return fail(std::move(list));
@@ -75,8 +79,6 @@ void FrameEncoder::keep(const Picture& picture, const RowsChanged& changed) {
   out_.record.width = picture.width;
   out_.record.height = picture.height;
   out_.record.bytes = Hash().add(out_.bytes).hex();
-  out_.record.scene = job_.fingerprint();
-  out_.record.backend = job_.backend();
   ++encoded_;
 }
 

@@ -75,7 +75,10 @@ Result<Shard> parse_shard(std::string_view text, const Place& where) {
   const auto count = parse_whole(text.substr(std::min(slash + 1, text.size())));
   if (!index || !count)
     return usage_error(where, fmt::format("'{}' is not I/N", text), "as 0/3, 1/3 and 2/3");
-  if (*count < 1 || *count > kLastFrame || *index >= *count)
+  if (*count > kLastFrame)
+    return usage_error(where, fmt::format("'{}' has more shards than a scene has frames", text),
+                       fmt::format("N is {} at most", kLastFrame));
+  if (*count < 1 || *index >= *count)
     return usage_error(where, fmt::format("there is no shard {}", text), "I runs from 0 to N - 1");
   return Shard{static_cast<unsigned>(*index), static_cast<unsigned>(*count)};
 }

@@ -7,6 +7,7 @@
 
 #include "app/backend_choice.h"
 #include "app/option_values.h"
+#include "app/outputs.h"
 #include "app/value.h"
 #include "base/file.h"
 #include "collide/scene_timeline.h"
@@ -209,8 +210,9 @@ Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows) {
   std::string lines;
   for (const GoldenRow& row : rows)
     lines += (lines.empty() ? "" : ",\n") + json_text(as_value(row));
-  return write_file(root / kManifest,
-                    fmt::format("{{\"schema\": \"{}\", \"goldens\": [\n{}\n]}}\n", kSchema, lines));
+  return Outputs().write(
+      root / kManifest,
+      fmt::format("{{\"schema\": \"{}\", \"goldens\": [\n{}\n]}}\n", kSchema, lines));
 }
 
 Result<std::string> find_scene(const fs::path& root, const std::string& name) {
@@ -234,7 +236,7 @@ Result<std::string> find_scene(const fs::path& root, const std::string& name) {
 std::string scene_hash(const Scene& scene) { return fmt::format("{:016x}", scene.hash); }
 
 Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row) {
-  Result<LoadedScene> loaded = load_scene(root / row.scene);
+  Result<LoadedScene> loaded = load_scene(root / row.scene, {}, {.root = root});
   if (!loaded) return fail(std::move(loaded));
   GoldenScene golden{std::move(loaded->scene), {}};
   Film& film = golden.scene.film;

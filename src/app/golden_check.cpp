@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/difference_text.h"
-#include "base/file.h"
+#include "app/outputs.h"
 #include "image/png.h"
 
 namespace flatray {
@@ -77,7 +77,7 @@ Result<void> write_look(const fs::path& root, const GoldenRow& row, const Golden
   if (check.difference)
     pictures.emplace_back("diff_x16.png", difference_image(check.actual, check.expected));
   for (const auto& [name, image] : pictures)
-    if (auto written = write_file(folder / name, encode_png(image)); !written) return written;
+    if (auto written = Outputs().write(folder / name, encode_png(image)); !written) return written;
   return {};
 }
 

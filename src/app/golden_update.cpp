@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/difference_text.h"
-#include "base/file.h"
+#include "app/outputs.h"
 #include "image/png.h"
 #include "scene/load.h"
 
@@ -150,7 +150,7 @@ void paste(const Image& image, int left, Image& sheet) {
 
 Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenRow>& rows,
                                  const GoldenRequest& request) {
-  Result<LoadedScene> loaded = load_scene(root / request.scene);
+  Result<LoadedScene> loaded = load_scene(root / request.scene, {}, {.root = root});
   if (!loaded) return fail(std::move(loaded));
   Scene& scene = loaded->scene;
   const std::vector<GoldenRow> before = rows_of(rows, request);
@@ -180,9 +180,10 @@ Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenR
 Result<void> write_update(const fs::path& root, const GoldenUpdate& update) {
   for (const GoldenUpdate::Picture& picture : update.pictures) {
     if (picture.same()) continue;
-    if (auto written = write_file(root / picture.row.file(), picture.png); !written) return written;
+    if (auto written = Outputs().write(root / picture.row.file(), picture.png); !written)
+      return written;
     const std::vector<std::byte> sheet = encode_png(golden_sheet(picture));
-    if (auto written = write_file(root / picture.sheet(), sheet); !written) return written;
+    if (auto written = Outputs().write(root / picture.sheet(), sheet); !written) return written;
   }
   if (auto written = write_goldens(root, update.rows); !written) return written;
   for (const GoldenRow& row : update.removed) {

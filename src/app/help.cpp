@@ -88,15 +88,15 @@ std::string help_text() {
          "FLATRAY_SIZE,\n"
          "or for a folder by size = \"640x360\" in its flatray.toml.\n"
          "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 input missing, 4 input invalid,\n"
-         "5 not in this build, 6 output not written, 70 internal, 130 interrupted.\n";
+         "5 not in this build, 6 output not written, 70 internal, 124 over a limit of time or "
+         "memory,\n"
+         "130 interrupted, 143 terminated.\n";
 }
 
 std::string help_text(const Verb& verb) {
   std::string text = fmt::format("flatray {}{}{} [options]\n\n{}.\n\n", verb.name,
                                  *verb.operands == '\0' ? "" : " ", verb.operands, verb.summary);
-  std::vector<Option> options(verb.options.begin(), verb.options.end());
-  options.push_back(kHelpOption);
-  for (const Option& option : options) {
+  for (const Option& option : options_of(verb)) {
     const std::string letter =
         option.letter == '\0' ? std::string("    ") : fmt::format("-{}, ", option.letter);
     const std::string name = fmt::format("--{} {}", option.name, option.metavar);

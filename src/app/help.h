@@ -31,7 +31,4 @@ struct WrittenTopic {
 };
 std::vector<WrittenTopic> written_topics();
 
-/// --help, which every verb has beside its own options.
-inline constexpr Option kHelpOption = {"help", 'h', "", "show this", OptionKind::flag};
-
 }  // namespace flatray

@@ -6,6 +6,7 @@
 
 #include "base/counted.h"
 #include "base/number_text.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 namespace {
@@ -50,10 +51,10 @@ HitSet combine(const NamedRay& ray, HitOperation operation,
 }
 
 std::string text_of(const HitSet& set) {
-  if (set.parts.empty()) return fmt::format("{}: no part\n", set.ray.name);
+  if (set.parts.empty()) return shown_text(set.ray.name) + ": no part\n";
   std::string text =
-      fmt::format("{}: {}, length {}\n", set.ray.name, counted(set.parts.size(), "part"),
-                  number_text(length_of(set.parts)));
+      fmt::format("{}: {}, length {}\n", shown_text(set.ray.name),
+                  counted(set.parts.size(), "part"), number_text(length_of(set.parts)));
   for (const Range& part : set.parts)
     text += fmt::format("  t from {} to {}\n", number_text(part.low), number_text(part.high));
   return text;

@@ -2,14 +2,12 @@
 #include <fmt/core.h>
 
 #include "app/hit_report.h"
+#include "app/report.h"
 #include "base/number_text.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 namespace {
-
-std::string point_text(const Vec2& point) {
-  return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
-}
 
 std::string with_fraction(double value, const std::string& fraction) {
   return fraction.empty() ? number_text(value) : fraction + " = " + number_text(value);
@@ -95,9 +93,9 @@ Values csv_row(const HitReport& report, const HitStep* step) {
 
 std::string text_of(const HitReport& report) {
   const Ray& ray = report.ray.ray;
-  std::string text =
-      fmt::format("{}: {} + t {}, t in {}, against {}\n", report.ray.name, point_text(ray.origin),
-                  point_text(ray.direction), range_text(report.within), report.against);
+  std::string text = fmt::format(
+      "{}: {} + t {}, t in {}, against {}\n", shown_text(report.ray.name), point_text(ray.origin),
+      point_text(ray.direction), range_text(report.within), shown_text(report.against));
   if (!report.steps.empty()) text += aligned_text(step_table(report), "  ");
   return text + verdict_text(report);
 }

@@ -1,27 +1,100 @@
 #include "app/interrupt.h"
 
-#include <csignal>
+#include <signal.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "base/in_flight.h"
 
 namespace flatray {
 namespace {
 
-// The one global of the program: a signal handler has no other way to say anything.
-volatile std::sig_atomic_t stop = 0;
+constexpr double kGrace = 0.6;
 
-void ask_to_stop(int) { stop = 1; }
+// The globals of the program: a signal handler has no other way to hear or say anything.
+std::atomic<int> stop{0};  // the signal that asked for it
+std::atomic<const char*> what_is_kept{nullptr};
+
+void say(const char* text) {
+  if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody listens
+}
+
+[[noreturn]] void end() {
+  remove_in_flight();
+  const char* kept = what_is_kept;
+  say(::isatty(STDERR_FILENO) == 1 ? "\nflatray: " : "flatray: ");  // below a bar of progress
+  say(interruption());
+  say("; ");
+  say(kept != nullptr ? kept : "files written are whole");
+  say("\n");
+  ::_exit(interrupted_code());
+}
+
+// SIGALRM is the end of time, and of the grace after any other.
+void ask_to_stop(int signal) {
+  const int error = errno;
+  const bool again = stop != 0;
+  if (!again) stop = signal;
+  if (again || what_is_kept == nullptr) end();
+  limit_seconds(kGrace);
+  errno = error;
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+void take(int signal) {
+  struct sigaction action {};
+  action.sa_handler = &ask_to_stop;
+  action.sa_flags = SA_RESTART;
+  for (const int other : {SIGINT, SIGTERM, SIGALRM}) ::sigaddset(&action.sa_mask, other);
+  ::sigaction(signal, &action, nullptr);
+}
 
 }  // namespace
 
-void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = &ask_to_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
+void catch_interrupts(const char* kept) {
+  what_is_kept = kept;
+  for (const int signal : {SIGINT, SIGTERM})
+    if (!is_ignored(signal)) take(signal);
+  take(SIGALRM);
 }
 
-void survive_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }
+void limit_seconds(double seconds) {
+  const double whole = std::floor(seconds);
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - whole) * 1e6);
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void survive_file_limits() { ::signal(SIGXFSZ, SIG_IGN); }
+
+void expect_crashes_of_gl() {
+  constexpr int kUnavailable = 5;
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT})
+    ::signal(signal, [](int) {
+      remove_in_flight();
+      say("flatray: the GL library crashed, as it does where memory ends; --backend software draws "
+          "without it\n");
+      ::_exit(kUnavailable);
+    });
+}
 
 bool interrupted() { return stop != 0; }
+
+int interrupted_code() { return stop == SIGALRM ? kOverLimit : 128 + stop; }
+
+const char* interruption() {
+  if (stop == SIGALRM) return "the time of --max-seconds is over";
+  return stop == SIGTERM ? "terminated" : "interrupted";
+}
 
 }  // namespace flatray

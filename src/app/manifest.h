@@ -3,10 +3,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/frames.h"
-#include "app/output_pattern.h"
 #include "app/value.h"
 
 namespace flatray {
@@ -20,6 +20,7 @@ struct FrameRecord {
   std::string pixels;  ///< hash of the pixels: equal for every compiler and compressor
   std::string bytes;   ///< hash of the file
   std::string scene;   ///< hash of the scene and every option a pixel depends on
+  std::uint64_t seed = 0;
   std::string backend = "software";  ///< what drew it, with all its pixels depend on
   bool operator==(const FrameRecord&) const = default;
 };
@@ -33,23 +34,15 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line);
 std::filesystem::path manifest_path(const std::filesystem::path& folder, const Shard& shard);
 std::filesystem::path timings_path(const std::filesystem::path& folder, const Shard& shard);
 
-/// Records of a manifest by file name, the last line of each; none where there is no manifest.
-/// Error   Trouble::output where there is one that cannot be read.
+/// Manifests in a folder, of all shards and of the whole, by name.
+std::vector<std::filesystem::path> manifests_in(const std::filesystem::path& folder);
+
+/// Records by file name, the last line of each.
 using Records = std::map<std::string, FrameRecord>;
-Result<Records> read_manifest(const std::filesystem::path& path);
-
-/// The same of all other manifests in its folder: those of shards, or of the whole.
-Result<Records> read_other_manifests(const std::filesystem::path& path);
-
-/// Lines of a list of timings by frame, likewise.
-using Timings = std::map<unsigned, std::string>;
-Result<Timings> read_timings(const std::filesystem::path& path);
-
-/// Replaces a manifest by these records, atomically; sorted by frame.
-Result<void> write_manifest(const std::filesystem::path& path, const Records& records);
+Records records_of(std::string_view text);
 
 /// Whether the file a record speaks of is there, whole, and what the record says: its bytes hash
 /// alike, and a PNG decodes to its pixels.
-bool is_whole(const FrameRecord& record, const std::filesystem::path& folder, PictureFormat format);
+bool is_whole(const FrameRecord& record, const std::filesystem::path& folder);
 
 }  // namespace flatray

@@ -56,12 +56,6 @@ Diagnostic unknown_option(const std::string& word, std::span<const Option> optio
           "", Trouble::usage};
 }
 
-std::string environment_name(const Option& option) {
-  std::string name = fmt::format("FLATRAY_{}", option.name);
-  for (char& c : name) c = c == '-' ? '_' : static_cast<char>(std::toupper(c));
-  return name;
-}
-
 // nullopt: the word means neither yes nor no.
 std::optional<bool> truth(const std::string& word) {
   for (const char* yes : {"1", "true", "yes", "on"})
@@ -107,6 +101,23 @@ void check_slot(const Slot& slot, std::span<const Option> options, Diagnostics& 
                         "say it once", Trouble::usage});
 }
 
+// What CLI11 says when it stops, in our words: its own begin with the option.
+tl::unexpected<Diagnostics> not_divided(const std::deque<Slot>& slots,
+                                        const CLI::ParseError& error) {
+  const std::string what = error.what();
+  for (const Slot& slot : slots) {
+    const std::string name = slot.option->name;
+    if (what.starts_with(long_name(*slot.option) + ":"))
+      return usage_error(named_place(long_name(*slot.option)),
+                         fmt::format("needs a value {}", slot.option->metavar),
+                         fmt::format("say --{} {}", name, slot.option->metavar));
+    if (what.starts_with(name + " "))
+      return usage_error(named_place(long_name(*slot.option)), "takes no value",
+                         fmt::format("say --{} alone, or leave it out", name));
+  }
+  return usage_error({}, what);
+}
+
 }  // namespace
 
 Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,
@@ -118,7 +129,7 @@ Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<s
   try {
     parser.parse(std::move(words));
   } catch (const CLI::ParseError& error) {  // CLI11 reports no other way
-    return usage_error({}, error.what());
+    return not_divided(slots, error);
   }
   Diagnostics problems;
   for (const std::string& word : parser.remaining())

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report.h"
 #include "base/counted.h"
 #include "base/number_text.h"
+#include "base/shown_text.h"
 #include "geom/hit_interval.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
@@ -18,10 +20,6 @@ namespace {
 
 constexpr double kDegreesInRadian = 57.29577951308232;
 constexpr std::size_t kMostProven = 10'000;
-
-std::string point_text(const Vec2& point) {
-  return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
-}
 
 std::string object_name(const Scene& scene, const SurfaceOwner& owner) {
   switch (owner.kind) {
@@ -40,17 +38,17 @@ JsonValue edge_value(const SurfaceOwner& owner) {
   return owner.edge == kNoEdge ? JsonValue("circle") : JsonValue(owner.edge);
 }
 
-std::string wall_text(const OrbitRoom& room, std::uint32_t surface) {
-  const SurfaceOwner& owner = room.world.owners[surface];
+std::string wall_text(const Scene& scene, const SurfaceOwner& owner) {
   const JsonValue edge = edge_value(owner);
-  return fmt::format("{} edge {}", object_name(room.scene, owner),
+  return fmt::format("{} edge {}", object_name(scene, owner),
                      edge.as_text().value_or(json_text(edge)));
 }
 
-std::string walls_text(const OrbitRoom& room, const std::vector<std::uint32_t>& surfaces) {
+std::string walls_text(const Scene& scene, const World& world,
+                       const std::vector<std::uint32_t>& surfaces) {
   std::string text;
   for (const std::uint32_t surface : surfaces)
-    text += (text.empty() ? "" : " and ") + wall_text(room, surface);
+    text += (text.empty() ? "" : " and ") + wall_text(scene, world.owner(surface));
   return text;
 }
 
@@ -59,7 +57,7 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
   const auto walls = Lander(room.world.surfaces).walls_at(start);
   const auto holder = room.solids.holder(start);
   report.starts_badly = walls.empty() && (holder || !room.solids.in_chamber(start));
-  report.start = !walls.empty()        ? "on " + walls_text(room, walls)
+  report.start = !walls.empty()        ? "on " + walls_text(room.scene, room.world, walls)
                  : holder              ? "inside " + object_name(room.scene, *holder)
                  : report.starts_badly ? "outside " + room.scene.chambers.front().name
                                        : "free";
@@ -139,7 +137,7 @@ OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
 
 Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
                                  std::uint64_t bounces, const OrbitRequest& request) {
-  OrbitReport report{name, {}, "", false};
+  OrbitReport report{name, &room.world, {}, "", false};
   const auto& walls = room.world.surfaces;
   if (request.certified) {
     auto exact = certified_orbit(walls, start, bounces, {room.materials, request.most_bits});
@@ -166,7 +164,7 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
 
 OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
                           const Ray& start, double from, const MovingLimits& limits) {
-  OrbitReport report{name, {}, "", false};
+  OrbitReport report{name, &walls.world, {}, "", false};
   MovingOrbit moving = trace_moving_orbit(walls, start, from, limits);
   report.orbit = std::move(moving.orbit);
   report.clock = {from, moving.end_time, std::move(moving.times)};
@@ -184,7 +182,7 @@ std::vector<std::string> bounce_columns(bool timed) {
 
 Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
   const Bounce& bounce = report.orbit.bounces[i];
-  const SurfaceOwner& owner = room.world.owners[bounce.surface];
+  const SurfaceOwner& owner = report.world->owner(bounce.surface);
   Values row{report.ray,
              std::uint64_t{i + 1},
              bounce.t,
@@ -245,7 +243,7 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"out", Values{orbit.out.x(), orbit.out.y()}},
       {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
                                      : JsonValue()},
-      {"end_walls", walls_text(room, orbit.end_surfaces)}};
+      {"end_walls", walls_text(room.scene, *report.world, orbit.end_surfaces)}};
   fields[8].second = bounces_as_json(room, report);  // a list would copy it
   if (!report.clock) return fields;
   fields.emplace_back("start_time", report.clock->start);
@@ -260,7 +258,7 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
                                  counted(orbit.bounces.size(), "bounce"));
   if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
     text += fmt::format(" at {}, {}", point_text(orbit.end_point),
-                        walls_text(room, orbit.end_surfaces));
+                        walls_text(room.scene, *report.world, orbit.end_surfaces));
   else if (report.decided)
     text += fmt::format(", leaving along {}", point_text(orbit.out));
   if (!orbit.bounces.empty())
@@ -276,7 +274,7 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   else if (!report.end_certain && orbit.bounces.size() <= kMostProven)
     text += "; that it ends there is not certain";
   if (report.start != "free") text += "; started " + report.start;
-  return text + "\n";
+  return shown_text(text) + "\n";
 }
 
 }  // namespace flatray

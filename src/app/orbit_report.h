@@ -29,6 +29,9 @@ struct OrbitRequest {
 /// One ray of a scene and what became of it.
 struct OrbitReport {
   std::string ray;
+  /// Whose walls the orbit names: that of the room, or of walls as they move, of which none is left out.
+  /// It outlives the report.
+  const World* world;
   Orbit orbit;
   std::string start;  ///< "free", "on hall edge 2", "inside hall/post", "outside hall"
   bool starts_badly;  ///< in an obstacle, or outside the chamber
@@ -55,7 +58,7 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
                                  std::uint64_t bounces, const OrbitRequest& request);
 
 /// The same at finite speed, of a particle that sets off at time `from`.
-/// Needs   walls of the room as they move, a velocity for a direction.
+/// Needs   walls of the room as they move, which outlive the report, a velocity for a direction.
 OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
                           const Ray& start, double from, const MovingLimits& limits);
 

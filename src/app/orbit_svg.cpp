@@ -12,14 +12,14 @@
 namespace flatray {
 namespace {
 
-constexpr double kWidth = 800, kLine = 1.2;  // pixels of the picture
+constexpr double kPictureWidth = 800, kLine = 1.2;  // pixels of the picture
 constexpr std::size_t kMostNumbers = 60;
 constexpr std::array kColours = {"#b3261e", "#1f5fa8", "#2c7a3f", "#8a4fb0", "#c26a00", "#3d6f7d"};
 
 class OrbitDrawing {
  public:
   explicit OrbitDrawing(const OrbitRoom& room)
-      : room_(room), box_(room.window), scale_(kWidth / box_.size().x()) {}
+      : room_(room), box_(room.window), scale_(kPictureWidth / box_.size().x()) {}
 
   void draw_walls() {
     const Surfaces& walls = room_.world.surfaces;
@@ -72,7 +72,7 @@ class OrbitDrawing {
         "</style>\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
         "<g stroke-width=\"{7}\" transform=\"matrix({2} 0 0 -{2} {3} {4})\">\n{5}</g>\n{6}</svg>\n",
-        svg_number(kWidth), svg_number(height), number_text(scale_),
+        svg_number(kPictureWidth), svg_number(height), number_text(scale_),
         number_text(-box_.low.x() * scale_), number_text(box_.high.y() * scale_), world_, film_,
         number_text(kLine / scale_));
   }

@@ -105,10 +105,12 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
     return usage_error(where, fmt::format("'{}' is a folder", text),
                        fmt::format("say {}frame_####.png", text));
   const std::size_t file_bytes = std::filesystem::path(text).filename().string().size();
-  if (file_bytes > kLongestFileName || text.size() > kLongestPattern)
+  if (file_bytes > kLongestFileName)
     return usage_error(where, fmt::format("the file name has {} bytes", file_bytes),
-                       fmt::format("at most {} in the name, {} with its folders", kLongestFileName,
-                                   kLongestPattern));
+                       fmt::format("at most {} in the name", kLongestFileName));
+  if (text.size() > kLongestPattern)
+    return usage_error(where, fmt::format("the path has {} bytes", text.size()),
+                       fmt::format("at most {} with its folders", kLongestPattern));
   const auto known = format_of(text, format, where);
   if (!known) return tl::unexpected(known.error());
   return OutputPattern(std::move(text), *known);
@@ -119,10 +121,19 @@ OutputPattern OutputPattern::standard(bool sequence, PictureFormat format) {
   return {std::string(stem) + name(format), format};
 }
 
-std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame) const {
+std::filesystem::path OutputPattern::with_number(std::string_view scene,
+                                                 const std::string& number) const {
   std::string result = text_;
-  if (has_frame()) result.replace(frame_at_, frame_length_, fmt::format("{:0{}}", frame, digits_));
+  if (has_frame()) result.replace(frame_at_, frame_length_, number);
   return with_scene(std::move(result), scene);
+}
+
+std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame) const {
+  return with_number(scene, fmt::format("{:0{}}", frame, digits_));
+}
+
+std::string OutputPattern::file_pattern(std::string_view scene) const {
+  return with_number(scene, std::string(static_cast<std::size_t>(digits_), '#')).filename();
 }
 
 std::optional<std::filesystem::path> OutputPattern::link_chosen_by(std::string_view scene) const {

@@ -31,12 +31,15 @@ class OutputPattern {
 
   /// `scene` is a `plain_name`.
   std::filesystem::path path(std::string_view scene, unsigned frame) const;
+  /// The name of its files, with as many # as the frame number has digits.
+  std::string file_pattern(std::string_view scene) const;
   /// The first folder of the path that the scene's name chose and that is a symbolic link: through
   /// it the name would choose a place elsewhere. Links the user wrote out are the user's word.
   std::optional<std::filesystem::path> link_chosen_by(std::string_view scene) const;
 
  private:
   OutputPattern(std::string text, PictureFormat format);
+  std::filesystem::path with_number(std::string_view scene, const std::string& number) const;
 
   std::string text_;
   PictureFormat format_;

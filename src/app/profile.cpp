@@ -15,7 +15,7 @@
 namespace flatray {
 namespace {
 
-constexpr const char* kSchema = "flatray.profile/1";
+constexpr const char* kProfileSchema = "flatray.profile/1";
 
 std::string hash_of(const Scene& scene) { return Hash().add(scene.hash).hex(); }
 
@@ -87,7 +87,7 @@ Result<Profile> read_profile(const std::string& path) {
     std::optional<Way> way;
     if (begin == 0) {
       profile.head = place;
-      if (!line || text_of(*line, "schema") != kSchema)
+      if (!line || text_of(*line, "schema") != kProfileSchema)
         return fail(place, "is not a profile", "flatray accuracy SCENE --profile FILE writes one");
       profile.hash = text_of(*line, "scene_hash");
     } else if (line && (way = way_of(*line, place))) {
@@ -186,8 +186,8 @@ Arguments with_options(const Arguments& arguments, const Way& way) {
 
 std::string profile_text(const Scene& scene, std::span<const ChoiceReport> reports) {
   std::string text =
-      json_text(
-          Fields{{"schema", kSchema}, {"scene", scene.name}, {"scene_hash", hash_of(scene)}}) +
+      json_text(Fields{
+          {"schema", kProfileSchema}, {"scene", scene.name}, {"scene_hash", hash_of(scene)}}) +
       "\n";
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {

@@ -56,7 +56,7 @@ void Progress::step() {
   if (style_ == Style::bar)
     draw_bar(done, elapsed.count());
   else
-    print(fmt::format("flatray: {} %, {} of {} {}\n", now * 25, done, total_, unit_));
+    print(fmt::format("flatray: {} %, {} of {} {}\n", 100 * done / total_, done, total_, unit_));
 }
 
 void Progress::finish() {

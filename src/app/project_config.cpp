@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "app/help.h"
+#include "app/places.h"
+#include "base/beneath.h"
 #include "base/file.h"
 #include "scene/format.h"
 #include "scene/vocabulary.h"
@@ -12,12 +15,13 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostConfigBytes = std::size_t{1} << 20;
 
 std::vector<std::string> all_options() {
   std::set<std::string> names;
   for (const Verb* verb : all_verbs())
-    for (const Option& option : verb->options) names.insert(option.name);
+    for (const Option& option : options_of(*verb)) names.insert(option.name);
+  names.erase("help");
   return {names.begin(), names.end()};
 }
 
@@ -30,7 +34,8 @@ std::optional<std::string> text_of(const Value& value) {
 
 class Config {
  public:
-  explicit Config(std::span<const Option> options) : options_(options) {}
+  Config(std::span<const Option> options, std::filesystem::path folder)
+      : options_(options), folder_(std::move(folder)) {}
 
   Diagnostics problems;
 
@@ -47,6 +52,8 @@ class Config {
     if (option->kind == OptionKind::list && member.value.kind == Value::Kind::array)
       return list(member);
     const std::optional<std::string> text = text_of(member.value);
+    if (text && names_path(option->metavar) && !path_beneath(folder_, *text))
+      return refuse_place(member, *text);
     if (text) return std::vector{*text};
     return refuse(member, "a number or string");
   }
@@ -67,6 +74,13 @@ class Config {
     }
     return all;
   }
+  // Whoever wrote the folder is not the one who runs a program in it.
+  std::nullopt_t refuse_place(const Member& member, const std::string& path) {
+    problems.push_back({member.value.where,
+                        fmt::format("{} is '{}', outside of this folder", member.key, path),
+                        fmt::format("say --{} {} on the command line", member.key, path)});
+    return std::nullopt;
+  }
   std::nullopt_t refuse(const Member& member, const char* expected) {
     problems.push_back(
         {member.value.where,
@@ -76,6 +90,7 @@ class Config {
   }
 
   std::span<const Option> options_;
+  std::filesystem::path folder_;
   const std::vector<std::string> known_ = all_options();
 };
 
@@ -94,15 +109,17 @@ Result<Arguments> with_project_config(std::span<const Option> options, Arguments
   const Format* toml = find_format("toml");
   if (toml == nullptr || fs::symlink_status(file, missing).type() == fs::file_type::not_found)
     return arguments;
-  if (!fs::is_regular_file(file, missing))  // a pipe could keep the reader for ever
-    return fail(named_place(file.string()), "is not a plain file",
+  // A pipe could keep the reader for ever, and messages quote what is read.
+  if (!fs::is_regular_file(file, missing) || !path_beneath(folder_of(file), file))
+    return fail(named_place(file.string()), "is not a plain file of this folder",
                 "remove it, or write options there", Trouble::missing);
-  Result<std::string> text = read_file(file, kMostBytes);
+  Result<std::string> text = read_file(file, {kMostConfigBytes});
   if (!text) return fail(std::move(text));
+  if (text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
   Result<SceneDesc> parsed =
       toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)), {});
   if (!parsed) return refused(std::move(parsed).error());
-  Config config(options);
+  Config config(options, folder_of(file));
   auto given = arguments.given();
   for (const Member& member : parsed->root.members)
     if (auto values = config.values(member); values && !arguments.has(member.key))

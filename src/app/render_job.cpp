@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <set>
 
 #include "app/frame_encoder.h"
 #include "app/interrupt.h"
+#include "app/resource_limits.h"
 #include "app/value.h"
 #include "app/version.h"
+#include "base/counted.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/number_text.h"
@@ -44,12 +47,13 @@ std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
 class FrameMaker {
  public:
   FrameMaker(const RenderJob& job, const Timeline& timeline, const std::vector<unsigned>& frames,
-             unsigned threads, const std::function<void()>& done)
+             unsigned threads, const std::function<void()>& done, const Claim* claim)
       : job_(job),
         frames_(frames),
         spread_(spread(job, frames.size(), threads)),
         run_(run_length(frames.size(), spread_)),
         done_(done),
+        claim_(claim),
         plan_(make_plan(job.scene, job.keep_all, job.tracer)),
         timeline_(timeline),
         manifest_(job.manifest()),
@@ -113,7 +117,7 @@ class FrameMaker {
     draw_run(begin, made);
     if (made.records.empty() || !job_.output.has_frame()) return;
     flush_folder(job_.folder());
-    if (auto flushed = flush_file(manifest_); !flushed && made.problems.empty())
+    if (auto flushed = flush_file(manifest_.path()); !flushed && made.problems.empty())
       made.problems = std::move(flushed).error();
   }
 
@@ -146,18 +150,25 @@ class FrameMaker {
     Result<const Encoded*> made = still_ ? &*still_ : encoder.encode(plan_, timeline_, frame);
     if (!made) return fail(std::move(made));
     if (*made == nullptr) return FrameRecord{};
-    const Encoded& picture = **made;
-    FrameRecord record = picture.record;
+    FrameRecord record = (*made)->record;
     record.frame = frame;
     record.file = job_.path(frame).filename();
-    const Flush flush = job_.output.has_frame() ? Flush::later : Flush::now;
-    if (auto written = write_file(job_.path(frame), picture.bytes, flush); !written)
-      return fail(std::move(written));
-    // A single picture with a name of its own needs no list beside it.
-    if (job_.output.has_frame())
-      if (auto added = append_line(manifest_, manifest_line(record), flush); !added)
-        return fail(std::move(added));
+    if (auto written = write((*made)->bytes, record); !written) return fail(std::move(written));
     return record;
+  }
+
+  // A single picture with a name of its own needs no list beside it.
+  Result<void> write(std::span<const std::byte> bytes, const FrameRecord& record) const {
+    const fs::path path = job_.path(record.frame);
+    if (!job_.output.has_frame()) return write_file(path, bytes);
+    Result<NewFile> file = NewFile::write(path, bytes);
+    if (!file) return fail(std::move(file));
+    const auto take_name = [&]() -> Result<void> {
+      if (claim_ != nullptr)
+        if (auto held = claim_->expect_held(); !held) return held;
+      return file->take_name();
+    };
+    return manifest_.add(manifest_line(record) + "\n", take_name, Journal::Flush::later);
   }
 
   const RenderJob& job_;
@@ -165,9 +176,10 @@ class FrameMaker {
   const Spread spread_;
   const std::size_t run_;
   const std::function<void()>& done_;
+  const Claim* const claim_;
   const RenderPlan plan_;
   const Timeline& timeline_;
-  const fs::path manifest_;
+  const Journal manifest_;
   std::vector<Made> made_;
   std::optional<Encoded> still_;
   DrawCounts drawn_;  ///< for it
@@ -175,82 +187,99 @@ class FrameMaker {
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
 
-Records still_valid(const Records& old, std::span<const RenderJob> jobs, bool resume,
-                    unsigned threads) {
-  std::vector<std::pair<const FrameRecord*, const RenderJob*>> candidates;
-  Records kept;
-  for (const auto& entry : old) {  // clang 14 cannot capture structured bindings
-    const FrameRecord& record = entry.second;
-    const auto job = std::find_if(jobs.begin(), jobs.end(),
-                                  [&](const RenderJob& one) { return one.makes(record); });
-    const bool same_scene = std::any_of(jobs.begin(), jobs.end(), [&](const RenderJob& one) {
-      return one.fingerprint() == record.scene;
-    });
-    if (job == jobs.end() && same_scene) kept[entry.first] = record;
-    if (job != jobs.end() && resume && record.scene == job->fingerprint())
-      candidates.emplace_back(&record, &*job);
+// The lines of all manifests in a folder.
+Result<std::string> text_of_manifests(const fs::path& folder) {
+  std::string all;
+  for (const fs::path& manifest : manifests_in(folder)) {
+    auto text = Journal(manifest).read();
+    if (!text) return text;
+    all += *text;
   }
-  std::vector<char> whole(candidates.size());
-  parallel_for(candidates.size(), threads, [&](std::size_t i) {
-    const auto& [record, job] = candidates[i];
-    whole[i] = is_whole(*record, job->folder(), job->output.format()) ? 1 : 0;
-  });
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (whole[i] != 0) kept[candidates[i].first->file] = *candidates[i].first;
-  return kept;
+  return all;
 }
 
-// Whoever made a picture of this job, another shard or a run of all, it need not be made again.
-Result<void> take_others(Records& records, const RenderJob& job) {
-  Result<Records> others = read_other_manifests(job.manifest());
-  if (!others) return fail(std::move(others));
-  for (const auto& entry : *others)
-    if (job.makes(entry.second)) records.insert(entry);
-  return {};
+// The lines of a manifest without records of `files`, and without what is no record.
+std::string without_files(const std::string& text, const std::set<std::string>& files) {
+  std::string lines;
+  each_line(text, [&](std::string_view line) {
+    const std::optional<FrameRecord> record = parse_manifest_line(line);
+    if (record && !files.contains(record->file)) lines += std::string(line) + "\n";
+  });
+  return lines;
+}
+
+// What is told of records of other settings in the pattern of a job, beside which its pictures will
+// stand.
+std::optional<Diagnostic> mixture(const RenderJob& job, const Records& records) {
+  const FrameRecord* first = nullptr;
+  std::size_t count = 0;
+  const std::string own = job.fingerprint();
+  for (const auto& [file, record] : records) {
+    if (!job.names(record) || record.scene == own) continue;
+    if (first == nullptr) first = &record;
+    ++count;
+  }
+  if (first == nullptr) return std::nullopt;
+  return Diagnostic{named_place((job.folder() / job.output.file_pattern(job.name)).string()),
+                    fmt::format("{} of another scene or setting, as {} of {}x{}, seed {}",
+                                counted(count, "frame") + (count == 1 ? " is" : " are"),
+                                first->file, first->width, first->height, first->seed),
+                    "draw all frames anew, or each setting in a folder of its own"};
 }
 
 // Those of frames made before stay as long as the manifest has these.
 Result<void> write_timings(const RenderJob& job, const JobResult& result) {
-  const fs::path path = timings_path(job.folder(), job.shard);
-  Result<Timings> before = read_timings(path);
-  if (!before) return fail(std::move(before));
-  Result<Records> records = read_manifest(job.manifest());
-  if (!records) return fail(std::move(records));
-  Timings timings;
-  for (const auto& [file, record] : *records)
-    if (const auto kept = before->find(record.frame); kept != before->end()) timings.insert(*kept);
-  for (std::size_t i = 0; i < result.written.size(); ++i) {
-    const unsigned frame = result.written[i].frame;
-    timings[frame] = json_text(Fields{{"frame", frame}, {"seconds", result.seconds[i]}});
-  }
-  std::string lines;
-  for (const auto& [frame, line] : timings) lines += line + "\n";
-  return write_file(path, lines);
+  const Journal journal(timings_path(job.folder(), job.shard));
+  return journal.merge([&](const std::string& text) -> Result<std::string> {
+    const auto manifest = Journal(job.manifest()).read();
+    if (!manifest) return tl::unexpected(manifest.error());
+    const Records records = records_of(*manifest);
+    std::map<std::string, std::string> timings;
+    each_line(text, [&](std::string_view line) {
+      const auto value = parse_json(line);
+      const JsonValue* file = value ? value->find("file") : nullptr;
+      const std::string name = file == nullptr ? "" : file->as_text().value_or("");
+      if (records.contains(name)) timings[name] = line;
+    });
+    for (std::size_t i = 0; i < result.written.size(); ++i) {
+      const FrameRecord& record = result.written[i];
+      timings[record.file] = json_text(
+          Fields{{"frame", record.frame}, {"file", record.file}, {"seconds", result.seconds[i]}});
+    }
+    std::string lines;
+    for (const auto& [file, line] : timings) lines += line + "\n";
+    return lines;
+  });
 }
 
 }  // namespace
 
-std::string RenderJob::fingerprint() const {
-  const PixelBox box = picture();
-  Hash hash;
-  for (const std::uint64_t part : {scene.hash, seed}) hash.add(part);
-  for (const int part : {scene.film.width, scene.film.height, box.x, box.y, box.width, box.height})
-    hash.add(static_cast<std::uint64_t>(part));
-  if (renderer) hash.add(backend());
+Fields RenderJob::setting() const {
+  const PixelBox part = picture();
+  Fields fields{{"scene", Hash().add(scene.hash).hex()},
+                {"seed", seed},
+                {"size", fmt::format("{}x{}", scene.film.width, scene.film.height)},
+                {"part", fmt::format("{}x{} at {},{}", part.width, part.height, part.x, part.y)},
+                {"format", flatray::name(output.format())},
+                {"backend", backend()},
+                {"version", kVersion}};
   if (view)
-    hash.add(view->view->name).add(number_text(view->point.x())).add(number_text(view->point.y()));
-  if (tracer != nullptr && !tracer->exact) hash.add(tracer->name);
-  return hash.add(flatray::name(output.format())).add(kVersion).hex();
+    fields.emplace_back("view",
+                        fmt::format("{} {} {}", view->view->name, number_text(view->point.x()),
+                                    number_text(view->point.y())));
+  if (tracer != nullptr && !tracer->exact) fields.emplace_back("tracer", tracer->name);
+  return fields;
 }
 
+std::string RenderJob::fingerprint() const { return Hash().add(json_text(setting())).hex(); }
+
 bool RenderJob::makes(const FrameRecord& record) const {
-  return std::binary_search(frames.begin(), frames.end(), record.frame) &&
-         record.file == path(record.frame).filename();
+  return std::binary_search(frames.begin(), frames.end(), record.frame) && names(record);
 }
 
 Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
-  const std::uint64_t fit =
-      std::max<std::uint64_t>(kMemoryAtOnce / bytes_of_frame(job, frame_count), 1);
+  const std::uint64_t memory = std::min(kMemoryAtOnce, memory_limit() / 2);
+  const std::uint64_t fit = std::max<std::uint64_t>(memory / bytes_of_frame(job, frame_count), 1);
   const std::uint64_t at_once =
       std::min({std::uint64_t{threads}, fit, std::max<std::uint64_t>(frame_count, 1)});
   return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
@@ -261,40 +290,87 @@ std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_coun
   return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job, frame_count);
 }
 
-Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, unsigned threads) {
-  Manifests manifests;
-  for (const RenderJob& job : jobs) {
-    if (!job.output.has_frame() || manifests.count(job.manifest()) != 0) continue;
-    Result<Records> old = read_manifest(job.manifest());
-    if (!old) return fail(std::move(old));
-    if (resume)
-      if (auto taken = take_others(*old, job); !taken) return fail(std::move(taken));
-    manifests[job.manifest()] = still_valid(*old, jobs, resume, threads);
+Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
+  Work work{&job, {}, {}};
+  std::vector<FrameRecord> candidates;
+  const std::string own = job.fingerprint();
+  if (resume && job.output.has_frame()) {
+    const auto text = text_of_manifests(job.folder());
+    if (!text) return tl::unexpected(text.error());
+    each_line(*text, [&](std::string_view line) {
+      const auto record = parse_manifest_line(line);
+      if (record && job.makes(*record) && record->scene == own) candidates.push_back(*record);
+    });
   }
-  return manifests;
+  std::vector<char> whole(candidates.size());
+  parallel_for(candidates.size(), threads,
+               [&](std::size_t i) { whole[i] = is_whole(candidates[i], job.folder()) ? 1 : 0; });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (whole[i] != 0) work.kept[candidates[i].file] = candidates[i];
+  std::copy_if(job.frames.begin(), job.frames.end(), std::back_inserter(work.frames),
+               [&](unsigned frame) { return !work.kept.contains(job.path(frame).filename()); });
+  return work;
 }
 
-std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept) {
-  const auto found = kept.find(job.manifest());
-  if (!job.output.has_frame() || found == kept.end()) return job.frames;
-  std::vector<unsigned> frames;
-  std::copy_if(
-      job.frames.begin(), job.frames.end(), std::back_inserter(frames),
-      [&](unsigned frame) { return found->second.count(job.path(frame).filename()) == 0; });
-  return frames;
+Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
+  const RenderJob& job = *work.job;
+  constexpr std::string_view kFirstName = "{\"frame\":";
+  for (const fs::path& list : {job.manifest(), timings_path(job.folder(), job.shard)})
+    if (auto allowed = outputs.make_way(list, kFirstName); !allowed)
+      return fail(std::move(allowed));
+  const auto lines = text_of_manifests(job.folder());
+  if (!lines) return tl::unexpected(lines.error());
+  const Records recorded = records_of(*lines);
+  std::set<std::string> files;
+  for (const unsigned frame : work.frames) {
+    const std::string& file = *files.insert(job.path(frame).filename()).first;
+    auto allowed =
+        outputs.allow(job.path(frame), beginning(job.output.format()), recorded.contains(file));
+    if (!allowed) return fail(std::move(allowed));
+  }
+  auto claim = Claim::take(job.folder(), job.output.file_pattern(job.name),
+                           json_text(job.setting()), outputs.force());
+  if (!claim) return claim;
+  std::vector<fs::path> manifests = manifests_in(job.folder());
+  if (std::find(manifests.begin(), manifests.end(), job.manifest()) == manifests.end())
+    manifests.push_back(job.manifest());
+  Records others;
+  for (const fs::path& manifest : manifests) {
+    auto merged = Journal(manifest).merge([&](const std::string& text) -> Result<std::string> {
+      const Records before = records_of(text);
+      const bool own = manifest == job.manifest();
+      const bool goes = std::any_of(files.begin(), files.end(),
+                                    [&](const std::string& file) { return before.contains(file); });
+      std::string changed = own || goes ? without_files(text, files) : text;
+      for (const auto& [file, record] : work.kept) {  // by --resume, also from others
+        const auto there = before.find(file);
+        if (own && (there == before.end() || there->second != record))
+          changed += manifest_line(record) + "\n";
+      }
+      others.merge(records_of(changed));
+      return changed;
+    });
+    if (!merged) return fail(std::move(merged));
+  }
+  if (auto mixed = mixture(job, others)) warnings.push_back(std::move(*mixed));
+  return claim;
 }
 
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-                  const std::function<void()>& done) {
+                  const std::function<void()>& done, const Claim* claim) {
   if (frames.empty()) return {};
-  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
-  if (!timeline) return {{}, {}, std::move(timeline).error()};
-  FrameMaker maker(job, *timeline, frames, threads, done);
+  Result<PartTimeline> part = timeline_before_trouble(job.scene, job.seed, job.last_frame);
+  if (!part) return {{}, {}, std::move(part).error()};
+  std::vector<unsigned> known = frames;
+  std::erase_if(known, [&](unsigned frame) { return frame > part->last_frame; });
+  if (known.empty()) return {{}, {}, std::move(part->problems)};
+  FrameMaker maker(job, part->timeline, known, threads, done, claim);
   maker.make_all();
   JobResult result = maker.result();
   if (job.output.has_frame() && result.problems.empty())
     if (auto written = write_timings(job, result); !written)
       result.problems = std::move(written).error();
+  if (result.problems.empty()) result.problems = std::move(part->problems);
   return result;
 }
 

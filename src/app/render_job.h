@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "app/frames.h"
+#include "app/journal.h"
 #include "app/manifest.h"
 #include "app/output_pattern.h"
+#include "app/outputs.h"
 #include "render/backend.h"
 #include "render/view.h"
 
@@ -33,7 +35,10 @@ struct RenderJob {
   std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }
   std::filesystem::path folder() const { return path(1).parent_path(); }
   std::filesystem::path manifest() const { return manifest_path(folder(), shard); }
-  /// Whether a record is of one of these frames.
+  /// Whether a record is of this pattern, and of one of these frames.
+  bool names(const FrameRecord& record) const {
+    return record.file == path(record.frame).filename();
+  }
   bool makes(const FrameRecord& record) const;
   /// Size of the pictures.
   PixelBox picture() const {
@@ -41,8 +46,8 @@ struct RenderJob {
   }
   /// Name of the back end, with all that its pixels depend on.
   std::string backend() const { return renderer ? renderer->description() : "software"; }
-  /// Hash of everything a byte of the pictures depends on but the frame: text, seed, size, crop,
-  /// format, back end, version.
+  /// Everything a byte of the pictures depends on but the frame, and a hash of it.
+  Fields setting() const;
   std::string fingerprint() const;
 };
 
@@ -58,13 +63,21 @@ Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads);
 std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_count,
                                     unsigned threads);
 
-/// By path of the manifest, the records that stay in it: of frames the jobs make only with
-/// `resume`, and only where record and file agree; of other frames of the same scenes all.
-using Manifests = std::map<std::filesystem::path, Records>;
-Result<Manifests> kept_records(std::span<const RenderJob> jobs, bool resume, unsigned threads);
+/// What is to be done of a job.
+struct Work {
+  const RenderJob* job;
+  Records kept;                  ///< with --resume: of frames that are whole, from this very job
+  std::vector<unsigned> frames;  ///< still to make
+};
+/// Reads records and pictures, and writes nothing.
+Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads);
 
-/// Frames of the job without a record.
-std::vector<unsigned> frames_to_make(const RenderJob& job, const Manifests& kept);
+/// Before the first frame: makes the records true for what comes, those of frames to be made gone,
+/// so that a stop at any moment leaves them so. Others' stay; `warnings` tells of those in the same
+/// pattern that are from another scene or setting.
+/// Gives   the claim to the pattern. Error   Trouble::output: another run is at work on it, or what
+///         stands in its way is not its own.
+Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& warnings);
 
 struct JobResult {
   std::vector<FrameRecord> written;  ///< by frame
@@ -74,10 +87,10 @@ struct JobResult {
   std::size_t encoded = 0;           ///< pictures; the others have the bytes of one before
 };
 /// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
-/// whole frames kept, when interrupted or when a file cannot be written. `done` is told of every
-/// frame, by any thread.
+/// whole frames kept, when interrupted, when a file cannot be written or the claim is lost. `done`
+/// is told of every frame, by any thread.
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-                  const std::function<void()>& done);
+                  const std::function<void()>& done, const Claim* claim = nullptr);
 
 /// One picture as the bytes of its file. Error   what the job's back end cannot draw.
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,

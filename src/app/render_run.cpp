@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <map>
 
 #include "app/interrupt.h"
 #include "app/json_failure.h"
@@ -13,8 +14,6 @@
 namespace flatray {
 namespace {
 
-std::size_t kept_count(const Work& work) { return work.job->frames.size() - work.frames.size(); }
-
 JsonValue dry_value(const Work& work, unsigned threads) {
   Values files;
   for (const unsigned frame : work.frames) files.emplace_back(work.job->path(frame).string());
@@ -23,7 +22,7 @@ JsonValue dry_value(const Work& work, unsigned threads) {
                 {"width", size.width},
                 {"height", size.height},
                 {"files", std::move(files)},
-                {"kept", kept_count(work)},
+                {"kept", work.kept.size()},
                 {"picture_bytes", picture_bytes_at_once(*work.job, work.frames.size(), threads)}};
 }
 
@@ -33,7 +32,7 @@ std::string dry_text(const Work& work, unsigned threads) {
   std::string text =
       fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
                   work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
-                  size.height, kept_count(work), static_cast<double>(bytes) / 1e6);
+                  size.height, work.kept.size(), static_cast<double>(bytes) / 1e6);
   for (const unsigned frame : work.frames) text += work.job->path(frame).string() + "\n";
   return text;
 }
@@ -48,16 +47,14 @@ JsonValue work_value(const JobResult& result) {
 }
 
 // Records of the job's frames, kept and written, as --json shows them.
-JsonValue job_value(const Work& work, const Manifests& kept, const JobResult& result) {
+JsonValue job_value(const Work& work, const JobResult& result) {
   std::map<unsigned, FrameRecord> records;
-  if (const auto found = kept.find(work.job->manifest()); found != kept.end())
-    for (const auto& [file, record] : found->second)
-      if (work.job->makes(record)) records[record.frame] = record;
+  for (const auto& [file, record] : work.kept) records[record.frame] = record;
   for (const FrameRecord& record : result.written) records[record.frame] = record;
   Values frames;
   for (const auto& [frame, record] : records) frames.push_back(as_value(record));
   return Fields{{"scene", work.job->scene.name},    {"folder", work.job->folder().string()},
-                {"written", result.written.size()}, {"kept", kept_count(work)},
+                {"written", result.written.size()}, {"kept", work.kept.size()},
                 {"work", work_value(result)},       {"frames", std::move(frames)}};
 }
 
@@ -70,11 +67,13 @@ class Run {
     if (const auto begun = begin(); !begun) return give_up(begun.error());
     for (const Work& work : list_.works) {
       if (interrupted()) break;
-      JobResult result =
-          run_job(*work.job, work.frames, list_.threads, [this] { progress_.step(); });
+      const auto claim = claims_.find(&work);
+      JobResult result = run_job(
+          *work.job, work.frames, list_.threads, [this] { progress_.step(); },
+          claim == claims_.end() ? nullptr : &claim->second);
       written_ += result.written.size();
-      kept_ += kept_count(work);
-      results_.push_back(job_value(work, list_.kept, result));
+      kept_ += work.kept.size();
+      results_.push_back(job_value(work, result));
       if (!result.problems.empty()) return give_up(result.problems);
     }
     return finish();
@@ -87,18 +86,30 @@ class Run {
     return count;
   }
 
-  // Manifests hold from the start only what stays, so that a stop at any moment leaves them true.
-  // Files of runs that were killed go first.
-  Result<void> begin() const {
+  // All that can be refused is refused before the first picture. Where nothing is to be done nothing
+  // is written. Files of runs that were killed go first.
+  Result<void> begin() {
+    const Outputs outputs(arguments_);
+    Diagnostics warnings;
     for (const Work& work : list_.works) {
-      if (work.job->output.is_stdout()) continue;
-      if (const auto link = work.job->output.link_chosen_by(work.job->name))
+      const RenderJob& job = *work.job;
+      if (job.output.is_stdout()) continue;
+      if (const auto link = job.output.link_chosen_by(job.name))
         return fail(named_place(link->string()), "is a link, and a scene's name led to it",
                     "remove it, or write the folder out in -o", Trouble::output);
-      remove_leftovers(work.job->folder());
+      remove_leftovers(job.folder());
+      if (work.frames.empty()) continue;
+      if (!job.output.has_frame()) {
+        const std::filesystem::path path = job.path(work.frames.front());
+        if (auto allowed = outputs.allow(path, beginning(job.output.format())); !allowed)
+          return allowed;
+        continue;
+      }
+      auto claim = begin_work(work, outputs, warnings);
+      if (!claim) return fail(std::move(claim));
+      claims_.emplace(&work, std::move(*claim));
     }
-    for (const auto& [path, records] : list_.kept)
-      if (auto written = write_manifest(path, records); !written) return written;
+    report_warnings(warnings, arguments_);
     return {};
   }
 
@@ -116,14 +127,13 @@ class Run {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
     const bool stopped = written_ < total_;
     if (stopped)
-      report_note(fmt::format(
-          "flatray: interrupted, {} of {} written; the same command with --resume goes on",
-          written_, counted(total_, "frame")));
+      report_note(
+          fmt::format("flatray: {}, {} of {} written; the same command with --resume goes on",
+                      interruption(), written_, counted(total_, "frame")));
     else if (!arguments_.has("quiet"))
       report_note(fmt::format("flatray: {} written{} in {:.2f} s", counted(written_, "frame"),
                               kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
-    constexpr int kInterrupted = 130;
-    VerbOutput output{"", stopped ? kInterrupted : 0};
+    VerbOutput output{"", stopped ? interrupted_code() : 0};
     if (arguments_.has("json")) output.text = json_report("render", arguments_, results_);
     return output;
   }
@@ -134,16 +144,19 @@ class Run {
   Progress progress_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t written_ = 0, kept_ = 0;
+  std::map<const Work*, Claim> claims_;  ///< to the patterns of sequences
   Values results_;
 };
 
 }  // namespace
 
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
-  Result<Manifests> kept = kept_records(jobs, request.resume, request.threads);
-  if (!kept) return fail(std::move(kept));
-  WorkList list{{}, std::move(*kept), request.threads};
-  for (const RenderJob& job : jobs) list.works.push_back({&job, frames_to_make(job, list.kept)});
+  WorkList list{{}, request.threads};
+  for (const RenderJob& job : jobs) {
+    Result<Work> work = plan_work(job, request.resume, request.threads);
+    if (!work) return fail(std::move(work));
+    list.works.push_back(std::move(*work));
+  }
   return list;
 }
 

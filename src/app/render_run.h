@@ -8,16 +8,9 @@
 
 namespace flatray {
 
-/// What one scene's part of a render comes to.
-struct Work {
-  const RenderJob* job;
-  std::vector<unsigned> frames;  ///< still to make
-};
-
 /// The jobs of a command, with what --resume keeps taken out.
 struct WorkList {
   std::vector<Work> works;
-  Manifests kept;
   unsigned threads = 1;
 };
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request);

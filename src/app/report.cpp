@@ -7,6 +7,8 @@
 
 #include "app/version.h"
 #include "base/counted.h"
+#include "base/number_text.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 
@@ -39,7 +41,7 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
   if (!arguments.has("quiet")) std::fputs(format(warnings, "warning").c_str(), stderr);
 }
 
-void report_note(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
+void report_note(const std::string& line) { std::fputs((shown_text(line) + "\n").c_str(), stderr); }
 
 std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
                         Fields of_all) {
@@ -61,6 +63,10 @@ std::string json_report(const char* verb, const Arguments& arguments, JsonValue 
   report[3].second = std::move(results);  // lists copy what they begin with
   std::move(of_all.begin(), of_all.end(), std::back_inserter(report));
   return json_text(report) + "\n";
+}
+
+std::string point_text(const Vec2& point) {
+  return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
 }
 
 JsonValue as_value(const Diagnostic& diagnostic) {

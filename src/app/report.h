@@ -4,6 +4,7 @@
 #include "app/arguments.h"
 #include "app/value.h"
 #include "base/result.h"
+#include "geom/vec.h"
 
 namespace flatray {
 
@@ -24,6 +25,9 @@ void report_note(const std::string& line);
 /// since the arguments were read), and what the verb tells of all results.
 std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
                         Fields of_all = {});
+
+/// A point as people read it: "(0.5, -2)".
+std::string point_text(const Vec2& point);
 
 /// A diagnostic as an object: file, line, column, message, hint.
 JsonValue as_value(const Diagnostic& diagnostic);

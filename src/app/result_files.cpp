@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <set>
-
-#include "base/file.h"
+#include <vector>
 
 namespace flatray {
 namespace {
@@ -31,13 +30,20 @@ std::string plain_name(const std::string& name, std::set<std::string>& taken) {
 
 }  // namespace
 
-Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder) {
+Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder,
+                           const Outputs& outputs) {
   Values names;
+  std::vector<std::filesystem::path> paths;
   std::set<std::string> taken;
   for (const ExperimentResult::File& file : result.files) {
-    const std::filesystem::path path = folder / plain_name(file.name, taken);
-    if (auto written = write_file(path, file.content); !written) return fail(std::move(written));
-    names.emplace_back(path.string());
+    paths.push_back(folder / plain_name(file.name, taken));
+    if (auto allowed = outputs.allow(paths.back(), file.content); !allowed)
+      return fail(std::move(allowed));
+  }
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    auto written = outputs.write(paths[i], result.files[i].content);
+    if (!written) return fail(std::move(written));
+    names.emplace_back(paths[i].string());
   }
   return names;
 }

@@ -4,6 +4,7 @@
 #include "app/option_values.h"
 #include "app/report.h"
 #include "base/parallel.h"
+#include "collide/pillars.h"
 #include "collide/scene_timeline.h"
 
 namespace flatray {
@@ -52,6 +53,7 @@ Result<LoadLimits> limits_of(const Arguments& arguments) {
   const auto bytes = arguments.whole("max-bytes", limits.max_bytes, 1, kMostBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   limits.max_bytes = *bytes;
+  limits.root = arguments.text("root").value_or("");
   const auto count = threads(arguments);
   if (!count) return tl::unexpected(count.error());
   limits.threads = *count;
@@ -80,6 +82,10 @@ Result<LoadedScene> load_input(const Arguments& arguments, const std::string& pa
                                const std::vector<Override>& more) {
   Result<ReadScene> read = read_input(arguments, path, more);
   if (!read) return fail(std::move(read));
+  const Scene& scene = read->loaded.scene;
+  // What leaves by a periodic wall in the middle of a pillar would come in where none is.
+  if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic)
+    if (auto inside = expect_pillars_inside(scene); !inside) return fail(std::move(inside));
   return std::move(read->loaded);
 }
 

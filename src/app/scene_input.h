@@ -27,6 +27,8 @@ inline constexpr Option kSeedOption = {"seed", '\0', "N",
                                        "seed of all draws instead of the scene's"};
 inline constexpr Option kThreadsOption = {"jobs", 'j', "N",
                                           "threads (default: all of the machine)"};
+inline constexpr Option kForceOption = {
+    "force", '\0', "", "also replace inputs, and what no such command wrote", OptionKind::flag};
 inline constexpr Option kFrameOption = {"frame", 'f', "K",
                                         "frame whose positions are used (default 1)"};
 inline constexpr Option kJsonOption = {"json", '\0', "", "print one JSON object", OptionKind::flag};

@@ -1,7 +1,10 @@
 // flatray stability --leaks.
+#include <fmt/core.h>
+
 #include "app/chunk_log.h"
 #include "app/interrupt.h"
 #include "app/option_values.h"
+#include "app/report.h"
 #include "app/rounds.h"
 #include "app/scene_input.h"
 #include "app/stability_reports.h"
@@ -31,7 +34,8 @@ Result<void> run_blocks(const StabilityRequest& request, const RoomPlace& place,
 }  // namespace
 
 VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound) {
-  const int code = interrupted() ? 130 : sound ? 0 : 1;
+  const int code = interrupted() ? interrupted_code() : sound ? 0 : 1;
+  if (interrupted()) report_note(fmt::format("flatray: {}; {}", interruption(), kRowsKept));
   if (arguments.has("json"))
     return VerbOutput{json_report("stability", arguments, as_objects(table)), code};
   return VerbOutput{aligned_text(table), code};
@@ -43,9 +47,8 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
   const auto places = chosen_names(arguments, "places", "place", names_of(room_places()));
   if (!places) return tl::unexpected(places.error());
   const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
-  auto log = LeakLog::open(arguments.text("output"));
+  auto log = LeakLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  catch_interrupts();
   ReportTable table{
       {"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong", "first_t_off",
        "asked", "beside", "nothing", "through_end", "through", "invented"},

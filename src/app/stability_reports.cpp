@@ -32,7 +32,7 @@ ExperimentResult as_file(const char* name, const ReportTable& table) {
 Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
                                    const ExperimentResult& result, bool sound) {
   if (const auto folder = arguments.text("output")) {
-    auto files = write_files(result, *folder);
+    auto files = write_files(result, *folder, Outputs(arguments));
     if (!files) return fail(std::move(files));
   }
   const int code = sound ? 0 : 1;

@@ -37,6 +37,10 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
 Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
                                    const ExperimentResult& result, bool sound);
 
+/// What a run in chunks that is stopped leaves.
+inline constexpr const char* kRowsKept =
+    "rows written with -o are kept, and the same command goes on";
+
 /// What a run in chunks prints, and its exit code.
 VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound);
 

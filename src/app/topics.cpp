@@ -27,8 +27,9 @@ constexpr WrittenTopic kTopics[] = {
     {"environment", "variables that are read",
      "FLATRAY_SIZE=320x200 stands for --size 320x200, and so for every option: upper case, _ for "
      "-.\n"
-     "A flag is set by 1, true, yes or on. The command line wins. FLATRAY_ISA=portable, baseline,\n"
-     "avx2 or avx512 chooses the instruction set. NO_COLOR and CI are honoured.\n",
+     "A flag is set by 1, true, yes or on. The command line wins; other names are warned of.\n"
+     "FLATRAY_ISA=portable, baseline, avx2 or avx512 chooses the instruction set. NO_COLOR and CI "
+     "are honoured.\n",
      ""},
     {"exit-codes", "what a script can tell",
      "  0    done\n"
@@ -39,7 +40,8 @@ constexpr WrittenTopic kTopics[] = {
      "  5    a part is not in this build\n"
      "  6    an output cannot be written\n"
      "  70   out of memory; or a bug of flatray: please report it\n"
-     "  130  interrupted; frames written are whole, and --resume goes on\n",
+     "  124  what --max-seconds or --max-memory allow is used up\n"
+     "  130  interrupted, 143 terminated: what is written is whole, and --resume goes on\n",
      ""},
     {"formats", "files that are read",
      "The extension says what a file is; from standard input (-) its content does.\n"
@@ -57,7 +59,11 @@ constexpr WrittenTopic kTopics[] = {
      "  -f 1..240:2,300  every second one of 1 to 240, and 300\n"
      "  --shard 0/3      every third frame from the first; 1/3 and 2/3 elsewhere\n"
      "  --resume         keeps the frames that are there, whole and of this very scene\n"
-     "Frames are independent: any order, any machine, the same bytes.\n",
+     "Frames are independent: any order, any machine, the same bytes. frames says how many are "
+     "drawn\n"
+     "unasked; any other can be asked for, of collide and orbit, too. Runs of one scene may share\n"
+     "a folder; one of another scene or seed is refused while they draw the same pattern.\n"
+     "flatray verify FOLDER says whether all frames are as recorded.\n",
      ""},
     {"hill", "Hill's chambers: rooms and pillars as bare numbers",
      "A .chamber file holds numbers between blanks and ends of lines: how many polygons; for each "
@@ -82,6 +88,7 @@ constexpr WrittenTopic kTopics[] = {
      "  --max-corners   kept with all copies, and drawn in one frame with all dashes: 33554432\n"
      "  --max-depth     groups in groups, and files in files: 64\n"
      "  --max-bytes     of a scene with all files it names: 1073741824\n"
+     "  --max-memory    of the program, as 500M or 2G; --max-seconds: none\n"
      "A scene keeps about 24 bytes a corner and 600 an entity, a frame 60 bytes a corner drawn,\n"
      "twice where frames follow one another; chains at most 64 MB of states, and 32 bytes each.\n"
      "flatray render --dry-run SCENE says what pictures take besides.\n",
@@ -103,13 +110,26 @@ constexpr WrittenTopic kTopics[] = {
      "  -o picture.hdr              linear light\n"
      "  -o -                        one picture on standard output\n"
      "A picture appears under its name when it is whole. manifest.jsonl beside it has a line for\n"
-     "each: frame, file, hash of its pixels, of the scene, the seed.\n",
+     "each: frame, file, hash of its pixels, of the scene, the seed. Inputs, links and files of\n"
+     "another kind are replaced only with --force.\n",
      ""},
     {"overrides", "changing a scene from the command line",
      "-D KEY=VALUE sets one key: a dotted path and a value in TOML. Entries of a list are chosen "
      "by\n"
      "number from 0 or by name.\n"
      "  -D film.size=[320,180]   -D entity.runner.at=[3,4]   -D 'film.background=\"#000000\"'\n",
+     ""},
+    {"safety", "scenes and folders of strangers",
+     "A scene reads files beneath the folder the command runs in if it lies there itself, else "
+     "beneath\n"
+     "its own; a flatray.toml names places in its own folder. Control characters are shown as "
+     "escapes,\n"
+     "and texts of a scene are no formulas in CSV.\n"
+     "  --root DIR   nothing outside of DIR is read or written; --root / lets a scene refer to "
+     "all\n"
+     "  --sandbox    the kernel refuses all files that the command line does not name or imply\n"
+     "               (Linux 5.13; exit code 5 elsewhere)\n"
+     "docs/SCENE_FORMAT.md, \"Scenes of strangers\", says what is promised.\n",
      ""},
     {"scene", "what a scene file looks like",
      "TOML: key = value, [table], [[table in a list]], # comment. The smallest scene:\n"

@@ -6,11 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <class... Cases>
 struct Overloaded : Cases... {
@@ -27,7 +28,7 @@ void add_quoted(std::string& out, const std::string& text) {
   if (plain)
     out.append("\"").append(text).append("\"");
   else
-    out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    out += OrderedJson(text).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 void add_json(std::string& out, const JsonValue& value);
@@ -75,7 +76,7 @@ bool is_number(const JsonValue& value) {
          std::holds_alternative<std::uint64_t>(value.data);
 }
 
-// As people and CSV see it: texts bare, nothing for null.
+// Texts bare, nothing for null.
 std::string cell_text(const JsonValue& value) {
   if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
   if (const auto* number = std::get_if<double>(&value.data)) return number_text(*number);
@@ -84,11 +85,12 @@ std::string cell_text(const JsonValue& value) {
 }
 
 std::string csv_cell(const JsonValue& value) {
-  std::string text = cell_text(value);
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
-    text.insert(at, 1, '"');
-  return '"' + text + '"';
+  return is_number(value) ? cell_text(value) : csv_field(cell_text(value));
+}
+
+// As people see it.
+std::string shown_cell(const JsonValue& value) {
+  return is_number(value) ? cell_text(value) : shown_text(cell_text(value));
 }
 
 struct Column {
@@ -102,7 +104,7 @@ std::vector<Column> columns_of(const ReportTable& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) columns[i].width = table.columns[i].size();
   for (const Values& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
-      columns[i].width = std::max(columns[i].width, cell_text(row[i]).size());
+      columns[i].width = std::max(columns[i].width, shown_width(shown_cell(row[i])));
       columns[i].numbers = columns[i].numbers || is_number(row[i]);
     }
   return columns;
@@ -135,7 +137,7 @@ std::string json_text(const JsonValue& value) {
 }
 
 std::string indented_json(const JsonValue& value) {
-  return Json::parse(json_text(value)).dump(2) + "\n";
+  return OrderedJson::parse(json_text(value)).dump(2) + "\n";
 }
 
 std::string aligned_text(const ReportTable& table, const std::string& indent) {
@@ -144,8 +146,8 @@ std::string aligned_text(const ReportTable& table, const std::string& indent) {
   const auto add_line = [&](const Values& cells) {
     std::string line = indent;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string cell = cell_text(cells[i]);
-      const std::string pad(columns[i].width - cell.size(), ' ');
+      const std::string cell = shown_cell(cells[i]);
+      const std::string pad(columns[i].width - shown_width(cell), ' ');
       line += (i == 0 ? "" : "  ") + (columns[i].numbers ? pad + cell : cell + pad);
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";

@@ -68,7 +68,7 @@ struct ReportTable {
 /// Columns lined up with blanks, those with numbers to the right; without names the rows alone.
 /// Each line begins with `indent`.
 std::string aligned_text(const ReportTable& table, const std::string& indent = {});
-/// RFC 4180: a header line, quotes where needed.
+/// A header line, then rows; fields of base/shown_text.h.
 std::string csv_text(const ReportTable& table);
 /// One object a row.
 JsonValue as_objects(const ReportTable& table);

@@ -7,12 +7,13 @@
 
 namespace flatray {
 
-/// What a verb that ran has to say: data for standard output, and 0, 1 (the answer is no) or 130
-/// (interrupted). Mistakes are the failed Result instead; their Trouble decides the exit code.
+/// What a verb that ran has to say: data for standard output, and 0, 1 (the answer is no) or
+/// interrupted_code(). Mistakes are the failed Result instead; their Trouble decides the exit code.
 struct VerbOutput {
   std::string text;
   int exit_code = 0;
   Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
+  bool picture = false;    ///< the data are bytes of a file, not text
 };
 
 /// One word of the command line after `flatray`. Options every verb has (--help) are added to its
@@ -27,11 +28,20 @@ struct Verb {
   const char* undone;    ///< what a failure leaves: "nothing rendered", "" for nothing to say
   Result<VerbOutput> (*run)(const Arguments&);
   Words words = nullptr;  ///< what the first operand may be, where that is a list of names
+  /// What a run that is stopped leaves to go on from; null: nothing, and it is stopped at once.
+  const char* kept = nullptr;
 };
+
+/// Its own options and those that every verb has: --root, --sandbox where it has any, --max-seconds,
+/// --max-memory, --help.
+std::vector<Option> options_of(const Verb& verb);
 
 /// Registered verbs by name: one file each in app/verbs, defining `const Verb <name>` in namespace
 /// flatray::verbs.
 std::vector<const Verb*> all_verbs();
+
+/// The verb of a name; null where there is none.
+const Verb* find_verb(const std::string& name);
 
 /// Runs the command line `words` (without the program's name): finds the verb, parses, runs, prints
 /// data to standard output and mistakes to standard error. Gives   the exit code (design, section

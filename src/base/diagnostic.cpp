@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/utf8.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 namespace {
@@ -16,47 +16,18 @@ constexpr std::size_t kExcerptWidth = 100;
 // A byte of UTF-8 that goes on with a character begun before.
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// What must not reach a terminal from a hostile input: bytes that are no UTF-8, control characters
-// (those of ASCII, and C2 80 to C2 9F), and those that turn the direction of what follows (U+202A to
-// U+202E, U+2066 to U+2069).
-bool is_shown(std::string_view character) {
-  const auto last = static_cast<unsigned char>(character.back());
-  if (character.size() == 1) return last >= 0x20 && last != 0x7f;
-  const std::string_view lead = character.substr(0, character.size() - 1);
-  return !(lead == "\xc2" && last < 0xa0) &&
-         !(lead == "\xe2\x80" && last >= 0xaa && last <= 0xae) &&
-         !(lead == "\xe2\x81" && last >= 0xa6 && last <= 0xa9);
-}
-
-std::string printable(std::string_view bytes) {
-  std::string shown;
-  shown.reserve(bytes.size());
-  while (!bytes.empty()) {
-    const std::size_t length = utf8_length(bytes);
-    const std::string_view character = bytes.substr(0, std::max<std::size_t>(length, 1));
-    if (character == "\t")
-      shown += ' ';
-    else if (length == 0 || !is_shown(character))
-      shown += '?';
-    else
-      shown += character;
-    bytes.remove_prefix(character.size());
-  }
-  return shown;
-}
-
-// Columns a terminal gives to what is printed of the bytes, narrow characters as they mostly are.
-std::size_t shown_width(std::string_view bytes) {
-  const std::string shown = printable(bytes);
-  return static_cast<std::size_t>(
-      std::count_if(shown.begin(), shown.end(), [](char c) { return !continues(c); }));
-}
-
 // The start of the character `at` lies in: at most three bytes before it.
 std::size_t character_start(std::string_view line, std::size_t at) {
   for (std::size_t back = 0; back < 4 && back <= at && at < line.size(); ++back)
     if (!continues(line[at - back])) return at - back;
   return at;
+}
+
+// Tabs as blanks, so that an indented line looks as it does in the file.
+std::string shown_line(std::string_view line) {
+  std::string blank(line);
+  std::replace(blank.begin(), blank.end(), '\t', ' ');
+  return shown_text(blank);
 }
 
 std::string excerpt(const Place& where, SourceText::Position at, const std::string& hint) {
@@ -68,11 +39,12 @@ std::string excerpt(const Place& where, SourceText::Position at, const std::stri
   line.remove_prefix(cut);
   line = line.substr(0, character_start(line, std::min(line.size(), kExcerptWidth)));
   column = std::min(column - cut, line.size());
-  const std::size_t marked = shown_width(line.substr(column, where.length));
-  return fmt::format("    {}\n    {}^{}{}{}\n", printable(line),
-                     std::string(shown_width(line.substr(0, column)), ' '),
+  const std::string before = shown_line(line.substr(0, column));
+  const std::size_t marked = shown_width(shown_line(line.substr(column, where.length)));
+  return fmt::format("    {}{}\n    {}^{}{}{}\n", before, shown_line(line.substr(column)),
+                     std::string(shown_width(before), ' '),
                      std::string(std::max<std::size_t>(marked, 1) - 1, '~'),
-                     hint.empty() ? "" : "  ", printable(hint));
+                     hint.empty() ? "" : "  ", shown_text(hint));
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -97,7 +69,7 @@ std::string named_from(const Place& where) {
   const Place* at = where.source->named_at();
   for (int i = 0; at != nullptr && at->source && i < kShown; ++i, at = at->source->named_at()) {
     const SourceText::Position position = at->source->position(at->offset);
-    all += fmt::format("    named at {}:{}:{}\n", printable(at->source->name()), position.line,
+    all += fmt::format("    named at {}:{}:{}\n", shown_text(at->source->name()), position.line,
                        position.column);
   }
   return all;
@@ -108,14 +80,14 @@ std::string named_from(const Place& where) {
 std::string format(const Diagnostic& diagnostic, const char* severity) {
   const auto& [where, message, hint, trouble] = diagnostic;
   if (!where || where.source->text().empty()) {
-    const std::string name = where ? printable(where.source->name()) + ": " : "";
-    const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", printable(hint));
-    return fmt::format("{}{}: {}{}\n{}", name, severity, printable(message), tail,
+    const std::string name = where ? shown_text(where.source->name()) + ": " : "";
+    const std::string tail = hint.empty() ? "" : fmt::format("\n    {}", shown_text(hint));
+    return fmt::format("{}{}: {}{}\n{}", name, severity, shown_text(message), tail,
                        where ? named_from(where) : "");
   }
   const SourceText::Position at = where.source->position(where.offset);
-  return fmt::format("{}:{}:{}: {}: {}\n{}{}", printable(where.source->name()), at.line, at.column,
-                     severity, printable(message), excerpt(where, at, hint), named_from(where));
+  return fmt::format("{}:{}:{}: {}: {}\n{}{}", shown_text(where.source->name()), at.line, at.column,
+                     severity, shown_text(message), excerpt(where, at, hint), named_from(where));
 }
 
 std::string format(const Diagnostics& diagnostics, const char* severity) {
@@ -129,6 +101,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   std::size_t best_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;
   if (word.size() > 64) return best;
   for (const std::string& candidate : known) {
+    const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
+    if (longer - shorter >= best_distance) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance) best = candidate, best_distance = distance;
   }

@@ -2,56 +2,27 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <signal.h>
 #include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
+#include <chrono>
 #include <cstring>
-#include <optional>
 
 #include "base/counted.h"
+#include "base/in_flight.h"
 
 namespace flatray {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ > STDERR_FILENO) ::close(fd_);
-  }
-  explicit operator bool() const { return fd_ >= 0; }
-  int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
-bool write_all(int fd, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
-tl::unexpected<Diagnostics> cannot(const char* what, const fs::path& path, int error,
-                                   Trouble trouble) {
-  return fail(named_place(path.string()), fmt::format("cannot {}: {}", what, std::strerror(error)),
-              "", trouble);
-}
+constexpr std::string_view kPartEnd = ".part";
+constexpr std::size_t kPartDigits = 16;
 
 // Of a regular file, and only a hint: it may grow, and pipes have none.
 std::size_t size_now(const Descriptor& file) {
@@ -60,66 +31,198 @@ std::size_t size_now(const Descriptor& file) {
   return known && status.st_size > 0 ? static_cast<std::size_t>(status.st_size) : 0;
 }
 
-// The process number in a name of `write_file`'s, ".NAME.1234.part".
-std::optional<pid_t> writer_of(std::string_view name) {
-  constexpr std::string_view kEnd = ".part";
-  if (!name.starts_with('.') || !name.ends_with(kEnd)) return std::nullopt;
-  name.remove_suffix(kEnd.size());
-  const std::string_view digits = name.substr(name.rfind('.') + 1);
-  pid_t number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc{} || end != digits.data() + digits.size() || number <= 0)
-    return std::nullopt;
+// Not for secrets: names that two writers, of whatever machines and containers, do not have in common.
+std::uint64_t random_number() {
+  auto number = static_cast<std::uint64_t>(
+      std::chrono::steady_clock::now().time_since_epoch().count() ^ ::getpid());
+  (void)!::getrandom(&number, sizeof(number), GRND_NONBLOCK);
   return number;
 }
 
-}  // namespace
+// Of a folder the read says what it is.
+bool is_pipe_or_device(const Descriptor& file) {
+  struct stat status {};
+  return ::fstat(file.get(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
 
-Result<std::string> read_file(const fs::path& path, std::size_t limit, std::string raise) {
-  const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) return cannot("read", path, errno, Trouble::missing);
+// Whether a name is one of `part_name`'s.
+bool is_part_name(std::string_view name) {
+  const std::size_t end = name.size() - std::min(name.size(), kPartEnd.size());
+  if (!name.starts_with('.') || name.substr(end) != kPartEnd || end < kPartDigits + 2) return false;
+  const std::string_view digits = name.substr(end - kPartDigits, kPartDigits);
+  return name[end - kPartDigits - 1] == '.' &&
+         digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+Result<std::string> read_to_end(const Descriptor& file, const fs::path& path,
+                                const ReadLimits& limits) {
+  const auto too_large = [&] {
+    return fail(named_place(path.string()), "is larger than " + counted(limits.bytes, "byte"),
+                limits.raise, Trouble::missing);
+  };
+  const std::size_t size = size_now(file);
+  if (size > limits.bytes) return too_large();
   std::string content;
-  content.reserve(std::min(size_now(file), limit));
   std::array<char, 1 << 16> buffer;
   for (;;) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return cannot("read", path, errno, Trouble::missing);
     if (count == 0) return content;
-    if (content.size() + static_cast<std::size_t>(count) > limit)
-      return fail(named_place(path.string()), "is larger than " + counted(limit, "byte"),
-                  std::move(raise), Trouble::missing);
+    if (content.size() + static_cast<std::size_t>(count) > limits.bytes) return too_large();
     content.append(buffer.data(), static_cast<std::size_t>(count));
+    const std::string_view whole = content;
+    const auto may_begin = [&](std::string_view begins) {
+      return whole.substr(0, begins.size()) == begins.substr(0, whole.size());
+    };
+    if (!limits.begins.empty() && std::ranges::none_of(limits.begins, may_begin)) return content;
+    content.reserve(size);
   }
 }
 
-Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes, Flush name) {
+// `take(path)` of what nobody holds locked, which is held while it is looked at.
+template <class Take>
+void each_leftover(const fs::path& folder, const Take& take) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end;
+       !error && entry != end; entry.increment(error)) {
+    const fs::path path = entry->path();
+    if (!is_part_name(path.filename().string())) continue;
+    const auto file = open_regular(path, O_RDONLY, "read", Trouble::missing);
+    if (file && ::flock(file->get(), LOCK_EX | LOCK_NB) == 0 && is_at(path, *file)) take(path);
+  }
+}
+
+}  // namespace
+
+Descriptor::~Descriptor() {
+  if (fd_ > STDERR_FILENO) ::close(fd_);
+}
+
+tl::unexpected<Diagnostics> cannot(const char* what, const fs::path& path, int error,
+                                   Trouble trouble) {
+  return fail(named_place(path.string()), fmt::format("cannot {}: {}", what, std::strerror(error)),
+              "", trouble);
+}
+
+Result<Descriptor> open_regular(const fs::path& path, int flags, const char* what,
+                                Trouble trouble) {
+  Descriptor file(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+  if (!file && errno == ELOOP)
+    return fail(named_place(path.string()), "is a link, which is not followed here", "remove it",
+                trouble);
+  struct stat status {};
+  const bool irregular = file ? ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)
+                              : errno == ENXIO;  // a pipe that nobody reads
+  if (irregular)
+    return fail(named_place(path.string()), "is not a plain file", "remove it", trouble);
+  if (!file) return cannot(what, path, errno, trouble);
+  return file;
+}
+
+bool is_at(const fs::path& path, const Descriptor& file) {
+  struct stat there {
+  }, open{};
+  return ::lstat(path.c_str(), &there) == 0 && ::fstat(file.get(), &open) == 0 &&
+         there.st_dev == open.st_dev && there.st_ino == open.st_ino;
+}
+
+bool has_other_names(const Descriptor& file) {
+  struct stat status {};
+  return ::fstat(file.get(), &status) == 0 && status.st_nlink > 1;
+}
+
+Result<std::string> read_all(const Descriptor& file, const fs::path& path) {
+  ::lseek(file.get(), 0, SEEK_SET);
+  return read_to_end(file, path, {});
+}
+
+bool write_all(const Descriptor& file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+Result<std::string> read_file(const fs::path& path, const ReadLimits& limits) {
+  const bool any_kind = limits.pipes || path == "-";
+  const int wait = any_kind ? 0 : O_NONBLOCK;  // a pipe opens when somebody writes
+  const Descriptor file(path == "-" ? STDIN_FILENO
+                                    : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | wait));
+  if (!file) return cannot("read", path, errno, Trouble::missing);
+  if (!any_kind && is_pipe_or_device(file))
+    return fail(named_place(path.string()), "is not a plain file", "", Trouble::missing);
+  return read_to_end(file, path, limits);
+}
+
+Result<std::string> read_regular_file(const fs::path& path) {
+  const Result<Descriptor> file = open_regular(path, O_RDONLY, "read", Trouble::missing);
+  if (!file) return tl::unexpected(file.error());
+  return read_all(*file, path);
+}
+
+std::string part_name(const fs::path& path, std::uint64_t number) {
+  return fmt::format(".{}.{:0{}x}{}", path.filename().string(), number, kPartDigits, kPartEnd);
+}
+
+NewFile::NewFile(fs::path path, fs::path temporary, Descriptor file,
+                 std::unique_ptr<const InFlight> in_flight)
+    : path_(std::move(path)),
+      temporary_(std::move(temporary)),
+      file_(std::move(file)),
+      in_flight_(std::move(in_flight)) {}
+
+NewFile::NewFile(NewFile&&) noexcept = default;
+
+NewFile::~NewFile() {
+  if (file_ && !temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+Result<NewFile> NewFile::write(const fs::path& path, std::span<const std::byte> bytes) {
   const fs::path folder = folder_of(path);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return cannot("make the folder", folder, error.value(), Trouble::output);
-  // The process number keeps two runs into one folder from sharing a temporary file.
-  const fs::path temporary =
-      folder / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
-  const auto give_up = [&](int reason) {
-    ::unlink(temporary.c_str());
-    return cannot("write", path, reason, Trouble::output);
-  };
-  {
-    const Descriptor file(
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
+  for (;;) {
+    const fs::path temporary = folder / part_name(path, random_number());
+    auto in_flight = std::make_unique<const InFlight>(temporary);
+    Descriptor file(
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!file && errno == EEXIST) continue;
     if (!file) return cannot("write", path, errno, Trouble::output);
-    ::flock(file.get(), LOCK_EX | LOCK_NB);  // tells processes that do not see ours that it lives
-    if (!write_all(file.get(), bytes) || ::fsync(file.get()) != 0) return give_up(errno);
+    // The lock tells that it lives. Who clears a folder may have come between; then another name.
+    ::flock(file.get(), LOCK_EX);
+    if (!is_at(temporary, file)) continue;
+    NewFile made(path, temporary, std::move(file), std::move(in_flight));
+    if (!write_all(made.file_, bytes) || ::fsync(made.file_.get()) != 0)
+      return cannot("write", path, errno, Trouble::output);
+    return made;
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) return give_up(errno);
-  if (name == Flush::now) flush_folder(folder);
+}
+
+Result<void> NewFile::take_name() {
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0)
+    return cannot("write", path_, errno, Trouble::output);
+  temporary_.clear();
+  in_flight_.reset();
+  return {};
+}
+
+Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  auto made = NewFile::write(path, bytes);
+  if (!made) return fail(std::move(made));
+  if (auto named = made->take_name(); !named) return named;
+  flush_folder(folder_of(path));
   return {};
 }
 
 Result<void> flush_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file || ::fsync(file.get()) != 0) return cannot("write", path, errno, Trouble::output);
+  const auto file = open_regular(path, O_WRONLY, "write", Trouble::output);
+  if (!file) return tl::unexpected(file.error());
+  if (::fsync(file->get()) != 0) return cannot("write", path, errno, Trouble::output);
   return {};
 }
 
@@ -133,45 +236,18 @@ Result<void> write_file(const fs::path& path, const std::string& text) {
   return write_file(path, std::as_bytes(std::span(text)));
 }
 
+std::vector<fs::path> leftovers(const fs::path& folder) {
+  std::vector<fs::path> found;
+  each_leftover(folder, [&](const fs::path& path) { found.push_back(path); });
+  return found;
+}
+
 void remove_leftovers(const fs::path& folder) {
-  std::error_code error;
-  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end;
-       !error && entry != end; entry.increment(error)) {
-    const fs::path path = entry->path();
-    const std::optional<pid_t> writer = writer_of(path.filename().string());
-    if (!writer || ::kill(*writer, 0) == 0 || errno != ESRCH) continue;
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (file && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
-  }
+  each_leftover(folder, [](const fs::path& path) { ::unlink(path.c_str()); });
 }
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-Result<std::string> read_whole_lines(const fs::path& path) {
-  Result<std::string> text = read_file(path);
-  if (!text) return text;
-  const std::size_t whole = text->rfind('\n') + 1;
-  if (whole < text->size()) {
-    std::error_code error;
-    fs::resize_file(path, whole, error);
-    if (error) return fail(named_place(path.string()), error.message(), "", Trouble::output);
-    text->resize(whole);
-  }
-  return text;
-}
-
-Result<void> append_line(const fs::path& path, const std::string& line, Flush flush) {
-  std::error_code error;
-  fs::create_directories(folder_of(path), error);
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-  if (!file) return cannot("write", path, errno, Trouble::output);
-  const std::string whole = line + "\n";
-  const bool written = write_all(file.get(), std::as_bytes(std::span(whole)));
-  if (!written || (flush == Flush::now && ::fsync(file.get()) != 0))
-    return cannot("write", path, errno, Trouble::output);
-  return {};
 }
 
 }  // namespace flatray

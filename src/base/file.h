@@ -1,46 +1,76 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/descriptor.h"
 #include "base/result.h"
 
 namespace flatray {
 
-/// Whole content of a file, or of standard input for "-".
-/// Error   Trouble::missing, naming the path and the system's reason; also above `limit` bytes,
-///         with `raise` as the hint.
-Result<std::string> read_file(const std::filesystem::path& path,
-                              std::size_t limit = std::size_t{1} << 32, std::string raise = {});
+class InFlight;
 
-/// Writes `bytes` so that `path` holds either what it held before or all of them, whenever the
-/// program or the machine stops: temporary name beside it, flush, rename, flush of the folder.
-/// Makes missing folders. With Flush::later the machine may stop before the new name is kept, but
-/// never with less than all bytes under it. Error   Trouble::output with the system's reason; the
-/// temporary file is gone.
-enum class Flush { now, later };
-Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes,
-                        Flush name = Flush::now);
+/// What may be read of a file.
+struct ReadLimits {
+  std::size_t bytes = std::size_t{1} << 30;
+  std::string raise = {};  ///< the hint for a larger one
+  /// Also pipes and devices, which may keep the reader for ever: of what the user names to be read.
+  bool pipes = false;
+  /// Where the content begins with none of these, no more of it is read.
+  std::vector<std::string_view> begins = {};
+};
+
+/// Whole content of a file, or of standard input for "-".
+/// Error   Trouble::missing, naming the path and the system's reason, or the limit.
+Result<std::string> read_file(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// The same of a regular file alone, for what another program may have planted: links are not
+/// followed, pipes not waited for. Error   Trouble::missing.
+Result<std::string> read_regular_file(const std::filesystem::path& path);
+
+/// A file that is there whole and flushed under a hidden name beside `path`, which no other writer
+/// has, until it takes its own; gone where it never does. What has the name before is replaced, and
+/// neither followed nor written to, whatever it is.
+class NewFile {
+ public:
+  /// Makes missing folders. Error   Trouble::output with the system's reason.
+  static Result<NewFile> write(const std::filesystem::path& path, std::span<const std::byte> bytes);
+  NewFile(NewFile&&) noexcept;
+  NewFile& operator=(NewFile&&) = delete;
+  ~NewFile();
+  /// The machine may stop before the name is kept, unless the folder is flushed.
+  Result<void> take_name();
+
+ private:
+  NewFile(std::filesystem::path path, std::filesystem::path temporary, Descriptor file,
+          std::unique_ptr<const InFlight> in_flight);
+  std::filesystem::path path_, temporary_;
+  Descriptor file_;  ///< locked, which tells that its writer lives
+  std::unique_ptr<const InFlight> in_flight_;
+};
+
+/// The hidden names: ".NAME.0123456789abcdef.part".
+std::string part_name(const std::filesystem::path& path, std::uint64_t number);
+
+/// Writes a file so that `path` holds either what it held before or all of the bytes, whenever the
+/// program or the machine stops.
+Result<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Result<void> write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Removes from a folder what `write_file` left there when its process was killed: temporary files
-/// whose process is gone and that nobody holds locked. What cannot be removed stays.
+/// Files with hidden names in a folder that nobody holds locked: their processes were killed. What
+/// cannot be removed stays.
+std::vector<std::filesystem::path> leftovers(const std::filesystem::path& folder);
 void remove_leftovers(const std::filesystem::path& folder);
 
 /// The folder a file stands in, "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
-/// The lines of a file that append_line has made longer. A last line without its end, as a killed
-/// run or a full disk leaves it, is taken away from the file, too.
-Result<std::string> read_whole_lines(const std::filesystem::path& path);
-
-/// Adds one line to a file and flushes it, unless that is to be done later: one write, so that lines
-/// of two writers do not mix.
-Result<void> append_line(const std::filesystem::path& path, const std::string& line,
-                         Flush flush = Flush::now);
-
-/// What was left for later: of a file its bytes, of a folder the names in it.
+/// Keeps what was written: of a file its bytes, of a folder the names in it.
 /// Error   Trouble::output with the system's reason.
 Result<void> flush_file(const std::filesystem::path& path);
 void flush_folder(const std::filesystem::path& path);

@@ -9,6 +9,10 @@ struct ModuleFile {
   const char *name, *variable;
 };
 
+/// The variables of all modules.
+inline constexpr const char* kModuleVariables[] = {"FLATRAY_GL_MODULE", "FLATRAY_EMBREE_MODULE",
+                                                   "FLATRAY_CERTIFIED_MODULE"};
+
 /// What a module answers by.
 struct LoadedEntry {
   void* entry = nullptr;  ///< the function called `symbol`

@@ -47,6 +47,15 @@ class Loop {
   std::exception_ptr error_;
 };
 
+// Where the machine gives no more threads, those that it gave do the work.
+void start_helpers(std::vector<std::jthread>& helpers, std::size_t threads, Loop& loop) {
+  try {
+    helpers.reserve(threads);
+    for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back([&loop] { loop.work(); });
+  } catch (const std::exception&) {
+  }
+}
+
 }  // namespace
 
 void parallel_for(std::size_t count, unsigned threads,
@@ -54,8 +63,7 @@ void parallel_for(std::size_t count, unsigned threads,
   Loop loop(count, task);
   {
     std::vector<std::jthread> helpers;
-    const std::size_t others = std::min<std::size_t>(threads, count);
-    for (std::size_t i = 1; i < others; ++i) helpers.emplace_back([&loop] { loop.work(); });
+    start_helpers(helpers, std::min<std::size_t>(threads, count), loop);
     loop.work();
   }
   loop.rethrow();

@@ -5,7 +5,7 @@
 namespace flatray {
 
 /// Runs `task(i)` for every i in [0, count), in any order, on `threads` threads (the caller is one
-/// of them).
+/// of them), or on as many as the machine gives.
 ///
 /// Needs   tasks that write to disjoint places. Work is cut by what it is, never by `threads`, so
 ///         results do not depend on it.

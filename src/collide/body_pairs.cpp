@@ -23,13 +23,6 @@ double radius_of(const SimulatedBody& body) {
   return radius * (1 + 0x1p-40);
 }
 
-// Whether b comes nearer to a against a normal out of a.
-bool approach(const Vec2& normal, const Vec2& a, const Vec2& b) {
-  return decide([&](const auto& number) {
-           return dot(pair_of(number, normal), pair_of(number, b) - pair_of(number, a));
-         }) == Sign::negative;
-}
-
 bool is_before(const Vec2& a, const Vec2& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
@@ -48,6 +41,12 @@ void add(std::optional<Met>& met, double time, Touch touch) {
 }
 
 }  // namespace
+
+bool approach(const Vec2& normal, const Vec2& a, const Vec2& b) {
+  return decide([&](const auto& number) {
+           return dot(pair_of(number, normal), pair_of(number, b) - pair_of(number, a));
+         }) == Sign::negative;
+}
 
 BodyPairs::BodyPairs(std::span<const SimulatedBody> bodies,
                      const std::vector<std::vector<Stage>>& stages)
@@ -140,10 +139,9 @@ bool BodyPairs::face(const BodyPair& pair, const Touch& touch, double time) cons
   a.core.velocity = {0, 0};
   b.core.velocity = -touch.place.normal;
   const RoundContact pressed = round_contact(a, b, kLine);
-  if (pressed.times.kind != HitClass::through || !pressed.first || !pressed.first->on_edge)
-    return false;
-  // Places are rounded anew, so that a short edge far out turns a little.
-  constexpr double kTurned = 0x1p-30;
+  if (pressed.times.kind != HitClass::through || !pressed.first) return false;
+  // What is round has then parted by half the square of that, which is less than kSlideLeaves.
+  constexpr double kTurned = 0x1p-20;
   const Vec2 normal = place_at(*pressed.first, a, b, 0).normal;
   return (normal - touch.place.normal).cwiseAbs().maxCoeff() <= kTurned;
 }

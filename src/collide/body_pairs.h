@@ -25,6 +25,9 @@ struct Met {
   std::vector<Touch> others;
 };
 
+/// Whether b comes nearer to a against a normal out of a.
+bool approach(const Vec2& normal, const Vec2& a, const Vec2& b);
+
 /// Pairs of bodies, each on the last of its stages.
 class BodyPairs {
  public:
@@ -41,8 +44,8 @@ class BodyPairs {
   /// When they meet, as seen from `time`. Two that lie in each other meet at once, where they come nearer
   /// along the shortest way out; with `pass` they do not.
   std::optional<Met> meeting(const BodyPair& pair, double time, double end, bool pass) const;
-  /// Whether two parts that have touched with this normal, and not parted along it since, lie along an
-  /// edge with that normal.
+  /// Whether two parts that have touched with this normal, and not parted along it since, would meet with
+  /// that normal again.
   bool face(const BodyPair& pair, const Touch& touch, double time) const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -9,10 +10,17 @@
 
 namespace flatray {
 
-/// Pairs of boxes that have a point in common, each with its lower number first, ascending.
+/// Calls `take(a, b)`, a < b, once for every pair of boxes that have a point in common, in any order,
+/// until it says false: not for two that are both left out.
 ///
 /// Gives   none with an empty box.
-/// Cost    O(n log n), and one comparison for each pair that overlaps along x.
+/// Cost    O(n log n + pairs), whatever the boxes; memory O(n), and only the first is spent on those left
+///         out.
+/// Source  Zomorodian and Edelsbrunner 2000: boxes by segment trees that are not kept.
+void each_overlap(std::span<const Bounds> boxes, const std::vector<bool>& left_out,
+                  const std::function<bool(std::uint32_t, std::uint32_t)>& take);
+
+/// All of them, ascending.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_pairs(
     std::span<const Bounds> boxes);
 

@@ -16,7 +16,7 @@ double about(double x) { return x; }
 template <class Number>
 class Factors {
  public:
-  Factors(const Couplings& m, const std::vector<std::size_t>& chosen) : chosen_(chosen) {
+  Factors(const Couplings<Number>& m, const std::vector<std::size_t>& chosen) : chosen_(chosen) {
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       fill(m, i);
       factor(i);
@@ -41,12 +41,12 @@ class Factors {
  private:
   const Number& row(std::size_t i, std::size_t k) const { return rows_[i][k - first_[i]]; }
 
-  void fill(const Couplings& m, std::size_t i) {
+  void fill(const Couplings<Number>& m, std::size_t i) {
     std::vector<std::pair<std::size_t, Number>> entries;
-    for (const Couplings::Entry& entry : m.row(chosen_[i])) {
+    for (const auto& entry : m.row(chosen_[i])) {
       const auto at = std::lower_bound(chosen_.begin(), chosen_.end(), entry.column);
       if (at == chosen_.end() || *at > chosen_[i] || *at != entry.column) continue;
-      entries.emplace_back(at - chosen_.begin(), Number(entry.template value<Number>()));
+      entries.emplace_back(at - chosen_.begin(), entry.value);
     }
     std::size_t first = i;
     for (const auto& [column, value] : entries) first = std::min(first, column);
@@ -82,7 +82,7 @@ class Factors {
 
 // z of the unknowns chosen, and 0 of the others.
 template <class Number>
-std::vector<Number> solve(const Couplings& m, const std::vector<Number>& q,
+std::vector<Number> solve(const Couplings<Number>& m, const std::vector<Number>& q,
                           const std::vector<std::size_t>& chosen) {
   std::vector<Number> z(q.size(), Number(0));
   const std::vector<Number> part = Factors<Number>(m, chosen).solve(q);
@@ -92,18 +92,22 @@ std::vector<Number> solve(const Couplings& m, const std::vector<Number>& q,
 
 // w of all.
 template <class Number>
-std::vector<Number> result(const Couplings& m, const std::vector<Number>& q,
+std::vector<Number> result(const Couplings<Number>& m, const std::vector<Number>& q,
                            const std::vector<Number>& z) {
   std::vector<Number> w = q;
   for (std::size_t i = 0; i < w.size(); ++i)
-    for (const Couplings::Entry& entry : m.row(i))
-      w[i] += entry.template value<Number>() * z[entry.column];
+    for (const auto& entry : m.row(i)) w[i] += entry.value * z[entry.column];
   return w;
 }
 
 // Which unknowns are not 0, by doubles: those that are wrong are changed, all of them as long as they
 // become fewer, else the last one.
-std::vector<std::size_t> guess(const Couplings& m, const std::vector<double>& q) {
+struct Guess {
+  std::vector<std::size_t> chosen;
+  std::vector<double> z;
+  bool holds;  ///< in doubles
+};
+Guess guess(const Couplings<double>& m, const std::vector<double>& q) {
   constexpr double kRounding = 0x1p-40;
   constexpr int kPatience = 8;
   std::vector<bool> in(q.size(), false);
@@ -113,7 +117,8 @@ std::vector<std::size_t> guess(const Couplings& m, const std::vector<double>& q)
     std::vector<std::size_t> chosen, wrong;
     for (std::size_t i = 0; i < in.size(); ++i)
       if (in[i]) chosen.push_back(i);
-    const std::vector<double> z = solve(m, q, chosen), w = result(m, q, z);
+    std::vector<double> z = solve(m, q, chosen);
+    const std::vector<double> w = result(m, q, z);
     double most_z = 0, most_w = 0;
     for (std::size_t i = 0; i < q.size(); ++i) {
       most_z = std::max(most_z, std::fabs(z[i]));
@@ -121,7 +126,8 @@ std::vector<std::size_t> guess(const Couplings& m, const std::vector<double>& q)
     }
     for (std::size_t i = 0; i < in.size(); ++i)
       if (in[i] ? z[i] < -kRounding * most_z : w[i] < -kRounding * most_w) wrong.push_back(i);
-    if (wrong.empty() || step > 64 + q.size()) return chosen;
+    if (wrong.empty() || step > 64 + q.size())
+      return {std::move(chosen), std::move(z), wrong.empty()};
     if (wrong.size() < least) {
       least = wrong.size();
       patience = kPatience;
@@ -130,22 +136,6 @@ std::vector<std::size_t> guess(const Couplings& m, const std::vector<double>& q)
     }
     for (const std::size_t i : wrong) in[i] = !in[i];
   }
-}
-
-// Multiplications it takes to solve for the unknowns chosen, at most.
-double steps_of(const Couplings& m, const std::vector<std::size_t>& chosen) {
-  double steps = 0;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    std::size_t first = i;
-    for (const Couplings::Entry& entry : m.row(chosen[i])) {
-      const auto at = std::lower_bound(chosen.begin(), chosen.end(), entry.column);
-      if (at != chosen.end() && *at == entry.column)
-        first = std::min(first, static_cast<std::size_t>(at - chosen.begin()));
-    }
-    const auto width = static_cast<double>(i - first + 1);
-    steps += width * width / 2;
-  }
-  return steps;
 }
 
 bool any_negative(const std::vector<Rational>& values) {
@@ -157,11 +147,11 @@ bool any_negative(const std::vector<Rational>& values) {
 // then z0, then what is on the right.
 class Tableau {
  public:
-  Tableau(const Couplings& m, const std::vector<Rational>& q) : n_(q.size()) {
+  Tableau(const Couplings<Rational>& m, const std::vector<Rational>& q) : n_(q.size()) {
     for (std::size_t i = 0; i < n_; ++i) {
       std::vector<Rational> row(2 * n_ + 2, Rational(0));
       row[i] = 1;
-      for (const Couplings::Entry& entry : m.row(i)) row[n_ + entry.column] = -entry.exact;
+      for (const auto& entry : m.row(i)) row[n_ + entry.column] = -entry.value;
       row[extra()] = -1;
       row[right()] = q[i];
       rows_.push_back(std::move(row));
@@ -236,31 +226,57 @@ class Tableau {
   std::size_t left_ = 0;  // the unknown that no row is solved for any more, of the last step
 };
 
+Couplings<double> nearest(const Couplings<Rational>& m) {
+  Couplings<double> near(m.size());
+  for (std::size_t i = 0; i < m.size(); ++i)
+    for (const auto& entry : m.row(i)) near.add(i, entry.column, entry.value.nearest());
+  return near;
+}
+
 }  // namespace
 
-std::optional<Complementarity> solve_complementarity(const Couplings& m,
-                                                     const std::vector<Rational>& q) {
+std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<Rational>& m,
+                                                               const std::vector<Rational>& q) {
+  const auto touching = [](const std::vector<Rational>& w) {
+    std::vector<bool> touches;
+    touches.reserve(w.size());
+    for (const Rational& one : w) touches.push_back(one.sign() == Sign::zero);
+    return touches;
+  };
   std::vector<double> near;
   near.reserve(q.size());
   for (const Rational& one : q) near.push_back(one.nearest());
-  const std::vector<std::size_t> chosen = guess(m, near);
-  if (steps_of(m, chosen) <= kMostSteps) {
-    std::vector<Rational> z = solve(m, q, chosen);
-    const std::vector<Rational> w = result(m, q, z);
-    const auto touches = [&](std::size_t i) { return w[i].sign() == Sign::zero; };
-    if (!any_negative(z) && !any_negative(w) && std::all_of(chosen.begin(), chosen.end(), touches))
-      return Complementarity{std::move(z), w};
-  }
-  if (q.size() > kMostPivoted) {
-    const std::vector<double> z = solve(m, near, chosen);
-    std::vector<Rational> w(q.size(), Rational(1));
-    for (const std::size_t i : chosen) w[i] = 0;
-    return Complementarity{{z.begin(), z.end()}, std::move(w)};
-  }
+  const std::vector<std::size_t> chosen = guess(nearest(m), near).chosen;
+  std::vector<Rational> z = solve(m, q, chosen), w = result(m, q, z);
+  std::vector<bool> touches = touching(w);
+  if (!any_negative(z) && !any_negative(w) &&
+      std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) { return touches[i]; }))
+    return Complementarity<Rational>{std::move(z), std::move(touches)};
   Tableau tableau(m, q);
   if (tableau.begin() && !tableau.run()) return std::nullopt;
-  std::vector<Rational> z = tableau.z(), w = result(m, q, z);
-  return Complementarity{std::move(z), std::move(w)};
+  z = tableau.z();
+  return Complementarity<Rational>{z, touching(result(m, q, z))};
+}
+
+std::optional<Complementarity<double>> solve_complementarity(const Couplings<double>& m,
+                                                             const std::vector<double>& q) {
+  Guess found = guess(m, q);
+  if (!found.holds && q.size() <= kMostPivoted) return std::nullopt;
+  std::vector<bool> touches(q.size(), false);
+  for (const std::size_t i : found.chosen) touches[i] = true;
+  return Complementarity<double>{std::move(found.z), std::move(touches)};
+}
+
+// What has been eliminated k times is k times as long.
+double work_of_proof(const Couplings<double>& m, double bits) {
+  double work = 0;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    std::size_t first = i;
+    for (const auto& entry : m.row(i)) first = std::min(first, entry.column);
+    const auto width = static_cast<double>(i - first + 1), words = 1 + width * bits / 64;
+    work += width * width / 2 * words * words;
+  }
+  return work;
 }
 
 }  // namespace flatray

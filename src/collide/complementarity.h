@@ -9,50 +9,51 @@
 namespace flatray {
 
 /// A symmetric matrix, positive semidefinite, of which a row has few entries that are not 0.
+template <class Number>
 class Couplings {
  public:
   explicit Couplings(std::size_t count) : rows_(count) {}
 
   struct Entry {
     std::size_t column;
-    Rational exact;
-    double about;
-
-    template <class Number>
-    const Number& value() const {
-      if constexpr (std::is_same_v<Number, double>)
-        return about;
-      else
-        return exact;
-    }
+    Number value;
   };
+  std::size_t size() const { return rows_.size(); }
   const std::vector<Entry>& row(std::size_t i) const { return rows_[i]; }
   /// Needs   each column of a row once.
-  void add(std::size_t row, std::size_t column, const Rational& value) {
-    rows_[row].push_back({column, value, value.nearest()});
+  void add(std::size_t row, std::size_t column, const Number& value) {
+    rows_[row].push_back({column, value});
   }
 
  private:
   std::vector<std::vector<Entry>> rows_;
 };
 
-/// Multiplications of rationals, and unknowns to pivot, up to which an answer is exact.
-inline constexpr double kMostSteps = 1 << 14;
-inline constexpr std::size_t kMostPivoted = 32;
-
 /// z >= 0 with w = M z + q >= 0, of which for each i one is 0.
+template <class Number>
 struct Complementarity {
-  std::vector<Rational> z, w;
+  std::vector<Number> z;
+  std::vector<bool> touches;  ///< w is 0
 };
 
+/// Unknowns up to which pivots of rationals end in seconds.
+inline constexpr std::size_t kMostPivoted = 32;
+
 /// Gives   such a z; of several, w is the same. nullopt where there is none.
-/// Error   none up to the limits above. Beyond both z is that of doubles and depends on the order of
-///         the unknowns, that there is none is not found, and of w is known only whether it is 0.
-/// Cost    doubles guess which z are not 0, and one solution in rationals proves it, cheap where columns
-///         that have to do with each other are near; where they are wrong some n pivots of n^2 rationals.
+/// Error   none.
+/// Cost    doubles guess which z are not 0, and one solution in rationals proves it; where they are wrong
+///         some n pivots of n^2 rationals, of which the numbers grow.
 /// Source  block principal pivoting, Judice and Pires 1994; Lemke's method with the lexicographic rule, so
 ///         that it ends.
-std::optional<Complementarity> solve_complementarity(const Couplings& m,
-                                                     const std::vector<Rational>& q);
+std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<Rational>& m,
+                                                               const std::vector<Rational>& q);
+/// The guess alone. nullopt where it is known to be wrong and the unknowns are few enough for rationals.
+/// Error   that of doubles; which of several z depends on the order of the unknowns.
+/// Cost    linear where columns that have to do with each other are near, some factorings.
+std::optional<Complementarity<double>> solve_complementarity(const Couplings<double>& m,
+                                                             const std::vector<double>& q);
+
+/// How many words are multiplied with words for a proof in rationals, about, of entries of so many bits.
+double work_of_proof(const Couplings<double>& m, double bits);
 
 }  // namespace flatray

@@ -1,5 +1,7 @@
 #include "collide/edge_ray_meetings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 
@@ -30,8 +32,11 @@ bool any_edge_hits(const std::vector<Ring>& from, const std::vector<Ring>& again
 
 }  // namespace
 
-std::vector<Meeting> find_edge_ray_meetings(const Timeline& timeline, unsigned last_frame) {
+Result<std::vector<Meeting>> find_edge_ray_meetings(const Timeline& timeline, unsigned last_frame) {
   const Scene& scene = timeline.scene();
+  constexpr std::size_t most = MeetingLimits().meetings;
+  std::vector<bool> resting;
+  for (std::uint32_t i = 0; i < scene.entities.size(); ++i) resting.push_back(rests(scene, i));
   std::map<Entities, std::vector<MeetingPart>> found;
   for (unsigned frame = 1; frame <= last_frame; ++frame) {
     const std::vector<EntityState> states = entity_states(timeline, frame);
@@ -42,19 +47,21 @@ std::vector<Meeting> find_edge_ray_meetings(const Timeline& timeline, unsigned l
       boxes.push_back(shape_bounds(shape_of(scene, state), poses.back()));
     }
     const double time = (frame - 1) / scene.fps;
-    for (const Entities& pair : overlapping_pairs(boxes)) {
-      const auto [a, b] = pair;
-      if (rests(scene, a) && rests(scene, b)) continue;
+    each_overlap(boxes, resting, [&](std::uint32_t a, std::uint32_t b) {
       const auto one = pieces(shape_of(scene, states[a]), poses[a]),
                  other = pieces(shape_of(scene, states[b]), poses[b]);
-      if (!any_edge_hits(one, other) && !any_edge_hits(other, one)) continue;
-      std::vector<MeetingPart>& parts = found[pair];
+      if (!any_edge_hits(one, other) && !any_edge_hits(other, one)) return true;
+      std::vector<MeetingPart>& parts = found[{a, b}];
       const bool goes_on = !parts.empty() && parts.back().times.high == (frame - 2) / scene.fps;
       if (goes_on)
         parts.back().times.high = time;
       else
         parts.push_back({{time, time}, HitClass::through, StartPlace::boundary, {0, 0}, {0, 0}});
-    }
+      return found.size() <= most;
+    });
+    if (found.size() > most)
+      return tl::unexpected(Diagnostics{
+          too_many_meetings(scene, found.begin()->first.first, fmt::format("{} meetings", most))});
   }
   std::vector<Meeting> all;
   for (const auto& [pair, parts] : found)

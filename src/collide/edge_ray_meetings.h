@@ -10,6 +10,7 @@ namespace flatray {
 /// Gives   times of the first and last frame of each run of frames with a hit. How they meet, start
 ///         and where is not known: class through, start boundary and no place whatever they do. What it
 ///         does not see, find_meetings does: what goes through another between two frames.
-std::vector<Meeting> find_edge_ray_meetings(const Timeline& timeline, unsigned last_frame);
+/// Error   more meetings than MeetingLimits has.
+Result<std::vector<Meeting>> find_edge_ray_meetings(const Timeline& timeline, unsigned last_frame);
 
 }  // namespace flatray

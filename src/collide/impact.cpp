@@ -9,17 +9,17 @@
 namespace flatray {
 namespace {
 
-using Exact = Pair<Rational>;
-
-Exact exact(const Vec2& v) {
-  return pair_of([](double x) { return Rational(x); }, v);
-}
-
 // Which way a push along the normal of a contact drives a body.
 int side_of(const ImpactContact& contact, std::uint32_t body) {
   return contact.b == body ? 1 : contact.a == body ? -1 : 0;
 }
 
+double nearest(double x) { return x; }
+double nearest(const Rational& x) { return x.nearest(); }
+Sign sign(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
+Sign sign(const Rational& x) { return x.sign(); }
+
+template <class Number>
 class Solver {
  public:
   Solver(std::span<const ImpactBody> bodies, std::span<const ImpactContact> contacts)
@@ -27,48 +27,53 @@ class Solver {
     double lightest = kInfinity;  // only the ratio counts
     for (const ImpactBody& body : bodies) lightest = std::min(lightest, body.mass);
     for (const ImpactBody& body : bodies) {
-      velocities_.push_back(exact(body.velocity));
-      inverse_.push_back(body.mass == kInfinity ? Rational(0)
-                                                : Rational(lightest) / Rational(body.mass));
+      velocities_.push_back(numbers(body.velocity));
+      inverse_.push_back(body.mass == kInfinity ? Number(0) : Number(lightest) / Number(body.mass));
     }
-    for (const ImpactContact& contact : contacts) normals_.push_back(exact(contact.normal));
+    for (const ImpactContact& contact : contacts) normals_.push_back(numbers(contact.normal));
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b, normal, slides] = contacts[i];
       parting_.push_back(dot(normals_[i], velocities_[b] - velocities_[a]));
-      if (slides || parting_[i].sign() == Sign::negative) asked_.push_back(i);
+      if (slides || sign(parting_[i]) == Sign::negative) asked_.push_back(i);
     }
     couple();
   }
 
+  const Couplings<Number>& couplings() const { return *couplings_; }
+
   // Those that slide leave at a speed each, times the length of the normal.
   std::optional<Impact> solve(std::span<const double> leaves) const {
-    std::vector<Rational> lack;
+    std::vector<Number> lack;
     for (const std::size_t i : asked_)
-      lack.push_back(contacts_[i].slides ? parting_[i] - Rational(leaves[i])
+      lack.push_back(contacts_[i].slides ? parting_[i] - Number(leaves[i])
                                          : parting_[i] + parting_[i]);
     const auto pushes = solve_complementarity(*couplings_, lack);
     if (!pushes) return std::nullopt;
     Impact impact{{}, std::vector<bool>(contacts_.size(), false)};
     for (std::size_t i = 0; i < asked_.size(); ++i)
-      impact.rests[asked_[i]] = contacts_[asked_[i]].slides && pushes->w[i].sign() == Sign::zero;
-    std::vector<Exact> velocities = velocities_;
+      impact.rests[asked_[i]] = contacts_[asked_[i]].slides && pushes->touches[i];
+    std::vector<Pair<Number>> velocities = velocities_;
     for (std::size_t i = 0; i < asked_.size(); ++i)
       for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
-        velocities[body] = velocities[body] + (Rational(side_of(contacts_[asked_[i]], body)) *
+        velocities[body] = velocities[body] + (Number(side_of(contacts_[asked_[i]], body)) *
                                                pushes->z[i] * inverse_[body]) *
                                                   normals_[asked_[i]];
-    for (const Exact& velocity : velocities)
-      impact.velocities.emplace_back(velocity.x.nearest(), velocity.y.nearest());
+    for (const auto& velocity : velocities)
+      impact.velocities.emplace_back(nearest(velocity.x), nearest(velocity.y));
     return impact;
   }
 
  private:
+  static Pair<Number> numbers(const Vec2& v) {
+    return pair_of([](double x) { return Number(x); }, v);
+  }
+
   // How fast a push in one contact makes those of another part, for all that share a body.
   void couple() {
     std::vector<std::vector<std::size_t>> of_body(bodies_.size());
     for (std::size_t i = 0; i < asked_.size(); ++i)
       for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
-        if (inverse_[body].sign() != Sign::zero) of_body[body].push_back(i);
+        if (sign(inverse_[body]) != Sign::zero) of_body[body].push_back(i);
     couplings_.emplace(asked_.size());
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const ImpactContact& contact = contacts_[asked_[i]];
@@ -80,35 +85,44 @@ class Solver {
     }
   }
 
-  Rational coupling(std::size_t i, std::size_t k) const {
-    Rational sum = 0;
+  Number coupling(std::size_t i, std::size_t k) const {
+    Number sum(0);
     for (const std::uint32_t body : {contacts_[i].a, contacts_[i].b})
       if (const int sides = side_of(contacts_[i], body) * side_of(contacts_[k], body); sides != 0)
-        sum += Rational(sides) * inverse_[body];
+        sum += Number(sides) * inverse_[body];
     return sum * dot(normals_[i], normals_[k]);
   }
 
   const std::span<const ImpactBody> bodies_;
   const std::span<const ImpactContact> contacts_;
-  std::vector<Exact> velocities_, normals_;
-  std::vector<Rational> inverse_, parting_;
+  std::vector<Pair<Number>> velocities_, normals_;
+  std::vector<Number> inverse_, parting_;
   std::vector<std::size_t> asked_;
-  std::optional<Couplings> couplings_;
+  std::optional<Couplings<Number>> couplings_;
 };
+
+// How many bits an entry of the couplings has, at most.
+double bits_of(std::span<const ImpactBody> bodies, std::span<const ImpactContact> contacts) {
+  std::size_t masses = 0, normals = 0;
+  for (const ImpactBody& body : bodies)
+    if (body.mass < kInfinity) masses = std::max(masses, Rational(body.mass).bits());
+  for (const ImpactContact& contact : contacts)
+    for (const double share : contact.normal) normals = std::max(normals, Rational(share).bits());
+  return static_cast<double>(2 * (masses + normals));
+}
 
 // Whether two do not come nearer to each other, whatever rounding made of normal and velocities.
 bool certainly_rest(const Vec2& a, const Vec2& b, const Vec2& normal) {
   return (normal.x() == 0 || a.x() == b.x()) && (normal.y() == 0 || a.y() == b.y());
 }
 
-}  // namespace
-
-std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
-                                   std::span<const ImpactContact> contacts) {
+// All that slides and does not come to rest in doubles leaves, and what that makes leave.
+template <class Number>
+std::optional<Impact> solve(const Solver<Number>& solver, std::span<const ImpactBody> bodies,
+                            std::span<const ImpactContact> contacts) {
   double fastest = 0;
   for (const ImpactBody& body : bodies)
     fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
-  const Solver solver(bodies, contacts);
   std::vector<double> leaves(contacts.size(), 0);
   std::optional<Impact> impact = solver.solve(leaves);
   for (bool more = impact.has_value(); more;) {
@@ -127,6 +141,17 @@ std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
     impact = std::move(apart);
   }
   return impact;
+}
+
+}  // namespace
+
+std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
+                                   std::span<const ImpactContact> contacts) {
+  const Solver<double> near(bodies, contacts);
+  const std::size_t count = near.couplings().size();
+  if (count > kMostProven || work_of_proof(near.couplings(), bits_of(bodies, contacts)) > kMostWork)
+    if (auto impact = solve(near, bodies, contacts)) return impact;
+  return solve(Solver<Rational>(bodies, contacts), bodies, contacts);
 }
 
 }  // namespace flatray

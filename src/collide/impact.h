@@ -29,6 +29,10 @@ struct Impact {
 /// other in doubles: more than rounding of a normal and of velocities, some 2^-50 of them.
 inline constexpr double kSlideLeaves = 0x1p-40;
 
+/// Words multiplied with words, and contacts, up to which velocities are exact.
+inline constexpr double kMostWork = 1 << 14;
+inline constexpr std::size_t kMostProven = 1 << 10;
+
 /// What pushes along the normals, all at one instant, make of velocities: docs/adr/0020.
 ///
 /// Gives   pushes p >= 0 so that w >= 0, and p or w is 0 of each contact: w is the speed of parting,

@@ -60,7 +60,7 @@ std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, 
     if (!is_mark(hit.pair))
       for (const std::uint32_t body : {hit.pair.first, hit.pair.second})
         players.insert_or_assign(body, player(body, true));
-  stop(hits, players);
+  if (!stop(hits, players, time)) return std::nullopt;
   std::vector<Push> pushes = pushes_of(hits, players);
   add_resting(pushes, players, time);
   if (!resolve(pushes, players, time)) return std::nullopt;
@@ -78,17 +78,31 @@ std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, 
   return changes;
 }
 
-// What stops stands still, or goes with the fastest of those that nothing moves.
-void Instants::stop(std::span<const Hit> hits, Players& players) const {
-  for (auto& [body, player] : players)
-    if (does(body, Response::stop)) player.velocity = {0, 0};
-  for (const Hit& hit : hits) {
-    if (is_mark(hit.pair)) continue;
+// What stops stands still, or goes with the fastest of those that hold it and that nothing moves.
+// Whether none of these comes nearer all the same.
+bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
+  for (const Hit& hit : hits)
     for (const auto& [body, other] : {hit.pair, BodyPair(hit.pair.second, hit.pair.first)})
-      if (does(body, Response::stop) && is_fixed(other))
-        players.at(body).velocity =
-            std::max(players.at(body).velocity, players.at(other).velocity, is_slower);
+      if (!is_mark(hit.pair) && does(body, Response::stop) && is_fixed(other))
+        held_[body].push_back({hit.pair, hit.first, time});
+  for (auto& [body, player] : players) {
+    if (!does(body, Response::stop)) continue;
+    const auto velocity = [&, stopped = body](std::uint32_t k) -> const Vec2& {
+      return k == stopped ? players.at(k).velocity : stages_[k].back().velocity;
+    };
+    const auto wall = [stopped = body](const Resting& by) {
+      return by.pair.first == stopped ? by.pair.second : by.pair.first;
+    };
+    std::erase_if(held_[body], [&, &own = player.velocity](const Resting& by) {
+      return by.since != time && velocity(wall(by)) != own;
+    });
+    player.velocity = {0, 0};
+    for (const Resting& by : held_[body])
+      player.velocity = std::max(player.velocity, velocity(wall(by)), is_slower);
+    for (const auto& [pair, touch, since] : held_[body])
+      if (approach(touch.place.normal, velocity(pair.first), velocity(pair.second))) return false;
   }
+  return true;
 }
 
 std::vector<Instants::Push> Instants::pushes_of(std::span<const Hit> hits,

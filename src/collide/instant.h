@@ -29,7 +29,11 @@ class Instants {
   /// Needs   all to outlive it.
   Instants(std::span<const SimulatedBody> bodies, const std::vector<std::vector<Stage>>& stages,
            const BodyPairs& pairs)
-      : bodies_(bodies), stages_(stages), pairs_(pairs), resting_(bodies.size()) {}
+      : bodies_(bodies),
+        stages_(stages),
+        pairs_(pairs),
+        resting_(bodies.size()),
+        held_(bodies.size()) {}
 
   /// What follows of all hits at one instant: docs/adr/0020.
   ///
@@ -45,7 +49,7 @@ class Instants {
   }
 
  private:
-  // Two of which one slides and that have not parted since a time.
+  // Two of which one slides, or one goes with the other, and that have not parted since a time.
   struct Resting {
     BodyPair pair;
     Touch touch;
@@ -66,7 +70,7 @@ class Instants {
   using Players = std::map<std::uint32_t, Player>;
 
   Player player(std::uint32_t body, bool hit) const;
-  void stop(std::span<const Hit> hits, Players& players) const;
+  bool stop(std::span<const Hit> hits, Players& players, double time);
   std::vector<Push> pushes_of(std::span<const Hit> hits, const Players& players) const;
   void add_resting(std::vector<Push>& pushes, Players& players, double time);
   bool still_rests(const Resting& resting, double time) const;
@@ -79,6 +83,7 @@ class Instants {
   const std::vector<std::vector<Stage>>& stages_;
   const BodyPairs& pairs_;
   std::vector<std::vector<Resting>> resting_;  // by body, of each pair twice
+  std::vector<std::vector<Resting>> held_;     // by body that has stopped, on walls
 };
 
 }  // namespace flatray

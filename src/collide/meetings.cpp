@@ -41,8 +41,12 @@ bool any_look(const Scene& scene, std::uint32_t entity, const Is& is) {
 
 class Search {
  public:
-  Search(const Timeline& timeline, Outline outline, unsigned threads)
-      : timeline_(timeline), scene_(timeline.scene()), outline_(outline), threads_(threads) {
+  Search(const Timeline& timeline, Outline outline, unsigned threads, MeetingLimits limits)
+      : timeline_(timeline),
+        scene_(timeline.scene()),
+        outline_(outline),
+        threads_(threads),
+        limits_(limits) {
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
       straight_.push_back(keeps_velocity(scene_, i));
     for (std::uint32_t i = 0; i < scene_.entities.size(); ++i) rests_.push_back(rests(scene_, i));
@@ -52,14 +56,15 @@ class Search {
     whole_time(last_frame);
     if (std::find(straight_.begin(), straight_.end(), false) == straight_.end()) return;
     std::vector<EntityState> now = entity_states(timeline_, 1);
-    for (unsigned frame = 1; frame < last_frame; ++frame) {
+    for (unsigned frame = 1; frame < last_frame && !refused_; ++frame) {
       std::vector<EntityState> next = entity_states(timeline_, frame + 1);
       one_frame(frame, now, next);
       now = std::move(next);
     }
   }
 
-  std::vector<Meeting> found() && {
+  Result<std::vector<Meeting>> found() && {
+    if (refused_) return tl::unexpected(Diagnostics{*std::move(refused_)});
     std::vector<Meeting> all;
     for (auto& [pair, parts] : parts_)
       for (const MeetingPart& part : parts)
@@ -89,30 +94,54 @@ class Search {
                           ? swept(shape_bounds(*body.shape, body.place), body.velocity, within.high)
                           : Bounds{});
     }
-    std::vector<Pair> pairs = overlapping_pairs(boxes);
-    std::erase_if(pairs, [&](const Pair& p) { return rests_[p.first] && rests_[p.second]; });
-    if (outline_ == Outline::own) {
-      add(pairs, pairs_meet(bodies, pairs, within, threads_));
-      return;
-    }
-    for (const auto& [a, b] : pairs)
-      for (const MeetingPart& part : boxes_meet(bodies[a], bodies[b], within)) add({a, b}, part);
+    each_batch(boxes, rests_, [&](const std::vector<Pair>& pairs) {
+      if (outline_ == Outline::own) return add(pairs, pairs_meet(bodies, pairs, within, threads_));
+      for (const auto& [a, b] : pairs)
+        for (const MeetingPart& part : boxes_meet(bodies[a], bodies[b], within)) add({a, b}, part);
+    });
   }
 
   // What does not, against everything, from one frame to the next.
   void one_frame(unsigned frame, const std::vector<EntityState>& now,
                  const std::vector<EntityState>& next) {
     const FrameBodies bodies(timeline_, outline_, frame, now, next);
-    std::vector<Pair> together, others;
-    for (const Pair& pair : overlapping_pairs(bodies.boxes()))
-      if (!straight_[pair.first] || !straight_[pair.second])
-        (bodies.are_even(pair) ? together : others).push_back(pair);
-    auto even = pairs_meet(bodies.even(), together, {0, 1}, threads_);
-    for (std::vector<MeetingPart>& parts : even) parts = bodies.in_seconds(std::move(parts));
-    add(together, even);
-    std::vector<std::vector<MeetingPart>> met(others.size());
-    parallel_for(others.size(), threads_, [&](std::size_t i) { met[i] = bodies.meet(others[i]); });
-    add(others, met);
+    each_batch(bodies.boxes(), straight_, [&](const std::vector<Pair>& pairs) {
+      std::vector<Pair> together, others;
+      for (const Pair& pair : pairs) (bodies.are_even(pair) ? together : others).push_back(pair);
+      auto even = pairs_meet(bodies.even(), together, {0, 1}, threads_);
+      for (std::vector<MeetingPart>& parts : even) parts = bodies.in_seconds(std::move(parts));
+      add(together, even);
+      std::vector<std::vector<MeetingPart>> met(others.size());
+      parallel_for(others.size(), threads_,
+                   [&](std::size_t i) { met[i] = bodies.meet(others[i]); });
+      add(others, met);
+    });
+  }
+
+  // Pairs of boxes that overlap, some at a time, so that they take no more memory than the bodies; of
+  // more than are looked at in one frame none.
+  template <class Ask>
+  void each_batch(const std::vector<Bounds>& boxes, const std::vector<bool>& left_out,
+                  const Ask& ask) {
+    std::uint64_t count = 0;
+    each_overlap(boxes, left_out, [&](std::uint32_t a, std::uint32_t) {
+      if (++count > limits_.pairs)
+        refused_ = too_many_meetings(
+            scene_, a,
+            fmt::format("{} pairs of entities whose boxes meet in one frame", limits_.pairs));
+      return !refused_;
+    });
+    std::vector<Pair> batch;
+    const std::size_t most = std::max<std::size_t>(1 << 16, 4 * boxes.size());
+    if (refused_) return;
+    each_overlap(boxes, left_out, [&](std::uint32_t a, std::uint32_t b) {
+      batch.emplace_back(a, b);
+      if (batch.size() < most) return true;
+      ask(batch);
+      batch.clear();
+      return !refused_;
+    });
+    if (!refused_) ask(batch);
   }
 
   void add(const std::vector<Pair>& pairs, const std::vector<std::vector<MeetingPart>>& met) {
@@ -125,6 +154,9 @@ class Search {
     std::vector<MeetingPart>& parts = parts_[pair];
     if (parts.empty() || part.times.low > parts.back().times.high) {
       parts.push_back(part);
+      if (++count_ > limits_.meetings)
+        refused_ =
+            too_many_meetings(scene_, pair.first, fmt::format("{} meetings", limits_.meetings));
       return;
     }
     extend(parts.back(), part);
@@ -134,8 +166,11 @@ class Search {
   const Scene& scene_;
   const Outline outline_;
   const unsigned threads_;
+  const MeetingLimits limits_;
   std::vector<bool> straight_, rests_;
   std::map<Pair, std::vector<MeetingPart>> parts_;
+  std::size_t count_ = 0;  // of them
+  std::optional<Diagnostic> refused_;
 };
 
 }  // namespace
@@ -179,6 +214,13 @@ std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline)
   return problems.empty() ? std::nullopt : std::optional(std::move(problems));
 }
 
+Diagnostic too_many_meetings(const Scene& scene, std::uint32_t entity, std::string what) {
+  return {scene.entities[entity].where,
+          fmt::format("there are more than {}, one of them of entity '{}'", what,
+                      scene.entities[entity].name),
+          "leave out what meets all the others, or say a lower --last"};
+}
+
 bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
   const Entity& e = scene.entities[entity];
   if (e.markov || e.motion.any() || e.angular_velocity != 0 || changes_size(scene, entity))
@@ -199,9 +241,10 @@ bool rests(const Scene& scene, std::uint32_t entity) {
   return keeps_velocity(scene, entity) && scene.entities[entity].velocity.isZero(0);
 }
 
-std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame, Outline outline,
-                                   unsigned threads) {
-  Search search(timeline, outline, threads);
+Result<std::vector<Meeting>> find_meetings(const Timeline& timeline, unsigned last_frame,
+                                           Outline outline, unsigned threads,
+                                           MeetingLimits limits) {
+  Search search(timeline, outline, threads, limits);
   search.run(last_frame);
   return std::move(search).found();
 }

@@ -30,6 +30,15 @@ bool is_left_out(const Scene& scene, std::uint32_t entity);
 /// Whether an entity never changes its place.
 bool rests(const Scene& scene, std::uint32_t entity);
 
+/// Pairs of entities whose boxes meet in one frame, and meetings in all, up to which they are found: more
+/// than can be read, and a gigabyte or two of memory as a table.
+struct MeetingLimits {
+  std::uint64_t pairs = std::uint64_t{1} << 26;
+  std::size_t meetings = std::size_t{1} << 20;
+};
+/// What is told of an entity where there are more; `what`: pairs or meetings.
+Diagnostic too_many_meetings(const Scene& scene, std::uint32_t entity, std::string what);
+
 /// All meetings of the entities of a scene between frame 1 and `last_frame`, by first time, then
 /// by entity.
 ///
@@ -40,10 +49,13 @@ bool rests(const Scene& scene, std::uint32_t entity);
 ///         of states are held as in the frame. What parts and meets again while it turns meets twice.
 /// Error   pairs that keep their velocities: exact verdicts, times within 1 ulp. Where both go straight
 ///         as seen from what carries both: so for the doubles at frames, keys and corners. Else
-///         proven, as turning_contact(). Ellipses: proven, too.
-/// Cost    a sweep over boxes, for scenes where all keep their velocity once, else once a frame; of what
-///         does not go straight some ten us a frame for each pair that comes near.
-std::vector<Meeting> find_meetings(const Timeline& timeline, unsigned last_frame,
-                                   Outline outline = Outline::own, unsigned threads = 1);
+///         proven, as turning_contact(). Ellipses: proven, too. More pairs or meetings than the limits
+///         above, at one that has to do with them: of pairs, before any is looked at.
+/// Cost    a sweep over boxes, n log n and the pairs, for scenes where all keep their velocity once, else
+///         once a frame; of what does not go straight some ten us a frame for each pair that comes
+///         near. Memory for the entities and what is found.
+Result<std::vector<Meeting>> find_meetings(const Timeline& timeline, unsigned last_frame,
+                                           Outline outline = Outline::own, unsigned threads = 1,
+                                           MeetingLimits limits = {});
 
 }  // namespace flatray

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -255,6 +256,14 @@ RoundPlace place_on(const RoundFeature& feature, const RoundBody& a, const Round
   return {a.core.vertices[c.a] + t * a.core.velocity + a.radius * normal, normal};
 }
 
+// Orders ways out alike whichever body comes first: the shortest; of equal ones that on which they come
+// nearer the fastest; then by the angle of the line they lie on.
+std::tuple<double, double, double> rank_of(double length, const Vec2& normal,
+                                           const Vec2& velocity) {
+  const bool is_down = normal.y() < 0 || (normal.y() == 0 && normal.x() < 0);
+  return {length, normal.dot(velocity), is_down ? normal.x() : -normal.x()};
+}
+
 }  // namespace
 
 RoundContact round_contact(const Contact& met, const RoundBody& a, const RoundBody& b) {
@@ -295,12 +304,12 @@ RoundPlace place_at(const RoundFeature& feature, const RoundBody& a, const Round
 
 RoundPlace resting_place(const RoundBody& a, const RoundBody& b, double t) {
   const Difference difference = minkowski_difference(a.core.vertices, b.core.vertices);
-  const Vec2 moved = t * (b.core.velocity - a.core.velocity);
+  const Vec2 velocity = b.core.velocity - a.core.velocity, moved = t * velocity;
   const auto from = [&](const DifferenceCorner& c) -> Vec2 {
     return (b.core.vertices[c.b] - a.core.vertices[c.a]) + moved;
   };
   std::optional<RoundPlace> nearest;
-  double least = kInfinity;
+  std::tuple least(kInfinity, 0.0, 0.0);
   const std::size_t count = difference.corners.size();
   for (std::size_t k = 0; k < count; ++k) {
     const DifferenceCorner& corner = difference.corners[k];
@@ -310,11 +319,12 @@ RoundPlace resting_place(const RoundBody& a, const RoundBody& b, double t) {
     const bool beside = count > 1 && along.dot(start) >= 0 && along.dot(end) <= 0;
     if (beside && !difference.has_area && outward.dot(start) < 0) continue;  // the side back is
     const double distance = beside ? std::fabs(outward.dot(start)) : start.stableNorm();
-    if (!(distance < least)) continue;
-    least = distance;
     const bool is_corner = !beside && distance > 0;
-    nearest = place_on({corner, !is_corner}, a, b, t,
-                       is_corner ? Vec2(start.stableNormalized()) : outward);
+    const Vec2 normal = is_corner ? Vec2(start.stableNormalized()) : outward;
+    const auto rank = rank_of(distance, normal, velocity);
+    if (!(rank < least)) continue;
+    least = rank;
+    nearest = place_on({corner, !is_corner}, a, b, t, normal);
   }
   return nearest.value_or(RoundPlace{a.core.vertices.front(), {0, 0}});
 }

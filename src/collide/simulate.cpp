@@ -1,6 +1,7 @@
 #include "collide/simulate.h"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <queue>
 #include <set>
@@ -27,6 +28,12 @@ struct Prospect {
   }
 };
 
+// Hits of a body, and how it was when they had last doubled.
+struct Tally {
+  std::size_t hits = 0, doublings = 0;  // the latter in less time, and faster
+  double at = 0, took = kInfinity, speed = 0;
+};
+
 class Run {
  public:
   Run(std::span<const SimulatedBody> bodies, double end, PairSearch search)
@@ -36,7 +43,8 @@ class Run {
         near_(boxes_of(bodies)),
         stages_(first_stages(bodies)),
         pairs_(bodies, stages_),
-        instants_(bodies, stages_, pairs_) {
+        instants_(bodies, stages_, pairs_),
+        tallies_(bodies.size()) {
     double sizes = 0, speeds = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].response == Response::none) continue;
@@ -129,20 +137,35 @@ class Run {
       const bool at_once = !done.events.empty() && done.events.back().time == now_;
       at_once_ = at_once ? at_once_ + hits.size() : 0;
       const bool full = done.events.size() == most_events;
-      done.jammed = !full && (at_once_ > kJamEvents * bodies_.size() || !respond(hits));
+      done.jammed =
+          !full && (accumulates_ || at_once_ > kJamEvents * bodies_.size() || !respond(hits));
+      if (done.jammed) done.jam = accumulates_ ? accumulates_->time : now_;
       for (const Hit& hit : hits) {
         if (done.jammed || done.events.size() == most_events) {
           done.complete = false;
           done.until = now_;
-          done.untold = hit.pair;
+          done.untold = accumulates_ ? accumulates_->pair : hit.pair;
           return false;
         }
         const auto [a, b] = hit.pair;
+        for (const std::uint32_t body : {a, b})
+          if (const double time = accumulation(body); time <= end_) accumulates_ = {time, hit.pair};
         done.events.push_back({now_, a, b, hit.first.place.point, hit.first.place.normal,
                                stages_[a].back().velocity, stages_[b].back().velocity});
       }
     }
     return true;
+  }
+
+  // When the hits of a body accumulate; infinite where they do not.
+  double accumulation(std::uint32_t body) {
+    Tally& last = tallies_[body];
+    if (++last.hits < kJamFirst || !std::has_single_bit(last.hits)) return kInfinity;
+    const double took = now_ - last.at, speed = stages_[body].back().velocity.stableNorm();
+    const bool denser = took < last.took && speed > 1.5 * last.speed;
+    const double shorter = took / last.took;
+    last = {last.hits, denser ? last.doublings + 1 : 0, now_, took, speed};
+    return last.doublings < kJamDoublings ? kInfinity : now_ + took * shorter / (1 - shorter);
   }
 
   // Those at the next time at which something meets, which is now; none where the while ends.
@@ -232,6 +255,12 @@ class Run {
   std::vector<std::vector<Stage>> stages_;
   BodyPairs pairs_;
   Instants instants_;
+  std::vector<Tally> tallies_;
+  struct Accumulation {
+    double time;
+    BodyPair pair;
+  };
+  std::optional<Accumulation> accumulates_;
   std::vector<std::uint32_t> responding_;
   std::vector<BodyPair> overlaps_;  // at time 0
   std::set<BodyPair> left_alone_;   // marks and what they lie in

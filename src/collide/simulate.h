@@ -24,12 +24,18 @@ struct Simulation : Responses {
   bool complete = true;      ///< false: as many events as were allowed came first, or
   bool jammed = false;       ///< there was no way out, or time stood still
   double until = kInfinity;  ///< time of the first event that is not told
+  double jam = kInfinity;  ///< when there is no way out; later than `until`, about: hits accumulate
   std::pair<std::uint32_t, std::uint32_t> untold{0, 0};           ///< whose that is
   std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;  ///< in each other at time 0
 };
 
 /// Events at one time after which bodies count as jammed, for each body.
 inline constexpr std::size_t kJamEvents = 1024;
+/// Whether the hits of a body accumulate, as between walls that close in, is asked when they are so many
+/// and whenever they have doubled: they do where so many times in succession they took less time than the
+/// time before, and left it half as fast again or more. From the last two such times follows when it
+/// has no way out.
+inline constexpr std::size_t kJamFirst = 256, kJamDoublings = 4;
 
 /// Which pairs are looked at: those whose boxes meet in a while of time, or all. The same events come
 /// of both, to the last bit.

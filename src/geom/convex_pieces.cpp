@@ -31,14 +31,20 @@ struct Walk {
   Index before(Index i) const { return i == 0 ? size() - 1 : i - 1; }
 };
 
-// The vertices at which a walk turns.
-std::vector<Index> corners_of(const Walk& walk) {
+// Triangles between the vertices at which a walk turns.
+std::vector<HalfEdge> triangles_of(const Walk& walk) {
   std::vector<Index> corners;
-  for (Index i = 0; i < walk.size(); ++i)
-    if (orientation(walk.points[walk.before(i)], walk.points[i], walk.points[walk.after(i)]) !=
-        Sign::zero)
-      corners.push_back(i);
-  return corners;
+  std::vector<Vec2> points;
+  for (Index i = 0; i < walk.size(); ++i) {
+    const Vec2& point = walk.points[i];
+    if (orientation(walk.points[walk.before(i)], point, walk.points[walk.after(i)]) == Sign::zero)
+      continue;
+    corners.push_back(i);
+    points.push_back(point);
+  }
+  std::vector<HalfEdge> sides = triangulate(points);
+  for (HalfEdge& side : sides) side.from = corners[side.from];
+  return sides;
 }
 
 // Faces of triangles, joined where what results is convex (Hertel and Mehlhorn 1983: at most four
@@ -56,7 +62,7 @@ class Faces {
   void join() {
     for (Index h = 0; h < sides_.size(); ++h) {
       const Index twin = sides_[h].twin;
-      if (twin == kNoTwin || twin < h) continue;
+      if (twin == kNoTwin || twin > h) continue;  // in the order in which they were cut
       if (is_convex_without(h, twin) && is_convex_without(twin, h)) {
         bridge(h, twin);
         bridge(twin, h);
@@ -119,7 +125,7 @@ ConvexPieces convex_pieces(std::span<const Vec2> ring) {
     const std::uint32_t size = walk.size();
     return {std::move(walk.points), {0, size}, std::move(walk.edges)};
   }
-  Faces faces(walk, triangulate(walk.points, corners_of(walk)));
+  Faces faces(walk, triangles_of(walk));
   faces.join();
   return faces.pieces();
 }

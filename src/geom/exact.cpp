@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <new>
 
@@ -226,7 +227,20 @@ double nearest_to_root_sum(const Rational& p, int s, const Rational& q, double c
   return close;
 }
 
+// Of malloc and its like.
+void* given(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
 }  // namespace
+
+void throw_where_numbers_lack_memory() {
+  mp_set_memory_functions(
+      [](std::size_t bytes) { return given(std::malloc(bytes)); },
+      [](void* old, std::size_t, std::size_t bytes) { return given(std::realloc(old, bytes)); },
+      [](void* old, std::size_t) { std::free(old); });
+}
 
 static_assert(sizeof(Value) <= Rational::kBytes && alignof(Value) <= alignof(std::max_align_t));
 

@@ -8,6 +8,10 @@
 
 namespace flatray {
 
+/// From now on a Rational, or another number of GMP or MPFR, for which there is no memory throws
+/// std::bad_alloc. As it comes, GMP ends the program.
+void throw_where_numbers_lack_memory();
+
 /// Exact rational number, the last resort behind the filters. Holds any finite double without
 /// rounding.
 ///

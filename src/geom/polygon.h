@@ -20,8 +20,7 @@ double ring_area(std::span<const Vec2> ring);
 std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring);
 
 /// Two edges of a ring that meet where they should not, or nullopt for a simple ring. Edge i runs
-/// from vertex i to i + 1. Repeated vertices in a row are passed over. Exact. Cost about O(n log n)
-/// for usual outlines.
+/// from vertex i to i + 1. Repeated vertices in a row are passed over. Exact. Cost O(n log n).
 struct CrossingEdges {
   std::size_t first, second;
 };
@@ -34,7 +33,7 @@ struct ConvexPieces {
   std::vector<std::int32_t>
       edges;  ///< the ring's edge from vertex k of the list to the next; -1 a cut
 };
-/// Needs   a simple ring of non-zero area. A convex ring is one piece.
+/// Needs   a simple ring of non-zero area. A convex ring is one piece. Cost O(n log n).
 ConvexPieces convex_pieces(std::span<const Vec2> ring);
 
 }  // namespace flatray

@@ -16,12 +16,11 @@ struct HalfEdge {
       kNoTwin;  ///< the same side seen from the next triangle; kNoTwin on the outline
 };
 
-/// Triangles of a simple polygon by cutting off ears. Exact, from its own corners only.
+/// Triangles of a simple polygon, by a sweep. Exact, from its own corners only.
 ///
-/// Needs   `corners`, indices of `points`, counter-clockwise, of a simple polygon, without flat
-///         corners. Gives   3 half-edges a triangle, corners - 2 triangles, each of positive area.
-///         Cost O(corners * reflex corners).
-std::vector<HalfEdge> triangulate(std::span<const Vec2> points,
-                                  std::span<const std::uint32_t> corners);
+/// Needs   a ring counter-clockwise, simple, without flat corners.
+/// Gives   3 half-edges a triangle, points - 2 triangles, each of positive area.
+/// Cost    O(n log n).
+std::vector<HalfEdge> triangulate(std::span<const Vec2> points);
 
 }  // namespace flatray

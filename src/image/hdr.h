@@ -1,9 +1,22 @@
 #pragma once
+#include <span>
+
 #include "image/image.h"
 
 namespace flatray {
 
 /// Radiance RGBE by stb_image_write, linear sRGB primaries.
 std::vector<std::byte> encode_hdr(const LinearImage& image);
+
+/// Whether a file begins as one.
+bool is_hdr(std::span<const std::byte> bytes);
+inline constexpr std::string_view kHdrSignature = "#?";  ///< what its bytes begin with
+/// Reads what `encode_hdr` writes, and other RGBE files whose rows run from the top left.
+/// Error   Trouble::invalid for another header, what is cut short, and beyond `max_pixels`.
+/// Cost    memory grows with the rows there are, not with those announced.
+Result<LinearImage> decode_hdr(std::span<const std::byte> bytes, const std::string& name,
+                               std::uint64_t max_pixels = std::uint64_t{1} << 28);
+/// As a PNG would show it: light above 1 is 1.
+Image develop(const LinearImage& light);
 
 }  // namespace flatray

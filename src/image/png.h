@@ -40,11 +40,12 @@ class PngEncoder {
   std::uint64_t packed_ = 0, kept_ = 0;
 };
 
-/// Reads a PNG of 1 to 4 channels as RGB, or RGBA if it has alpha.
+/// Reads a PNG of 1 to 4 channels as RGB, or RGBA if it has alpha; colours that its palette lacks are
+/// black.
 /// Error   Trouble::invalid for what is not a whole PNG (checksums included) or exceeds `max_pixels`,
 ///         before any large allocation.
 Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& name,
                          std::uint64_t max_pixels = std::uint64_t{1} << 28);
-Result<Image> read_png(const std::string& path);
+Result<Image> read_png(const std::string& path, bool pipes = false);  ///< `pipes`: ReadLimits
 
 }  // namespace flatray

@@ -12,7 +12,6 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-constexpr std::array<std::uint8_t, 8> kSignature = {137, 'P', 'N', 'G', '\r', '\n', 26, '\n'};
 constexpr std::size_t kChunkFrame = 12;  // length, type, checksum
 
 std::uint32_t number_at(Bytes bytes, std::size_t at) {
@@ -33,10 +32,9 @@ class ChunkReader {
   ChunkReader(Bytes bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   bool starts_as_png() {
-    const bool same = bytes_.size() >= kSignature.size() &&
-                      std::equal(kSignature.begin(), kSignature.end(), bytes_.begin(),
-                                 [](std::uint8_t a, std::byte b) { return std::byte{a} == b; });
-    at_ = same ? kSignature.size() : 0;
+    const std::string_view text(reinterpret_cast<const char*>(bytes_.data()), bytes_.size());
+    const bool same = text.starts_with(kPngSignature);
+    at_ = same ? kPngSignature.size() : 0;
     return same;
   }
 
@@ -54,6 +52,9 @@ class ChunkReader {
     at_ += kChunkFrame + length;
     return chunk;
   }
+
+  // Where in the file the data of the chunk last taken begin.
+  std::size_t data_at() const { return begin_ + 8; }
 
   bool at_end() const { return at_ == bytes_.size(); }
 
@@ -143,9 +144,11 @@ Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::s
         return reader.wrong("PNG has pixels in two places", "it is not a PNG any program writes");
       const auto* packed = reinterpret_cast<const char*>(chunk->data.data());
       png->deflated.insert(png->deflated.end(), packed, packed + chunk->data.size());
+    } else if (type == "PLTE") {
+      png->palette_at = reader.data_at(), png->palette_size = chunk->data.size();
     } else if (type == "tRNS") {
       png->alpha = true;
-    } else if (is_critical(type) && type != "PLTE" && type != "IEND") {
+    } else if (is_critical(type) && type != "IEND") {
       return reader.wrong("PNG needs what is not known here", "save it as a plain PNG");
     }
   }

@@ -3,19 +3,24 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 
 namespace flatray {
 
+/// How every PNG begins.
+inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+
 /// What a PNG says of itself before its pixels are unpacked.
 struct PngHeader {
   std::uint32_t width = 0, height = 0;
   int bit_depth = 0, colour_type = 0;
   bool interlaced = false;
-  bool alpha = false;          ///< an alpha channel, or a transparent colour
-  std::vector<char> deflated;  ///< all IDAT chunks joined
+  bool alpha = false;                            ///< an alpha channel, or a transparent colour
+  std::size_t palette_at = 0, palette_size = 0;  ///< bytes of PLTE in the file
+  std::vector<char> deflated;                    ///< all IDAT chunks joined
 
   /// Bytes the pixels unpack to: rows of samples, each after its filter byte.
   std::uint64_t unpacked_bytes() const;

@@ -95,7 +95,7 @@ Orbits grazing_starts() {
   Surfaces circle;
   circle.add(Circle{{0, 0}, 1});
   return {{ring(kSquare), {{{1, 0.5}, {0, 1}}, {{1, 0.5}, {0, -1}}}, 5, End::along, 0},
-          {std::move(circle), {{{0, 1}, {1, 0}}}, 5, End::along, 0}};
+          {std::move(circle), {{{0, 1}, {1, 0}}}, 5, End::escape, 0}};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "precise/certified_orbit.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/check.h"
 #include "precise/ball.h"
@@ -85,6 +86,7 @@ class Follower {
         flight_(walls, periodic_, start, make),
         none_(make(0)),
         flown_(none_),
+        most_(make(std::numeric_limits<double>::max())),
         walls_(walls.size() + 1),
         bits_(bits) {}
 
@@ -122,7 +124,8 @@ class Follower {
     if (!turned || *turned == Sign::zero) return false;
     if (*turned == Sign::negative) normal = {-normal.x, -normal.y};
     const auto point = rounded(flight_.point());
-    const auto t = flown_.nearest();
+    const bool beyond = (flown_ - most_).sign() == Sign::positive;
+    const auto t = beyond ? std::numeric_limits<double>::max() : flown_.nearest();
     const auto up = rounded_out(normal, dot(normal, normal));
     const auto in = rounded_out(way, flight_.size());
     const auto out = rounded_out(flight_.direction(), flight_.size());
@@ -152,6 +155,11 @@ class Follower {
     const auto from = rounded(*left), to = rounded(flight_.point());
     if (!from || !to) return false;
     orbit_.crossings.push_back({orbit_.bounces.size(), *from, *to});
+    const auto t = flight_.cross_on(next, [&](const Vec2& out, const Vec2& in) {
+      orbit_.crossings.push_back({orbit_.bounces.size(), out, in});
+    });
+    if (!t) return false;
+    flown_ = flown_ + *t;
     if (flight_.circles())
       return finish(OrbitEnd::escape, rounded_out(flight_.direction(), flight_.size()), orbit_.out);
     return true;
@@ -175,6 +183,7 @@ class Follower {
   PeriodicWalls periodic_;
   Flight<Number, Make> flight_;
   Number none_, flown_;  // t since the last bounce
+  Number most_;          // the largest double
   std::size_t walls_;
   unsigned bits_;
   CertifiedOrbit orbit_;

@@ -12,7 +12,7 @@ struct CertifiedOrbit {
   struct Bounce {
     std::uint32_t surface;
     Vec2 point;
-    double t;      ///< since the last bounce, in lengths of the start's direction
+    double t;      ///< since the last one, in the start's directions, or the largest double
     Vec2 normal;   ///< unit, towards the side the ray came from
     Vec2 in, out;  ///< unit directions before and after it
   };

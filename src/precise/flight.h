@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -113,6 +114,45 @@ class Flight {
     return met;
   }
 
+  /// After it has crossed one wall: crosses the same again and again, as long as all else that could be
+  /// met lies on one side of its way, and tells see(from, to) of each time. Gives the t that takes, 0
+  /// where the next flight must be looked at; nullopt where Number cannot tell the points.
+  template <class See>
+  std::optional<Number> cross_on(const Prospect& last, const See& see) {
+    const Number none = course_.make(0);
+    if (last.walls.size() != 1) return none;
+    const PeriodicWalls::Side& side = *periodic_.find(last.walls.front());
+    const int along = 1 - side.axis;
+    const Pair<Number>& d = course_.direction;
+    const Number way = course_.make(side.near) - course_.make(side.far);
+    const Number t = way / (side.axis == 0 ? d.x : d.y);  // of one cell
+    const Number step = t * (along == 0 ? d.x : d.y);
+    Number& place = along == 0 ? point_.x : point_.y;
+    const Number first = place;
+    const auto heading = step.sign();
+    if (!heading || *heading == Sign::zero) return none;
+    const std::optional<double> end = end_of_free(along, place, *heading);
+    if (!end) return none;
+    const auto cells = ((course_.make(*end) - first) / step).nearest();
+    if (!cells || !(*cells > 2)) return none;
+    const double count = std::min(std::floor(*cells) - 1, double{kMostCrossings} - crossings_);
+    if ((course_.make(*end) - first - course_.make(count) * step).sign() != *heading) return none;
+    for (double i = 1; i <= count; ++i) {
+      place = first + course_.make(i) * step;
+      const auto at = place.nearest();
+      if (!at) return std::nullopt;
+      Vec2 from(*at, *at), to(*at, *at);
+      from[side.axis] = side.near;
+      to[side.axis] = side.far;
+      see(from, to);
+    }
+    const Number back = side.axis == 0 ? -(way * d.y) : way * d.x;  // way back across d
+    course_.moment = course_.moment + course_.make(count) * back;
+    course_.here = dot(point_ - pair(course_.about), course_.direction);
+    crossings_ += static_cast<std::uint32_t>(count);
+    return course_.make(count) * t;
+  }
+
   /// Whether it has crossed periodic walls until that is an escape: see OrbitEnd.
   bool circles() const { return circles_ || crossings_ >= kMostCrossings; }
 
@@ -219,6 +259,31 @@ class Flight {
     const PeriodicWalls::Side& side = *periodic_.find(surface);
     const auto sign = (side.axis == 0 ? course_.direction.x : course_.direction.y).sign();
     return sign ? std::optional(static_cast<double>(*sign) * side.out > 0) : std::nullopt;
+  }
+
+  // How far from a place on an axis nothing can be met in any cell: up to the walls across that axis, and to
+  // all that is not periodic. nullopt in between.
+  std::optional<double> end_of_free(int axis, const Number& place, Sign heading) const {
+    Bounds others, cell;
+    for (std::uint32_t i = 0; i < walls_.size(); ++i) {
+      Bounds& box = periodic_.has(i) ? cell : others;
+      if (walls_.is_straight(i)) {
+        box.add(segment(i).a);
+        box.add(segment(i).b);
+      } else {
+        box.add(curve_bounds(walls_.curve(i)));
+      }
+    }
+    double low = cell.low[axis], high = cell.high[axis];
+    if (!others.empty()) {
+      if ((course_.make(others.low[axis]) - place).sign() == Sign::positive)
+        high = others.low[axis];
+      else if ((place - course_.make(others.high[axis])).sign() == Sign::positive)
+        low = others.high[axis];
+      else
+        return std::nullopt;
+    }
+    return heading == Sign::positive ? high : low;
   }
 
   // Where the line crosses a wall that it is known to cross; nullopt where Number cannot tell.

@@ -32,26 +32,68 @@ bool meets_inside(const ScanEdge& e, int column, int row) {
   return some && others;
 }
 
-// Winding and crossings along the middles of the strips of one pixel.
+// Winding and crossings along the middles of the strips of one pixel. An edge passes the pixel's left
+// border once: of the strips it spans it is left of the pixel in the first or in the last ones.
 class Strips {
  public:
   Strips(std::span<const ScanEdge> edges, int winding, int column, int row, FillRule rule)
-      : edges_(edges), winding_(winding), column_(column), row_(row), rule_(rule) {
-    for (const ScanEdge& e : edges_)
-      if (e.y_top <= row_ && row_ < e.y_bottom && begins_left(e)) winding_ += e.direction;
+      : column_(column), row_(row), rule_(rule) {
+    for (int i = 0; i < kStrips; ++i) middles_.push_back(row_ + (i + 0.5) / kStrips);
+    changes_.resize(middles_.size() + 1);
+    changes_[0] = winding;
+    for (const ScanEdge& e : edges) add(e);
   }
 
-  double covered(double y) {
-    int winding = winding_;
+  double area() {
+    double sum = 0;
+    int winding = 0;
+    for (std::size_t i = 0; i < middles_.size(); ++i) sum += covered(i, winding += changes_[i]);
+    return sum / kStrips;
+  }
+
+ private:
+  // What an edge does inside the pixel, in strips [begin, end).
+  struct Inside {
+    const ScanEdge* edge;
+    std::size_t begin, end;
+    double slope;
+  };
+
+  void add(const ScanEdge& e) {
+    const auto first = [&](double y) {
+      return std::upper_bound(middles_.begin(), middles_.end(), y);
+    };
+    const auto top = first(e.y_top), bottom = first(e.y_bottom);
+    const bool rightward = e.x_top < e.x_bottom;
+    const auto passes =
+        std::partition_point(top, bottom, [&](double y) { return is_left(e, y) == rightward; });
+    const std::size_t begin = index(top), change = index(passes), end = index(bottom);
+    const bool left_before = e.y_top <= row_ ? begins_left(e) : e.x_top < column_;
+    const bool left_after = e.x_bottom < column_;
+    if (e.y_top <= row_ && row_ < e.y_bottom && left_before) changes_[0] += e.direction;
+    const Inside inside{&e, rightward ? change : begin, rightward ? end : change,
+                        (e.x_bottom - e.x_top) / (e.y_bottom - e.y_top)};
+    if (left_before)
+      count(inside.begin, inside.end, -e.direction);
+    else
+      count(rightward ? begin : change, rightward ? change : end, e.direction);
+    if (left_after != left_before)
+      count(end, middles_.size(), left_after ? e.direction : -e.direction);
+    if (inside.begin < inside.end) inside_.push_back(inside);
+  }
+  std::size_t index(std::vector<double>::const_iterator strip) const {
+    return static_cast<std::size_t>(strip - middles_.begin());
+  }
+  void count(std::size_t begin, std::size_t end, int change) {
+    changes_[begin] += change;
+    changes_[end] -= change;
+  }
+
+  double covered(std::size_t strip, int winding) {
     crossings_.clear();
-    for (const ScanEdge& e : edges_) {
-      if (e.y_top >= y) continue;
-      const bool spans = y <= e.y_bottom;
-      const bool left_now = spans ? is_left(e, y) : e.x_bottom < column_;
-      const bool left_before = e.y_top <= row_ ? begins_left(e) : e.x_top < column_;
-      if (left_now != left_before) winding += left_now ? e.direction : -e.direction;
-      if (spans && !left_now) crossings_.emplace_back(x_of(e, y), e.direction);
-    }
+    for (const Inside& one : inside_)
+      if (one.begin <= strip && strip < one.end)
+        crossings_.emplace_back(x_of(one, middles_[strip]), one.edge->direction);
     std::sort(crossings_.begin(), crossings_.end());
     double width = 0, from = 0;
     bool inside = covers(rule_, winding);
@@ -65,7 +107,6 @@ class Strips {
     return inside ? width + (1 - from) : width;
   }
 
- private:
   // Left of the pixel's left border, at a height the edge reaches.
   bool is_left(const ScanEdge& e, double y) const {
     if (std::max(e.x_top, e.x_bottom) < column_) return true;
@@ -77,15 +118,15 @@ class Strips {
     const bool corner_taken = e.x_bottom < e.x_top && side(e, column_, row_) == Sign::zero;
     return corner_taken || is_left(e, row_);
   }
-  double x_of(const ScanEdge& e, double y) const {
-    const double slope = (e.x_bottom - e.x_top) / (e.y_bottom - e.y_top);
-    return std::clamp(e.x_top + (y - e.y_top) * slope - column_, 0.0, 1.0);
+  double x_of(const Inside& one, double y) const {
+    return std::clamp(one.edge->x_top + (y - one.edge->y_top) * one.slope - column_, 0.0, 1.0);
   }
 
-  std::span<const ScanEdge> edges_;
-  int winding_;
   const double column_, row_;
   const FillRule rule_;
+  std::vector<double> middles_;
+  std::vector<int> changes_;  // of the winding along the left border, before each strip
+  std::vector<Inside> inside_;
   std::vector<std::pair<double, int>> crossings_;
 };
 
@@ -99,10 +140,8 @@ bool is_crowded(std::span<const ScanEdge> edges, int column, int row) {
 
 std::uint32_t crowded_steps(std::span<const ScanEdge> edges, int winding, int column, int row,
                             FillRule rule) {
-  Strips strips(edges, winding, column, row, rule);
-  double area = 0;
-  for (int i = 0; i < kStrips; ++i) area += strips.covered(row + (i + 0.5) / kStrips);
-  return static_cast<std::uint32_t>(std::min(area / kStrips, 1.0) * kFullCoverage + 0.5);
+  const double area = Strips(edges, winding, column, row, rule).area();
+  return static_cast<std::uint32_t>(std::min(area, 1.0) * kFullCoverage + 0.5);
 }
 
 }  // namespace flatray

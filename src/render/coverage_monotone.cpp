@@ -8,7 +8,7 @@
 namespace flatray {
 namespace {
 
-constexpr double kUnit = 0x1p-53;  // u: half an ulp of 1
+constexpr double kHalfUlp = 0x1p-53;  // u: half an ulp of 1
 
 // Needs |x| far below 2^31.
 int floor_of(double x) {
@@ -113,8 +113,8 @@ void MonotoneScan::measure(MonotoneRing ring) {
     bottom_ = std::max(bottom_, corner.y);
   }
   const double width = high - low, far = std::max(-low, high);
-  error_x_ = kUnit * (6 * width + 2 * far + 8);
-  slack_ = kFullCoverage * kUnit *
+  error_x_ = kHalfUlp * (6 * width + 2 * far + 8);
+  slack_ = kFullCoverage * kHalfUlp *
                (64 * (width + 1) + 8 * far + 8 * static_cast<double>(ring.size()) * (width + 4)) +
            0x1p-36;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "render/coverage_crowded.h"
 #include "render/coverage_exact.h"
@@ -187,9 +188,12 @@ std::uint32_t AreaScan::steps(const FillPath& path, std::span<const Piece> cell,
     }
     gather(cell);
     const int outer = without_touching(winding, column, row);
-    if (is_crowded(exact_edges_, column, row)) {
+    join_equal();
+    const bool crowded = is_crowded(exact_edges_, column, row);
+    if (crowded || exact_edges_.size() <= kCrowd) {
       ++stats_.edge_pixels;
-      return crowded_steps(exact_edges_, outer, column, row, path.rule);
+      stats_.exact_fallbacks += crowded ? 0 : 1;
+      return (crowded ? &crowded_steps : &exact_steps)(exact_edges_, outer, column, row, path.rule);
     }
   }
   return decide(
@@ -240,6 +244,23 @@ int AreaScan::without_touching(int winding, int column, int row) {
     if (cut.crosses_top && cut.first < column) winding -= edge.direction;
   }
   return winding;
+}
+
+// Edges that lie on one another become one of all their directions.
+void AreaScan::join_equal() {
+  const auto ends = [](const ScanEdge& e) {
+    return std::tie(e.x_top, e.y_top, e.x_bottom, e.y_bottom);
+  };
+  std::sort(exact_edges_.begin(), exact_edges_.end(),
+            [&](const ScanEdge& a, const ScanEdge& b) { return ends(a) < ends(b); });
+  auto last = exact_edges_.begin();
+  for (auto edge = last; ++edge != exact_edges_.end();) {
+    if (ends(*last) == ends(*edge))
+      last->direction += edge->direction;
+    else
+      *++last = *edge;
+  }
+  exact_edges_.erase(last + 1, exact_edges_.end());
 }
 
 }  // namespace flatray

@@ -100,6 +100,7 @@ class AreaScan {
   std::uint32_t decide(const CellArea& area, const Touching& touching, FillRule rule, int winding,
                        int column, int row);
   int without_touching(int winding, int column, int row);
+  void join_equal();
   void gather(std::span<const Piece> cell);
   void gather(int column, int row);
 

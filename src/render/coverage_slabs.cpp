@@ -6,7 +6,7 @@
 namespace flatray {
 namespace {
 
-constexpr double kUlp = 0x1p-52;
+constexpr double kUlpOfOne = 0x1p-52;
 
 double x_of(const Piece& p, double y) {
   if (y <= p.y_top) return p.x_top;
@@ -35,7 +35,7 @@ class Slabs {
     // are within three of them (docs/NUMERICS.md, coverage); each slab rounds its width and adds
     // it.
     const double n = static_cast<double>(pieces_.size());
-    result.bound = n * (16 * error_ + 32 * kUlp) + static_cast<double>(slabs_) * 2 * kUlp;
+    result.bound = n * (16 * error_ + 32 * kUlpOfOne) + static_cast<double>(slabs_) * 2 * kUlpOfOne;
     result.full = rule_ == FillRule::nonzero && (lowest_ > 0 || highest_ < 0) && jumps_apart();
     return result;
   }
@@ -48,7 +48,7 @@ class Slabs {
       error_ = std::max(error_, p.error);
       exact_ = exact_ && p.exact && !p.ghost;
     }
-    near_ = 8 * error_ + 16 * kUlp;
+    near_ = 8 * error_ + 16 * kUlpOfOne;
     for (const Piece& p : pieces_)
       if (p.ghost || (p.error > 0 && p.y_bottom - p.y_top <= near_)) ++ghosts_;
   }

@@ -37,6 +37,24 @@ std::uint64_t corner_count(std::span<const Region> regions) {
   return count;
 }
 
+// A way that comes round to the same lines draws them again and again. What it draws is the same without
+// whole rounds before its last line, as long as each line follows once on the one before it.
+std::vector<Segment> without_rounds(std::span<const Segment> way) {
+  std::vector<Segment> once(way.begin(), way.end());
+  const std::size_t size = way.empty() ? 0 : way.size() - 1;  // the last may be cut short
+  const auto is_same = [&](std::size_t i, std::size_t k) {
+    return way[i].a == way[k].a && way[i].b == way[k].b;
+  };
+  std::size_t round = 1, repeated = 0;  // lines of one, lines that are as those a round before
+  while (round < size && !is_same(size - 1, size - 1 - round)) ++round;
+  while (repeated + round < size && is_same(size - 1 - repeated, size - 1 - repeated - round))
+    ++repeated;
+  if (repeated <= round) return once;
+  const auto last = once.begin() + static_cast<std::ptrdiff_t>(size);
+  once.erase(last - static_cast<std::ptrdiff_t>((repeated - 1) / round * round), last);
+  return once;
+}
+
 }  // namespace
 
 DrawContext::DrawContext(const Timeline& timeline_, const FrameState& state_, const Tracer* tracer_)
@@ -136,7 +154,9 @@ void DrawContext::add_shape(const Shape& shape, const Pose& world_from_shape,
 void DrawContext::add_lines(std::span<const Segment> world, const Stroke& stroke) {
   if (refused()) return;
   FilmShape lines;
-  for (const Segment& line : world)
+  const bool whole = stroke.dashes == kNoEntry;  // else they lie elsewhere in each round
+  for (const Segment& line :
+       whole ? without_rounds(world) : std::vector(world.begin(), world.end()))
     lines.segments.push_back({film_from_world(line.a), film_from_world(line.b)});
   add_outline(lines, stroke, world_pose(state));
 }

@@ -70,7 +70,7 @@ class SeenWalls {
 
   /// What each ray of a row meets first.
   std::vector<NearestHit> nearest(const RayBatch& rays) const;
-  const SurfaceOwner& owner(const NearestHit& hit) const { return world_.owners[hit.surface]; }
+  const SurfaceOwner& owner(const NearestHit& hit) const { return world_.owner(hit.surface); }
 
  private:
   const World world_;

@@ -2,17 +2,19 @@
 
 #include <fmt/core.h>
 
+#include "base/beneath.h"
 #include "base/file.h"
 #include "scene/format.h"
 
 namespace flatray {
 namespace fs = std::filesystem;
 
-Imports::Imports(SourcePtr scene, std::size_t max_bytes, unsigned threads)
+Imports::Imports(SourcePtr scene, std::size_t max_bytes, unsigned threads, fs::path root)
     : scene_(std::move(scene)),
       max_bytes_(max_bytes),
       bytes_left_(max_bytes - std::min(max_bytes, scene_->text().size())),
       threads_(threads),
+      root_(std::move(root)),
       scenes_{{scene_->name(), {scene_, {}}}} {}
 
 std::string Imports::path_from_scene(const std::string& file, const Place& where) const {
@@ -39,13 +41,19 @@ Result<SourcePtr> Imports::read(const std::string& file, const std::string& path
     return fail(where, "this is not a file name", R"(write file = "outline.obj")");
   if (const auto known = files_.find(path); known != files_.end()) return known->second;
   const fs::path full = fs::path(scene_->name()).parent_path() / path;
+  if (root_.empty()) root_ = import_root(scene_->name());
+  if (!path_beneath(root_, full))
+    return fail(where,
+                fmt::format("'{}' lies outside of {}", file,
+                            fs::absolute(root_).lexically_normal().string()),
+                "files of a scene lie beneath it; --root DIR names another");
   std::error_code missing;  // a pipe or device could keep the reader for ever
   if (fs::exists(full, missing) && !fs::is_regular_file(full, missing))
-    return fail(where, fmt::format("'{}' is not a regular file", file), "name an OBJ or list file",
+    return fail(where, fmt::format("'{}' is not a plain file", file), "name an OBJ or list file",
                 Trouble::missing);
   // "-" is a file beside the scene here, never standard input.
   Result<std::string> text =
-      read_file(full == "-" ? fs::path("./-") : full, bytes_left_, raise_max_bytes(max_bytes_));
+      read_file(full == "-" ? fs::path("./-") : full, {bytes_left_, raise_max_bytes(max_bytes_)});
   if (!text) {
     const Diagnostic& cause = text.error().front();
     return fail(where, fmt::format("file '{}': {}", file, cause.message),
@@ -57,6 +65,11 @@ Result<SourcePtr> Imports::read(const std::string& file, const std::string& path
   auto source = std::make_shared<const SourceText>(full.string(), std::move(*text),
                                                    std::make_shared<const Place>(where));
   return files_.emplace(path, std::move(source)).first->second;
+}
+
+fs::path import_root(const fs::path& scene) {
+  const fs::path folder = folder_of(scene);
+  return path_beneath(".", folder) ? fs::path(".") : folder;
 }
 
 std::string raise_max_bytes(std::size_t max_bytes) {

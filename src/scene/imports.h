@@ -12,7 +12,10 @@ class Imports {
  public:
   /// Needs   `scene` outlives the object: paths in it are relative to its folder. `max_bytes` counts
   ///         it and all other files together.
-  Imports(SourcePtr scene, std::size_t max_bytes, unsigned threads);
+  ///         What lies outside of `root`, or is reached by links that leave it, is refused unread; ""
+  ///         stands for import_root(scene).
+  Imports(SourcePtr scene, std::size_t max_bytes, unsigned threads,
+          std::filesystem::path root = {});
 
   /// A file by its path from the folder of the file `where` stands in; a scene by its own name.
   /// Error   the file's own, at `where`.
@@ -37,9 +40,14 @@ class Imports {
   SourcePtr scene_;
   std::size_t max_bytes_, bytes_left_;
   unsigned threads_;
+  std::filesystem::path root_;
   std::map<std::string, SourcePtr> files_;  ///< by path from the scene
   std::map<std::string, Scene> scenes_;     ///< by their own names
 };
+
+/// The folder beneath which the files lie that a scene may refer to, if nobody says another: the one the
+/// program runs in where the scene lies beneath it, else the scene's own.
+std::filesystem::path import_root(const std::filesystem::path& scene);
 
 /// What to do about files too large.
 std::string raise_max_bytes(std::size_t max_bytes);

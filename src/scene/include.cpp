@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "scene/build_scene.h"
 #include "scene/format.h"
@@ -84,16 +85,15 @@ class Includer {
   void take(SceneDesc& desc, const SourcePtr& source) {
     open_.push_back(identity(source));
     known_.insert(open_.back());
-    Value under = table_value(desc.root.where, {});
+    std::vector<SceneDesc> files;
     if (const Member* include = desc.root.find("include"))
-      for (SceneDesc& one : all_of({"include", include->value, "[\"part.toml\", ...]"})) {
-        append(desc.warnings, std::move(one.warnings));
-        append(desc.sources, std::move(one.sources));
-        Merge(in).scenes(std::move(under), one.root);
-        under = std::move(one.root);
-      }
+      files = all_of({"include", include->value, "[\"part.toml\", ...]"});
+    for (SceneDesc& one : files) {
+      append(desc.warnings, std::move(one.warnings));
+      append(desc.sources, std::move(one.sources));
+    }
     std::erase_if(desc.root.members, [](const Member& member) { return member.key == "include"; });
-    Merge(in).scenes(std::move(under), desc.root);
+    if (!files.empty()) Merge(in).scenes(merged(files), desc.root);
     desc.sources.push_back(source);
     open_.pop_back();
   }
@@ -102,6 +102,15 @@ class Includer {
   template <class T>
   static void append(std::vector<T>& to, std::vector<T>&& from) {
     std::move(from.begin(), from.end(), std::back_inserter(to));
+  }
+
+  // In halves, so that no file is gone through for each of the others.
+  Value merged(std::span<SceneDesc> files) {
+    if (files.size() == 1) return std::move(files.front().root);
+    const std::size_t half = files.size() / 2;
+    Value under = merged(files.first(half)), over = merged(files.subspan(half));
+    Merge(in).scenes(std::move(under), over);
+    return over;
   }
 
   std::vector<SceneDesc> all_of(const Field& files) {

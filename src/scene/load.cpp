@@ -53,7 +53,7 @@ Result<ReadScene> read_text(std::string name, std::string text,
                             std::optional<std::uint64_t> seed) {
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
-  Imports imports(source, limits.max_bytes, limits.threads);
+  Imports imports(source, limits.max_bytes, limits.threads, limits.root);
   Result<SceneDesc> desc = describe(source, overrides, imports, limits);
   if (!desc) return fail(std::move(desc));
   Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
@@ -72,7 +72,8 @@ Result<ReadScene> read_text(std::string name, std::string text,
 Result<ReadScene> read_scene(const std::filesystem::path& path,
                              const std::vector<Override>& overrides, const LoadLimits& limits,
                              std::optional<std::uint64_t> seed) {
-  Result<std::string> text = read_file(path, limits.max_bytes, raise_max_bytes(limits.max_bytes));
+  Result<std::string> text =
+      read_file(path, {limits.max_bytes, raise_max_bytes(limits.max_bytes), true});
   if (!text) return fail(std::move(text));
   return read_text(path.string(), std::move(*text), overrides, limits, seed);
 }

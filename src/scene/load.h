@@ -21,6 +21,8 @@ struct LoadLimits {
   std::size_t max_depth = 64;                    ///< groups in groups, files in files
   std::size_t max_entities = 1'000'000;  ///< also pillars, rays, groups: of each, with all copies
   std::uint64_t max_corners = std::uint64_t{1} << 25;  ///< kept with all copies; drawn in one frame
+  std::filesystem::path root =
+      {};                ///< of the files it refers to; "": import_root of scene/imports.h
   unsigned threads = 1;  ///< to read large outlines with; what they hold does not depend on it
 };
 

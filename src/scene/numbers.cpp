@@ -11,7 +11,7 @@ namespace {
 // Beyond this no double is meant, and the powers of ten would no longer be small.
 constexpr long kMaxExponent = 100000;
 // Every integer of so many digits is a double.
-constexpr std::size_t kSafeDigits = 15;
+constexpr std::size_t kChunkDigits = 15;
 // Longer decimals than this are not read by people.
 constexpr std::size_t kMaxShownDigits = 40;
 
@@ -86,7 +86,7 @@ Number::Loss loss_of(std::string_view text, double value) {
   if (value == 0 && !(decimal && decimal->digits.empty())) return Number::Loss::underflow;
   const bool written_out = text.find_first_of("eE") == std::string_view::npos;
   if (!decimal || !written_out || decimal->exponent < 0) return Number::Loss::none;
-  if (decimal->digits.size() <= kSafeDigits) return Number::Loss::none;
+  if (decimal->digits.size() <= kChunkDigits) return Number::Loss::none;
   return to_rational(*decimal) == Rational(value) ? Number::Loss::none : Number::Loss::integer;
 }
 
@@ -114,8 +114,8 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
 
 Rational to_rational(const Decimal& decimal) {
   Rational value = 0;
-  for (std::size_t i = 0; i < decimal.digits.size(); i += kSafeDigits) {
-    const std::string chunk = decimal.digits.substr(i, kSafeDigits);
+  for (std::size_t i = 0; i < decimal.digits.size(); i += kChunkDigits) {
+    const std::string chunk = decimal.digits.substr(i, kChunkDigits);
     value *= power_of_ten(static_cast<long>(chunk.size()));
     value += static_cast<double>(std::stoll(chunk));
   }

@@ -1,5 +1,7 @@
 #include "scene/outline.h"
 
+#include <algorithm>
+
 #include "geom/outline.h"
 
 namespace flatray {
@@ -27,14 +29,14 @@ std::vector<OutlineEdge> outline(const Shape& shape) {
       edges.push_back(walk.edge(static_cast<std::uint32_t>(edges.size())));
     return edges;
   }
-  std::vector<Segment> segments;
-  segments.reserve(count);
-  for (Walk walk{shape}; segments.size() < count;) {
-    const OutlineEdge edge = walk.edge(static_cast<std::uint32_t>(segments.size()));
-    segments.push_back({shape.vertices[edge.from], shape.vertices[edge.to]});
-  }
+  std::vector<std::uint32_t> ends;
+  ends.reserve(count);
+  for (Walk walk{shape}; ends.size() < count;)
+    ends.push_back(walk.edge(static_cast<std::uint32_t>(ends.size())).to);
   Walk walk{shape};
-  for (const std::uint32_t i : outline_edges(segments)) edges.push_back(walk.edge(i));
+  for (const std::uint32_t i : outline_edges(shape.vertices, ends)) edges.push_back(walk.edge(i));
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const auto& a, const auto& b) { return a.number < b.number; });
   return edges;
 }
 

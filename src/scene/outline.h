@@ -10,8 +10,8 @@ struct OutlineEdge {
 };
 
 /// Edges of the convex pieces that bound their union as far as shared edges tell: what two pieces
-/// run along in opposite directions, cuts among them, is inside the shape. In the order of the
-/// shape, counter-clockwise.
+/// run along in opposite directions, cuts among them, is inside the shape. Counter-clockwise; of one
+/// piece in its order, of several in that of their numbers, whichever pieces these are.
 std::vector<OutlineEdge> outline(const Shape& shape);
 
 }  // namespace flatray

@@ -20,6 +20,15 @@ constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
     {"thickness", "width"}, {"vertices", "points"}, {"z", "layer"},        {"zoom", "height"},
 };
 
+// Words for a message, which there may be thousands of.
+std::string some(const std::vector<std::string>& words) {
+  constexpr std::size_t kMostWords = 40, kMostBytes = 64;
+  std::string all;
+  for (const std::string& word : std::span(words).first(std::min(words.size(), kMostWords)))
+    all += (all.empty() ? "" : ", ") + word.substr(0, kMostBytes);
+  return words.size() > kMostWords ? all + ", ..." : all;
+}
+
 // The key that was meant by another, or "".
 std::string meant(const std::string& key, const std::vector<std::string>& known) {
   for (const auto& [other, here] : kOtherWords)
@@ -42,7 +51,7 @@ Diagnostic unknown_word(Place where, std::string_view what, std::string_view wor
   const std::string near = nearest_word(word, known);
   const std::string message = fmt::format("unknown {} '{}'", what, word.substr(0, 64));
   if (near.empty())
-    return {std::move(where), message, known.empty() ? "there is none" : "known: " + joined(known)};
+    return {std::move(where), message, known.empty() ? "there is none" : "known: " + some(known)};
   return {std::move(where), fmt::format("{} (did you mean '{}'?)", message, near), {}};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
 #include "scene/numbers.h"
 
 namespace flatray {
@@ -21,8 +22,15 @@ bool is_bare_key(std::string_view key) {
 
 std::string quoted(std::string_view text) {
   std::string all = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
+  for (; !text.empty(); text.remove_prefix(1)) {
+    const char c = text.front();
+    const std::size_t length = utf8_length(text);
+    if (length > 1) {
+      all += text.substr(0, length);
+      text.remove_prefix(length - 1);
+    } else if (length == 0) {  // as Latin-1 has it: names of lists may be in any encoding
+      all += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+    } else if (c == '"' || c == '\\')
       all += fmt::format("\\{}", c);
     else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       all += fmt::format("\\u{:04X}", static_cast<unsigned>(c));

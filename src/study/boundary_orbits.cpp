@@ -40,7 +40,9 @@ class Points : public OrbitSink {
 
 Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const Room& room,
                                        std::uint64_t random_orbits) {
-  BoundaryOrbits all{orbits_to_watch(context, room, random_orbits), {}};
+  auto watched = orbits_to_watch(context, room, random_orbits);
+  if (!watched) return fail(std::move(watched));
+  BoundaryOrbits all{std::move(*watched), {}};
   const std::vector<OrbitStart>& starts = all.orbits.starts;
   const std::uint64_t bounces =
       context.bounces.value_or((context.count + starts.size() - 1) / starts.size());

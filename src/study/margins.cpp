@@ -80,7 +80,7 @@ class Measure {
   void grow(const Vec2& p) { largest_ = std::max({largest_, std::fabs(p.x()), std::fabs(p.y())}); }
 
   std::string name_of(std::uint32_t wall) const {
-    const SurfaceOwner& owner = world_.owners[wall];
+    const SurfaceOwner& owner = world_.owner(wall);
     const bool entity = owner.kind == SurfaceOwner::Kind::entity;
     const std::string& name =
         entity ? scene_.entities[owner.index].name : scene_.chambers[owner.index].name;

@@ -6,26 +6,18 @@
 #include <cmath>
 
 #include "base/counted.h"
-#include "base/number_text.h"
 #include "base/philox.h"
-#include "collide/broad_phase.h"
-#include "collide/outline_contact.h"
+#include "collide/pillars.h"
 #include "geom/predicates.h"
-#include "scene/outline.h"
 #include "study/starts.h"
 #include "study/wall_places.h"
 #include "trace/on_surface.h"
+#include "transport/landing.h"
 #include "transport/near_doubles.h"
 #include "transport/reflection.h"
 
 namespace flatray {
 namespace {
-
-bool has_area(const Shape& shape) {
-  return !shape.vertices.empty() || !shape.circles.empty() ||
-         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                     [](const ArcPath& path) { return path.closed; });
-}
 
 Sign side_of(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
   const std::uint32_t slot = walls.slot[surface];
@@ -52,7 +44,7 @@ Room::Room(const Scene& scene)
 // A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
 // run counter-clockwise; both sides of a lone segment or arc are outside.
 std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
-  const SurfaceOwner& owner = world_.owners[surface];
+  const SurfaceOwner& owner = world_.owner(surface);
   const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
   const bool curved = !walls().is_straight(surface);
   const ShapeId shape = chamber ? scene_.chambers[owner.index].shape
@@ -62,6 +54,14 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
   const Shape& whole = scene_.shapes[shape];
   if (!has_area(whole)) return std::nullopt;
   return chamber != curved ? Sign::positive : Sign::negative;
+}
+
+bool Room::has_start(const Vec2& point) const {
+  if (!Lander(walls()).walls_at(point).empty()) return true;
+  const Shape* chamber =
+      scene_.chambers.empty() ? nullptr : &scene_.shapes[scene_.chambers.front().shape];
+  const bool inside = chamber == nullptr || !has_area(*chamber) || solids_.in_chamber(point);
+  return inside && !solids_.holder(point);
 }
 
 double Room::place_of(const Bounce& bounce) const {
@@ -102,67 +102,6 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
   }
 }
 
-namespace {
-
-// Any point of it, in the world.
-Vec2 point_of(const Shape& shape, const Pose& place) {
-  if (!shape.vertices.empty()) return place(shape.vertices.front());
-  if (!shape.segments.empty()) return place(shape.segments.front().a);
-  if (!shape.circles.empty()) return place(shape.circles.front().centre);
-  return place(shape.arc_paths.front().arcs.front().start());
-}
-
-// The straight walls of a chamber, without its inside.
-Shape straight_walls(const Shape& chamber) {
-  Shape walls;
-  for (const OutlineEdge& edge : outline(chamber))
-    walls.segments.push_back({chamber.vertices[edge.from], chamber.vertices[edge.to]});
-  return walls;
-}
-
-bool overlap(const MovingShape& a, const MovingShape& b) {
-  if (!has_area(*a.shape) && !has_area(*b.shape)) return false;
-  const std::vector<MeetingPart> parts = shapes_meet(a, b, {0, 0});
-  return std::any_of(parts.begin(), parts.end(),
-                     [](const MeetingPart& part) { return part.kind == HitClass::through; });
-}
-
-constexpr const char* kMovePillar =
-    "move it, or make it smaller: the room's area and walls would be wrong";
-
-std::string named(const Chamber::Pillar& pillar) {
-  return fmt::format("the pillar {} at ({}, {})", pillar.name, number_text(pillar.at.x()),
-                     number_text(pillar.at.y()));
-}
-
-// Whether the pillars of a chamber lie in it and apart, as far as contact tells: curved walls of the
-// chamber, and arcs but those of capsules and ellipses, are not looked at.
-Result<void> expect_apart(const Scene& scene, const Chamber& chamber) {
-  const FrameState state = at(Timeline(scene, scene.seed, 1), 1);
-  const Solids solids(scene, state);
-  const Shape walls = straight_walls(scene.shapes[chamber.shape]);
-  std::vector<MovingShape> bodies;
-  std::vector<Bounds> boxes;
-  for (const Chamber::Pillar& pillar : chamber.pillars) {
-    const Shape& shape = scene.shapes[pillar.shape];
-    bodies.push_back({&shape, pillar_pose(state, pillar), {0, 0}});
-    boxes.push_back(shape_bounds(shape, bodies.back().place));
-    const bool stands_in = solids.in_chamber(point_of(shape, bodies.back().place));
-    if (!stands_in || overlap({&walls, world_pose(state), {0, 0}}, bodies.back()))
-      return fail(chamber.where, fmt::format("{} does not stand in the chamber", named(pillar)),
-                  kMovePillar);
-  }
-  for (const auto& [a, b] : overlapping_pairs(boxes))
-    if (overlap(bodies[a], bodies[b]))
-      return fail(
-          chamber.where,
-          fmt::format("{} and {} overlap", named(chamber.pillars[a]), named(chamber.pillars[b])),
-          kMovePillar);
-  return {};
-}
-
-}  // namespace
-
 Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
   if (room.perimeter() > 0) return {};
   return fail(named_place(context.scene.name), "has no walls",
@@ -191,7 +130,8 @@ Result<void> expect_closed(const ExperimentContext& context) {
   if (others)
     return fail(place, "has entities that rays meet beside its chamber",
                 "write what stands in the chamber as its pillars: their areas count");
-  return expect_apart(scene, chamber);
+  if (auto inside = expect_pillars_inside(scene); !inside) return inside;
+  return expect_pillars_apart(scene);
 }
 
 Result<void> expect_not_periodic(const ExperimentContext& context) {

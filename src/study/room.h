@@ -15,11 +15,14 @@ class Room {
 
   const Scene& scene() const { return scene_; }
   const Surfaces& walls() const { return world_.surfaces; }
-  const SurfaceOwner& owner(std::uint32_t surface) const { return world_.owners[surface]; }
+  const SurfaceOwner& owner(std::uint32_t surface) const { return world_.owner(surface); }
   const FrameState& state() const { return state_; }
   const Solids& solids() const { return solids_; }
   const OrbitTracer& orbits() const { return *orbits_; }
   const std::vector<Material>& materials() const { return materials_; }  ///< by surface
+
+  /// Whether orbits that start there are in the room: on a wall, or in the free.
+  bool has_start(const Vec2& point) const;
 
   /// Length of all walls but periodic ones, those bounced off on both sides twice.
   double perimeter() const { return before_.back(); }

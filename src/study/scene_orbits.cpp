@@ -6,13 +6,20 @@
 
 namespace flatray {
 
-NamedOrbits orbits_to_watch(const ExperimentContext& context, const Room& room,
-                            std::uint64_t random_orbits) {
+Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room& room,
+                                    std::uint64_t random_orbits) {
   NamedOrbits orbits;
+  Diagnostics outside;
   for (const RayPath& ray : context.scene.rays) {
+    const Vec2 at = world_pose(room.state())(ray.at);
+    if (!room.has_start(at))
+      outside.push_back({ray.where, fmt::format("ray '{}' starts outside the room", ray.name),
+                         "let it start in the chamber, and in none of its pillars",
+                         Trouble::invalid});
     orbits.names.push_back(ray.name);
-    orbits.starts.push_back({{world_pose(room.state())(ray.at), ray.direction}});
+    orbits.starts.push_back({{at, ray.direction}});
   }
+  if (!outside.empty()) return tl::unexpected(std::move(outside));
   if (!orbits.starts.empty()) return orbits;
   orbits.random = true;
   for (std::uint64_t i = 0; i < random_orbits; ++i) {

@@ -28,8 +28,8 @@ struct FallingCurve {
 
   explicit FallingCurve(std::span<const Departure> orbits) {
     double most = 0;
-    for (const Departure& one : orbits) most = std::max(most, one.bounces);
-    gone.resize(static_cast<std::size_t>(most) + 1);
+    for (const Departure& one : orbits) most = std::max(most, one.bounces + (one.gone ? 1.0 : 0.0));
+    gone.resize(static_cast<std::size_t>(most));
     there.resize(gone.size() + 1);
     for (const Departure& one : orbits) {
       const auto n = static_cast<std::size_t>(one.bounces);
@@ -39,8 +39,8 @@ struct FallingCurve {
     for (std::size_t n = gone.size(); n-- > 0;) there[n] += there[n + 1];
   }
 
-  // The tail from a start on, each stretch with enough that leave; what is left over at the end is
-  // not counted.
+  // The tail from a start on, each stretch with enough that leave; the last one with what is left over,
+  // for those who stay longer than a law has it are against it.
   std::vector<Stretch> tail(std::size_t start) const {
     std::vector<Stretch> stretches;
     for (std::size_t from = start; from < gone.size();) {
@@ -48,7 +48,6 @@ struct FallingCurve {
       std::size_t to = from;
       const double enough = std::max(kLeastGone, 0.1 * there[from]);
       while (to < gone.size() && left < enough) left += gone[to++];
-      if (left < enough) break;
       stretches.push_back({static_cast<double>(from), static_cast<double>(to), there[from], left});
       from = to;
     }
@@ -193,17 +192,21 @@ std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survi
                                   std::uint64_t limit) {
   // What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.
   const double start = found.start + std::ceil(found.start / 2);
+  double last = 0;
   RatioSums leaving;  // of those that are there before a bounce
-  for (const Departure& one : orbits)
+  for (const Departure& one : orbits) {
+    last = std::max(last, one.bounces);
     if (one.bounces >= start)
       leaving.add(one.gone ? 1 : 0, one.bounces - start + (one.gone ? 1 : 0));
+  }
   if (leaving.x < kLeastGone || leaving.x == leaving.y) return {};
   const double stay = 1 - leaving.ratio(), rate = -portable::log(stay);
   Measure by_bounce{"escape_rate_per_bounce", rate, leaving.standard_error() / stay};
   Measure by_way = by_length(orbits, start, rate, static_cast<double>(limit));
   for (Measure* one : {&by_bounce, &by_way}) {
     one->freedom = leaving.x - 1;
-    one->remark = fmt::format("of {:.0f} orbits from bounce {:.0f} on", leaving.samples, start);
+    one->remark =
+        fmt::format("of {:.0f} orbits from bounce {:.0f} to {:.0f}", leaving.samples, start, last);
   }
   return {std::move(by_bounce), std::move(by_way)};
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeft = 80, kTop = 40, kSide = 420, kBottom = 56, kRight = 110;
 constexpr int kTicks = 4;
 
-// By the cube root, so that small shares are not pale.
+// By the fourth root, so that small shares are not pale.
 std::string colour(double share) {
   if (share <= 0) return "#fff";
   const double deep = std::sqrt(std::sqrt(std::min(share, 1.0)));

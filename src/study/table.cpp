@@ -7,18 +7,12 @@
 
 #include "base/check.h"
 #include "base/number_text.h"
+#include "base/shown_text.h"
 
 namespace flatray {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
 
 std::string csv_cell(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return csv_field(*text);
@@ -27,7 +21,7 @@ std::string csv_cell(const Cell& cell) {
 }
 
 std::string shown(const Cell& cell) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* text = std::get_if<std::string>(&cell)) return shown_text(*text);
   const auto* measure = std::get_if<double>(&cell);
   return measure != nullptr ? fmt::format("{:.6g}", *measure) : csv_cell(cell);
 }
@@ -48,15 +42,8 @@ Json json_rows(const Table& table) {
   return rows;
 }
 
-// Code points, as a terminal counts narrow characters.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
-}
-
 std::string padded(const std::string& text, std::size_t to, bool right) {
-  const std::string space(to - std::min(to, width(text)), ' ');
+  const std::string space(to - std::min(to, shown_width(text)), ' ');
   return right ? space + text : text + space;
 }
 
@@ -86,8 +73,9 @@ std::string Table::text() const {
                     [i](const std::vector<Cell>& row) { return row[i] == Cell(std::string()); }) &&
         !rows_.empty())
       continue;
-    std::size_t widest = width(columns_[i]);
-    for (const std::vector<Cell>& row : rows_) widest = std::max(widest, width(shown(row[i])));
+    std::size_t widest = shown_width(columns_[i]);
+    for (const std::vector<Cell>& row : rows_)
+      widest = std::max(widest, shown_width(shown(row[i])));
     const bool right = std::any_of(rows_.begin(), rows_.end(),
                                    [i](const std::vector<Cell>& row) { return is_number(row[i]); });
     const std::string gap = i > 0 ? "  " : "";

@@ -21,7 +21,7 @@ class Table {
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<Cell>>& rows() const { return rows_; }
 
-  /// RFC 4180 with '\n', numbers shortest round-trip.
+  /// Fields of base/shown_text.h, lines that end in '\n', numbers shortest round-trip.
   std::string csv() const;
   /// Columns side by side for a terminal, measures to six digits, counts and measures to the right; none
   /// of a column in which nothing stands.

@@ -43,7 +43,7 @@ class Flight {
   const Leg& leg_now(std::uint32_t surface) const {
     return leg_at(walls_.legs(surface), mover_.since);
   }
-  Material material(std::uint32_t surface) const { return walls_.world.owners[surface].material; }
+  Material material(std::uint32_t surface) const { return walls_.world.owner(surface).material; }
   const Surfaces& surfaces() const { return walls_.world.surfaces; }
 
   // Whether it can set off.
@@ -56,7 +56,8 @@ class Flight {
     if (stood_on.size() == 1) {
       left_.surface = stood_on.front();
       left_.side = heading(walls_, left_.surface, leg_now(left_.surface), mover_);
-      if (left_.side == Sign::zero) return stop(OrbitEnd::along, std::move(stood_on));
+      if (left_.side == Sign::zero && surfaces().is_straight(left_.surface))
+        return stop(OrbitEnd::along, std::move(stood_on));
     }
     return limits_.bounces > 0 || stop(OrbitEnd::limit, {});
   }

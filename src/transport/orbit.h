@@ -14,7 +14,7 @@ enum class OrbitEnd {
   escape,    ///< nothing lies ahead; between periodic walls, not in 2^18 crossings
   absorbed,  ///< arrived at a surface that absorbs
   corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
-  along      ///< starts on a wall and runs along it
+  along      ///< starts on a straight wall and runs along it
 };
 const char* name(OrbitEnd end);
 
@@ -82,9 +82,9 @@ struct OrbitRules {
 /// Needs   `materials` by surface, periodic those of one upright box at most; a direction that is
 ///         not zero.
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
-///         of one, is a corner without a bounce; a start along its wall, or on the tangent of its
-///         circle, ends as `along`. A circle reflects on both sides; touched in one point it is
-///         passed by. A corner whose walls all absorb absorbs. With 0 bounces only the start is
+///         of one, is a corner without a bounce; a start along a straight wall ends as `along`. A
+///         circle reflects on both sides; touched in one point it is passed by, and on its outer side
+///         left from a start on it along its tangent, that of a chamber too. A corner whose walls all absorb absorbs. With 0 bounces only the start is
 ///         looked at. Periodic walls are crossed, in a corner of theirs two at a time; with them
 ///         every other corner stops.
 /// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on

@@ -1,6 +1,7 @@
 #include "transport/orbit_tracer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geom/cyrus_beck.h"
 #include "geom/error_free.h"
@@ -12,7 +13,7 @@ namespace {
 
 void add(DoubleDouble& sum, double t) {
   const DoubleDouble next = two_sum(sum.hi, t);
-  sum = two_sum(next.hi, next.lo + sum.lo);
+  sum = std::isfinite(next.hi) ? two_sum(next.hi, next.lo + sum.lo) : DoubleDouble{next.hi, 0};
 }
 
 bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
@@ -25,7 +26,7 @@ bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
 constexpr std::size_t kFewFlights = 12;
 
 // From a point on a curve a ray goes inward from the first root, or outward from the second;
-// `both` on the tangent.
+// on the tangent it has touched the curve and goes on outside, from `both`.
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
   if (walls.is_straight(surface)) return Root::none;
   return leads_away(walls, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
@@ -34,7 +35,7 @@ Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray)
 }
 
 bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  if (!walls.is_straight(left.surface)) return left.root == Root::both;
+  if (!walls.is_straight(left.surface)) return false;
   const Segment& wall = walls.segments[walls.slot[left.surface]];
   return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
 }

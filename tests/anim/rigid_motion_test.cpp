@@ -18,7 +18,6 @@ CurveId add_curve(Scene& scene, Curve::Ease ease, std::vector<double> times,
 
 // Three groups in one another that turn, follow a path and keys, and a box in them that does, too.
 Scene carried_box() {
-  using Ease = Curve::Ease;
   Scene scene = testing::small_scene();
   scene.frames = 9;
   scene.fps = 2;
@@ -34,13 +33,13 @@ Scene carried_box() {
   middle.motion.follow = Follow{0, 12, 1.7, 2, true};
   inner.group = 1;
   inner.at = {2, -1};
-  inner.motion.angle = add_curve(scene, Ease::smooth, {0.3, 1.1, 2.9}, {0, 9, -4});
-  inner.motion.x = add_curve(scene, Ease::linear, {0.7, 2}, {5, -5});
+  inner.motion.angle = add_curve(scene, Curve::Ease::smooth, {0.3, 1.1, 2.9}, {0, 9, -4});
+  inner.motion.x = add_curve(scene, Curve::Ease::linear, {0.7, 2}, {5, -5});
   const std::uint32_t box = testing::add_box(scene, {1, 3}, {0.25, 0});
   scene.entities[box].group = 2;
   scene.entities[box].angle = -1;
   scene.entities[box].angular_velocity = -2;
-  scene.entities[box].motion.y = add_curve(scene, Ease::smooth, {0, 1.3, 4}, {1, 7, 2});
+  scene.entities[box].motion.y = add_curve(scene, Curve::Ease::smooth, {0, 1.3, 4}, {1, 7, 2});
   return scene;
 }
 

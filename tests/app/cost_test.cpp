@@ -48,7 +48,7 @@ TEST(Cost, ASavingBeyondTheNoiseIsToldWithAnIntervalThatHoldsIt) {
 TEST(Cost, SavingsAreSharesOfWhatIsKept) {
   const CostRounds without{std::vector<double>(8, 3), true}, with{std::vector<double>(8, 4), true};
   EXPECT_EQ(saving_words(without, with), "25 % (25 to 25)");
-  EXPECT_EQ(saving_words(with, without), "-33.3 % (-33.3 to -33.3)");
+  EXPECT_EQ(saving_words(with, without), "costs 33.3 % (33.3 to 33.3)");
   EXPECT_EQ(saving_words(with, with), kUnknown);
 }
 

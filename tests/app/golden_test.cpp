@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScene = R"(flatray = 1
+constexpr const char* kGoldenScene = R"(flatray = 1
 frames = 9
 film = { size = [16, 10], world = [[0, 0], [16, 10]] }
 [[entity]]
@@ -31,7 +31,7 @@ class Golden : public testing::Test {
         fs::path(testing::TempDir()) /
         (std::string("flatray_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(root_);
-    write("scenes/part/dot.toml", kScene);
+    write("scenes/part/dot.toml", kGoldenScene);
   }
   void TearDown() override { fs::remove_all(root_); }
 
@@ -210,7 +210,7 @@ TEST_F(Golden, WhatIsTooMuchIsRefusedAndNothingIsWritten) {
 
 TEST_F(Golden, TwoScenesOfOneFolderAreRefused) {
   accept(kThird);
-  write("scenes/part_dot.toml", kScene);
+  write("scenes/part_dot.toml", kGoldenScene);
   expect_refused({"scenes/part_dot.toml", "why", std::nullopt, std::nullopt}, "shares part_dot");
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "base/file.h"
 #include "base/hash.h"
@@ -22,6 +21,7 @@ FrameRecord record(unsigned frame) {
           "00000000000000aa",
           "00000000000000bb",
           "00000000000000cc",
+          18446744073709551615U,
           "gl: made for this test"};
 }
 
@@ -48,7 +48,7 @@ TEST_F(Manifest, ALineIsCompactJsonWithItsFrameFirst) {
   EXPECT_EQ(
       manifest_line(record(3)),
       R"({"frame":3,"file":"frame_0003.png","width":40,"height":30,"pixels":"00000000000000aa",)"
-      R"("bytes":"00000000000000bb","scene":"00000000000000cc","backend":"gl: made for this test"})");
+      R"("bytes":"00000000000000bb","scene":"00000000000000cc","seed":18446744073709551615,"backend":"gl: made for this test"})");
 }
 
 TEST_F(Manifest, ALineThatNamesNoBackEndIsOfTheSoftwareOne) {
@@ -67,37 +67,29 @@ TEST_F(Manifest, WhatIsNoRecordIsPassedOver) {
   for (const std::string& text :
        {std::string("null"), std::string("[]"), std::string("{}"), std::string("\"frame\""),
         std::string(R"({"frame":-1,"file":"x","bytes":"y"})"),
-        std::string(R"({"frame":"1","file":"x","bytes":"y"})"), std::string(100000, '[')})
+        std::string(R"({"frame":"1","file":"x","bytes":"y"})"),
+        std::string(R"({"frame":1,"file":"../x","bytes":"y"})"), std::string(100000, '[')})
     EXPECT_FALSE(parse_manifest_line(text)) << text.substr(0, 40);
 }
 
 TEST_F(Manifest, TheLastLineOfAFileCountsAndATornOneDoesNot) {
   FrameRecord again = record(1);
   again.scene = "00000000000000dd";
-  std::ofstream(path_) << manifest_line(record(1)) << "\ngarbage\n"
-                       << manifest_line(record(2)) << "\n"
-                       << manifest_line(again) << "\n"
-                       << manifest_line(record(3)).substr(0, 50);
-  const auto records = read_manifest(path_);
-  ASSERT_TRUE(records);
-  ASSERT_EQ(records->size(), 2U);
-  EXPECT_EQ(records->at("frame_0001.png"), again);
-  EXPECT_EQ(records->at("frame_0002.png"), record(2));
+  const Records records =
+      records_of(manifest_line(record(1)) + "\ngarbage\n" + manifest_line(record(2)) + "\n" +
+                 manifest_line(again) + "\n" + manifest_line(record(3)).substr(0, 50));
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records.at("frame_0001.png"), again);
+  EXPECT_EQ(records.at("frame_0002.png"), record(2));
 }
 
-TEST_F(Manifest, WritingSortsByFrame) {
-  FrameRecord tenth = record(10);
-  tenth.file = "frame_10.png";  // before frame_9.png by name
-  FrameRecord ninth = record(9);
-  ninth.file = "frame_9.png";
-  ASSERT_TRUE(write_manifest(path_, {{tenth.file, tenth}, {ninth.file, ninth}}));
-  EXPECT_EQ(*read_file(path_), manifest_line(ninth) + "\n" + manifest_line(tenth) + "\n");
-}
-
-TEST_F(Manifest, AnAbsentManifestHoldsNothing) {
-  const auto records = read_manifest(folder_ / "absent.jsonl");
-  ASSERT_TRUE(records);
-  EXPECT_TRUE(records->empty());
+TEST_F(Manifest, ThoseOfAllShardsAreFound) {
+  for (const char* name :
+       {"manifest.jsonl", "manifest.1-of-2.jsonl", "timings.jsonl", "manifest.csv"})
+    ASSERT_TRUE(write_file(folder_ / name, std::string()));
+  EXPECT_EQ(manifests_in(folder_),
+            (std::vector<fs::path>{folder_ / "manifest.1-of-2.jsonl", path_}));
+  EXPECT_TRUE(manifests_in(folder_ / "none").empty());
 }
 
 TEST_F(Manifest, ShardsHaveTheirOwn) {
@@ -115,25 +107,25 @@ TEST_F(Manifest, AFrameIsWholeOnlyWhenEveryByteIs) {
   made.pixels = pixel_hash(image);
   made.bytes = Hash().add(bytes).hex();
   const fs::path file = folder_ / made.file;
-  EXPECT_FALSE(is_whole(made, folder_, PictureFormat::png)) << "not there";
+  EXPECT_FALSE(is_whole(made, folder_)) << "not there";
   ASSERT_TRUE(write_file(file, bytes));
-  EXPECT_TRUE(is_whole(made, folder_, PictureFormat::png));
+  EXPECT_TRUE(is_whole(made, folder_));
   for (const std::size_t cut :
        {std::size_t{0}, std::size_t{8}, bytes.size() / 2, bytes.size() - 1}) {
     ASSERT_TRUE(write_file(file, std::span(bytes).first(cut)));
-    EXPECT_FALSE(is_whole(made, folder_, PictureFormat::png)) << cut;
+    EXPECT_FALSE(is_whole(made, folder_)) << cut;
   }
   std::vector<std::byte> wrong = bytes;
   wrong[bytes.size() / 2] ^= std::byte{1};
   ASSERT_TRUE(write_file(file, wrong));
-  EXPECT_FALSE(is_whole(made, folder_, PictureFormat::png)) << "one bit";
+  EXPECT_FALSE(is_whole(made, folder_)) << "one bit";
   ASSERT_TRUE(write_file(file, bytes));
   for (FrameRecord lie : {made, made, made}) {
     static int field = 0;
     if (field == 0) lie.width = 41;
     if (field == 1) lie.pixels = "0000000000000000";
     if (field == 2) lie.bytes = "0000000000000000";
-    EXPECT_FALSE(is_whole(lie, folder_, PictureFormat::png)) << field;
+    EXPECT_FALSE(is_whole(lie, folder_)) << field;
     ++field;
   }
 }

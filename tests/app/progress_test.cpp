@@ -29,7 +29,7 @@ std::string said(std::size_t total, ProgressMode mode) {
 
 TEST(Progress, LinesAreFiveAtMostAndTheLastIsTheEnd) {
   EXPECT_EQ(said(100, ProgressMode::always),
-            "flatray: 0 %, 1 of 100 frames\nflatray: 25 %, 25 of 100 frames\n"
+            "flatray: 1 %, 1 of 100 frames\nflatray: 25 %, 25 of 100 frames\n"
             "flatray: 50 %, 50 of 100 frames\nflatray: 75 %, 75 of 100 frames\n"
             "flatray: 100 %, 100 of 100 frames\n");
   EXPECT_EQ(said(2, ProgressMode::always),

@@ -18,7 +18,7 @@ TEST(ResultFiles, StayInTheirFolderUnderPlainNames) {
   for (const char* name : {"a.csv", "../../b.svg", "/c/d.svg", ".._.._b.svg", "a b.svg"})
     result.files.push_back({name, name});
   result.files.push_back({fmt::format("{:x>1000}.svg", ""), "long"});
-  const auto names = write_files(result, folder);
+  const auto names = write_files(result, folder, Outputs());
   ASSERT_TRUE(names) << format(names.error());
   EXPECT_EQ(names->size(), 6U);
   for (const char* name : {"a.csv", ".._.._b.svg", "_c_d.svg", ".._.._b_2.svg", "a_b.svg"})
@@ -26,6 +26,12 @@ TEST(ResultFiles, StayInTheirFolderUnderPlainNames) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder),
                           std::filesystem::directory_iterator()),
             6);
+  // One that must not be replaced, and none is written.
+  ASSERT_TRUE(write_file(folder / "a.csv", std::string("flatray = 1\n")));
+  result.files.front().content = "new";
+  result.files.insert(result.files.begin(), {"first.csv", "new"});
+  EXPECT_FALSE(write_files(result, folder, Outputs()));
+  EXPECT_FALSE(std::filesystem::exists(folder / "first.csv"));
   std::filesystem::remove_all(folder);
 }
 

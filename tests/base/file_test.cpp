@@ -1,7 +1,7 @@
 #include "base/file.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "support/paths.h"
@@ -45,22 +45,25 @@ TEST_F(File, WritingLeavesNoTemporaryFile) {
   EXPECT_EQ(entries(), 1U);
 }
 
-TEST_F(File, WhatIsFlushedLaterIsThereAtOnce) {
+TEST_F(File, AFileIsThereUnderItsNameWhenItTakesIt) {
   const std::string content(1 << 16, 'x');
-  ASSERT_TRUE(
-      write_file(folder_ / "a.txt", std::as_bytes(std::span(content)), Flush::later).has_value());
-  ASSERT_TRUE(append_line(folder_ / "b.txt", "line", Flush::later).has_value());
+  {
+    auto file = NewFile::write(folder_ / "a.txt", std::as_bytes(std::span(content)));
+    ASSERT_TRUE(file.has_value());
+    EXPECT_FALSE(fs::exists(folder_ / "a.txt"));
+    EXPECT_TRUE(leftovers(folder_).empty()) << "its writer lives";
+    EXPECT_TRUE(file->take_name().has_value());
+  }
   EXPECT_EQ(read_file(folder_ / "a.txt").value(), content);
-  EXPECT_EQ(read_file(folder_ / "b.txt").value(), "line\n");
-  EXPECT_TRUE(flush_file(folder_ / "b.txt").has_value());
-  flush_folder(folder_);
+  EXPECT_TRUE(flush_file(folder_ / "a.txt").has_value());
+  { const auto never = NewFile::write(folder_ / "b.txt", std::as_bytes(std::span(content))); }
+  EXPECT_EQ(entries(), 1U);
   EXPECT_EQ(flush_file(folder_ / "none.txt").error()[0].trouble, Trouble::output);
 }
 
 TEST_F(File, MissingFoldersAreMade) {
   const fs::path deep = folder_ / "a" / "b" / "c.txt";
   ASSERT_TRUE(write_file(deep, std::string("x")).has_value());
-  EXPECT_TRUE(append_line(folder_ / "d" / "e.txt", "x").has_value());
   EXPECT_EQ(read_file(deep).value(), "x");
 }
 
@@ -78,7 +81,6 @@ TEST_F(File, AFolderThatCannotBeMadeIsAnOutputError) {
   const Result<void> written = write_file(folder_ / "file" / "below.txt", std::string("y"));
   ASSERT_FALSE(written.has_value());
   EXPECT_EQ(written.error()[0].trouble, Trouble::output);
-  EXPECT_EQ(append_line(folder_ / "file" / "below.txt", "y").error()[0].trouble, Trouble::output);
 }
 
 TEST_F(File, AFolderWithoutPermissionIsAnOutputError) {
@@ -102,45 +104,58 @@ TEST_F(File, AMissingInputNamesPathAndReason) {
 
 TEST_F(File, AnInputBeyondTheLimitIsRefused) {
   ASSERT_TRUE(write_file(folder_ / "a.txt", std::string(100'000, 'x')).has_value());
-  EXPECT_TRUE(read_file(folder_ / "a.txt", 100'000).has_value());
-  const Result<std::string> read = read_file(folder_ / "a.txt", 99'999);
+  EXPECT_TRUE(read_file(folder_ / "a.txt", {100'000}).has_value());
+  const Result<std::string> read = read_file(folder_ / "a.txt", {99'999});
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error()[0].trouble, Trouble::missing);
 }
 
-TEST_F(File, LeftoversOfDeadProcessesAreRemovedAndNothingElse) {
-  const pid_t dead = ::fork();
-  ASSERT_GE(dead, 0);
-  if (dead == 0) ::_exit(0);
-  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
-  const std::string gone = "." + std::to_string(dead) + ".part";
-  const std::string alive = ".g.png." + std::to_string(::getpid()) + ".part";
-  for (const std::string& name :
-       {".f.png" + gone, ".manifest.jsonl" + gone, alive, "f.png" + gone, std::string(".f.part"),
-        std::string(".f.x1.part"), std::string(".f.99999999999999.part"), std::string("f.png")})
-    ASSERT_TRUE(write_file(folder_ / name, "x")) << name;
-  fs::create_symlink("f.png", folder_ / (".link" + gone));
+// Containers that share a folder have equal process numbers: only the lock tells who lives.
+TEST_F(File, WhatNobodyHoldsLockedIsLeftOverAndNothingElse) {
+  const std::string gone = part_name("f.png", 0x123456789abcdef0);
+  EXPECT_EQ(gone, ".f.png.123456789abcdef0.part");
+  const std::vector<std::string> others = {
+      "f.png.0000000000000000.part", ".f.part",        "f.png", ".f.000000000000000g.part",
+      ".0000000000000000.part",      ".f.0000000.part"};
+  for (const std::string& name : others) ASSERT_TRUE(write_file(folder_ / name, "x")) << name;
+  ASSERT_TRUE(write_file(folder_ / gone, "x"));
+  fs::create_symlink("f.png", folder_ / part_name("link", 1));
+  ASSERT_EQ(::mkfifo((folder_ / part_name("pipe", 1)).c_str(), 0666), 0);
+  const auto alive = NewFile::write(folder_ / "g.png", {});
+  ASSERT_TRUE(alive.has_value());
+  EXPECT_EQ(leftovers(folder_), std::vector<fs::path>{folder_ / gone});
   remove_leftovers(folder_);
   remove_leftovers(folder_ / "none");
-  EXPECT_FALSE(fs::exists(folder_ / (".f.png" + gone)));
-  EXPECT_FALSE(fs::exists(folder_ / (".manifest.jsonl" + gone)));
-  EXPECT_TRUE(fs::exists(folder_ / alive));
-  EXPECT_TRUE(fs::exists(folder_ / "f.png"));
-  EXPECT_EQ(entries(), 7U);
+  EXPECT_FALSE(fs::exists(folder_ / gone));
+  EXPECT_EQ(entries(), others.size() + 3);
 }
 
-TEST_F(File, LinesAreAddedAtTheEnd) {
-  ASSERT_TRUE(append_line(folder_ / "log", "one").has_value());
-  ASSERT_TRUE(append_line(folder_ / "log", "two").has_value());
-  EXPECT_EQ(read_file(folder_ / "log").value(), "one\ntwo\n");
+TEST_F(File, NamesOfTwoWritersOfOneProcessNumberDiffer) {
+  const auto one = NewFile::write(folder_ / "a.txt", {});
+  const auto two = NewFile::write(folder_ / "a.txt", {});
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(entries(), 2U);
 }
 
-TEST_F(File, ALinkPlantedAtTheTemporaryNameIsNotFollowed) {
-  const std::string temporary = ".a.txt." + std::to_string(::getpid()) + ".part";
+TEST_F(File, OnlyWhatHasTheNameIsReplacedNeitherLinksNorHardLinksLeadAnywhere) {
   ASSERT_TRUE(write_file(folder_ / "victim", std::string("whole")).has_value());
-  fs::create_symlink("victim", folder_ / temporary);
-  EXPECT_FALSE(write_file(folder_ / "a.txt", std::string("x")).has_value());
+  fs::create_symlink("victim", folder_ / "link");
+  fs::create_hard_link(folder_ / "victim", folder_ / "hard");
+  ASSERT_TRUE(write_file(folder_ / "link", std::string("x")).has_value());
+  ASSERT_TRUE(write_file(folder_ / "hard", std::string("x")).has_value());
   EXPECT_EQ(read_file(folder_ / "victim").value(), "whole");
+  EXPECT_EQ(read_regular_file(folder_ / "link").value(), "x");
+}
+
+TEST_F(File, PipesLinksAndFoldersAreNoRegularFilesAndNothingWaitsForThem) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0666), 0);
+  ASSERT_TRUE(write_file(folder_ / "file", std::string("x")).has_value());
+  fs::create_symlink("file", folder_ / "link");
+  for (const char* name : {"pipe", "link", ".", "none"}) {
+    EXPECT_EQ(read_regular_file(folder_ / name).error()[0].trouble, Trouble::missing) << name;
+    EXPECT_EQ(flush_file(folder_ / name).error()[0].trouble, Trouble::output) << name;
+  }
+  EXPECT_FALSE(read_regular_file("/dev/zero").has_value());
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ run 4 experiment avoidance "$scenes/cradle.toml"
 says err "avoidance looks at what goes on undisturbed"
 run 4 experiment gas "$scenes/responses.toml"
 says err "in a gas everything bounces, and the response of"
-run 4 collide "$root/scenes/markov/runner.toml" --response stop
+run 4 collide "$root/scenes/markov/runner.toml" --response stop --root /
 says err "keep one velocity"
 cat > jam.toml << 'EOF'
 flatray = 1
@@ -62,7 +62,8 @@ for verb in "collide jam.toml -q" "collide jam.toml --json" "render jam.toml -o 
   run 4 $verb
   says err "jam.toml:4:14: error: bodies are jammed"
 done
-# What came before is told, and then the jam.
+# What came before is drawn and told, and then the jam.
+[[ -f jam_0002.png && ! -f jam_0003.png ]] || fail "the frames before t = 2 are drawn"
 run 4 collide jam.toml --csv
 says out "one,two,1,2,"
 says err "find no way out at t = "

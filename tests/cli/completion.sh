@@ -8,11 +8,11 @@ touch other.md picture.png
 PATH=$(dirname "$flatray"):$PATH
 
 # What the scripts ask: `words LINE` completes its last word.
-words() { "$flatray" completion words -- "$@" | cut -f1 | tr '\n' ' '; }
+words() { "$flatray" completion words -- "$@" | sed 's/^\t/:/; s/\t.*//' | tr '\n' ' '; }
 # expect WANTED GOT WHAT
 expect() { [[ $2 == "$1" ]] || fail "$3: got '$2', wanted '$1'"; }
 expect "check collide compare completion " "$(words flatray c | sed "s/convert //")" verbs
-expect "--frames --format " "$(words flatray render --f)" options
+expect "--frames --format --force " "$(words flatray render --f)" options
 expect "png hdr " "$(words flatray render --format '')" "values of an option"
 expect "--progress=always " "$(words flatray render --progress=al)" "values after ="
 expect "always " "$(words flatray render --progress = al)" "values after =, as bash parts words"
@@ -55,6 +55,30 @@ expect "first.toml folder" "$(in_bash flatray render f)" "bash, scenes and folde
 expect "picture.png" "$(in_bash flatray compare p)" "bash, pictures"
 expect "folder" "$(in_bash flatray golden --root f)" "bash, folders"
 
+# Names that a shell would run: each comes back as the one word it is, whatever quote opened the word.
+names=('$(touch ran)' '`touch ran`' 'a b;touch ran' "it's \"\\" '"$(touch ran)"' ':files toml' ':folders' '-n' '-rf' '*' 'x!!' $'\xc3\xbc')
+{
+  printf 'flatray = 1\n'
+  for name in "${names[@]}" $'\n$(touch ran)\n' $'\tfiles md' $'\e[2J'; do
+    text=${name//\\/\\\\} text=${text//\"/\\\"} text=${text//$'\n'/\\n} text=${text//$'\t'/\\t}
+    printf '[[entity]]\nname = "%s"\nshape = { circle = { radius = 1 } }\n' "${text//$'\e'/\\u001b}"
+  done
+} > hostile.toml
+run 0 check hostile.toml
+mapfile -t offered < <("$flatray" completion words -- flatray hit hostile.toml --from '')
+expect "${names[*]}" "${offered[*]}" "names that a line holds"
+for opened in '' "'" '"'; do
+  COMP_WORDS=(flatray hit hostile.toml --from "$opened") COMP_CWORD=4
+  _flatray
+  for i in "${!COMPREPLY[@]}"; do
+    eval "word=($opened${COMPREPLY[i]}$opened)"
+    [[ " ${names[*]} " == *" ${word[*]} "* && ${#word[@]} == 1 ]] || fail "bash, opened by <$opened>: ${COMPREPLY[i]}"
+  done
+  ((i >= ${#names[@]} - 2)) || fail "bash, opened by <$opened>: only $i names"
+done
+expect '\$\(touch\ ran\)' "$(in_bash flatray hit hostile.toml --from '\$\(')" "bash, a name begun in quotes"
+absent ran
+
 if command -v zsh > /dev/null; then
   "$flatray" completion zsh > zsh.txt
   in_zsh() {
@@ -65,6 +89,9 @@ if command -v zsh > /dev/null; then
   expect "render:draw frames of scenes into picture files " "$(in_zsh flatray ren)" "zsh, a verb"
   expect "always " "$(in_zsh flatray render --progress al)" "zsh, a value"
   expect "files -g *.(png) " "$(in_zsh flatray compare p)" "zsh, pictures"
+  expect "\\:files toml " "$(in_zsh flatray hit hostile.toml --from :fi)" "zsh, a colon"
+  expect "it's \"\\\\ " "$(in_zsh flatray hit hostile.toml --from it)" "zsh, a backslash"
+  expect '$(touch ran) ' "$(in_zsh flatray hit hostile.toml --from '\$')" "zsh, a name begun in quotes"
 fi
 if command -v fish > /dev/null; then
   "$flatray" completion fish > fish.txt
@@ -72,5 +99,8 @@ if command -v fish > /dev/null; then
   expect "render " "$(in_fish 'flatray ren')" "fish, a verb"
   expect "always " "$(in_fish 'flatray render --progress al')" "fish, a value"
   expect "second.toml " "$(in_fish 'flatray render s')" "fish, scenes"
+  expect '$(touch ran) ' "$(in_fish 'flatray hit hostile.toml --from \$')" "fish, a name begun in quotes"
+  expect "-n -rf " "$(in_fish 'flatray hit hostile.toml --from -')" "fish, names like options"
 fi
+absent ran
 finish

@@ -11,6 +11,7 @@ drawn() {
   done
 }
 count=0
+export FLATRAY_ROOT=/  # outlines stay where they are: elsewhere
 for scene in "$root"/scenes/*.toml "$root"/scenes/*/*.{toml,obj} objects.list; do
   count=$((count + 1))
   run 0 convert "$scene" "out/$count.toml" --quiet

@@ -44,7 +44,9 @@ run 0 render plain.toml -o link/x.png
 exists elsewhere/x.png
 echo precious > victim
 ln -s victim pic.png
-run 0 render plain.toml -o pic.png
+run 6 render plain.toml -o pic.png
+says err "pic.png: error: is a link"
+run 0 render plain.toml -o pic.png --force
 [[ $(cat victim) == precious ]] || fail "a picture was written through a link"
 run 0 render plain.toml -o '%s%n_%04d.png'
 exists '%s%n_0001.png'

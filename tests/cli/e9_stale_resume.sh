@@ -49,5 +49,6 @@ rm out/f_0004.png
 run 0 render box.toml -o 'out/f_####.png' --resume
 (($(wc -l < out/timings.jsonl) == 6)) || fail "a resumed render forgot timings"
 run 0 render box.toml --size 32x24 -f 1,2 -o 'out/f_####.png'
-(($(wc -l < out/timings.jsonl) == 2)) || fail "timings of frames of another render were kept"
+(($(wc -l < out/timings.jsonl) == 6)) || fail "timings of frames that stay were dropped"
+(($(grep -c '"seed"' out/manifest.jsonl) == 6)) || fail "records of frames that stay were dropped"
 finish

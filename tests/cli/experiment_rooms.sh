@@ -7,7 +7,7 @@ run 0 experiment mean-free-path "$sinai" --count 20000 -o whole
 says out "pi A / P"
 exists whole/mean_free_path.csv whole/mean_free_path.json
 # A run that is stopped goes on to the same bytes; what it kept is of no use to another.
-"$flatray" experiment mean-free-path "$sinai" --count 100000000 --resume -j 1 -o half > half.txt 2>&1 &
+env --default-signal=INT "$flatray" experiment mean-free-path "$sinai" --count 100000000 --resume -j 1 -o half > half.txt 2>&1 &
 running=$!
 for _ in {1..600}; do
   [[ $(wc -l 2> /dev/null < half/mean-free-path.blocks || echo 0) -ge 3 ]] && break
@@ -19,8 +19,9 @@ code=$?
 ((code == 130)) || fail "stopped with exit code $code, expected 130"
 grep -q "stopped after" half.txt || fail "nothing was said of the stop"
 exists half/mean-free-path.blocks
-run 4 experiment mean-free-path "$sinai" --count 20000 --resume -o half
-says err "was kept by another run"
+run 6 experiment mean-free-path "$sinai" --count 20000 --resume -o half
+says err "was kept by another run: count 100000000 there, 20000 here"
+run 0 verify half
 rm -r half
 run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 cmp whole/mean_free_path.json half/mean_free_path.json || fail "a resumed run differs"
@@ -53,4 +54,12 @@ says err "it takes --bounces, --map, --resume"
 scene box.toml 1
 run 4 experiment lyapunov box.toml
 says err "has no chamber"
+# A pillar that stands across a periodic wall is refused by all, and one that touches it by none.
+lorentz=$root/scenes/chamber/lorentz.toml
+for verb in check orbit explain "experiment mean-free-path"; do
+  run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.at=[0.4, 0]'
+  says err "does not stand in the chamber"
+  run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.shape={ segment = { from = [0.5, 0.5], to = [1.5, 0.5] } }'
+done
+run 0 check "$lorentz" -D 'chamber.0.pillars.0.at=[0.25, 0]'
 finish

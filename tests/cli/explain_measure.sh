@@ -37,7 +37,7 @@ says out "12 frames"
 says out "7 of 12"
 says out "82 of 96 bands"
 # What is saved has an interval that leaves out no change, or is not measurable.
-grep '^saved by' out.txt | grep -vE ' not measurable |  -?[0-9.e+]+ % \((-[0-9.e+]+ to -|[0-9])' &&
+grep '^saved by' out.txt | grep -vE ' not measurable |  (costs )?[0-9.e+]+ % \([0-9]' &&
   fail "a saving without its doubt"
 (($(grep -c '^saved by' out.txt) >= 3)) || fail "savings are left out"
 says out "confidence"

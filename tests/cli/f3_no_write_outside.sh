@@ -25,17 +25,22 @@ cp in/deep/h1.toml 'in/deep/..%2foutside.toml'
 cp in/deep/h1.toml "in/deep/$(printf 'a\nb').toml"
 cp in/deep/h1.toml 'in/deep/{scene}{scene}.toml'
 
-# Links planted where files will be: each is replaced, never followed.
+# Links planted where files will be: each is refused, replaced by --force, never followed.
 cd work/run || exit 1
 mkdir -p here
-for file in f_1.png f_2.png manifest.jsonl timings.jsonl; do ln -s "$work/outside/victim" "here/$file"; done
-ln -s "$work/outside/manifest.jsonl" here/.f_1.png.1.part
+for file in f_1.png f_2.png; do ln -s "$work/outside/victim" "here/$file"; done
+for name in .f_1.png.1.part '.f_#.png.1234567812345678.part'; do ln -s "$work/outside/manifest.jsonl" "here/$name"; done
 
 tree() { (cd "$work" && find . -mindepth 1 -path ./work/run -prune -o -not -name out.txt -not -name err.txt -printf '%p %s %l %T@\n' | sort); }
 before=$(tree)
+run 6 render "$work/in/deep/h1.toml" -o 'here/f_#.png'
+says err "here/f_1.png: error: is a link"
+for file in manifest.jsonl timings.jsonl; do ln -s "$work/outside/victim" "here/$file"; done
+run 6 render "$work/in/deep/h1.toml" -o 'here/g_#.png'
+says err "here/manifest.jsonl: error: is a link"
 for file in "$work"/in/deep/*; do
   run 0 render "$file" --quiet
-  run 0 render "$file" -o 'here/f_#.png' --quiet
+  run 0 render "$file" -o 'here/f_#.png' --quiet --force
   run 0 render "$file" -o 'all/{scene}/x{scene}_#.png' --quiet
   run 0 render "$file" -o 'all/{scene}/x{scene}_#.png' --quiet --resume
 done
@@ -47,7 +52,7 @@ done
 exists here/deep/markov/markov_.._.._.._.._tmp_flatray_f3.svg
 exists here/deep/sweep/sweep.csv
 [[ $(tree) == "$before" ]] || fail "outside changed: $(diff <(echo "$before") <(tree))"
-[[ -z $(find . -type l -not -name '.f_1.png.1.part') ]] || fail "a link stayed where a file was written"
+[[ -z $(find . -type l -not -name '.*.part') ]] || fail "a link stayed where a file was written"
 
 # A folder that the scene's name chooses and that is a link leads elsewhere.
 cp "$work/in/deep/h1.toml" planted.toml
@@ -58,6 +63,7 @@ run 6 render planted.toml -o 'all/{scene}/f_#.png'
 says err "is a link, and a scene's name led to it"
 run 6 render planted.toml
 [[ $(tree) == "$before" ]] || fail "a link of the scene's name was followed"
+rm "$work/outside/manifest.jsonl"
 run 0 render planted.toml -o 'all/planted/f_#.png' --quiet  # the user's own word
 exists "$work/outside/f_1.png"
 run 0 render planted.toml -o '../side/{scene}_#.png' --quiet

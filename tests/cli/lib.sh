@@ -6,7 +6,7 @@ flatray=$1
 root=$2
 sanitizers=${3:-}
 here=$(cd "$(dirname "$0")" && pwd)
-unset "${!FLATRAY_@}" 2> /dev/null
+unset CI "${!FLATRAY_@}" 2> /dev/null
 work=$(mktemp -d)
 trap 'umount "$work/disk" 2> /dev/null; chmod -R u+w "$work"; rm -rf "$work"' EXIT
 cd "$work" || exit 1

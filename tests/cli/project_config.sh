@@ -40,7 +40,7 @@ rm flatray.toml
 for kind in 'mkdir' 'mkfifo' 'ln -s nowhere'; do
   $kind flatray.toml
   run 3 render box.toml -o x.png
-  says err "flatray.toml: error: is not a plain file"
+  says err "flatray.toml: error: is not a plain file of this folder"
   rm -r flatray.toml
 done
 absent x.png

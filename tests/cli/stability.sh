@@ -79,6 +79,7 @@ cut -d, -f1-28,30 log/stability.csv > older/stability.csv
 run 0 stability --families edge,vertex --count 10 -o older
 says out 'unknown' # how many were decided in whole numbers
 [[ $(wc -l < older/stability.csv) == $(wc -l < log/stability.csv) ]] || fail 'rows without whole were done again'
+run 0 stability --families vertex --tracer brute --count 40000 -o older
 [[ $(head -n 1 older/stability.csv) == "$(head -n 1 log/stability.csv)" ]] || fail 'rows without whole were not padded'
 [[ -z $(find old -name '.*') ]] || fail 'a temporary file stayed'
 
@@ -111,7 +112,7 @@ head -n 2 one/stability.csv > row.csv
 refuses() { # FIELD VALUE
   mkdir -p false
   awk -F, -v OFS=, -v f="$1" -v v="$2" 'NR == 2 { $f = v } 1' row.csv > false/stability.csv
-  run 4 stability --families n-gon --count 10 -o false
+  run 6 stability --families n-gon --count 10 -o false
   says err "false/stability.csv:2: error: is not a row that this program writes"
 }
 [[ $(head -n 1 row.csv) == family,tracer,isa,seed,chunk,rays,hits,wrong,*,seconds,* ]] || fail 'the columns are others'
@@ -125,9 +126,12 @@ refuses "$seconds" -5
 refuses "$seconds" soon
 refuses 1 '#n-gon'
 sed '2s/^\([^,]*,[^,]*,[^,]*,[^,]*,[^,]*\),[0-9]*/\1,1025/' rooms/leaks.csv > false/leaks.csv
-run 4 stability --leaks 10 --tracer float --places origin -o false
+run 6 stability --leaks 10 --tracer float --places origin -o false
 says err 'false/leaks.csv:2: error: is not a row that this program writes'
 echo 'nonsense' >> log/stability.csv
-run 4 stability --families vertex --count 10 -o log
+run 6 stability --families vertex --count 10 -o log
 says err 'stability.csv:'
+run 1 verify log
+run 0 stability --families vertex --count 10 -o log --force
+run 0 verify log
 finish

@@ -25,6 +25,7 @@ says err "--tracer: error: 'float' finds the first wall of a ray alone, and the 
 absent no.png
 run 0 render "$root/scenes/demo.toml" --view depth --tracer float -f 1 --quiet --size 32x18 -o float.png
 
+export FLATRAY_ROOT=/  # scenes that refer to others
 mapfile -t tiers < <("$flatray" list isas | awk '{ print $1 }')
 for scene in $(find "$root/scenes" -name '*.toml' -o -name '*.obj' -o -name '*.chamber' | sort); do
   [[ -n $sanitizers && $scene != */tutorial/* ]] && continue # ten times as slow

@@ -57,7 +57,7 @@ Arms drawn(std::uint64_t item) {
 
 Vec2 vec(const Complex& z) { return {z.real(), z.imag()}; }
 
-Scene scene_of(const Arms& arms) {
+Scene scene_of_arms(const Arms& arms) {
   Scene scene = testing::small_scene();
   scene.fps = arms.fps;
   scene.frames = arms.frames;
@@ -143,10 +143,10 @@ TEST(Arms, NoneIsMissedAtAnyFrameRate) {
   const std::uint64_t count = times(1'000'000, 2000);
   for (std::uint64_t item = 0; item < count; ++item) {
     const Arms arms = drawn(item);
-    const Scene scene = scene_of(arms);
+    const Scene scene = scene_of_arms(arms);
     const Truth truth = truth_of(arms);
     const std::vector<Meeting> found =
-        find_meetings(Timeline(scene, 0, scene.frames), scene.frames);
+        find_meetings(Timeline(scene, 0, scene.frames), scene.frames).value();
     if (truth.kind == Truth::Kind::unknown) continue;
     const bool meets = truth.kind == Truth::Kind::meets;
     met += meets ? 1 : 0;

@@ -16,7 +16,7 @@ constexpr double kPi = std::numbers::pi;
 
 std::vector<Meeting> meetings(const std::string& text, Outline outline = Outline::own) {
   const Scene scene = scene_of(text);
-  return find_meetings(Timeline(scene, 0, scene.frames), scene.frames, outline);
+  return find_meetings(Timeline(scene, 0, scene.frames), scene.frames, outline).value();
 }
 
 void expect_first(const std::vector<Meeting>& met, double truth, double slack = 1e-14) {

@@ -13,10 +13,10 @@ namespace {
 using oracle::Draw;
 using Ring = std::vector<Vec2>;
 
-Ring box(double left, double bottom, double right, double top) {
+Ring box_ring(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
-const Ring kSquare = box(0, 0, 1, 1);
+const Ring kSquare = box_ring(0, 0, 1, 1);
 
 HitInterval meet(const Ring& a, const Vec2& va, const Ring& b, const Vec2& vb,
                  Range within = kRay) {
@@ -24,7 +24,7 @@ HitInterval meet(const Ring& a, const Vec2& va, const Ring& b, const Vec2& vb,
 }
 
 TEST(StiffCases, D1ThePapersBoxesMeetToTheLastBit) {
-  const Ring a = box(250, 200, 314, 328), b = box(885, 378, 949, 506);
+  const Ring a = box_ring(250, 200, 314, 328), b = box_ring(885, 378, 949, 506);
   const HitInterval met = meet(a, {635, 178}, b, {0, 0});
   EXPECT_EQ(met.kind, HitClass::through);
   EXPECT_EQ(met.t_enter, 571.0 / 635);
@@ -37,7 +37,7 @@ TEST(StiffCases, D1ThePapersBoxesMeetToTheLastBit) {
 
 TEST(StiffCases, D2ABulletMeetsAThinWallAtEveryFrameRate) {
   const double h = 0x1p-10;
-  const Ring bullet = box(-h, -h, h, h), wall = box(1, -8, 1 + 0x1p-40, 8);
+  const Ring bullet = box_ring(-h, -h, h, h), wall = box_ring(1, -8, 1 + 0x1p-40, 8);
   const HitInterval met = meet(bullet, {3e8, 0}, wall, {0, 0});
   EXPECT_EQ(met.t_enter, (1 - h) / 3e8);
   EXPECT_EQ(met.t_exit, (1 + 0x1p-40 + h) / 3e8);
@@ -50,36 +50,36 @@ TEST(StiffCases, D2ABulletMeetsAThinWallAtEveryFrameRate) {
 }
 
 TEST(StiffCases, D3CornerToCorner) {
-  EXPECT_EQ(meet(kSquare, {1, 1}, box(2, 2, 3, 3), {0, 0}).kind, HitClass::through);
-  EXPECT_EQ(meet(kSquare, {1, 1}, box(2, 2, 3, 3), {0, 0}).t_enter, 1);
-  const HitInterval touch = meet(kSquare, {1, 1}, box(2, 0, 3, 1), {0, 0});
+  EXPECT_EQ(meet(kSquare, {1, 1}, box_ring(2, 2, 3, 3), {0, 0}).kind, HitClass::through);
+  EXPECT_EQ(meet(kSquare, {1, 1}, box_ring(2, 2, 3, 3), {0, 0}).t_enter, 1);
+  const HitInterval touch = meet(kSquare, {1, 1}, box_ring(2, 0, 3, 1), {0, 0});
   EXPECT_EQ(touch.kind, HitClass::touch);
   EXPECT_EQ(touch.t_enter, 1);
   EXPECT_EQ(touch.t_exit, 1);
 }
 
 TEST(StiffCases, D4SlidingIsAlongAndOneUlpDecides) {
-  const HitInterval slide = meet(kSquare, {1, 0}, box(2, 1, 3, 2), {0, 0});
+  const HitInterval slide = meet(kSquare, {1, 0}, box_ring(2, 1, 3, 2), {0, 0});
   EXPECT_EQ(slide.kind, HitClass::along);
   EXPECT_EQ(slide.t_enter, 1);
   EXPECT_EQ(slide.t_exit, 3);
-  EXPECT_EQ(meet(kSquare, {1, 0}, box(2, 1 - 0x1p-53, 3, 2), {0, 0}).kind, HitClass::through);
-  EXPECT_EQ(meet(kSquare, {1, 0}, box(2, 1 + 0x1p-52, 3, 2), {0, 0}).kind, HitClass::miss);
+  EXPECT_EQ(meet(kSquare, {1, 0}, box_ring(2, 1 - 0x1p-53, 3, 2), {0, 0}).kind, HitClass::through);
+  EXPECT_EQ(meet(kSquare, {1, 0}, box_ring(2, 1 + 0x1p-52, 3, 2), {0, 0}).kind, HitClass::miss);
 }
 
 TEST(StiffCases, D5WithoutRelativeMotionTheStartDecidesForAllTime) {
   const Vec2 v(0.1, -7e200);
-  EXPECT_EQ(meet(kSquare, v, box(2, 0, 3, 1), v, kLine).kind, HitClass::miss);
-  const HitInterval touch = meet(kSquare, v, box(1, 0, 3, 1), v, kLine);
+  EXPECT_EQ(meet(kSquare, v, box_ring(2, 0, 3, 1), v, kLine).kind, HitClass::miss);
+  const HitInterval touch = meet(kSquare, v, box_ring(1, 0, 3, 1), v, kLine);
   EXPECT_EQ(touch.kind, HitClass::touch);
   EXPECT_EQ(touch.t_enter, -kInfinity);
   EXPECT_EQ(touch.t_exit, kInfinity);
-  EXPECT_EQ(meet(kSquare, v, box(0.5, 0, 3, 1), v, kLine).kind, HitClass::through);
+  EXPECT_EQ(meet(kSquare, v, box_ring(0.5, 0, 3, 1), v, kLine).kind, HitClass::through);
 }
 
 TEST(StiffCases, D6ContainmentIsOverlapFromTheStart) {
   for (const Vec2& v : {Vec2(0, 0), Vec2(1, 2), Vec2(-3e8, 1)}) {
-    const HitInterval met = meet(kSquare, v, box(-1, -1, 2, 2), {0, 0});
+    const HitInterval met = meet(kSquare, v, box_ring(-1, -1, 2, 2), {0, 0});
     EXPECT_EQ(met.kind, HitClass::through);
     EXPECT_EQ(met.t_enter, 0);
     EXPECT_EQ(met.start, StartPlace::inside);
@@ -88,7 +88,7 @@ TEST(StiffCases, D6ContainmentIsOverlapFromTheStart) {
 
 TEST(StiffCases, D7FarAwayIsTheSame) {
   const Vec2 far(0x1p50, -0x1p49);
-  Ring a = box(250, 200, 314, 328), b = box(885, 378, 949, 506);
+  Ring a = box_ring(250, 200, 314, 328), b = box_ring(885, 378, 949, 506);
   for (Vec2& p : a) p += far;
   for (Vec2& p : b) p += far;
   EXPECT_EQ(meet(a, {635, 178}, b, {0, 0}).t_enter, 571.0 / 635);
@@ -193,7 +193,7 @@ TEST(Contact, TheFirstFeatureIsAnEdgeAndAVertexThatMeetThere) {
 }
 
 TEST(MinkowskiDifference, OfTwoSquaresHasEightEdgesInTheOrderOfTheirAngles) {
-  const Difference d = minkowski_difference(kSquare, box(3, 3, 4, 4));
+  const Difference d = minkowski_difference(kSquare, box_ring(3, 3, 4, 4));
   EXPECT_TRUE(d.has_area);
   ASSERT_EQ(d.corners.size(), 8U);
   for (std::size_t k = 0; k < 8; ++k) {

@@ -10,7 +10,7 @@ namespace flatray {
 namespace {
 
 using oracle::Draw;
-using Verdict = CurvedContact::Verdict;
+using CurveVerdict = CurvedContact::Verdict;
 
 CurvedBody ellipse(const Ellipse& curve, const Vec2& velocity) {
   return {curve, {{{}, velocity}, 0}};
@@ -26,7 +26,7 @@ TEST(EllipseContact, AgainstABoxAndADiscIsWhereTheAxisComes) {
   const std::vector<Vec2> box = {{5, -1}, {6, -1}, {6, 1}, {5, 1}};
   const CurvedBody flying = ellipse({{0, 0}, {2, 0}, {0, 1}}, {1, 0});
   const CurvedContact met = curved_contact(flying, {std::nullopt, {{box, {0, 0}}, 0}});
-  ASSERT_EQ(met.verdict, Verdict::meets);
+  ASSERT_EQ(met.verdict, CurveVerdict::meets);
   expect_around(met.enter, 3, 1e-11);
   expect_around(met.exit, 8, 1e-11);
   EXPECT_EQ(met.start, StartPlace::outside);
@@ -34,7 +34,7 @@ TEST(EllipseContact, AgainstABoxAndADiscIsWhereTheAxisComes) {
   EXPECT_LT((met.place.normal - Vec2(1, 0)).norm(), 1e-5);
   const std::vector<Vec2> centre = {{5, 0}};
   const CurvedContact disc = curved_contact(flying, {std::nullopt, {{centre, {0, 0}}, 0.5}});
-  ASSERT_EQ(disc.verdict, Verdict::meets);
+  ASSERT_EQ(disc.verdict, CurveVerdict::meets);
   expect_around(disc.enter, 2.5, 1e-11);
   expect_around(disc.exit, 7.5, 1e-11);
 }
@@ -48,7 +48,7 @@ TEST(EllipseContact, ACornerMeetsTheCurve) {
     const std::vector<Vec2> wedge = {{far, y}, {far + 1, y}, {far + 0.5, y + 0.25}};
     const CurvedContact met = curved_contact(ellipse({{0, 0}, {a, 0}, {0, b}}, {speed, 0}),
                                              {std::nullopt, {{wedge, {0, 0}}, 0}});
-    ASSERT_EQ(met.verdict, Verdict::meets) << item;
+    ASSERT_EQ(met.verdict, CurveVerdict::meets) << item;
     const double truth = (far - a * std::sqrt(1 - y * y / (b * b))) / speed;
     EXPECT_LE(met.enter.low, truth + 1e-13) << item;
     EXPECT_GE(met.enter.high, truth - 1e-13) << item;
@@ -70,10 +70,10 @@ TEST(EllipseContact, TwoAlikeMeetAsCirclesDoOnceBothAreStretched) {
     const double reach = 1 + r, way = vx * vx + vy * vy, ahead = -(x * vx + y * vy) / way;
     const double beside = std::fabs(x * vy - y * vx) / std::sqrt(way);
     if (beside > reach) {
-      EXPECT_EQ(met.verdict, Verdict::apart) << item;
+      EXPECT_EQ(met.verdict, CurveVerdict::apart) << item;
       continue;
     }
-    ASSERT_EQ(met.verdict, Verdict::meets) << item;
+    ASSERT_EQ(met.verdict, CurveVerdict::meets) << item;
     const double half = std::sqrt((reach * reach - beside * beside) / way);
     EXPECT_LE(met.enter.low, ahead - half + 1e-13) << item;
     EXPECT_GE(met.enter.high, ahead - half - 1e-13) << item;
@@ -88,18 +88,18 @@ TEST(EllipseContact, InsideBesideAndBeyondTheDoubles) {
   const Ellipse curve({0, 0}, {2, 0}, {0, 1});
   const CurvedContact inside =
       curved_contact(ellipse(curve, {1, 0}), {std::nullopt, {{point, {0, 0}}, 0}});
-  EXPECT_EQ(inside.verdict, Verdict::meets);
+  EXPECT_EQ(inside.verdict, CurveVerdict::meets);
   EXPECT_EQ(inside.start, StartPlace::inside);
   EXPECT_EQ(inside.enter.low, 0);
   expect_around(inside.exit, 2.5, 1e-10);
   EXPECT_EQ(curved_contact(ellipse(curve, {1, 0}), {std::nullopt, {{beside, {0, 0}}, 0}}).verdict,
-            Verdict::apart);
+            CurveVerdict::apart);
   // So thin and so far away that its corners are lost in rounding: nothing is known, and said so.
   const std::vector<Vec2> there = {{1e9, 0}};
   EXPECT_EQ(curved_contact(ellipse({{1e9, 0}, {1, 0}, {0, 1e-9}}, {1, 0}),
                            {std::nullopt, {{there, {0, 0}}, 0}}, {0, 1})
                 .verdict,
-            Verdict::undecided);
+            CurveVerdict::undecided);
 }
 
 // Lengths times a power of two: the same times, normals and verdicts.
@@ -111,11 +111,11 @@ TEST(EllipseContact, TheSameAtAnyScale) {
                           {std::nullopt, {{box, {0, 0}}, n(0.125)}}, {0, 10});
   };
   const CurvedContact one = met_at(0);
-  ASSERT_EQ(one.verdict, Verdict::meets);
+  ASSERT_EQ(one.verdict, CurveVerdict::meets);
   for (const int exponent : {-1000, -664, -450, 450, 664, 1000}) {
     SCOPED_TRACE(exponent);
     const CurvedContact met = met_at(exponent);
-    EXPECT_EQ(met.verdict, Verdict::meets);
+    EXPECT_EQ(met.verdict, CurveVerdict::meets);
     EXPECT_EQ(met.enter.low, one.enter.low);
     EXPECT_EQ(met.enter.high, one.enter.high);
     EXPECT_EQ(met.exit.high, one.exit.high);

@@ -39,11 +39,11 @@ struct Cluster {
   std::vector<ImpactContact> contacts;
 };
 
-// Up to nine bodies of any masses, each but the first touching one or two of those before.
+// Up to four bodies of any masses, each but the first touching one or two of those before.
 Cluster cluster(std::uint64_t item, bool slides) {
   Draw draw(31, slides ? 2 : 1, item);
   Cluster found;
-  const auto count = static_cast<std::uint32_t>(2 + draw.below(8));
+  const auto count = static_cast<std::uint32_t>(2 + draw.below(3));
   for (std::uint32_t i = 0; i < count; ++i) {
     const double x = draw.unit() - 0.5, y = draw.unit() - 0.5;
     found.bodies.push_back({{x, y}, 0.25 + 4 * draw.unit()});

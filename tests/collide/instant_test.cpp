@@ -130,6 +130,38 @@ TEST(Instants, WhatRestsSlidesOnWhereItLies) {
   EXPECT_EQ(done.stages[2].back().velocity.x(), 0);
 }
 
+// Discs of several sizes that fall on a floor, each above those before.
+std::vector<SimulatedBody> falling_discs(int count) {
+  std::vector<SimulatedBody> bodies{box({5, -1}, {200, 1}, {0, 0}, kInfinity)};
+  Draw draw(43, 1, 0);
+  double top = 1;
+  for (int i = 0; i < count; ++i) {
+    const double radius = 0.3 + 0.3 * draw.unit(), x = 10 * draw.unit();
+    bodies.push_back(disc({x, top + radius}, radius, {0, -1}, radius * radius));
+    top += 2 * radius + 0.05;
+  }
+  return all_respond(std::move(bodies), Response::slide);
+}
+
+// What slides round another and is pushed against it at once again has not left it: so these are some
+// dozens of events a disc, where they were hundreds, and more with each disc.
+TEST(Instants, PilesOfDiscsComeToAnEnd) {
+  for (const auto& [count, most] : {std::pair(20, 150U), {30, 800U}}) {
+    const Simulation done = flatray::simulate(falling_discs(count), 1000);
+    EXPECT_TRUE(done.complete) << count;
+    EXPECT_LT(done.events.size(), most) << count;
+  }
+}
+
+TEST(Instants, APileOfDiscsHasNoOrder) {
+  const std::vector<SimulatedBody> bodies = falling_discs(20);
+  std::vector<std::uint32_t> order(bodies.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const std::vector<Told> first = told_in_order(bodies, order, 1000);
+  std::reverse(order.begin(), order.end());
+  expect_same(first, told_in_order(bodies, order, 1000));
+}
+
 // It has slid off the edge of what it lay on before something lands on it: nothing holds it up.
 TEST(Instants, WhatHasSlidOffIsHeldByNothing) {
   std::vector<SimulatedBody> bodies =

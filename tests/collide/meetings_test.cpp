@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,7 +24,7 @@ TEST(Meetings, SameWhicheverFrameRate) {
                                  "velocity = [1000, 0]\n"
                                  "[[entity]]\nname = \"wall\"\n"
                                  "shape = { box = { min = [1501, -5], max = [1501.5, 5] } }\n");
-    const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 4000), 4000);
+    const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 4000), 4000).value();
     ASSERT_EQ(met.size(), 1U) << fps;
     EXPECT_EQ(met[0].part.times.low, 1.5);
     EXPECT_EQ(met[0].part.times.high, 1.5015);
@@ -42,7 +43,7 @@ TEST(Meetings, CapsulesAndEllipsesMeetAsTheyAre) {
       "shape = { circle = { radius = 0.5 } }\n"
       "[[entity]]\nname = \"ring\"\nat = [13, 0]\nshape = { ellipse = { radii = [1, 1] } }\n"
       "[[entity]]\nname = \"tall\"\nat = [6, 0]\nshape = { ellipse = { radii = [1, 2] } }\n");
-  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 21), 21);
+  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 21), 21).value();
   ASSERT_EQ(met.size(), 4U);
   EXPECT_EQ(met[0].b, 4U);  // within proven times
   EXPECT_LE(met[0].part.times.low, 2);
@@ -65,7 +66,7 @@ TEST(Meetings, WhatTurnsMeetsBetweenFrames) {
       "[[entity]]\nname = \"hand\"\nshape = { box = { min = [1, -0.1], max = [3, 0.1] } }\n"
       "angular_velocity = 90\n"
       "[[entity]]\nname = \"post\"\nshape = { box = { min = [-0.1, 1.5], max = [0.1, 2] } }\n");
-  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 5), 5);
+  const std::vector<Meeting> met = find_meetings(Timeline(scene, 0, 5), 5).value();
   ASSERT_EQ(met.size(), 1U);
   EXPECT_FALSE(met[0].straight);
   // The hand's upper side, 0.1 above its middle, comes to the corners of the post.
@@ -129,7 +130,7 @@ TEST(Meetings, WhatRestsMeetsNothingThatRests) {
       "flatray = 1\nframes = 10\n"
       "[[entity]]\nname = \"a\"\nshape = { box = { min = [0, 0], max = [2, 2] } }\n"
       "[[entity]]\nname = \"b\"\nshape = { box = { min = [1, 1], max = [3, 3] } }\n");
-  EXPECT_TRUE(find_meetings(Timeline(scene, 0, 10), 10).empty());
+  EXPECT_TRUE(find_meetings(Timeline(scene, 0, 10), 10).value().empty());
 }
 
 TEST(BroadPhase, FindsThePairsThatTestingAllFinds) {
@@ -147,6 +148,62 @@ TEST(BroadPhase, FindsThePairsThatTestingAllFinds) {
         all.emplace_back(i, k);
   EXPECT_GT(all.size(), 50U);
   EXPECT_EQ(overlapping_pairs(boxes), all);
+}
+
+// On lattices, where many ends are equal; in columns, rows and nests.
+TEST(BroadPhase, FindsEachPairOnceAndNoneOfTwoLeftOut) {
+  using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  for (int kind = 0; kind < 5; ++kind) {
+    oracle::Draw draw(3, 42, static_cast<std::uint64_t>(kind));
+    std::vector<Bounds> boxes(300);
+    std::vector<bool> left_out;
+    for (Bounds& box : boxes) {
+      const Vec2 low(kind == 1 ? 0 : draw.below(30), kind == 2 ? 0 : draw.below(30));
+      box = {low, low + Vec2(draw.below(kind == 3 ? 40 : 4), draw.below(kind == 4 ? 40 : 4))};
+      left_out.push_back(draw.below(3) > 0);
+    }
+    Pairs all = overlapping_pairs(boxes), found;
+    std::erase_if(all, [&](const auto& p) { return left_out[p.first] && left_out[p.second]; });
+    each_overlap(boxes, left_out, [&](std::uint32_t a, std::uint32_t b) {
+      found.emplace_back(a, b);
+      return true;
+    });
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, all) << kind;
+    std::size_t asked = 0;
+    each_overlap(boxes, left_out, [&](std::uint32_t, std::uint32_t) { return ++asked < 7; });
+    EXPECT_EQ(asked, 7U);
+  }
+}
+
+// Boxes that all overlap; the first of them move.
+Scene stacked(int count, int moving) {
+  std::string text = "flatray = 1\nframes = 10\n";
+  for (int i = 0; i < count; ++i)
+    text += "[[entity]]\nname = \"b" + std::to_string(i) + "\"\n" +
+            "shape = { box = { min = [0, 0], max = [2, 2] } }\n" +
+            (i < moving ? "velocity = [0.1, 0]\n" : "");
+  return scene_of(text);
+}
+
+TEST(Meetings, AreFoundInBatchesThatHoldAll) {
+  const Scene scene = stacked(400, 400);  // of 79 800 pairs
+  EXPECT_EQ(find_meetings(Timeline(scene, 0, 10), 10).value().size(), 400U * 399 / 2);
+}
+
+TEST(Meetings, MoreThanTheLimitsAreRefusedAtAnEntity) {
+  const Scene scene = stacked(60, 3);
+  const Timeline timeline(scene, 0, 10);
+  const std::size_t pairs = 3 * 57 + 3;
+  const auto found = [&](std::uint64_t most_pairs, std::size_t most_meetings) {
+    return find_meetings(timeline, 10, Outline::own, 1, {most_pairs, most_meetings});
+  };
+  EXPECT_EQ(found(pairs, pairs).value().size(), pairs);  // what rests is no pair
+  for (const auto& refused : {found(pairs - 1, pairs), found(pairs, pairs - 1)}) {
+    ASSERT_FALSE(refused);
+    EXPECT_NE(format(refused.error()).find("there are more than 173 "), std::string::npos)
+        << format(refused.error());
+  }
 }
 
 }  // namespace

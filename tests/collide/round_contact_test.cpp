@@ -24,7 +24,9 @@ struct Body {
 };
 const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-Body disc(const Vec2& at, double radius, const Vec2& velocity) { return {{at}, velocity, radius}; }
+Body round_body(const Vec2& at, double radius, const Vec2& velocity) {
+  return {{at}, velocity, radius};
+}
 
 HitInterval meet(const Body& a, const Body& b, Range within = kRay) {
   return round_contact(a, b, within).times;
@@ -32,7 +34,7 @@ HitInterval meet(const Body& a, const Body& b, Range within = kRay) {
 
 TEST(RoundContact, DiscsMeetWhereTheirCentresAreBothRadiiApart) {
   // 3-4-5: the centre passes at distance 3 from one that is 5 in reach.
-  const HitInterval met = meet(disc({-10, 3}, 2, {2, 0}), disc({0, 0}, 3, {0, 0}));
+  const HitInterval met = meet(round_body({-10, 3}, 2, {2, 0}), round_body({0, 0}, 3, {0, 0}));
   EXPECT_EQ(met.kind, HitClass::through);
   EXPECT_EQ(met.t_enter, 3);
   EXPECT_EQ(met.t_exit, 7);
@@ -40,17 +42,18 @@ TEST(RoundContact, DiscsMeetWhereTheirCentresAreBothRadiiApart) {
 }
 
 TEST(RoundContact, DiscsThatPassTouchOrMissByOneUlp) {
-  const Body still = disc({0, 0}, 2, {0, 0});
-  EXPECT_EQ(meet(disc({-10, 5}, 3, {1, 0}), still).kind, HitClass::touch);
-  EXPECT_EQ(meet(disc({-10, 5}, 3, {1, 0}), still).t_enter, 10);
-  EXPECT_EQ(meet(disc({-10, 5}, std::nextafter(3, 4), {1, 0}), still).kind, HitClass::through);
-  EXPECT_EQ(meet(disc({-10, 5}, std::nextafter(3, 2), {1, 0}), still).kind, HitClass::miss);
+  const Body still = round_body({0, 0}, 2, {0, 0});
+  EXPECT_EQ(meet(round_body({-10, 5}, 3, {1, 0}), still).kind, HitClass::touch);
+  EXPECT_EQ(meet(round_body({-10, 5}, 3, {1, 0}), still).t_enter, 10);
+  EXPECT_EQ(meet(round_body({-10, 5}, std::nextafter(3, 4), {1, 0}), still).kind,
+            HitClass::through);
+  EXPECT_EQ(meet(round_body({-10, 5}, std::nextafter(3, 2), {1, 0}), still).kind, HitClass::miss);
 }
 
 // At times that are no doubles, so that both ends of the one instant are told by exact numbers.
 TEST(RoundContact, DiscsThatTouchInPassingTouchAtOneInstantWhereverThatIs) {
   for (const double x : {3.0, 5.0, 7.0, 11.0, 0x1p600 / 3}) {
-    const HitInterval met = meet(disc({0, 0}, 0, {3, 0}), disc({x, 1}, 1, {0, 0}));
+    const HitInterval met = meet(round_body({0, 0}, 0, {3, 0}), round_body({x, 1}, 1, {0, 0}));
     EXPECT_EQ(met.kind, HitClass::touch) << x;
     EXPECT_EQ(met.t_enter, x / 3);
     EXPECT_EQ(met.t_exit, x / 3);
@@ -59,10 +62,10 @@ TEST(RoundContact, DiscsThatTouchInPassingTouchAtOneInstantWhereverThatIs) {
 
 TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
   const Body square = {kSquare, {0, 0}, 0};
-  EXPECT_EQ(meet(disc({-5, 0.5}, 1, {1, 0}), square).t_enter, 4);
-  EXPECT_EQ(meet(disc({-5, 0.5}, 1, {1, 0}), square).t_exit, 7);
+  EXPECT_EQ(meet(round_body({-5, 0.5}, 1, {1, 0}), square).t_enter, 4);
+  EXPECT_EQ(meet(round_body({-5, 0.5}, 1, {1, 0}), square).t_exit, 7);
   // Round the corner (0, 1) by 3-4-5.
-  const Body high = disc({-10, 4}, 5, {1, 0});
+  const Body high = round_body({-10, 4}, 5, {1, 0});
   EXPECT_EQ(meet(high, square).t_enter, 6);
   const RoundContact met = round_contact(high, square);
   ASSERT_TRUE(met.first);
@@ -73,7 +76,7 @@ TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
 }
 
 TEST(RoundContact, ADiscThatSlidesAlongASideIsAlong) {
-  const HitInterval slide = meet(disc({-5, 3}, 2, {1, 0}), {kSquare, {0, 0}, 0});
+  const HitInterval slide = meet(round_body({-5, 3}, 2, {1, 0}), {kSquare, {0, 0}, 0});
   EXPECT_EQ(slide.kind, HitClass::along);
   EXPECT_EQ(slide.t_enter, 5);
   EXPECT_EQ(slide.t_exit, 6);
@@ -82,7 +85,7 @@ TEST(RoundContact, ADiscThatSlidesAlongASideIsAlong) {
 // 3-4-5 by discs of radius 1 that pass at 1.2, from so far that no double tells their places.
 TEST(RoundContact, TheNormalOfDiscsDoesNotSufferFromTheWay) {
   for (const double far : {1e3, 1e16, 1e200, 1e300}) {
-    const Body a = disc({-far, 0}, 1, {far, 0}), b = disc({0, 1.2}, 1, {0, 0});
+    const Body a = round_body({-far, 0}, 1, {far, 0}), b = round_body({0, 1.2}, 1, {0, 0});
     const RoundContact met = round_contact(a, b);
     ASSERT_TRUE(met.first);
     const RoundPlace place = place_at(*met.first, a, b, met.times.t_enter);
@@ -95,8 +98,8 @@ TEST(RoundContact, WhatLiesInEachOtherTellsTheShortestWayApart) {
   const Body right = {{{0.75, 0.25}, {2, 0.25}, {2, 0.75}}, {0, 0}, 0};
   EXPECT_EQ(resting_place(square, right, 0).normal, Vec2(1, 0));
   EXPECT_EQ(resting_place(right, square, 0).normal, Vec2(-1, 0));
-  EXPECT_EQ(resting_place(square, disc({0.5, 1.5}, 1, {0, 0}), 0).normal, Vec2(0, 1));
-  const RoundPlace corner = resting_place(disc({4, 5}, 6, {0, 0}), square, 0);
+  EXPECT_EQ(resting_place(square, round_body({0.5, 1.5}, 1, {0, 0}), 0).normal, Vec2(0, 1));
+  const RoundPlace corner = resting_place(round_body({4, 5}, 6, {0, 0}), square, 0);
   EXPECT_NEAR((corner.normal - Vec2(-0.6, -0.8)).norm(), 0, 1e-15);
   EXPECT_NEAR((corner.point - Vec2(0.4, 0.2)).norm(), 0, 1e-15);
   // Touching exactly, at rest: the side it lies on.
@@ -104,20 +107,38 @@ TEST(RoundContact, WhatLiesInEachOtherTellsTheShortestWayApart) {
   EXPECT_EQ(resting_place(square, beside, 0).normal, Vec2(1, 0));
 }
 
+// A square in the middle of another has four ways out.
+TEST(RoundContact, OfEquallyShortWaysOutOneIsToldInNoOrder) {
+  const std::vector<Vec2> small = {{-0.25, -0.25}, {0.25, -0.25}, {0.25, 0.25}, {-0.25, 0.25}};
+  const std::pair<Vec2, Vec2> cases[] = {{{-1, 0}, {1, 0}}, {{1, 0.5}, {-1, 0}},
+                                         {{1, 1}, {-1, 0}}, {{-1, 1}, {1, 0}},
+                                         {{0, -2}, {0, 1}}, {{-1, 3}, {0, -1}}};
+  for (const auto& [velocity, normal] : cases)
+    for (std::size_t turn = 0; turn < 4; ++turn) {
+      std::vector<Vec2> ring = small;
+      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(turn), ring.end());
+      const Body one = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {0, 0}, 0};
+      const Body other = {ring, velocity, 0};
+      EXPECT_EQ(resting_place(one, other, 0).normal, normal) << velocity << turn;
+      EXPECT_EQ(resting_place(other, one, 0).normal, -normal) << velocity << turn;
+    }
+}
+
 TEST(RoundContact, ACapsuleIsASegmentWithARadius) {
   const Body capsule = {{{0, -1}, {0, 1}}, {0, 0}, 1};
-  EXPECT_EQ(meet(disc({-8, 0.5}, 1, {2, 0}), capsule).t_enter, 3);
-  EXPECT_EQ(meet(disc({-8, 2.2}, 1, {2, 0}), capsule).t_enter, 4 - 0.8);
+  EXPECT_EQ(meet(round_body({-8, 0.5}, 1, {2, 0}), capsule).t_enter, 3);
+  EXPECT_EQ(meet(round_body({-8, 2.2}, 1, {2, 0}), capsule).t_enter, 4 - 0.8);
   EXPECT_EQ(meet({{{-8, 5}, {-6, 5}}, {1, -1}, 0.5}, capsule).kind, HitClass::through);
 }
 
 TEST(RoundContact, WithoutRelativeMotionTheStartDecides) {
   const Vec2 v(1, 2);
-  EXPECT_EQ(meet(disc({0, 0}, 2, v), disc({3, 4}, 3, v), kLine).kind, HitClass::touch);
-  EXPECT_EQ(meet(disc({0, 0}, 2, v), disc({3, 4}, 3.5, v), kLine).kind, HitClass::through);
-  EXPECT_EQ(meet(disc({0, 0}, 2, v), disc({3, 4}, 2.5, v), kLine).kind, HitClass::miss);
-  EXPECT_EQ(meet(disc({0.5, 0.5}, 0.1, v), {kSquare, v, 0}, kLine).kind, HitClass::through);
-  EXPECT_EQ(meet(disc({0.5, 2}, 1, v), {kSquare, v, 0}, kLine).kind, HitClass::touch);
+  EXPECT_EQ(meet(round_body({0, 0}, 2, v), round_body({3, 4}, 3, v), kLine).kind, HitClass::touch);
+  EXPECT_EQ(meet(round_body({0, 0}, 2, v), round_body({3, 4}, 3.5, v), kLine).kind,
+            HitClass::through);
+  EXPECT_EQ(meet(round_body({0, 0}, 2, v), round_body({3, 4}, 2.5, v), kLine).kind, HitClass::miss);
+  EXPECT_EQ(meet(round_body({0.5, 0.5}, 0.1, v), {kSquare, v, 0}, kLine).kind, HitClass::through);
+  EXPECT_EQ(meet(round_body({0.5, 2}, 1, v), {kSquare, v, 0}, kLine).kind, HitClass::touch);
 }
 
 // A core of whole numbers with a radius, so that touching is frequent.

@@ -12,7 +12,7 @@ namespace {
 Scene text_scene(const std::string& text, const std::string& head = "") {
   return scene_of("flatray = 1\nfps = 10\nframes = 41\n" + head + text);
 }
-std::string disc(const std::string& more) {
+std::string disc_entity(const std::string& more) {
   return "[[entity]]\nshape = { circle = { radius = 1 } }\n" + more + "\n";
 }
 
@@ -29,8 +29,8 @@ Image picture(const Timeline& timeline, unsigned frame) {
 const std::string kBounce = "collisions = { response = \"bounce\" }\n";
 
 TEST(MakeTimeline, BodiesThatBounceAreWhereTheirEventsLeaveThem) {
-  const Scene scene =
-      text_scene(disc("velocity = [1, 0]") + disc("at = [6, 0]\nvelocity = [-1, 0]"), kBounce);
+  const Scene scene = text_scene(
+      disc_entity("velocity = [1, 0]") + disc_entity("at = [6, 0]\nvelocity = [-1, 0]"), kBounce);
   const Timeline timeline = timeline_of(scene, 41);
   ASSERT_EQ(timeline.events().size(), 1U);
   for (unsigned frame = 1; frame <= 41; ++frame) {
@@ -64,30 +64,31 @@ TEST(MakeTimeline, TheFrameOfAnEventIsTheSameAlone) {
 }
 
 TEST(MakeTimeline, MassesAreThoseGivenOrElseAreas) {
-  const Scene scene =
-      text_scene(disc("velocity = [1, 0]\nmass = 3") + disc("at = [6, 0]\nmass = 1"), kBounce);
+  const Scene scene = text_scene(
+      disc_entity("velocity = [1, 0]\nmass = 3") + disc_entity("at = [6, 0]\nmass = 1"), kBounce);
   const Timeline timeline = timeline_of(scene, 100);
   ASSERT_EQ(timeline.events().size(), 1U);
   EXPECT_EQ(timeline.events()[0].velocity_a, Vec2(0.5, 0));
   EXPECT_EQ(timeline.events()[0].velocity_b, Vec2(1.5, 0));
-  const Scene walled =
-      text_scene(disc("velocity = [1, 0]") + disc("at = [6, 0]\nmass = \"fixed\""), kBounce);
+  const Scene walled = text_scene(
+      disc_entity("velocity = [1, 0]") + disc_entity("at = [6, 0]\nmass = \"fixed\""), kBounce);
   EXPECT_EQ(timeline_of(walled, 100).events()[0].velocity_a, Vec2(-1, 0));
 }
 
 TEST(MakeTimeline, WhatDoesNotRespondIsPassedThrough) {
-  const Scene scene = text_scene(
-      disc("velocity = [1, 0]") + disc("at = [6, 0]\nangular_velocity = 9\nresponse = \"none\""),
-      kBounce);
+  const Scene scene =
+      text_scene(disc_entity("velocity = [1, 0]") +
+                     disc_entity("at = [6, 0]\nangular_velocity = 9\nresponse = \"none\""),
+                 kBounce);
   EXPECT_TRUE(timeline_of(scene, 100).events().empty());
   EXPECT_TRUE(timeline_of(scene, 100).stages(1).empty());
 }
 
 TEST(MakeTimeline, AMarkPushesNothingAndIsToldOnce) {
-  const Scene scene =
-      text_scene(disc("velocity = [1, 0]") + disc("at = [6, 0]\nresponse = \"mark\"") +
-                     disc("at = [9, 0]\nmass = \"fixed\""),
-                 kBounce);
+  const Scene scene = text_scene(disc_entity("velocity = [1, 0]") +
+                                     disc_entity("at = [6, 0]\nresponse = \"mark\"") +
+                                     disc_entity("at = [9, 0]\nmass = \"fixed\""),
+                                 kBounce);
   const Timeline timeline = timeline_of(scene, 200);
   ASSERT_EQ(timeline.events().size(), 2U);  // on the way back it is still in it
   EXPECT_EQ(timeline.events()[0].time, 4);
@@ -97,9 +98,10 @@ TEST(MakeTimeline, AMarkPushesNothingAndIsToldOnce) {
 }
 
 TEST(MakeTimeline, WhatBouncesOffWhatStopsFindsAWall) {
-  const Scene scene = text_scene(
-      disc("velocity = [1, 0]") + disc("at = [6, 0]\nvelocity = [-1, 0]\nresponse = \"stop\""),
-      kBounce);
+  const Scene scene =
+      text_scene(disc_entity("velocity = [1, 0]") +
+                     disc_entity("at = [6, 0]\nvelocity = [-1, 0]\nresponse = \"stop\""),
+                 kBounce);
   const Timeline timeline = timeline_of(scene, 41);
   ASSERT_EQ(timeline.events().size(), 1U);
   EXPECT_EQ(timeline.events()[0].velocity_a, Vec2(-1, 0));
@@ -107,17 +109,19 @@ TEST(MakeTimeline, WhatBouncesOffWhatStopsFindsAWall) {
 }
 
 TEST(MakeTimeline, VelocitiesInAGroupThatStandsAreTurnedAndScaledWithIt) {
-  const Scene scene = text_scene(disc("group = \"g\"\nvelocity = [1, 0]") + disc("at = [0, 12]"),
-                                 kBounce + "[[group]]\nname = \"g\"\nangle = 90\nscale = 2\n");
+  const Scene scene =
+      text_scene(disc_entity("group = \"g\"\nvelocity = [1, 0]") + disc_entity("at = [0, 12]"),
+                 kBounce + "[[group]]\nname = \"g\"\nangle = 90\nscale = 2\n");
   const Timeline timeline = timeline_of(scene, 100);
   ASSERT_EQ(timeline.events().size(), 1U);
   EXPECT_EQ(timeline.events()[0].time, 4.5);  // radii 2 and 1, 2 units a second
 }
 
 TEST(MakeTimeline, AJamIsRefusedOnlyForFramesBehindIt) {
-  const Scene scene = text_scene(disc("velocity = [1, 0]\nmass = \"fixed\"") + disc("at = [6, 0]") +
-                                     disc("at = [12, 0]\nvelocity = [-1, 0]\nmass = \"fixed\""),
-                                 kBounce);
+  const Scene scene =
+      text_scene(disc_entity("velocity = [1, 0]\nmass = \"fixed\"") + disc_entity("at = [6, 0]") +
+                     disc_entity("at = [12, 0]\nvelocity = [-1, 0]\nmass = \"fixed\""),
+                 kBounce);
   EXPECT_TRUE(make_timeline(scene, 0, 30));
   const auto jammed = make_timeline(scene, 0, 60);
   ASSERT_FALSE(jammed);
@@ -127,9 +131,9 @@ TEST(MakeTimeline, AJamIsRefusedOnlyForFramesBehindIt) {
 }
 
 TEST(MakeTimeline, MoreEventsThanAllowedAreRefused) {
-  const Scene scene = text_scene(
-      disc("velocity = [1, 0]") + disc("at = [6, 0]") + disc("at = [10, 0]\nmass = \"fixed\""),
-      "collisions = { response = \"bounce\", most = 2 }\n");
+  const Scene scene = text_scene(disc_entity("velocity = [1, 0]") + disc_entity("at = [6, 0]") +
+                                     disc_entity("at = [10, 0]\nmass = \"fixed\""),
+                                 "collisions = { response = \"bounce\", most = 2 }\n");
   EXPECT_TRUE(make_timeline(scene, 0, 41));
   const auto cut = make_timeline(scene, 0, 500);
   ASSERT_FALSE(cut);
@@ -138,9 +142,9 @@ TEST(MakeTimeline, MoreEventsThanAllowedAreRefused) {
 
 // Events at t = 4, 5.975 and 7.95, between frames 80 and 81.
 TEST(MakeTimeline, AsManyEventsAsAllowedAreNotTooMany) {
-  const Scene scene = text_scene(
-      disc("velocity = [1, 0]") + disc("at = [6, 0]") + disc("at = [9.975, 0]\nmass = \"fixed\""),
-      "collisions = { response = \"bounce\", most = 2 }\n");
+  const Scene scene = text_scene(disc_entity("velocity = [1, 0]") + disc_entity("at = [6, 0]") +
+                                     disc_entity("at = [9.975, 0]\nmass = \"fixed\""),
+                                 "collisions = { response = \"bounce\", most = 2 }\n");
   EXPECT_TRUE(make_timeline(scene, 0, 80));
   EXPECT_FALSE(make_timeline(scene, 0, 81));
 }
@@ -148,8 +152,8 @@ TEST(MakeTimeline, AsManyEventsAsAllowedAreNotTooMany) {
 // At t = 4 of 10 frames a second: in frame 41, not in frame 40.
 TEST(MakeTimeline, AHitSetsTheStateOfTheChain) {
   const Scene scene = text_scene(
-      disc("velocity = [1, 0]") +
-          disc("at = [6, 0]\nresponse = \"mark\"\nmarkov = { chain = \"c\", hit = \"ON\" }"),
+      disc_entity("velocity = [1, 0]") +
+          disc_entity("at = [6, 0]\nresponse = \"mark\"\nmarkov = { chain = \"c\", hit = \"ON\" }"),
       kBounce + "markov.c = { OFF = { OFF = 1 }, ON = { ON = 1 } }\n");
   const Timeline timeline = timeline_of(scene, 50);
   EXPECT_EQ(timeline.markov(1, 40).state, 0U);
@@ -159,9 +163,10 @@ TEST(MakeTimeline, AHitSetsTheStateOfTheChain) {
 }
 
 TEST(MakeTimeline, WhatIsRemovedIsNeitherDrawnNorAMirror) {
-  const Scene scene = text_scene(
-      disc("velocity = [1, 0]") + disc("at = [6, 0]\nresponse = \"remove\"\nmaterial = \"mirror\""),
-      kBounce);
+  const Scene scene =
+      text_scene(disc_entity("velocity = [1, 0]") +
+                     disc_entity("at = [6, 0]\nresponse = \"remove\"\nmaterial = \"mirror\""),
+                 kBounce);
   const Timeline timeline = timeline_of(scene, 60);
   const FrameState before = at(timeline, 40), after = at(timeline, 41);
   EXPECT_FALSE(before.entities[1].gone);
@@ -176,7 +181,7 @@ TEST(MakeTimeline, WhatIsRemovedIsNeitherDrawnNorAMirror) {
 // A disc, then: a point, a normal, two ghosts, a bar and its mark.
 TEST(DrawnContact, ShowsAnEventFromItsTimeUntilItHasFaded) {
   const Scene scene = text_scene(
-      disc("velocity = [1, 0]") + disc("at = [6, 0]"),
+      disc_entity("velocity = [1, 0]") + disc_entity("at = [6, 0]"),
       "collisions = { response = \"bounce\", points = \"#ff0000\", normals = { width_px = 1 }, "
       "ghosts = { width_px = 1 }, time_bar = { width_px = 1 }, shown = 1 }\n"
       "film = { world = [[-10, -10], [20, 10]] }\n");

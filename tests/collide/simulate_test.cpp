@@ -47,16 +47,6 @@ TEST(Simulate, WhatStopsAtSomethingFixedThatMovesGoesWithIt) {
   EXPECT_EQ(place_at(stopped.stages[1], 9), Vec2(11, 0));
 }
 
-// Between two that nothing moves and that close in on it there is no way out.
-TEST(Simulate, WhatIsJammedIsToldAndEnds) {
-  const SimulatedBody bodies[] = {disc({0, 0}, 1, {1, 0}, kInfinity), disc({6, 0}, 1, {0, 0}),
-                                  disc({12, 0}, 1, {-1, 0}, kInfinity)};
-  const Simulation done = simulate(bodies, Response::stop, 10);
-  EXPECT_FALSE(done.complete);
-  EXPECT_LE(done.events.size(), 4 * kJamEvents);
-  for (const CollisionEvent& event : done.events) EXPECT_LE(event.time, 4);
-}
-
 TEST(Simulate, AThrustGoesThroughARowOfDiscsThatTouch) {
   std::vector<SimulatedBody> row = {disc({0, 0}, 1, {1, 0})};
   for (int i = 0; i < 5; ++i) row.push_back(disc({4.0 + 2 * i, 0}, 1, {0, 0}));

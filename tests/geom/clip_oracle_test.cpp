@@ -7,15 +7,15 @@
 namespace flatray {
 namespace {
 
-constexpr int kCasesAFamily = 1300;
+constexpr int kClipsAFamily = 1300;
 
-using Family = Case (*)(Draw&);
-struct NamedFamily {
+using ClipFamily = Case (*)(Draw&);
+struct NamedClips {
   const char* name;
-  Family make;
+  ClipFamily make;
 };
 
-const NamedFamily kFamilies[] = {
+const NamedClips kClipFamilies[] = {
     {"grid", &grid_case},
     {"vertex",
      [](Draw& draw) {
@@ -142,8 +142,8 @@ TEST(ClipConvex, AgreesWithTheOracleOnAdversarialFamilies) {
   const Range ranges[] = {kRay, kSegment, kLine, {-0.5, 0.75}};
   Tally tally;
   int family = 0;
-  for (const NamedFamily& f : kFamilies) {
-    for (int item = 0; item < kCasesAFamily; ++item) {
+  for (const NamedClips& f : kClipFamilies) {
+    for (int item = 0; item < kClipsAFamily; ++item) {
       Draw draw = draw_of(family, item);
       const Case c = f.make(draw);
       if (non_convex_vertex(c.polygon)) continue;  // a family that rounds may bend an edge

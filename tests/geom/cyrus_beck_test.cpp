@@ -7,7 +7,7 @@
 namespace flatray {
 namespace {
 
-const std::vector<Vec2> kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const std::vector<Vec2> kUnitSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 void expect_hit(const HitInterval& hit, HitClass kind, double enter, double exit) {
   EXPECT_STREQ(name(hit.kind), name(kind));
@@ -26,7 +26,7 @@ TEST(CyrusBeck, ReproducesThePaperRayAgainstQuadrilateral) {
 }
 
 TEST(CyrusBeck, StrictlyInsideHasNoEnteringEdge) {
-  const HitInterval hit = clip_convex({{0.5, 0.25}, {1, 0}}, kSquare);
+  const HitInterval hit = clip_convex({{0.5, 0.25}, {1, 0}}, kUnitSquare);
   expect_hit(hit, HitClass::through, 0, 0.5);
   EXPECT_EQ(hit.edge_enter, kNoEdge);
   EXPECT_EQ(hit.edge_exit, 1);
@@ -34,7 +34,7 @@ TEST(CyrusBeck, StrictlyInsideHasNoEnteringEdge) {
 }
 
 TEST(CyrusBeck, StartingOnTheBoundaryAndLeavingIsATouchAtZero) {
-  const HitInterval hit = clip_convex({{1, 0.5}, {1, 0}}, kSquare);
+  const HitInterval hit = clip_convex({{1, 0.5}, {1, 0}}, kUnitSquare);
   expect_hit(hit, HitClass::touch, 0, 0);
   EXPECT_EQ(hit.start, StartPlace::boundary);
   EXPECT_EQ(hit.edge_enter, kNoEdge);
@@ -42,23 +42,23 @@ TEST(CyrusBeck, StartingOnTheBoundaryAndLeavingIsATouchAtZero) {
 }
 
 TEST(CyrusBeck, SegmentEndingOnTheBoundaryIsATouch) {
-  const HitInterval hit = clip_convex({{-1, 0.5}, {1, 0}}, kSquare, kSegment);
+  const HitInterval hit = clip_convex({{-1, 0.5}, {1, 0}}, kUnitSquare, kSegment);
   expect_hit(hit, HitClass::touch, 1, 1);
   EXPECT_EQ(hit.edge_enter, 3);
   EXPECT_EQ(hit.edge_exit, kNoEdge);
 }
 
 TEST(CyrusBeck, SegmentWhollyInsideHasNeitherEdge) {
-  const HitInterval hit = clip_convex({{0.25, 0.5}, {0.5, 0.125}}, kSquare, kSegment);
+  const HitInterval hit = clip_convex({{0.25, 0.5}, {0.5, 0.125}}, kUnitSquare, kSegment);
   expect_hit(hit, HitClass::through, 0, 1);
   EXPECT_EQ(hit.edge_enter, kNoEdge);
   EXPECT_EQ(hit.edge_exit, kNoEdge);
 }
 
 TEST(CyrusBeck, ZeroDirectionIsAPointTestOverTheWholeRange) {
-  expect_hit(clip_convex({{0.5, 0.5}, {0, 0}}, kSquare), HitClass::through, 0, kInfinity);
-  expect_hit(clip_convex({{1, 0.5}, {0, 0}}, kSquare, kSegment), HitClass::touch, 0, 1);
-  EXPECT_FALSE(clip_convex({{2, 0}, {0, 0}}, kSquare, kLine));
+  expect_hit(clip_convex({{0.5, 0.5}, {0, 0}}, kUnitSquare), HitClass::through, 0, kInfinity);
+  expect_hit(clip_convex({{1, 0.5}, {0, 0}}, kUnitSquare, kSegment), HitClass::touch, 0, 1);
+  EXPECT_FALSE(clip_convex({{2, 0}, {0, 0}}, kUnitSquare, kLine));
 }
 
 TEST(CyrusBeck, TimesBeyondTheDoublesAreTheLargestAndFlagged) {
@@ -70,9 +70,10 @@ TEST(CyrusBeck, TimesBeyondTheDoublesAreTheLargestAndFlagged) {
 }
 
 TEST(CyrusBeck, ARangeOfOnePointInsideIsThrough) {
-  expect_hit(clip_convex({{-1, 0.5}, {1, 0}}, kSquare, {1.5, 1.5}), HitClass::through, 1.5, 1.5);
-  expect_hit(clip_convex({{-1, 0.5}, {1, 0}}, kSquare, {1, 1}), HitClass::touch, 1, 1);
-  EXPECT_FALSE(clip_convex({{-1, 0.5}, {1, 0}}, kSquare, {0.5, 0.75}));
+  expect_hit(clip_convex({{-1, 0.5}, {1, 0}}, kUnitSquare, {1.5, 1.5}), HitClass::through, 1.5,
+             1.5);
+  expect_hit(clip_convex({{-1, 0.5}, {1, 0}}, kUnitSquare, {1, 1}), HitClass::touch, 1, 1);
+  EXPECT_FALSE(clip_convex({{-1, 0.5}, {1, 0}}, kUnitSquare, {0.5, 0.75}));
 }
 
 }  // namespace

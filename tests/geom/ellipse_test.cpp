@@ -5,10 +5,10 @@
 namespace flatray {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 TEST(Ellipses, PartsRiseOrFallInBothCoordinatesAndShareTheirEnds) {
-  for (const double sweep : {2 * kPi, -2 * kPi, 1.5, -4.0, 0.01}) {
+  for (const double sweep : {2 * kHalfTurn, -2 * kHalfTurn, 1.5, -4.0, 0.01}) {
     const EllipseArc arc{{3, -1}, {5, 2}, {-1, 0.5}, 0.7, sweep};
     const std::vector<MonotoneArc> parts = monotone_parts(arc);
     EXPECT_LE(parts.size(), 6U);
@@ -22,7 +22,8 @@ TEST(Ellipses, TheBoxHoldsTheArcAndNoMore) {
   const Bounds whole = path_bounds({{EllipseArc{{1, 2}, {3, 0}, {4, 5}}}, true});
   EXPECT_DOUBLE_EQ(whole.high.x(), 6);  // half the width is |(3, 4)|
   EXPECT_DOUBLE_EQ(whole.low.y(), -3);
-  const Bounds quarter = path_bounds({{EllipseArc{{0, 0}, {2, 0}, {0, 2}, 0, kPi / 2}}, false});
+  const Bounds quarter =
+      path_bounds({{EllipseArc{{0, 0}, {2, 0}, {0, 2}, 0, kHalfTurn / 2}}, false});
   EXPECT_NEAR(quarter.low.x(), 0, 1e-15);
   EXPECT_EQ(quarter.high, Vec2(2, 2));
 }

@@ -10,10 +10,10 @@
 namespace flatray {
 namespace {
 
-std::uint64_t bits(std::uint64_t item) { return random_bits(3, Stream::test, 0, item, 0); }
+std::uint64_t bits_of(std::uint64_t item) { return random_bits(3, Stream::test, 0, item, 0); }
 
 double any_finite(std::uint64_t item) {
-  const double x = std::bit_cast<double>(bits(item));
+  const double x = std::bit_cast<double>(bits_of(item));
   return std::isfinite(x) ? x : 0;
 }
 
@@ -94,7 +94,7 @@ TEST(Rational, RootSumIsTheNearestDoubleAlsoWhereItCancels) {
   EXPECT_EQ(Rational::root_sum(0, 1, 2), std::sqrt(2.0));
   EXPECT_EQ(Rational::root_sum(-3, 1, 9), 0);
   for (std::uint64_t i = 0; i < 300; ++i) {
-    const double r = unit_double(bits(i)) * std::ldexp(1.0, static_cast<int>(i % 40) - 20);
+    const double r = unit_double(bits_of(i)) * std::ldexp(1.0, static_cast<int>(i % 40) - 20);
     const Rational p = -r, q = Rational(r) * r * (1 + std::ldexp(1.0, -static_cast<int>(i % 50)));
     const int s = i % 3 == 0 ? -1 : 1;
     const double x = Rational::root_sum(p, s, q);

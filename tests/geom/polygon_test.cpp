@@ -14,7 +14,7 @@ namespace {
 using Ring = std::vector<Vec2>;
 constexpr double kPi = 3.14159265358979323846;
 
-double draw(std::uint64_t item, std::uint32_t k) {
+double draw_coordinate(std::uint64_t item, std::uint32_t k) {
   return unit_double(random_bits(7, Stream::test, 0, item, k));
 }
 
@@ -101,6 +101,24 @@ TEST(CrossingEdges, TouchingIsCrossing) {
   EXPECT_FALSE(crossing_edges(Ring{{0, 0}, {4, 0}, {4, 2}, {2, 5e-324}, {0, 2}}));
   EXPECT_TRUE(crossing_edges(Ring{{0, 0}, {3, 0}, {1, 0}, {1, 1}}));  // folds back at vertex 1
   EXPECT_TRUE(crossing_edges(Ring{{0, 0}, {1, 0}}));
+  EXPECT_TRUE(crossing_edges(Ring{{0, 0}, {2, 1}, {4, 0}, {4, 2}, {2, 1}, {0, 2}}));  // at a vertex
+}
+
+// The edges named do meet: those of every pair on the grid, and of a long ring one far from the
+// rest.
+TEST(CrossingEdges, NamesAPairThatMeets) {
+  Ring ring;
+  for (int k = 0; k < 500; ++k)
+    ring.push_back({static_cast<double>(k), static_cast<double>(k % 2)});
+  ring.push_back({499, 5});
+  for (int k = 499; k-- > 0;)
+    ring.push_back({static_cast<double>(k), 3 + static_cast<double>(k % 2)});
+  ASSERT_FALSE(crossing_edges(ring));
+  ring[251] = {250.9, 4.5};
+  const auto crossing = crossing_edges(ring);
+  ASSERT_TRUE(crossing);
+  EXPECT_TRUE(crossing->first == 250 || crossing->first == 251) << crossing->first;
+  EXPECT_GT(crossing->second, 500U);
 }
 
 bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -120,9 +138,10 @@ TEST(CrossingEdges, AgreesWithEveryPairOnTheGrid) {
   int crossing = 0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     Ring ring;
-    const int n = 4 + static_cast<int>(i % 4);
+    const int n = 4 + static_cast<int>(i % 6);
     for (std::uint32_t k = 0; static_cast<int>(ring.size()) < n; ++k) {
-      const Vec2 p(std::floor(6 * draw(i, 2 * k)), std::floor(6 * draw(i, 2 * k + 1)));
+      const Vec2 p(std::floor(6 * draw_coordinate(i, 2 * k)),
+                   std::floor(6 * draw_coordinate(i, 2 * k + 1)));
       if (std::find(ring.begin(), ring.end(), p) == ring.end()) ring.push_back(p);
     }
     bool expected = false;
@@ -194,7 +213,7 @@ TEST(ConvexPieces, KeepAreaAndEdgesOfStars) {
     const int n = 5 + static_cast<int>(i % 40);
     const Ring directions = regular(n);
     for (int k = 0; k < n; ++k)
-      ring.push_back((1 + std::floor(4 * draw(i, static_cast<std::uint32_t>(k)))) *
+      ring.push_back((1 + std::floor(4 * draw_coordinate(i, static_cast<std::uint32_t>(k)))) *
                      directions[static_cast<std::size_t>(k)]);
     if (crossing_edges(ring)) continue;
     check_pieces(i % 2 == 0 ? ring : reversed(ring));
@@ -208,16 +227,34 @@ TEST(ConvexPieces, KeepAreaAndEdgesOfSkylines) {
     Ring ring;
     const int n = 2 + static_cast<int>(i % 20);
     for (int k = 0; k < n; ++k) {
-      const double h = -1 - std::floor(3 * draw(i, static_cast<std::uint32_t>(k)));
+      const double h = -1 - std::floor(3 * draw_coordinate(i, static_cast<std::uint32_t>(k)));
       ring.push_back({static_cast<double>(k), h});
       ring.push_back({static_cast<double>(k + 1), h});
     }
     for (int k = n; k-- > 0;) {
-      const double h = 1 + std::floor(3 * draw(i, static_cast<std::uint32_t>(100 + k)));
+      const double h = 1 + std::floor(3 * draw_coordinate(i, static_cast<std::uint32_t>(100 + k)));
       ring.push_back({static_cast<double>(k + 1), h});
       ring.push_back({static_cast<double>(k), h});
     }
     check_pieces(ring);
+  }
+}
+
+// Rings that grow by one point of a coarse grid at a time, wherever they stay simple: upright edges,
+// flat corners, vertices in one line and in one column.
+TEST(ConvexPieces, KeepAreaAndEdgesOfRingsGrownOnAGrid) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Ring ring = {{0, 0}, {8, 0}, {0, 8}};
+    for (std::uint32_t k = 0; k < 80; ++k) {
+      Ring longer = ring;
+      const auto at =
+          static_cast<std::ptrdiff_t>(draw_coordinate(i, 3 * k) * static_cast<double>(ring.size()));
+      longer.insert(longer.begin() + at, Vec2(std::floor(12 * draw_coordinate(i, 3 * k + 1)),
+                                              std::floor(12 * draw_coordinate(i, 3 * k + 2))));
+      if (!crossing_edges(longer)) ring = std::move(longer);
+    }
+    ASSERT_GT(ring.size(), 8U);
+    check_pieces(i % 2 == 0 ? ring : reversed(ring));
   }
 }
 

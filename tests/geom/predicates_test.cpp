@@ -11,10 +11,10 @@
 namespace flatray {
 namespace {
 
-constexpr std::uint64_t kSeed = 20181123;
+constexpr std::uint64_t kPredicateSeed = 20181123;
 
 std::uint64_t bits(std::uint64_t item, std::uint32_t draw) {
-  return random_bits(kSeed, Stream::test, 0, item, draw);
+  return random_bits(kPredicateSeed, Stream::test, 0, item, draw);
 }
 
 // A coordinate from a family that is hard in its own way.
@@ -59,7 +59,7 @@ TEST(Predicates, AgreeWithRationalSlopesWhereProductsOverflow) {
 }
 
 TEST(Predicates, AgreeWithRationalSlopesOnEveryFamily) {
-  RecordProperty("seed", static_cast<int>(kSeed));
+  RecordProperty("seed", static_cast<int>(kPredicateSeed));
   for (std::uint64_t i = 0; i < 9000; ++i) {
     const int family = static_cast<int>(i % 9);
     Vec2 p[3];

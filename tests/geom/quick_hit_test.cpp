@@ -10,11 +10,11 @@
 namespace flatray {
 namespace {
 
-double number(Draw& draw) { return draw.sign() * (1 + draw.unit()); }
+double signed_number(Draw& draw) { return draw.sign() * (1 + draw.unit()); }
 
 // About `offset`, some `size` apart.
 Vec2 place(Draw& draw, double offset, double size) {
-  const double x = offset + size * number(draw), y = offset - size * number(draw);
+  const double x = offset + size * signed_number(draw), y = offset - size * signed_number(draw);
   return {x, y};
 }
 

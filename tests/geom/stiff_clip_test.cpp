@@ -12,7 +12,7 @@ namespace {
 
 using Ring = std::vector<Vec2>;
 
-const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const Ring kStiffSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 struct Expected {
   HitClass kind;
@@ -92,29 +92,29 @@ TEST(StiffCases, A6OneUlpRay) {
 }
 
 TEST(StiffCases, A7NearParallelHit) {
-  expect_clip({kSquare, {{-1, -1e-17}, {1, 1e-17}}, kRay, {HitClass::through, 1, 2}});
+  expect_clip({kStiffSquare, {{-1, -1e-17}, {1, 1e-17}}, kRay, {HitClass::through, 1, 2}});
 }
 
 TEST(StiffCases, A8NearParallelTouch) {
-  expect_clip({kSquare, {{-1, -2e-17}, {1, 1e-17}}, kRay, {HitClass::touch, 2, 2}});
+  expect_clip({kStiffSquare, {{-1, -2e-17}, {1, 1e-17}}, kRay, {HitClass::touch, 2, 2}});
 }
 
 TEST(StiffCases, A9NearParallelMiss) {
-  expect_clip({kSquare, {{-1, -3e-17}, {1, 1e-17}}, kRay, kMiss});
+  expect_clip({kStiffSquare, {{-1, -3e-17}, {1, 1e-17}}, kRay, kMiss});
 }
 
 TEST(StiffCases, A10TopEdge) {
-  expect_clip({kSquare, {{-1, 1}, {1, 1e-17}}, kRay, kMiss});
-  expect_clip({kSquare, {{-1, 1 - 0x1p-53}, {1, 1e-17}}, kRay, {HitClass::through, 1, 2}});
+  expect_clip({kStiffSquare, {{-1, 1}, {1, 1e-17}}, kRay, kMiss});
+  expect_clip({kStiffSquare, {{-1, 1 - 0x1p-53}, {1, 1e-17}}, kRay, {HitClass::through, 1, 2}});
 }
 
 TEST(StiffCases, A11DenormalSlope) {
-  expect_clip({kSquare, {{-1, -5e-324}, {2, 5e-324}}, kSegment, {HitClass::touch, 1, 1}});
+  expect_clip({kStiffSquare, {{-1, -5e-324}, {2, 5e-324}}, kSegment, {HitClass::touch, 1, 1}});
 }
 
 TEST(StiffCases, A12LongDirection) {
   expect_clip(
-      {kSquare, {{-1, 0.5}, {0x1p1000, 0}}, kRay, {HitClass::through, 0x1p-1000, 0x1p-999}});
+      {kStiffSquare, {{-1, 0.5}, {0x1p1000, 0}}, kRay, {HitClass::through, 0x1p-1000, 0x1p-999}});
 }
 
 // As decimals, (0.1, 0.3), (0.2, 0.6), (0.3, 0.9) lie on y = 3 x. As doubles the middle one is a
@@ -170,22 +170,22 @@ TEST(StiffCases, B3FanLeaksNoRayAtItsCentre) {
 }
 
 TEST(StiffCases, B4AlongAnEdge) {
-  expect_clip({kSquare, {{-1, 1}, {1, 0}}, kRay, {HitClass::along, 1, 2}});
+  expect_clip({kStiffSquare, {{-1, 1}, {1, 0}}, kRay, {HitClass::along, 1, 2}});
 }
 
 TEST(StiffCases, B5ThroughAVertex) {
-  expect_clip({kSquare, {{-1, -1}, {1, 1}}, kRay, {HitClass::through, 1, 2}});
-  expect_clip({kSquare, {{2, -1}, {-1, 1}}, kRay, {HitClass::through, 1, 2}});
+  expect_clip({kStiffSquare, {{-1, -1}, {1, 1}}, kRay, {HitClass::through, 1, 2}});
+  expect_clip({kStiffSquare, {{2, -1}, {-1, 1}}, kRay, {HitClass::through, 1, 2}});
 }
 
 TEST(StiffCases, B6VertexTouch) {
-  expect_clip({kSquare, {{-1, 0}, {1, 1}}, kRay, {HitClass::touch, 1, 1}});
+  expect_clip({kStiffSquare, {{-1, 0}, {1, 1}}, kRay, {HitClass::touch, 1, 1}});
 }
 
 TEST(StiffCases, B7EdgesThatTieAtAVertexGiveTheLowerNumberOfTheListAsGiven) {
   const Ray diagonal{{-1, -1}, {1, 1}};
-  EXPECT_EQ(clip_convex(diagonal, kSquare).edge_enter, 0);  // edges 3 and 0 meet at (0, 0)
-  EXPECT_EQ(clip_convex(diagonal, kSquare).edge_exit, 1);   // edges 1 and 2 meet at (1, 1)
+  EXPECT_EQ(clip_convex(diagonal, kStiffSquare).edge_enter, 0);  // edges 3 and 0 meet at (0, 0)
+  EXPECT_EQ(clip_convex(diagonal, kStiffSquare).edge_exit, 1);   // edges 1 and 2 meet at (1, 1)
   const Ring clockwise = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   EXPECT_EQ(clip_convex(diagonal, clockwise).edge_enter, 2);
   EXPECT_EQ(clip_convex(diagonal, clockwise).edge_exit, 0);
@@ -194,13 +194,13 @@ TEST(StiffCases, B7EdgesThatTieAtAVertexGiveTheLowerNumberOfTheListAsGiven) {
 TEST(StiffCases, B8DuplicatesAndCollinearVerticesChangeNothing) {
   Ring ring;
   for (std::size_t i = 0; i < 4; ++i) {
-    ring.insert(ring.end(), 3, kSquare[i]);
-    ring.push_back(0.5 * (kSquare[i] + kSquare[(i + 1) % 4]));
+    ring.insert(ring.end(), 3, kStiffSquare[i]);
+    ring.push_back(0.5 * (kStiffSquare[i] + kStiffSquare[(i + 1) % 4]));
   }
   const Ray rays[] = {{{-1, 0.25}, {1, 0}}, {{-1, 1}, {1, 0}},   {{-1, -1}, {1, 1}},
                       {{-1, 0}, {1, 1}},    {{0.5, -1}, {0, 3}}, {{0.3, 0.3}, {0.1, 0.7}}};
   for (const Ray& ray : rays) {
-    const HitInterval plain = clip_convex(ray, kSquare);
+    const HitInterval plain = clip_convex(ray, kStiffSquare);
     expect_clip({ring, ray, kRay, {plain.kind, plain.t_enter, plain.t_exit}});
   }
   EXPECT_EQ(clip_convex(rays[0], ring).edge_enter,

@@ -7,10 +7,10 @@
 namespace flatray {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Octets = std::vector<std::uint8_t>;
 
-Bytes random_bytes(std::size_t count) {
-  Bytes bytes(count);
+Octets random_bytes(std::size_t count) {
+  Octets bytes(count);
   for (std::size_t i = 0; i < count; ++i)
     bytes[i] = static_cast<std::uint8_t>(random_bits(5, Stream::test, 0, i));
   return bytes;
@@ -18,10 +18,10 @@ Bytes random_bytes(std::size_t count) {
 
 std::span<const std::byte> raw(std::span<const std::uint8_t> bytes) { return std::as_bytes(bytes); }
 
-Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+Octets bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 
 // The remainder of the message, bit by bit.
-std::uint32_t crc_by_definition(const Bytes& bytes) {
+std::uint32_t crc_by_definition(const Octets& bytes) {
   std::uint32_t crc = ~0U;
   for (const std::uint8_t byte : bytes) {
     crc ^= byte;
@@ -30,7 +30,7 @@ std::uint32_t crc_by_definition(const Bytes& bytes) {
   return ~crc;
 }
 
-std::uint32_t adler_by_definition(const Bytes& bytes) {
+std::uint32_t adler_by_definition(const Octets& bytes) {
   std::uint64_t a = 1, b = 0;
   for (const std::uint8_t byte : bytes) a = (a + byte) % 65521, b = (b + a) % 65521;
   return static_cast<std::uint32_t>(b << 16 | a);
@@ -45,14 +45,14 @@ TEST(Checksums, HaveTheirPublishedCheckValues) {
 
 TEST(Checksums, EqualTheirDefinitionsAtEveryLength) {
   for (std::size_t count = 0; count < 400; ++count) {
-    const Bytes bytes = random_bytes(count);
+    const Octets bytes = random_bytes(count);
     ASSERT_EQ(crc32(raw(bytes)), crc_by_definition(bytes)) << count;
     ASSERT_EQ(adler32(bytes), adler_by_definition(bytes)) << count;
   }
 }
 
 TEST(Checksums, OfPartsJoinToThatOfTheWhole) {
-  const Bytes bytes = random_bytes(5000);
+  const Octets bytes = random_bytes(5000);
   const std::span<const std::uint8_t> all(bytes);
   for (const std::size_t cut : {0U, 1U, 63U, 64U, 2500U, 4999U, 5000U}) {
     const auto first = all.first(cut), second = all.subspan(cut);
@@ -63,14 +63,14 @@ TEST(Checksums, OfPartsJoinToThatOfTheWhole) {
 }
 
 TEST(Checksums, EveryTierGivesTheSame) {
-  for (const Bytes& bytes : {random_bytes(100'003), Bytes(100'003, 255)}) {
+  for (const Octets& bytes : {random_bytes(100'003), Octets(100'003, 255)}) {
     const std::uint32_t adler = adler_by_definition(bytes), crc = crc_by_definition(bytes);
     for (const Isa isa : available_isas()) {
       const kernels::AdlerSums sums = byte_kernels(isa).adler({1, 0}, bytes.data(), bytes.size());
       EXPECT_EQ(sums.b << 16 | sums.a, adler) << isa_name(isa);
       const auto fold = byte_kernels(isa).fold_crc;
       if (fold == nullptr) continue;
-      Bytes folded(16);
+      Octets folded(16);
       fold(~0U, bytes.data(), bytes.size() / 64, folded.data());
       folded.insert(folded.end(), bytes.end() - static_cast<std::ptrdiff_t>(bytes.size() % 64),
                     bytes.end());
@@ -80,10 +80,10 @@ TEST(Checksums, EveryTierGivesTheSame) {
 }
 
 TEST(RowDifference, IsTheSameInEveryTierAtEveryLength) {
-  const Bytes a = random_bytes(300), b(a.rbegin(), a.rend());
+  const Octets a = random_bytes(300), b(a.rbegin(), a.rend());
   for (const Isa isa : available_isas())
     for (std::size_t count = 0; count <= a.size(); ++count) {
-      Bytes out(count + 1, 77);
+      Octets out(count + 1, 77);
       byte_kernels(isa).subtract(out.data(), a.data(), b.data(), count);
       for (std::size_t i = 0; i < count; ++i)
         ASSERT_EQ(out[i], static_cast<std::uint8_t>(a[i] - b[i])) << isa_name(isa) << ' ' << count;

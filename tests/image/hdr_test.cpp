@@ -51,6 +51,48 @@ TEST(Hdr, WhatTheFormatCannotHoldIsClamped) {
   EXPECT_GT(read[3], 1e38F);
 }
 
+LinearImage ramp(int width, int height) {
+  LinearImage image{width, height, {}};
+  for (int i = 0; i < 3 * width * height; ++i)
+    image.pixels.push_back(i % 7 == 0 ? 0.25F : static_cast<float>(i) * 0.01F);
+  return image;
+}
+
+TEST(Hdr, WhatIsWrittenIsRead) {
+  for (const int width : {1, 7, 8, 9, 200, 1000}) {
+    const LinearImage image = ramp(width, 3);
+    const auto read = decode_hdr(encode_hdr(image), "a.hdr");
+    ASSERT_TRUE(read) << format(read.error());
+    EXPECT_EQ(read->width, width);
+    ASSERT_EQ(read->pixels.size(), image.pixels.size());
+    for (std::size_t i = 0; i < read->pixels.size(); ++i) {
+      const std::size_t p = i / 3 * 3;
+      const float brightest = std::max({image.pixels[p], image.pixels[p + 1], image.pixels[p + 2]});
+      EXPECT_NEAR(read->pixels[i], image.pixels[i], brightest / 128) << width << " " << i;
+    }
+  }
+}
+
+TEST(Hdr, WhatIsCutShortOrDamagedIsRefused) {
+  const std::vector<std::byte> whole = encode_hdr(ramp(20, 4));
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(decode_hdr(std::span(whole).first(size), "cut")) << size;
+  EXPECT_FALSE(decode_hdr(whole, "large", 79));
+  for (std::size_t at = 0; at < whole.size(); ++at)
+    for (const int byte : {0, 1, 127, 128, 129, 255}) {
+      std::vector<std::byte> damaged = whole;
+      damaged[at] = std::byte(byte);
+      const auto read = decode_hdr(damaged, "damaged", 10'000);  // refused, or read as something
+      if (!read) continue;
+      EXPECT_EQ(read->pixels.size(), 3U * static_cast<std::size_t>(read->width * read->height));
+    }
+}
+
+TEST(Hdr, IsDevelopedAsPngsAre) {
+  EXPECT_EQ(develop(LinearImage{2, 1, {0, 1, 4, 0.5F, 0.25F, 0.0F}}).pixels,
+            (std::vector<std::uint8_t>{0, 255, 255, 188, 137, 0}));
+}
+
 TEST(Hdr, EqualLightMakesShortRows) {
   EXPECT_LT(encode_hdr({1000, 1, std::vector<float>(3000, 0.5F)}).size(), 250U);
 }

@@ -208,6 +208,11 @@ TEST(Png, GreyAndPaletteAreReadAsColours) {
             (Levels{4, 5, 6, 1, 2, 3}));
   EXPECT_EQ(read({header(2, 1, 8, 3), palette, chunk("tRNS", {7}), pixels({0, 1, 0}), kEnd}),
             (Levels{4, 5, 6, 255, 1, 2, 3, 7}));
+  // Beyond the palette: black, whatever lay in memory.
+  EXPECT_EQ(read({header(3, 1, 8, 3), palette, pixels({0, 1, 2, 255}), kEnd}),
+            (Levels{4, 5, 6, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(read({header(4, 1, 2, 3), palette, pixels({0, 0x1b}), kEnd}),
+            (Levels{1, 2, 3, 4, 5, 6, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(
       read({header(1, 1, 8, 2), chunk("tRNS", {0, 1, 0, 2, 0, 3}), pixels({0, 1, 2, 3}), kEnd}),
       (Levels{1, 2, 3, 0}));
@@ -261,6 +266,16 @@ TEST(Png, HeadersAreCheckedBeforeAnythingIsUnpacked) {
   expect_refused(png({header(1, 1, 8, 2, 2), one, kEnd}), "impossible");
   expect_refused(png({header(1 << 30, 1 << 30, 8, 2), one, kEnd}), "too large");
   expect_refused(png({header(5, 5, 8, 2), one, kEnd}), "too large", 24);
+}
+
+TEST(Png, TheChecksumOfThePixelsMustBeRight) {
+  const std::vector<int> stored = {0x78, 1, 1, 4, 0, 251, 255, 0, 1, 2, 3, 0, 14, 0, 7};
+  EXPECT_TRUE(decode_png(png({header(1, 1, 8, 2), chunk("IDAT", stored), kEnd}), "right"));
+  for (std::size_t i = 11; i < 15; ++i) {
+    std::vector<int> wrong = stored;
+    wrong[i] ^= 1;
+    expect_refused(png({header(1, 1, 8, 2), chunk("IDAT", wrong), kEnd}), "cannot be unpacked");
+  }
 }
 
 TEST(Png, PixelsMustFillThePictureExactly) {

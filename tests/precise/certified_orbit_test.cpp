@@ -7,6 +7,7 @@
 
 #include "precise/proven_bounces.h"
 #include "precise/rooms.h"
+#include "transport/periodic_walls.h"
 
 namespace flatray {
 namespace {
@@ -246,6 +247,39 @@ TEST(CertifiedOrbit, BetweenPeriodicWallsItIsThatOfTheUnfoldedLattice) {
   }
 }
 
+// A flat way below a disc crosses the same wall hundreds of times, and is looked at for a few. Of such
+// numbers doubles round nothing.
+TEST(CertifiedOrbit, AFlatWayBetweenPeriodicWallsIsNotFollowedCellByCell) {
+  Surfaces cell = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  cell.add(Circle{{0.5, 0.5}, 0.25});
+  std::vector<Material> materials(5, Material::periodic);
+  materials[4] = Material::mirror;
+  const std::uint64_t few = 40 * 6 * 128;  // flights, of so many walls and bits
+  for (const Vec2& way : {Vec2(1, 0x1p-13), Vec2(-1, 0x1p-13), Vec2(1, -0x1p-13)}) {
+    for (const bool upright : {false, true}) {
+      const Ray start =
+          upright ? Ray{{0.15625, 0.125}, {way.y(), way.x()}} : Ray{{0.125, 0.15625}, way};
+      const Orbit plain = trace_orbit(cell, materials, start, 1);
+      ASSERT_GT(plain.crossings.size(), 400U);
+      const auto exact = certified_orbit(cell, start, 1, {materials, kMostBits, few});
+      ASSERT_TRUE(exact);
+      ASSERT_TRUE(exact->decided);
+      ASSERT_EQ(exact->bounces.size(), 1U);
+      ASSERT_EQ(exact->crossings.size(), plain.crossings.size());
+      for (std::size_t i = 0; i < plain.crossings.size(); ++i) {
+        ASSERT_EQ(exact->crossings[i].from, plain.crossings[i].from) << i;
+        ASSERT_EQ(exact->crossings[i].to, plain.crossings[i].to) << i;
+      }
+      EXPECT_NEAR(exact->bounces[0].t, plain.bounces[0].t, 1e-12 * plain.bounces[0].t);
+      EXPECT_LE((exact->bounces[0].point - plain.bounces[0].point).norm(), 1e-11);
+    }
+  }
+  const auto on = certified_orbit(cell, {{0.1, 0.15}, {1, 1e-9}}, 1, {materials, kMostBits, few});
+  ASSERT_TRUE(on && on->decided);
+  EXPECT_EQ(on->end, OrbitEnd::escape);
+  EXPECT_EQ(on->crossings.size(), kMostCrossings);
+}
+
 // Through the corner of the cell, where both of its walls are crossed at once, for ever.
 TEST(CertifiedOrbit, ADiagonalOfAPeriodicCellEscapes) {
   Surfaces cell = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
@@ -271,6 +305,36 @@ TEST(CertifiedOrbit, TheHorizonOfDoublesLiesWhereTheirOrbitIsOffTheRoom) {
   EXPECT_GT(reached, 20U);
   EXPECT_LE(reached, proven_bounces(walls, plain).bounces);
   EXPECT_EQ(horizon(walls, *truth, Orbit{}), 0U);
+}
+
+TEST(CertifiedOrbit, AStartOnTheTangentOfACircleGoesOn) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  walls.add(Segment{{-2, 3}, {2, 3}});
+  const auto orbit = certified_orbit(walls, {{-1, 0}, {0, 1}}, 1);
+  ASSERT_TRUE(orbit && orbit->decided);
+  ASSERT_EQ(orbit->bounces.size(), 1U);
+  EXPECT_EQ(orbit->bounces[0].point, Vec2(-1, 3));
+}
+
+// A t beyond the doubles is the largest of them, as in doubles, and no reason to give up: points are told.
+TEST(CertifiedOrbit, ATimeBeyondTheDoublesIsTheLargest) {
+  for (const double size : {0x1p1023, 0x1p970}) {
+    const Surfaces walls = room({{-size, -size}, {size, -size}, {size, size}, {-size, size}});
+    const Ray start{{0, 0}, {size == 0x1p970 ? 0x1p-60 : 1, size == 0x1p970 ? 0x1p-62 : 0.25}};
+    const auto orbit = certified_orbit(walls, start, 4);
+    ASSERT_TRUE(orbit && orbit->decided);
+    ASSERT_EQ(orbit->bounces.size(), 4U);
+    const Orbit plain =
+        trace_orbit(walls, std::vector<Material>(walls.size(), Material::mirror), start, 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(orbit->bounces[i].t, plain.bounces[i].t);
+      EXPECT_FALSE(std::isnan(plain.bounces[i].path_length));
+    }
+    EXPECT_EQ(orbit->bounces[1].t, std::numeric_limits<double>::max());
+    EXPECT_EQ(orbit->bounces[1].point, Vec2(-size, 0.75 * size));
+    EXPECT_EQ(orbit->bounces[3].point, Vec2(size, 0.75 * size));
+  }
 }
 
 TEST(CertifiedOrbit, AnEscapeHasItsDirectionRounded) {

@@ -10,7 +10,7 @@
 namespace flatray {
 namespace {
 
-Surfaces sinai() {
+Surfaces long_sinai() {
   Surfaces walls = room({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   walls.add(Circle{{0.5, 0.5}, 0.25});
   return walls;
@@ -38,7 +38,8 @@ void expect_agreement(const Surfaces& walls, const Ray& start, std::uint64_t bou
 }
 
 TEST(LongOrbit, AgreesWithCertifiedOrbitsOfSinaisRoomToTheLastDigit) {
-  for (int i = 0; i < 20; ++i) expect_agreement(sinai(), {{0.1, 0.15 + 0.005 * i}, {1, 0.31}}, 200);
+  for (int i = 0; i < 20; ++i)
+    expect_agreement(long_sinai(), {{0.1, 0.15 + 0.005 * i}, {1, 0.31}}, 200);
 }
 
 TEST(LongOrbit, AgreesWithCertifiedOrbitsOfTheStadiumToTheLastDigit) {
@@ -71,8 +72,8 @@ TEST(LongOrbit, ClosesOnItselfInTheTriangleOfFagnano) {
 // Too few bits go astray: that is what two numbers of bits tell.
 TEST(LongOrbit, InTooFewBitsIsAnother) {
   const Ray start{{0.1, 0.15}, {1, 0.31}};
-  const auto few = oracle::long_orbit(sinai(), start, 200, 64),
-             many = oracle::long_orbit(sinai(), start, 200, 2048);
+  const auto few = oracle::long_orbit(long_sinai(), start, 200, 64),
+             many = oracle::long_orbit(long_sinai(), start, 200, 2048);
   EXPECT_NE(few.bounces.back().point, many.bounces.back().point);
 }
 

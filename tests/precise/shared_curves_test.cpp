@@ -13,12 +13,12 @@ namespace flatray {
 namespace {
 
 const Circle kCircle{{0.25, -0.5}, 2};
-const Vec2 kStart(0.5, 0.25), kDirection(-1, 2);
+const Vec2 kArcStart(0.5, 0.25), kArcDirection(-1, 2);
 
 Vec2 on_circle(double x, double y) { return kCircle.centre + kCircle.radius * Vec2(x, y); }
 
 CertifiedOrbit followed(const Surfaces& walls, std::uint64_t bounces) {
-  auto orbit = certified_orbit(walls, {kStart, kDirection}, bounces);
+  auto orbit = certified_orbit(walls, {kArcStart, kArcDirection}, bounces);
   EXPECT_TRUE(orbit && orbit->decided);
   EXPECT_LE(orbit->bits, 256U);
   return *std::move(orbit);
@@ -106,13 +106,13 @@ TEST(SharedCurves, TheWholeCircleOfACapIsNoWall) {
 
 void expect_corner(const Surfaces& walls, const std::vector<std::uint32_t>& met,
                    std::size_t bounces) {
-  const auto orbit = certified_orbit(walls, {kStart, kDirection}, 50);
+  const auto orbit = certified_orbit(walls, {kArcStart, kArcDirection}, 50);
   ASSERT_TRUE(orbit && orbit->decided);
   EXPECT_EQ(orbit->end, OrbitEnd::corner);
   EXPECT_EQ(orbit->end_surfaces, met);
   ASSERT_EQ(orbit->bounces.size(), bounces);
-  const Orbit plain =
-      trace_orbit(walls, std::vector(walls.size(), Material::mirror), {kStart, kDirection}, 50);
+  const Orbit plain = trace_orbit(walls, std::vector(walls.size(), Material::mirror),
+                                  {kArcStart, kArcDirection}, 50);
   EXPECT_EQ(plain.end, OrbitEnd::corner);
   EXPECT_EQ(plain.end_surfaces, met);
   EXPECT_LT((plain.end_point - orbit->end_point).norm(), 1e-14);

@@ -10,8 +10,8 @@ using coverage_check::Draws;
 using Steps = std::vector<std::uint32_t>;
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kSide = 12;
-constexpr PixelBox kBox{0, 0, kSide, kSide};
+constexpr int kArcsSide = 12;
+constexpr PixelBox kBox{0, 0, kArcsSide, kArcsSide};
 
 template <class Region>
 Steps steps_of(const Region& region, const PixelBox& box, Coverage mode = Coverage::area) {
@@ -81,13 +81,13 @@ TEST(ArcCoverage, ATurnedEllipseIsWithinAFewStepsOfItsSampledEquation) {
     Draws draws(3, item);
     const FillArcs arcs = random_ellipse(draws);
     const Steps steps = steps_of(arcs, kBox);
-    for (int y = 3; y < kSide; y += 3)
-      for (int x = 0; x < kSide; ++x) {
+    for (int y = 3; y < kArcsSide; y += 3)
+      for (int x = 0; x < kArcsSide; ++x) {
         double sum = 0;
         for (int i = 0; i < kParts; ++i)
           sum += inside_length(arcs.path.arcs[0], y + (i + 0.5) / kParts, x, x + 1);
         // The middle rule errs by some kParts^-1.5 where the ellipse ends, far less elsewhere.
-        EXPECT_NEAR(steps[static_cast<std::size_t>(y * kSide + x)] / double{kFullCoverage},
+        EXPECT_NEAR(steps[static_cast<std::size_t>(y * kArcsSide + x)] / double{kFullCoverage},
                     sum / kParts, 2e-4)
             << item << " at " << x << ", " << y;
       }
@@ -142,7 +142,7 @@ TEST(ArcCoverage, AnyCropGivesTheSamePixels) {
       const Steps all = steps_of(arcs, kBox, mode), part = steps_of(arcs, {3, 4, 5, 6}, mode);
       for (std::size_t y = 0; y < 6; ++y)
         for (std::size_t x = 0; x < 5; ++x)
-          ASSERT_EQ(part[y * 5 + x], all[(y + 4) * kSide + x + 3]) << item;
+          ASSERT_EQ(part[y * 5 + x], all[(y + 4) * kArcsSide + x + 3]) << item;
     }
   }
 }
@@ -152,10 +152,10 @@ TEST(ArcCoverage, ByCentresAPixelIsFullWhereItsCentreIsInside) {
     Draws draws(7, item);
     const FillArcs arcs = random_ellipse(draws);
     const Steps steps = steps_of(arcs, kBox, Coverage::centre);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kArcsSide; ++y)
+      for (int x = 0; x < kArcsSide; ++x) {
         const bool inside = outside(arcs.path.arcs[0], {x + 0.5, y + 0.5}) < 0;
-        ASSERT_EQ(steps[static_cast<std::size_t>(y * kSide + x)], inside ? kFullCoverage : 0U);
+        ASSERT_EQ(steps[static_cast<std::size_t>(y * kArcsSide + x)], inside ? kFullCoverage : 0U);
       }
   }
 }
@@ -169,7 +169,7 @@ TEST(StiffCases, B13OddEllipsesAreDrawnOrNothing) {
           for (const std::uint32_t s : steps_of(whole(centre, u, v), {0, 0, 9, 9}, mode))
             ASSERT_LE(s, kFullCoverage);
   EXPECT_EQ(area(steps_of(whole({4, 4}, {3, 3}, {3, 3}), kBox)), 0);
-  EXPECT_EQ(area(steps_of(whole({4, 4}, {1e9, 0}, {0, 1e9}), kBox)), kSide * kSide);
+  EXPECT_EQ(area(steps_of(whole({4, 4}, {1e9, 0}, {0, 1e9}), kBox)), kArcsSide * kArcsSide);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ using coverage_check::Family;
 using coverage_check::kFamilies;
 using coverage_check::kFrame;
 using coverage_check::make_region;
-using coverage_check::Region;
+using coverage_check::RegionCase;
 using coverage_check::steps_of;
 using Steps = std::vector<std::uint32_t>;
 
@@ -66,7 +66,7 @@ TEST(CentreCoverage, EveryCentreOfEveryFamilyIsDecidedExactly) {
   for (const Family family : kFamilies) {
     if (family == Family::even_odd) continue;
     for (std::uint64_t item = 0; item < 60; ++item) {
-      const Region region = make_region(family, 13, item);
+      const RegionCase region = make_region(family, 13, item);
       const Steps steps = steps_of(region.path, kFrame, Coverage::centre);
       for (int y = 0; y < kFrame.height; ++y)
         for (int x = 0; x < kFrame.width; ++x) {

@@ -64,6 +64,25 @@ TEST(CrowdedCoverage, ACrowdIsWithinItsBoundOfItselfSixtyFourTimesLarger) {
   }
 }
 
+// However often a face is repeated, it is the face: also where its edges cross in one pixel.
+TEST(CrowdedCoverage, FacesThatLieOnOneAnotherCoverWhatOneDoes) {
+  const std::vector<Vec2> face = {{0.1, 0.1}, {3.3, 0.4}, {2.9, 3.1}, {0.3, 2.7}};
+  for (const FillRule rule : {FillRule::nonzero, FillRule::even_odd}) {
+    FillPath once{{}, rule}, often{{}, rule};
+    add_ring(once, face);
+    for (int i = 0; i < 101; ++i) add_ring(often, face);
+    const auto steps_of = [](const FillPath& path) {
+      std::vector<std::uint32_t> all;
+      scan(path, Coverage::area, {0, 0, 4, 4}, [&](int y, int begin, int end, std::uint32_t steps) {
+        for (int x = begin; x < end; ++x)
+          all.push_back(static_cast<std::uint32_t>(4 * y + x) << 20 | steps);
+      });
+      return all;
+    };
+    EXPECT_EQ(steps_of(often), steps_of(once));
+  }
+}
+
 TEST(CrowdedCoverage, ACoveredPixelIsFullAndOneBesideTheCrowdIsEmpty) {
   FillPath path = triangles(1, FillRule::nonzero);
   add_ring(path, {{-1, -1}, {3, -1}, {3, 3}, {-1, 3}});  // the way most triangles do not go

@@ -15,7 +15,7 @@
 namespace flatray::coverage_check {
 
 /// A region both as the engine takes it and as the oracle does.
-struct Region {
+struct RegionCase {
   FillPath path;
   std::vector<std::vector<Vec2>> pieces;
 };
@@ -113,10 +113,10 @@ inline void add_ring(const std::vector<Vec2>& ring, bool reversed, FillPath& pat
 }
 
 // A crossing ring by even-odd is the symmetric difference of the triangles from its first vertex.
-inline Region crossing_region(Draws& draws) {
+inline RegionCase crossing_region(Draws& draws) {
   constexpr std::array kKinds{Family::random, Family::decimal, Family::corner, Family::far};
   const Family kind = kKinds[static_cast<std::size_t>(draws.below(4))];
-  Region region;
+  RegionCase region;
   std::vector<Vec2> ring;
   const int count = 4 + draws.below(5);
   for (int i = 0; i < count; ++i) ring.push_back(point(kind, draws));
@@ -127,10 +127,10 @@ inline Region crossing_region(Draws& draws) {
   return region;
 }
 
-inline Region make_region(Family family, std::uint64_t seed, std::uint64_t item) {
+inline RegionCase make_region(Family family, std::uint64_t seed, std::uint64_t item) {
   Draws draws(seed, item * kFamilies.size() + static_cast<std::uint64_t>(family));
   if (family == Family::even_odd) return crossing_region(draws);
-  Region region;
+  RegionCase region;
   const bool reversed = draws.below(2) == 0;
   const int pieces = family == Family::overlap ? 2 + draws.below(4)
                      : family == Family::deep  ? 9 + draws.below(4)
@@ -157,7 +157,7 @@ inline std::vector<std::uint32_t> steps_of(const FillPath& path, const PixelBox&
   return steps;
 }
 
-inline std::uint32_t exact_steps(const Region& region, int x, int y) {
+inline std::uint32_t exact_steps(const RegionCase& region, int x, int y) {
   Rational steps = region.path.rule == FillRule::nonzero ? exact_union_area(region.pieces, x, y)
                                                          : exact_odd_area(region.pieces, x, y);
   steps *= kFullCoverage;
@@ -186,7 +186,7 @@ class RatioAudit : public CellAudit {
   Tally& tally_;
 };
 
-inline void check_region(const Region& region, const std::string& label, Tally& tally) {
+inline void check_region(const RegionCase& region, const std::string& label, Tally& tally) {
   CoverageStats stats;
   const std::vector<std::uint32_t> steps = steps_of(region.path, kFrame, Coverage::area, &stats);
   FillPath other = region.path;
@@ -214,7 +214,7 @@ inline Tally run_family(Family family, std::uint64_t seed, std::uint64_t count,
                         std::uint64_t audit_every) {
   Tally tally;
   for (std::uint64_t item = 0; item < count; ++item) {
-    const Region region = make_region(family, seed, item);
+    const RegionCase region = make_region(family, seed, item);
     check_region(region, fmt::format("{} {} seed {}", name(family), item, seed), tally);
     if (item % audit_every != 0) continue;
     RatioAudit audit(tally);

@@ -16,21 +16,21 @@ Steps ring_steps(const FillRing& ring, const PixelBox& box) {
   return steps;
 }
 
-double area(const Steps& steps) {
+double ring_area(const Steps& steps) {
   double sum = 0;
   for (const std::uint32_t s : steps) sum += s;
   return sum / kFullCoverage;
 }
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kRingPi = 3.14159265358979323846;
 
 TEST(RingCoverage, ThePixelsSumToTheArea) {
   for (const double r : {0.2, 0.7, 1.0, 3.3, 9.5}) {
     const double edge_pixels = 8 * (r + 2);
     const Steps disc = ring_steps({{10.3, 10.1}, r}, {0, 0, 21, 21});
-    EXPECT_NEAR(area(disc), kPi * r * r, edge_pixels / kFullCoverage) << r;
+    EXPECT_NEAR(ring_area(disc), kRingPi * r * r, edge_pixels / kFullCoverage) << r;
     const Steps ring = ring_steps({{10.3, 10.1}, r, 0.5 * r}, {0, 0, 21, 21});
-    EXPECT_NEAR(area(ring), 0.75 * kPi * r * r, 2 * edge_pixels / kFullCoverage) << r;
+    EXPECT_NEAR(ring_area(ring), 0.75 * kRingPi * r * r, 2 * edge_pixels / kFullCoverage) << r;
   }
 }
 
@@ -48,7 +48,7 @@ TEST(RingCoverage, AMirroredDiscHasMirroredCoverage) {
   }
 }
 
-// The area under the arc x = cx + sqrt(r^2 - (y - cy)^2) in a pixel, by Simpson's rule on 4096
+// The ring_area under the arc x = cx + sqrt(r^2 - (y - cy)^2) in a pixel, by Simpson's rule on 4096
 // parts: for an arc without ends in the pixel its error is far below a step.
 TEST(RingCoverage, ALargeArcIsWithinAStepOfQuadrature) {
   for (const double r : {50.0, 1e3, 1e5, 1e7}) {
@@ -79,10 +79,10 @@ TEST(RingCoverage, AnyCropGivesTheSamePixels) {
 
 TEST(StiffCases, B13OddCirclesAreDrawnOrNothing) {
   const PixelBox box{0, 0, 4, 4};
-  EXPECT_EQ(area(ring_steps({{2, 2}, 0}, box)), 0);
-  EXPECT_EQ(area(ring_steps({{2, 2}, 5e-324}, box)), 0);
-  EXPECT_EQ(area(ring_steps({{2, 2}, 1e308}, box)), 16);
-  EXPECT_EQ(area(ring_steps({{2, 2}, 1e308, 1e307}, box)), 0);
+  EXPECT_EQ(ring_area(ring_steps({{2, 2}, 0}, box)), 0);
+  EXPECT_EQ(ring_area(ring_steps({{2, 2}, 5e-324}, box)), 0);
+  EXPECT_EQ(ring_area(ring_steps({{2, 2}, 1e308}, box)), 16);
+  EXPECT_EQ(ring_area(ring_steps({{2, 2}, 1e308, 1e307}, box)), 0);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using coverage_check::Family;
 using coverage_check::kFamilies;
 using coverage_check::kFrame;
 using coverage_check::make_region;
-using coverage_check::Region;
+using coverage_check::RegionCase;
 using coverage_check::steps_of;
 using coverage_check::Tally;
 using Steps = std::vector<std::uint32_t>;
@@ -88,7 +88,7 @@ TEST(Coverage, WhatMissesAPixelByAnUlpLeavesItNotFull) {
 TEST(Coverage, AnyCropGivesTheSamePixels) {
   for (const Family family : kFamilies)
     for (std::uint64_t item = 0; item < 20; ++item) {
-      const Region region = make_region(family, 3, item);
+      const RegionCase region = make_region(family, 3, item);
       const Steps whole = steps_of(region.path, kFrame);
       const PixelBox crop{2, 3, 4, 5};
       const Steps part = steps_of(region.path, crop);

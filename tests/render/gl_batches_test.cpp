@@ -9,15 +9,15 @@ namespace {
 
 constexpr PixelBox kTile{0, 0, 200, 100};
 
-FillPath box_path(double x, double y, double side) {
+FillPath square_path(double x, double y, double side) {
   const Vec2 a(x, y), b(x + side, y), c(x + side, y + side), d(x, y + side);
   return {{{a, b}, {b, c}, {c, d}, {d, a}}, FillRule::nonzero, true};
 }
 
 // Two boxes, one inside the other: not one convex ring.
 FillPath frame_path(double x, double y, double side) {
-  FillPath path = box_path(x, y, side);
-  for (const Segment& edge : box_path(x + 1, y + 1, side - 2).edges)
+  FillPath path = square_path(x, y, side);
+  for (const Segment& edge : square_path(x + 1, y + 1, side - 2).edges)
     path.edges.push_back({edge.b, edge.a});
   path.simple = false;
   return path;
@@ -33,7 +33,7 @@ std::vector<int> kinds(const std::vector<DrawItem>& items) {
 TEST(GlBatches, ConvexItemsAreOneBatchInTheirOrder) {
   std::vector<DrawItem> items;
   for (int i = 0; i < 50; ++i)
-    items.push_back({box_path(i, i, 10), {static_cast<float>(i), 0, 0, 1}});
+    items.push_back({square_path(i, i, 10), {static_cast<float>(i), 0, 0, 1}});
   EXPECT_EQ(kinds(items), std::vector<int>{FLATRAY_GL_PAINT});
   const auto made = batches({200, 100, {}, Coverage::area, items}, kTile);
   ASSERT_EQ(made.vertices.size(), 50U * 6);
@@ -49,14 +49,14 @@ TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {
   EXPECT_EQ(
       kinds({{frame_path(0, 0, 20), half}, {frame_path(10, 10, 20), half}}),
       (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER, FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
-  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {box_path(100, 50, 20), half}}),
+  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {square_path(100, 50, 20), half}}),
             (std::vector<int>{FLATRAY_GL_PAINT, FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
-  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {box_path(10, 10, 20), half}}),
+  EXPECT_EQ(kinds({{frame_path(0, 0, 20), half}, {square_path(10, 10, 20), half}}),
             (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER, FLATRAY_GL_PAINT}));
 }
 
 DrawItem on_layer(std::uint32_t layer, double x, double y) {
-  DrawItem item{box_path(x, y, 20), {0, 0, 0, 1}};
+  DrawItem item{square_path(x, y, 20), {0, 0, 0, 1}};
   item.layer = layer, item.opacity = 0.5F;
   return item;
 }
@@ -69,18 +69,18 @@ TEST(GlBatches, LayersFarApartShareASheetAndNeighboursDoNot) {
             (std::vector<int>{kBegin, kPaint, kPaint, kLay}));
   EXPECT_EQ(kinds({on_layer(1, 0, 0), on_layer(2, 10, 0)}),
             (std::vector<int>{kBegin, kPaint, kLay, kBegin, kPaint, kLay}));
-  EXPECT_EQ(kinds({on_layer(1, 0, 0), {box_path(100, 50, 20), {}}}),
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), {square_path(100, 50, 20), {}}}),
             (std::vector<int>{kPaint, kBegin, kPaint, kLay}));
-  EXPECT_EQ(kinds({on_layer(1, 0, 0), {box_path(10, 0, 20), {}}}),
+  EXPECT_EQ(kinds({on_layer(1, 0, 0), {square_path(10, 0, 20), {}}}),
             (std::vector<int>{kBegin, kPaint, kLay, kPaint}));
   EXPECT_EQ(kinds({on_layer(1, -100, 0)}), std::vector<int>{});
 }
 
 TEST(GlBatches, GradientsAreBatchesOfTheirOwn) {
-  DrawItem graded{box_path(0, 0, 20), {0, 0, 0, 1}};
+  DrawItem graded{square_path(0, 0, 20), {0, 0, 0, 1}};
   graded.gradient = {.stops = {{0, {1, 0, 0, 1}}, {1, {0, 0, 1, 0.5F}}}};
-  const auto made =
-      batches({200, 100, {}, Coverage::area, {{box_path(50, 0, 20), {}}, graded, graded}}, kTile);
+  const auto made = batches(
+      {200, 100, {}, Coverage::area, {{square_path(50, 0, 20), {}}, graded, graded}}, kTile);
   ASSERT_EQ(made.batches.size(), 2U);
   EXPECT_EQ(made.batches[0].gradients, 0);
   EXPECT_EQ(made.batches[1].gradients, 1);
@@ -91,10 +91,10 @@ TEST(GlBatches, GradientsAreBatchesOfTheirOwn) {
 }
 
 TEST(GlBatches, WhatIsNotInTheTileIsNotDrawn) {
-  EXPECT_EQ(kinds({{box_path(-30, 0, 20), {}},
-                   {box_path(0, 101, 20), {}},
+  EXPECT_EQ(kinds({{square_path(-30, 0, 20), {}},
+                   {square_path(0, 101, 20), {}},
                    {FillRing{{-10, -10}, 9}, {}},
-                   {box_path(10, 10, 20), {0, 0, 0, 0}}}),
+                   {square_path(10, 10, 20), {0, 0, 0, 0}}}),
             std::vector<int>{});
 }
 
@@ -103,7 +103,7 @@ TEST(GlBatches, HugeFiguresAreCutToWhatARasterizerTakes) {
                              100,
                              {},
                              Coverage::area,
-                             {{box_path(-1e12, -1e12, 3e12), {}},
+                             {{square_path(-1e12, -1e12, 3e12), {}},
                               {FillRing{{50, 1e9}, 1e9}, {}},
                               {frame_path(-1e7, -1e7, 1e8), {}}}},
                             kTile);
@@ -114,7 +114,7 @@ TEST(GlBatches, HugeFiguresAreCutToWhatARasterizerTakes) {
 
 // `turns` times round a square.
 FillPath coil(int turns) {
-  FillPath path = box_path(10, 10, 20);
+  FillPath path = square_path(10, 10, 20);
   const std::vector<Segment> once = path.edges;
   for (int i = 1; i < turns; ++i) path.edges.insert(path.edges.end(), once.begin(), once.end());
   path.simple = false;
@@ -124,7 +124,8 @@ FillPath coil(int turns) {
 TEST(GlBatches, WindingsAreCountedInAStencilWhereThatCannotOverflow) {
   FillPath few = coil(255), many = coil(256);
   for (FillPath* path : {&few, &many})  // else all rings are convex alike
-    for (const Segment& edge : box_path(60, 10, 20).edges) path->edges.push_back({edge.b, edge.a});
+    for (const Segment& edge : square_path(60, 10, 20).edges)
+      path->edges.push_back({edge.b, edge.a});
   EXPECT_EQ(kinds({{few, {}}}), (std::vector<int>{FLATRAY_GL_COUNT, FLATRAY_GL_COVER}));
   EXPECT_EQ(kinds({{many, {}}}),
             (std::vector<int>{FLATRAY_GL_SUM, FLATRAY_GL_FIND, FLATRAY_GL_COVER}));

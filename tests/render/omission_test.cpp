@@ -15,7 +15,7 @@ using coverage_check::add_ring;
 
 const std::string kFilm =
     "flatray = 1\nframes = 4\nfilm = { size = [64, 48], world = [[0, 0], [16, 12]] }\n";
-const std::string kBox =
+const std::string kBoxScene =
     "[[entity]]\nname = \"box\"\nshape = { box = { min = [1, 1], max = [5, 4] } }\nat = [0, 0]\n";
 
 // What asks for a pass, and all passes that run then.
@@ -26,17 +26,17 @@ struct Asks {
 };
 const std::vector<Asks> kAsks = {
     {"bounding_boxes",
-     kBox + "bounding_box = { width_px = 1, colour = \"#2c7a3f\" }\n",
+     kBoxScene + "bounding_box = { width_px = 1, colour = \"#2c7a3f\" }\n",
      {"bounding_boxes", "entities"}},
     {"chambers", "[[chamber]]\nshape = { box = { min = [0, 0], max = [9, 9] } }\n", {"chambers"}},
     {"contacts",
-     kBox + "velocity = [1, 0]\n[collisions]\npoints = \"#ff0000\"\n",
+     kBoxScene + "velocity = [1, 0]\n[collisions]\npoints = \"#ff0000\"\n",
      {"contacts", "entities"}},
     {"edge_rays",
-     kBox + "[[entity]]\nname = \"other\"\nshape = { box = { min = [7, 1], max = [9, 4] } }\n"
-            "[[edge_rays]]\nfrom = \"box\"\nagainst = \"other\"\n",
+     kBoxScene + "[[entity]]\nname = \"other\"\nshape = { box = { min = [7, 1], max = [9, 4] } }\n"
+                 "[[edge_rays]]\nfrom = \"box\"\nagainst = \"other\"\n",
      {"edge_rays", "entities"}},
-    {"entities", kBox, {"entities"}},
+    {"entities", kBoxScene, {"entities"}},
     {"orbits", "[[ray]]\nat = [1, 1]\ndirection = [1, 0.5]\n", {"orbits"}}};
 
 std::vector<std::string> names(const std::vector<const Pass*>& passes) {
@@ -95,7 +95,7 @@ TEST(Omissions, APassLeftOutHasNothingToDraw) {
 
 TEST(Omissions, AllFramesAreOnePictureWhereNothingMovesAndNowhereElse) {
   const auto plan = [](const std::string& more, bool keep_all = false) {
-    return make_plan(scene_of(kFilm + kBox + more), keep_all);
+    return make_plan(scene_of(kFilm + kBoxScene + more), keep_all);
   };
   EXPECT_TRUE(plan("").still);
   EXPECT_EQ(decision(plan(""), "frames"), "drawn once");
@@ -111,7 +111,7 @@ TEST(Omissions, AllFramesAreOnePictureWhereNothingMovesAndNowhereElse) {
 }
 
 TEST(Omissions, WhatLiesBesideTheFilmIsNotDrawn) {
-  const std::string box = kBox.substr(0, kBox.find("at ="));
+  const std::string box = kBoxScene.substr(0, kBoxScene.find("at ="));
   const auto at = [&](const std::string& place) {
     const Scene scene = scene_of(kFilm + box + "at = " + place + "\n");
     return draw_list(make_plan(scene, false), Timeline(scene, 0, 1), 1)->items.size();

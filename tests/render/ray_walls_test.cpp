@@ -53,7 +53,7 @@ TEST(RayWalls, AreToldAsTheyAreBuilt) {
   for (const auto& file : std::filesystem::recursive_directory_iterator(source_path("/scenes")))
     if (file.path().extension() == ".toml" &&
         file.path().string().find("parts") == std::string::npos) {
-      const Result<LoadedScene> loaded = load_scene(file.path());
+      const Result<LoadedScene> loaded = load_scene(file.path(), {}, {.root = source_path()});
       ASSERT_TRUE(loaded) << file.path();
       if (need_of_ray_walls(loaded->scene).needed)
         expect_told_as_built(loaded->scene, file.path().filename().string());

@@ -11,13 +11,14 @@ namespace {
 using coverage_check::Draws;
 using Steps = std::vector<std::uint32_t>;
 
-constexpr int kSide = 20;
+constexpr int kStrokeSide = 20;
 
-Steps steps_of(const FillPath& path) {
-  Steps steps(kSide * kSide);
-  scan(path, Coverage::area, {0, 0, kSide, kSide},
+Steps stroke_steps(const FillPath& path) {
+  Steps steps(kStrokeSide * kStrokeSide);
+  scan(path, Coverage::area, {0, 0, kStrokeSide, kStrokeSide},
        [&](int y, int x_begin, int x_end, std::uint32_t s) {
-         for (int x = x_begin; x < x_end; ++x) steps[static_cast<std::size_t>(y * kSide + x)] = s;
+         for (int x = x_begin; x < x_end; ++x)
+           steps[static_cast<std::size_t>(y * kStrokeSide + x)] = s;
        });
   return steps;
 }
@@ -26,7 +27,7 @@ double area_of(const Chain& chain, const LineStyle& style) {
   FillPath path;
   add_line(chain, style, path.edges);
   double sum = 0;
-  for (const std::uint32_t s : steps_of(path)) sum += s;
+  for (const std::uint32_t s : stroke_steps(path)) sum += s;
   return sum / kFullCoverage;
 }
 
@@ -59,7 +60,7 @@ TEST(Strokes, CapsEndALineAsTheirNamesSay) {
 TEST(Strokes, AClosedChainHasAHoleAndNoCaps) {
   for (const LineCap cap : {LineCap::butt, LineCap::round, LineCap::square})
     EXPECT_EQ(area_of(kSquare, {2, LineJoin::miter, cap}), 14 * 14 - 6 * 6);
-  EXPECT_EQ(area_of(kSquare, {6, LineJoin::miter, LineCap::butt}), kSide * kSide);
+  EXPECT_EQ(area_of(kSquare, {6, LineJoin::miter, LineCap::butt}), kStrokeSide * kStrokeSide);
 }
 
 TEST(Strokes, AMiterOverItsLimitIsABevel) {
@@ -94,7 +95,7 @@ TEST(Strokes, TheOutlineIsTheUnionOfItsLegs) {
     const std::size_t count = chain.points.size();
     for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i)
       add_line({{chain.points[i], chain.points[(i + 1) % count]}}, style, legs.edges);
-    const Steps a = steps_of(whole), b = steps_of(legs);
+    const Steps a = stroke_steps(whole), b = stroke_steps(legs);
     for (std::size_t i = 0; i < a.size(); ++i)
       ASSERT_NEAR(a[i], b[i], kFullCoverage * 0.02) << item << " pixel " << i;  // the chords
   }

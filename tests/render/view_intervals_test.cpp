@@ -13,7 +13,7 @@
 namespace flatray {
 namespace {
 
-const View& view_called(const std::string& name) {
+const View& intervals_view_called(const std::string& name) {
   for (const View* view : views())
     if (name == view->name) return *view;
   ADD_FAILURE() << "no view is called " << name;
@@ -23,7 +23,8 @@ const View& view_called(const std::string& name) {
 Image view_of(const Scene& scene, const std::string& name, const Tracer* tracer,
               const FrameOptions& options = {}) {
   const Timeline timeline(scene, scene.seed, 1);
-  return draw_view({&view_called(name), {0.5, 0.25}}, tracer, scene, at(timeline, 1), options);
+  return draw_view({&intervals_view_called(name), {0.5, 0.25}}, tracer, scene, at(timeline, 1),
+                   options);
 }
 
 void add(const HitInterval& hit, std::vector<Range>& inside) {

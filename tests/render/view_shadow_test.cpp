@@ -41,7 +41,7 @@ bool crosses_upper_half(const Vec2& p, const Vec2& light) {
 }
 
 template <class Lit>
-void expect_lit(const std::string& shape, const Vec2& light, const Lit& lit) {
+void expect_shape_lit(const std::string& shape, const Vec2& light, const Lit& lit) {
   const Image seen = lit_from(shape, light);
   ASSERT_EQ(seen.width, 81);
   for (int y = 0; y < 81; ++y)
@@ -54,14 +54,14 @@ void expect_lit(const std::string& shape, const Vec2& light, const Lit& lit) {
 // All of its inside and what is behind it.
 TEST(View, ADiscIsDarkAndThrowsAShadow) {
   for (const Vec2& light : {Vec2(3.1, 0.57), Vec2(-1.9, -2.3)})
-    expect_lit("circle = { radius = 1.25 }", light,
-               [&](const Vec2& p) { return nearest_squared(p, light) > kRadius * kRadius; });
+    expect_shape_lit("circle = { radius = 1.25 }", light,
+                     [&](const Vec2& p) { return nearest_squared(p, light) > kRadius * kRadius; });
 }
 
 TEST(View, AnArcThrowsAShadowByItsHalfAlone) {
   const Vec2 light(0.11, 3.2);
-  expect_lit("arc = { centre = [0, 0], radius = 1.25, from = 0, to = 180 }", light,
-             [&](const Vec2& p) { return !crosses_upper_half(p, light); });
+  expect_shape_lit("arc = { centre = [0, 0], radius = 1.25, from = 0, to = 180 }", light,
+                   [&](const Vec2& p) { return !crosses_upper_half(p, light); });
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace flatray {
 namespace {
 
 // A window of 8 x 4 world units on 8 x 4 pixels: a box from x = 4 to 6 over the lower half.
-const char* const kBox = R"(flatray = 1
+const char* const kViewedBox = R"(flatray = 1
 film = { size = [8, 4], world = [[0, 0], [8, 4]] }
 [[entity]]
 shape = { box = { min = [4, 0], max = [6, 2] } }
@@ -39,7 +39,7 @@ std::vector<int> row(const Image& image, int y) {
 
 // From the centre of pixel 0 the box is 3.5 pixels away, of 8; inside it the far side is met.
 TEST(View, DepthIsTheDistanceToTheFirstWallOnTheRight) {
-  const Image depth = view_of(scene_of(kBox), "depth");
+  const Image depth = view_of(scene_of(kViewedBox), "depth");
   EXPECT_EQ(row(depth, 0), std::vector<int>(8, 0));
   const auto grey = [](double t) { return static_cast<int>(std::lround(255 * (1 - t / 8))); };
   EXPECT_EQ(row(depth, 3), (std::vector<int>{grey(3.5), grey(2.5), grey(1.5), grey(0.5), grey(1.5),
@@ -50,15 +50,15 @@ TEST(View, IntervalsAreTheLengthInsideAheadAndOverlapsCountOnce) {
   const auto grey = [](double t) { return static_cast<int>(std::lround(255 * (1 - t / 8))); };
   const std::vector<int> wanted = {grey(2),   grey(2),   grey(2), grey(2),
                                    grey(1.5), grey(0.5), 255,     255};
-  EXPECT_EQ(row(view_of(scene_of(kBox), "intervals"), 3), wanted);
-  const std::string twice = fmt::format("{}{}", kBox, R"([[entity]]
+  EXPECT_EQ(row(view_of(scene_of(kViewedBox), "intervals"), 3), wanted);
+  const std::string twice = fmt::format("{}{}", kViewedBox, R"([[entity]]
 shape = { box = { min = [5, 0], max = [6, 2] } }
 )");
   EXPECT_EQ(row(view_of(scene_of(twice), "intervals"), 3), wanted);
 }
 
 TEST(View, ALightBehindTheBoxDoesNotReachItsOtherSide) {
-  const Image lit = view_of(scene_of(kBox), "visibility", {7.5, 0.5});
+  const Image lit = view_of(scene_of(kViewedBox), "visibility", {7.5, 0.5});
   EXPECT_EQ(row(lit, 3), (std::vector<int>{64, 64, 64, 64, 64, 64, 255, 255}));
   EXPECT_EQ(row(lit, 0)[7], 255);
 }
@@ -113,7 +113,7 @@ shape = { circle = { radius = 1.25 } }
 }
 
 TEST(View, HitsHaveOneColourAnObject) {
-  const std::string two = fmt::format("{}{}", kBox, R"([[entity]]
+  const std::string two = fmt::format("{}{}", kViewedBox, R"([[entity]]
 shape = { circle = { centre = [2, 3], radius = 0.9 } }
 )");
   const Image hits = view_of(scene_of(two), "hits");

@@ -6,8 +6,6 @@
 namespace flatray {
 namespace {
 
-Shape shape_of(const std::string& shape) { return loaded(with_shape(shape)).scene.shapes.at(0); }
-
 const EllipseArc& arc_of(const Shape& shape, std::size_t i = 0) {
   return shape.arc_paths.at(0).arcs.at(i);
 }

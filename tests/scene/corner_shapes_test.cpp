@@ -8,9 +8,7 @@
 namespace flatray {
 namespace {
 
-Shape shape_of(const std::string& shape) { return loaded(with_shape(shape)).scene.shapes.at(0); }
-
-std::string refused(const std::string& shape) { return refusal(with_shape(shape)); }
+std::string refused_corners(const std::string& shape) { return refusal(with_shape(shape)); }
 
 std::vector<HitInterval> clips(const Shape& shape, const Ray& ray) {
   std::vector<HitInterval> hits;
@@ -95,12 +93,12 @@ TEST(Shapes, APolylineOfOnePointIsThatPoint) {
 }
 
 TEST(Shapes, CornersLostInRoundingAreRefused) {
-  EXPECT_NE(refused("ngon = { sides = 6, radius = 1, centre = [1e17, 0] }")
+  EXPECT_NE(refused_corners("ngon = { sides = 6, radius = 1, centre = [1e17, 0] }")
                 .find("error: the sides of the ngon are lost in rounding"),
             std::string::npos);
-  EXPECT_NE(refused("ngon = { sides = 100, radius = 5e-324 }").find("lost in rounding"),
+  EXPECT_NE(refused_corners("ngon = { sides = 100, radius = 5e-324 }").find("lost in rounding"),
             std::string::npos);
-  EXPECT_NE(refused("star = { points = 5, outer = 1e-20, inner = 5e-324, centre = [1, 1] }")
+  EXPECT_NE(refused_corners("star = { points = 5, outer = 1e-20, inner = 5e-324, centre = [1, 1] }")
                 .find("the points of the star are lost in rounding"),
             std::string::npos);
   EXPECT_EQ(shape_of("ngon = { sides = 7, radius = 1e300 }").vertices.size(), 7u);
@@ -118,7 +116,7 @@ TEST(Shapes, SizesAndCountsOfCornersHaveLimits) {
       {"star = { points = 1001, outer = 1, inner = 1 }", "from 3 to 1000"},
       {"polyline = { points = [] }", "polyline.points is empty"},
   };
-  expect_refused(cases, refused);
+  expect_refused(cases, refused_corners);
 }
 
 }  // namespace

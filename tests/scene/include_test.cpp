@@ -78,6 +78,26 @@ TEST_F(Includes, FilmAndCameraAreMergedKeyByKey) {
   EXPECT_EQ(made.chains.size(), 1u);
 }
 
+TEST_F(Includes, OfManyTheLaterWinAndComeLater) {
+  std::string files;
+  Names expected;
+  for (int i = 0; i < 7; ++i) {
+    const std::string number = std::to_string(i), name = "part" + number;
+    scene(name + ".toml", "fps = " + std::to_string(i + 1) + (i < 5 ? "\nseed = " + number : "") +
+                              "\n[markov.c]\nS" + number + " = { S" + number + " = 1 }\n" + kDisc +
+                              "\"" + name + "\"");
+    files += "\"" + name + ".toml\", ";
+    expected.push_back(name);
+  }
+  scene("main.toml", "include = [" + files + "]");
+  const Scene made = loaded();
+  EXPECT_EQ(names(made), expected);
+  EXPECT_EQ(made.fps, 7);
+  EXPECT_EQ(made.seed, 4U);
+  ASSERT_EQ(made.chains.size(), 1U);
+  EXPECT_EQ(made.chains[0].states, (Names{"S6"}));
+}
+
 TEST_F(Includes, PathsStartAtTheFileThatHasThem) {
   scene("main.toml", "include = [\"parts/a.toml\"]\n");
   scene("parts/a.toml",
@@ -140,7 +160,7 @@ TEST_F(Includes, RefusalsSayWhatToWrite) {
       {"include = [\"/etc/a.toml\"]", "'/etc/a.toml' is an absolute path"},
       {"include = [\"a.png\"]", "'a.png' has no extension of a scene\n"},
       {"include = [\"a.toml\"]", "file 'a.toml': cannot read: No such file"},
-      {"include = [\"folder.toml\"]", "'folder.toml' is not a regular file"},
+      {"include = [\"folder.toml\"]", "'folder.toml' is not a plain file"},
       {"include = [\"old.toml\"]", "old.toml:1:1: error: the included scene needs 'flatray'"},
       {"include = [\"new.toml\"]", "scene version 2 is newer than this program"},
       {"include = [\"bad.toml\"]", "bad.toml:1:11: error"},

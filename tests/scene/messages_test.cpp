@@ -208,6 +208,16 @@ TEST(Messages, HostileBytesAreRefusedWithAPlace) {
             std::string::npos);
 }
 
+// Every unknown name comes with a hint: what it holds must not be all that a scene names.
+TEST(Messages, AHintListsFewOfManyNames) {
+  std::vector<std::string> known;
+  for (int i = 0; i < 1000; ++i) known.push_back(std::to_string(i) + std::string(4000, 'x'));
+  const Diagnostic unknown = unknown_word({}, "entity", "y", known);
+  EXPECT_EQ(unknown.hint.rfind("known: 0xxx", 0), 0U);
+  EXPECT_TRUE(unknown.hint.ends_with("x, ..."));
+  EXPECT_LT(unknown.hint.size(), 3000U);
+}
+
 TEST(Messages, SeedsAreExactBeyondTheDoubles) {
   EXPECT_EQ(loaded("flatray = 1\nseed = 9007199254740993").scene.seed, 9007199254740993u);
   EXPECT_EQ(loaded("flatray = 1\nseed = 0x7fffffffffffffff").scene.seed, 0x7fffffffffffffffu);

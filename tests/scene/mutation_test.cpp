@@ -1,8 +1,16 @@
 // needs: shapes/polygon shapes/import formats/list formats/obj
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "base/file.h"
 #include "base/philox.h"
+#include "scene/file_names.h"
+#include "scene/format.h"
+#include "scene/write_toml.h"
 #include "scene_text.h"
+#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -89,6 +97,68 @@ TEST(Mutations, OfAChamberAreReadOrRefused) {
   expect_answers("m.chamber", "2\n4 1 0 0.5\n0 0 8 0 8 6 0 6\n3 0 1 0\n1 1 2 1 1 2\n", 1000);
 }
 TEST(Mutations, OfAListAreReadOrRefused) { expect_answers("m.list", kList, 1000); }
+
+constexpr const char* kExtremes[] = {"0",    "-0.0",       "1e300", "-1e300",    "5e-324",
+                                     "1e17", "2147483648", "1e-17", "180",       "0.5",
+                                     "-1",   "nan",        "1000",  "4294967296"};
+
+// One number made extreme, after the damage.
+std::string with_extreme(std::string text, std::uint64_t round) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::size_t at = random_bits(3, Stream::test, round, 0) % text.size();
+  at = text.find_first_of(kDigits, at);
+  if (at == std::string::npos) return text;
+  const std::size_t end = std::min(text.find_first_not_of("0123456789.eE+-", at), text.size());
+  const std::uint64_t draw = random_bits(3, Stream::test, round, 1);
+  return text.replace(at, end - at, kExtremes[draw % std::size(kExtremes)]);
+}
+
+// Without the flush to the disk of write_file.
+void put(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+// What is accepted is written so that it is accepted, and draws from the same numbers.
+void expect_converted(const std::string& extension, const std::string& text, std::uint64_t first,
+                      std::uint64_t rounds, std::size_t& accepted) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "flatray_mutations";
+  const fs::path file = folder / ("m" + extension);
+  fs::create_directories(folder);
+  for (std::uint64_t round = first; round < first + rounds; ++round) {
+    const std::string mutant = round % 2 == 0 ? with_extreme(text, round) : damaged(text, round);
+    put(file, mutant);
+    Result<ReadScene> read = read_scene(file, {}, {.max_entities = 300});
+    if (!read) continue;
+    ++accepted;
+    ASSERT_TRUE(rebase_file_names(read->desc, file, folder));
+    const std::string written = write_toml(read->desc);
+    put(folder / "w.toml", written);
+    const Result<LoadedScene> again = load_scene(folder / "w.toml");
+    ASSERT_TRUE(again) << round << "\n"
+                       << mutant << "\nwritten as\n"
+                       << written << format(again.error());
+    EXPECT_EQ(again->scene.entities.size(), read->loaded.scene.entities.size()) << mutant;
+  }
+}
+
+TEST(Mutations, WhatIsAcceptedIsConvertedToWhatIsAccepted) {
+  std::size_t accepted = 0;
+  for (const auto& [extension, text] :
+       {std::pair{".toml", kToml}, {".obj", kObj}, {".list", kList}})
+    expect_converted(extension, text, 0, 100, accepted);
+  std::uint64_t first = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_path("/scenes"))) {
+    const std::string extension = entry.path().extension().string();
+    if (format_for_name(entry.path().string()) == nullptr || entry.file_size() > 10'000) continue;
+    const Result<std::string> text = read_file(entry.path());
+    ASSERT_TRUE(text);
+    if (text->find("include") != std::string::npos || text->find("file = ") != std::string::npos)
+      continue;
+    expect_converted(extension, *text, first += 1000, 2, accepted);
+  }
+  EXPECT_GT(accepted, 100U);
+}
 
 TEST(Mutations, TheSameSceneGivesTheSameMessages) {
   for (std::uint64_t round = 0; round < 50; ++round) {

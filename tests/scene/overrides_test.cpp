@@ -11,25 +11,25 @@ const std::string kScene =
     "at = [1, 2]\n[[entity]]\nname = \"other one\"\nshape = { circle = { radius = 2 } }\n"
     "[markov.run]\nA = { A = 1 }\n";
 
-Scene with(const std::string& key, const std::string& value) {
+Scene overridden(const std::string& key, const std::string& value) {
   return loaded(kScene, {{key, value}}).scene;
 }
 
 TEST(Overrides, ReplaceOrAddAKey) {
-  EXPECT_EQ(with("frames", "7").frames, 7u);
-  EXPECT_EQ(with("film.size", "[3, 4]").film.height, 4);
-  EXPECT_EQ(with("film", "{ size = [5, 6] }").film.height, 6);
-  EXPECT_EQ(with("markov.run.hold", "2").chains[0].hold, 2u);
-  EXPECT_EQ(with("markov.run.A.A", "1.0").chains[0].hold, 1u);
+  EXPECT_EQ(overridden("frames", "7").frames, 7u);
+  EXPECT_EQ(overridden("film.size", "[3, 4]").film.height, 4);
+  EXPECT_EQ(overridden("film", "{ size = [5, 6] }").film.height, 6);
+  EXPECT_EQ(overridden("markov.run.hold", "2").chains[0].hold, 2u);
+  EXPECT_EQ(overridden("markov.run.A.A", "1.0").chains[0].hold, 1u);
 }
 
 TEST(Overrides, ChooseEntriesByNumberFromZeroOrByName) {
-  EXPECT_EQ(with("entity.0.at", "[3, 4]").entities[0].at, Vec2(3, 4));
-  EXPECT_EQ(with("entity.1.at", "[3, 4]").entities[1].at, Vec2(3, 4));
-  EXPECT_EQ(with("entity.e.velocity", "[5, 6]").entities[0].velocity, Vec2(5, 6));
-  EXPECT_EQ(with("entity.\"other one\".angle", "180").entities[1].angle,
-            with("entity.1.angle", "180").entities[1].angle);
-  EXPECT_EQ(with("entity.0.at.1", "9").entities[0].at, Vec2(1, 9));
+  EXPECT_EQ(overridden("entity.0.at", "[3, 4]").entities[0].at, Vec2(3, 4));
+  EXPECT_EQ(overridden("entity.1.at", "[3, 4]").entities[1].at, Vec2(3, 4));
+  EXPECT_EQ(overridden("entity.e.velocity", "[5, 6]").entities[0].velocity, Vec2(5, 6));
+  EXPECT_EQ(overridden("entity.\"other one\".angle", "180").entities[1].angle,
+            overridden("entity.1.angle", "180").entities[1].angle);
+  EXPECT_EQ(overridden("entity.0.at.1", "9").entities[0].at, Vec2(1, 9));
 }
 
 TEST(Overrides, TheLastOneCounts) {

@@ -9,11 +9,11 @@
 namespace flatray {
 namespace {
 
-std::string entity(const std::string& keys) {
+std::string repeated_entity(const std::string& keys) {
   return "flatray = 1\nseed = 5\n[[entity]]\nname = \"e\"\n" + keys + "\n";
 }
 std::string disc(const std::string& keys) {
-  return entity("shape = { circle = { radius = 1 } }\n" + keys);
+  return repeated_entity("shape = { circle = { radius = 1 } }\n" + keys);
 }
 
 std::vector<Vec2> places(const Scene& scene) {
@@ -145,8 +145,8 @@ TEST(Random, AChoiceTakesEachOfItsListAboutAsOften) {
 
 TEST(Random, ShapesAndPointsAreChosenToo) {
   const Scene scene =
-      loaded(
-          entity("shape = { choice = [{ circle = { radius = { uniform = [1, 2] } } }, { box = { "
+      loaded(repeated_entity(
+                 "shape = { choice = [{ circle = { radius = { uniform = [1, 2] } } }, { box = { "
                  "min = [0, 0], max = [1, 1] } }] }\nvelocity = { choice = [[1, 2], [3, 4]] }\n" +
                  scatter(100)))
           .scene;
@@ -181,7 +181,7 @@ TEST(Random, RefusalsSayWhatToWrite) {
       {disc("angle = { choice = [1, \"2\"] }"), "entity.angle[1] is a string, not a number"},
       {disc("angle = { unifrom = [0, 1] }"), "entity.angle is a table, not a number"},
       {disc("fill = { uniform = [0, 1] }"), "entity.fill is a table, not a string"},
-      {entity("shape = { circle = { radius = { uniform = [-2, -1] } } }\n" + scatter(9)),
+      {repeated_entity("shape = { circle = { radius = { uniform = [-2, -1] } } }\n" + scatter(9)),
        "circle has a radius of -1."},
   };
   expect_refused(cases, [](const std::string& text) { return refusal(text); });

@@ -31,6 +31,11 @@ inline std::string with_shape(const std::string& shape) {
   return "flatray = 1\n[[entity]]\nname = \"e\"\nshape = { " + shape + " }\n";
 }
 
+/// The shape of that scene.
+inline Shape shape_of(const std::string& shape) {
+  return loaded(with_shape(shape)).scene.shapes.at(0);
+}
+
 /// A text and a part of what the user reads when it is refused.
 struct Refused {
   std::string text, message;

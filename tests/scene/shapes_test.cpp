@@ -7,8 +7,6 @@
 namespace flatray {
 namespace {
 
-Shape shape_of(const std::string& shape) { return loaded(with_shape(shape)).scene.shapes.at(0); }
-
 std::string refused(const std::string& shape) { return refusal(with_shape(shape)); }
 
 std::vector<Vec2> piece(const Shape& shape, std::size_t i) {

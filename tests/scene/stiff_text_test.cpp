@@ -56,7 +56,7 @@ TEST(StiffText, E5NulAndStrayBytesAreRefusedWhereTheyStand) {
   EXPECT_NE(message("t.toml", "flatray = 1\nseed = \0001\n"s).find("t.toml:2:8: error: "),
             std::string::npos);
   EXPECT_NE(message("t.toml", "flatray = 1\n# n\xc3\xa9 \xff\n")
-                .find("t.toml:2:7: error: this byte is not UTF-8\n    # n\xc3\xa9 ?\n"),
+                .find("t.toml:2:7: error: this byte is not UTF-8\n    # n\xc3\xa9 \\xff\n"),
             std::string::npos);
   EXPECT_NE(
       message("t.toml", "flatray = 1\nx = \"\xed\xa0\x80\"\n").find("t.toml:2:6: error: this"),
@@ -66,12 +66,15 @@ TEST(StiffText, E5NulAndStrayBytesAreRefusedWhereTheyStand) {
                     "f\0l\0"s)
                 .find("t.toml:1:1: error: this byte is not UTF-8"),
             std::string::npos);
-  EXPECT_NE(message("t.obj", "v 0 0\nv 1 \xff\xfe\n")
-                .find("t.obj:2:5: error: '\?\?' is not a finite number\n    v 1 \?\?\n"),
+  EXPECT_NE(
+      message("t.obj", "v 0 0\nv 1 \xff\xfe\n")
+          .find("t.obj:2:5: error: '\\xff\\xfe' is not a finite number\n    v 1 \\xff\\xfe\n"),
+      std::string::npos);
+  EXPECT_NE(
+      message("t.obj", "v 0 0\0\n"s).find("t.obj:1:5: error: '0\\u0000' is not a finite number"),
+      std::string::npos);
+  EXPECT_NE(message("t.list", "A, 1, 2\0\n"s).find("t.list:1:7: error: '2\\u0000'"),
             std::string::npos);
-  EXPECT_NE(message("t.obj", "v 0 0\0\n"s).find("t.obj:1:5: error: '0?' is not a finite number"),
-            std::string::npos);
-  EXPECT_NE(message("t.list", "A, 1, 2\0\n"s).find("t.list:1:7: error: '2?'"), std::string::npos);
 }
 
 // Whatever is opened 100 000 times is refused at a fixed depth: a recursion as deep as the text

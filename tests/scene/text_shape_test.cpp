@@ -7,8 +7,6 @@
 namespace flatray {
 namespace {
 
-Shape shape_of(const std::string& shape) { return loaded(with_shape(shape)).scene.shapes.at(0); }
-
 Bounds bounds_of(const Shape& shape) {
   Bounds bounds;
   for (const Vec2& vertex : shape.vertices) bounds.add(vertex);

@@ -83,6 +83,17 @@ TEST(WriteToml, KeysAndStringsOfAnyBytesReadBackTheSame) {
       "[x.\"y.z\".\"\u00e9\"]\nk = [[], {}, [[{}]], { a = [ ] }]\n[[l]]\n[[l.m]]\n");
 }
 
+// A list in another encoding: what it is converted to is UTF-8.
+TEST(WriteToml, BytesThatAreNoUtf8BecomeLatin1) {
+  const Result<SceneDesc> list = read("l.list", "caf\xe9, 1, 2\n\xc3\xa9, 3, 4\n");
+  ASSERT_TRUE(list);
+  const Result<SceneDesc> again = read("w.toml", write_toml(*list));
+  ASSERT_TRUE(again) << format(again.error());
+  const Value& entities = again->root.find("entity")->value;
+  EXPECT_EQ(entities.items[0].find("name")->value.text, "caf\xc3\xa9");
+  EXPECT_EQ(entities.items[1].find("name")->value.text, "\xc3\xa9");
+}
+
 TEST(WriteToml, NumbersAreTheShortestOfTheirDecimal) {
   const std::pair<const char*, const char*> cases[] = {
       {"1_000.50", "1000.5"},

@@ -63,6 +63,16 @@ TEST(Gas, WhatMovesThoughNothingMovesItIsRefused) {
   EXPECT_TRUE(refused.where);
 }
 
+// Fewer events than asked for are all there are, and the summary says so.
+TEST(Gas, ThatMeetsNoMoreSaysSo) {
+  const std::string two =
+      "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [0, 0]\nvelocity = [4, 0]\n"
+      "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [8, 0]\nvelocity = [-1, 0]\n";
+  const char* words = "none meet again";
+  EXPECT_NE(run_gas(two, 10).summary.find(words), std::string::npos);
+  EXPECT_EQ(run_gas(gas(1), 100).summary.find(words), std::string::npos);
+}
+
 TEST(Gas, AllAtOnceHasNoRate) {
   const ExperimentResult result = run_gas(
       "[[entity]]\nshape = { circle = { radius = 1 } }\nvelocity = [1, 0]\n"

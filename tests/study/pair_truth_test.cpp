@@ -91,8 +91,8 @@ TEST(PairTruth, AgreesWithContactOnCrowds) {
   EXPECT_GT(truth.meet.size(), 5U);
   EXPECT_LT(truth.meet.size(), 60U);
   std::set<Pair> found;
-  for (const Meeting& meeting : find_meetings(Timeline(scene, 1, scene.frames), scene.frames))
-    found.insert({meeting.a, meeting.b});
+  const auto met = find_meetings(Timeline(scene, 1, scene.frames), scene.frames);
+  for (const Meeting& meeting : met.value()) found.insert({meeting.a, meeting.b});
   EXPECT_EQ(found, truth.meet);
 }
 

@@ -27,14 +27,14 @@ TEST(SvgGraph, HasACircleForEachStateAndAnArrowForEachTransition) {
 
 TEST(SvgGraph, TextFromAScenesAuthorCannotBreakOutOfIt) {
   const std::string evil = "</text><script>&\"'\x1b\n";
-  const std::string picture = svg({evil, {evil}, {{0, 0, evil}}});
+  const std::string picture = svg(StateGraph{evil, {evil}, {{0, 0, evil}}});
   EXPECT_TRUE(is_well_formed(picture));
   EXPECT_EQ(picture.find("<script"), std::string::npos);
   EXPECT_EQ(picture.find('\x1b'), std::string::npos);
 }
 
 TEST(SvgGraph, EmptyAndLargeGraphsAreDrawn) {
-  EXPECT_TRUE(is_well_formed(svg({"", {}, {}})));
+  EXPECT_TRUE(is_well_formed(svg(StateGraph{"", {}, {}})));
   StateGraph large{"large", {}, {}};
   for (std::size_t i = 0; i < 64; ++i) {
     large.states.push_back("S" + std::to_string(i));

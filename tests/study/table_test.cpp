@@ -19,7 +19,7 @@ TEST(Table, CsvQuotesAndKeepsEveryDigit) {
   EXPECT_EQ(sample().csv(),
             "name,count,measure\n"
             "plain,18446744073709551615,0.1\n"
-            "\"a,b \"\"c\"\"\n\",7,-0.3333333333333333\n");
+            "\"a,b \"\"c\"\"\\n\",7,-0.3333333333333333\n");
 }
 
 TEST(Table, JsonKeepsOrderAndValues) {

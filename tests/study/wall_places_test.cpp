@@ -8,7 +8,7 @@
 namespace flatray {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 // An ellipse of half-axes 2 and 1, whose perimeter is known, arcs of it and of circles either way
 // round, of less and of more than half a turn, and a wall.
@@ -33,9 +33,9 @@ TEST(WallPlaces, LengthsAreThoseOfTheCurves) {
   EXPECT_NEAR(wall_length(walls, 1), kPerimeter, 1e-9);
   EXPECT_NEAR(wall_length(walls, 2), 0.25 * kPerimeter, 1e-7);
   EXPECT_NEAR(wall_length(walls, 3), 0.75 * kPerimeter, 1e-7);
-  EXPECT_NEAR(wall_length(walls, 4), kPi, 1e-14);
-  EXPECT_NEAR(wall_length(walls, 5), 3 * kPi, 1e-14);
-  EXPECT_NEAR(wall_length(walls, 6), kPi, 1e-14);
+  EXPECT_NEAR(wall_length(walls, 4), kHalfTurn, 1e-14);
+  EXPECT_NEAR(wall_length(walls, 5), 3 * kHalfTurn, 1e-14);
+  EXPECT_NEAR(wall_length(walls, 6), kHalfTurn, 1e-14);
   EXPECT_EQ(wall_length(walls, 7), 5);
 }
 

@@ -11,7 +11,7 @@
 namespace flatray {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kWedgePi = std::numbers::pi;
 
 Vec2 at(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
@@ -48,7 +48,7 @@ TEST(Wedge, ReflectionsAreThoseOfTheOrbit) {
 
 // A ray from far away along one wall's normal meets walls alpha apart ceil(pi / alpha) - 1 times at least.
 TEST(Wedge, IsNoneWhereItMayBeTooShortOrThereIsNone) {
-  const Ray ray{at(1, 0.2), at(1, kPi)};
+  const Ray ray{at(1, 0.2), at(1, kWedgePi)};
   EXPECT_TRUE(wedge_reflections(wedge({0, 0}, 0, 0.5, 0, 1e3), ray));
   EXPECT_FALSE(wedge_reflections(wedge({0, 0}, 0, 0.5, 0, 0.1), ray));
   EXPECT_FALSE(wedge_reflections(wedge({0, 0}, 0.4, 0.5, 0), ray));  // not in it

@@ -19,7 +19,8 @@ inline Scene scene_of(const std::string& text, const std::vector<Override>& over
 
 /// A scene of the project, by its path below the project's folder.
 inline Scene scene_at(const std::string& path, const std::vector<Override>& overrides = {}) {
-  Result<LoadedScene> loaded = load_scene(source_path("/" + path), overrides);
+  Result<LoadedScene> loaded =
+      load_scene(source_path("/" + path), overrides, {.root = source_path()});
   if (!loaded) {
     ADD_FAILURE() << format(loaded.error());
     return {};

@@ -5,8 +5,8 @@
 namespace flatray {
 namespace {
 
-NearestHit nearest(const Surfaces& walls, const Ray& ray, const Left& left = {},
-                   bool tangents = true) {
+NearestHit nearest_curve(const Surfaces& walls, const Ray& ray, const Left& left = {},
+                         bool tangents = true) {
   return accelerate(walls)->nearest_of_one(ray, left, tangents);
 }
 
@@ -63,8 +63,8 @@ TEST(Curves, EllipsesAreMetAsTheCirclesTheyAreImagesOf) {
       const Ray ray{draw.grid_point(-12, 12), draw.grid_point(-4, 4)};
       const Ray there{map(ray.origin), map(ray.direction)};
       const bool tangents = k % 2 == 0;
-      const NearestHit hit = nearest(circles, ray, {}, tangents);
-      ASSERT_EQ(nearest(ellipses, there, {}, tangents), hit) << scene << " " << k;
+      const NearestHit hit = nearest_curve(circles, ray, {}, tangents);
+      ASSERT_EQ(nearest_curve(ellipses, there, {}, tangents), hit) << scene << " " << k;
       const bool curved = hit && !circles.is_straight(hit.surface);
       hits += curved ? 1 : 0;
       ends += curved && hit.at_end ? 1 : 0;
@@ -91,9 +91,9 @@ TEST(Curves, ACircleByHalfDiametersGivesTheCirclesAnswers) {
     const Vec2 aim = circle.centre + r * (2 * draw.point() - Vec2(1, 1));
     const Vec2 origin = circle.centre + draw.spread(-20, 20) * (2 * draw.point() - Vec2(1, 1));
     const Ray ray{origin, draw.spread(-20, 20) * (aim - origin)};
-    const NearestHit hit = nearest(as_circle, ray);
-    ASSERT_EQ(nearest(as_ellipse, ray), hit);
-    ASSERT_EQ(nearest(turned, ray), hit);
+    const NearestHit hit = nearest_curve(as_circle, ray);
+    ASSERT_EQ(nearest_curve(as_ellipse, ray), hit);
+    ASSERT_EQ(nearest_curve(turned, ray), hit);
     hits += hit ? 1 : 0;
   }
   EXPECT_GT(hits, 500);
@@ -131,7 +131,7 @@ TEST(Curves, AnArcCutInTwoIsMetAsItWas) {
     two.add(between(arc.curve, cut, arc.to));
     for (int k = 0; k < 5; ++k) {
       const Ray ray = any_ray(draw);
-      const NearestHit hit = nearest(one, ray), of_two = nearest(two, ray);
+      const NearestHit hit = nearest_curve(one, ray), of_two = nearest_curve(two, ray);
       ASSERT_EQ(of_two.surface == kNoSurface, hit.surface == kNoSurface) << i;
       ASSERT_EQ(of_two.t, hit.t) << i;
       ASSERT_EQ(of_two.kind, hit.kind) << i;
@@ -149,14 +149,14 @@ TEST(Curves, ScaleByPowersOfTwoLeavesTimesAsTheyAre) {
     const Ray ray = any_ray(draw);
     Surfaces walls;
     walls.add(arc);
-    const NearestHit hit = nearest(walls, ray);
+    const NearestHit hit = nearest_curve(walls, ray);
     for (const double scale : {0x1p900, 0x1p300, 0x1p-300, 0x1p-900}) {
       Surfaces scaled;
       scaled.add(Arc{{scale * arc.curve.centre, scale * arc.curve.u, scale * arc.curve.v},
                      arc.extent,
                      scale * arc.from,
                      scale * arc.to});
-      ASSERT_EQ(nearest(scaled, {scale * ray.origin, scale * ray.direction}), hit)
+      ASSERT_EQ(nearest_curve(scaled, {scale * ray.origin, scale * ray.direction}), hit)
           << i << " " << scale;
     }
   }
@@ -171,7 +171,8 @@ TEST(Curves, ARayAndItsReverseMeetTheSamePoints) {
     // Sixteenths: both ends of the ray are doubles, and so is what lies between.
     const Vec2 a = draw.grid_point(-40, 40) / 16, b = draw.grid_point(-40, 40) / 16;
     if (a == b) continue;
-    const NearestHit there = nearest(walls, {a, b - a}), back = nearest(walls, {b, a - b});
+    const NearestHit there = nearest_curve(walls, {a, b - a}),
+                     back = nearest_curve(walls, {b, a - b});
     if (!there || there.t > 1) {
       ASSERT_TRUE(!back || back.t > 1) << i;
       continue;
@@ -187,19 +188,19 @@ TEST(Curves, ARayAndItsReverseMeetTheSamePoints) {
 TEST(Curves, HalfCirclesAreClosed) {
   Surfaces walls;
   walls.add(half(Circle{{0, 0}, 5}, {0, 2}));
-  EXPECT_EQ(nearest(walls, {{0, 0}, {0, 1}}).t, 5);
-  EXPECT_FALSE(nearest(walls, {{0, 0}, {0, -1}}));
-  EXPECT_EQ(nearest(walls, {{0, -9}, {0, 1}}).t, 14);  // from below, through where it is not
-  const NearestHit end = nearest(walls, {{9, 0}, {-1, 0}});
+  EXPECT_EQ(nearest_curve(walls, {{0, 0}, {0, 1}}).t, 5);
+  EXPECT_FALSE(nearest_curve(walls, {{0, 0}, {0, -1}}));
+  EXPECT_EQ(nearest_curve(walls, {{0, -9}, {0, 1}}).t, 14);  // from below, through where it is not
+  const NearestHit end = nearest_curve(walls, {{9, 0}, {-1, 0}});
   EXPECT_EQ(end.t, 4);
   EXPECT_TRUE(end.at_end);
-  EXPECT_FALSE(nearest(walls, {{9, -0x1p-1074}, {-1, 0}}));
-  EXPECT_FALSE(nearest(walls, {{9, 0x1p-1074}, {-1, 0}}).at_end);
+  EXPECT_FALSE(nearest_curve(walls, {{9, -0x1p-1074}, {-1, 0}}));
+  EXPECT_FALSE(nearest_curve(walls, {{9, 0x1p-1074}, {-1, 0}}).at_end);
   // Ends that are no doubles, on the line with 3 y = x
   Surfaces tilted;
   tilted.add(half(Circle{{0, 0}, 1}, {-1, 3}));
-  EXPECT_TRUE(nearest(tilted, {{6, 2}, {-3, -1}}).at_end);
-  EXPECT_FALSE(nearest(tilted, {{6, 2 + 0x1p-51}, {-3, -1}}).at_end);
+  EXPECT_TRUE(nearest_curve(tilted, {{6, 2}, {-3, -1}}).at_end);
+  EXPECT_FALSE(nearest_curve(tilted, {{6, 2 + 0x1p-51}, {-3, -1}}).at_end);
 }
 
 // A15: the tangent at (3, 4), where the arc ends, or goes on, or is not.
@@ -208,7 +209,7 @@ TEST(StiffCases, A15TangentOfAnArc) {
   const auto meets = [&](const Arc& arc, bool tangents) {
     Surfaces walls;
     walls.add(arc);
-    return nearest(walls, ray, {}, tangents);
+    return nearest_curve(walls, ray, {}, tangents);
   };
   const Circle circle{{0, 0}, 5};
   for (const double factor : {1.0, 0x1p-40}) {
@@ -233,9 +234,9 @@ TEST(StiffCases, A16FarArc) {
   circle.add(Circle{{0, 0}, 1});
   near.add(half(Circle{{0, 0}, 1}, {-1, 0}));
   far.add(half(Circle{{0, 0}, 1}, {1, 0}));
-  EXPECT_EQ(nearest(near, ray).t, nearest(circle, ray).t);
-  EXPECT_LT(nearest(near, ray).t, nearest(far, ray).t);
-  EXPECT_NEAR(nearest(far, ray).t - nearest(near, ray).t, 3e-8, 2e-8);
+  EXPECT_EQ(nearest_curve(near, ray).t, nearest_curve(circle, ray).t);
+  EXPECT_LT(nearest_curve(near, ray).t, nearest_curve(far, ray).t);
+  EXPECT_NEAR(nearest_curve(far, ray).t - nearest_curve(near, ray).t, 3e-8, 2e-8);
 }
 
 TEST(StiffCases, B13ArcsOfOddRadii) {
@@ -243,10 +244,10 @@ TEST(StiffCases, B13ArcsOfOddRadii) {
     Surfaces walls;
     walls.add(half(Circle{{0, 0}, r}, {1, 0}));
     walls.add(whole({{0, 0}, {2 * r, 0}, {0, r}}));
-    const NearestHit hit = nearest(walls, {{0, 0}, {r, 0}});
+    const NearestHit hit = nearest_curve(walls, {{0, 0}, {r, 0}});
     EXPECT_EQ(hit.surface, 0U);
     EXPECT_EQ(hit.t, 1);
-    const NearestHit back = nearest(walls, {{0, 0}, {-r, 0}});
+    const NearestHit back = nearest_curve(walls, {{0, 0}, {-r, 0}});
     EXPECT_EQ(back.surface, 1U);
     EXPECT_EQ(back.t, 2);
   }
@@ -255,25 +256,26 @@ TEST(StiffCases, B13ArcsOfOddRadii) {
 TEST(Curves, AZeroDirectionAsksWhatTheOriginLiesOn) {
   Surfaces walls;
   walls.add(between(Circle{{0, 0}, 5}, {5, 0}, {3, 4}));
-  EXPECT_TRUE(nearest(walls, {{4, 3}, {0, 0}}));
-  EXPECT_FALSE(nearest(walls, {{4, 3}, {0, 0}}).at_end);
-  EXPECT_TRUE(nearest(walls, {{3, 4}, {0, 0}}).at_end);
-  EXPECT_FALSE(nearest(walls, {{4, -3}, {0, 0}}));
-  EXPECT_FALSE(nearest(walls, {{3, 3}, {0, 0}}));
+  EXPECT_TRUE(nearest_curve(walls, {{4, 3}, {0, 0}}));
+  EXPECT_FALSE(nearest_curve(walls, {{4, 3}, {0, 0}}).at_end);
+  EXPECT_TRUE(nearest_curve(walls, {{3, 4}, {0, 0}}).at_end);
+  EXPECT_FALSE(nearest_curve(walls, {{4, -3}, {0, 0}}));
+  EXPECT_FALSE(nearest_curve(walls, {{3, 3}, {0, 0}}));
   Surfaces joined;  // ends beyond its circle
   joined.add(between(Circle{{0, 0}, 5}, {7, 0}, {0, 7}));
-  EXPECT_TRUE(nearest(joined, {{6, 0}, {0, 0}}).at_end);
-  EXPECT_FALSE(nearest(joined, {{8, 0}, {0, 0}}));
-  EXPECT_FALSE(nearest(joined, {{4, 0}, {0, 0}}));
+  EXPECT_TRUE(nearest_curve(joined, {{6, 0}, {0, 0}}).at_end);
+  EXPECT_FALSE(nearest_curve(joined, {{8, 0}, {0, 0}}));
+  EXPECT_FALSE(nearest_curve(joined, {{4, 0}, {0, 0}}));
 }
 
 TEST(Curves, AnArcIsLeftInTheRootStoodOn) {
   Surfaces walls;
   walls.add(half(Circle{{0, 0}, 1}, {0, 1}));
   const Ray ray{{-1, 0.5}, {1, 0}};
-  EXPECT_EQ(nearest(walls, ray, {0, Root::first}).root, Root::second);
-  EXPECT_FALSE(nearest(walls, ray, {0, Root::both}));
-  EXPECT_FALSE(nearest(walls, {{0, 1}, {0.5, -1}}, {0, Root::first}));  // out where it is open
+  EXPECT_EQ(nearest_curve(walls, ray, {0, Root::first}).root, Root::second);
+  EXPECT_FALSE(nearest_curve(walls, ray, {0, Root::both}));
+  EXPECT_FALSE(
+      nearest_curve(walls, {{0, 1}, {0.5, -1}}, {0, Root::first}));  // out where it is open
 }
 
 Case many_curves(int count, double size, std::uint64_t seed) {

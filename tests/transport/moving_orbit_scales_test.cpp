@@ -11,9 +11,9 @@ namespace {
 
 using oracle::Draw;
 
-constexpr double kUlp = 0x1p-52;
+constexpr double kScaledUlp = 0x1p-52;
 
-const std::vector<Vec2> kPentagon = {{0, 0}, {5, -1}, {7, 3}, {3, 6}, {-1, 3}};
+const std::vector<Vec2> kScaledPentagon = {{0, 0}, {5, -1}, {7, 3}, {3, 6}, {-1, 3}};
 
 // scenes/chamber/fermi.toml: meeting n with the piston is at x = 41 / (2 n + 3). A place on the wall
 // that comes out as 1e-33, not 0, is within no ulps of the wall: the orbit ended after 96 bounces as
@@ -57,7 +57,7 @@ MovingRoom scaled(const MovingRoom& room, double size, double time) {
 
 MovingRoom mixed_room() {
   MovingRoom room;
-  room.add_ring(kPentagon);
+  room.add_ring(kScaledPentagon);
   room.add(Circle{{3, 2}, 0.75}, {0.0625, -0.03125});
   room.add(Circle{{0.5, 2.25}, 0.25});
   room.add(Segment{{0, -0.5}, {0, 0.5}}, zigzag(4.5, 6, 0.75, 40));
@@ -96,7 +96,7 @@ TEST(MovingOrbit, AHugeDiscAtRestIsMetWhereItIs) {
   const MovingOrbit found = trace_moving_orbit(room, {{0, 0}, {4 * s, 0}}, 0, {1});
   ASSERT_EQ(found.orbit.bounces.size(), 1U);
   EXPECT_EQ(found.times[0].time, 1.0334936490538904);  // (5 - sqrt(3) / 2) / 4
-  EXPECT_NEAR(found.orbit.bounces[0].point.x() / s, 4 * 1.0334936490538904, 8 * kUlp);
+  EXPECT_NEAR(found.orbit.bounces[0].point.x() / s, 4 * 1.0334936490538904, 8 * kScaledUlp);
   EXPECT_EQ(found.orbit.bounces[0].point.y(), 0);
 }
 
@@ -122,9 +122,9 @@ TEST(MovingOrbit, NothingTunnelsAmongTheSmallestDoubles) {
         trace_moving_orbit(room, {Vec2(1, 1) * s, Vec2(vx, vy) * s}, 0, {100});
     EXPECT_NE(found.orbit.end, OrbitEnd::escape) << item;
     for (const Bounce& bounce : found.orbit.bounces)
-      for (std::size_t i = 0; i < kPentagon.size(); ++i)
-        EXPECT_GE(cross(kPentagon[(i + 1) % kPentagon.size()] - kPentagon[i],
-                        bounce.point / s - kPentagon[i]),
+      for (std::size_t i = 0; i < kScaledPentagon.size(); ++i)
+        EXPECT_GE(cross(kScaledPentagon[(i + 1) % kScaledPentagon.size()] - kScaledPentagon[i],
+                        bounce.point / s - kScaledPentagon[i]),
                   0)
             << item << ' ' << i;
   }

@@ -274,6 +274,15 @@ TEST(MovingOrbit, SetsOffFromAWallAsHavingJustLeftIt) {
             OrbitEnd::corner);
 }
 
+TEST(MovingOrbit, SetsOffOnTheTangentOfACircleThatMovesAndGoesOn) {
+  MovingRoom room;
+  room.add(Circle{{0, 0}, 1}, {0, 1});
+  room.add(Segment{{5, -9}, {5, 9}});
+  const MovingOrbit found = trace_moving_orbit(room, {{0, 1}, {1, 1}}, 0, {1});
+  ASSERT_EQ(found.orbit.bounces.size(), 1U);
+  EXPECT_EQ(found.orbit.bounces[0].point, Vec2(5, 6));
+}
+
 TEST(MovingOrbit, StopsAtATimeAndStartsAtOne) {
   const MovingOrbit found = trace_moving_orbit(accelerator(-1), {{1, 0}, {3, 0}}, 1, {20, 2});
   EXPECT_EQ(found.orbit.end, OrbitEnd::limit);

@@ -14,9 +14,8 @@ struct MovingRoom : MovingWalls {
     motion_of.push_back(static_cast<std::uint32_t>(motions.size()));
     motions.push_back(legs);
     gone_from.push_back(kInfinity);
-    world.surfaces.add(wall);
-    world.owners.push_back(
-        {SurfaceOwner::Kind::chamber, 0, 0, static_cast<std::int32_t>(motion_of.size()), material});
+    world.add(wall, {SurfaceOwner::Kind::chamber, 0, 0, static_cast<std::int32_t>(motion_of.size()),
+                     material});
   }
   template <class Wall>
   void add(const Wall& wall, const Vec2& velocity = {0, 0}) {

@@ -57,7 +57,7 @@ void expect_no_leak(const std::vector<Vec2>& vertices, std::size_t count) {
   EXPECT_GT(bounces, 25 * count);
 }
 
-const std::vector<Vec2> kPentagon = {
+const std::vector<Vec2> kLawPentagon = {
     {1, 0}, {0.31, 0.95}, {-0.81, 0.59}, {-0.81, -0.59}, {0.31, -0.95}};
 const std::vector<Vec2> kNeedle = {{0, 0}, {3, 0.001}, {0.7, 0.01}};
 
@@ -68,7 +68,7 @@ struct Placing {
 class LeaksAt : public testing::TestWithParam<Placing> {};
 
 TEST_P(LeaksAt, NoneInAPentagon) {
-  expect_no_leak(placed(kPentagon, GetParam().scale, GetParam().offset), 2'500);
+  expect_no_leak(placed(kLawPentagon, GetParam().scale, GetParam().offset), 2'500);
 }
 TEST_P(LeaksAt, NoneInANeedle) {
   expect_no_leak(placed(kNeedle, GetParam().scale, GetParam().offset), 500);
@@ -143,7 +143,7 @@ TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
 }
 
 TEST(Orbits, KeepTheirSpeed) {
-  const Surfaces walls = ring(kPentagon);
+  const Surfaces walls = ring(kLawPentagon);
   for (const double length : {1.0, 1e200, 1e-200}) {
     const Vec2 direction = length * Vec2(0.6, 0.35);
     const Orbit orbit = in_mirrors(walls, {{0.1, 0.2}, direction}, 20'000);
@@ -161,10 +161,10 @@ TEST(Orbits, KeepTheirSpeed) {
 }
 
 TEST(Orbits, OfABatchAreThoseOfSingleRays) {
-  const Surfaces walls = ring(kPentagon);
+  const Surfaces walls = ring(kLawPentagon);
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < 40; ++i) rays.push_back({{0.1, 0.2}, {draw(i, 6) - 0.5, draw(i, 7)}});
-  rays.push_back({{0.1, 0.2}, kPentagon[1] - Vec2(0.1, 0.2)});
+  rays.push_back({{0.1, 0.2}, kLawPentagon[1] - Vec2(0.1, 0.2)});
   rays.push_back({{5, 0}, {1, 0}});
   const std::vector<Orbit> together = trace_orbits(walls, all_mirrors(walls), rays, 30);
   for (std::size_t i = 0; i < rays.size(); ++i) {

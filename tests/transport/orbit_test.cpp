@@ -175,7 +175,25 @@ TEST(Orbit, StartingOnACircleGoesEitherWay) {
   EXPECT_EQ(inward.bounces[0].t, 2);
   EXPECT_EQ(inward.bounces[1].point, Vec2(-1, 0));
   EXPECT_EQ(in_mirrors(walls, {{-1, 0}, {-1, 0}}, 2).end, OrbitEnd::escape);
-  EXPECT_EQ(in_mirrors(walls, {{-1, 0}, {0, 1}}, 2).end, OrbitEnd::along);
+}
+
+// A start on a tangent has touched the circle, as a ray that comes along it has, and goes on.
+TEST(Orbit, StartingOnTheTangentOfACircleGoesOn) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  EXPECT_EQ(in_mirrors(walls, {{-1, 0}, {0, 1}}, 2).end, OrbitEnd::escape);
+  walls.add(Segment{{-2, 3}, {2, 3}});
+  walls.add(Arc{Ellipse{{0, -2}, {2, 0}, {0, 0.5}}, Arc::Extent::whole, {0, 0}, {0, 0}});
+  const Orbit on = in_mirrors(walls, {{-1, 0}, {0, 1}}, 3);
+  const Orbit before = in_mirrors(walls, {{-1, -1}, {0, 1}}, 3);  // passes the circle by
+  ASSERT_GE(on.bounces.size(), 2U);
+  ASSERT_EQ(on.bounces.size(), before.bounces.size());
+  for (std::size_t i = 0; i < on.bounces.size(); ++i) {
+    EXPECT_EQ(on.bounces[i].surface, before.bounces[i].surface);
+    EXPECT_EQ(on.bounces[i].point, before.bounces[i].point);
+    EXPECT_EQ(on.bounces[i].out, before.bounces[i].out);
+  }
+  EXPECT_EQ(on.end, before.end);
 }
 
 TEST(Orbit, PassesATangentCircle) {

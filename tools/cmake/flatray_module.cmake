@@ -25,6 +25,7 @@ function(flatray_register module folder name)
     return()
   endif()
   target_sources(flatray_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp)
+  set_property(SOURCE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)  # they use the same names
   set_property(TARGET flatray_${module} APPEND PROPERTY FLATRAY_ENTRIES_${folder} ${name})
 endfunction()
 
@@ -95,7 +96,7 @@ function(flatray_loaded_module name)
   if(NOT FLATRAY_SANITIZE)  # clang leaves a sanitizer's own functions to the program that loads the module
     target_link_options(flatray_${name} PRIVATE -Wl,--no-undefined)
   endif()
-  set_target_properties(flatray_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
+  set_target_properties(flatray_${name} PROPERTIES PREFIX "" UNITY_BUILD OFF CXX_VISIBILITY_PRESET hidden
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
   set_property(GLOBAL APPEND PROPERTY FLATRAY_LOADED_MODULES flatray_${name})
   install(TARGETS flatray_${name} LIBRARY DESTINATION ${FLATRAY_MODULE_FOLDER})

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/profile.h"
 #include "app/report.h"
 #include "app/result_files.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
-#include "base/file.h"
 #include "base/number_text.h"
 #include "study/accuracy_report.h"
 
@@ -24,18 +24,24 @@ constexpr auto kOptions = with_scene_options(
      {"budget", '\0', "SECONDS",
       "of processor time for everything, the references included (default 60s)"},
      {"choice", '\0', "NAME,NAME", "only these choices", OptionKind::text, &choice_names},
-     {"profile", '\0', "FILE", "also write what flatray render --profile chooses from"},
+     {"profile", '\0', "OUT.json", "also write what flatray render --profile chooses from"},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
+     kForceOption,
      kThreadsOption,
      kJsonOption});
+
+constexpr double kMostSeconds = 1e6;
 
 // "60s" or "60".
 Result<double> read_budget(const Arguments& arguments) {
   std::string text = arguments.text("budget").value_or("60s");
   if (text.ends_with('s')) text.pop_back();
   const auto seconds = parse_number(text);
-  if (!seconds || !(*seconds > 0 && *seconds <= 1e6))
+  if (!seconds || !(*seconds > 0))
     return usage_error(arguments.where("budget"), "is not a time above 0", "say 60s");
+  if (*seconds > kMostSeconds)
+    return usage_error(arguments.where("budget"), "is too long a time",
+                       fmt::format("say {}s at most", kMostSeconds));
   return *seconds;
 }
 
@@ -55,19 +61,26 @@ Result<VerbOutput> run(const Arguments& arguments) {
       std::find(names->begin(), names->end(), "coverage") == names->end())
     return usage_error(arguments.where("profile"), "holds coverages, which --choice leaves out",
                        "add coverage to --choice");
+  // Before anything is measured, as nothing is measured for a file that cannot be written.
+  const Outputs outputs(arguments);
+  const auto profile = arguments.text("profile");
+  if (profile)
+    if (auto allowed = outputs.allow(*profile, profile_text(loaded->scene, {})); !allowed)
+      return fail(std::move(allowed));
   std::vector<const Choice*> chosen;
   for (const Choice* choice : flatray::choices())
     if (std::find(names->begin(), names->end(), choice->name) != names->end())
       chosen.push_back(choice);
+  expect_crashes_of_gl();  // where it is one of the choices
   const std::vector<ChoiceReport> reports =
       measure_choices(chosen, {loaded->scene, *seed, *width, *budget});
   const ExperimentResult result = accuracy_report(loaded->scene.name, reports);
-  auto files = write_files(result, arguments.text("output").value_or("out/accuracy"));
+  auto files = write_files(result, arguments.text("output").value_or("out/accuracy"), outputs);
   if (!files) return fail(std::move(files));
-  if (const auto path = arguments.text("profile")) {
-    if (auto written = write_file(*path, profile_text(loaded->scene, reports)); !written)
+  if (profile) {
+    if (auto written = outputs.write(*profile, profile_text(loaded->scene, reports)); !written)
       return fail(std::move(written));
-    files->emplace_back(*path);
+    files->emplace_back(*profile);
   }
   if (!arguments.has("json")) return VerbOutput{result.summary, 0};
   Fields fields{{"summary", result.summary}, {"files", std::move(*files)}};

@@ -4,6 +4,7 @@
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/counted.h"
+#include "base/shown_text.h"
 
 namespace flatray::verbs {
 namespace {
@@ -36,7 +37,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
                              {"valid", errors.empty()},
                              {"errors", as_values(errors)},
                              {"warnings", as_values(warnings)}});
-    if (loaded) text += fmt::format("{}: valid, {}\n", path, facts(loaded->scene));
+    if (loaded) text += fmt::format("{}: valid, {}\n", shown_text(path), facts(loaded->scene));
     problems.insert(problems.end(), errors.begin(), errors.end());
   }
   if (arguments.has("json")) {

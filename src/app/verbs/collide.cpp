@@ -50,7 +50,7 @@ struct Asked {
 
 Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
   if (!arguments.has("frames")) {
-    const auto last = arguments.whole("last", scene.frames, 1, scene.frames);
+    const auto last = arguments.whole("last", scene.frames, 1, kLastFrame);
     if (!last) return tl::unexpected(last.error());
     return Asked{{}, static_cast<unsigned>(*last)};
   }
@@ -60,10 +60,8 @@ Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
   auto frames = parse_frames(*arguments.text("frames"), arguments.where("frames"));
   if (!frames) return tl::unexpected(frames.error());
   const unsigned last = frames->back();
-  if (last > scene.frames)
-    return usage_error(arguments.where("frames"), fmt::format("the scene has no frame {}", last),
-                       fmt::format("say frames from 1 to {}", scene.frames));
-  return Asked{*std::move(frames), last < scene.frames ? last + 1 : last};
+  const bool shows_next = last != scene.frames && last < kLastFrame;
+  return Asked{*std::move(frames), shows_next ? last + 1 : last};
 }
 
 // Without the sign of a zero, which rounding leaves.
@@ -202,8 +200,9 @@ Result<Answer> meetings(const Arguments& arguments, const Timeline& timeline, co
   if (*method == "edge-rays") {
     if (!arguments.has("quiet"))
       report_note("edge-rays knows polygons only, and neither how nor where they meet");
-    return Answer{
-        meeting_table(scene, find_edge_ray_meetings(timeline, asked.last), asked, Knows::times)};
+    const auto met = find_edge_ray_meetings(timeline, asked.last);
+    if (!met) return tl::unexpected(met.error());
+    return Answer{meeting_table(scene, *met, asked, Knows::times)};
   }
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
@@ -212,7 +211,9 @@ Result<Answer> meetings(const Arguments& arguments, const Timeline& timeline, co
   if (const std::string note = left_out(scene);
       outline == Outline::own && !note.empty() && !arguments.has("quiet"))
     report_note(note);
-  return Answer{meeting_table(scene, find_meetings(timeline, asked.last, outline, *width), asked)};
+  const auto met = find_meetings(timeline, asked.last, outline, *width);
+  if (!met) return tl::unexpected(met.error());
+  return Answer{meeting_table(scene, *met, asked)};
 }
 
 // Methods look for meetings of what goes on undisturbed.

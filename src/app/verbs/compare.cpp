@@ -4,15 +4,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "app/difference_text.h"
+#include "app/outputs.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
 #include "base/file.h"
 #include "base/parallel.h"
+#include "base/shown_text.h"
+#include "image/hdr.h"
 #include "image/metric.h"
 #include "image/png.h"
+#include "image/png_chunks.h"
 
 namespace flatray::verbs {
 namespace {
@@ -25,6 +30,7 @@ constexpr Option kOptions[] = {
     {"metric", '\0', "NAME", "also print this number: flatray list metrics", OptionKind::text,
      &metric_names},
     {"diff", '\0', "OUT.png", "write the difference x16; of two folders, a folder"},
+    kForceOption,
     kThreadsOption,
     kJsonOption,
 };
@@ -45,7 +51,7 @@ std::vector<std::string> pictures_below(const fs::path& folder) {
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == ".png")
+    if (entry->path().extension() == ".png" || entry->path().extension() == ".hdr")
       names.push_back(entry->path().lexically_relative(folder).generic_string());
   std::sort(names.begin(), names.end());
   return names;
@@ -62,6 +68,9 @@ void expect_all(const std::vector<std::string>& names, const std::vector<std::st
 Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
   std::error_code error;
   const bool folder_a = fs::is_directory(a, error), folder_b = fs::is_directory(b, error);
+  for (const std::string& one : {a, b})
+    if (!fs::exists(one, error))
+      return fail(named_place(one), "is not there", "", Trouble::missing);
   if (folder_a != folder_b)
     return usage_error(named_place(folder_a ? a : b), "is a folder and the other is not",
                        "compare two pictures or two folders");
@@ -69,7 +78,7 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
   const std::vector<std::string> names_a = pictures_below(a), names_b = pictures_below(b);
   Diagnostics problems;
   if (names_a.empty() && names_b.empty())
-    problems.push_back({named_place(a), "holds no PNG", "", Trouble::missing});
+    problems.push_back({named_place(a), "holds no PNG or HDR", "", Trouble::missing});
   expect_all(names_a, names_b, b, problems);
   expect_all(names_b, names_a, a, problems);
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -80,25 +89,58 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
   return all;
 }
 
-Result<Outcome> measure(const Pair& pair, const Metric* metric,
-                        const std::optional<fs::path>& diff) {
-  const Result<Image> actual = read_png(pair.actual.string());
-  if (!actual) return tl::unexpected(actual.error());
-  const Result<Image> expected = read_png(pair.expected.string());
-  if (!expected) return tl::unexpected(expected.error());
-  Result<Difference> difference = compare(*actual, *expected);
+struct Picture {
+  Image image;
+  std::vector<float> light;  // of an HDR
+};
+
+constexpr std::size_t kMostBytes = std::numeric_limits<int>::max();
+
+Result<Picture> read_picture(const std::string& path, bool named) {
+  const Result<std::string> content = read_file(
+      path, {.bytes = kMostBytes, .pipes = named, .begins = {kPngSignature, kHdrSignature}});
+  if (!content) return tl::unexpected(content.error());
+  const auto bytes = std::as_bytes(std::span(*content));
+  if (is_hdr(bytes)) {
+    Result<LinearImage> light = decode_hdr(bytes, path);
+    if (!light) return fail(std::move(light));
+    return Picture{develop(*light), std::move(light->pixels)};
+  }
+  Result<Image> image = decode_png(bytes, path);
+  if (!image) return fail(std::move(image));
+  return Picture{std::move(*image), {}};
+}
+
+// Pixels of two HDR whose light is not the same, shown or not.
+std::uint64_t pixels_of_other_light(const Picture& a, const Picture& b) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < std::min(a.light.size(), b.light.size()); i += 3)
+    count += std::equal(&a.light[i], &a.light[i] + 3, &b.light[i]) ? 0 : 1;
+  return count;
+}
+
+Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optional<fs::path>& diff,
+                        const Outputs& outputs) {
+  const bool named = pair.name.empty();
+  const Result<Picture> a = read_picture(pair.actual.string(), named);
+  if (!a) return tl::unexpected(a.error());
+  const Result<Picture> b = read_picture(pair.expected.string(), named);
+  if (!b) return tl::unexpected(b.error());
+  const Image &actual = a->image, &expected = b->image;
+  Result<Difference> difference = compare(actual, expected);
   if (!difference) {
     difference.error().front().where = named_place(pair.actual.string());
     return fail(std::move(difference));
   }
+  difference->pixels = std::max(difference->pixels, pixels_of_other_light(*a, *b));
   if (diff) {
     const fs::path path = pair.name.empty() ? *diff : *diff / pair.name;
-    auto written = write_file(path, encode_png(difference_image(*actual, *expected)));
+    auto written = outputs.write(path, encode_png(difference_image(actual, expected)));
     if (!written) return fail(std::move(written));
   }
   Outcome outcome{*difference, "equal", std::nullopt};
-  if (difference->pixels != 0) outcome.text = difference_text(*difference, *actual);
-  if (metric != nullptr) outcome.metric = metric->value(*actual, *expected);
+  if (difference->pixels != 0) outcome.text = difference_text(*difference, actual);
+  if (metric != nullptr) outcome.metric = metric->value(actual, expected);
   return outcome;
 }
 
@@ -132,7 +174,7 @@ JsonValue as_value(const Pair& pair, const Outcome& outcome, const Metric* metri
 }
 
 std::string as_text(const Pair& pair, const Outcome& outcome, const Metric* metric) {
-  std::string text = pair.name.empty() ? "" : pair.name + ": ";
+  std::string text = pair.name.empty() ? "" : shown_text(pair.name) + ": ";
   text += outcome.text + "\n";
   if (metric != nullptr) text += fmt::format("  {} {}\n", metric->name, *outcome.metric);
   return text;
@@ -172,9 +214,14 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!all) return tl::unexpected(all.error());
   std::optional<fs::path> diff;
   if (const auto text = arguments.text("diff")) diff = *text;
+  Outputs outputs(arguments);
+  for (const Pair& pair : *all) {
+    outputs.add_input(pair.actual);
+    outputs.add_input(pair.expected);
+  }
   std::vector<Result<Outcome>> outcomes(all->size());
   parallel_for(outcomes.size(), *count,
-               [&](std::size_t i) { outcomes[i] = measure((*all)[i], *metric, diff); });
+               [&](std::size_t i) { outcomes[i] = measure((*all)[i], *metric, diff, outputs); });
   return report(arguments, *all, outcomes, *metric);
 }
 

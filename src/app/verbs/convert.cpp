@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
+#include "app/outputs.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
-#include "base/file.h"
 #include "scene/file_names.h"
 #include "scene/write_toml.h"
 
@@ -14,8 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kOptions =
-    with_scene_options({{"force", '\0', "", "write over a file", OptionKind::flag}});
+constexpr auto kOptions = with_scene_options({kForceOption});
 
 Result<void> check_output(const Arguments& arguments, const fs::path& output) {
   if (output == "-") return {};
@@ -23,10 +22,11 @@ Result<void> check_output(const Arguments& arguments, const fs::path& output) {
     return usage_error(named_place(output.string()), "scenes are written as TOML",
                        fmt::format("say {}.toml", output.stem().string()));
   std::error_code error;
-  if (fs::exists(output, error) && !arguments.has("force"))
+  if (fs::symlink_status(output, error).type() != fs::file_type::not_found &&
+      !arguments.has("force"))
     return fail(named_place(output.string()), "is there already", "--force writes over it",
                 Trouble::output);
-  return {};
+  return Outputs(arguments).allow(output, "");
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -41,7 +41,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
     return fail(std::move(rebased));
   std::string text = write_toml(read->desc);
   if (output == "-") return VerbOutput{std::move(text)};
-  if (auto written = write_file(output, text); !written) return fail(std::move(written));
+  if (auto written = Outputs(arguments).write(output, text); !written)
+    return fail(std::move(written));
   return VerbOutput{};
 }
 

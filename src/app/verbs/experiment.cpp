@@ -30,6 +30,7 @@ constexpr auto kOptions = with_scene_options(
       "run once for each value of a key of the scene, also KEY=V,V,..."},
      {"resume", '\0', "", "keep what is done, and go on from what was kept", OptionKind::flag},
      {"seed", '\0', "N", "seed of all draws (default 1)"},
+     kForceOption,
      kThreadsOption,
      kJsonOption});
 
@@ -109,16 +110,23 @@ Result<Request> read_request(const Arguments& arguments) {
 }
 
 // All that the numbers of a block depend on.
-std::string run_key(const Experiment& experiment, const Scene& scene, const Request& request) {
-  return fmt::format(
-      "flatray {} {} scene {:016x} seed {} count {} bounces {} apart {} map {} starts {}", kVersion,
-      experiment.name, scene.hash, request.seed, request.count, request.bounces.value_or(0),
-      number_text(request.apart), static_cast<int>(request.map), static_cast<int>(request.starts));
+Fields setting_of(const Experiment& experiment, const Scene& scene, const Request& request) {
+  return {{"experiment", experiment.name},
+          {"scene", fmt::format("{:016x}", scene.hash)},
+          {"seed", request.seed},
+          {"count", request.count},
+          {"bounces", request.bounces.value_or(0)},
+          {"apart", request.apart},
+          {"map", static_cast<int>(request.map)},
+          {"starts", static_cast<int>(request.starts)},
+          {"version", kVersion}};
 }
+
+using Monitors = std::vector<std::unique_ptr<ExperimentMonitor>>;
 
 Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& experiment,
                                  const std::vector<Override>& more,
-                                 const std::filesystem::path& folder) {
+                                 const std::filesystem::path& folder, Monitors& monitors) {
   const auto request = read_request(arguments);
   if (!request) return tl::unexpected(request.error());
   const auto loaded = load_input(arguments, arguments.operands()[1], more);
@@ -126,9 +134,10 @@ Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& e
   report_warnings(loaded->warnings, arguments);
   std::optional<std::filesystem::path> kept_in;
   if (arguments.has("resume")) kept_in = folder / (std::string(experiment.name) + ".blocks");
-  const auto monitor =
-      ExperimentMonitor::open(kept_in, run_key(experiment, loaded->scene, *request));
-  if (!monitor) return tl::unexpected(monitor.error());
+  auto monitor = ExperimentMonitor::open(kept_in, setting_of(experiment, loaded->scene, *request),
+                                         Outputs(arguments));
+  if (!monitor) return fail(std::move(monitor));
+  monitors.push_back(std::move(*monitor));
   auto result = experiment.run({.scene = loaded->scene,
                                 .seed = request->seed,
                                 .count = request->count,
@@ -136,45 +145,49 @@ Result<ExperimentResult> measure(const Arguments& arguments, const Experiment& e
                                 .bounces = request->bounces,
                                 .apart = request->apart,
                                 .map = request->map,
-                                .monitor = monitor->get(),
+                                .monitor = monitors.back().get(),
                                 .starts = request->starts});
-  if (auto finished = (*monitor)->finish(result.has_value()); !finished)
-    return fail(std::move(finished));
+  if (auto finished = monitors.back()->finish(); !finished) return fail(std::move(finished));
   return result;
 }
 
 Result<ExperimentResult> measure_all(const Arguments& arguments, const Experiment& experiment,
-                                     const std::filesystem::path& folder) {
-  if (!arguments.has("sweep")) return measure(arguments, experiment, {}, folder);
+                                     const std::filesystem::path& folder, Monitors& monitors) {
+  if (!arguments.has("sweep")) return measure(arguments, experiment, {}, folder, monitors);
   const auto sweep = parse_sweep(*arguments.text("sweep"), arguments.where("sweep"));
   if (!sweep) return tl::unexpected(sweep.error());
   SweepResults results(experiment.name, *sweep);
   for (const std::string& value : sweep->values) {
     const auto changed = parse_overrides({sweep->key + "=" + value}, arguments.where("sweep"));
     if (!changed) return tl::unexpected(changed.error());
-    auto one = measure(arguments, experiment, *changed, folder / value);
+    auto one = measure(arguments, experiment, *changed, folder / value, monitors);
     if (!one) return one;
     results.add(value, *one);
   }
   return std::move(results).result();
 }
 
+constexpr const char* kKept = "blocks done are kept where --resume was given";
+
 int report_interrupted(const Diagnostics& why) {
-  report_note(why.front().message + ": nothing written, --resume keeps what is done");
-  return 130;
+  report_note(fmt::format("flatray: {}, {}; {}", interruption(), why.front().message, kKept));
+  return interrupted_code();
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto experiment = find_experiment(arguments.operands()[0]);
   if (!experiment) return tl::unexpected(experiment.error());
   if (auto used = expect_used(arguments, **experiment); !used) return fail(std::move(used));
-  catch_interrupts();
   const std::filesystem::path folder = folder_of(arguments, **experiment);
-  const auto result = measure_all(arguments, **experiment, folder);
+  Monitors monitors;
+  const auto result = measure_all(arguments, **experiment, folder, monitors);
+  if ((*experiment)->name == std::string_view("backends")) expect_crashes_of_gl();
   if (!result && interrupted()) return VerbOutput{"", report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
-  auto files = write_files(*result, folder);
+  auto files = write_files(*result, folder, Outputs(arguments));
   if (!files) return fail(std::move(files));
+  for (const auto& monitor : monitors)
+    if (auto forgotten = monitor->forget(); !forgotten) return fail(std::move(forgotten));
   const int code = result->holds ? 0 : 1;
   if (!arguments.has("json")) return VerbOutput{result->summary, code};
   Fields fields{{"experiment", (*experiment)->name},
@@ -201,6 +214,7 @@ extern const Verb experiment = {
     "  flatray experiment markov scenes/markov/runner.toml --seed 2\n",
     "nothing measured",
     &run,
-    &experiment_names};
+    &experiment_names,
+    kKept};
 
 }  // namespace flatray::verbs

@@ -67,20 +67,24 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
   std::vector<Result<std::string>> reports(rows.size());
   parallel_for(rows.size(), threads, [&](std::size_t i) { reports[i] = check_row(root, rows[i]); });
   VerbOutput output;
-  std::size_t differ = 0, left_out = 0;
+  std::size_t differ = 0, left_out = 0, not_judged = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Result<std::string>& report = reports[i];
     if (!report && !rows[i].exact() && report.error().front().trouble == Trouble::unavailable) {
       ++left_out;
       continue;
     }
-    if (!report) problems.insert(problems.end(), report.error().begin(), report.error().end());
+    if (!report) {
+      ++not_judged;
+      problems.insert(problems.end(), report.error().begin(), report.error().end());
+    }
     if (!report || report->empty()) continue;
     ++differ;
     output.text += *report + "\n";
   }
   output.text +=
-      fmt::format("{}, {} of them different{}\n", counted(rows.size(), "golden"), differ,
+      fmt::format("{}, {} of them different{}{}\n", counted(rows.size(), "golden"), differ,
+                  not_judged == 0 ? "" : fmt::format(", {} not judged", not_judged),
                   left_out == 0 ? "" : fmt::format(", {} not drawn: no GL here", left_out));
   output.exit_code = differ == 0 ? 0 : 1;
   if (!problems.empty()) output.exit_code = report_failure(problems, "");

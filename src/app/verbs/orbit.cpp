@@ -151,14 +151,14 @@ Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room
 }
 
 Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitRoom& room,
-                                        const FrameState& frame) {
+                                        const FrameState& frame,
+                                        std::optional<MovingRoom>& moving) {
   const auto request = read_request(arguments);
   if (!request) return tl::unexpected(request.error());
   const auto speeds = read_speed(arguments);
   if (!speeds) return tl::unexpected(speeds.error());
   const auto rays = chosen_rays(arguments, room.scene);
   if (!rays) return tl::unexpected(rays.error());
-  std::optional<MovingRoom> moving;
   std::vector<OrbitReport> reports;
   for (const RayPath* ray : *rays) {
     auto report = follow_ray(arguments, room, frame, *ray, *request, *speeds, moving);
@@ -191,7 +191,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const auto frame = frame_of(arguments, *scene);
   if (!frame) return tl::unexpected(frame.error());
   const OrbitRoom room(*scene, *frame);
-  const auto reports = follow(arguments, room, *frame);
+  std::optional<MovingRoom> moving;
+  const auto reports = follow(arguments, room, *frame, moving);
   if (!reports) return tl::unexpected(reports.error());
   if (arguments.has("svg")) return VerbOutput{svg_of(room, *reports)};
   if (arguments.has("csv")) return VerbOutput{csv_of(room, *reports)};

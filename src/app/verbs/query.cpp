@@ -28,6 +28,10 @@ struct Answers {
   std::vector<char> sound;
 };
 
+bool is_blank(const StreamLine& line) {
+  return !line.too_long && line.text.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
 Answers answer(std::span<const StreamLine> lines, const Precision& precision, unsigned threads) {
   const std::size_t tasks = (lines.size() + kLinesATask - 1) / kLinesATask;
   Answers answers{std::vector<std::string>(tasks), std::vector<char>(tasks, 1)};
@@ -35,6 +39,7 @@ Answers answer(std::span<const StreamLine> lines, const Precision& precision, un
                [&](std::size_t task) {
                  const std::size_t last = std::min(lines.size(), (task + 1) * kLinesATask);
                  for (std::size_t i = task * kLinesATask; i < last; ++i) {
+                   if (is_blank(lines[i])) continue;
                    const Answer one = lines[i].too_long ? answer_to_long_line(LineStream::kLongest)
                                                         : answer_line(lines[i].text, precision);
                    answers.texts[task] += one.line;

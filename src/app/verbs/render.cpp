@@ -1,8 +1,10 @@
+#include <fmt/core.h>
+
 #include "app/backend_choice.h"
 #include "app/build_parts.h"
-#include "app/interrupt.h"
 #include "app/profile.h"
 #include "app/render_run.h"
+#include "app/resource_limits.h"
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
 #include "app/view_choice.h"
@@ -32,6 +34,7 @@ constexpr auto kOptions = with_scene_options(
      {"keep-all", '\0', "", "draw also what the plan would leave out; same pictures",
       OptionKind::flag},
      {"format", '\0', "png|hdr", "format where the name does not say it"},
+     kForceOption,
      {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
      kJsonOption});
 
@@ -51,7 +54,18 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
                        "name a file, or leave out --shard");
   const auto bytes = picture_bytes(job, job.frames.front(), threads);
   if (!bytes) return tl::unexpected(bytes.error());
-  return VerbOutput{std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())};
+  return VerbOutput{
+      .text = std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()),
+      .picture = true};
+}
+
+Result<void> fits_in_memory(const Arguments& arguments, const RenderJob& job) {
+  const std::uint64_t bytes = picture_bytes_at_once(job, job.frames.size(), 1);
+  if (bytes <= memory_limit()) return {};
+  return fail(arguments.where("max-memory"),
+              fmt::format("a picture of {}x{} takes {:.0f} MB", job.picture().width,
+                          job.picture().height, static_cast<double>(bytes) / 1e6),
+              "allow more, or say a smaller --size or --crop");
 }
 
 Result<VerbOutput> run(const Arguments& given) {
@@ -82,13 +96,13 @@ Result<VerbOutput> run(const Arguments& given) {
     if (*view && job.output.format() == PictureFormat::hdr)
       return usage_error(arguments.where("view"), "has no light for an HDR picture",
                          "write a PNG file");
+    if (auto fits = fits_in_memory(arguments, job); !fits) return fail(std::move(fits));
   }
   const auto list = work_list(*jobs, *request);
   if (!list) return tl::unexpected(list.error());
   if (arguments.has("dry-run")) return describe(arguments, *list);
   const RenderJob& first = jobs->front();
   if (first.output.is_stdout()) return to_stdout(arguments, first, request->threads);
-  catch_interrupts();
   return render_all(arguments, *list, *mode);
 }
 
@@ -108,6 +122,8 @@ extern const Verb render = {
     "  flatray render scene.toml --profile scene.profile --error 0.002\n"
     "  flatray render scene.toml --view visibility:3,4 -o lit.png\n",
     "nothing rendered",
-    &run};
+    &run,
+    nullptr,
+    "frames written are whole, and the same command with --resume goes on"};
 
 }  // namespace flatray::verbs

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include "app/chunk_log.h"
-#include "app/interrupt.h"
 #include "app/option_values.h"
 #include "app/report.h"
 #include "app/rounds.h"
@@ -61,6 +60,7 @@ constexpr auto kOptions = with_scene_options(
      {"output", 'o', "FOLDER",
       "where its files go: stability.csv, or leaks.csv, a row a chunk, from which a run with the "
       "same seed goes on"},
+     kForceOption,
      kThreadsOption,
      kJsonOption});
 
@@ -177,9 +177,8 @@ Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
   const auto pairs = arguments.whole("pairs", 1, 1, std::uint64_t{1} << 40);
   if (!pairs) return tl::unexpected(pairs.error());
   const std::uint64_t chunks = (*pairs + kPairsAChunk - 1) / kPairsAChunk;
-  auto log = StabilityLog::open(arguments.text("output"));
+  auto log = StabilityLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  catch_interrupts();
   ReportTable table{{"family", "method", "pairs", "meet", "wrong", "missed", "invented",
                      "other_class", "t_not_nearest_or_wide", "t_off", "first_wrong"},
                     {}};
@@ -258,9 +257,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (*what == "sweep") return report_sweep(arguments, request);
   if (*what == "pairs") return run_pairs(arguments, *plan);
   if (*what == "leaks") return report_leaks(arguments, request);
-  auto log = StabilityLog::open(arguments.text("output"));
+  auto log = StabilityLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  catch_interrupts();
   ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
                      "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
                      "whole", "ns_a_query", "ns_of_chunks", "bytes_an_object", "first_wrong"},
@@ -302,6 +300,8 @@ extern const Verb stability = {
     "  flatray stability --sweep -o out/stability\n"
     "  flatray stability scenes/chamber/hall.toml   # which of its rays are near a decision\n",
     "",
-    &run};
+    &run,
+    nullptr,
+    kRowsKept};
 
 }  // namespace flatray::verbs

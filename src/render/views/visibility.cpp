@@ -22,23 +22,21 @@ bool leaves_before_tip(const Ray& ray, const Arc& rim) {
 // What is left of a world without the walls a point lies on.
 World without_walls_at(const Vec2& point, const World& all, std::vector<Arc>& rims) {
   World rest;
-  for (std::size_t i = 0; i < all.surfaces.size(); ++i) {
-    const auto number = static_cast<std::uint32_t>(i);
-    const std::uint32_t slot = all.surfaces.slot[i];
+  for (std::uint32_t number = 0; number < all.surfaces.size(); ++number) {
+    const std::uint32_t slot = all.surfaces.slot[number];
     if (all.surfaces.is_straight(number)) {
       const Segment& wall = all.surfaces.segments[slot];
       if (lies_on(point, wall)) continue;
-      rest.surfaces.add(wall);
+      rest.add(wall, all.owner(number));
     } else if (const Arc wall = all.surfaces.arc(number);
                place_on(wall, point) != ArcPlace::outside) {
       rims.push_back(wall);
       continue;
-    } else if (all.surfaces.kinds[i] == SurfaceKind::circle) {
-      rest.surfaces.add(all.surfaces.circles[slot]);
+    } else if (all.surfaces.kinds[number] == SurfaceKind::circle) {
+      rest.add(all.surfaces.circles[slot], all.owner(number));
     } else {
-      rest.surfaces.add(wall);
+      rest.add(wall, all.owner(number));
     }
-    rest.owners.push_back(all.owners[i]);
   }
   return rest;
 }

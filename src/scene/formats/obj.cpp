@@ -110,7 +110,12 @@ Result<Shape> outline(const SourcePtr& source, const OutlineOptions& options,
   each(obj->faces, [&](auto corners) { maker.add_face(corners); });
   each(obj->lines, [&](auto corners) { maker.add_line(corners); });
   warn(maker, *obj, source, warnings);
-  if (maker.shape.piece_count() == 0 && maker.shape.segments.empty())
+  const bool empty = maker.shape.piece_count() == 0 && maker.shape.segments.empty();
+  if (empty && !maker.crossing.empty())
+    return fail(obj_record_place(source, "f", maker.crossing.front()),
+                "edges of this face cross, and nothing else in the file has extent",
+                "cut it where they do");
+  if (empty)
     return fail(file, "the file holds no face or line with extent", "v, f and l records are read");
   return std::move(maker.shape);
 }

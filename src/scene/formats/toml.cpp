@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
+#include <new>
+
 #include "base/number_text.h"
 #include "base/utf8.h"
 #include "scene/format.h"
@@ -138,9 +140,11 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
     if (message.starts_with(grammar) && message.find("length") == std::string::npos)
       return fail(token, fmt::format("'{}' is not a number", text.substr(0, 40)),
                   "numbers are written like 12, -0.5 or 1e-3");
-  if (message.find("could not be interpreted") != std::string::npos)
+  if (message.find("could not be interpreted") != std::string::npos) {
+    if (parse_number(text)) throw std::bad_alloc();  // which the stream toml++ reads from hides
     return fail(token, fmt::format("{} is beyond the doubles", text.substr(0, 40)),
                 "write a number between -1.7e308 and 1.7e308");
+  }
   return fail(token, message);
 }
 

@@ -6,18 +6,19 @@
 namespace flatray {
 namespace {
 
-using Method = std::vector<Meeting> (*)(const Timeline& timeline, unsigned last_frame);
+using Method = Result<std::vector<Meeting>> (*)(const Timeline& timeline, unsigned last_frame);
 
-std::vector<Meeting> exact(const Timeline& timeline, unsigned last_frame) {
+Result<std::vector<Meeting>> exact(const Timeline& timeline, unsigned last_frame) {
   return find_meetings(timeline, last_frame);
 }
-std::vector<Meeting> boxes(const Timeline& timeline, unsigned last_frame) {
+Result<std::vector<Meeting>> boxes(const Timeline& timeline, unsigned last_frame) {
   return find_meetings(timeline, last_frame, Outline::box);
 }
 
 Setting setting(const std::shared_ptr<PairScene>& scene, const char* name, Method method) {
   return {fmt::format("--method {}", name), 0,
-          [=] { scene->tell(method(scene->timeline, scene->frames())); }, judged_pairs(scene)};
+          [=] { scene->tell(method(scene->timeline, scene->frames()).value()); },
+          judged_pairs(scene)};
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {

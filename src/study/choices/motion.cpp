@@ -37,7 +37,7 @@ Setting instants(const std::shared_ptr<PairScene>& scene, int samples) {
 
 Setting continuous(const std::shared_ptr<PairScene>& scene) {
   return {"all instants", 0,
-          [scene] { scene->tell(find_meetings(scene->timeline, scene->frames())); },
+          [scene] { scene->tell(*find_meetings(scene->timeline, scene->frames())); },
           judged_pairs(scene)};
 }
 

@@ -94,7 +94,9 @@ class Lines : public OrbitSink {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
-  const NamedOrbits orbits = orbits_to_watch(context, room, 1);
+  const auto watched = orbits_to_watch(context, room, 1);
+  if (!watched) return tl::unexpected(watched.error());
+  const NamedOrbits& orbits = *watched;
   const bool round = room.walls().size() == 1 && room.walls().circles.size() == 1;
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;

@@ -83,7 +83,9 @@ class Crossed : public OrbitSink {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
-  const NamedOrbits orbits = orbits_to_watch(context, room, 1);
+  const auto watched = orbits_to_watch(context, room, 1);
+  if (!watched) return tl::unexpected(watched.error());
+  const NamedOrbits& orbits = *watched;
   const Grid grid = grid_of(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {

@@ -106,10 +106,11 @@ class Study {
     measures_.push_back({name + ": walls of doubles right until bounce", bounces(same)});
     measures_.push_back({name + ": bounces of doubles proven", bounces(proven)});
     measures_.push_back({name + ": bits of the exact orbit", bounces(trio.exact.bits)});
-    if (const auto rate = slope()) {
-      measures_.push_back({name + ": growth per bounce", *rate});
-      growth_.add(*rate, 1);
-    }
+    const auto rate = slope();
+    if (rate && straight_) add_none(name + ": growth per bounce");
+    if (!rate || straight_) return;
+    measures_.push_back({name + ": growth per bounce", *rate});
+    growth_.add(*rate, 1);
   }
 
   ExperimentResult result(bool random) && {
@@ -129,6 +130,11 @@ class Study {
   }
 
  private:
+  void add_none(std::string name) {
+    measures_.push_back({std::move(name), 0});
+    measures_.back().remark = "all walls are straight: neighbours part like a power";
+  }
+
   // Least squares of the logarithm of the distance; what they leave is no error of the slope, as it is
   // the same way of one orbit.
   std::optional<double> slope() {
@@ -148,6 +154,7 @@ class Study {
   const ExperimentContext& context_;
   const Room& room_;
   double size_;
+  bool straight_ = !room_.walls().any_curves();
   std::vector<std::pair<double, double>> rate_points_;
   RatioSums growth_;
   std::vector<Measure> measures_;
@@ -158,7 +165,9 @@ class Study {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
-  const NamedOrbits orbits = orbits_to_watch(context, room, kRandomOrbits);
+  const auto watched = orbits_to_watch(context, room, kRandomOrbits);
+  if (!watched) return tl::unexpected(watched.error());
+  const NamedOrbits& orbits = *watched;
   std::vector<std::optional<Result<Trio>>> trios(orbits.starts.size());
   parallel_for(trios.size(), context.threads, [&](std::size_t i) {
     const Ray start = orbits.random ? half_way(room, orbits.starts[i]) : orbits.starts[i].ray;

@@ -196,9 +196,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   measures.push_back(known("jammed", done.jammed ? 1.0 : 0.0, 0));
   return measured(
       context, "gas",
-      fmt::format("{} of {} in {:.6g} s{}; fingerprint of all {}",
+      fmt::format("{} of {} in {:.6g} s{}{}; fingerprint of all {}",
                   counted(done.events.size(), "event"), counted(bodies->size(), "body", "bodies"),
-                  time, !done.overlaps.empty() ? ", some in each other at the start" : "",
+                  time, done.complete ? ", after which none meet again" : "",
+                  !done.overlaps.empty() ? ", some in each other at the start" : "",
                   fingerprint(done)),
       std::move(measures));
 }

@@ -38,9 +38,14 @@ struct Tangent {
 };
 
 // What is summed over orbits: growth over length, over hits, over hits of curved walls; that between
-// a half and all bounces over that between a quarter and a half; and the former alone.
-constexpr std::size_t kSums = 5;
-enum Sum : std::size_t { of_length, of_hits, of_curved, of_doubling, of_power };
+// a half and all bounces over that between a quarter and a half; the former alone; and how many orbits
+// there grow no more than like a power.
+constexpr std::size_t kSums = 6;
+enum Sum : std::size_t { of_length, of_hits, of_curved, of_doubling, of_power, of_regular };
+
+// What grows like t^3 from a half on; regular orbits grow like t. What parts exponentially is told from
+// it where it grows so many times as much.
+constexpr double kMostRegular = 3 * 0.6931471805599453, kTold = 5;
 
 class Growth : public OrbitSink {
  public:
@@ -83,6 +88,7 @@ class Growth : public OrbitSink {
       if (state.bounces < 4 * quarter_) continue;
       sums[of_doubling].add(begin_ + i, state.half, state.second_quarter);
       sums[of_power].add(begin_ + i, state.half, 1);
+      sums[of_regular].add(begin_ + i, state.half < kMostRegular ? 1 : 0, 1);
     }
     FlightTail tail;
     tail.add(longest, 4 * quarter_);
@@ -93,7 +99,7 @@ class Growth : public OrbitSink {
   }
   static std::array<StartSums, kSums> none(Starts starts) {
     const StartSums one(starts);
-    return {one, one, one, one, one};
+    return {one, one, one, one, one, one};
   }
 
  private:
@@ -182,7 +188,14 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
   if (law != Law::exponential) {
     measures.push_back({"power_of_growth", power});
     measures.back().remark = "of time, in the later half";
+    return measures;
   }
+  const RatioSums& regular = grown.sums[of_regular];
+  if (!(regular.x > 0 && grown.sums[of_power].ratio() > kTold * kMostRegular)) return measures;
+  for (Measure& one : measures)
+    one.remark += (one.remark.empty() ? "" : "; ") + std::string("mean over both kinds of orbits");
+  measures.push_back(regular.measure("part_like_a_power"));
+  measures.back().remark = "share of the orbits";
   return measures;
 }
 

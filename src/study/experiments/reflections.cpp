@@ -32,8 +32,8 @@ class Counts : public OrbitSink {
 };
 
 // A row for each ray of the scene, with the closed form where its walls are a wedge.
-std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& room) {
-  const NamedOrbits orbits = orbits_to_watch(context, room, 0);
+std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& room,
+                                const NamedOrbits& orbits) {
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < orbits.starts.size(); ++i) {
     const auto known = wedge_reflections(room.walls(), orbits.starts[i].ray);
@@ -66,10 +66,12 @@ Image picture(const Film& film, const std::vector<PixelOutcome>& pixels) {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  const auto orbits = orbits_to_watch(context, room, 0);
+  if (!orbits) return tl::unexpected(orbits.error());
   const auto pixels =
       trace_pixels(context, room, context.bounces.value_or(kPixelBounces), PixelMap::position);
   if (!pixels) return tl::unexpected(pixels.error());
-  std::vector<Measure> measures = ray_counts(context, room);
+  std::vector<Measure> measures = ray_counts(context, room, *orbits);
   double sum = 0, free = 0, most = 0;
   for (const PixelOutcome& pixel : *pixels) {
     if (pixel.kind == PixelOutcome::Kind::solid) continue;

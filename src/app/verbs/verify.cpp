@@ -1,0 +1,205 @@
+#include <fmt/core.h>
+
+#include <set>
+
+#include "app/chunk_log.h"
+#include "app/experiment_monitor.h"
+#include "app/manifest.h"
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/counted.h"
+#include "base/parallel.h"
+
+namespace flatray::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Option kOptions[] = {kThreadsOption, kJsonOption};
+
+// What is wrong with one file.
+struct Finding {
+  std::string file, problem;
+};
+
+// "frame_####.png" of "frame_0003.png": a name with its last number taken out.
+std::string pattern_of(std::string name) {
+  constexpr const char* kDigits = "0123456789";
+  const std::size_t last = name.find_last_of(kDigits);
+  if (last == std::string::npos) return name;
+  const std::size_t before = name.find_last_not_of(kDigits, last);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  return name.replace(first, last + 1 - first, last + 1 - first, '#');
+}
+
+class FolderCheck {
+ public:
+  FolderCheck(fs::path folder, unsigned threads) : folder_(std::move(folder)), threads_(threads) {}
+
+  // Error   Trouble::missing: nothing there is a record.
+  Result<void> run() {
+    for (const fs::path& manifest : manifests_in(folder_)) read_manifest(manifest);
+    check_rows();
+    for (const fs::path& file : files()) check_file(file);
+    if (!found_)
+      return fail(named_place(folder_.string()), "holds no records of frames, blocks or rows",
+                  "name a folder that flatray wrote to", Trouble::missing);
+    check_pictures();
+    check_settings();
+    for (const fs::path& path : leftovers(folder_)) tell(path, "was left by a run that was killed");
+    return {};
+  }
+
+  bool sound() const { return findings_.empty(); }
+
+  std::string text() const {
+    std::string text;
+    for (const Finding& one : findings_) text += fmt::format("{}: {}\n", one.file, one.problem);
+    return text + fmt::format("{}: {}, {}\n", folder_.string(), counted(records_.size(), "record"),
+                              sound() ? "all as recorded"
+                                      : counted(findings_.size(), "thing") + " not as recorded");
+  }
+
+  JsonValue value() const {
+    Values problems;
+    for (const Finding& one : findings_)
+      problems.push_back(Fields{{"file", one.file}, {"problem", one.problem}});
+    return Fields{{"folder", folder_.string()},
+                  {"sound", sound()},
+                  {"records", records_.size()},
+                  {"problems", std::move(problems)}};
+  }
+
+ private:
+  void tell(const fs::path& file, std::string problem) {
+    findings_.push_back({file.string(), std::move(problem)});
+  }
+  void tell(const Diagnostics& problems) {
+    for (const Diagnostic& one : problems)
+      findings_.push_back({one.where.source->name(), one.message});
+  }
+
+  std::vector<fs::path> files() const {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+         entry.increment(error))
+      files.push_back(entry->path());
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  void read_manifest(const fs::path& path) {
+    found_ = true;
+    const auto text = read_regular_file(path);
+    if (!text) return tell(text.error());
+    std::size_t number = 0;
+    each_line(*text, [&](std::string_view line) {
+      ++number;
+      if (const auto record = parse_manifest_line(line))
+        records_[record->file].push_back(*record);
+      else
+        tell(path, fmt::format("line {} is no record", number));
+    });
+    if (!text->empty() && text->back() != '\n') tell(path, "ends within a line");
+  }
+
+  // Rows of stability.csv and leaks.csv.
+  void check_rows() {
+    const auto check = [&](const char* name, const auto& log) {
+      std::error_code ignored;
+      found_ = found_ || fs::exists(folder_ / name, ignored);
+      if (!log) tell(log.error());
+    };
+    check(StabilityRows::kFormat.file, StabilityLog::open(folder_.string()));
+    check(LeakRows::kFormat.file, LeakLog::open(folder_.string()));
+  }
+
+  // Blocks that an experiment keeps, and pictures without a record.
+  void check_file(const fs::path& path) {
+    const std::string name = path.filename();
+    if (path.extension() == ".blocks") {
+      found_ = true;
+      if (const auto text = read_regular_file(path); !text)
+        tell(text.error());
+      else if (!are_blocks(*text))
+        tell(path, "is not what an experiment keeps");
+    } else if (path.extension() == ".png" || path.extension() == ".hdr") {
+      if (!records_.contains(name)) pictures_.push_back(path);
+    }
+  }
+
+  void check_pictures() {
+    std::vector<std::pair<std::string, bool>> whole;
+    for (const auto& [file, records] : records_) whole.emplace_back(file, false);
+    parallel_for(whole.size(), threads_, [&](std::size_t i) {
+      const auto& all = records_.at(whole[i].first);
+      whole[i].second = std::any_of(all.begin(), all.end(), [&](const FrameRecord& record) {
+        return is_whole(record, folder_);
+      });
+    });
+    for (const auto& [file, is_as_recorded] : whole) {
+      std::error_code ignored;
+      const bool there = fs::exists(fs::symlink_status(folder_ / file, ignored));
+      if (!is_as_recorded) tell(folder_ / file, there ? "differs from its record" : "is missing");
+    }
+    const auto known = patterns();
+    for (const fs::path& path : pictures_)
+      if (known.empty() || known.contains(pattern_of(path.filename()))) tell(path, "has no record");
+  }
+
+  // By pattern, the scenes and settings its records are of.
+  std::map<std::string, std::set<std::string>> patterns() const {
+    std::map<std::string, std::set<std::string>> patterns;
+    for (const auto& [file, records] : records_)
+      patterns[pattern_of(file)].insert(records.back().scene);
+    return patterns;
+  }
+
+  void check_settings() {
+    for (const auto& [pattern, settings] : patterns())
+      if (settings.size() > 1)
+        tell(folder_ / pattern,
+             fmt::format("frames are of {} scenes or settings", settings.size()));
+  }
+
+  const fs::path folder_;
+  const unsigned threads_;
+  bool found_ = false;
+  std::map<std::string, std::vector<FrameRecord>> records_;  ///< by file, of all manifests
+  std::vector<fs::path> pictures_;                           ///< without a record
+  std::vector<Finding> findings_;
+};
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto count = threads(arguments);
+  if (!count) return tl::unexpected(count.error());
+  VerbOutput output;
+  Values values;
+  for (const std::string& folder : arguments.operands()) {
+    FolderCheck check(folder, *count);
+    if (auto done = check.run(); !done) return fail(std::move(done));
+    output.text += check.text();
+    values.push_back(check.value());
+    if (!check.sound()) output.exit_code = 1;
+  }
+  if (arguments.has("json")) output.text = json_report("verify", arguments, std::move(values));
+  return output;
+}
+
+}  // namespace
+
+extern const Verb verify = {
+    "verify",
+    "FOLDER...",
+    "say whether frames, blocks and rows in a folder are as their records say; writes nothing",
+    1,
+    10'000,
+    kOptions,
+    "  flatray verify out/demo\n"
+    "  flatray verify out/demo --json | jq '.results[].problems'\n",
+    "nothing judged",
+    &run};
+
+}  // namespace flatray::verbs

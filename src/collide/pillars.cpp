@@ -1,0 +1,108 @@
+#include "collide/pillars.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "anim/solids.h"
+#include "base/number_text.h"
+#include "collide/broad_phase.h"
+#include "collide/outline_contact.h"
+#include "scene/outline.h"
+
+namespace flatray {
+namespace {
+
+// Points of it, in the world: one of what crosses the walls where it is not wholly in or out, and of
+// lone segments both ends, as two of those have no inner point in common.
+std::vector<Vec2> points_of(const Shape& shape, const Pose& place) {
+  std::vector<Vec2> points;
+  if (!shape.vertices.empty()) points.push_back(place(shape.vertices.front()));
+  if (!shape.circles.empty()) points.push_back(place(shape.circles.front().centre));
+  if (!shape.arc_paths.empty())
+    points.push_back(place(shape.arc_paths.front().arcs.front().start()));
+  for (const Segment& segment : shape.segments) {
+    points.push_back(place(segment.a));
+    points.push_back(place(segment.b));
+  }
+  return points;
+}
+
+// The straight walls of a chamber, without its inside.
+Shape straight_walls(const Shape& chamber) {
+  Shape walls;
+  for (const OutlineEdge& edge : outline(chamber))
+    walls.segments.push_back({chamber.vertices[edge.from], chamber.vertices[edge.to]});
+  return walls;
+}
+
+bool overlap(const MovingShape& a, const MovingShape& b) {
+  if (!has_area(*a.shape) && !has_area(*b.shape)) return false;
+  const std::vector<MeetingPart> parts = shapes_meet(a, b, {0, 0});
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const MeetingPart& part) { return part.kind == HitClass::through; });
+}
+
+constexpr const char* kMovePillar =
+    "move it, or make it smaller: the room's area and walls would be wrong";
+
+std::string named(const Chamber::Pillar& pillar) {
+  return fmt::format("the pillar {} at ({}, {})", pillar.name, number_text(pillar.at.x()),
+                     number_text(pillar.at.y()));
+}
+
+// The pillars of a chamber as they stand.
+std::vector<MovingShape> pillar_bodies(const Scene& scene, const Chamber& chamber,
+                                       const FrameState& state) {
+  std::vector<MovingShape> bodies;
+  for (const Chamber::Pillar& pillar : chamber.pillars)
+    bodies.push_back({&scene.shapes[pillar.shape], pillar_pose(state, pillar), {0, 0}});
+  return bodies;
+}
+
+FrameState first_frame(const Scene& scene) { return at(Timeline(scene, scene.seed, 1), 1); }
+
+}  // namespace
+
+bool has_area(const Shape& shape) {
+  return !shape.vertices.empty() || !shape.circles.empty() ||
+         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return path.closed; });
+}
+
+Result<void> expect_pillars_inside(const Scene& scene) {
+  const FrameState state = first_frame(scene);
+  const Solids solids(scene, state);
+  for (const Chamber& chamber : scene.chambers) {
+    const Shape walls = straight_walls(scene.shapes[chamber.shape]);
+    const std::vector<MovingShape> bodies = pillar_bodies(scene, chamber, state);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const std::vector<Vec2> points = points_of(*bodies[i].shape, bodies[i].place);
+      const bool stands_in = std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
+        return solids.in_chamber(point);
+      });
+      if (!stands_in || overlap({&walls, world_pose(state), {0, 0}}, bodies[i]))
+        return fail(chamber.where, named(chamber.pillars[i]) + " does not stand in the chamber",
+                    kMovePillar);
+    }
+  }
+  return {};
+}
+
+Result<void> expect_pillars_apart(const Scene& scene) {
+  const FrameState state = first_frame(scene);
+  for (const Chamber& chamber : scene.chambers) {
+    const std::vector<MovingShape> bodies = pillar_bodies(scene, chamber, state);
+    std::vector<Bounds> boxes;
+    for (const MovingShape& body : bodies) boxes.push_back(shape_bounds(*body.shape, body.place));
+    for (const auto& [a, b] : overlapping_pairs(boxes))
+      if (overlap(bodies[a], bodies[b]))
+        return fail(
+            chamber.where,
+            fmt::format("{} and {} overlap", named(chamber.pillars[a]), named(chamber.pillars[b])),
+            kMovePillar);
+  }
+  return {};
+}
+
+}  // namespace flatray

@@ -1,0 +1,17 @@
+#pragma once
+#include "base/result.h"
+#include "scene/scene.h"
+
+namespace flatray {
+
+/// Whether a shape has an inside.
+bool has_area(const Shape& shape);
+
+/// Whether the pillars of a scene's chamber stand in it, in frame 1, and apart, as far as contact
+/// tells: curved walls of the chamber, and arcs but those of capsules and ellipses, are not looked at.
+///
+/// Error   the first that does not.
+Result<void> expect_pillars_inside(const Scene& scene);
+Result<void> expect_pillars_apart(const Scene& scene);
+
+}  // namespace flatray

@@ -1,0 +1,117 @@
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "image/hdr.h"
+#include "image/srgb.h"
+
+namespace flatray {
+namespace {
+
+using Quad = std::array<std::uint8_t, 4>;  // red, green, blue, exponent
+
+// Takes bytes off the front; `ended` once there are none left.
+struct Bytes {
+  std::span<const std::byte> rest;
+  bool ended = false;
+
+  std::uint8_t next() {
+    ended = ended || rest.empty();
+    if (ended) return 0;
+    const auto byte = std::to_integer<std::uint8_t>(rest.front());
+    rest = rest.subspan(1);
+    return byte;
+  }
+  std::string line() {
+    std::string text;
+    for (char c = static_cast<char>(next()); !ended && c != '\n'; c = static_cast<char>(next()))
+      text += c;
+    return text;
+  }
+};
+
+// "-Y 48 +X 64": false for another order of rows, or none.
+bool read_size(const std::string& line, std::uint64_t& width, std::uint64_t& height) {
+  const std::size_t x = line.find(" +X ");
+  if (!line.starts_with("-Y ") || x == std::string::npos) return false;
+  const auto number = [](std::string_view text, std::uint64_t& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size() && value > 0 &&
+           value <= std::uint64_t{1} << 30;
+  };
+  const std::string_view text = line;
+  return number(text.substr(3, x - 3), height) && number(text.substr(x + 4), width);
+}
+
+// One channel of a row in runs: of n bytes each, or of one byte n - 128 times.
+bool read_runs(Bytes& bytes, std::vector<Quad>& row, std::size_t channel) {
+  for (std::size_t x = 0; x < row.size();) {
+    const std::size_t count = bytes.next();
+    const bool same = count > 128;
+    const std::size_t length = same ? count - 128 : count;
+    if (length == 0 || length > row.size() - x || bytes.ended) return false;
+    const std::uint8_t first = bytes.next();
+    for (std::size_t i = 0; i < length; ++i)
+      row[x++][channel] = same || i == 0 ? first : bytes.next();
+  }
+  return !bytes.ended;
+}
+
+bool read_row(Bytes& bytes, std::vector<Quad>& row) {
+  Quad first{};
+  for (std::uint8_t& value : first) value = bytes.next();
+  const std::size_t width = first[2] * std::size_t{256} + first[3];
+  if (row.size() >= 8 && row.size() < 32768 && first[0] == 2 && first[1] == 2 &&
+      width == row.size()) {
+    for (std::size_t channel = 0; channel < 4; ++channel)
+      if (!read_runs(bytes, row, channel)) return false;
+    return true;
+  }
+  row[0] = first;
+  for (std::size_t x = 1; x < row.size(); ++x)
+    for (std::uint8_t& value : row[x]) value = bytes.next();
+  return !bytes.ended;
+}
+
+}  // namespace
+
+bool is_hdr(std::span<const std::byte> bytes) {
+  return bytes.size() > 2 && bytes[0] == std::byte{'#'} && bytes[1] == std::byte{'?'};
+}
+
+Result<LinearImage> decode_hdr(std::span<const std::byte> file, const std::string& name,
+                               std::uint64_t max_pixels) {
+  const auto wrong = [&](const std::string& what, const char* hint) {
+    return fail(named_place(name), what, hint);
+  };
+  Bytes bytes{file};
+  bool rgbe = false;
+  for (std::string line = bytes.line(); !line.empty(); line = bytes.line())
+    rgbe = rgbe || line == "FORMAT=32-bit_rle_rgbe";
+  std::uint64_t width = 0, height = 0;
+  if (!rgbe || !read_size(bytes.line(), width, height))
+    return wrong("HDR header is not one of RGBE rows from the top", "write it by flatray render");
+  if (width * height > max_pixels)
+    return wrong(fmt::format("picture of {} x {} pixels is too large", width, height), "");
+  LinearImage image{static_cast<int>(width), static_cast<int>(height), {}};
+  std::vector<Quad> row(width);
+  for (std::uint64_t y = 0; y < height; ++y) {
+    if (!read_row(bytes, row))
+      return wrong("HDR ends in the middle or is damaged", "write or copy it again");
+    for (const Quad& pixel : row)
+      for (std::size_t c = 0; c < 3; ++c)
+        image.pixels.push_back(std::ldexp(static_cast<float>(pixel[c]), pixel[3] - 136));
+  }
+  return image;
+}
+
+Image develop(const LinearImage& light) {
+  Image image(light.width, light.height, 3);
+  for (std::size_t i = 0; i < light.pixels.size(); ++i)
+    image.pixels[i] = srgb_from_linear(light.pixels[i]);
+  return image;
+}
+
+}  // namespace flatray

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Machines that have no more threads or memory, and files that never end: a message and an exit code, soon.
+source "$(dirname "$0")/lib.sh"
+scene box.toml 3
+
+run 0 render box.toml -o 'all/f_####.png' -j 1 -q
+if [[ -z $sanitizers ]] && (ulimit -s 4000000) 2> /dev/null; then
+  # A stack of 4 GB for each further thread, which there is not: the first one does all.
+  (ulimit -s 4000000 -v 3500000 && run 0 render box.toml -o 'alone/f_####.png' -j 8 -q && exit $((failures > 0))) || fail "no threads"
+  same all alone "without threads"
+  (ulimit -v 60000 && run 70 render box.toml -f 1 -o p.png --size 8000x8000 -j 1 && says err "out of memory" && exit $((failures > 0))) || fail "no memory"
+  absent p.png
+fi
+run 124 render box.toml -f 1 -o p.png --size 8000x8000 -j 1 --max-seconds 0.001
+says err "the time of --max-seconds is over"
+absent p.png
+
+# What the user did not name is no pipe and no device: a frame, a manifest, a golden, a profile, rows of a log.
+mkdir pipes && mkfifo pipes/f_0001.png
+cp all/manifest.jsonl pipes/
+run 6 render box.toml -f 1..3 -o 'pipes/f_####.png' --resume -q
+says err "f_0001.png: error: is not a plain file"
+rm pipes/manifest.jsonl && mkfifo pipes/manifest.jsonl
+run 6 render box.toml -o 'pipes/f_####.png' --resume -q
+says err "manifest.jsonl: error: is not a plain file"
+run 3 render box.toml -f 1 -o p.png --profile /dev/zero --error 0.1
+says err "/dev/zero: error: is not a plain file"
+mkdir log && ln -s /dev/zero log/stability.csv
+run 6 stability --count 1 --families vertex --tracer grid -o log
+says err "stability.csv: error: is a link"
+mkdir -p golden_images && mkfifo golden_images/manifest.json
+run 3 golden check
+says err "manifest.json: error: is not a plain file"
+
+# Of what is no picture the beginning is read; of what is named, a pipe is read.
+cp all/f_0001.png a.png
+printf 'no picture' > b.png && truncate -s 2000M b.png
+(limit_memory 400000 && run 4 compare a.png b.png && exit $((failures > 0))) || fail "a large file that is no picture"
+truncate -s 5000M b.png
+run 3 compare a.png b.png
+says err "is larger than"
+run 0 compare a.png <(cat all/f_0001.png)
+finish
