@@ -180,8 +180,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (auto used = expect_used(arguments, **experiment); !used) return fail(std::move(used));
   const std::filesystem::path folder = folder_of(arguments, **experiment);
   Monitors monitors;
-  const auto result = measure_all(arguments, **experiment, folder, monitors);
   if ((*experiment)->name == std::string_view("backends")) expect_crashes_of_gl();
+  const auto result = measure_all(arguments, **experiment, folder, monitors);
   if (!result && interrupted()) return VerbOutput{"", report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
   auto files = write_files(*result, folder, Outputs(arguments));
