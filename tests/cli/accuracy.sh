@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # `flatray accuracy`: files, a table for people, a budget that cuts, and what it refuses.
 source "$(dirname "$0")/lib.sh"
-[[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0  # Mesa keeps some memory
+ignore_leaks  # of Mesa
 scene box.toml 3
 run 0 accuracy box.toml -o out --budget 5s
 says out "coverage: What does it cost"

@@ -3,7 +3,7 @@
 # The GL back ends as users run them.
 source "$(dirname "$0")/lib.sh"
 # Mesa keeps memory and threads that LeakSanitizer cannot always read.
-[[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0
+ignore_leaks  # of Mesa
 scene moving.toml 6 'stroke = { width = 0.5, colour = "#2040ff80" }'
 
 run 0 --version

@@ -36,6 +36,9 @@ says() {
 }
 silent() { [[ ! -s $work/$1.txt ]] || fail "std$1 is not empty: $(head -1 "$work/$1.txt")"; }
 
+# ignore_leaks: those of Mesa, and where the leak sanitizer cannot look.
+ignore_leaks() { export ASAN_OPTIONS=detect_leaks=0; }
+
 # limit_memory KIB: of what is run from here on. Sanitizers map more than any limit allows.
 limit_memory() { [[ -n $sanitizers ]] || ulimit -v "$1"; }
 

@@ -2,7 +2,7 @@
 # needs: shapes/circle
 # `flatray accuracy --profile` and `flatray render --profile`: what is chosen, and refused with its place.
 source "$(dirname "$0")/lib.sh"
-[[ -z $sanitizers ]] || export ASAN_OPTIONS=detect_leaks=0  # Mesa keeps some memory
+ignore_leaks  # of Mesa
 scene box.toml 1 '[[entity]]' 'shape = { circle = { centre = [3.3, 2.1], radius = 1.7 } }'
 run 0 accuracy box.toml -o out --choice coverage --budget 5s --profile box.profile
 grep -q '"setting":"exact area"' box.profile || fail "no exact area in the profile"
