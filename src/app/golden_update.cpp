@@ -35,6 +35,7 @@ std::vector<GoldenRow> wanted_rows(const GoldenRequest& request,
   FilmSize size{scene.film.width, scene.film.height};
   if (!fits(size) && !before.empty()) size = {before.front().width, before.front().height};
   std::vector<unsigned> frames;
+  frames.reserve(before.size());
   for (const GoldenRow& row : before) frames.push_back(row.frame);
   if (frames.empty()) frames = {1};
   std::vector<GoldenRow> wanted;
