@@ -8,6 +8,7 @@
 #include "app/option_values.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "image/hdr.h"
 #include "image/png.h"
 
 namespace flatray {
@@ -96,9 +97,10 @@ Records records_of(std::string_view text) {
 bool is_whole(const FrameRecord& record, const fs::path& folder) {
   const Result<std::string> bytes = read_regular_file(folder / record.file);
   if (!bytes) return false;
-  if (Hash().add(std::as_bytes(std::span(*bytes))).hex() != record.bytes) return false;
-  if (bytes->starts_with("#?RADIANCE")) return true;
-  const Result<Image> image = decode_png(std::as_bytes(std::span(*bytes)), record.file);
+  const auto content = std::as_bytes(std::span(*bytes));
+  if (Hash().add(content).hex() != record.bytes) return false;
+  if (is_hdr(content)) return true;
+  const Result<Image> image = decode_png(content, record.file);
   return image && image->width == record.width && image->height == record.height &&
          pixel_hash(*image) == record.pixels;
 }

@@ -11,6 +11,7 @@
 
 #include "app/option_values.h"
 #include "base/file.h"
+#include "image/png.h"
 
 namespace flatray {
 namespace {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 struct Kind {
   std::string_view name, beginning;
 };
-constexpr std::array<Kind, 6> kKinds = {{{"a PNG", "\x89PNG\r\n\x1a\n"},
+constexpr std::array<Kind, 6> kKinds = {{{"a PNG", kPngSignature},
                                          {"an HDR picture", "#?RADIANCE"},
                                          {"an SVG", "<?xml"},
                                          {"a page of HTML", "<!DOCTYPE html"},

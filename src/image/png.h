@@ -1,11 +1,19 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
+#include <string_view>
 
 #include "image/image.h"
 
 namespace flatray {
+
+/// How every PNG begins.
+inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+
+/// Most bytes of a picture's file that are read.
+inline constexpr std::size_t kMostPictureBytes = std::numeric_limits<int>::max();
 
 /// A picture as PNG. No time stamps, and deflate of our own: the same picture gives the same bytes
 /// on every machine, whatever `threads`.
@@ -46,6 +54,6 @@ class PngEncoder {
 ///         before any large allocation.
 Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& name,
                          std::uint64_t max_pixels = std::uint64_t{1} << 28);
-Result<Image> read_png(const std::string& path, bool pipes = false);  ///< `pipes`: ReadLimits
+Result<Image> read_png(const std::string& path);
 
 }  // namespace flatray

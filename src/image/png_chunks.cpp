@@ -6,6 +6,7 @@
 #include <array>
 
 #include "image/checksums.h"
+#include "image/png.h"
 
 namespace flatray {
 namespace {

@@ -3,15 +3,11 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 
 namespace flatray {
-
-/// How every PNG begins.
-inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
 /// What a PNG says of itself before its pixels are unpacked.
 struct PngHeader {

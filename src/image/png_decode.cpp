@@ -1,6 +1,3 @@
-#include <fmt/core.h>
-
-#include <limits>
 #include <memory>
 
 #include "base/check.h"
@@ -30,8 +27,7 @@ constexpr std::uint64_t kMostInflation = 1032;
 bool unpacks_exactly(const PngHeader& png) {
   const std::uint64_t size = png.unpacked_bytes();
   if (size > kMostInflation * png.deflated.size()) return false;
-  const auto limit = static_cast<std::uint64_t>(std::numeric_limits<int>::max());
-  if (size > limit || png.deflated.size() > limit) return false;
+  if (size > kMostPictureBytes || png.deflated.size() > kMostPictureBytes) return false;
   const auto unpacked = std::make_unique_for_overwrite<char[]>(size);
   if (stbi_zlib_decode_buffer(unpacked.get(), static_cast<int>(size), png.deflated.data(),
                               static_cast<int>(png.deflated.size())) != static_cast<int>(size))
@@ -42,12 +38,18 @@ bool unpacks_exactly(const PngHeader& png) {
   return adler == adler32({reinterpret_cast<const std::uint8_t*>(unpacked.get()), size});
 }
 
-// stb_image takes colours beyond the end of a palette from memory that nothing was written to. Here
-// the palette has all that the samples can name; the checksums behind it are no longer read.
+// Bytes of a palette that has all that the samples can name.
+std::size_t whole_palette(const PngHeader& png) { return 3 * (std::size_t{1} << png.bit_depth); }
+
+// stb_image takes colours beyond the end of a palette from memory that nothing was written to.
+bool has_short_palette(const PngHeader& png) {
+  return png.colour_type == 3 && png.palette_size != 0 && png.palette_size < whole_palette(png);
+}
+
+// The checksums behind it are no longer read.
 std::vector<std::byte> with_whole_palette(std::span<const std::byte> bytes, const PngHeader& png) {
   std::vector<std::byte> whole(bytes.begin(), bytes.end());
-  const std::size_t size = 3 * (std::size_t{1} << png.bit_depth);
-  if (png.colour_type != 3 || png.palette_size >= size || png.palette_size == 0) return whole;
+  const std::size_t size = whole_palette(png);
   const auto end = static_cast<std::ptrdiff_t>(png.palette_at + png.palette_size);
   whole.insert(whole.begin() + end, size - png.palette_size, std::byte{0});
   whole[png.palette_at - 6] = static_cast<std::byte>(size >> 8);  // its length, of four bytes
@@ -65,13 +67,14 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& na
     return fail(named_place(name), "PNG pixels cannot be unpacked",
                 "the file is damaged: write it again");
   };
-  const std::vector<std::byte> whole = with_whole_palette(bytes, *png);
-  if (!unpacks_exactly(*png) || whole.size() > std::numeric_limits<int>::max()) return damaged();
+  std::vector<std::byte> whole;
+  if (has_short_palette(*png)) bytes = whole = with_whole_palette(bytes, *png);
+  if (!unpacks_exactly(*png) || bytes.size() > kMostPictureBytes) return damaged();
   int width = 0, height = 0, of_file = 0;
   const int channels = png->alpha ? 4 : 3;
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(whole.data()),
-                            static_cast<int>(whole.size()), &width, &height, &of_file, channels),
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                            static_cast<int>(bytes.size()), &width, &height, &of_file, channels),
       &stbi_image_free);
   if (!pixels) return damaged();
   Image image(width, height, channels);
@@ -79,9 +82,9 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& na
   return image;
 }
 
-Result<Image> read_png(const std::string& path, bool pipes) {
-  constexpr std::size_t kMostBytes = std::numeric_limits<int>::max();
-  Result<std::string> content = read_file(path, {kMostBytes, {}, pipes, {kPngSignature}});
+Result<Image> read_png(const std::string& path) {
+  Result<std::string> content =
+      read_file(path, {.bytes = kMostPictureBytes, .begins = {kPngSignature}});
   if (!content) return fail(std::move(content));
   return decode_png(std::as_bytes(std::span(*content)), path);
 }

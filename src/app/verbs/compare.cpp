@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 
 #include "app/difference_text.h"
 #include "app/outputs.h"
@@ -17,7 +16,6 @@
 #include "image/hdr.h"
 #include "image/metric.h"
 #include "image/png.h"
-#include "image/png_chunks.h"
 
 namespace flatray::verbs {
 namespace {
@@ -94,11 +92,9 @@ struct Picture {
   std::vector<float> light;  // of an HDR
 };
 
-constexpr std::size_t kMostBytes = std::numeric_limits<int>::max();
-
 Result<Picture> read_picture(const std::string& path, bool named) {
   const Result<std::string> content = read_file(
-      path, {.bytes = kMostBytes, .pipes = named, .begins = {kPngSignature, kHdrSignature}});
+      path, {.bytes = kMostPictureBytes, .pipes = named, .begins = {kPngSignature, kHdrSignature}});
   if (!content) return tl::unexpected(content.error());
   const auto bytes = std::as_bytes(std::span(*content));
   if (is_hdr(bytes)) {
