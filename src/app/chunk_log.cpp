@@ -139,8 +139,8 @@ Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::s
   if (!folder) return rows;
   const std::string head = rows.header(format.counts.size()) + "\n";
   rows.journal_.emplace(std::filesystem::path(*folder) / format.file, head);
-  const std::filesystem::path& path = rows.journal_->path();
-  if (auto allowed = outputs.make_way(path, head); !allowed) return fail(std::move(allowed));
+  if (auto allowed = outputs.make_way(rows.journal_->path(), head); !allowed)
+    return fail(std::move(allowed));
   const auto text = rows.journal_->read();
   if (!text) return tl::unexpected(text.error());
   if (const auto now = rows.read(*text)) {
@@ -149,9 +149,7 @@ Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::s
   } else if (!outputs.force()) {
     return tl::unexpected(now.error());
   }
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  if (error) return fail(named_place(path.string()), error.message(), "", Trouble::output);
+  if (auto removed = rows.journal_->remove(); !removed) return fail(std::move(removed));
   rows.rows_.clear();
   return rows;
 }

@@ -54,17 +54,9 @@ Result<void> ExperimentMonitor::read(const std::string& key, bool force) {
   });
   if (problem.empty()) return {};
   kept_.clear();
-  if (force) return remove();
+  if (force) return journal_->remove();
   return fail(named_place(journal_->path().string()), problem,
               "name another folder with -o; --force begins anew", Trouble::output);
-}
-
-Result<void> ExperimentMonitor::remove() const {
-  std::error_code error;
-  std::filesystem::remove(journal_->path(), error);
-  if (error)
-    return fail(named_place(journal_->path().string()), error.message(), "", Trouble::output);
-  return {};
 }
 
 bool are_blocks(const std::string& text) {
@@ -108,6 +100,8 @@ Result<void> ExperimentMonitor::finish() {
   return {};
 }
 
-Result<void> ExperimentMonitor::forget() const { return journal_ ? remove() : Result<void>(); }
+Result<void> ExperimentMonitor::forget() const {
+  return journal_ ? journal_->remove() : Result<void>();
+}
 
 }  // namespace flatray

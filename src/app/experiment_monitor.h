@@ -34,7 +34,6 @@ class ExperimentMonitor : public RunMonitor {
 
  private:
   Result<void> read(const std::string& key, bool force);
-  Result<void> remove() const;
 
   std::optional<Journal> journal_;  // none where nothing is kept
   std::optional<Claim> claim_;

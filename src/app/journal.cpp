@@ -113,6 +113,13 @@ Result<void> Journal::add(const std::string& lines, const Step& first, Flush flu
   return cannot("write", path_, error, Trouble::output);
 }
 
+Result<void> Journal::remove() const {
+  std::error_code error;
+  fs::remove(path_, error);
+  if (error) return fail(named_place(path_.string()), error.message(), "", Trouble::output);
+  return {};
+}
+
 Claim::Claim(fs::path path, Descriptor file) : path_(std::move(path)), file_(std::move(file)) {}
 
 Claim::~Claim() {

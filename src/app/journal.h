@@ -36,6 +36,9 @@ class Journal {
   Result<void> add(const std::string& lines, const Step& first = {},
                    Flush flush = Flush::now) const;
 
+  /// Removes the file, if there. Error   Trouble::output with the system's reason.
+  Result<void> remove() const;
+
  private:
   Result<Descriptor> lock() const;
 

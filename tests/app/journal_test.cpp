@@ -69,6 +69,18 @@ TEST_F(JournalFile, AMergeThatChangesNothingLeavesTheFile) {
   EXPECT_EQ(journal_.read().value(), "head\none\ntwo\n");
 }
 
+TEST_F(JournalFile, OneThatIsRemovedBeginsAnew) {
+  ASSERT_TRUE(journal_.remove()) << "of none";
+  ASSERT_TRUE(journal_.add("one\n"));
+  ASSERT_TRUE(journal_.remove());
+  EXPECT_FALSE(fs::exists(journal_.path()));
+  ASSERT_TRUE(journal_.add("two\n"));
+  EXPECT_EQ(journal_.read().value(), "head\ntwo\n");
+  ASSERT_TRUE(journal_.remove());
+  fs::create_directories(journal_.path() / "inside");
+  EXPECT_EQ(journal_.remove().error()[0].trouble, Trouble::output);
+}
+
 // Four processes, two of which replace the file all the time: no line is lost, none is torn.
 TEST_F(JournalFile, ProcessesLoseNoLineOfEachOther) {
   constexpr int kProcesses = 4, kLines = 100;
