@@ -77,7 +77,8 @@ void Outputs::add_input(const fs::path& path) {
   if (::stat(path.c_str(), &status) == 0) inputs_.emplace(status.st_dev, status.st_ino);
 }
 
-Result<void> Outputs::allow(const fs::path& path, std::string_view content, bool ours) const {
+Result<void> Outputs::judge(const fs::path& path, std::string_view content, bool ours,
+                            bool force) const {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) return {};  // what else is wrong, writing tells
   std::string what;
@@ -98,16 +99,20 @@ Result<void> Outputs::allow(const fs::path& path, std::string_view content, bool
     what = fmt::format("is there already, and nothing of the kind that is written here: {}",
                        kind_of(content).name);
   }
-  if (replaceable && force_) return {};
+  if (replaceable && force) return {};
   return fail(named_place(path.string()), what,
               replaceable && can_force_ ? "name another file; --force replaces this one"
                                         : "name another file",
               Trouble::output);
 }
 
+Result<void> Outputs::allow(const fs::path& path, std::string_view content, bool ours) const {
+  return judge(path, content, ours, force_);
+}
+
 Result<void> Outputs::make_way(const fs::path& path, std::string_view content) const {
   if (auto allowed = allow(path, content); !allowed || !force_) return allowed;
-  if (Outputs unforced = *this; unforced.force_ = false, !unforced.allow(path, content)) {
+  if (!judge(path, content, false, false)) {
     std::error_code ignored;  // what stays, opening it tells
     fs::remove(path, ignored);
   }

@@ -42,6 +42,9 @@ class Outputs {
   Result<void> write(const std::filesystem::path& path, const std::string& text) const;
 
  private:
+  Result<void> judge(const std::filesystem::path& path, std::string_view content, bool ours,
+                     bool force) const;
+
   std::set<std::pair<std::uint64_t, std::uint64_t>> inputs_;  ///< device and number of each
   bool force_ = false, can_force_ = false;
 };
