@@ -87,7 +87,7 @@ Result<std::vector<std::string>> chosen_names(const Arguments& arguments, const 
   const auto text = arguments.text(option);
   if (!text) return known;
   std::vector<std::string> names;
-  for (const std::string_view word : split_commas(*text)) {
+  for (const std::string_view word : split(*text, ',')) {
     if (std::find(known.begin(), known.end(), word) == known.end())
       return unknown_name(arguments.where(option), what, std::string(word), known);
     if (std::find(names.begin(), names.end(), word) == names.end()) names.emplace_back(word);

@@ -97,7 +97,7 @@ std::string ChunkLog::header(std::size_t counts) const {
 
 // A row of before in the columns of now: what it did not count is empty.
 std::string ChunkLog::padded(std::string_view line) const {
-  const std::size_t cells = split_commas(line).size();
+  const std::size_t cells = split(line, ',').size();
   const std::size_t missing = cells_besides_counts(format_) + format_.counts.size() - cells;
   const std::size_t end = format_.note == nullptr ? line.size() : line.rfind(',');
   return std::string(line).insert(end, missing, ',');
@@ -105,7 +105,7 @@ std::string ChunkLog::padded(std::string_view line) const {
 
 std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
     std::string_view line) const {
-  const std::vector<std::string_view> cells = split_commas(line);
+  const std::vector<std::string_view> cells = split(line, ',');
   const std::size_t others = cells_besides_counts(format_);
   const auto is_width = [&](std::size_t counts) {
     return std::find(format_.widths.begin(), format_.widths.end(), counts) != format_.widths.end();

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/help.h"
+#include "app/option_values.h"
 #include "app/places.h"
 #include "base/shown_text.h"
 #include "scene/build_scene.h"
@@ -14,16 +15,6 @@
 
 namespace flatray {
 namespace {
-
-std::vector<std::string> split(std::string_view text, char at) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const std::size_t end = text.find(at);
-    parts.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 // Words of a command line as the options of its verb divide them.
 struct CommandLine {
@@ -103,7 +94,8 @@ void add_scene_files(Completion& completion) {
 void add_values(Completion& completion, const CommandLine& line, const std::string& what,
                 std::vector<std::string> (*words)()) {
   if (words != nullptr) return add(completion, line, words());
-  if (what.find('|') != std::string::npos) return add(completion, line, split(what, '|'));
+  if (const auto parts = split(what, '|'); parts.size() > 1)
+    return add(completion, line, {parts.begin(), parts.end()});
   if (what == "SCENE") return add_scene_files(completion);
   if (what == "ENTITY")
     return add(completion, line, names_in_scene(line, [](const Scene& s) { return s.entities; }));

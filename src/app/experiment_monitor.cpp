@@ -9,7 +9,7 @@ namespace flatray {
 namespace {
 
 std::optional<std::pair<std::size_t, Numbers>> read_block(std::string_view line) {
-  const std::vector<std::string_view> cells = split_commas(line);
+  const std::vector<std::string_view> cells = split(line, ',');
   const auto block = parse_whole(cells.front());
   if (!block) return std::nullopt;
   Numbers numbers;

@@ -48,7 +48,7 @@ Result<Sweep> parse_sweep(std::string_view text, const Place& where) {
           where, fmt::format("'{}' is not a range of up to {} steps", values, kMostValues), kHint);
     sweep.values = std::move(*stepped);
   } else {
-    for (const std::string_view value : split_commas(values)) sweep.values.emplace_back(value);
+    for (const std::string_view value : split(values, ',')) sweep.values.emplace_back(value);
   }
   return sweep;
 }

@@ -54,7 +54,7 @@ Result<FrameRange> parse_range(std::string_view text, const Place& where) {
 Result<std::vector<unsigned>> parse_frames(std::string_view text, const Place& where) {
   std::vector<FrameRange> ranges;
   std::uint64_t last = 0;
-  for (const std::string_view part : split_commas(text)) {
+  for (const std::string_view part : split(text, ',')) {
     const auto range = parse_range(part, where);
     if (!range) return tl::unexpected(range.error());
     ranges.push_back(*range);

@@ -19,13 +19,13 @@ std::optional<std::uint64_t> parse_whole(std::string_view text) {
   return value;
 }
 
-std::vector<std::string_view> split_commas(std::string_view text) {
+std::vector<std::string_view> split(std::string_view text, char at) {
   std::vector<std::string_view> pieces;
   for (;;) {
-    const std::size_t comma = text.find(',');
-    pieces.push_back(text.substr(0, comma));
-    if (comma == std::string_view::npos) return pieces;
-    text.remove_prefix(comma + 1);
+    const std::size_t end = text.find(at);
+    pieces.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return pieces;
+    text.remove_prefix(end + 1);
   }
 }
 
@@ -71,7 +71,7 @@ Result<FilmSize> parse_size(std::string_view text, const Place& where, std::uint
 }
 
 Result<PixelBox> parse_crop(std::string_view text, const Place& where, const FilmSize& film) {
-  const std::vector<std::string_view> parts = split_commas(text);
+  const std::vector<std::string_view> parts = split(text, ',');
   std::vector<int> at;
   for (const std::string_view part : parts) {
     const std::optional<std::uint64_t> value = parse_whole(part);
@@ -89,9 +89,9 @@ Result<PixelBox> parse_crop(std::string_view text, const Place& where, const Fil
 
 Result<Ray> parse_ray(std::string_view text, const Place& where) {
   std::vector<double> numbers;
-  for (const std::string_view part : split_commas(text))
+  for (const std::string_view part : split(text, ','))
     if (const std::optional<double> value = parse_number(part)) numbers.push_back(*value);
-  if (numbers.size() != 4 || split_commas(text).size() != 4)
+  if (numbers.size() != 4 || split(text, ',').size() != 4)
     return usage_error(where, fmt::format("'{}' is not four numbers", text),
                        "say x,y,dx,dy, as 1,2,22,10");
   return Ray{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};

@@ -37,8 +37,8 @@ Result<Ray> parse_ray(std::string_view text, const Place& where);
 Result<std::vector<Override>> parse_overrides(const std::vector<std::string>& texts,
                                               const Place& where);
 
-/// Pieces of `text` between commas; words with commas between.
-std::vector<std::string_view> split_commas(std::string_view text);
+/// Pieces of `text` between the characters `at`; words with commas between.
+std::vector<std::string_view> split(std::string_view text, char at);
 std::string comma_list(const std::vector<std::string>& words);
 
 }  // namespace flatray

@@ -36,7 +36,7 @@ const Kind& kind_of(std::string_view content) {
 // Of JSON the name that comes first, of a text each cell of its first line.
 std::vector<std::string_view> first_words(const Kind& kind, std::string_view content) {
   if (kind.name == "JSON") return {content.substr(0, content.find(':'))};
-  return split_commas(content.substr(0, content.find('\n')));
+  return split(content.substr(0, content.find('\n')), ',');
 }
 
 // Tables of one kind share a column at least, reports in JSON the first name.

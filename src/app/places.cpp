@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/help.h"
+#include "app/option_values.h"
 #include "base/beneath.h"
 #include "base/file.h"
 #include "base/module_file.h"
@@ -89,14 +89,8 @@ Result<void> open_for(const Named& one, const Arguments& arguments, Sandbox& san
 }  // namespace
 
 std::string operand_word(const Verb& verb, std::size_t index) {
-  std::vector<std::string> words;
-  std::string_view rest = verb.operands;
-  for (std::size_t blank = 0; blank != std::string_view::npos; rest.remove_prefix(blank + 1)) {
-    blank = rest.find(' ');
-    words.emplace_back(rest.substr(0, blank));
-    if (blank == std::string_view::npos) break;
-  }
-  std::string word = words[std::min(index, words.size() - 1)];
+  const std::vector<std::string_view> words = split(verb.operands, ' ');
+  std::string word(words[std::min(index, words.size() - 1)]);
   std::erase_if(word, [](char c) { return c == '[' || c == ']'; });
   return word.substr(0, word.find("..."));
 }

@@ -15,7 +15,7 @@ Result<const View*> find_view(const std::string& name, const Place& where) {
 }
 
 Result<Vec2> read_point(std::string_view text, const std::string& view, const Place& where) {
-  const std::vector<std::string_view> parts = split_commas(text);
+  const std::vector<std::string_view> parts = split(text, ',');
   const auto x = parse_number(parts[0]);
   const auto y = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
   if (!x || !y)
