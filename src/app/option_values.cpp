@@ -19,6 +19,11 @@ std::optional<std::uint64_t> parse_whole(std::string_view text) {
   return value;
 }
 
+std::optional<double> parse_seconds(std::string_view text) {
+  if (text.ends_with('s')) text.remove_suffix(1);
+  return parse_number(text);
+}
+
 std::vector<std::string_view> split(std::string_view text, char at) {
   std::vector<std::string_view> pieces;
   for (;;) {

@@ -16,6 +16,9 @@ namespace flatray {
 /// refuses.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
+/// "60s" or "60".
+std::optional<double> parse_seconds(std::string_view text);
+
 /// Most pixels --max-pixels may allow: what the 32-bit sizes of the PNG writer hold, four channels,
 /// one pixel wide.
 inline constexpr std::uint64_t kMostPixels = 400'000'000;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/backend_choice.h"
+#include "app/option_values.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/value.h"
@@ -105,13 +106,12 @@ Result<Profile> read_profile(const std::string& path) {
   return profile;
 }
 
-// A positive number given to an option.
+// A number of 0 or more given to an option; infinity where none is.
 Result<double> limit(const Arguments& arguments, const char* option) {
   const auto text = arguments.text(option);
   if (!text) return kInfinity;
-  std::string digits = *text;
-  if (std::string_view(option) == "time" && digits.ends_with('s')) digits.pop_back();
-  const auto number = parse_number(digits);
+  const bool of_time = std::string_view(option) == "time";
+  const auto number = of_time ? parse_seconds(*text) : parse_number(*text);
   if (!number || !(*number >= 0))
     return usage_error(arguments.where(option), "is not a number of 0 or more", "say 0.001");
   return *number;

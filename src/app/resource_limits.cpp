@@ -13,9 +13,8 @@ namespace {
 // Below the program does not even say what is wrong.
 constexpr double kLeastMemory = 0x1p24;
 
-Result<double> seconds(const Arguments& arguments, std::string text) {
-  if (text.ends_with('s')) text.pop_back();
-  const auto seconds = parse_number(text);
+Result<double> seconds(const Arguments& arguments, const std::string& text) {
+  const auto seconds = parse_seconds(text);
   if (seconds && *seconds > 0 && *seconds <= 1e9) return *seconds;
   return usage_error(arguments.where("max-seconds"), "is not a time above 0", "say 60 or 1.5s");
 }

@@ -14,6 +14,20 @@ std::string refusal(const char* size) {
   return problem.trouble == Trouble::usage ? format(problem) : "wrong trouble";
 }
 
+TEST(OptionValues, SecondsMayNameTheirUnitOnce) {
+  EXPECT_EQ(parse_seconds("60s"), 60);
+  EXPECT_EQ(parse_seconds("1.5"), 1.5);
+  for (const char* none : {"", "s", "60ss", "60 s", "60m"})
+    EXPECT_FALSE(parse_seconds(none)) << none;
+}
+
+TEST(OptionValues, ATextIsSplitAtEveryOneOfACharacter) {
+  using Pieces = std::vector<std::string_view>;
+  EXPECT_EQ(split("a,b|c", ','), (Pieces{"a", "b|c"}));
+  EXPECT_EQ(split("|a||", '|'), (Pieces{"", "a", "", ""}));
+  EXPECT_EQ(split("", ' '), Pieces{""});
+}
+
 TEST(StiffCases, E3RefusedSizesNameFieldAndLimit) {
   EXPECT_EQ(refusal("0x5"), "--size: error: width 0 leaves no picture\n    say 1 or more\n");
   EXPECT_NE(refusal("5x0").find("height 0"), std::string::npos);

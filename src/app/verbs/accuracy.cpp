@@ -11,7 +11,6 @@
 #include "app/result_files.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
-#include "base/number_text.h"
 #include "study/accuracy_report.h"
 
 namespace flatray::verbs {
@@ -32,11 +31,8 @@ constexpr auto kOptions = with_scene_options(
 
 constexpr double kMostSeconds = 1e6;
 
-// "60s" or "60".
 Result<double> read_budget(const Arguments& arguments) {
-  std::string text = arguments.text("budget").value_or("60s");
-  if (text.ends_with('s')) text.pop_back();
-  const auto seconds = parse_number(text);
+  const auto seconds = parse_seconds(arguments.text("budget").value_or("60s"));
   if (!seconds || !(*seconds > 0))
     return usage_error(arguments.where("budget"), "is not a time above 0", "say 60s");
   if (*seconds > kMostSeconds)
