@@ -39,10 +39,9 @@ std::vector<const Verb*> all_verbs() {
 
 std::vector<Option> options_of(const Verb& verb) {
   std::vector<Option> options(verb.options.begin(), verb.options.end());
-  const std::vector<std::string> own = names_of(verb.options);
-  if (std::find(own.begin(), own.end(), "root") == own.end() && !own.empty())
+  if (!verb.options.empty() && !has_own_root(verb))
     options.push_back({"root", '\0', "DIR", "read and write nothing outside of this folder"});
-  if (!own.empty())
+  if (!verb.options.empty())
     options.push_back({"sandbox", '\0', "",
                        "let the kernel refuse all other files: flatray help safety",
                        OptionKind::flag});

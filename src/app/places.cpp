@@ -34,12 +34,7 @@ Named::Kind kind_of(std::string_view metavar, const fs::path& path) {
                                                             : Named::Kind::read;
 }
 
-bool has_own_root(const Verb& verb) {
-  return std::any_of(verb.options.begin(), verb.options.end(),
-                     [](const Option& option) { return option.name == std::string_view("root"); });
-}
-
-// All but "-". A verb with a --root of its own finds all there.
+// All but "-".
 std::vector<Named> named_by(const Verb& verb, const Arguments& arguments) {
   std::vector<Named> all;
   if (has_own_root(verb))
@@ -93,6 +88,11 @@ std::string operand_word(const Verb& verb, std::size_t index) {
   std::string word(words[std::min(index, words.size() - 1)]);
   std::erase_if(word, [](char c) { return c == '[' || c == ']'; });
   return word.substr(0, word.find("..."));
+}
+
+bool has_own_root(const Verb& verb) {
+  return std::any_of(verb.options.begin(), verb.options.end(),
+                     [](const Option& option) { return option.name == std::string_view("root"); });
 }
 
 bool names_path(std::string_view metavar) {

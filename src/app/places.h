@@ -9,6 +9,9 @@ std::string operand_word(const Verb& verb, std::size_t index);
 /// Whether what stands for a value - "SCENE", "PATTERN", "OUT.png" - is the name of a file or folder.
 bool names_path(std::string_view metavar);
 
+/// Whether --root is an option of the verb's own, which then finds all in that folder.
+bool has_own_root(const Verb& verb);
+
 /// With --root: that the files and folders named by operands and options, and where output goes that
 /// none of them names, lie in that folder or beneath it.
 /// Error   Trouble::usage, each that does not.
