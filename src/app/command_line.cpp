@@ -111,7 +111,7 @@ Diagnostics unknown_variables() {
   if (given.empty()) return {};
   std::vector<std::string> known{"FLATRAY_ISA", "FLATRAY_HELP", "FLATRAY_WERROR",
                                  "FLATRAY_FULL_COUNTS"};
-  known.insert(known.end(), std::begin(kModuleVariables), std::end(kModuleVariables));
+  for (const ModuleFile& module : kAllModules) known.emplace_back(module.variable);
   for (const Verb* verb : all_verbs())
     for (const Option& option : options_of(*verb)) known.push_back(environment_name(option));
   Diagnostics warnings;

@@ -119,8 +119,9 @@ Result<void> enter_sandbox(const Verb& verb, const Arguments& arguments) {
   Sandbox sandbox{{"/usr", "/lib", "/lib64", "/etc/ld.so.cache", "/proc/cpuinfo"}, {}};
   std::error_code error;
   sandbox.read.push_back(fs::read_symlink("/proc/self/exe", error).parent_path());
-  for (const char* module : kModuleVariables)
-    if (const char* file = std::getenv(module); file != nullptr) sandbox.read.emplace_back(file);
+  for (const ModuleFile& module : kAllModules)
+    if (const char* file = std::getenv(module.variable); file != nullptr)
+      sandbox.read.emplace_back(file);
   for (const Named& one : named_by(verb, arguments))
     if (auto opened = open_for(one, arguments, sandbox); !opened) return opened;
   return enter_sandbox(sandbox);

@@ -9,9 +9,11 @@ struct ModuleFile {
   const char *name, *variable;
 };
 
-/// The variables of all modules.
-inline constexpr const char* kModuleVariables[] = {"FLATRAY_GL_MODULE", "FLATRAY_EMBREE_MODULE",
-                                                   "FLATRAY_CERTIFIED_MODULE"};
+/// Those that the program may load.
+inline constexpr ModuleFile kGlModule{"flatray_gl.so", "FLATRAY_GL_MODULE"},
+    kEmbreeModule{"flatray_embree.so", "FLATRAY_EMBREE_MODULE"},
+    kCertifiedModule{"flatray_certified.so", "FLATRAY_CERTIFIED_MODULE"},
+    kAllModules[] = {kGlModule, kEmbreeModule, kCertifiedModule};
 
 /// What a module answers by.
 struct LoadedEntry {

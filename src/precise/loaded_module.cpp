@@ -6,8 +6,7 @@ namespace flatray {
 namespace {
 
 FoundModule find_module() {
-  const LoadedEntry loaded =
-      load_module({"flatray_certified.so", "FLATRAY_CERTIFIED_MODULE"}, kCertifiedEntry);
+  const LoadedEntry loaded = load_module(kCertifiedModule, kCertifiedEntry);
   if (loaded.entry == nullptr) return {nullptr, loaded.problem};
   const CertifiedModule* module = reinterpret_cast<CertifiedEntry>(loaded.entry)();
   if (module == nullptr || module->layout != kCertifiedLayout)

@@ -1,10 +1,7 @@
 // needs: gl shapes/box experiments/backends backends/gl passes/entities
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "chamber_scenes.h"
-#include "support/paths.h"
 
 namespace flatray {
 namespace {
@@ -13,7 +10,6 @@ using namespace flatray::testing;
 
 // Of three frames with 4 samples and with 16: whole pixels do not differ, and the text says so.
 TEST(BackendsExperiment, SaysThatSamplesExplainAllDifferences) {
-  setenv("FLATRAY_GL_MODULE", binary_path("/flatray_gl.so").c_str(), 1);
   const Scene scene = scene_of(
       "frames = 5\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n"
       "[[entity]]\nshape = { box = { min = [2, 2], max = [9.25, 9] } }\nvelocity = [1, 2.5]\nfill "

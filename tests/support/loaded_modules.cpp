@@ -1,15 +1,14 @@
 // Test programs lie in a folder of their own: where the modules are that the program finds beside it.
 #include <cstdlib>
 
+#include "base/module_file.h"
 #include "support/paths.h"
 
 namespace {
 
 const bool kNamed = [] {
-  for (const auto& [variable, file] : {std::pair{"FLATRAY_GL_MODULE", "/flatray_gl.so"},
-                                       {"FLATRAY_EMBREE_MODULE", "/flatray_embree.so"},
-                                       {"FLATRAY_CERTIFIED_MODULE", "/flatray_certified.so"}})
-    setenv(variable, flatray::binary_path(file).c_str(), 1);
+  for (const flatray::ModuleFile& module : flatray::kAllModules)
+    setenv(module.variable, flatray::binary_path(std::string("/") + module.name).c_str(), 1);
   return true;
 }();
 

@@ -10,7 +10,7 @@ tl::unexpected<Diagnostics> unavailable(std::string message, std::string hint) {
 }
 
 Result<const FlatrayGlModule*> find_module() {
-  const LoadedEntry loaded = load_module({"flatray_gl.so", "FLATRAY_GL_MODULE"}, FLATRAY_GL_ENTRY);
+  const LoadedEntry loaded = load_module(kGlModule, FLATRAY_GL_ENTRY);
   if (loaded.entry == nullptr)
     return unavailable(
         loaded.problem,

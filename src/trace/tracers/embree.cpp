@@ -17,8 +17,7 @@ struct Found {
 };
 
 Found find_module() {
-  const LoadedEntry loaded =
-      load_module({"flatray_embree.so", "FLATRAY_EMBREE_MODULE"}, FLATRAY_EMBREE_ENTRY);
+  const LoadedEntry loaded = load_module(kEmbreeModule, FLATRAY_EMBREE_ENTRY);
   if (loaded.entry == nullptr)
     return {nullptr, loaded.problem +
                          "; tools/setup --bench installs what it is built from, then build again"};
