@@ -33,7 +33,7 @@ struct RenderJob {
   std::optional<ViewRequest> view = std::nullopt;      ///< drawn instead of the picture
 
   std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }
-  std::filesystem::path folder() const { return path(1).parent_path(); }
+  std::filesystem::path folder() const { return folder_of(path(1)); }
   std::filesystem::path manifest() const { return manifest_path(folder(), shard); }
   /// Whether a record is of this pattern, and of one of these frames.
   bool names(const FrameRecord& record) const {

@@ -51,4 +51,9 @@ run 0 render box.toml -o 'out/f_####.png' --resume
 run 0 render box.toml --size 32x24 -f 1,2 -o 'out/f_####.png'
 (($(wc -l < out/timings.jsonl) == 6)) || fail "timings of frames that stay were dropped"
 (($(grep -c '"seed"' out/manifest.jsonl) == 6)) || fail "records of frames that stay were dropped"
+
+# A pattern without a folder.
+run 0 render box.toml -o 'f_####.png' -f 1..3
+run 0 render box.toml -o 'f_####.png' --resume
+says err "3 frames written, 3 kept"
 finish
