@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "app/journal.h"
 #include "app/option_values.h"
 #include "base/file.h"
@@ -74,15 +72,12 @@ fs::path timings_path(const fs::path& folder, const Shard& shard) {
 }
 
 std::vector<fs::path> manifests_in(const fs::path& folder) {
-  std::vector<fs::path> found;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename();
-    if (name.starts_with("manifest.") && name.ends_with(".jsonl")) found.push_back(entry->path());
-  }
-  std::sort(found.begin(), found.end());
-  return found;
+  std::vector<fs::path> files = files_in(folder);
+  std::erase_if(files, [](const fs::path& path) {
+    const std::string name = path.filename();
+    return !name.starts_with("manifest.") || !name.ends_with(".jsonl");
+  });
+  return files;
 }
 
 Records records_of(std::string_view text) {

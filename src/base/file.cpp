@@ -83,10 +83,7 @@ Result<std::string> read_to_end(const Descriptor& file, const fs::path& path,
 // `take(path)` of what nobody holds locked, which is held while it is looked at.
 template <class Take>
 void each_leftover(const fs::path& folder, const Take& take) {
-  std::error_code error;
-  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end;
-       !error && entry != end; entry.increment(error)) {
-    const fs::path path = entry->path();
+  for (const fs::path& path : files_in(folder)) {
     if (!is_part_name(path.filename().string())) continue;
     const auto file = open_regular(path, O_RDONLY, "read", Trouble::missing);
     if (file && ::flock(file->get(), LOCK_EX | LOCK_NB) == 0 && is_at(path, *file)) take(path);
@@ -244,6 +241,16 @@ std::vector<fs::path> leftovers(const fs::path& folder) {
 
 void remove_leftovers(const fs::path& folder) {
   each_leftover(folder, [](const fs::path& path) { ::unlink(path.c_str()); });
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    files.push_back(entry->path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 fs::path folder_of(const fs::path& path) {

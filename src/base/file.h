@@ -67,6 +67,9 @@ Result<void> write_file(const std::filesystem::path& path, const std::string& te
 std::vector<std::filesystem::path> leftovers(const std::filesystem::path& folder);
 void remove_leftovers(const std::filesystem::path& folder);
 
+/// All that stands in a folder, sorted; none where it cannot be read.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
+
 /// The folder a file stands in, "." for a bare name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 

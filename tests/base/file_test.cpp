@@ -130,6 +130,15 @@ TEST_F(File, WhatNobodyHoldsLockedIsLeftOverAndNothingElse) {
   EXPECT_EQ(entries(), others.size() + 3);
 }
 
+TEST_F(File, AllThatStandsInAFolderIsToldByName) {
+  fs::create_directories(folder_ / "b" / "inside");
+  fs::create_symlink("nowhere", folder_ / "c");
+  for (const char* name : {"d", ".a"}) ASSERT_TRUE(write_file(folder_ / name, std::string()));
+  EXPECT_EQ(files_in(folder_),
+            (std::vector<fs::path>{folder_ / ".a", folder_ / "b", folder_ / "c", folder_ / "d"}));
+  EXPECT_TRUE(files_in(folder_ / "none").empty());
+}
+
 TEST_F(File, NamesOfTwoWritersOfOneProcessNumberDiffer) {
   const auto one = NewFile::write(folder_ / "a.txt", {});
   const auto two = NewFile::write(folder_ / "a.txt", {});

@@ -41,7 +41,7 @@ class FolderCheck {
   Result<void> run() {
     for (const fs::path& manifest : manifests_in(folder_)) read_manifest(manifest);
     check_rows();
-    for (const fs::path& file : files()) check_file(file);
+    for (const fs::path& file : files_in(folder_)) check_file(file);
     if (!found_)
       return fail(named_place(folder_.string()), "holds no records of frames, blocks or rows",
                   "name a folder that flatray wrote to", Trouble::missing);
@@ -78,16 +78,6 @@ class FolderCheck {
   void tell(const Diagnostics& problems) {
     for (const Diagnostic& one : problems)
       findings_.push_back({one.where.source->name(), one.message});
-  }
-
-  std::vector<fs::path> files() const {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
-         entry.increment(error))
-      files.push_back(entry->path());
-    std::sort(files.begin(), files.end());
-    return files;
   }
 
   void read_manifest(const fs::path& path) {
