@@ -1,25 +1,19 @@
 // Rows of long runs: what a run can have counted is kept and read back, one more than that is refused.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "app/chunk_log.h"
 #include "base/file.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ChunkLogRows : public testing::Test {
+// Of a folder that is not there yet.
+class ChunkLogRows : public OwnFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("flatray_rows_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  ChunkLogRows() { fs::remove(folder_); }
 
   // Whether a folder whose log has this one row is opened again.
   template <class Log, class Tally>
@@ -35,8 +29,6 @@ class ChunkLogRows : public testing::Test {
     EXPECT_TRUE(again->has(key));
     return true;
   }
-
-  fs::path folder_;
 };
 
 TEST_F(ChunkLogRows, LeaksAreNoMoreThanRays) {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 
 #include "app/verb.h"
 #include "base/file.h"
 #include "image/png.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
@@ -13,17 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Runs command lines in a folder of its own; standard output is kept.
-class Verbs : public testing::Test {
+class Verbs : public OwnFolder {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::path(testing::TempDir()) /
-        (std::string("verbs_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    ::unsetenv("CI");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  Verbs() { ::unsetenv("CI"); }
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void picture(const std::string& name, int width, std::uint8_t value) const {
@@ -49,7 +41,6 @@ class Verbs : public testing::Test {
     return run(words);
   }
 
-  fs::path folder_;
   std::string out_, error_;
 };
 

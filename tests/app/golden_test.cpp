@@ -6,6 +6,7 @@
 #include "app/golden_update.h"
 #include "base/file.h"
 #include "image/png.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
@@ -24,37 +25,30 @@ fill = "#336699"
 )";
 
 // A project of one scene in a folder of its own.
-class Golden : public testing::Test {
+class Golden : public OwnFolder {
  protected:
-  void SetUp() override {
-    root_ =
-        fs::path(testing::TempDir()) /
-        (std::string("flatray_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(root_);
-    write("scenes/part/dot.toml", kGoldenScene);
-  }
-  void TearDown() override { fs::remove_all(root_); }
+  Golden() { write("scenes/part/dot.toml", kGoldenScene); }
 
   void write(const std::string& path, const std::string& text) const {
-    ASSERT_TRUE(write_file(root_ / path, text));
+    ASSERT_TRUE(write_file(folder_ / path, text));
   }
   void edit(const std::string& path, const std::string& from, const std::string& to) const {
-    std::string text = read_file(root_ / path).value();
+    std::string text = read_file(folder_ / path).value();
     ASSERT_NE(text.find(from), std::string::npos) << text;
     write(path, text.replace(text.find(from), from.size(), to));
   }
   std::vector<GoldenRow> rows() const {
-    return read_goldens(root_).value_or(std::vector<GoldenRow>());
+    return read_goldens(folder_).value_or(std::vector<GoldenRow>());
   }
 
   Result<GoldenUpdate> plan(const GoldenRequest& request) const {
-    return plan_update(root_, rows(), request);
+    return plan_update(folder_, rows(), request);
   }
   GoldenUpdate accept(const GoldenRequest& request) const {
     Result<GoldenUpdate> update = plan(request);
     EXPECT_TRUE(update) << (update ? "" : format(update.error()));
     if (!update) return {};
-    EXPECT_TRUE(write_update(root_, *update));
+    EXPECT_TRUE(write_update(folder_, *update));
     return std::move(*update);
   }
   void expect_refused(const GoldenRequest& request, const std::string& why) const {
@@ -66,14 +60,13 @@ class Golden : public testing::Test {
     EXPECT_FALSE(refused.error().front().hint.empty());
   }
   GoldenCheck checked(std::size_t row) const {
-    Result<GoldenCheck> check = check_golden(root_, rows().at(row));
+    Result<GoldenCheck> check = check_golden(folder_, rows().at(row));
     EXPECT_TRUE(check) << (check ? "" : format(check.error()));
     return check ? std::move(*check) : GoldenCheck{};
   }
 
   const GoldenRequest kThird{"scenes/part/dot.toml", "first", std::vector<unsigned>{3},
                              std::nullopt};
-  fs::path root_;
 };
 
 TEST_F(Golden, WhatIsAcceptedPassesItsCheck) {
@@ -102,8 +95,8 @@ TEST_F(Golden, AnotherSceneFailsAndTheReportSaysAllOfIt) {
             "  look:   out/golden/part_dot/frame_0003/{actual,expected,diff_x16}.png\n"
             "  replay: flatray render scenes/part/dot.toml -f 3 -o dot.png\n"
             "  accept: flatray golden update part/dot --why \"...\"\n");
-  ASSERT_TRUE(write_look(root_, rows()[0], check));
-  const fs::path look = root_ / rows()[0].look();
+  ASSERT_TRUE(write_look(folder_, rows()[0], check));
+  const fs::path look = folder_ / rows()[0].look();
   EXPECT_TRUE(read_png((look / "actual.png").string()) == check.actual);
   EXPECT_TRUE(read_png((look / "expected.png").string()) == check.expected);
   EXPECT_EQ(read_png((look / "diff_x16.png").string())->at(4, 7)[1], 16);
@@ -142,8 +135,8 @@ TEST_F(Golden, AnExchangedPictureIsRefused) {
   accept(kThird);
   Image image = checked(0).expected;
   image.pixels[5] = static_cast<std::uint8_t>(image.pixels[5] ^ 1);
-  ASSERT_TRUE(write_file(root_ / rows()[0].file(), encode_png(image)));
-  const auto refused = check_golden(root_, rows()[0]);
+  ASSERT_TRUE(write_file(folder_ / rows()[0].file(), encode_png(image)));
+  const auto refused = check_golden(folder_, rows()[0]);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().front().message.find("is not the picture its row"), std::string::npos);
 }
@@ -153,15 +146,15 @@ TEST_F(Golden, APictureThatStaysKeepsItsReason) {
   GoldenRequest both = kThird;
   both.frames = {{3, 4}};
   both.why = "second";
-  fs::remove_all(root_ / "out");  // the sheets of the first acceptance
+  fs::remove_all(folder_ / "out");  // the sheets of the first acceptance
   const GoldenUpdate update = accept(both);
   EXPECT_TRUE(update.pictures[0].same());
   EXPECT_FALSE(update.pictures[1].same());
   ASSERT_EQ(rows().size(), 2U);
   EXPECT_EQ(rows()[0].why, "first");
   EXPECT_EQ(rows()[1].why, "second");
-  EXPECT_FALSE(fs::exists(root_ / update.pictures[0].sheet()));
-  EXPECT_TRUE(fs::exists(root_ / update.pictures[1].sheet()));
+  EXPECT_FALSE(fs::exists(folder_ / update.pictures[0].sheet()));
+  EXPECT_TRUE(fs::exists(folder_ / update.pictures[1].sheet()));
 }
 
 TEST_F(Golden, FramesNoLongerWantedGo) {
@@ -173,7 +166,7 @@ TEST_F(Golden, FramesNoLongerWantedGo) {
   EXPECT_EQ(update.removed.size(), 2U);
   ASSERT_EQ(rows().size(), 1U);
   EXPECT_EQ(rows()[0].frame, 2U);
-  EXPECT_TRUE(stray_goldens(root_, rows()).empty());
+  EXPECT_TRUE(stray_goldens(folder_, rows()).empty());
 }
 
 TEST_F(Golden, FramesStayTheScenesOwnWhereNoneAreNamed) {
@@ -189,7 +182,7 @@ TEST_F(Golden, ChangedPicturesAreShownBesideTheOldOnes) {
   accept(kThird);
   edit("scenes/part/dot.toml", "#336699", "#336799");
   const GoldenUpdate update = accept(kThird);
-  const Image sheet = read_png((root_ / update.pictures[0].sheet()).string()).value();
+  const Image sheet = read_png((folder_ / update.pictures[0].sheet()).string()).value();
   EXPECT_EQ(sheet.width, 3 * 16 + 2 * 4);
   EXPECT_EQ(sheet.at(4, 7)[1], 102);
   EXPECT_EQ(sheet.at(20 + 4, 7)[1], 103);
@@ -205,7 +198,7 @@ TEST_F(Golden, WhatIsTooMuchIsRefusedAndNothingIsWritten) {
   request = kThird;
   request.frames = {{1, 2, 3, 4}};
   expect_refused(request, "4 frames are too many");
-  EXPECT_FALSE(fs::exists(root_ / "golden_images"));
+  EXPECT_FALSE(fs::exists(folder_ / "golden_images"));
 }
 
 TEST_F(Golden, TwoScenesOfOneFolderAreRefused) {
@@ -219,15 +212,15 @@ TEST_F(Golden, TwoMegabytesAreTheLimitForAllTogether) {
   GoldenRow large = rows()[0];
   large.scene = "scenes/other.toml";
   write(large.file(), std::string(2'000'000, 'x'));
-  ASSERT_TRUE(write_goldens(root_, {rows()[0], large}));
+  ASSERT_TRUE(write_goldens(folder_, {rows()[0], large}));
   expect_refused(kThird, "all goldens together would have 2000");
 }
 
 TEST_F(Golden, ManifestsComeBackAsTheyWere) {
   accept(kThird);
-  const std::string before = read_file(root_ / "golden_images/manifest.json").value();
-  ASSERT_TRUE(write_goldens(root_, rows()));
-  EXPECT_EQ(read_file(root_ / "golden_images/manifest.json").value(), before);
+  const std::string before = read_file(folder_ / "golden_images/manifest.json").value();
+  ASSERT_TRUE(write_goldens(folder_, rows()));
+  EXPECT_EQ(read_file(folder_ / "golden_images/manifest.json").value(), before);
 }
 
 TEST_F(Golden, EveryBadRowOfAManifestIsNamed) {
@@ -237,7 +230,7 @@ TEST_F(Golden, EveryBadRowOfAManifestIsNamed) {
   edit(manifest, "\"software\"", "\"vulkan\"");
   edit(manifest, "[16,10]", "[16,1000]");
   edit(manifest, "\"first\"", "\"\"");
-  const auto refused = read_goldens(root_);
+  const auto refused = read_goldens(folder_);
   ASSERT_FALSE(refused);
   std::string all = format(refused.error());
   for (const char* key : {"'scene'", "'backend'", "'size'", "'why'", "'file'"})
@@ -245,11 +238,11 @@ TEST_F(Golden, EveryBadRowOfAManifestIsNamed) {
 }
 
 TEST_F(Golden, WhatIsNoManifestIsRefused) {
-  EXPECT_EQ(read_goldens(root_).error().front().trouble, Trouble::missing);
+  EXPECT_EQ(read_goldens(folder_).error().front().trouble, Trouble::missing);
   for (const char* text :
        {"", "[1, 2", "[]", "{\"schema\": \"flatray.goldens/2\", \"goldens\": []}"}) {
     write("golden_images/manifest.json", text);
-    const auto refused = read_goldens(root_);
+    const auto refused = read_goldens(folder_);
     ASSERT_FALSE(refused) << text;
     EXPECT_EQ(refused.error().front().trouble, Trouble::invalid);
   }
@@ -259,19 +252,19 @@ TEST_F(Golden, WhatIsNoManifestIsRefused) {
 TEST_F(Golden, ScenesAreFoundByAnyOfTheirNames) {
   for (const char* name :
        {"part/dot", "part/dot.toml", "scenes/part/dot.toml", "./scenes/part/dot.toml"})
-    EXPECT_EQ(find_scene(root_, name).value_or("nothing"), "scenes/part/dot.toml") << name;
-  const auto missing = find_scene(root_, "part/dott");
+    EXPECT_EQ(find_scene(folder_, name).value_or("nothing"), "scenes/part/dot.toml") << name;
+  const auto missing = find_scene(folder_, "part/dott");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().front().hint, "did you mean 'part/dot'?");
   write("scenes/part/dot.obj", "");
-  EXPECT_EQ(find_scene(root_, "part/dot").error().front().trouble, Trouble::usage);
+  EXPECT_EQ(find_scene(folder_, "part/dot").error().front().trouble, Trouble::usage);
 }
 
 TEST_F(Golden, PicturesWithoutARowAreStrays) {
   accept(kThird);
-  EXPECT_TRUE(stray_goldens(root_, rows()).empty());
+  EXPECT_TRUE(stray_goldens(folder_, rows()).empty());
   write("golden_images/part_dot/frame_0009.png", "x");
-  EXPECT_EQ(stray_goldens(root_, rows()),
+  EXPECT_EQ(stray_goldens(folder_, rows()),
             std::vector<std::string>{"golden_images/part_dot/frame_0009.png"});
 }
 

@@ -10,24 +10,15 @@
 #include <fstream>
 #include <set>
 
-#include "support/paths.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
 
 namespace fs = std::filesystem;
 
-class JournalFile : public testing::Test {
+class JournalFile : public OwnFolder {
  protected:
-  JournalFile()
-      : folder_(fs::path(binary_path()) / "journal_test" /
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~JournalFile() override { fs::remove_all(folder_); }
-
-  const fs::path folder_;
   const Journal journal_{folder_ / "deep" / "list", "head\n"};
 };
 

@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "base/file.h"
 #include "base/hash.h"
 #include "image/png.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
@@ -25,15 +24,8 @@ FrameRecord record(unsigned frame) {
           "gl: made for this test"};
 }
 
-class Manifest : public testing::Test {
+class Manifest : public OwnFolder {
  protected:
-  Manifest() { fs::create_directories(folder_); }
-  ~Manifest() override { fs::remove_all(folder_); }
-
-  const fs::path folder_ =
-      fs::temp_directory_path() /
-      (std::string("flatray_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-       std::to_string(::getpid()));
   const fs::path path_ = folder_ / "manifest.jsonl";
 };
 

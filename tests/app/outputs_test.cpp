@@ -5,23 +5,15 @@
 #include <sys/stat.h>
 
 #include "base/file.h"
-#include "support/paths.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
 
 namespace fs = std::filesystem;
 
-class OutputFiles : public testing::Test {
+class OutputFiles : public OwnFolder {
  protected:
-  OutputFiles()
-      : folder_(fs::path(binary_path()) / "outputs_test" /
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~OutputFiles() override { fs::remove_all(folder_); }
-
   // Of a command with these operands.
   static Outputs outputs(bool force, std::vector<std::string> operands = {}) {
     std::map<std::string, Arguments::Given, std::less<>> given;
@@ -32,8 +24,6 @@ class OutputFiles : public testing::Test {
     EXPECT_TRUE(write_file(folder_ / "file", content));
     return folder_ / "file";
   }
-
-  const fs::path folder_;
 };
 
 const std::string kPng = "\x89PNG\r\n\x1a\n and more",

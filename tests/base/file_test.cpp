@@ -4,31 +4,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "support/paths.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
 
 namespace fs = std::filesystem;
 
-// An empty folder of its own for each test.
-class File : public ::testing::Test {
+class File : public OwnFolder {
  protected:
-  File() : folder_(fs::path(binary_path()) / "file_test" / test_name()) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~File() override { fs::remove_all(folder_); }
-
-  static std::string test_name() {
-    return ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  }
   std::size_t entries() const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
-
-  const fs::path folder_;
 };
 
 TEST_F(File, WhatIsWrittenIsReadBack) {

@@ -1,8 +1,7 @@
 // needs: shapes/circle shapes/import formats/list formats/obj
-#include <filesystem>
-
 #include "base/file.h"
 #include "scene_text.h"
+#include "support/own_folder.h"
 
 namespace flatray {
 namespace {
@@ -11,17 +10,9 @@ namespace fs = std::filesystem;
 
 const std::string kDisc = "[[entity]]\nshape = { circle = { radius = 1 } }\nname = ";
 
-// A folder of scenes that goes when the test does.
-class Includes : public testing::Test {
+// Scenes in a folder.
+class Includes : public OwnFolder {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("flatray_includes_") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void write(const std::string& file, const std::string& text) {
     ASSERT_TRUE(write_file(folder_ / file, text));
   }
@@ -50,8 +41,6 @@ class Includes : public testing::Test {
     for (const Entity& one : scene.entities) all.push_back(one.name);
     return all;
   }
-
-  fs::path folder_;
 };
 
 using Names = std::vector<std::string>;

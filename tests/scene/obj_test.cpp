@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "scene/obj_text.h"
 #include "scene_text.h"
+#include "support/own_folder.h"
 #include "support/paths.h"
 
 namespace flatray {
@@ -153,24 +154,17 @@ TEST(Obj, AtMostTwentyMistakesAreTold) {
   EXPECT_EQ(scene.error().size(), 20u);
 }
 
-// A folder of its own below the build, removed again.
-struct Folder {
-  std::filesystem::path path = std::filesystem::path(binary_path()) / "tests" / "scene_import_test";
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
+using ImportedFile = OwnFolder;
 
-TEST(Import, IsRelativeToTheSceneScaledAndCentred) {
-  const Folder folder;
-  ASSERT_TRUE(write_file(folder.path / "part.obj", "v 1 1\nv 3 1\nv 3 5\nv 1 5\nf 1 2 3 4\n"));
+TEST_F(ImportedFile, IsRelativeToTheSceneScaledAndCentred) {
+  ASSERT_TRUE(write_file(folder_ / "part.obj", "v 1 1\nv 3 1\nv 3 5\nv 1 5\nf 1 2 3 4\n"));
   const std::string text = with_shape("import = { file = \"part.obj\", scale = 2, centre = true }");
-  const auto scene = load_scene_text((folder.path / "s.toml").string(), text);
+  const auto scene = load_scene_text((folder_ / "s.toml").string(), text);
   ASSERT_TRUE(scene) << format(scene.error());
   EXPECT_EQ(scene->scene.shapes[0].vertices,
             (std::vector<Vec2>{{-2, -4}, {2, -4}, {2, 4}, {-2, 4}}));
-  ASSERT_TRUE(write_file(folder.path / "part.obj", "v 1 1\nv 3 1\nv 3 5\nv 1 6\nf 1 2 3 4\n"));
-  EXPECT_NE(load_scene_text((folder.path / "s.toml").string(), text)->scene.hash,
-            scene->scene.hash);
+  ASSERT_TRUE(write_file(folder_ / "part.obj", "v 1 1\nv 3 1\nv 3 5\nv 1 6\nf 1 2 3 4\n"));
+  EXPECT_NE(load_scene_text((folder_ / "s.toml").string(), text)->scene.hash, scene->scene.hash);
 }
 
 TEST(Import, MistakesAreTold) {
