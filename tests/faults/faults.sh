@@ -3,17 +3,8 @@
 # thread - for COUNT call stacks drawn by SEED, or for all (COUNT 0).
 # Each time: no signal, and exit 0 only with all that an undisturbed run leaves; then the same command, undisturbed, leaves
 # just that: no record is lost.
-set -u
-flatray=$1 root=$2 library=$3 verb=$4 count=$5 seed=${6:-1}
-unset CI "${!FLATRAY_@}" 2> /dev/null
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-fail() {
-  echo "FAIL: $*"
-  failures=$((failures + 1))
-}
+source "$(dirname "$0")/../cli/lib.sh"
+library=$3 verb=$4 count=$5 seed=${6:-1}
 
 cat > scene.toml <<'END'
 flatray = 1
@@ -58,13 +49,13 @@ start() {
   [[ $verb != golden ]] || { mkdir -p scenes golden_images && cp scene.toml scenes/ &&
     echo '{"schema": "flatray.goldens/1", "goldens": []}' > golden_images/manifest.json; }
 }
-run() { "$flatray" "${command[@]}" > out.txt 2> err.txt; }
+undisturbed() { "$flatray" "${command[@]}" > out.txt 2> err.txt; }
 
 start
-run || { cat err.txt; exit 1; }
+undisturbed || { cat err.txt; exit 1; }
 left > whole.txt || exit 1
 start
-FAULT_LIST=$work/stacks.txt LD_PRELOAD=$library run || exit 1
+FAULT_LIST=$work/stacks.txt LD_PRELOAD=$library undisturbed || exit 1
 all=$(sort -u stacks.txt | wc -l)
 ((count > 0)) || count=$all
 awk -v seed="$seed" 'BEGIN { srand(seed) } !seen[$0]++ { print rand(), $0 }' stacks.txt | sort | head -n "$count" |
@@ -86,7 +77,7 @@ while read -r kind stack; do
     [3-6] | 70) [[ -s err.txt ]] || fail "$kind $stack: exit $code without a word" ;;
     *) fail "$kind $stack: exit $code: $(head -c 300 err.txt)" ;;
   esac
-  run || fail "$kind $stack: then exit $?: $(head -c 300 err.txt)"
+  undisturbed || fail "$kind $stack: then exit $?: $(head -c 300 err.txt)"
   left 2> /dev/null | cmp -s - whole.txt || fail "$kind $stack: what is left then is not what an undisturbed run leaves"
 done < drawn.txt
 printf 'faults: %s: %s of %s call stacks (%s), %s met, exit codes:' "$verb" "$(wc -l < drawn.txt)" "$all" \
@@ -94,4 +85,4 @@ printf 'faults: %s: %s of %s call stacks (%s), %s met, exit codes:' "$verb" "$(w
 for code in "${!codes[@]}"; do printf ' %s: %s' "$code" "${codes[$code]}"; done
 printf '; GL library crashed, and said so: %s; failures: %s\n' "$crashed" "$failures"
 ((met > 0 || failures > 0)) || fail "no call failed"
-exit $((failures > 0))
+finish
