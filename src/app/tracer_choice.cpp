@@ -37,4 +37,14 @@ Result<const Tracer*> chosen_tracer(const Arguments& arguments) {
   return usable_tracer(*name, arguments.where("tracer"));
 }
 
+Result<Precision> chosen_precision(const Arguments& arguments) {
+  const auto word = arguments.one_of("precision", {"double", "certified"});
+  if (!word) return tl::unexpected(word.error());
+  const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
+  if (!bits) return tl::unexpected(bits.error());
+  const auto tracer = chosen_tracer(arguments);
+  if (!tracer) return tl::unexpected(tracer.error());
+  return Precision{*word == "certified", static_cast<unsigned>(*bits), *tracer};
+}
+
 }  // namespace flatray

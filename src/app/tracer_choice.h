@@ -1,5 +1,6 @@
 #pragma once
 #include "app/arguments.h"
+#include "precise/certified_orbit.h"
 #include "render/view.h"
 #include "trace/tracer.h"
 
@@ -15,6 +16,18 @@ inline constexpr Option kTracerOption = {
 /// The tracer that --tracer names, nullptr without it.
 /// Error   Trouble::usage for a name unknown, Trouble::unavailable where this machine lacks it.
 Result<const Tracer*> chosen_tracer(const Arguments& arguments);
+
+/// How nearest walls are found and orbits followed.
+struct Precision {
+  bool certified = false;
+  unsigned most_bits = kMostBits;  ///< of a certified one
+  const Tracer* tracer = nullptr;  ///< what finds the walls; null: the one of choice
+};
+inline constexpr Option kBitsOption = {"bits", '\0', "N",
+                                       "most bits of a certified orbit (default 65536)"};
+/// What --precision, --bits and --tracer say. Error   that of `chosen_tracer`, or Trouble::usage.
+Result<Precision> chosen_precision(const Arguments& arguments);
+
 /// Whether --tracer can tell what --view asks. Error   Trouble::usage.
 Result<void> check_tracer_of_view(const Arguments& arguments, const Tracer* tracer,
                                   const View& view);

@@ -3,20 +3,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/tracer_choice.h"
 #include "app/value.h"
 #include "geom/ray.h"
-#include "precise/certified_orbit.h"
 #include "trace/surfaces.h"
-#include "trace/tracer.h"
 
 namespace flatray {
-
-/// How nearest walls are found and orbits followed.
-struct Precision {
-  bool certified = false;
-  unsigned most_bits = kMostBits;  ///< of a certified one
-  const Tracer* tracer = nullptr;  ///< what finds the walls; null: the one of choice
-};
 
 /// The fields of one question, read by name. A field that is absent or wrong gives a value of no
 /// meaning and a mistake that names it; answers are not to be used where there are mistakes.

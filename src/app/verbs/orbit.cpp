@@ -8,7 +8,6 @@
 #include "app/verb.h"
 #include "base/number_text.h"
 #include "collide/scene_timeline.h"
-#include "precise/certified_orbit.h"
 #include "scene/moving_mirrors.h"
 #include "scene/responses.h"
 
@@ -20,7 +19,7 @@ constexpr auto kOptions = with_scene_options(
      {"bounces", 'n', "N", "most bounces, instead of the ray's own"},
      {"precision", '\0', "double|certified",
       "certified proves every bounce, in as many bits as it takes"},
-     {"bits", '\0', "N", "most bits of a certified orbit (default 65536)"},
+     kBitsOption,
      kTracerOption,
      {"speed", '\0', "V|none",
       "world units a second: mirrors are met where they are by then; none: as the frame has them"},
@@ -47,17 +46,14 @@ Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, cons
 }
 
 Result<OrbitRequest> read_request(const Arguments& arguments) {
-  const auto precision = arguments.one_of("precision", {"double", "certified"});
+  const auto precision = chosen_precision(arguments);
   if (!precision) return tl::unexpected(precision.error());
   const auto corner = arguments.one_of("corner", {"stop", "back"});
   if (!corner) return tl::unexpected(corner.error());
-  const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
-  if (!bits) return tl::unexpected(bits.error());
-  const auto tracer = chosen_tracer(arguments);
-  if (!tracer) return tl::unexpected(tracer.error());
-  const OrbitRequest request{*precision == "certified",
-                             static_cast<unsigned>(*bits),
-                             {*corner == "back" ? CornerRule::back : CornerRule::stop, *tracer}};
+  const OrbitRequest request{
+      precision->certified,
+      precision->most_bits,
+      {*corner == "back" ? CornerRule::back : CornerRule::stop, precision->tracer}};
   if (request.certified && request.rules.corners == CornerRule::back)
     return usage_error(arguments.where("corner"), "a certified orbit ends in a corner",
                        "leave --corner back out, or say --precision double");

@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::array kOptions = {
     Option{"precision", '\0', "double|certified", "of orbits: certified proves every bounce"},
-    Option{"bits", '\0', "N", "most bits of a certified orbit (default 65536)"}, kTracerOption,
-    kThreadsOption};
+    kBitsOption, kTracerOption, kThreadsOption};
 // Questions are answered in waves, whose answers are written before the next: long answers, of
 // orbits, make a wave short.
 constexpr std::size_t kLinesATask = 16, kTasksAThread = 8;
@@ -64,21 +63,11 @@ Result<void> write(const Answers& answers) {
   return fail(named_place("standard output"), "cannot write", "", Trouble::output);
 }
 
-Result<Precision> read_precision(const Arguments& arguments) {
-  const auto word = arguments.one_of("precision", {"double", "certified"});
-  if (!word) return tl::unexpected(word.error());
-  if (*word == "certified")
-    if (auto able = can_certify(); !able) return tl::unexpected(able.error());
-  const auto bits = arguments.whole("bits", kMostBits, 128, 1U << 24);
-  if (!bits) return tl::unexpected(bits.error());
-  const auto tracer = chosen_tracer(arguments);
-  if (!tracer) return tl::unexpected(tracer.error());
-  return Precision{*word == "certified", static_cast<unsigned>(*bits), *tracer};
-}
-
 Result<VerbOutput> run(const Arguments& arguments) {
-  const auto precision = read_precision(arguments);
+  const auto precision = chosen_precision(arguments);
   if (!precision) return tl::unexpected(precision.error());
+  if (precision->certified)
+    if (auto able = can_certify(); !able) return tl::unexpected(able.error());
   const auto count = threads(arguments);
   if (!count) return tl::unexpected(count.error());
   auto stream = LineStream::open(arguments.operands().empty() ? "-" : arguments.operands().front());
