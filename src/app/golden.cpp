@@ -188,10 +188,9 @@ Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
   if (!text) return tl::unexpected(text.error());
   const std::optional<JsonValue> json = parse_json(*text);
   if (!json) return bad_manifest("is not JSON");
-  const JsonValue* schema = json->find("schema");
   const JsonValue* list = json->find("goldens");
   const auto* values = list == nullptr ? nullptr : std::get_if<Values>(&list->data);
-  if (schema == nullptr || schema->as_text() != kSchema || values == nullptr)
+  if (json->text_of("schema") != kSchema || values == nullptr)
     return bad_manifest("is not a manifest of goldens");
   std::vector<GoldenRow> rows;
   Diagnostics problems;

@@ -22,10 +22,6 @@ std::string shard_suffix(const Shard& shard) {
 }
 
 // A field of the wrong kind is as good as none.
-std::string text_of(const JsonValue& record, const char* field) {
-  const JsonValue* value = record.find(field);
-  return value == nullptr ? "" : value->as_text().value_or("");
-}
 unsigned number_of(const JsonValue& record, const char* field) {
   const JsonValue* value = record.find(field);
   const std::uint64_t number = value == nullptr ? 0 : value->as_whole().value_or(0);
@@ -48,15 +44,15 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   if (!value) return std::nullopt;
   FrameRecord record;
   record.frame = number_of(*value, "frame");
-  record.file = text_of(*value, "file");
+  record.file = value->text_of("file");
   record.width = static_cast<int>(number_of(*value, "width"));
   record.height = static_cast<int>(number_of(*value, "height"));
-  record.pixels = text_of(*value, "pixels");
-  record.bytes = text_of(*value, "bytes");
-  record.scene = text_of(*value, "scene");
+  record.pixels = value->text_of("pixels");
+  record.bytes = value->text_of("bytes");
+  record.scene = value->text_of("scene");
   if (const JsonValue* seed = value->find("seed")) record.seed = seed->as_whole().value_or(0);
   // Lines of versions that had one back end only do not name it.
-  if (value->find("backend") != nullptr) record.backend = text_of(*value, "backend");
+  if (value->find("backend") != nullptr) record.backend = value->text_of("backend");
   // A name with folders in it would lead elsewhere.
   if (record.frame == 0 || record.bytes.empty() || record.file.empty() ||
       record.file.find('/') != std::string::npos)

@@ -43,11 +43,6 @@ std::optional<double> number_of(const JsonValue& line, const char* name) {
   return std::nullopt;
 }
 
-std::string text_of(const JsonValue& line, const char* name) {
-  const JsonValue* value = line.find(name);
-  return value == nullptr ? "" : value->as_text().value_or("");
-}
-
 // What a profile may say to render; all else would draw another scene.
 bool may_choose(const std::string& name, const std::string& value) {
   if (name == "backend") {
@@ -59,7 +54,7 @@ bool may_choose(const std::string& name, const std::string& value) {
 
 // nullopt where it is none.
 std::optional<Way> way_of(const JsonValue& line, const Place& where) {
-  Way way{text_of(line, "setting"), 0, 0, line.find("at_most") != nullptr, {}, where};
+  Way way{line.text_of("setting"), 0, 0, line.find("at_most") != nullptr, {}, where};
   const auto error = number_of(line, "error"), seconds = number_of(line, "seconds");
   const JsonValue* options = line.find("options");
   const auto* fields = options == nullptr ? nullptr : std::get_if<Fields>(&options->data);
@@ -88,9 +83,9 @@ Result<Profile> read_profile(const std::string& path) {
     std::optional<Way> way;
     if (begin == 0) {
       profile.head = place;
-      if (!line || text_of(*line, "schema") != kProfileSchema)
+      if (!line || line->text_of("schema") != kProfileSchema)
         return fail(place, "is not a profile", "flatray accuracy SCENE --profile FILE writes one");
-      profile.hash = text_of(*line, "scene_hash");
+      profile.hash = line->text_of("scene_hash");
     } else if (line && (way = way_of(*line, place))) {
       profile.ways.push_back(std::move(*way));
     } else {

@@ -237,8 +237,7 @@ Result<void> write_timings(const RenderJob& job, const JobResult& result) {
     std::map<std::string, std::string> timings;
     each_line(text, [&](std::string_view line) {
       const auto value = parse_json(line);
-      const JsonValue* file = value ? value->find("file") : nullptr;
-      const std::string name = file == nullptr ? "" : file->as_text().value_or("");
+      const std::string name = value ? value->text_of("file") : "";
       if (records.contains(name)) timings[name] = line;
     });
     for (std::size_t i = 0; i < result.written.size(); ++i) {

@@ -125,6 +125,11 @@ std::optional<std::string> JsonValue::as_text() const {
   return text == nullptr ? std::nullopt : std::optional(*text);
 }
 
+std::string JsonValue::text_of(std::string_view name) const {
+  const JsonValue* value = find(name);
+  return value == nullptr ? "" : value->as_text().value_or("");
+}
+
 std::optional<std::uint64_t> JsonValue::as_whole() const {
   const auto* number = std::get_if<std::uint64_t>(&data);
   return number == nullptr ? std::nullopt : std::optional(*number);

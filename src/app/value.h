@@ -40,6 +40,8 @@ struct JsonValue {
   /// The field of that name, or nullptr where there is none or this is no object.
   const JsonValue* find(std::string_view name) const;
   std::optional<std::string> as_text() const;
+  /// The text of the field of that name, "" where there is none that is a text.
+  std::string text_of(std::string_view name) const;
   /// A whole number that is not negative.
   std::optional<std::uint64_t> as_whole() const;
 };
