@@ -1,5 +1,6 @@
 #include "app/manifest.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "base/file.h"
