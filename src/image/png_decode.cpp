@@ -38,18 +38,14 @@ bool unpacks_exactly(const PngHeader& png) {
   return adler == adler32({reinterpret_cast<const std::uint8_t*>(unpacked.get()), size});
 }
 
-// Bytes of a palette that has all that the samples can name.
-std::size_t whole_palette(const PngHeader& png) { return 3 * (std::size_t{1} << png.bit_depth); }
-
-// stb_image takes colours beyond the end of a palette from memory that nothing was written to.
-bool has_short_palette(const PngHeader& png) {
-  return png.colour_type == 3 && png.palette_size != 0 && png.palette_size < whole_palette(png);
-}
-
-// The checksums behind it are no longer read.
-std::vector<std::byte> with_whole_palette(std::span<const std::byte> bytes, const PngHeader& png) {
-  std::vector<std::byte> whole(bytes.begin(), bytes.end());
-  const std::size_t size = whole_palette(png);
+// stb_image takes colours beyond the end of a palette from memory that nothing was written to. Here
+// the palette has all that the samples can name, in a copy `whole` where the file's is short; the
+// checksums behind it are no longer read.
+std::span<const std::byte> with_whole_palette(std::span<const std::byte> bytes,
+                                              const PngHeader& png, std::vector<std::byte>& whole) {
+  const std::size_t size = 3 * (std::size_t{1} << png.bit_depth);
+  if (png.colour_type != 3 || png.palette_size >= size || png.palette_size == 0) return bytes;
+  whole.assign(bytes.begin(), bytes.end());
   const auto end = static_cast<std::ptrdiff_t>(png.palette_at + png.palette_size);
   whole.insert(whole.begin() + end, size - png.palette_size, std::byte{0});
   whole[png.palette_at - 6] = static_cast<std::byte>(size >> 8);  // its length, of four bytes
@@ -68,7 +64,7 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& na
                 "the file is damaged: write it again");
   };
   std::vector<std::byte> whole;
-  if (has_short_palette(*png)) bytes = whole = with_whole_palette(bytes, *png);
+  bytes = with_whole_palette(bytes, *png, whole);
   if (!unpacks_exactly(*png) || bytes.size() > kMostPictureBytes) return damaged();
   int width = 0, height = 0, of_file = 0;
   const int channels = png->alpha ? 4 : 3;
