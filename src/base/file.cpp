@@ -165,12 +165,11 @@ std::string part_name(const fs::path& path, std::uint64_t number) {
   return fmt::format(".{}.{:0{}x}{}", path.filename().string(), number, kPartDigits, kPartEnd);
 }
 
-NewFile::NewFile(fs::path path, fs::path temporary, Descriptor file,
-                 std::unique_ptr<const InFlight> in_flight)
-    : path_(std::move(path)),
-      temporary_(std::move(temporary)),
-      file_(std::move(file)),
-      in_flight_(std::move(in_flight)) {}
+NewFile::NewFile(const fs::path& path)
+    : path_(path),
+      temporary_(folder_of(path) / part_name(path, random_number())),
+      file_(-1),
+      in_flight_(std::make_unique<const InFlight>(temporary_)) {}
 
 NewFile::NewFile(NewFile&&) noexcept = default;
 
@@ -184,16 +183,17 @@ Result<NewFile> NewFile::write(const fs::path& path, std::span<const std::byte> 
   fs::create_directories(folder, error);
   if (error) return cannot("make the folder", folder, error.value(), Trouble::output);
   for (;;) {
-    const fs::path temporary = folder / part_name(path, random_number());
-    auto in_flight = std::make_unique<const InFlight>(temporary);
-    Descriptor file(
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
-    if (!file && errno == EEXIST) continue;
-    if (!file) return cannot("write", path, errno, Trouble::output);
+    NewFile made(path);  // all it needs memory for, so that what is made is removed whatever ends
+    made.file_ = Descriptor(::open(made.temporary_.c_str(),
+                                   O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!made.file_ && errno == EEXIST) continue;
+    if (!made.file_) return cannot("write", path, errno, Trouble::output);
     // The lock tells that it lives. Who clears a folder may have come between; then another name.
-    ::flock(file.get(), LOCK_EX);
-    if (!is_at(temporary, file)) continue;
-    NewFile made(path, temporary, std::move(file), std::move(in_flight));
+    ::flock(made.file_.get(), LOCK_EX);
+    if (!is_at(made.temporary_, made.file_)) {
+      made.temporary_.clear();
+      continue;
+    }
     if (!write_all(made.file_, bytes) || ::fsync(made.file_.get()) != 0)
       return cannot("write", path, errno, Trouble::output);
     return made;

@@ -47,8 +47,8 @@ class NewFile {
   Result<void> take_name();
 
  private:
-  NewFile(std::filesystem::path path, std::filesystem::path temporary, Descriptor file,
-          std::unique_ptr<const InFlight> in_flight);
+  /// Of no file yet, by its names.
+  explicit NewFile(const std::filesystem::path& path);
   std::filesystem::path path_, temporary_;
   Descriptor file_;  ///< locked, which tells that its writer lives
   std::unique_ptr<const InFlight> in_flight_;

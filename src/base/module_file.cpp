@@ -1,10 +1,10 @@
 #include "base/module_file.h"
 
-#include <dlfcn.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
+
+#include "base/shared_library.h"
 
 namespace flatray {
 namespace {
@@ -26,9 +26,9 @@ LoadedEntry load_module(const ModuleFile& file, const char* symbol) {
   std::error_code ignored;
   for (const fs::path& one : files) {
     if (!fs::exists(one, ignored)) continue;
-    void* handle = dlopen(one.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-    if (handle == nullptr) return {nullptr, dlerror()};
-    void* entry = dlsym(handle, symbol);
+    const SharedLibrary library(one.c_str());
+    if (!library) return {nullptr, library.problem()};
+    void* entry = library.find<void>(symbol);
     return {entry, entry == nullptr ? one.string() + " is not a module of flatray" : ""};
   }
   return {nullptr, "the module " + files.front().string() + " is not there"};

@@ -21,7 +21,7 @@ struct LoadedEntry {
   std::string problem;    ///< why there is none; "" where there is
 };
 
-/// Gives   the same function for every call: modules stay loaded.
+/// Gives   the same function for every call: modules stay loaded. Throws std::bad_alloc where memory ends on the way.
 LoadedEntry load_module(const ModuleFile& file, const char* symbol);
 
 }  // namespace flatray

@@ -8,11 +8,16 @@ scene moving.toml 6 'stroke = { width = 0.5, colour = "#2040ff80" }'
 
 run 0 --version
 says out "Mesa"
+"$flatray" check moving.toml --sandbox > /dev/null 2> err.txt && sandbox=--sandbox  # only where the kernel has it
 for backend in gl osmesa egl; do
   run 0 render moving.toml -o "$backend/####.png" --backend "$backend" -j 1
   run 0 render moving.toml -o "${backend}_2/####.png" --backend "$backend" -j 2
   same "$backend" "${backend}_2" "$backend, one thread and two"
   same_manifest "$backend" "${backend}_2" "$backend, one thread and two"
+  # Mesa finds in the sandbox all that it draws with.
+  run 0 render moving.toml -o "${backend}_3/####.png" --backend "$backend" -j 2 ${sandbox:+--sandbox}
+  same "$backend" "${backend}_3" "$backend in the sandbox"
+  same_manifest "$backend" "${backend}_3" "$backend in the sandbox"
 done
 same osmesa egl "OSMesa and EGL"
 grep -q '"backend":"gl: OSMesa, Mesa [0-9.]*' osmesa/manifest.jsonl || fail "the manifest does not name OSMesa and its version"

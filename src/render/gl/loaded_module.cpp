@@ -1,5 +1,7 @@
 #include "render/gl/loaded_module.h"
 
+#include <new>
+
 #include "base/module_file.h"
 
 namespace flatray::gl {
@@ -7,6 +9,12 @@ namespace {
 
 tl::unexpected<Diagnostics> unavailable(std::string message, std::string hint) {
   return fail(named_place("OpenGL"), std::move(message), std::move(hint), Trouble::unavailable);
+}
+
+// What the module says has failed. Memory that ends says nothing of what there is to draw with.
+tl::unexpected<Diagnostics> unavailable(const FlatrayGlError& error, std::string hint) {
+  if (error.out_of_memory != 0) throw std::bad_alloc();
+  return unavailable(std::string(error.text), std::move(hint));
 }
 
 Result<const FlatrayGlModule*> find_module() {
@@ -45,7 +53,7 @@ Result<void> LoadedModule::start(const std::string& maker, unsigned threads) {
   FlatrayGlError error{};
   device_ = module_.open(maker.c_str(), threads, &error);
   FlatrayGlContext* first = device_ == nullptr ? nullptr : module_.create(device_, &info_, &error);
-  if (first == nullptr) return unavailable(error.text, "or say --backend software");
+  if (first == nullptr) return unavailable(error, "or say --backend software");
   free_.push_back(first);
   return {};
 }
@@ -61,7 +69,7 @@ Result<FlatrayGlContext*> LoadedModule::take() {
     FlatrayGlInfo info;
     FlatrayGlError error{};
     if (FlatrayGlContext* made = module_.create(device_, &info, &error)) return made;
-    return unavailable(error.text, "say --backend software");
+    return unavailable(error, "say --backend software");
   }
   FlatrayGlContext* context = free_.back();
   free_.pop_back();
@@ -77,7 +85,7 @@ Result<void> LoadedModule::draw(const FlatrayGlTile& tile) {
     const std::lock_guard lock(mutex_);
     free_.push_back(*context);
   }
-  if (!drawn) return unavailable(error.text, "say --backend software");
+  if (!drawn) return unavailable(error, "say --backend software");
   return {};
 }
 

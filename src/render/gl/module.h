@@ -6,7 +6,7 @@
 /// module knows triangles; what they are triangles of is decided on the other side.
 
 /// Grows with every change of what stands below: a module of another number is not used.
-#define FLATRAY_GL_ABI 2
+#define FLATRAY_GL_ABI 3
 /// Most pixels of a tile in either direction.
 #define FLATRAY_GL_TILE 2048
 
@@ -82,6 +82,7 @@ struct FlatrayGlInfo {
 /// A message for people, filled where a call fails.
 struct FlatrayGlError {
   char text[256];
+  int32_t out_of_memory;  ///< 1 where it failed because the module, not Mesa, lacks memory
 };
 
 struct FlatrayGlDevice;   ///< a loaded Mesa

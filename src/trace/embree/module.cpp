@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 struct FlatrayEmbreeScene {
   RTCDevice device;
@@ -36,12 +37,14 @@ void leave_out(const RTCFilterFunctionNArguments* arguments) {
     if (RTCHitN_primID(arguments->hit, arguments->N, i) == query->left) arguments->valid[i] = 0;
 }
 
-void fill(RTCGeometry quads, const double* ends, unsigned count) {
+// Whether Embree gave it the memory.
+bool fill(RTCGeometry quads, const double* ends, unsigned count) {
   auto* corner = static_cast<float*>(rtcSetNewGeometryBuffer(quads, RTC_BUFFER_TYPE_VERTEX, 0,
                                                              RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                                              std::size_t{4} * count));
   auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
       quads, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), count));
+  if (corner == nullptr || index == nullptr) return false;
   double size = 0;
   for (unsigned i = 0; i < 4 * count; ++i) size = std::max(size, std::fabs(ends[i]));
   const auto depth = static_cast<float>(size / 64);
@@ -58,12 +61,13 @@ void fill(RTCGeometry quads, const double* ends, unsigned count) {
     put(end, depth);
     for (unsigned k = 0; k < 4; ++k) *index++ = 4 * i + k;
   }
+  return true;
 }
 
-FlatrayEmbreeScene* build(const double* ends, unsigned count) {
-  RTCDevice device = rtcNewDevice("threads=1");
-  if (device == nullptr) return nullptr;
+// Null where Embree fails; the device then says why.
+RTCScene make_scene(RTCDevice device, const double* ends, unsigned count) {
   RTCScene scene = rtcNewScene(device);
+  if (scene == nullptr) return nullptr;
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST
 #if FLATRAY_EMBREE_MAJOR == 3
                               | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
@@ -71,14 +75,29 @@ FlatrayEmbreeScene* build(const double* ends, unsigned count) {
   );
   if (count > 0) {
     RTCGeometry quads = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
-    fill(quads, ends, count);
-    rtcSetGeometryIntersectFilterFunction(quads, &leave_out);
-    rtcCommitGeometry(quads);
-    rtcAttachGeometry(scene, quads);
-    rtcReleaseGeometry(quads);
+    if (quads != nullptr && fill(quads, ends, count)) {
+      rtcSetGeometryIntersectFilterFunction(quads, &leave_out);
+      rtcCommitGeometry(quads);
+      rtcAttachGeometry(scene, quads);
+    }
+    if (quads != nullptr) rtcReleaseGeometry(quads);
   }
   rtcCommitScene(scene);
-  return new FlatrayEmbreeScene{device, scene};
+  return scene;
+}
+
+FlatrayEmbreeScene* build(const double* ends, unsigned count, bool* out_of_memory) {
+  RTCDevice device = rtcNewDevice("threads=1");
+  RTCScene scene = device == nullptr ? nullptr : make_scene(device, ends, count);
+  const RTCError error = rtcGetDeviceError(device);  // of no device: of this thread
+  auto* made =
+      error == RTC_ERROR_NONE ? new (std::nothrow) FlatrayEmbreeScene{device, scene} : nullptr;
+  if (made != nullptr) return made;
+  // It needs memory to keep an error, and says UNKNOWN or INVALID where it has none.
+  *out_of_memory = error != RTC_ERROR_UNSUPPORTED_CPU;
+  if (scene != nullptr) rtcReleaseScene(scene);
+  if (device != nullptr) rtcReleaseDevice(device);
+  return nullptr;
 }
 
 void release(FlatrayEmbreeScene* scene) {

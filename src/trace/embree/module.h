@@ -2,7 +2,7 @@
 
 /* What the tracer `embree` and its module flatray_embree.so say to each other: plain structs. */
 
-#define FLATRAY_EMBREE_ABI 1
+#define FLATRAY_EMBREE_ABI 2
 #define FLATRAY_EMBREE_ENTRY "flatray_embree_module"
 
 struct FlatrayEmbreeScene;
@@ -20,8 +20,8 @@ struct FlatrayEmbreeHit {
 struct FlatrayEmbreeModule {
   int abi;
   const char* version;
-  /* From ax, ay, bx, by of each segment; null where Embree fails. */
-  FlatrayEmbreeScene* (*build)(const double* ends, unsigned count);
+  /* From ax, ay, bx, by of each segment; null where Embree fails, and whether for lack of memory. */
+  FlatrayEmbreeScene* (*build)(const double* ends, unsigned count, bool* out_of_memory);
   void (*release)(FlatrayEmbreeScene* scene);
   /* From any number of threads. */
   void (*nearest)(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsigned count,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "base/check.h"
 #include "base/module_file.h"
@@ -37,10 +38,11 @@ double unit_scale(const Vec2& direction) {
 class Embree : public Accelerator {
  public:
   Embree(const Surfaces& walls, const FlatrayEmbreeModule& module)
-      : Accelerator(walls),
-        module_(module),
-        scene_(module.build(walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
-                            static_cast<unsigned>(walls.segments.size()))) {
+      : Accelerator(walls), module_(module) {
+    bool out_of_memory = false;
+    scene_ = module.build(walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
+                          static_cast<unsigned>(walls.segments.size()), &out_of_memory);
+    if (out_of_memory) throw std::bad_alloc();
     FLATRAY_CHECK(scene_ != nullptr, "Embree makes no device");
   }
   ~Embree() override { module_.release(scene_); }
@@ -70,7 +72,7 @@ class Embree : public Accelerator {
 
  private:
   const FlatrayEmbreeModule& module_;
-  FlatrayEmbreeScene* scene_;
+  FlatrayEmbreeScene* scene_ = nullptr;
 };
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {

@@ -1,3 +1,4 @@
+#include "base/shared_library.h"
 #include "render/gl/module/maker.h"
 
 #ifdef FLATRAY_HAVE_EGL
@@ -21,7 +22,7 @@ struct Functions {
   decltype(&eglReleaseThread) release_thread;
   PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display = nullptr;
 
-  explicit Functions(const Library& library)
+  explicit Functions(const SharedLibrary& library)
       : function(library.find<decltype(eglGetProcAddress)>("eglGetProcAddress")),
         initialise(library.find<decltype(eglInitialize)>("eglInitialize")),
         bind_api(library.find<decltype(eglBindAPI)>("eglBindAPI")),
@@ -100,9 +101,10 @@ class EglMaker final : public Maker {
 }  // namespace
 
 std::unique_ptr<Maker> open_egl(std::string& error) {
-  error = "libEGL.so.1 is not on this machine: install libegl1 and libegl-mesa0";
-  const Library library("libEGL.so.1");
+  const SharedLibrary library("libEGL.so.1");
+  error = library.problem() + ": install libegl1 and libegl-mesa0";
   if (!library) return nullptr;
+  error = "libEGL.so.1 lacks what flatray calls: install libegl1 and libegl-mesa0";
   const Functions functions(library);
   if (!functions.complete()) return nullptr;
   error = "EGL opens no surfaceless display: install libegl-mesa0";

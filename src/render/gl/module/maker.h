@@ -28,19 +28,4 @@ class Maker {
 std::unique_ptr<Maker> open_osmesa(std::string& error);
 std::unique_ptr<Maker> open_egl(std::string& error);
 
-/// A shared library that stays loaded: Mesa does not survive being unloaded while threads end.
-class Library {
- public:
-  explicit Library(const char* file);
-  explicit operator bool() const { return handle_ != nullptr; }
-  template <class Function>
-  Function* find(const char* name) const {
-    return reinterpret_cast<Function*>(symbol(name));
-  }
-
- private:
-  void* symbol(const char* name) const;
-  void* handle_;
-};
-
 }  // namespace flatray::gl

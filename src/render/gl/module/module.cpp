@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <new>
 
 #include "render/gl/module/maker.h"
 #include "render/gl/module/painter.h"
@@ -35,6 +36,9 @@ template <class Task>
 auto guarded(FlatrayGlError* error, const Task& task) -> decltype(task()) {
   try {
     return task();
+  } catch (const std::bad_alloc&) {
+    error->out_of_memory = 1;
+    return {};
   } catch (const std::exception& problem) {
     say(error, problem.what());
     return {};

@@ -1,3 +1,4 @@
+#include "base/shared_library.h"
 #include "render/gl/module/maker.h"
 
 #ifdef FLATRAY_HAVE_OSMESA
@@ -15,7 +16,7 @@ struct Functions {
   decltype(&OSMesaMakeCurrent) make_current;
   decltype(&OSMesaGetProcAddress) function;
 
-  explicit Functions(const Library& library)
+  explicit Functions(const SharedLibrary& library)
       : create(library.find<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs")),
         destroy(library.find<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext")),
         make_current(library.find<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent")),
@@ -71,12 +72,13 @@ class OsmesaMaker final : public Maker {
 }  // namespace
 
 std::unique_ptr<Maker> open_osmesa(std::string& error) {
-  const Library library("libOSMesa.so.8");
-  if (library)
-    if (const Functions functions(library); functions.complete())
-      return std::make_unique<OsmesaMaker>(functions);
-  error = "libOSMesa.so.8 is not on this machine: install libosmesa6";
-  return nullptr;
+  const SharedLibrary library("libOSMesa.so.8");
+  error = library.problem() + ": install libosmesa6";
+  if (!library) return nullptr;
+  error = "libOSMesa.so.8 lacks what flatray calls: install libosmesa6";
+  const Functions functions(library);
+  if (!functions.complete()) return nullptr;
+  return std::make_unique<OsmesaMaker>(functions);
 }
 #else
 std::unique_ptr<Maker> open_osmesa(std::string& error) {
