@@ -41,6 +41,9 @@ class BoxCells {
   /// Another box of body `number`, beside those it has.
   void add(std::uint32_t number, const Bounds& box);
 
+  /// Places where boxes are kept, one more for each cell a box was put into.
+  std::size_t size() const { return entries_.size() + large_.size(); }
+
   /// Calls `take(number)` for every body with a box that meets this one, for some others too, and for
   /// some more than once. Needs   a box that is not empty.
   template <class Take>

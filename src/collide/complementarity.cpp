@@ -23,6 +23,14 @@ class Factors {
     }
   }
 
+  // Products it took.
+  double work() const {
+    double sum = 0;
+    for (const std::vector<Number>& row : rows_)
+      sum += 0.5 * static_cast<double>(row.size()) * static_cast<double>(row.size());
+    return sum;
+  }
+
   // The chosen z of M z = -q.
   std::vector<Number> solve(const std::vector<Number>& q) const {
     std::vector<Number> z;
@@ -80,12 +88,14 @@ class Factors {
   std::vector<bool> hangs_;
 };
 
-// z of the unknowns chosen, and 0 of the others.
+// z of the unknowns chosen, and 0 of the others; adds to `work`.
 template <class Number>
 std::vector<Number> solve(const Couplings<Number>& m, const std::vector<Number>& q,
-                          const std::vector<std::size_t>& chosen) {
+                          const std::vector<std::size_t>& chosen, double& work) {
   std::vector<Number> z(q.size(), Number(0));
-  const std::vector<Number> part = Factors<Number>(m, chosen).solve(q);
+  const Factors<Number> factors(m, chosen);
+  work += factors.work();
+  const std::vector<Number> part = factors.solve(q);
   for (std::size_t i = 0; i < chosen.size(); ++i) z[chosen[i]] = part[i];
   return z;
 }
@@ -105,7 +115,8 @@ std::vector<Number> result(const Couplings<Number>& m, const std::vector<Number>
 struct Guess {
   std::vector<std::size_t> chosen;
   std::vector<double> z;
-  bool holds;  ///< in doubles
+  bool holds;            ///< in doubles
+  bool refused = false;  ///< it would take more than kMostGuess
 };
 Guess guess(const Couplings<double>& m, const std::vector<double>& q) {
   constexpr double kRounding = 0x1p-40;
@@ -113,11 +124,13 @@ Guess guess(const Couplings<double>& m, const std::vector<double>& q) {
   std::vector<bool> in(q.size(), false);
   std::size_t least = q.size() + 1;
   int patience = kPatience;
+  double work = 0;
   for (std::size_t step = 0;; ++step) {
     std::vector<std::size_t> chosen, wrong;
     for (std::size_t i = 0; i < in.size(); ++i)
       if (in[i]) chosen.push_back(i);
-    std::vector<double> z = solve(m, q, chosen);
+    std::vector<double> z = solve(m, q, chosen, work);
+    if (work > kMostGuess) return {{}, {}, false, true};
     const std::vector<double> w = result(m, q, z);
     double most_z = 0, most_w = 0;
     for (std::size_t i = 0; i < q.size(); ++i) {
@@ -247,7 +260,8 @@ std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<R
   near.reserve(q.size());
   for (const Rational& one : q) near.push_back(one.nearest());
   const std::vector<std::size_t> chosen = guess(nearest(m), near).chosen;
-  std::vector<Rational> z = solve(m, q, chosen), w = result(m, q, z);
+  double work = 0;  // known to be little
+  std::vector<Rational> z = solve(m, q, chosen, work), w = result(m, q, z);
   std::vector<bool> touches = touching(w);
   if (!any_negative(z) && !any_negative(w) &&
       std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) { return touches[i]; }))
@@ -261,6 +275,7 @@ std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<R
 std::optional<Complementarity<double>> solve_complementarity(const Couplings<double>& m,
                                                              const std::vector<double>& q) {
   Guess found = guess(m, q);
+  if (found.refused) return Complementarity<double>{{}, {}, true};
   if (!found.holds && q.size() <= kMostPivoted) return std::nullopt;
   std::vector<bool> touches(q.size(), false);
   for (const std::size_t i : found.chosen) touches[i] = true;

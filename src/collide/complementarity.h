@@ -34,10 +34,15 @@ template <class Number>
 struct Complementarity {
   std::vector<Number> z;
   std::vector<bool> touches;  ///< w is 0
+  bool refused = false;       ///< it would take more than kMostGuess: there is nothing else
 };
 
 /// Unknowns up to which pivots of rationals end in seconds.
 inline constexpr std::size_t kMostPivoted = 32;
+
+/// Products up to which doubles look for the z that are not 0: a second. Hundreds of unknowns that all hang
+/// together take more, where guesses do not come nearer.
+inline constexpr double kMostGuess = 1 << 30;
 
 /// Gives   such a z; of several, w is the same. nullopt where there is none.
 /// Error   none.
@@ -47,7 +52,7 @@ inline constexpr std::size_t kMostPivoted = 32;
 ///         that it ends.
 std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<Rational>& m,
                                                                const std::vector<Rational>& q);
-/// The guess alone. nullopt where it is known to be wrong and the unknowns are few enough for rationals.
+/// The guess alone, refused beyond kMostGuess. nullopt where it is known to be wrong and the unknowns are few enough for rationals.
 /// Error   that of doubles; which of several z depends on the order of the unknowns.
 /// Cost    linear where columns that have to do with each other are near, some factorings.
 std::optional<Complementarity<double>> solve_complementarity(const Couplings<double>& m,

@@ -4,29 +4,55 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "collide/broad_phase.h"
+#include "geom/box_tree.h"
 #include "geom/cyrus_beck.h"
 
 namespace flatray {
 namespace {
 
 using Entities = std::pair<std::uint32_t, std::uint32_t>;
-using Ring = std::vector<Vec2>;
+// The convex pieces of an entity where it stands, and which of them are near another.
+struct Pieces {
+  std::vector<std::vector<Vec2>> rings;
+  std::vector<Bounds> boxes;
+  BoxTree tree;
+};
 
-std::vector<Ring> pieces(const Shape& shape, const Pose& place) {
-  std::vector<Ring> all;
-  for (std::size_t i = 0; i < shape.piece_count(); ++i) all.push_back(posed_piece(shape, i, place));
-  return all;
+Ray edge_of(const std::vector<Vec2>& ring, std::size_t i) {
+  return {ring[i], ring[(i + 1) % ring.size()] - ring[i]};
 }
 
-bool any_edge_hits(const std::vector<Ring>& from, const std::vector<Ring>& against) {
-  for (const Ring& ring : from)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Ray edge{ring[i], ring[(i + 1) % ring.size()] - ring[i]};
-      for (const Ring& other : against)
-        if (clip_convex(edge, other, kSegment)) return true;
+Pieces pieces(const Shape& shape, const Pose& place) {
+  std::vector<std::vector<Vec2>> rings;
+  std::vector<Bounds> boxes;
+  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
+    rings.push_back(posed_piece(shape, piece, place));
+    boxes.emplace_back();
+    for (std::size_t i = 0; i < rings.back().size(); ++i) {
+      const Ray edge = edge_of(rings.back(), i);
+      boxes.back().add(edge.origin);
+      boxes.back().add(edge.origin + edge.direction);  // rounded, so as the edge ends
     }
+  }
+  return {std::move(rings), boxes, BoxTree(boxes)};
+}
+
+bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& against) {
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (clip_convex(edge_of(from, i), against, kSegment)) return true;
+  return false;
+}
+
+// Each piece of the one that has fewer, against those of the other near it.
+bool any_edge_hits(const Pieces& a, const Pieces& b) {
+  const Pieces &few = a.rings.size() < b.rings.size() ? a : b, &many = &few == &a ? b : a;
+  for (std::size_t i = 0; i < few.rings.size(); ++i)
+    for (const std::size_t k : many.tree.near(few.boxes[i]))
+      if (any_edge_hits(few.rings[i], many.rings[k]) || any_edge_hits(many.rings[k], few.rings[i]))
+        return true;
   return false;
 }
 
@@ -47,10 +73,13 @@ Result<std::vector<Meeting>> find_edge_ray_meetings(const Timeline& timeline, un
       boxes.push_back(shape_bounds(shape_of(scene, state), poses.back()));
     }
     const double time = (frame - 1) / scene.fps;
+    std::vector<std::optional<Pieces>> kept(states.size());
+    const auto pieces_of = [&](std::uint32_t i) -> const Pieces& {
+      if (!kept[i]) kept[i] = pieces(shape_of(scene, states[i]), poses[i]);
+      return *kept[i];
+    };
     each_overlap(boxes, resting, [&](std::uint32_t a, std::uint32_t b) {
-      const auto one = pieces(shape_of(scene, states[a]), poses[a]),
-                 other = pieces(shape_of(scene, states[b]), poses[b]);
-      if (!any_edge_hits(one, other) && !any_edge_hits(other, one)) return true;
+      if (!any_edge_hits(pieces_of(a), pieces_of(b))) return true;
       std::vector<MeetingPart>& parts = found[{a, b}];
       const bool goes_on = !parts.empty() && parts.back().times.high == (frame - 2) / scene.fps;
       if (goes_on)

@@ -1,6 +1,7 @@
 #include "collide/impact.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "collide/complementarity.h"
 #include "geom/pair.h"
@@ -49,6 +50,7 @@ class Solver {
                                          : parting_[i] + parting_[i]);
     const auto pushes = solve_complementarity(*couplings_, lack);
     if (!pushes) return std::nullopt;
+    if (pushes->refused) return Impact{{}, {}, true};
     Impact impact{{}, std::vector<bool>(contacts_.size(), false)};
     for (std::size_t i = 0; i < asked_.size(); ++i)
       impact.rests[asked_[i]] = contacts_[asked_[i]].slides && pushes->touches[i];
@@ -75,12 +77,14 @@ class Solver {
       for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
         if (sign(inverse_[body]) != Sign::zero) of_body[body].push_back(i);
     couplings_.emplace(asked_.size());
+    std::vector<std::size_t> seen(asked_.size(), asked_.size());  // by which contact last
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const ImpactContact& contact = contacts_[asked_[i]];
       std::vector<std::size_t> others{i};
+      seen[i] = i;
       for (const std::uint32_t body : {contact.a, contact.b})
         for (const std::size_t k : of_body[body])
-          if (std::find(others.begin(), others.end(), k) == others.end()) others.push_back(k);
+          if (std::exchange(seen[k], i) != i) others.push_back(k);
       for (const std::size_t k : others) couplings_->add(i, k, coupling(asked_[i], asked_[k]));
     }
   }
@@ -125,7 +129,7 @@ std::optional<Impact> solve(const Solver<Number>& solver, std::span<const Impact
     fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
   std::vector<double> leaves(contacts.size(), 0);
   std::optional<Impact> impact = solver.solve(leaves);
-  for (bool more = impact.has_value(); more;) {
+  for (bool more = impact && !impact->refused; more;) {
     more = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b, normal, slides] = contacts[i];
@@ -137,7 +141,7 @@ std::optional<Impact> solve(const Solver<Number>& solver, std::span<const Impact
     }
     if (!more) break;
     std::optional<Impact> apart = solver.solve(leaves);
-    if (!apart) break;  // there is room for those at rest only
+    if (!apart || apart->refused) break;  // there is room for those at rest only
     impact = std::move(apart);
   }
   return impact;

@@ -23,6 +23,7 @@ struct ImpactContact {
 struct Impact {
   std::vector<Vec2> velocities;  ///< of all bodies, after it
   std::vector<bool> rests;       ///< of all contacts: those that slide and do not part
+  bool refused = false;          ///< it would take more than kMostGuess: there is nothing else
 };
 
 /// What slides leaves at this part of the largest speed about, where it cannot be at rest against the
@@ -42,7 +43,8 @@ inline constexpr std::size_t kMostProven = 1 << 10;
 /// Error   velocities are the exact ones, rounded once, and no way out is proven, within the limits of
 ///         complementarity.h, to rounding beyond them; for a normal not along an axis, of what slides,
 ///         with kSlideLeaves.
-/// Cost    that of solve_complementarity, twice where something must leave.
+/// Cost    that of solve_complementarity, twice where something must leave; what takes more than kMostGuess is
+///         refused, as the cube of contacts would have to be waited for.
 std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
                                    std::span<const ImpactContact> contacts);
 

@@ -201,6 +201,10 @@ bool Instants::push_together(std::span<const Push> pushes, Players& players, dou
     contacts.push_back({number(pair.first), number(pair.second), touch.place.normal, slides});
   const std::optional<Impact> impact = solve_impact(bodies, contacts);
   if (!impact) return false;
+  if (impact->refused) {
+    crowd_ = contacts.size();
+    return false;
+  }
   for (const auto& [body, at] : numbers)
     if (!players.at(body).wall) players.at(body).velocity = impact->velocities[at];
   for (std::size_t i = 0; i < pushes.size(); ++i) {

@@ -41,6 +41,10 @@ class Instants {
   ///         they have no way out.
   std::optional<std::vector<Change>> respond(std::span<const Hit> hits, double time);
 
+  /// Contacts that hang together at the instant at which respond() has given up because they are too many; 0:
+  /// there was no way out.
+  std::size_t crowd() const { return crowd_; }
+
   bool is_fixed(std::uint32_t body) const { return bodies_[body].mass == kInfinity; }
   /// What nothing moves is a wall to all, whatever it would do itself, but for what needs no motion.
   bool does(std::uint32_t body, Response response) const;
@@ -83,7 +87,8 @@ class Instants {
   const std::vector<std::vector<Stage>>& stages_;
   const BodyPairs& pairs_;
   std::vector<std::vector<Resting>> resting_;  // by body, of each pair twice
-  std::vector<std::vector<Resting>> held_;     // by body that has stopped, on walls
+  std::size_t crowd_ = 0;
+  std::vector<std::vector<Resting>> held_;  // by body that has stopped, on walls
 };
 
 }  // namespace flatray

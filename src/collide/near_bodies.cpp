@@ -11,12 +11,20 @@ void NearBodies::open(double from, double to, std::span<const Stage* const> stag
   to_ = to;
   for (std::uint32_t i = 0; i < boxes_.size(); ++i)
     boxes_[i] = stages[i] == nullptr ? Bounds{} : way_of(i, *stages[i], from);
+  put_in_cells();
+}
+
+void NearBodies::put_in_cells() {
   cells_.emplace(boxes_);
+  most_kept_ = 2 * cells_->size() + boxes_.size();
 }
 
 void NearBodies::change(std::uint32_t body, const Stage& stage) {
   boxes_[body] = stage.gone ? Bounds{} : way_of(body, stage, stage.from);
-  if (!boxes_[body].empty()) cells_->add(body, boxes_[body]);
+  if (boxes_[body].empty()) return;
+  cells_->add(body, boxes_[body]);
+  // Boxes of ways that are gone stay in their cells: many would be looked at for each that counts.
+  if (cells_->size() > most_kept_) put_in_cells();
 }
 
 // Outward by more than rounding of places and of times, theirs and those of their meetings, can be.

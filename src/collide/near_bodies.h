@@ -50,12 +50,14 @@ class NearBodies {
     return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
            b.low.y() <= a.high.y();
   }
+  void put_in_cells();
   Bounds way_of(std::uint32_t body, const Stage& stage, double from) const;
 
   std::vector<Bounds> shapes_, boxes_;
   std::vector<std::uint64_t> seen_;  // the last question in which each came up
   std::uint64_t asked_ = 0;
   std::optional<BoxCells> cells_;
+  std::size_t most_kept_ = 0;  // boxes in cells, until they are put there anew
   double to_ = 0;
 };
 

@@ -19,6 +19,12 @@ Result<void> check_complete(const Scene& scene, const Simulation& done, double l
     return fmt::format("{} and {}", name(a), name(b));
   };
   const std::string jammed = names(done.untold.first, done.untold.second);
+  if (done.crowd > 0)
+    return fail(where,
+                fmt::format("{} contacts hang together at t = {}, among them that of {}: what they "
+                            "make of each other takes more than 2^30 products",
+                            done.crowd, done.jam, jammed),
+                "place bodies so that fewer lie in each other, or end the sequence before");
   if (done.jammed)
     return fail(where,
                 "bodies are jammed: " +

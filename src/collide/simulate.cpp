@@ -139,6 +139,7 @@ class Run {
       const bool full = done.events.size() == most_events;
       done.jammed =
           !full && (accumulates_ || at_once_ > kJamEvents * bodies_.size() || !respond(hits));
+      done.crowd = instants_.crowd();
       if (done.jammed) done.jam = accumulates_ ? accumulates_->time : now_;
       for (const Hit& hit : hits) {
         if (done.jammed || done.events.size() == most_events) {

@@ -23,6 +23,7 @@ struct SimulatedBody {
 struct Simulation : Responses {
   bool complete = true;      ///< false: as many events as were allowed came first, or
   bool jammed = false;       ///< there was no way out, or time stood still
+  std::size_t crowd = 0;     ///< contacts at `jam` that were too many to find one; 0: few enough
   double until = kInfinity;  ///< time of the first event that is not told
   double jam = kInfinity;  ///< when there is no way out; later than `until`, about: hits accumulate
   std::pair<std::uint32_t, std::uint32_t> untold{0, 0};           ///< whose that is

@@ -24,6 +24,7 @@ check 1000 saw
 render 100 same_faces
 render 30 near_faces
 render 120 edge_rays
+collide 400 zigzags
 render 200 circles
 render 200 groups
 check 250 keys
@@ -70,6 +71,14 @@ scene() {
           comb(k * 1.3, k * 3.7); end_outline()
         }
         print "[[edge_rays]]\nfrom = \"a\"\nagainst = \"b\""
+      } else if (name == "zigzags") {  # beside each other, and never touching
+        for (k = 0; k < 2; k++) {
+          outline()
+          for (i = 0; i < n / 2; i++) point(i, i % 2 * 5 + 3 * k)
+          for (i = n / 2; i-- > 0;) point(i, i % 2 * 5 + 3 * k + 1)
+          end_outline()
+          printf "velocity = [%d, 0]\n", k
+        }
       } else if (name == "circles") {
         for (i = 0; i < n; i++)
           printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%.3f, %.3f]\n", 50 * rand(), 50 * rand()
@@ -97,6 +106,7 @@ scene() {
 # instructions VERB FILE
 instructions() {
   local more=()
+  [[ $1 != collide ]] || more=(--method edge-rays --last 1)
   [[ $1 != render ]] || more=(--size 64x64 -j 1 --quiet -o "$2.png")
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$flatray" "$1" "$2" "${more[@]}" 2>&1 |
     sed -n 's/.*Collected : \([0-9]*\).*/\1/p'

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <numeric>
 
 #include "anim/world.h"
 #include "base/counted.h"
+#include "geom/box_tree.h"
 #include "geom/cyrus_beck.h"
 #include "geom/interval_set.h"
 #include "render/pass.h"
@@ -62,64 +62,19 @@ struct Found {
   }
 };
 
-// Rays of one entity, and which of them a piece or curve may meet: those whose box meets its own.
-// Rounding an end is monotone, so that no box of doubles tells two apart that meet. The middle one
-// of a stretch of `order_` parts it in two along its longer side, and keeps the box of all of it.
-class RayBoxes {
- public:
-  explicit RayBoxes(std::span<const Ray> rays) : order_(rays.size()), around_(rays.size()) {
-    for (const Ray& ray : rays) {
-      boxes_.emplace_back();
-      boxes_.back().add(ray.origin);
-      boxes_.back().add(ray.origin + ray.direction);
-    }
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    part(0, rays.size());
+// Rays of one entity by their boxes. Rounding an end is monotone, so that no box of doubles tells two apart
+// that meet.
+BoxTree tree_of(std::span<const Ray> rays) {
+  std::vector<Bounds> boxes(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    boxes[i].add(rays[i].origin);
+    boxes[i].add(rays[i].origin + rays[i].direction);
   }
-
-  std::vector<std::size_t> near(const Bounds& piece) const {
-    std::vector<std::size_t> found;
-    find(piece, 0, boxes_.size(), found);
-    return found;
-  }
-
- private:
-  static bool meet(const Bounds& a, const Bounds& b) {
-    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-  }
-
-  void part(std::size_t begin, std::size_t end) {
-    if (begin == end) return;
-    Bounds all;
-    for (std::size_t i = begin; i < end; ++i) all.add(boxes_[order_[i]]);
-    const Eigen::Index axis = all.size().x() < all.size().y() ? 1 : 0;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t a, std::size_t b) {
-      return boxes_[a].low[axis] < boxes_[b].low[axis];
-    });
-    around_[middle] = all;
-    part(begin, middle);
-    part(middle + 1, end);
-  }
-
-  void find(const Bounds& piece, std::size_t begin, std::size_t end,
-            std::vector<std::size_t>& found) const {
-    if (begin == end) return;
-    const std::size_t middle = begin + (end - begin) / 2;
-    if (!meet(around_[middle], piece)) return;
-    if (meet(boxes_[order_[middle]], piece)) found.push_back(order_[middle]);
-    find(piece, begin, middle, found);
-    find(piece, middle + 1, end, found);
-  }
-
-  std::vector<Bounds> boxes_;
-  std::vector<std::size_t> order_;
-  std::vector<Bounds> around_;
-};
+  return BoxTree(std::move(boxes));
+}
 
 Found clip_all(std::span<const Ray> rays, const InWorld& against) {
-  const RayBoxes boxes(rays);
+  const BoxTree boxes = tree_of(rays);
   std::vector<std::vector<Range>> parts(rays.size());
   const auto keep = [&](std::size_t ray, const HitInterval& hit) {
     if (hit) parts[ray].push_back({hit.t_enter, hit.t_exit});
