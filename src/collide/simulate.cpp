@@ -56,6 +56,7 @@ class Run {
     while_from_ = while_to_ = 0;
     open_near();
     each_pair([&](const BodyPair& pair) {
+      if (instants_.is_fixed(pair.first) && instants_.is_fixed(pair.second)) return;
       if (pairs_.least_wait(pair, 0, end_) != 0.0 || !pairs_.overlap(pair, 0)) return;
       overlaps_.push_back(pair);
       if (instants_.is_mark(pair)) left_alone_.insert(pair);

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t kFew = 8;  // so many are looked at without cells
 constexpr double kCellsACurve = 2, kMostCells = 0x1p22;
+// Width and height of a curve in cells, on average: those that lie on one another, all as large as the grid, would pass
+// the root of all cells each.
+constexpr double kCellsAcross = 16;
 constexpr double kMargin = 0x1p-10;  // of a cell's side, by which lists reach beyond it
 constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-22
 constexpr double kSlack = 0x1p-12;   // cells, by which a walk may be off
@@ -63,7 +66,12 @@ CurveCells::CurveCells(const Surfaces& walls) : walls_(walls) {
 // Cells of one size, as many as the curves need, and one more all round.
 void CurveCells::divide() {
   Bounds box;
-  for (const std::uint32_t i : curves_) box.add(box_of(walls_.arc(i)));
+  double extents = 0;
+  for (const std::uint32_t i : curves_) {
+    const Bounds own = box_of(walls_.arc(i));
+    box.add(own);
+    extents += own.size().sum() / static_cast<double>(curves_.size());
+  }
   const Vec2 size = box.size();
   const double larger = size.maxCoeff(),
                magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
@@ -71,6 +79,7 @@ void CurveCells::divide() {
   const double wanted = std::min(kCellsACurve * static_cast<double>(curves_.size()), kMostCells);
   const double narrow = std::max(size.minCoeff(), larger / wanted);
   side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
+  side_ = std::max(side_, extents / kCellsAcross);
   low_ = box.low - Vec2::Constant(side_);
   // Where doubles are as far apart as cells, places in them mean nothing.
   if (!(magnitude * 0x1p-30 < side_ * 0x1p10)) return;

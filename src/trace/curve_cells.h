@@ -16,7 +16,7 @@ namespace flatray {
 /// Gives   lists that hold every curve within 2^-10 of a cell's side of it; some 2 cells a curve.
 ///         Few curves, and those whose coordinates leave no room for sound arithmetic, are in no
 ///         cells: all of them are looked at.
-/// Cost    to build O(n) for curves of a few cells each, and what they pass else. A ray: 20 ns a
+/// Cost    to build O(n): curves pass some dozen cells on average, of a wider grid where they overlap. A ray: 20 ns a
 ///         curve near it, and what the exact decision of those in question takes.
 class CurveCells {
  public:

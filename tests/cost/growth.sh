@@ -26,6 +26,7 @@ render 30 near_faces
 render 120 edge_rays
 collide 400 zigzags
 render 200 circles
+orbit 200 rings
 render 200 groups
 check 250 keys
 check 200 includes
@@ -82,6 +83,10 @@ scene() {
       } else if (name == "circles") {
         for (i = 0; i < n; i++)
           printf "[[entity]]\nshape = { circle = { radius = 1 } }\nat = [%.3f, %.3f]\n", 50 * rand(), 50 * rand()
+      } else if (name == "rings") {  # mirrors that nearly lie on one another
+        for (i = 0; i < n; i++)
+          printf "[[entity]]\nmaterial = \"mirror\"\nshape = { circle = { centre = [%.3f, 0], radius = 1 } }\n", i / 1000
+        print "[[ray]]\nat = [0, 3]\ndirection = [0.1, -1]\nbounces = 3"
       } else if (name == "groups") {
         for (i = 0; i < n; i++)
           printf "[[group]]\nname = \"g%d\"\nat = [1, 0]\n%s", i, i ? sprintf("group = \"g%d\"\n", i / 2) : ""
