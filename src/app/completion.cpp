@@ -94,6 +94,10 @@ void add_scene_files(Completion& completion) {
 void add_values(Completion& completion, const CommandLine& line, const std::string& what,
                 std::vector<std::string> (*words)()) {
   if (words != nullptr) return add(completion, line, words());
+  if (what == "FILE|-") {
+    completion.extensions = {"jsonl", "json"};
+    return;
+  }
   if (const auto parts = split(what, '|'); parts.size() > 1)
     return add(completion, line, {parts.begin(), parts.end()});
   if (what == "SCENE") return add_scene_files(completion);

@@ -204,12 +204,13 @@ Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
   return rows;
 }
 
-Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows) {
+Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows,
+                           const Outputs& outputs) {
   sort_by_file(rows);
   std::string lines;
   for (const GoldenRow& row : rows)
     lines += (lines.empty() ? "" : ",\n") + json_text(as_value(row));
-  return Outputs().write(
+  return outputs.write(
       root / kManifest,
       fmt::format("{{\"schema\": \"{}\", \"goldens\": [\n{}\n]}}\n", kSchema, lines));
 }

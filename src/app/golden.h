@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/outputs.h"
 #include "image/compare.h"
 #include "scene/scene.h"
 
@@ -66,7 +67,8 @@ struct GoldenRow {
 Result<std::vector<GoldenRow>> read_goldens(const std::filesystem::path& root);
 
 /// Replaces the manifest, atomically; a line for each row.
-Result<void> write_goldens(const std::filesystem::path& root, std::vector<GoldenRow> rows);
+Result<void> write_goldens(const std::filesystem::path& root, std::vector<GoldenRow> rows,
+                           const Outputs& outputs = {});
 
 /// The scene file a user means by "chamber/hall", "chamber/hall.toml" or
 /// "scenes/chamber/hall.toml": its path below `root`. Error   Trouble::missing with the nearest

@@ -70,14 +70,15 @@ std::string golden_report(const GoldenRow& row, const GoldenCheck& check) {
          fmt::format("  accept: flatray golden update {}{} --why \"...\"\n", row.name(), backend);
 }
 
-Result<void> write_look(const fs::path& root, const GoldenRow& row, const GoldenCheck& check) {
+Result<void> write_look(const fs::path& root, const GoldenRow& row, const GoldenCheck& check,
+                        const Outputs& outputs) {
   const fs::path folder = root / row.look();
   std::vector<std::pair<const char*, Image>> pictures = {{"actual.png", check.actual},
                                                          {"expected.png", check.expected}};
   if (check.difference)
     pictures.emplace_back("diff_x16.png", difference_image(check.actual, check.expected));
   for (const auto& [name, image] : pictures)
-    if (auto written = Outputs().write(folder / name, encode_png(image)); !written) return written;
+    if (auto written = outputs.write(folder / name, encode_png(image)); !written) return written;
   return {};
 }
 

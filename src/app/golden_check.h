@@ -31,6 +31,6 @@ std::string golden_report(const GoldenRow& row, const GoldenCheck& check);
 
 /// Leaves actual.png, expected.png and diff_x16.png in the row's folder to look at.
 Result<void> write_look(const std::filesystem::path& root, const GoldenRow& row,
-                        const GoldenCheck& check);
+                        const GoldenCheck& check, const Outputs& outputs = {});
 
 }  // namespace flatray

@@ -178,15 +178,16 @@ Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenR
   return update;
 }
 
-Result<void> write_update(const fs::path& root, const GoldenUpdate& update) {
+Result<void> write_update(const fs::path& root, const GoldenUpdate& update,
+                          const Outputs& outputs) {
   for (const GoldenUpdate::Picture& picture : update.pictures) {
     if (picture.same()) continue;
-    if (auto written = Outputs().write(root / picture.row.file(), picture.png); !written)
+    if (auto written = outputs.write(root / picture.row.file(), picture.png); !written)
       return written;
     const std::vector<std::byte> sheet = encode_png(golden_sheet(picture));
-    if (auto written = Outputs().write(root / picture.sheet(), sheet); !written) return written;
+    if (auto written = outputs.write(root / picture.sheet(), sheet); !written) return written;
   }
-  if (auto written = write_goldens(root, update.rows); !written) return written;
+  if (auto written = write_goldens(root, update.rows, outputs); !written) return written;
   for (const GoldenRow& row : update.removed) {
     std::error_code ignored;  // a file that stays is found by the next check
     fs::remove(root / row.file(), ignored);

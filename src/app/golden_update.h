@@ -44,7 +44,8 @@ Result<GoldenUpdate> plan_update(const std::filesystem::path& root,
 
 /// Writes pictures that changed and their sheets, then the manifest, then removes what is no longer
 /// wanted; each file atomically.
-Result<void> write_update(const std::filesystem::path& root, const GoldenUpdate& update);
+Result<void> write_update(const std::filesystem::path& root, const GoldenUpdate& update,
+                          const Outputs& outputs = {});
 
 /// Before, after and difference x16 side by side; only the picture where there was none, or none of
 /// its size.

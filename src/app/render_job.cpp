@@ -362,14 +362,17 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
   if (!part) return {{}, {}, std::move(part).error()};
   std::vector<unsigned> known = frames;
   std::erase_if(known, [&](unsigned frame) { return frame > part->last_frame; });
-  if (known.empty()) return {{}, {}, std::move(part->problems)};
+  if (known.empty()) return {{}, {}, std::move(part->problems), true};
   FrameMaker maker(job, part->timeline, known, threads, done, claim);
   maker.make_all();
   JobResult result = maker.result();
   if (job.output.has_frame() && result.problems.empty())
     if (auto written = write_timings(job, result); !written)
       result.problems = std::move(written).error();
-  if (result.problems.empty()) result.problems = std::move(part->problems);
+  if (result.problems.empty()) {
+    result.problems = std::move(part->problems);
+    result.ends = true;
+  }
   return result;
 }
 

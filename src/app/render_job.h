@@ -83,6 +83,7 @@ struct JobResult {
   std::vector<FrameRecord> written;  ///< by frame
   std::vector<double> seconds;       ///< each took
   Diagnostics problems;              ///< why writing stopped
+  bool ends = false;                 ///< the scene has no frames beyond
   DrawCounts drawn{};                ///< by the software back end
   std::size_t encoded = 0;           ///< pictures; the others have the bytes of one before
 };

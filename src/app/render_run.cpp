@@ -74,7 +74,7 @@ class Run {
       written_ += result.written.size();
       kept_ += work.kept.size();
       results_.push_back(job_value(work, result));
-      if (!result.problems.empty()) return give_up(result.problems);
+      if (!result.problems.empty()) return give_up(result.problems, result.ends);
     }
     return finish();
   }
@@ -113,12 +113,13 @@ class Run {
     return {};
   }
 
-  VerbOutput give_up(const Diagnostics& problems) {
+  // `ends`: by what the scene says, which no other run changes.
+  VerbOutput give_up(const Diagnostics& problems, bool ends = false) {
     progress_.finish();
-    const std::string goes_on = written_ == 0
-                                    ? "nothing rendered"
-                                    : fmt::format("{} of {} written; --resume goes on from there",
-                                                  written_, counted(total_, "frame"));
+    const std::string goes_on =
+        written_ == 0 ? "nothing rendered"
+                      : fmt::format("{} of {} written{}", written_, counted(total_, "frame"),
+                                    ends ? "" : "; --resume goes on from there");
     return {json_failure("render", arguments_, problems), report_failure(problems, goes_on)};
   }
 

@@ -75,17 +75,19 @@ Result<ReadScene> read_input(const Arguments& arguments, const std::string& path
     if (!given) return tl::unexpected(given.error());
     seeded = *given;
   }
-  return read_scene(path, *overrides, *limits, seeded);
+  Result<ReadScene> read = read_scene(path, *overrides, *limits, seeded);
+  if (!read) return read;
+  const Scene& scene = read->loaded.scene;
+  // What leaves by a periodic wall in the middle of a pillar would come in where none is.
+  if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic)
+    if (auto inside = expect_pillars_inside(scene); !inside) return fail(std::move(inside));
+  return read;
 }
 
 Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
                                const std::vector<Override>& more) {
   Result<ReadScene> read = read_input(arguments, path, more);
   if (!read) return fail(std::move(read));
-  const Scene& scene = read->loaded.scene;
-  // What leaves by a periodic wall in the middle of a pillar would come in where none is.
-  if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic)
-    if (auto inside = expect_pillars_inside(scene); !inside) return fail(std::move(inside));
   return std::move(read->loaded);
 }
 

@@ -27,6 +27,7 @@ expect "box " "$(words flatray hit first.toml --from '')" "entities of the scene
 expect "" "$(words flatray hit absent.toml --from '')" "entities of no scene"
 expect "film.background= " "$(words flatray render first.toml -D film.b)" "keys of a scene"
 expect ":folders " "$(words flatray golden check --root '')" folders
+expect ":files jsonl json " "$(words flatray query '' | tr -d '\t')" "questions"
 expect "" "$(words flatray render --size '')" "values that are free"
 expect "" "$(words nothing at all)" "another program's words"
 [[ $(words flatray render '') == ":files "*toml* ]] || fail "scene files"

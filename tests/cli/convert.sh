@@ -67,6 +67,10 @@ says err 'scenes are written as TOML'
 "$flatray" convert - - < far/away/outline.obj > /dev/null 2> err.txt
 [[ $? == 2 ]] || fail "an outline without a name is converted"
 says err 'no name to refer to'
+# What check refuses is not converted.
+run 4 convert "$root/scenes/chamber/lorentz.toml" pillar.toml -D chamber.0.pillars.0.shape.circle.radius=90
+says err "does not stand in the chamber"
+absent pillar.toml
 run 3 convert absent.toml new.toml
 run 6 convert plain.toml plain.toml/x.toml
 finish

@@ -174,16 +174,49 @@ int report_interrupted(const Diagnostics& why) {
   return interrupted_code();
 }
 
+// What the results in a folder depend on, as it is asked for.
+Fields asked_of(const Arguments& arguments) {
+  Fields fields{{"scene", arguments.operands()[1]}};
+  for (const char* option :
+       {"define", "seed", "count", "bounces", "apart", "map", "starts", "sweep"})
+    if (arguments.has(option)) fields.emplace_back(option, comma_list(arguments.list(option)));
+  return fields;
+}
+
+// A folder that goes again where nothing has been written into it.
+class MadeFolder {
+ public:
+  explicit MadeFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+  ~MadeFolder() {
+    std::error_code error;
+    if (is_new_ && std::filesystem::remove(folder_, error) && parent_is_new_)
+      std::filesystem::remove(folder_.parent_path(), error);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  bool is_new_ = !std::filesystem::exists(folder_);
+  bool parent_is_new_ = is_new_ && !std::filesystem::exists(folder_.parent_path());
+};
+
 Result<VerbOutput> run(const Arguments& arguments) {
   const auto experiment = find_experiment(arguments.operands()[0]);
   if (!experiment) return tl::unexpected(experiment.error());
   if (auto used = expect_used(arguments, **experiment); !used) return fail(std::move(used));
   const std::filesystem::path folder = folder_of(arguments, **experiment);
+  // Two that are at work in one folder, and not of the same, would replace each other's results.
+  const MadeFolder made(folder);
+  const auto claim = Claim::take(folder, (*experiment)->name, json_text(asked_of(arguments)),
+                                 arguments.has("force"));
+  if (!claim) return tl::unexpected(claim.error());
   Monitors monitors;
   if ((*experiment)->name == std::string_view("backends")) expect_crashes_of_gl();
   const auto result = measure_all(arguments, **experiment, folder, monitors);
   if (!result && interrupted()) return VerbOutput{"", report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
+  if (auto held = claim->expect_held(); !held) return fail(std::move(held));
   auto files = write_files(*result, folder, Outputs(arguments));
   if (!files) return fail(std::move(files));
   for (const auto& monitor : monitors)

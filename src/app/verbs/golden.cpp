@@ -6,6 +6,7 @@
 #include "app/frames.h"
 #include "app/golden_check.h"
 #include "app/golden_update.h"
+#include "app/outputs.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
@@ -25,6 +26,7 @@ constexpr Option kOptions[] = {
     {"size", '\0', "WxH", "update: size of the pictures (default: the scene's)"},
     {"backend", '\0', "NAME", "update: software (default) or gl, whose goldens stand beside"},
     {"root", '\0', "DIR", "folder that holds scenes and golden_images (default: this one)"},
+    kForceOption,
     kThreadsOption,
 };
 
@@ -53,19 +55,21 @@ Result<std::vector<GoldenRow>> chosen_rows(const fs::path& root, std::vector<Gol
 }
 
 // The report of a row, "" if it passes; its pictures are left to look at if not.
-Result<std::string> check_row(const fs::path& root, const GoldenRow& row) {
+Result<std::string> check_row(const fs::path& root, const GoldenRow& row, const Outputs& outputs) {
   const Result<GoldenCheck> check = check_golden(root, row);
   if (!check) return tl::unexpected(check.error());
   if (check->passes()) return std::string();
-  if (auto written = write_look(root, row, *check); !written) return fail(std::move(written));
+  if (auto written = write_look(root, row, *check, outputs); !written)
+    return fail(std::move(written));
   return golden_report(row, *check);
 }
 
 // All rows drawn and judged: reports of those that differ, and what kept others from being judged.
 VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, unsigned threads,
-                      Diagnostics problems) {
+                      const Outputs& outputs, Diagnostics problems) {
   std::vector<Result<std::string>> reports(rows.size());
-  parallel_for(rows.size(), threads, [&](std::size_t i) { reports[i] = check_row(root, rows[i]); });
+  parallel_for(rows.size(), threads,
+               [&](std::size_t i) { reports[i] = check_row(root, rows[i], outputs); });
   VerbOutput output;
   std::size_t differ = 0, left_out = 0, not_judged = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -107,7 +111,7 @@ Result<VerbOutput> check(const Arguments& arguments, const fs::path& root,
     for (const std::string& file : stray_goldens(root, *all))
       strays.push_back({named_place(file), "has no row in the manifest",
                         "delete it, or accept its scene by flatray golden update"});
-  return check_rows(root, *rows, *count, std::move(strays));
+  return check_rows(root, *rows, *count, Outputs(arguments), std::move(strays));
 }
 
 std::string change_text(const GoldenUpdate::Picture& picture) {
@@ -170,7 +174,8 @@ Result<VerbOutput> update(const Arguments& arguments, const fs::path& root,
   if (!rows) return tl::unexpected(rows.error());
   const Result<GoldenUpdate> update = plan_update(root, *rows, *request);
   if (!update) return tl::unexpected(update.error());
-  if (auto written = write_update(root, *update); !written) return fail(std::move(written));
+  if (auto written = write_update(root, *update, Outputs(arguments)); !written)
+    return fail(std::move(written));
   VerbOutput output;
   for (const GoldenUpdate::Picture& picture : update->pictures) output.text += change_text(picture);
   for (const GoldenRow& row : update->removed) output.text += row.file() + ": removed\n";
