@@ -112,8 +112,8 @@ BoxCells::BoxCells(std::span<const Bounds> boxes) {
   std::int64_t across = 1;
   while (across < kMostAcross && across * across < static_cast<std::int64_t>(widths.size()))
     across *= 2;
-  mask_ = across - 1;
-  first_.assign(static_cast<std::size_t>(across * across), kNone);
+  across_ = static_cast<std::size_t>(across);
+  first_.assign(across_ * across_, kNone);
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
     if (!boxes[i].empty()) add(i, boxes[i]);
 }

@@ -71,11 +71,13 @@ class BoxCells {
   /// nullopt for a box that touches many.
   std::optional<Cells> cells_of(const Bounds& box) const;
   std::size_t slot(std::int64_t x, std::int64_t y) const {
-    return static_cast<std::size_t>((y & mask_) * (mask_ + 1) + (x & mask_));
+    // So that a row, a column and a diagonal, too, go through all lists and not through the root of them.
+    return (static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * (across_ + 3)) &
+           (across_ * across_ - 1);
   }
 
-  double width_ = 1;       // of a cell
-  std::int64_t mask_ = 0;  // cells along an axis, a power of two, less one
+  double width_ = 1;        // of a cell
+  std::size_t across_ = 1;  // a power of two, of which the square is how many lists there are
   std::vector<std::uint32_t> first_;
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> large_;
