@@ -48,15 +48,14 @@ class LightBins {
 
  private:
   static constexpr std::uint32_t kChunk = 128;
-  struct Walk;
 
   static std::size_t chunks(int width, int height, std::size_t capacity);
   void cut(const LightLine& line);
-  void cut_at_tiles(const Walk& walk);
-  void add(const Walk& walk, int tile_u, int tile_v, double from, double to);
+  void add(std::size_t bin, const kernels::LightPiece& piece);
 
-  int width_, height_, tiles_x_, tiles_y_;
-  std::size_t chunks_, used_ = 0;
+  double size_[2];  // of the film: width, height
+  int tiles_[2];
+  std::size_t chunks_, most_pieces_, used_ = 0;
   std::unique_ptr<kernels::LightPiece[]> pool_;
   std::vector<std::uint32_t> before_;  // by chunk: the end of its bin's pieces before it, or 0
   std::vector<std::uint32_t> ends_;    // by bin: one past its last piece in the pool, or 0

@@ -80,8 +80,8 @@ int LightFilm::rows_of(std::size_t tile) const {
 
 std::size_t LightFilm::place_in_layer(std::size_t axis, int column, int row, int channel) const {
   const int major = axis == 0 ? column : row, minor = axis == 0 ? row : column;
-  return static_cast<std::size_t>((major * channels_ + channel) * kernels::kLightColumn + minor +
-                                  1);
+  return static_cast<std::size_t>((major * kernels::kLightColumn + minor + 1) * channels_ +
+                                  channel);
 }
 
 std::size_t LightFilm::place_in_tile(int column, int row, int channel) const {

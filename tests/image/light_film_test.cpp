@@ -288,6 +288,17 @@ TEST(LightFilm, HasNoOrderNoBatchesAndNoThreads) {
   }
 }
 
+TEST(LightFilm, HasChannelsThatAreFilmsOfTheirOwn) {
+  Lines lines = lines_of_all_kinds(3000, 300, 200, 11);
+  const Sums all = sums_of(300, 200, lines, 3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (LightLine& line : lines) std::swap(line.weight[0], line.weight[c]);
+    const Sums one = sums_of(300, 200, lines);
+    for (LightLine& line : lines) std::swap(line.weight[0], line.weight[c]);
+    for (std::size_t i = 0; i < one.size(); ++i) ASSERT_EQ(all[3 * i + c], one[i]) << i << ' ' << c;
+  }
+}
+
 TEST(LightFilm, IsTheSameInEveryTier) {
   const Lines lines = lines_of_all_kinds(20000, 700, 300, 9);
   for (const int channels : {1, 3}) {

@@ -23,7 +23,7 @@ struct LightPiece {
   float units[3];  ///< of each channel, a column
 };
 
-/// Sums of one tile and one choice of axes: (column * channels + channel) * kLightColumn + row + 1.
+/// Sums of one tile and one choice of axes: (column * kLightColumn + row + 1) * channels + channel.
 struct LightLayer {
   uint32_t* sums;
   int32_t first, step;  ///< column c of a piece is column first + step * c here, step 1 or -1

@@ -31,7 +31,7 @@ static inline size_t work_out(const LightPiece& piece, const LightLayer& layer, 
   const Lanes none{};
   const Lanes from = none + piece.from, to = none + piece.to, last = none + layer.last_row;
   const int32_t stride = layer.step * kChannels * kLightColumn;
-  const int32_t start = layer.first * kChannels * kLightColumn + 1;
+  const int32_t start = (layer.first * kLightColumn + 1) * kChannels;
   Lanes column = load<Lanes>(kPlaces) + (float)first;
   for (int done = 0; done < columns; done += (int)kColumns, column += (float)kColumns) {
     const Lanes u0 = larger(column, from);
@@ -40,13 +40,19 @@ static inline size_t work_out(const LightPiece& piece, const LightLayer& layer, 
     const Places row = __builtin_convertvector(smaller(larger(v, none), last), Places);
     const Lanes next = __builtin_convertvector(row + 1, Lanes) - piece.minor;
     const Lanes m = smaller(larger(next * piece.run, u0), u1);
-    const Places place = __builtin_convertvector(column, Places) * stride + row + start;
+    const Places place = __builtin_convertvector(column, Places) * stride + row * kChannels + start;
     const size_t at = count + (size_t)done;
     __builtin_memcpy(steps.place + at, &place, sizeof place);
+    Words parts[2 * kChannels];  // the channels of the row, then those of the next
+#pragma GCC unroll 3
     for (int c = 0; c < kChannels; ++c) {
       const Words middle = total(piece.units[c], m);
-      const Words low = middle - total(piece.units[c], u0);
-      const Words high = total(piece.units[c], u1) - middle;
+      parts[c] = middle - total(piece.units[c], u0);
+      parts[kChannels + c] = total(piece.units[c], u1) - middle;
+    }
+#pragma GCC unroll 3
+    for (int c = 0; c < kChannels; ++c) {
+      const Words low = parts[2 * c], high = parts[2 * c + 1];
       const Words pairs[2] = {__builtin_shufflevector(low, high, FLATRAY_FIRST_PAIRS),
                               __builtin_shufflevector(low, high, FLATRAY_LAST_PAIRS)};
       __builtin_memcpy(steps.pair[c] + at, pairs, sizeof pairs);
@@ -59,7 +65,8 @@ template <int kChannels>
 static inline void add_steps(const LightSteps<kChannels>& steps, size_t count, uint32_t* sums) {
   for (size_t i = 0; i < count; ++i) {
     uint32_t* at = sums + steps.place[i];
-    for (int c = 0; c < kChannels; ++c, at += kLightColumn) {
+#pragma GCC unroll 3
+    for (int c = 0; c < kChannels; ++c, at += 2) {
       uint64_t both;
       __builtin_memcpy(&both, at, sizeof both);
       both += steps.pair[c][i];

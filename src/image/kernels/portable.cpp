@@ -39,12 +39,12 @@ void deposit_piece(const LightPiece& piece, const LightLayer& layer) {
     const int row = (int)smaller(larger(v, 0.0F), layer.last_row);
     const float next = (float)(row + 1) - piece.minor;
     const float m = smaller(larger(next * piece.run, u0), u1);
-    uint32_t* sums =
-        layer.sums + (ptrdiff_t)(layer.first + layer.step * column) * kChannels * kLightColumn;
-    for (int c = 0; c < kChannels; ++c, sums += kLightColumn) {
+    const ptrdiff_t place = (layer.first + layer.step * column) * kLightColumn + row + 1;
+    uint32_t* sums = layer.sums + place * kChannels;
+    for (int c = 0; c < kChannels; ++c) {
       const uint32_t middle = total(piece.units[c], m);
-      sums[row + 1] += middle - total(piece.units[c], u0);
-      sums[row + 2] += total(piece.units[c], u1) - middle;
+      sums[c] += middle - total(piece.units[c], u0);
+      sums[kChannels + c] += total(piece.units[c], u1) - middle;
     }
   }
 }
