@@ -97,6 +97,7 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
               world_width(pillar.stroke));
   }
   for (const RayPath& ray : scene.rays) box.add(ray.at);
+  for (const Lamp& lamp : scene.lamps) box.add(lamp.at);
   return box.bounds();
 }
 

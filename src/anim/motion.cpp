@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "anim/lamps.h"
 #include "base/portable_math.h"
 #include "scene/curve.h"
 #include "scene/responses.h"
@@ -17,6 +18,13 @@ bool moves(const Scene& scene, const Entity& entity) {
          (entity.fill && entity.fill->curve != kNoEntry) ||
          (entity.stroke && changes(*entity.stroke)) ||
          scene.shapes[entity.shape].changes != kNoEntry;
+}
+
+// As moves() of the groups that something stands in.
+std::string reason_of_groups(const Scene& scene, std::optional<std::uint32_t> group) {
+  for (; group; group = scene.groups[*group].group)
+    if (moves(scene.groups[*group])) return "group '" + scene.groups[*group].name + "' moves";
+  return {};
 }
 
 bool moves(const Camera& camera) {
@@ -63,10 +71,13 @@ std::string reason_to_move(const Scene& scene) {
       return std::string(ray.ball ? "a ball" : "a ray") + " goes along '" + ray.name + "'";
   for (const Entity& entity : scene.entities) {
     if (moves(scene, entity)) return "'" + entity.name + "' moves";
-    for (auto at = entity.group; at; at = scene.groups[*at].group)
-      if (moves(scene.groups[*at])) return "group '" + scene.groups[*at].name + "' moves";
+    if (auto reason = reason_of_groups(scene, entity.group); !reason.empty()) return reason;
   }
-  return {};
+  for (const Lamp& lamp : scene.lamps) {
+    if (moves(lamp)) return "lamp '" + lamp.name + "' moves";
+    if (auto reason = reason_of_groups(scene, lamp.group); !reason.empty()) return reason;
+  }
+  return !scene.lamps.empty() && scene.light.noise_moves ? "the noise of light moves" : "";
 }
 
 }  // namespace flatray

@@ -43,7 +43,7 @@ Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
 
 Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
                                             unsigned frame) {
-  if (!job_.view) return encode(draw_list(plan, timeline, frame));
+  if (!job_.view) return encode(draw_list(plan, timeline, frame, options_));
   const Image picture =
       draw_view(*job_.view, job_.tracer, timeline.scene(), at(timeline, frame), options_);
   if (options_.stopped()) return nullptr;

@@ -244,7 +244,16 @@ Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row
     golden.options += fmt::format(" --size {}x{}", row.width, row.height);
   if (golden.scene.seed != row.seed) golden.options += fmt::format(" --seed {}", row.seed);
   film.width = row.width, film.height = row.height;
+  if (limit_golden_light(golden.scene))
+    golden.options += fmt::format(" -D light.rays={}", golden.scene.light.rays);
   return golden;
+}
+
+bool limit_golden_light(Scene& scene) {
+  constexpr std::uint64_t kMostRays = 100'000;
+  if (scene.lamps.empty() || scene.light.rays <= kMostRays) return false;
+  scene.light.rays = kMostRays;
+  return true;
 }
 
 Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row, unsigned threads) {
@@ -258,7 +267,8 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
   const auto timeline = make_timeline(scene, row.seed, row.frame);
   if (!timeline) return tl::unexpected(timeline.error());
   GoldenPicture picture{{}, (*renderer)->description()};
-  const auto list = draw_list(make_plan(scene, false), *timeline, row.frame);
+  const auto list =
+      draw_list(make_plan(scene, false), *timeline, row.frame, {std::nullopt, threads});
   if (!list) return tl::unexpected(list.error());
   auto drawn = (*renderer)->draw(*list, {std::nullopt, threads}, picture.image);
   if (!drawn) return fail(std::move(drawn));

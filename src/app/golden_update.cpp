@@ -159,6 +159,7 @@ Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenR
   if (Diagnostics problems = check_rows(wanted, rows); !problems.empty())
     return tl::unexpected(std::move(problems));
   scene.film.width = wanted.front().width, scene.film.height = wanted.front().height;
+  limit_golden_light(scene);
   GoldenUpdate update;
   for (GoldenRow& row : wanted) {
     Result<GoldenUpdate::Picture> picture = draw(root, scene, std::move(row), before);

@@ -6,7 +6,6 @@
 
 #include "app/option_values.h"
 #include "app/value.h"
-#include "scene/shape.h"
 #include "scene/vocabulary.h"
 
 namespace flatray {
@@ -18,18 +17,31 @@ ReportTable key_table(std::span<const KeyInfo> keys) {
   return table;
 }
 
-bool is_shape(const std::string& name) {
-  for (const ShapeType* shape : shape_types())
-    if (name == shape->name) return true;
-  return false;
+// "shape" of the arguments of a box; "" for a table of the language.
+std::string kind_of(const TableInfo& table) {
+  for (const KindInfo& kind : kinds())
+    for (const TableInfo& one : kind.tables)
+      if (one.table == table.table) return kind.key;
+  return "";
+}
+
+std::string summary_of(const TableInfo& table) {
+  const std::string kind = kind_of(table);
+  return kind.empty() ? "keys of the table" : "arguments of the " + kind;
+}
+
+std::string title_of(const TableInfo& table) {
+  const std::string kind = kind_of(table);
+  if (!kind.empty()) return fmt::format("{} = {{ {} = {{ ... }} }}", kind, KindInfo::name(table));
+  return table.table == "scene" ? "scene: the keys of the file itself" : table.table;
 }
 
 std::string table_text(const TableInfo& table) {
-  const std::string title =
-      is_shape(table.table)    ? fmt::format("shape = {{ {} = {{ ... }} }}", table.table)
-      : table.table == "scene" ? std::string("scene: the keys of the file itself")
-                               : table.table;
-  return title + "\n" + aligned_text(key_table(table.keys), "  ");
+  const std::string keys = table.keys.empty()
+                               ? fmt::format("  has no keys; as in: {} = {{ {} = {{}} }}\n",
+                                             kind_of(table), KindInfo::name(table))
+                               : aligned_text(key_table(table.keys), "  ");
+  return title_of(table) + "\n" + keys;
 }
 
 std::vector<TableInfo> tables_named(std::string_view names) {
@@ -60,8 +72,7 @@ std::vector<Topic> help_topics() {
   for (const TableInfo& table : vocabulary()) {
     const bool known = std::any_of(topics.begin(), topics.end(),
                                    [&](const Topic& topic) { return topic.name == table.table; });
-    const char* what = is_shape(table.table) ? "arguments of the shape" : "keys of the table";
-    if (!known) topics.push_back({table.table, what});
+    if (!known) topics.push_back({table.table, summary_of(table)});
   }
   return topics;
 }

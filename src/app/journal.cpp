@@ -120,7 +120,10 @@ Result<void> Journal::remove() const {
   return {};
 }
 
-Claim::Claim(fs::path path, Descriptor file) : path_(std::move(path)), file_(std::move(file)) {}
+Claim::Claim(fs::path path, Descriptor file)
+    : path_(std::move(path)),
+      file_(std::move(file)),
+      in_flight_(std::make_unique<const InFlight>(path_, file_.get())) {}
 
 Claim::~Claim() {
   if (file_ && try_lock(file_, LOCK_EX) && is_at(path_, file_)) ::unlink(path_.c_str());

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "base/file.h"
+#include "base/in_flight.h"
 
 namespace flatray {
 
@@ -74,6 +76,7 @@ class Claim {
   Claim(std::filesystem::path path, Descriptor file);
   std::filesystem::path path_;
   Descriptor file_;
+  std::unique_ptr<const InFlight> in_flight_;
 };
 
 /// Fields of one object of JSON that another does not have so: "seed 1 there, 2 here".

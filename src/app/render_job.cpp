@@ -18,6 +18,7 @@
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "collide/scene_timeline.h"
+#include "render/light_picture.h"
 
 namespace flatray {
 namespace {
@@ -39,8 +40,16 @@ std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
       static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
   const std::uint64_t picture =
       pixels * (job.output.format() == PictureFormat::png ? png_bytes : kHdrBytes);
-  if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture;
-  return picture + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
+  const std::uint64_t light =
+      job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene.film, hardware_threads());
+  if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture + light;
+  return picture + light + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
+}
+
+RenderPlan plan_of(const RenderJob& job) {
+  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
+  plan.raw_light = job.output.format() == PictureFormat::hdr;
+  return plan;
 }
 
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
@@ -54,7 +63,7 @@ class FrameMaker {
         run_(run_length(frames.size(), spread_)),
         done_(done),
         claim_(claim),
-        plan_(make_plan(job.scene, job.keep_all, job.tracer)),
+        plan_(plan_of(job)),
         timeline_(timeline),
         manifest_(job.manifest()),
         made_((frames.size() + run_ - 1) / run_) {
@@ -378,7 +387,7 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
 
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
                                              unsigned threads) {
-  const RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
+  const RenderPlan plan = plan_of(job);
   Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return fail(std::move(timeline));
   FrameEncoder encoder(job, threads);

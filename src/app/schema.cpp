@@ -6,8 +6,8 @@
 
 #include "base/check.h"
 #include "scene/build_scene.h"
-#include "scene/shape.h"
 #include "scene/takes.h"
+#include "scene/vocabulary.h"
 
 namespace flatray {
 namespace {
@@ -73,16 +73,28 @@ JsonValue own_table_schema(const Site& site, const Takes& takes) {
                 {"additionalProperties", false}};
 }
 
-// { KIND = ... } is a shape unless a table is called so, { STATE = ... } holds what the user names.
+bool is_kind(std::string_view placeholder) {
+  const std::vector<KindInfo> all = kinds();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const KindInfo& kind) { return kind.placeholder == placeholder; });
+}
+
+// "shape.box": what a table of the language is called is not the name of a kind.
+std::string definition_of(const KindInfo& kind, const TableInfo& one) {
+  return std::string(kind.key) + "." + KindInfo::name(one);
+}
+
+// { KIND = ... } is one of registered kinds unless a table is called so, { STATE = ... } holds what
+// the user names.
 JsonValue table_schema(const Site& site, const Takes& takes) {
   const std::string first = takes.keys.empty() ? "" : takes.keys.front().first;
-  if (is_placeholder(first) && first != "KIND")
+  if (is_placeholder(first) && !is_kind(first))
     return Fields{{"type", "object"},
                   {"propertyNames", Fields{{"pattern", kStateName}}},
                   {"additionalProperties", any_of(site, takes.keys.front().second)}};
   if (const auto name = table_called(takes.text.empty() ? site : named_site(site, takes.text)))
     return reference(*name);
-  if (first == "KIND") return reference(first);
+  if (is_kind(first)) return reference(first);
   if (const auto name = table_with_keys(site, takes)) return reference(*name);
   return own_table_schema(site, takes);
 }
@@ -217,13 +229,13 @@ Fields table_fields(const std::vector<TableInfo>& tables, const std::string& nam
   return fields;
 }
 
-// Exactly one kind of shape.
-JsonValue shape_schema() {
-  Fields kinds;
-  for (const ShapeType* shape : shape_types())
-    kinds.emplace_back(shape->name, reference(std::string("shape.") + shape->name));
+// Exactly one kind.
+JsonValue kind_schema(const KindInfo& kind) {
+  Fields all;
+  for (const TableInfo& one : kind.tables)
+    all.emplace_back(KindInfo::name(one), reference(definition_of(kind, one)));
   return Fields{{"type", "object"},
-                {"properties", std::move(kinds)},
+                {"properties", std::move(all)},
                 {"additionalProperties", false},
                 {"minProperties", 1},
                 {"maxProperties", 1}};
@@ -237,11 +249,13 @@ JsonValue scene_schema() {
   for (const TableInfo& table : tables)
     definitions.emplace_back(table.table,
                              table_fields(tables, table.table, table.keys, table.drawn));
-  definitions.emplace_back("KIND", shape_schema());
+  for (const KindInfo& kind : kinds())
+    definitions.emplace_back(kind.placeholder, kind_schema(kind));
   definitions.emplace_back("drawn", distribution_schema());
-  for (const ShapeType* shape : shape_types())
-    definitions.emplace_back(std::string("shape.") + shape->name,
-                             table_fields(tables, shape->name, shape->keys, true));
+  for (const KindInfo& kind : kinds())
+    for (const TableInfo& one : kind.tables)
+      definitions.emplace_back(definition_of(kind, one),
+                               table_fields(tables, one.table, one.keys, one.drawn));
   Fields schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                 {"title", "flatray scene"},
                 {"description", "flatray = 1: docs/SCENE_FORMAT.md"}};

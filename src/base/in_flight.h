@@ -9,13 +9,18 @@ namespace flatray {
 /// when the program ends before the file has its own.
 class InFlight {
  public:
-  explicit InFlight(const std::filesystem::path& temporary);
+  /// Of a file that others may use, too, `locked` is a descriptor of it with a shared lock: it is taken
+  /// away only where no other has one, and the name is still its own.
+  explicit InFlight(const std::filesystem::path& temporary, int locked = -1);
   InFlight(const InFlight&) = delete;
   InFlight& operator=(const InFlight&) = delete;
   ~InFlight();
+  /// A signal handler may call it.
+  void remove() const;
 
  private:
   const std::string path_;
+  const int locked_;
   std::size_t slot_;
 };
 

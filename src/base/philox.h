@@ -10,7 +10,17 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
 /// What a draw is for. The numbers are part of every picture ever rendered: append, never renumber.
-enum class Stream : std::uint32_t { markov = 1, experiment = 2, test = 3, scatter = 4, value = 5 };
+enum class Stream : std::uint32_t {
+  markov = 1,
+  experiment = 2,
+  test = 3,
+  scatter = 4,
+  value = 5,
+  lamp = 6,      ///< how rays leave lamps
+  bounce = 7,    ///< what becomes of light at a wall
+  roulette = 8,  ///< which faint rays go on
+  colour = 9,    ///< wavelengths of light that comes to what disperses
+};
 
 /// 64 uniform bits named by (seed, stream, frame, item, draw). `frame` and `item` keep 32 bits
 /// each.

@@ -74,9 +74,23 @@ void BandPainter::blend_all(const PixelBox& box, const Band& band, std::size_t f
   }
 }
 
+void BandPainter::add_light(const LightPicture& light, const kernels::Target& target,
+                            std::span<const Run> runs) const {
+  for (const Run& run : runs) {
+    const auto row = static_cast<std::size_t>(run.y) * static_cast<std::size_t>(list_.width);
+    const float* from = light.rgb.data() + 3 * (row + static_cast<std::size_t>(run.x_begin));
+    float* to = target.rgba +
+                4 * ((run.y - target.y) * std::ptrdiff_t{target.width} + (run.x_begin - target.x));
+    for (std::int32_t x = run.x_begin; x < run.x_end; ++x, from += 3, to += 4)
+      for (int channel = 0; channel < 3; ++channel) to[channel] += from[channel];
+  }
+}
+
 void BandPainter::blend(const DrawItem& item, const kernels::Target& target) {
   const std::span<const Run> runs = runs_.runs();
-  if (item.gradient)
+  if (item.light)
+    add_light(*item.light, target, runs);
+  else if (item.gradient)
     GradientPainter(*item.gradient).blend_runs(target, runs);
   else
     kernels_.blend_runs(target, runs.data(), runs.size(), premultiplied(item.colour).data());

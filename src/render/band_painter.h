@@ -28,6 +28,8 @@ class BandPainter {
   void scan(const PixelBox& box, const Band& band, std::size_t i);
   void blend_all(const PixelBox& box, const Band& band, std::size_t first, std::size_t last);
   void blend(const DrawItem& item, const kernels::Target& target);
+  void add_light(const LightPicture& light, const kernels::Target& target,
+                 std::span<const Run> runs) const;
 
   const DrawList& list_;
   const bool hide_;

@@ -71,7 +71,14 @@ bool same(const FilmGradient& a, const FilmGradient& b) {
                       return same_bits(p.at, q.at) && same(p.colour, q.colour);
                     });
 }
+bool same(const std::shared_ptr<const LightPicture>& a,
+          const std::shared_ptr<const LightPicture>& b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  return a->rgb.size() == b->rgb.size() &&
+         std::memcmp(a->rgb.data(), b->rgb.data(), a->rgb.size() * sizeof(float)) == 0;
+}
 bool same(const DrawItem& a, const DrawItem& b) {
+  if (!same(a.light, b.light)) return false;
   if (a.region.index() != b.region.index() || !same(a.colour, b.colour) || a.layer != b.layer ||
       !same_bits(a.opacity, b.opacity) || a.gradient.has_value() != b.gradient.has_value())
     return false;
@@ -163,7 +170,7 @@ void Bands::add(std::size_t index, const DrawItem& item) {
   entry.item = static_cast<std::uint32_t>(index);
   entry.colour = item.colour;
   entry.bounds = bounds;
-  entry.blended = item.gradient || item.layer != 0;
+  entry.blended = item.gradient || item.light || item.layer != 0;
   if (ring) {
     entry.part = BandItem::Part::ring;
     entry.first = static_cast<std::uint32_t>(corner);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -54,12 +55,19 @@ struct FilmGradient {
   std::vector<Stop> stops;  ///< at least one
 };
 
+/// Light of the whole film, row by row from the top, three channels a pixel: added to what lies
+/// below it.
+struct LightPicture {
+  std::vector<float> rgb;
+};
+
 struct DrawItem {
   Region region;
   /// Of a gradient its first stop's, but a is 1 only where all of it is opaque, and 0 only where
   /// none is seen.
   LinearColour colour;
   std::optional<FilmGradient> gradient{};
+  std::shared_ptr<const LightPicture> light{};  ///< instead of a colour; the region is the film
   /// Not 0: items of one number, which follow one another, are painted on a clear layer of their
   /// own, and that is laid over the picture, faded by `opacity`.
   std::uint32_t layer = 0;

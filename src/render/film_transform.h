@@ -20,6 +20,9 @@ class FilmTransform {
     return {finite(world.x() * scale_), finite(-world.y() * scale_)};
   }
   double length(double world) const { return finite(world * scale_); }  ///< in pixels
+  /// World of the upper left corner, and pixels of a world unit.
+  Vec2 corner() const { return {left_, top_}; }
+  double scale() const { return scale_; }
 
  private:
   // What lies farther off, up to where a window of 1e-300 puts a world of 1e300, is drawn as if it

@@ -4,11 +4,13 @@
 
 namespace flatray {
 
-Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame) {
+Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame,
+                           const FrameOptions& options) {
   const Film& film = timeline.scene().film;
   const Colour& background = film.background;
   const FrameState state = at(timeline, frame);
   DrawContext context(timeline, state, plan.tracer);
+  context.light = {options.threads, options.stop, plan.raw_light};
   for (const Pass* pass : plan.passes) pass->draw(context);
   Result<std::vector<DrawItem>> items = std::move(context).sorted_items();
   if (!items) return fail(std::move(items));

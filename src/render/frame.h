@@ -43,9 +43,10 @@ struct DrawCounts {
   }
 };
 
-/// What a frame shows, before pixels.
+/// What a frame shows, before pixels; its light, where it has any, is traced as `options` say.
 /// Error   what takes the frame over Scene::max_corners, by its place in the scene.
-Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame);
+Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, unsigned frame,
+                           const FrameOptions& options = {});
 
 /// The software back end for frames drawn one after another: bands in which nothing changed keep
 /// their pixels, and in others what lies still below all that moves is drawn once. Same pixels

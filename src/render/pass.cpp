@@ -82,6 +82,21 @@ void DrawContext::add(DrawItem&& item) {
   if (take(kCornersOfItem)) items_.push_back({layer_, order_, std::move(item)});
 }
 
+void DrawContext::add_light(std::shared_ptr<const LightPicture> picture) {
+  const double width = scene.film.width, height = scene.film.height;
+  const Vec2 corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  DrawItem item;
+  item.region = FillPath{{{corners[0], corners[1]},
+                          {corners[1], corners[2]},
+                          {corners[2], corners[3]},
+                          {corners[3], corners[0]}},
+                         FillRule::nonzero,
+                         true};
+  item.colour = {0, 0, 0, 0.5F};  // neither hides what lies below nor is not seen
+  item.light = std::move(picture);
+  add(std::move(item));
+}
+
 Result<std::vector<DrawItem>> DrawContext::sorted_items() && {
   if (refused_)
     return fail(*refused_,

@@ -19,6 +19,13 @@ struct Need {
 inline Need run(std::string reason) { return {true, std::move(reason)}; }
 inline Need skip(std::string reason) { return {false, std::move(reason)}; }
 
+/// How the light of a frame is traced.
+struct LightRun {
+  unsigned threads = 1;
+  bool (*stop)() = nullptr;  ///< FrameOptions::stop
+  bool raw = false;          ///< fluence itself, not exposed and toned for the eye
+};
+
 /// What a pass draws from and into. Items are ordered by layer, then by their place in the scene
 /// file.
 class DrawContext {
@@ -30,6 +37,10 @@ class DrawContext {
   const FrameState& state;
   const Tracer* const tracer;  ///< of rays; null: the one of choice
   const FilmTransform film_from_world;
+  LightRun light{};
+
+  /// Light of the whole film, added to what lies below.
+  void add_light(std::shared_ptr<const LightPicture> picture);
 
   /// `shape` posed in the world, filled and outlined; nothing where it lies beside the film.
   void add_shape(const Shape& shape, const Pose& world_from_shape, const std::optional<Paint>& fill,

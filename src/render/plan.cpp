@@ -5,7 +5,9 @@
 #include <map>
 
 #include "anim/motion.h"
+#include "base/counted.h"
 #include "scene/responses.h"
+#include "transport/light/forward.h"
 
 namespace flatray {
 namespace {
@@ -33,6 +35,12 @@ RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer) {
                             need.needed ? "kept" : (keep_all ? "kept (asked)" : "left out"),
                             need.reason});
   }
+  if (!scene.lamps.empty())
+    plan.choices.push_back(
+        {"light", counted(rays_traced(scene.light.rays), "ray"),
+         scene.light.sampler == LightSampler::sorted
+             ? "bounces in order of place, with numbers of a net: less noise than random ones"
+             : "random numbers, as asked"});
   const std::string responses = responses_of(scene);
   plan.choices.push_back({"responses", responses.empty() ? "left out" : "simulated once",
                           responses.empty() ? "nothing responds to contact" : responses});

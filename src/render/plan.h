@@ -14,6 +14,7 @@ struct RenderPlan {
   std::vector<const Pass*> passes;
   const Tracer* tracer = nullptr;  ///< of the rays; null: the one of choice
   bool still = false;              ///< all frames are one picture: drawn once
+  bool raw_light = false;          ///< LightRun::raw
   std::vector<Choice> choices;
 };
 

@@ -1,3 +1,5 @@
+#include "scene/args.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "scene/curve_keys.h"
 #include "scene/numbers.h"
-#include "scene/shape.h"
 
 namespace flatray {
 namespace {
@@ -36,7 +37,7 @@ std::optional<Moving> read_moving_or_not(Builder& builder, const Field& field) {
 
 }  // namespace
 
-Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, ChangingShape* changing)
+Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, KeptArguments* changing)
     : where(field.value.where),
       builder_(&builder),
       scene_(&builder.scene),
@@ -51,7 +52,7 @@ Args::Args(Builder& builder, Field field, std::span<const KeyInfo> keys, Changin
                          fmt::format("write {} = {}", key.name, key.takes));
 }
 
-Args::Args(const Scene& scene, const ChangingShape& changing, double time)
+Args::Args(const Scene& scene, const KeptArguments& changing, double time)
     : scene_(&scene), known_(&changing), time_(time) {}
 
 void Args::set_time(double time) {
@@ -200,6 +201,17 @@ Place Args::place(const char* key, std::size_t index) const {
   const Member* member = field_ ? field_->value.find(key) : nullptr;
   if (member == nullptr || index >= member->value.items.size()) return place(key);
   return member->value.items[index].where;
+}
+
+Colour Args::colour(const char* key, const Colour& fallback) {
+  const std::optional<Field> field = find(key);
+  return field ? builder_->in.colour(*field).value_or(fallback) : fallback;
+}
+
+void Args::problem(const char* key, const std::string& message, std::string hint) {
+  if (builder_ != nullptr)
+    builder_->in.problem(place(key), fmt::format("{}.{} {}", field_->name, key, message),
+                         std::move(hint));
 }
 
 void Args::warning(const Place& at, std::string message, std::string hint) {

@@ -58,6 +58,8 @@ constexpr Key<Scene> kSceneKeys[] = {
     {{"chamber", "[[chamber]]", "[]"}, &read_chambers},
     {{"ray", "[[ray]]", "[]"}, &read_rays},
     {{"edge_rays", "[[edge_rays]]", "[]"}, &read_edge_rays},
+    {{"lamp", "[[lamp]]", "[]"}, &read_lamps},
+    {{"light", "{ rays = n, ... }", "{}"}, &read_light},
     {{"camera", "{ at = [x, y], ... }", "{}"}, &read_camera},
 };
 
@@ -90,6 +92,7 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
     before += source->text().size() + 1;
   }
   read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
+  check_light(builder);
   sort_by_source(builder.in.problems, builder);
   sort_by_source(builder.in.warnings, builder);
   if (!builder.in.problems.empty()) return tl::unexpected(std::move(builder.in.problems));
@@ -105,9 +108,9 @@ void check_version(Reader& in, const Value& scene) {
 
 std::vector<TableInfo> language_tables() {
   std::vector<TableInfo> all{{"scene", key_infos<Scene>(kSceneKeys)}};
-  for (auto* tables :
-       {&film_tables, &group_tables, &entity_tables, &look_tables, &curve_tables, &motion_tables,
-        &repeat_tables, &collision_tables, &chamber_tables, &ray_tables, &markov_tables})
+  for (auto* tables : {&film_tables, &group_tables, &entity_tables, &look_tables, &curve_tables,
+                       &motion_tables, &repeat_tables, &collision_tables, &chamber_tables,
+                       &ray_tables, &lamp_tables, &markov_tables})
     append_tables(all, tables());
   return all;
 }

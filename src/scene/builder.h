@@ -20,6 +20,7 @@ struct Builder {
   /// Shapes in which nothing is drawn, so that copies share them.
   std::map<const Value*, ShapeId> fixed_shapes{};
   std::map<const Value*, CurveId> fixed_curves{};  ///< likewise
+  std::map<const Value*, ScattererId> fixed_scatterers{};
   std::map<const Member*, std::uint32_t> fixed_paths{};
   std::uint64_t corners = 0;  ///< counted so far; see corner_limit.h
   bool full = false;          ///< more than the limit: told

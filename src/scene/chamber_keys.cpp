@@ -54,8 +54,8 @@ constexpr Word<Material> kChamberMaterials[] = {
 constexpr Key<Chamber> kChamberKeys[] = {
     kNameKey<Chamber>,
     {{"shape", "{ KIND = { ... } }", kRequired}, &read_walls},
-    {{"material", R"("absorb", "mirror" or "periodic")", "\"mirror\""},
-     &set_word<&Chamber::material, kChamberMaterials>},
+    {{"material", R"("absorb", "mirror", "periodic" or { MATERIAL = { ... } })", "\"mirror\""},
+     &set_material<Chamber, kChamberMaterials>},
     fill_key<Chamber>("\"none\""),
     stroke_key<Chamber>("{ width_px = 1.5, colour = \"#333333\" } without a fill"),
     kOpacityKey<Chamber>,

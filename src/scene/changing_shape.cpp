@@ -119,7 +119,7 @@ bool try_all(const Scene& scene, const ChangingShape& changing, Trials& trials) 
 std::optional<ShapeId> build_changing_shape(Builder& builder, const ShapeType& type,
                                             const Field& arguments) {
   const std::size_t problems = builder.in.problems.size();
-  ChangingShape changing{&type, {}};
+  ChangingShape changing{{}, &type};
   Args args(builder, arguments, type.keys, &changing);
   (void)type.build(args);  // reads the arguments
   if (builder.in.problems.size() > problems || builder.full) return std::nullopt;

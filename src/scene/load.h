@@ -60,6 +60,8 @@ struct Listed {
   std::string name, usage;
 };
 std::vector<Listed> listed_shapes();
+std::vector<Listed> listed_lamps();
+std::vector<Listed> listed_materials();
 std::vector<Listed> listed_formats();
 
 }  // namespace flatray

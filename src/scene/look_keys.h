@@ -1,13 +1,12 @@
 #pragma once
 #include "scene/keys.h"
+#include "scene/material.h"
 
 namespace flatray {
 
 inline constexpr Colour kDefaultColour{0x33, 0x33, 0x33, 255};
 inline constexpr Colour kPillarColour{0x99, 0x99, 0x99, 255};
 inline constexpr Stroke kDefaultStroke{1.5, true, kDefaultColour};
-inline constexpr Word<Material> kMaterials[] = {{"absorb", Material::absorb},
-                                                {"mirror", Material::mirror}};
 
 /// `{ width, colour }`; what is not given stays as it is in `stroke`. False where it is wrong.
 bool read_stroke(Builder& builder, const Field& field, Stroke& stroke);
@@ -57,9 +56,17 @@ void set_opacity(Builder& builder, const Field& field, T& target) {
 }
 template <class T>
 inline constexpr Key<T> kOpacityKey = {{"opacity", "number", "1"}, &set_opacity<T>};
+template <class T, const auto& words = kMaterialWords>
+void set_material(Builder& builder, const Field& field, T& target) {
+  const auto read = read_material(builder, field, words);
+  if (!read) return;
+  target.material = read->material;
+  target.scatterer = read->scatterer;
+}
 template <class T>
 constexpr Key<T> material_key(const char* fallback) {
-  return {{"material", R"("absorb" or "mirror")", fallback}, &set_word<&T::material, kMaterials>};
+  return {{"material", R"("absorb", "mirror" or { MATERIAL = { ... } })", fallback},
+          &set_material<T>};
 }
 template <class T>
 constexpr Key<T> fill_key(const char* fallback) {

@@ -1,73 +1,15 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/source_text.h"
 #include "geom/ellipse.h"
+#include "scene/paint.h"
 
 namespace flatray {
-
-/// sRGB with straight alpha, as written: "#rrggbb" or "#rrggbbaa".
-struct Colour {
-  std::uint8_t r = 0, g = 0, b = 0, a = 255;
-  bool operator==(const Colour&) const = default;
-};
-
-/// A number over time through its keys, constant before the first and after the last.
-struct Curve {
-  enum class Ease { linear, smooth } ease = Ease::linear;
-  std::vector<double> times, values;  ///< seconds, ascending; one value each
-};
-using CurveId = std::uint32_t;  ///< index into Scene::curves
-
-/// A number that may be a curve: its value, or 0 and the curve.
-struct Moving {
-  double value = 0;
-  std::optional<CurveId> curve;
-};
-
-/// Colours along a line or round a point, interpolated as premultiplied linear light; beyond the
-/// first and the last they go on. In the coordinates of what is painted.
-struct Gradient {
-  struct Stop {
-    double at;  ///< in [0, 1], not falling
-    Colour colour;
-  };
-  bool radial = false;
-  Vec2 from{0, 0}, to{1, 0};  ///< radial: the centre, and a point of its circle
-  std::vector<Stop> stops;
-};
-
-inline constexpr std::uint32_t kNoEntry = ~std::uint32_t{0};
-
-/// A colour, a gradient, or a colour that changes with time.
-struct Paint : Colour {
-  constexpr Paint() = default;
-  constexpr Paint(const Colour& colour, std::uint32_t gradient_ = kNoEntry)
-      : Colour(colour), gradient(gradient_) {}
-  std::uint32_t gradient = kNoEntry;  ///< index into Scene::gradients: it counts, not the colour
-  /// First of four curves: red, green and blue as linear light times alpha, and alpha. They count.
-  CurveId curve = kNoEntry;
-};
-
-enum class LineJoin { round, miter, bevel };
-enum class LineCap { round, butt, square };
-
-/// Line drawn along an outline, centred on it.
-struct Stroke {
-  double width = 1;
-  bool in_pixels = false;  ///< width and dashes in pixels of the film, else world units
-  Paint colour;
-  double scale = 1;  ///< of width and dashes that are not in pixels
-  LineJoin joins = LineJoin::round;
-  LineCap caps = LineCap::round;
-  double miter_limit = 4;           ///< times the width; longer miters are bevels
-  std::uint32_t dashes = kNoEntry;  ///< index into Scene::dashes
-  double dash_offset = 0;
-  std::optional<CurveId> width_curve{};  ///< instead of `width`: of entities only
-};
 
 enum class Coverage { area, centre };
 enum class FillRule { nonzero, even_odd };
@@ -99,15 +41,19 @@ using ShapeId = std::uint32_t;  ///< index into Scene::shapes
 
 struct ShapeType;
 
-/// A shape of which some numbers are curves: its kind, and its arguments as they were read.
-struct ChangingShape {
+/// Arguments as they were read, of which some numbers are curves.
+struct KeptArguments {
   struct Argument {
     const char* key;
     std::vector<Moving> numbers;  ///< of a point both; truth values, words and counts as numbers
     std::string text;
   };
-  const ShapeType* type;
   std::vector<Argument> arguments;
+};
+
+/// A shape of which some numbers are curves.
+struct ChangingShape : KeptArguments {
+  const ShapeType* type;
 };
 
 /// What a Markov state or sub-state changes; nothing set keeps the entity's own.
@@ -162,6 +108,9 @@ struct Path {
   std::vector<double> lengths;  ///< of the way from the first to each
   bool closed = false;
 };
+
+class Scatterer;
+using ScattererId = std::uint32_t;  ///< index into Scene::scatterers
 
 /// Walks a path: `start` + `speed` * t / `duration` of its length at time t.
 struct Follow {
@@ -219,6 +168,7 @@ struct Entity {
   std::optional<Stroke> bounding_box;    ///< drawn when set
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
+  ScattererId scatterer = kNoEntry;  ///< what it does with light; none: what `material` says
   std::optional<MarkovUse> markov;
   std::optional<Response> response;  ///< unset: that of Scene::collisions
   std::optional<double> mass;        ///< infinite: nothing moves it; unset: its area
@@ -231,6 +181,7 @@ struct Chamber {
   std::string name;
   ShapeId shape = 0;
   Material material = Material::mirror;
+  ScattererId scatterer = kNoEntry;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
   double opacity = 1;  ///< of it and its pillars together
@@ -241,6 +192,7 @@ struct Chamber {
     Vec2 at{0, 0};
     double angle = 0;
     Material material = Material::mirror;
+    ScattererId scatterer = kNoEntry;
     std::optional<Paint> fill;
     std::optional<Stroke> stroke;
   };
@@ -280,6 +232,50 @@ struct RayPath {
   int layer = 0;
   Place where;
   std::uint64_t order = 0;
+};
+
+struct LampType;
+
+/// What sends out light, `power` a second in all directions together, per unit of depth.
+struct Lamp {
+  std::string name;
+  const LampType* type = nullptr;  ///< how its rays set off
+  KeptArguments source;            ///< of the type
+  std::optional<std::uint32_t> group;
+  Vec2 at{0, 0};
+  double angle = 0;  ///< radians
+  Vec2 velocity{0, 0};
+  double angular_velocity = 0;
+  Motion motion;
+  Moving power{1, {}};
+  Paint colour{Colour{255, 255, 255, 255}};  ///< where neither of the next two is set
+  std::optional<Moving> wavelength;          ///< nm
+  std::optional<Moving> temperature;         ///< of a blackbody, kelvin
+  Place where;
+};
+
+enum class LightSampler : std::uint8_t {
+  sorted,  ///< Owen-scrambled Sobol numbers for lamps; bounces in order of place take a net
+  random   ///< independent numbers
+};
+
+/// How light in [0, infinity) becomes a picture.
+enum class ToneCurve : std::uint8_t {
+  linear,  ///< as it is; above 1 it is white
+  soft,    ///< x (1 + x / 16) / (1 + x): white at 4
+  filmic   ///< a curve with a foot and a shoulder
+};
+
+/// How the light of lamps is traced and shown.
+struct LightSettings {
+  std::uint64_t rays = 1'000'000;
+  unsigned bounces = 1000;         ///< at most; what is left is cut off, and counted
+  std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
+  ToneCurve tone = ToneCurve::soft;
+  LightSampler sampler = LightSampler::sorted;
+  bool noise_moves = false;  ///< other random numbers in each frame
+  int layer = -1;            ///< where it is added to what is drawn
+  Place where;
 };
 
 /// The paper's Figure 4: the edges of one entity as rays against another, the inside part thick,
@@ -351,6 +347,9 @@ struct Scene {
   std::vector<Chamber> chambers;
   std::vector<RayPath> rays;
   std::vector<EdgeRays> edge_rays;
+  std::vector<Lamp> lamps;
+  LightSettings light;
+  std::vector<std::shared_ptr<const Scatterer>> scatterers;
   std::optional<Collisions> collisions;
   std::vector<MarkovChain> chains;
   std::uint64_t hash = 0;  ///< of the source text, its imports and overrides

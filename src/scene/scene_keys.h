@@ -26,6 +26,12 @@ void read_rays(Builder& builder, const Field& field, Scene& scene);
 void read_edge_rays(Builder& builder, const Field& field, Scene& scene);
 std::vector<TableInfo> ray_tables();
 
+void read_lamps(Builder& builder, const Field& field, Scene& scene);
+void read_light(Builder& builder, const Field& field, Scene& scene);
+/// What no key shows alone: once all has been read.
+void check_light(Builder& builder);
+std::vector<TableInfo> lamp_tables();
+
 void read_chains(Builder& builder, const Field& field, Scene& scene);
 /// The state of a chain by name; an unknown one is a problem.
 std::optional<StateId> find_state(Builder& builder, const MarkovChain& chain, const Place& where,

@@ -4,6 +4,7 @@
 
 #include "scene/changing_shape.h"
 #include "scene/corner_limit.h"
+#include "scene/kinds.h"
 #include "scene/overrides.h"
 
 namespace flatray {
@@ -13,34 +14,6 @@ namespace shapes {
 #undef FLATRAY_ENTRY
 }  // namespace shapes
 namespace {
-
-const ShapeType* find_type(std::string_view name) {
-  for (const ShapeType* type : shape_types())
-    if (type->name == name) return type;
-  return nullptr;
-}
-
-std::vector<std::string> type_names() {
-  std::vector<std::string> names;
-  for (const ShapeType* type : shape_types()) names.emplace_back(type->name);
-  return names;
-}
-
-// The one member of `{ KIND = { ... } }` and its type; what is wrong with it is noted.
-const ShapeType* kind_of(Reader& in, const Field& field) {
-  if (!in.is(field, Value::Kind::table, "a shape")) return nullptr;
-  if (field.value.members.size() != 1) {
-    in.problem(field.value.where,
-               fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-               "write one of: " + joined(type_names()));
-    return nullptr;
-  }
-  const Member& kind = field.value.members.front();
-  const ShapeType* type = find_type(kind.key);
-  if (type == nullptr)
-    in.problems.push_back(unknown_word(kind.where, "shape", kind.key, type_names()));
-  return type;
-}
 
 void append(Diagnostics& to, Diagnostics&& from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
@@ -73,14 +46,13 @@ namespace {
 
 std::optional<ShapeId> build_shape(Builder& builder, const Field& field) {
   const std::size_t problems = builder.in.problems.size();
-  const ShapeType* type = kind_of(builder.in, field);
-  if (type == nullptr) return std::nullopt;
-  const Field arguments{type->name, field.value.members.front().value, "{ ... }"};
-  if (!builder.in.is(arguments, Value::Kind::table, "a table")) return std::nullopt;
+  const auto kind = read_kind(builder.in, field, shape_types(), "a shape");
+  if (!kind) return std::nullopt;
+  const Field arguments{kind->type->name, kind->arguments, "{ ... }"};
   if (builder.may_change && has_curve(arguments.value))
-    return build_changing_shape(builder, *type, arguments);
-  Args args(builder, arguments, type->keys);
-  Result<Shape> shape = type->build(args);
+    return build_changing_shape(builder, *kind->type, arguments);
+  Args args(builder, arguments, kind->type->keys);
+  Result<Shape> shape = kind->type->build(args);
   if (builder.in.problems.size() > problems) return std::nullopt;
   args.check_lost_features();
   if (!shape) {

@@ -4,6 +4,8 @@
 
 #include "base/left_out.h"
 #include "scene/build_scene.h"
+#include "scene/lamp.h"
+#include "scene/material.h"
 #include "scene/shape.h"
 
 namespace flatray {
@@ -71,10 +73,29 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
   }
 }
 
+namespace {
+
+template <class Type>
+std::vector<TableInfo> tables_of(const std::vector<const Type*>& types, const std::string& before,
+                                 bool drawn) {
+  std::vector<TableInfo> tables;
+  for (const Type* type : types)
+    tables.push_back({before + type->name, {type->keys.begin(), type->keys.end()}, drawn});
+  return tables;
+}
+
+}  // namespace
+
+std::vector<KindInfo> kinds() {
+  return {{"KIND", "shape", tables_of(shape_types(), "", true)},
+          {"LAMP", "source", tables_of(lamp_types(), "lamp.", true)},
+          {"MATERIAL", "material", tables_of(material_types(), "material.", true)}};
+}
+
 std::vector<TableInfo> vocabulary() {
   std::vector<TableInfo> all = language_tables();
-  for (const ShapeType* shape : shape_types())
-    all.push_back({shape->name, {shape->keys.begin(), shape->keys.end()}, true});
+  for (KindInfo& kind : kinds())
+    std::move(kind.tables.begin(), kind.tables.end(), std::back_inserter(all));
   return all;
 }
 

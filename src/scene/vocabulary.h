@@ -23,7 +23,20 @@ struct TableInfo {
   bool drawn = false;  ///< its numbers, points, colours and shapes may be drawn at random
 };
 
-/// Every table of the language, shapes included: for documents, completion and tests.
+/// What `{ NAME = { ... } }` chooses from where a key takes one of registered kinds.
+struct KindInfo {
+  const char* placeholder;  ///< NAME in KeyInfo::takes: "KIND"
+  const char* key;          ///< as written: "shape"
+  std::vector<TableInfo>
+      tables;  ///< of each kind; of shapes by their names, "lamp.point" of others
+  /// The name of a kind as it is written: "point".
+  static std::string name(const TableInfo& table) {
+    return table.table.substr(table.table.find('.') + 1);
+  }
+};
+std::vector<KindInfo> kinds();
+
+/// Every table of the language, kinds included: for documents, completion and tests.
 std::vector<TableInfo> vocabulary();
 
 /// One problem for each member of `table` that `keys` does not hold, with the nearest key.

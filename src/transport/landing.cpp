@@ -199,6 +199,12 @@ Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
   return {nearest, std::move(passing)};
 }
 
+bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  if (!walls.is_straight(surface)) return place_on(walls.arc(surface), point) == ArcPlace::at_end;
+  const Segment& wall = walls.segments[walls.slot[surface]];
+  return point == wall.a || point == wall.b;
+}
+
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
   if (!walls.is_straight(hit.surface))
     return hit.root == Root::first ? Sign::positive : Sign::negative;

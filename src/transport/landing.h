@@ -54,6 +54,9 @@ class Lander {
   WallCells cells_;
 };
 
+/// Whether a point is an end of a wall. Exact.
+bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point);
+
 /// The side of its wall a ray comes from: left (positive) of a segment, outside (positive) of a
 /// curve.
 Sign inner_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit);

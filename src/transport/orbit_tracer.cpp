@@ -16,34 +16,8 @@ void add(DoubleDouble& sum, double t) {
   sum = std::isfinite(next.hi) ? two_sum(next.hi, next.lo + sum.lo) : DoubleDouble{next.hi, 0};
 }
 
-bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  if (!walls.is_straight(surface)) return place_on(walls.arc(surface), point) == ArcPlace::at_end;
-  const Segment& wall = walls.segments[walls.slot[surface]];
-  return point == wall.a || point == wall.b;
-}
-
 // So few rays are faster asked one by one than in the lanes of a batch.
 constexpr std::size_t kFewFlights = 12;
-
-// From a point on a curve a ray goes inward from the first root, or outward from the second;
-// on the tangent it has touched the curve and goes on outside, from `both`.
-Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
-  if (walls.is_straight(surface)) return Root::none;
-  return leads_away(walls, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
-         : leads_away(walls, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
-                                                                                 : Root::both;
-}
-
-bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  if (!walls.is_straight(left.surface)) return false;
-  const Segment& wall = walls.segments[walls.slot[left.surface]];
-  return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
-}
-
-// Inside a curve the ray goes on from the root it would have entered by, outside from the other.
-Root root_left_by(Root met) {
-  return met == Root::none ? Root::none : met == Root::second ? Root::first : Root::second;
-}
 
 }  // namespace
 

@@ -94,6 +94,19 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
          });
 }
 
+Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
+  if (walls.is_straight(surface)) return Root::none;
+  return leads_away(walls, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
+         : leads_away(walls, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
+                                                                                 : Root::both;
+}
+
+bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
+  if (!walls.is_straight(left.surface)) return false;
+  const Segment& wall = walls.segments[walls.slot[left.surface]];
+  return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
+}
+
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const Landing& landing, const Speed& speed) {
   return reflected(walls, {hit.surface, inner_side(walls, ray, hit), landing.normal}, ray.direction,

@@ -44,6 +44,16 @@ struct Reflection {
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction);
 
+/// What a ray that sets off from a point of a wall has left: on a curve inward from the first root, or
+/// outward from the second; along its tangent from both, as one that has touched it. Exact.
+Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray);
+/// What a reflected ray has left: inside a curve the root it would have entered by, outside the other.
+inline Root root_left_by(Root met) {
+  return met == Root::none ? Root::none : met == Root::second ? Root::first : Root::second;
+}
+/// Whether a direction runs along the straight wall just left. Exact.
+bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction);
+
 /// (origin - centre) x direction: r times the speed times the sine of the incidence at a circle,
 /// which its reflections keep. Error   1 ulp of its terms' squares.
 double moment_about(const Vec2& centre, const Ray& ray);

@@ -61,6 +61,7 @@ expect() {
   [[ ! -e run$1/out.toml ]] || fail "$command: left a file in part"
 }
 
+[[ -e ${flatray%/*}/flatray_gl.so ]] || commands=("${commands[@]/experiment backends*/check never}")  # needs GL
 at_once=4
 for ((first = 0; first < ${#commands[@]}; first += at_once)); do
   wave=("${!commands[@]}") wave=("${wave[@]:first:at_once}") pids=()

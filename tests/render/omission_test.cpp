@@ -37,6 +37,7 @@ const std::vector<Asks> kAsks = {
                  "[[edge_rays]]\nfrom = \"box\"\nagainst = \"other\"\n",
      {"edge_rays", "entities"}},
     {"entities", kBoxScene, {"entities"}},
+    {"light", "[[lamp]]\nsource = { point = {} }\n", {"light"}},
     {"orbits", "[[ray]]\nat = [1, 1]\ndirection = [1, 0.5]\n", {"orbits"}}};
 
 std::vector<std::string> names(const std::vector<const Pass*>& passes) {

@@ -57,6 +57,8 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
                            {"experiments", &studies},
                            {"formats", [] { return listed(listed_formats()); }},
                            {"isas", &isas},
+                           {"lamps", [] { return listed(listed_lamps()); }},
+                           {"materials", [] { return listed(listed_materials()); }},
                            {"metrics", [] { return described(flatray::metrics()); }},
                            {"passes", &drawing_passes},
                            {"shapes", [] { return listed(listed_shapes()); }},

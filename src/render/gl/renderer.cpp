@@ -69,6 +69,10 @@ class GlRenderer final : public Renderer {
   template <class Picture>
   Result<void> render(const DrawList& list, const PixelBox& crop, const FrameOptions& options,
                       Picture& out) const {
+    for (const DrawItem& item : list.items)
+      if (item.light)
+        return fail(named_place("--backend"), "the GL back ends add no light of lamps",
+                    "leave --backend out: the software back end does", Trouble::unavailable);
     const int width = std::min(crop.width, FLATRAY_GL_TILE);
     const int rows = std::clamp(kTilePixels / std::max(width, 1), 1, FLATRAY_GL_TILE);
     Tile tile;

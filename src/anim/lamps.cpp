@@ -1,0 +1,74 @@
+#include "anim/lamps.h"
+
+#include <algorithm>
+
+#include "anim/motion.h"
+#include "base/light.h"
+#include "scene/curve.h"
+#include "scene/lamp.h"
+
+namespace flatray {
+namespace {
+
+Pose lamp_pose(const Scene& scene, const Lamp& lamp, const FrameState& state,
+               std::span<const GroupPose> groups) {
+  const Placed now = placed(scene, lamp.at, lamp.angle, lamp.motion, state.time);
+  Vec2 at = held(now.at + lamp.velocity * state.time);
+  double angle = now.angle + lamp.angular_velocity * state.time, scale = 1;
+  if (lamp.group) {
+    const GroupPose& group = groups[*lamp.group];
+    at = held(group.pose(at));
+    angle += group.angle;
+    scale = group.pose.scale;
+  }
+  return pose(at + state.displaced, angle, scale);
+}
+
+LightColour paint_light(const Scene& scene, const Paint& paint, double time) {
+  if (paint.curve == kNoEntry)
+    return {static_cast<double>(linear_from_srgb(paint.r)),
+            static_cast<double>(linear_from_srgb(paint.g)),
+            static_cast<double>(linear_from_srgb(paint.b))};
+  const auto channel = [&](CurveId i) { return value_at(scene.curves[paint.curve + i], time); };
+  return {channel(0), channel(1), channel(2)};
+}
+
+LightColour lamp_colour(const Scene& scene, const Lamp& lamp, double time) {
+  if (lamp.wavelength) return colour_of_wavelength(plus(scene, *lamp.wavelength, time));
+  if (lamp.temperature) return colour_of_temperature(plus(scene, *lamp.temperature, time));
+  return paint_light(scene, lamp.colour, time);
+}
+
+}  // namespace
+
+std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) {
+  std::vector<LampState> states;
+  if (scene.lamps.empty()) return states;
+  const std::vector<GroupPose> groups = group_poses(scene, state.time);
+  for (std::uint32_t i = 0; i < scene.lamps.size(); ++i) {
+    const Lamp& lamp = scene.lamps[i];
+    LightColour colour = lamp_colour(scene, lamp, state.time);
+    const double most = *std::max_element(colour.begin(), colour.end());
+    const double power = plus(scene, lamp.power, state.time) * most;
+    auto emitter = emitter_at(scene, lamp, state.time);
+    if (!(power > 0) || emitter == nullptr) continue;
+    for (double& channel : colour) channel /= most;
+    states.push_back({i, lamp_pose(scene, lamp, state, groups), power, colour, std::move(emitter),
+                      lamp.type->numbers});
+  }
+  return states;
+}
+
+bool moves(const Lamp& lamp) {
+  const auto curved = [](const std::optional<Moving>& number) { return number && number->curve; };
+  return lamp.motion.any() || !lamp.velocity.isZero(0) || lamp.angular_velocity != 0 ||
+         lamp.power.curve || lamp.colour.curve != kNoEntry || curved(lamp.wavelength) ||
+         curved(lamp.temperature) ||
+         std::any_of(lamp.source.arguments.begin(), lamp.source.arguments.end(),
+                     [&](const KeptArguments::Argument& argument) {
+                       return std::any_of(argument.numbers.begin(), argument.numbers.end(),
+                                          [](const Moving& number) { return number.curve; });
+                     });
+}
+
+}  // namespace flatray

@@ -1,0 +1,165 @@
+#include "scene/copies.h"
+#include "scene/kinds.h"
+#include "scene/lamp.h"
+#include "scene/look_keys.h"
+#include "scene/motion_keys.h"
+#include "scene/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::int64_t kMostRays = std::int64_t{1} << 40;
+constexpr std::int64_t kMostBounces = 1'000'000;
+
+void read_source(Builder& builder, const Field& field, Lamp& lamp) {
+  const std::size_t problems = builder.in.problems.size();
+  const auto kind = read_kind(builder.in, field, lamp_types(), "a lamp");
+  if (!kind) return;
+  lamp.type = kind->type;
+  lamp.source = {};
+  Args args(builder, {std::string("lamp.") + kind->type->name, kind->arguments, "{ ... }"},
+            kind->type->keys, &lamp.source);
+  const auto made = kind->type->build(args);
+  const bool may_vanish = args.gone() && has_curve(kind->arguments);
+  if (made || may_vanish || builder.in.problems.size() > problems) return;
+  for (const Diagnostic& one : made.error()) builder.in.problems.push_back(one);
+}
+
+// A number that may be a curve and whose values all lie in [low, high].
+template <auto Pointer>
+void set_between(Builder& builder, const Field& field, Lamp& lamp, double low, double high,
+                 const char* hint) {
+  const std::optional<Moving> number = read_moving(builder, field);
+  if (!number) return;
+  const Curve* curve = number->curve ? &builder.scene.curves[*number->curve] : nullptr;
+  const double least = curve != nullptr ? lowest(*curve) : number->value;
+  const double most = curve != nullptr ? highest(*curve) : number->value;
+  if (!(least >= low && most <= high))
+    return builder.in.problem(field.value.where, field.name + " is out of range", hint);
+  lamp.*Pointer = *number;
+}
+
+void read_power(Builder& builder, const Field& field, Lamp& lamp) {
+  set_between<&Lamp::power>(builder, field, lamp, 0, 1e30, "write 0 to 1e30, 1 for a plain lamp");
+}
+void read_wavelength(Builder& builder, const Field& field, Lamp& lamp) {
+  set_between<&Lamp::wavelength>(builder, field, lamp, 380, 780,
+                                 "light that is seen has 380 to 780 nm");
+}
+void read_temperature(Builder& builder, const Field& field, Lamp& lamp) {
+  set_between<&Lamp::temperature>(builder, field, lamp, 800, 1e5,
+                                  "write 800 to 100000 kelvin, 2700 for a bulb, 6500 for daylight");
+}
+
+void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
+  builder.may_change = true;
+  if (const auto colour = read_moving_colour(builder, field)) lamp.colour = *colour;
+  builder.may_change = false;
+}
+
+constexpr Key<Lamp> kLampKeys[] = {
+    kNameKey<Lamp>,
+    {{"source", "{ LAMP = { ... } }", kRequired}, &read_source},
+    kGroupKey<Lamp>,
+    kMovingAtKey<Lamp>,
+    kMovingAngleKey<Lamp>,
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Lamp::velocity>},
+    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Lamp::angular_velocity>},
+    {{"power", "number or a curve", "1"}, &read_power},
+    {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour},
+    {{"nm", "number or a curve", "none"}, &read_wavelength},
+    {{"kelvin", "number or a curve", "none"}, &read_temperature},
+    kFollowKey<Lamp>,
+    kRepeatKey<Lamp>,
+};
+
+void read_exposure(Builder& builder, const Field& field, LightSettings& light) {
+  if (field.value.kind == Value::Kind::string) {
+    constexpr Word<bool> kWords[] = {{"auto", true}};
+    (void)builder.in.word<bool>(field, kWords);
+    return;
+  }
+  const auto exposure = builder.in.number(field);
+  if (!exposure) return;
+  if (!(*exposure > 0 && *exposure <= 1e30))
+    return builder.in.problem(field.value.where, field.name + " is not above 0 and at most 1e30",
+                              "write what light of 1 is to be shown as, or \"auto\"");
+  light.exposure = *exposure;
+}
+
+constexpr Word<ToneCurve> kTones[] = {
+    {"linear", ToneCurve::linear}, {"soft", ToneCurve::soft}, {"filmic", ToneCurve::filmic}};
+constexpr Word<LightSampler> kSamplers[] = {{"sorted", LightSampler::sorted},
+                                            {"random", LightSampler::random}};
+constexpr Word<bool> kNoises[] = {{"still", false}, {"moving", true}};
+
+constexpr Key<LightSettings> kLightKeys[] = {
+    {{"rays", "whole number", "1000000"}, &set_integer<&LightSettings::rays, 1, kMostRays>},
+    {{"bounces", "whole number", "1000"}, &set_integer<&LightSettings::bounces, 0, kMostBounces>},
+    {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
+    {{"tone", R"("linear", "soft" or "filmic")", "\"soft\""},
+     &set_word<&LightSettings::tone, kTones>},
+    {{"sampler", R"("sorted" or "random")", "\"sorted\""},
+     &set_word<&LightSettings::sampler, kSamplers>},
+    {{"noise", R"("still" or "moving")", "\"still\""},
+     &set_word<&LightSettings::noise_moves, kNoises>},
+    {{"layer", "whole number", "-1"}, &set_integer<&LightSettings::layer, -1000000, 1000000>},
+};
+
+// Whether light is surely inside or outside of it, by the side of each of its walls.
+bool is_body(const Shape& shape) {
+  return shape.segments.empty() && shape.crossing_rings.empty() &&
+         shape.piece_count() + shape.circles.size() + shape.arc_paths.size() > 0 &&
+         std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return path.is_ellipse(); });
+}
+
+void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const Place& where) {
+  const Scene& scene = builder.scene;
+  if (scatterer == kNoEntry || scene.scatterers[scatterer]->index(0) == 0 ||
+      shape >= scene.shapes.size() || is_body(scene.shapes[shape]))
+    return;
+  builder.in.problem(where, "what is of glass here has no inside, or arcs beside straight walls",
+                     "glass is for polygons, circles and whole ellipses");
+}
+
+}  // namespace
+
+void check_light(Builder& builder) {
+  const Scene& scene = builder.scene;
+  for (const Entity& entity : scene.entities)
+    expect_body(builder, entity.scatterer, entity.shape, entity.where);
+  for (const Chamber& chamber : scene.chambers) {
+    expect_body(builder, chamber.scatterer, chamber.shape, chamber.where);
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      expect_body(builder, pillar.scatterer, pillar.shape, chamber.where);
+    if (chamber.material == Material::periodic && !scene.lamps.empty())
+      builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
+                         "light ends there: make the chamber a mirror, or leave its lamps out");
+  }
+  if (scene.lamps.empty() && scene.light.where.source != nullptr)
+    builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
+}
+
+void read_lamps(Builder& builder, const Field& field, Scene& scene) {
+  std::uint32_t tables = 0;
+  each_table(builder, field, [&](const Value& table) {
+    const CopiedTable what{"lamp", (1U << 31) + tables++, scene.lamps.size()};
+    make_copies<Lamp>(builder, table, what, kLampKeys,
+                      [&](Lamp&& lamp, std::uint64_t, const std::string&) {
+                        scene.lamps.push_back(std::move(lamp));
+                      });
+  });
+}
+
+void read_light(Builder& builder, const Field& field, Scene& scene) {
+  scene.light.where = field.value.where;
+  read_keys<LightSettings>(builder, field.value, "light", kLightKeys, scene.light);
+}
+
+std::vector<TableInfo> lamp_tables() {
+  return {{"lamp", key_infos<Lamp>(kLampKeys), true},
+          {"light", key_infos<LightSettings>(kLightKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,47 @@
+#include <cmath>
+
+#include "geom/turn.h"
+#include "scene/lamp.h"
+
+namespace flatray::lamps {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"radius", "number or a curve", kRequired},
+                             {"from", "degrees or a curve", "0"},
+                             {"to", "degrees or a curve", "360"},
+                             {"inward", "true or false", "false"}};
+
+class Arc : public Emitter {
+ public:
+  Arc(double radius, double from, double to, bool inward)
+      : radius_(radius), from_(from), sweep_(to - from), out_(inward ? -1 : 1) {}
+
+  // By Lambert: the sine of the angle to the normal is uniform.
+  Emitted emit(const double* u) const override {
+    const Turn place = turn(from_ + u[1] * sweep_);
+    const Vec2 normal(place.cos, place.sin), along(-place.sin, place.cos);
+    const double sine = 2 * u[0] - 1, cosine = std::sqrt((1 - sine) * (1 + sine));
+    return {radius_ * normal, sine * along + out_ * cosine * normal};
+  }
+
+ private:
+  double radius_, from_, sweep_, out_;
+};
+
+Result<std::unique_ptr<const Emitter>> build(Args& args) {
+  const double radius = args.size("radius");
+  const double from = args.number("from", 0), to = args.number("to", 360);
+  const bool inward = args.flag("inward");
+  args.vanish(from == to);
+  if (!(std::abs(to - from) <= 360))
+    return fail(args.place("to"), "lamp.arc.to is more than a whole turn from lamp.arc.from",
+                "write degrees of which the difference is at most 360");
+  return std::make_unique<Arc>(radius, radians(from), radians(to), inward);
+}
+
+}  // namespace
+
+extern const LampType arc = {"arc", "an arc that shines outward, as a matt surface does", kKeys, 2,
+                             &build};
+
+}  // namespace flatray::lamps

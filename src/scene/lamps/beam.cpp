@@ -1,0 +1,25 @@
+#include "scene/lamp.h"
+
+namespace flatray::lamps {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"width", "number or a curve", kRequired}};
+
+class Beam : public Emitter {
+ public:
+  explicit Beam(double width) : width_(width) {}
+  Emitted emit(const double* u) const override { return {{0, (u[0] - 0.5) * width_}, {1, 0}}; }
+
+ private:
+  double width_;
+};
+
+Result<std::unique_ptr<const Emitter>> build(Args& args) {
+  return std::make_unique<Beam>(args.size("width"));
+}
+
+}  // namespace
+
+extern const LampType beam = {"beam", "parallel rays side by side", kKeys, 1, &build};
+
+}  // namespace flatray::lamps

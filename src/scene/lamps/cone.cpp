@@ -1,0 +1,34 @@
+#include "geom/turn.h"
+#include "scene/lamp.h"
+
+namespace flatray::lamps {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"spread", "degrees or a curve", kRequired}};
+
+class Cone : public Emitter {
+ public:
+  explicit Cone(double spread) : spread_(spread) {}
+  Emitted emit(const double* u) const override {
+    const Turn out = turn((u[0] - 0.5) * spread_);
+    return {{0, 0}, {out.cos, out.sin}};
+  }
+
+ private:
+  double spread_;  // radians
+};
+
+Result<std::unique_ptr<const Emitter>> build(Args& args) {
+  const double spread = args.number("spread");
+  if (!(spread >= 0 && spread <= 360))
+    return fail(args.place("spread"), "lamp.cone.spread does not lie between 0 and 360",
+                "write the whole angle of the cone in degrees");
+  return std::make_unique<Cone>(radians(spread));
+}
+
+}  // namespace
+
+extern const LampType cone = {"cone", "a point that shines alike in all directions of a cone",
+                              kKeys, 1, &build};
+
+}  // namespace flatray::lamps

@@ -1,0 +1,48 @@
+#include <cmath>
+
+#include "scene/lamp.h"
+
+namespace flatray::lamps {
+namespace {
+
+constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
+                             {"to", "[x, y] or a curve", kRequired},
+                             {"both_sides", "true or false", "false"}};
+
+class Line : public Emitter {
+ public:
+  Line(const Vec2& from, const Vec2& to, bool both_sides)
+      : from_(from), along_(to - from), both_sides_(both_sides) {
+    unit_ = along_ / along_.cwiseAbs().maxCoeff();
+    unit_ /= std::sqrt(unit_.dot(unit_));
+  }
+
+  // By Lambert: the sine of the angle to the normal is uniform.
+  Emitted emit(const double* u) const override {
+    const bool right = both_sides_ && u[0] < 0.5;
+    const double share = both_sides_ ? 2 * u[0] - (right ? 0 : 1) : u[0];
+    const double sine = 2 * share - 1, cosine = std::sqrt((1 - sine) * (1 + sine));
+    const Vec2 left(-unit_.y(), unit_.x());
+    return {from_ + u[1] * along_, sine * unit_ + (right ? -cosine : cosine) * left};
+  }
+
+ private:
+  Vec2 from_, along_, unit_;
+  bool both_sides_;
+};
+
+Result<std::unique_ptr<const Emitter>> build(Args& args) {
+  const Vec2 from = args.point("from"), to = args.point("to");
+  const bool both_sides = args.flag("both_sides");
+  args.vanish(from == to);
+  if (from == to)
+    return fail(args.place("to"), "lamp.segment.to is where it begins", "write another point");
+  return std::make_unique<Line>(from, to, both_sides);
+}
+
+}  // namespace
+
+extern const LampType segment = {
+    "segment", "a straight line that shines to its left, as a matt surface does", kKeys, 2, &build};
+
+}  // namespace flatray::lamps

@@ -1,0 +1,88 @@
+#include "scene/material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/light.h"
+#include "geom/turn.h"
+#include "scene/kinds.h"
+
+namespace flatray {
+namespace materials {
+#define FLATRAY_ENTRY(name) extern const MaterialType name;
+#include "materials.inc"
+#undef FLATRAY_ENTRY
+}  // namespace materials
+namespace {
+
+std::optional<ScattererId> build_scatterer(Builder& builder, const Field& field) {
+  const std::size_t problems = builder.in.problems.size();
+  const auto kind = read_kind(builder.in, field, material_types(), "a material");
+  if (!kind) return std::nullopt;
+  Args args(builder, {std::string("material.") + kind->type->name, kind->arguments, "{ ... }"},
+            kind->type->keys);
+  Result<std::unique_ptr<const Scatterer>> made = kind->type->build(args);
+  if (builder.in.problems.size() > problems) return std::nullopt;
+  if (!made) {
+    for (Diagnostic& one : made.error()) builder.in.problems.push_back(std::move(one));
+    return std::nullopt;
+  }
+  builder.scene.scatterers.emplace_back(std::move(*made));
+  return static_cast<ScattererId>(builder.scene.scatterers.size() - 1);
+}
+
+}  // namespace
+
+std::vector<const MaterialType*> material_types() {
+  return {
+#define FLATRAY_ENTRY(name) &materials::name,
+#include "materials.inc"
+#undef FLATRAY_ENTRY
+  };
+}
+
+Reflectance read_reflectance(Args& args, const char* key) {
+  const double part = args.number(key, 1);
+  const Colour colour = args.colour("colour", {255, 255, 255, 255});
+  if (!(part >= 0 && part <= 1))
+    args.problem(key, "does not lie between 0 and 1", "0 absorbs all light, 1 gives all back");
+  const std::array<float, 3> light{linear_from_srgb(colour.r), linear_from_srgb(colour.g),
+                                   linear_from_srgb(colour.b)};
+  const float most = *std::max_element(light.begin(), light.end());
+  if (most == 0) return {0, {1, 1, 1}};
+  return {part * static_cast<double>(most), {light[0] / most, light[1] / most, light[2] / most}};
+}
+
+Vec2 lambert_direction(const Vec2& normal, double u) {
+  const double sine = 2 * u - 1, cosine = std::sqrt((1 - sine) * (1 + sine));
+  return cosine * normal + sine * Vec2(-normal.y(), normal.x());
+}
+
+Vec2 any_direction(double u) {
+  const Turn out = turn(2 * std::numbers::pi * u);
+  return {out.cos, out.sin};
+}
+
+std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
+                                          std::span<const Word<Material>> words) {
+  if (field.value.kind != Value::Kind::table) {
+    const auto material = builder.in.word<Material>(field, words);
+    return material ? std::optional(ReadMaterial{*material}) : std::nullopt;
+  }
+  const auto known = builder.fixed_scatterers.find(&field.value);
+  const std::optional<ScattererId> scatterer = known != builder.fixed_scatterers.end()
+                                                   ? std::optional(known->second)
+                                                   : build_scatterer(builder, field);
+  if (!scatterer) return std::nullopt;
+  if (!has_distribution(field.value)) builder.fixed_scatterers.emplace(&field.value, *scatterer);
+  return ReadMaterial{builder.scene.scatterers[*scatterer]->for_rays(), *scatterer};
+}
+
+std::vector<Listed> listed_materials() {
+  std::vector<Listed> all;
+  for (const auto* type : material_types()) all.push_back({type->name, type->summary});
+  return all;
+}
+
+}  // namespace flatray

@@ -1,0 +1,47 @@
+#pragma once
+#include <memory>
+
+#include "base/result.h"
+#include "scene/args.h"
+#include "scene/scatterer.h"
+
+namespace flatray {
+
+/// A kind of material: one file in materials/, registered in CMake.
+struct MaterialType {
+  const char* name;
+  const char* summary;  ///< one line, no full stop
+  std::span<const KeyInfo> keys;
+  Result<std::unique_ptr<const Scatterer>> (*build)(Args&);
+};
+
+/// Registered kinds by name.
+std::vector<const MaterialType*> material_types();
+
+/// How much light comes back, by colour: the part of the largest channel, and what is then left of
+/// the others.
+struct Reflectance {
+  double part = 1;
+  std::array<float, 3> tint{1, 1, 1};
+};
+/// The keys of it, and how they are read. Error   noted: not between 0 and 1.
+inline constexpr KeyInfo kReflectanceKeys[] = {{"reflectance", "number", "1"},
+                                               {"colour", "\"#rrggbb\"", "\"#ffffff\""}};
+Reflectance read_reflectance(Args& args, const char* key = "reflectance");
+
+/// Matt: by Lambert's law in two dimensions, for which the sine to the normal is uniform.
+Vec2 lambert_direction(const Vec2& normal, double u);
+/// Any direction.
+Vec2 any_direction(double u);
+
+/// Reads one of `words` or `{ MATERIAL = { ... } }`.
+struct ReadMaterial {
+  Material material;
+  ScattererId scatterer = kNoEntry;
+};
+inline constexpr Word<Material> kMaterialWords[] = {{"absorb", Material::absorb},
+                                                    {"mirror", Material::mirror}};
+std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
+                                          std::span<const Word<Material>> words = kMaterialWords);
+
+}  // namespace flatray

@@ -1,0 +1,67 @@
+#include <cmath>
+
+#include "scene/material.h"
+
+namespace flatray::materials {
+namespace {
+
+constexpr double kYellow_nm = 589.3;  // at which indices are told
+constexpr double kMostIndex = 100;
+
+constexpr KeyInfo kKeys[] = {{"index", "number", "1.5"}, {"dispersion", "number", "0"}};
+
+class Glass : public Scatterer {
+ public:
+  // Cauchy: index + dispersion (1 / nm^2 - 1 / yellow^2).
+  Glass(double index, double dispersion) : index_(index), dispersion_(dispersion) {}
+
+  Departure scatter(const Arrival& arrival, double u) const override {
+    const double own = index(arrival.nm);
+    const double from = arrival.from_inside ? own : arrival.outer_index;
+    const double to = arrival.from_inside ? arrival.outer_index : own;
+    const double ratio = from / to;
+    const double cosine = -arrival.direction.dot(arrival.normal);
+    const double square = 1 - ratio * ratio * (1 - cosine) * (1 + cosine);  // of the other cosine
+    if (!(square > 0)) return {Departure::Way::mirrored};
+    const double beyond = std::sqrt(square);
+    if (u < reflected(ratio * cosine, beyond, ratio * beyond, cosine))
+      return {Departure::Way::mirrored};
+    const Vec2 out = ratio * arrival.direction + (ratio * cosine - beyond) * arrival.normal;
+    return {Departure::Way::scattered, out / std::sqrt(out.dot(out))};
+  }
+
+  double index(double nm) const override {
+    if (dispersion_ == 0 || nm == 0) return index_;
+    return index_ + dispersion_ * (1 / (nm * nm) - 1 / (kYellow_nm * kYellow_nm));
+  }
+  bool disperses() const override { return dispersion_ != 0; }
+
+ private:
+  // Fresnel's equations for unpolarised light, by energy: half of either polarisation.
+  static double reflected(double s_in, double s_out, double p_in, double p_out) {
+    const double s = (s_in - s_out) / (s_in + s_out), p = (p_in - p_out) / (p_in + p_out);
+    return (s * s + p * p) / 2;
+  }
+
+  double index_, dispersion_;
+};
+
+Result<std::unique_ptr<const Scatterer>> build(Args& args) {
+  const double index = args.number("index", 1.5), dispersion = args.number("dispersion", 0);
+  if (!(index > 0 && index <= kMostIndex))
+    args.problem("index", "is not above 0 and at most 100", "write 1.33 for water, 1.5 for glass");
+  constexpr double kViolet_nm = 380, kRed_nm = 780;
+  const Glass glass(index, dispersion);
+  if (!(glass.index(kViolet_nm) > 0 && glass.index(kRed_nm) > 0))
+    args.problem("dispersion", "leaves an index that is not above 0",
+                 "write 0 to 30000, 4200 for crown glass");
+  return std::make_unique<Glass>(glass);
+}
+
+}  // namespace
+
+extern const MaterialType glass = {
+    "glass", "refracts and reflects as a clear body does; colours apart where it has dispersion",
+    kKeys, &build};
+
+}  // namespace flatray::materials

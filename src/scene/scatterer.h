@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+
+#include "scene/scene.h"
+
+namespace flatray {
+
+/// Light that comes to a wall.
+struct Arrival {
+  Vec2 direction;            ///< of length 1, towards the wall
+  Vec2 normal;               ///< of length 1, towards the side it comes from
+  bool from_inside = false;  ///< out of a closed shape
+  double outer_index = 1;    ///< of refraction, of what is around the shape there
+  double nm = 0;             ///< wavelength; 0: all of them together
+};
+
+/// What becomes of it.
+struct Departure {
+  enum class Way : std::uint8_t {
+    absorbed,
+    mirrored,   ///< by the wall, exactly
+    through,    ///< as if there were no wall
+    scattered,  ///< in `direction`, to the side into which that leads
+  };
+  Way way = Way::absorbed;
+  Vec2 direction{1, 0};                ///< of length 1
+  std::array<float, 3> tint{1, 1, 1};  ///< of red, green and blue, what is left; the largest is 1
+};
+
+/// What a wall does with light.
+class Scatterer {
+ public:
+  virtual ~Scatterer() = default;
+  /// Needs   `u` in [0, 1), uniform: it chooses what happens and where to.
+  virtual Departure scatter(const Arrival& arrival, double u) const = 0;
+  /// What it is to orbits and rays that are drawn.
+  virtual Material for_rays() const { return Material::absorb; }
+  /// Of what fills its shape, for light of a wavelength; 0: light goes through the wall alone.
+  virtual double index(double /*nm*/) const { return 0; }
+  /// Whether the index differs between wavelengths, so that light must have one.
+  virtual bool disperses() const { return false; }
+};
+
+}  // namespace flatray

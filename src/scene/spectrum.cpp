@@ -1,0 +1,85 @@
+#include "scene/spectrum.h"
+
+#include <algorithm>
+
+#include "base/portable_math.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kFirst_nm = 360, kLast_nm = 830;
+
+// One lobe of a fit: wider on one side than on the other.
+double lobe(double nm, double peak, double left, double right) {
+  const double z = (nm - peak) / (nm < peak ? left : right);
+  return portable::exp(-0.5 * z * z);
+}
+
+struct Xyz {
+  double x = 0, y = 0, z = 0;
+};
+
+Xyz matching(double nm) {
+  return {1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) -
+              0.065 * lobe(nm, 501.1, 20.4, 26.2),
+          0.821 * lobe(nm, 568.8, 46.9, 40.5) + 0.286 * lobe(nm, 530.9, 16.3, 31.1),
+          1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
+}
+
+// IEC 61966-2-1.
+LightColour srgb_of(const Xyz& c) {
+  return {3.2406 * c.x - 1.5372 * c.y - 0.4986 * c.z, -0.9689 * c.x + 1.8758 * c.y + 0.0415 * c.z,
+          0.0557 * c.x - 0.2040 * c.y + 1.0570 * c.z};
+}
+
+LightColour shown(LightColour colour) {
+  const double least = std::min(0.0, *std::min_element(colour.begin(), colour.end()));
+  for (double& channel : colour) channel -= least;
+  const double most = *std::max_element(colour.begin(), colour.end());
+  for (double& channel : colour) channel = most > 0 ? channel / most : 0;
+  return colour;
+}
+
+}  // namespace
+
+LightColour colour_of_wavelength(double nm) {
+  if (!(nm >= kFirst_nm && nm <= kLast_nm)) return {0, 0, 0};
+  return shown(srgb_of(matching(nm)));
+}
+
+LightColour part_of_wavelength(double nm) {
+  static const LightColour scale = [] {
+    LightColour sum{0, 0, 0};
+    constexpr int kSteps = 330;
+    for (int i = 0; i < kSteps; ++i) {
+      const double part = (i + 0.5) / kSteps;
+      const LightColour one =
+          srgb_of(matching(kFirstWavelength + part * (kLastWavelength - kFirstWavelength)));
+      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += std::max(one[c], 0.0) / kSteps;
+    }
+    for (double& channel : sum) channel = 1 / channel;
+    return sum;
+  }();
+  LightColour part = srgb_of(matching(nm));
+  for (std::size_t c = 0; c < part.size(); ++c) part[c] = std::max(part[c], 0.0) * scale[c];
+  return part;
+}
+
+LightColour colour_of_temperature(double kelvin) {
+  constexpr double kSecond_nm = 1.438776877e7;  // Planck's second constant, nm K
+  constexpr double kStep_nm = 5, kGreen_nm = 560;
+  const double t = std::clamp(kelvin, 800.0, 100'000.0);
+  Xyz sum;
+  for (double nm = kFirst_nm; nm <= kLast_nm; nm += kStep_nm) {
+    const double ratio = kGreen_nm / nm, fifth = ratio * ratio * ratio * ratio * ratio;
+    // Of the radiance at kGreen_nm, so that nothing is beyond the doubles.
+    const double part = fifth * (1 - portable::exp(-kSecond_nm / (kGreen_nm * t))) /
+                        (1 - portable::exp(-kSecond_nm / (nm * t))) *
+                        portable::exp(kSecond_nm / t * (1 / kGreen_nm - 1 / nm));
+    const Xyz eye = matching(nm);
+    sum = {sum.x + part * eye.x, sum.y + part * eye.y, sum.z + part * eye.z};
+  }
+  return shown(srgb_of(sum));
+}
+
+}  // namespace flatray

@@ -1,0 +1,44 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "anim/world.h"
+#include "scene/scatterer.h"
+#include "transport/landing.h"
+#include "transport/light/light_ray.h"
+
+namespace flatray {
+
+/// The closed shapes that light goes slower in.
+class Bodies {
+ public:
+  /// Needs   scatterers by surface; they and `world` outlive it.
+  Bodies(const World& world, std::span<const Scatterer* const> scatterers);
+
+  bool any() const { return !scatterers_.empty(); }
+  /// Whether the index of any of them differs between wavelengths.
+  bool disperse() const { return disperse_; }
+  /// By surface; Media::kNone for what is no wall of one.
+  std::uint32_t of(std::uint32_t surface) const { return bodies_[surface]; }
+  /// Of the innermost body around `body`, or of nothing.
+  double index_around(const Media& media, std::uint32_t body, double nm) const {
+    const std::uint32_t around = media.around(body);
+    return around == Media::kNone ? 1 : scatterers_[around]->index(nm);
+  }
+  /// The bodies that a ray starts in, by the sides from which it comes to `hits`, all of its walls in
+  /// order. Exact.
+  Media around_start(const Ray& ray, std::span<const NearestHit> hits) const;
+
+ private:
+  const Surfaces& walls_;
+  std::vector<std::uint32_t> bodies_;         // by surface
+  std::vector<const Scatterer*> scatterers_;  // by body
+  bool disperse_ = false;
+};
+
+/// Whether a ray comes to a wall of a closed shape from inside: outlines run counter-clockwise.
+bool from_inside(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
+/// Whether it goes on inside, having left a wall.
+bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction);
+
+}  // namespace flatray

@@ -1,0 +1,59 @@
+#include "transport/light/emission.h"
+
+#include "base/philox.h"
+#include "transport/light/net.h"
+#include "transport/reflection.h"
+
+namespace flatray {
+
+Emission::Emission(std::span<const LampState> lamps, std::uint32_t block_rays, LightSampler sampler,
+                   std::uint64_t seed, unsigned frame, double headroom)
+    : lamps_(lamps), sampler_(sampler), seed_(seed), frame_(frame) {
+  double power = 0, before = 0;
+  for (const LampState& lamp : lamps) power += lamp.power;
+  for (const LampState& lamp : lamps) {
+    before += lamp.power;
+    const auto end = static_cast<std::uint32_t>(before / power * block_rays + 0.5);
+    first_.push_back(std::max(end, first_.back() + 1));
+  }
+  const auto rays = [&](std::size_t i) { return first_[i + 1] - first_[i]; };
+  for (std::size_t i = 0; i < lamps.size(); ++i)
+    ray_power_ = std::max(ray_power_, lamps[i].power / rays(i));
+  ray_power_ *= headroom;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    LightWeight weight;
+    for (std::size_t c = 0; c < weight.size(); ++c)
+      weight[c] = static_cast<float>(lamps[i].power / rays(i) / ray_power_ * lamps[i].colour[c]);
+    weights_.push_back(weight);
+    for (unsigned k = 0; k < kMostLampNumbers; ++k)
+      scrambles_.push_back(static_cast<std::uint32_t>(
+          random_bits(seed, Stream::lamp, frame, std::uint64_t{lamps[i].lamp}, k)));
+  }
+}
+
+LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
+  const auto after = std::upper_bound(first_.begin(), first_.end(), number);
+  const auto lamp = static_cast<std::uint32_t>(after - first_.begin()) - 1;
+  const std::uint32_t rays = first_[lamp + 1] - first_[lamp];
+  const std::uint64_t sequence = block * rays + (number - first_[lamp]);
+  const LampState& state = lamps_[lamp];
+  const Emitter& emitter = *state.emitter;
+  std::array<double, kMostLampNumbers> u{};
+  for (unsigned k = 0; k < state.numbers; ++k) u[k] = this->number(lamp, sequence, k);
+  const Emitted local = emitter.emit(u.data());
+  const Vec2 direction(state.pose.cos * local.direction.x() - state.pose.sin * local.direction.y(),
+                       state.pose.sin * local.direction.x() + state.pose.cos * local.direction.y());
+  return {{state.pose(local.at), unit(direction)}, {}, weights_[lamp], number};
+}
+
+double Emission::number(std::uint32_t lamp, std::uint64_t sequence, unsigned dimension) const {
+  if (sampler_ == LightSampler::sorted)
+    return net_number(static_cast<std::uint32_t>(sequence), dimension,
+                      scrambles_[lamp * kMostLampNumbers + dimension]);
+  const auto high = static_cast<std::uint32_t>(sequence >> 32);
+  const std::uint64_t lamp_seed = seed_ ^ (std::uint64_t{lamps_[lamp].lamp} << 40);
+  return unit_double(random_bits(lamp_seed, Stream::lamp, frame_, sequence,
+                                 kMostLampNumbers + dimension + (high << 8)));
+}
+
+}  // namespace flatray

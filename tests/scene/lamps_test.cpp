@@ -1,0 +1,235 @@
+// needs: shapes/box shapes/capsule shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
+// Lamps and materials as scenes have them, and what they do with rays.
+#include <cmath>
+
+#include "scene/lamp.h"
+#include "scene/material.h"
+#include "scene/spectrum.h"
+#include "scene_text.h"
+
+namespace flatray {
+namespace {
+
+void expect_problem(const std::string& text, const std::string& message) {
+  EXPECT_NE(refusal(text).find(message), std::string::npos) << refusal(text);
+}
+
+std::string with_lamp(const std::string& keys) { return "flatray = 1\n[[lamp]]\n" + keys + "\n"; }
+std::string with_material(const std::string& material) {
+  return "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = " +
+         material + "\n";
+}
+
+std::unique_ptr<const Emitter> emitter(const std::string& source, double time = 0) {
+  const Scene scene = loaded(with_lamp("source = " + source)).scene;
+  return emitter_at(scene, scene.lamps.at(0), time);
+}
+
+TEST(Lamps, SendOutRaysOfLengthOneWhereTheyAre) {
+  for (const char* source :
+       {"{ ray = {} }", "{ point = {} }", "{ cone = { spread = 40 } }", "{ beam = { width = 3 } }",
+        "{ segment = { from = [1, 1], to = [4, 5] } }",
+        "{ arc = { radius = 2, from = 10, to = 100 } }"}) {
+    const auto made = emitter(source);
+    for (int i = 0; i < 100; ++i) {
+      const double u[] = {i / 100.0, std::fmod(i * 0.618, 1.0)};
+      EXPECT_NEAR(made->emit(u).direction.squaredNorm(), 1, 1e-14) << source;
+    }
+  }
+  const double half[] = {0.5, 0.25};
+  EXPECT_EQ(emitter("{ ray = {} }")->emit(half).direction, Vec2(1, 0));
+  EXPECT_EQ(emitter("{ cone = { spread = 40 } }")->emit(half).direction, Vec2(1, 0));
+  EXPECT_EQ(emitter("{ point = {} }")->emit(half).direction, Vec2(-1, 0));
+  EXPECT_EQ(emitter("{ beam = { width = 3 } }")->emit(half).at, Vec2(0, 0));
+  const Emitted line = emitter("{ segment = { from = [0, 0], to = [4, 0] } }")->emit(half);
+  EXPECT_EQ(line.at, Vec2(1, 0));
+  EXPECT_EQ(line.direction, Vec2(0, 1));
+  const Emitted arc =
+      emitter("{ arc = { radius = 2, from = 0, to = 360, inward = true } }")->emit(half);
+  EXPECT_EQ(arc.at, Vec2(0, 2));
+  EXPECT_EQ(arc.direction, Vec2(0, -1));
+}
+
+TEST(Lamps, ChangeWithTheirCurves) {
+  const double u[] = {0, 0};
+  const char* source = "{ cone = { spread = { keys = [[0, 0], [1, 180]] } } }";
+  EXPECT_EQ(emitter(source, 0)->emit(u).direction, Vec2(1, 0));
+  EXPECT_EQ(emitter(source, 1)->emit(u).direction, Vec2(0, -1));
+  EXPECT_EQ(emitter("{ beam = { width = { keys = [[0, 0], [1, 2]] } } }", 0), nullptr);
+}
+
+TEST(Lamps, SayWhatIsWrong) {
+  expect_problem(with_lamp(""), "lamp needs 'source'");
+  expect_problem(with_lamp("source = { bulb = {} }"), "unknown lamp 'bulb'");
+  expect_problem(with_lamp("source = { cone = { spread = 400 } }"),
+                 "lamp.cone.spread does not lie between 0 and 360");
+  expect_problem(with_lamp("source = { beam = { width = -1 } }"), "lamp.beam.width is -1");
+  expect_problem(with_lamp("source = { segment = { from = [1, 1], to = [1, 1] } }"),
+                 "lamp.segment.to is where it begins");
+  expect_problem(with_lamp("source = { arc = { radius = 1, to = 400 } }"),
+                 "more than a whole turn");
+  expect_problem(with_lamp("source = { point = {} }\npower = -1"), "lamp.power is out of range");
+  expect_problem(with_lamp("source = { point = {} }\nnm = 200"), "lamp.nm is out of range");
+  expect_problem(with_lamp("source = { point = {} }\nkelvin = 10"), "lamp.kelvin is out of range");
+  expect_problem("flatray = 1\n[light]\nrays = 0\n", "light.rays");
+  expect_problem("flatray = 1\n[light]\nexposure = 0\n", "light.exposure is not above 0");
+}
+
+TEST(Lamps, AreCopied) {
+  const Scene scene = loaded(with_lamp("source = { point = {} }\nname = 'l'\n"
+                                       "repeat = { grid = { count = [3, 2], step = [1, 2] } }"))
+                          .scene;
+  ASSERT_EQ(scene.lamps.size(), 6U);
+  EXPECT_EQ(scene.lamps[5].at, Vec2(2, 2));
+  EXPECT_EQ(scene.lamps[5].name, "l.5");
+}
+
+const Scatterer& scatterer(Scene& kept, const std::string& material) {
+  kept = loaded(with_material(material)).scene;
+  return *kept.scatterers.at(kept.entities[0].scatterer);
+}
+
+// The part of u for which light goes one way.
+double part(const Scatterer& wall, Departure::Way way, const Arrival& arrival = {{0, -1}, {0, 1}}) {
+  constexpr int kSteps = 10'000;
+  int count = 0;
+  for (int i = 0; i < kSteps; ++i)
+    if (wall.scatter(arrival, (i + 0.5) / kSteps).way == way) ++count;
+  return static_cast<double>(count) / kSteps;
+}
+
+TEST(Materials, GoTheirWaysByTheirParts) {
+  using Way = Departure::Way;
+  Scene scene;
+  EXPECT_NEAR(part(scatterer(scene, "{ mirror = { reflectance = 0.25 } }"), Way::mirrored), 0.25,
+              1e-3);
+  EXPECT_NEAR(part(scatterer(scene, "{ diffuse = { reflectance = 0.75 } }"), Way::scattered), 0.75,
+              1e-3);
+  EXPECT_NEAR(part(scatterer(scene, "{ pass = { transmittance = 0.5 } }"), Way::through), 0.5,
+              1e-3);
+  const Scatterer& mix =
+      scatterer(scene, "{ mix = { diffuse = 0.1, isotropic = 0.2, mirror = 0.3, pass = 0.25 } }");
+  EXPECT_NEAR(part(mix, Way::scattered), 0.3, 1e-3);
+  EXPECT_NEAR(part(mix, Way::mirrored), 0.3, 1e-3);
+  EXPECT_NEAR(part(mix, Way::through), 0.25, 1e-3);
+  EXPECT_NEAR(part(mix, Way::absorbed), 0.15, 1e-3);
+}
+
+TEST(Materials, OfAColourKeepItsTint) {
+  Scene scene;
+  const Scatterer& red = scatterer(scene, "{ mirror = { reflectance = 0.5, colour = '#ff0000' } }");
+  EXPECT_NEAR(part(red, Departure::Way::mirrored), 0.5, 1e-3);
+  EXPECT_EQ(red.scatter({{0, -1}, {0, 1}}, 0).tint, (std::array<float, 3>{1, 0, 0}));
+  const Scatterer& black = scatterer(scene, "{ diffuse = { colour = '#000000' } }");
+  EXPECT_EQ(part(black, Departure::Way::absorbed), 1);
+}
+
+// Lambert's law in two dimensions: the cosine's mean is pi / 4, the sine's 0.
+TEST(Materials, MattOnesScatterByLambert) {
+  Scene scene;
+  const Scatterer& matt = scatterer(scene, "{ diffuse = {} }");
+  double cosine = 0, sine = 0;
+  constexpr int kSteps = 100'000;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2 out = matt.scatter({{0, -1}, {0, 1}}, (i + 0.5) / kSteps).direction;
+    cosine += out.y() / kSteps, sine += out.x() / kSteps;
+  }
+  EXPECT_NEAR(cosine, 3.14159265358979 / 4, 1e-6);
+  EXPECT_NEAR(sine, 0, 1e-9);
+}
+
+TEST(Materials, GlassFollowsSnellAndFresnel) {
+  using Way = Departure::Way;
+  Scene scene;
+  const Scatterer& glass = scatterer(scene, "{ glass = { index = 1.5 } }");
+  EXPECT_NEAR(part(glass, Way::mirrored), 0.04, 2e-4);  // ((1.5 - 1) / (1.5 + 1))^2
+  for (const double degrees : {10.0, 35.0, 56.309932474020215, 80.0}) {
+    const double in = degrees / 180 * 3.14159265358979323846;
+    const Arrival arrival{{std::sin(in), -std::cos(in)}, {0, 1}};
+    const Departure out = glass.scatter(arrival, 0.999999);
+    ASSERT_EQ(out.way, Way::scattered);
+    EXPECT_NEAR(out.direction.x() * 1.5, std::sin(in), 1e-14) << degrees;
+    EXPECT_LT(out.direction.y(), 0);
+    const double beyond = std::asin(std::sin(in) / 1.5);
+    const double s = std::sin(in - beyond) / std::sin(in + beyond);
+    const double p = std::tan(in - beyond) / std::tan(in + beyond);  // 0 at Brewster's angle
+    EXPECT_NEAR(part(glass, Way::mirrored, arrival), (s * s + p * p) / 2, 2e-4) << degrees;
+    const Arrival back{-out.direction, {0, -1}, true};
+    EXPECT_NEAR(glass.scatter(back, 0.999999).direction.x(), -std::sin(in), 1e-14) << degrees;
+  }
+  const Arrival shallow{{0.7, -std::sqrt(0.51)}, {0, 1}, true};  // beyond 41.8 degrees from inside
+  EXPECT_EQ(part(glass, Way::mirrored, shallow), 1);
+  const Arrival same{{0.6, -0.8}, {0, 1}, false, 1.5};
+  EXPECT_EQ(part(glass, Way::mirrored, same), 0);
+  EXPECT_NEAR(glass.scatter(same, 0).direction.x(), 0.6, 1e-15);
+}
+
+TEST(Materials, SayWhatIsWrong) {
+  expect_problem(with_material("'glass'"), "unknown entity.material 'glass'");
+  expect_problem(with_material("{ wood = {} }"), "unknown material 'wood'");
+  expect_problem(with_material("{ mirror = { reflectance = 1.5 } }"),
+                 "material.mirror.reflectance does not lie between 0 and 1");
+  expect_problem(with_material("{ mix = { mirror = 0.7, pass = 0.7 } }"), "more than 1 together");
+  expect_problem(with_material("{ glass = { index = 0 } }"), "material.glass.index");
+  expect_problem(with_material("{ glass = { index = 1.5, dispersion = -1e9 } }"),
+                 "material.glass.dispersion");
+}
+
+TEST(Materials, OfCopiesAreOneUnlessTheyAreDrawn) {
+  const auto scatterers = [](const std::string& reflectance) {
+    return loaded(with_material("{ mirror = { reflectance = " + reflectance + " } }") +
+                  "repeat = { grid = { count = [5, 1], step = [2, 0] } }\n")
+        .scene.scatterers.size();
+  };
+  EXPECT_EQ(scatterers("0.5"), 1U);
+  EXPECT_EQ(scatterers("{ uniform = [0, 1] }"), 5U);
+}
+
+TEST(Materials, OfGlassNeedAnInside) {
+  for (const char* shape : {"segment = { from = [0, 0], to = [1, 1] }",
+                            "capsule = { from = [0, 0], to = [1, 0], radius = 1 }"})
+    expect_problem("flatray = 1\n[[entity]]\nshape = { " + std::string(shape) +
+                       " }\nmaterial = { glass = {} }\n",
+                   "has no inside, or arcs beside straight walls");
+  const char* periodic =
+      "flatray = 1\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = "
+      "'periodic'\n[[lamp]]\nsource = { point = {} }\n";
+  ASSERT_EQ(loaded(periodic).warnings.size(), 1U);
+  EXPECT_EQ(loaded("flatray = 1\n[light]\nrays = 5\n").warnings.at(0).message, "no lamp shines");
+}
+
+TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
+  const auto brightest = [](const LightColour& c) {
+    return std::max_element(c.begin(), c.end()) - c.begin();
+  };
+  EXPECT_EQ(brightest(colour_of_wavelength(650)), 0);
+  EXPECT_EQ(brightest(colour_of_wavelength(530)), 1);
+  EXPECT_EQ(brightest(colour_of_wavelength(450)), 2);
+  for (double nm = 380; nm <= 780; nm += 1) {
+    const LightColour c = colour_of_wavelength(nm);
+    EXPECT_EQ(*std::max_element(c.begin(), c.end()), 1) << nm;
+    EXPECT_GE(*std::min_element(c.begin(), c.end()), 0) << nm;
+  }
+  EXPECT_EQ(colour_of_wavelength(200), (LightColour{0, 0, 0}));
+  for (const double channel : colour_of_temperature(6500)) EXPECT_NEAR(channel, 1, 0.1);
+  EXPECT_LT(colour_of_temperature(2000)[2], 0.1);
+  EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
+}
+
+TEST(Spectrum, IsWhiteAgainWhenItsPartsAreAddedUp) {
+  LightColour sum{0, 0, 0};
+  constexpr int kSteps = 100'000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double nm = kFirstWavelength + (i + 0.5) / kSteps * (kLastWavelength - kFirstWavelength);
+    const LightColour part = part_of_wavelength(nm);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += part[c] / kSteps;
+      EXPECT_LE(part[c], kMostOfWavelength);
+      EXPECT_GE(part[c], 0);
+    }
+  }
+  for (const double channel : sum) EXPECT_NEAR(channel, 1, 1e-4);
+}
+
+}  // namespace
+}  // namespace flatray
