@@ -222,10 +222,11 @@ class Forward {
     const Vec2 normal = static_cast<double>(side) * unit(arrival.landing.normal);
     LightRay next = ray;
     if (disperses(surface) && ray.nm == 0) take_wavelength(next, numbers.colour, counts);
+    const auto nm = static_cast<double>(next.nm);
     const Departure departure =
         depart(surface,
                {ray.ray.direction, normal, from_inside(walls_, ray.ray, arrival.hit),
-                bodies_.index_around(ray.media, bodies_.of(surface), next.nm), next.nm},
+                bodies_.index_around(ray.media, bodies_.of(surface), nm), nm},
                numbers.bounce);
     const std::int64_t left = energy(next.weight);
     if (departure.way == Departure::Way::absorbed) return ends(counts.absorbed, left);
