@@ -53,8 +53,9 @@ std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) 
     auto emitter = emitter_at(scene, lamp, state.time);
     if (!(power > 0) || emitter == nullptr) continue;
     for (double& channel : colour) channel /= most;
-    states.push_back({i, lamp_pose(scene, lamp, state, groups), power, colour, std::move(emitter),
-                      lamp.type->numbers});
+    states.push_back({i, lamp_pose(scene, lamp, state, groups), power, colour,
+                      lamp.wavelength ? plus(scene, *lamp.wavelength, state.time) : 0.0,
+                      std::move(emitter), lamp.type->numbers});
   }
   return states;
 }

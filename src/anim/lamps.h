@@ -14,6 +14,7 @@ struct LampState {
   Pose pose;           ///< of what its emitter says, in the world
   double power;        ///< above 0, of the largest channel
   LightColour colour;  ///< the largest channel is 1
+  double nm;           ///< its wavelength; 0: light of many
   std::unique_ptr<const Emitter> emitter;
   unsigned numbers;  ///< LampType::numbers
 };

@@ -41,7 +41,7 @@ std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
   const std::uint64_t picture =
       pixels * (job.output.format() == PictureFormat::png ? png_bytes : kHdrBytes);
   const std::uint64_t light =
-      job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene.film, hardware_threads());
+      job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene, hardware_threads());
   if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture + light;
   return picture + light + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
 }

@@ -81,8 +81,11 @@ void BandPainter::add_light(const LightPicture& light, const kernels::Target& ta
     const float* from = light.rgb.data() + 3 * (row + static_cast<std::size_t>(run.x_begin));
     float* to = target.rgba +
                 4 * ((run.y - target.y) * std::ptrdiff_t{target.width} + (run.x_begin - target.x));
-    for (std::int32_t x = run.x_begin; x < run.x_end; ++x, from += 3, to += 4)
+    for (std::int32_t x = run.x_begin; x < run.x_end; ++x, from += 3, to += 4) {
       for (int channel = 0; channel < 3; ++channel) to[channel] += from[channel];
+      // Over what is clear light is as opaque as it is bright.
+      to[3] = std::max(to[3], std::min(std::max({from[0], from[1], from[2]}), 1.0F));
+    }
   }
 }
 

@@ -147,6 +147,9 @@ void read_lamps(Builder& builder, const Field& field, Scene& scene) {
     const CopiedTable what{"lamp", (1U << 31) + tables++, scene.lamps.size()};
     make_copies<Lamp>(builder, table, what, kLampKeys,
                       [&](Lamp&& lamp, std::uint64_t, const std::string&) {
+                        if (lamp.wavelength && lamp.temperature)
+                          builder.in.problem(table.where, "a lamp has nm and kelvin",
+                                             "leave one of them out: either is a colour");
                         scene.lamps.push_back(std::move(lamp));
                       });
   });

@@ -25,6 +25,7 @@ struct Departure {
   Way way = Way::absorbed;
   Vec2 direction{1, 0};                ///< of length 1
   std::array<float, 3> tint{1, 1, 1};  ///< of red, green and blue, what is left; the largest is 1
+  bool stays = false;                  ///< scattered: to the side it comes from alone
 };
 
 /// What a wall does with light.

@@ -199,6 +199,90 @@ TEST(Light, ThroughASlabOfGlassIsThatOfFresnel) {
   EXPECT_NEAR(light.at(10, 32), 0.5 * (1 + 2 * reflected / (1 + reflected)), 0.004);
 }
 
+// Filters make it faint before the glass, where few rays go on brighter.
+TEST(Light, KeepsItsColoursThroughDispersion) {
+  const auto beyond = [](const char* dispersion) {
+    return fluence(
+        lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = [-3.5, 0]\n"
+            "[[entity]]\nshape = { segment = { from = [-3, -2], to = [-3, 2] } }\n"
+            "material = { pass = { colour = '#ff4040' } }\n"
+            "[[entity]]\nshape = { segment = { from = [-2, -2], to = [-2, 2] } }\n"
+            "material = { pass = { colour = '#4040ff' } }\n"
+            "[[entity]]\nshape = { box = { min = [-1, -2], max = [0, 2] } }\n"
+            "material = { glass = { dispersion = " +
+                std::string(dispersion) + " } }\n",
+            "rays = 262144"));
+  };
+  const Fluence plain = beyond("0"), colours = beyond("0.001");
+  for (const int channel : {0, 2}) {
+    double with = 0, without = 0;
+    for (int y = 28; y < 36; ++y)
+      for (int x = 40; x < 64; ++x)
+        with += colours.at(x, y, channel), without += plain.at(x, y, channel);
+    EXPECT_NEAR(with / without, 1, 0.03) << channel;
+  }
+}
+
+TEST(Light, OfOneWavelengthIsNotTakenApart) {
+  const auto prism = [](const char* dispersion) {
+    return fluence(
+        lit("[[lamp]]\nsource = { beam = { width = 0.3 } }\nat = [-3.5, -1]\nangle = 15\n"
+            "nm = 589.3\n[[entity]]\nshape = { ngon = { sides = 3, radius = 1.5 } }\n"
+            "material = { glass = { dispersion = " +
+            std::string(dispersion) + " } }\n"));
+  };
+  const Fluence plain = prism("0"), strong = prism("24000");
+  EXPECT_NEAR(strong.sum() / plain.sum(), 1, 0.002);
+  for (const int x : {50, 60})
+    for (int y = 0; y < 64; ++y)
+      EXPECT_NEAR(strong.at(x, y), plain.at(x, y), 0.15) << x << " " << y;
+}
+
+// By the bodies it stands in, whatever lies ahead.
+TEST(Light, KnowsTheGlassItStartsIn) {
+  const std::string blocks =
+      "[[entity]]\nshape = { box = { min = [-3, -3], max = [0, 3] } }\nmaterial = { glass = {} }\n"
+      "[[entity]]\nshape = { ngon = { sides = 4, radius = 1, angle = 0 } }\nat = [2, 0]\n"
+      "material = { glass = {} }\n";
+  const auto before_second = [&](const char* at) {
+    return fluence(lit("[[lamp]]\nsource = { beam = { width = 0.2 } }\nat = " + std::string(at) +
+                       "\n" + blocks))
+        .at(36, 32);
+  };
+  const double free = before_second("[0.25, 0]");
+  EXPECT_NEAR(before_second("[0, 0]") / free, 1, 0.02);      // on the wall of the first
+  EXPECT_NEAR(before_second("[-1, 0]") / free, 0.96, 0.03);  // in it: a twenty-fifth is mirrored
+}
+
+TEST(Light, OfFaintAndHugeLampsIsCounted) {
+  for (const char* power : {"5e-324", "1e-300", "1e30"}) {
+    const Fluence light =
+        fluence(lit("[[lamp]]\nsource = { point = {} }\npower = " + std::string(power) + "\n"));
+    EXPECT_GE(light.sum(), 0) << power;
+  }
+  const Fluence both = fluence(
+      lit("[[lamp]]\nsource = { point = {} }\n[[lamp]]\nsource = { point = {} }\nat = [1e9, 0]\n"
+          "power = 1e6\n",
+          "rays = 262144"));
+  EXPECT_GT(both.sum(), 0);
+  const Scene tiny = scene_of(
+      "flatray = 1\nfilm = { size = [4, 4], world = [[0, 0], [1e-300, 1e-300]] }\n[light]\nrays = "
+      "100\n"
+      "[[lamp]]\nsource = { point = {} }\nat = [1e10, 4]\n");
+  EXPECT_EQ(fluence(tiny).counts.emitted, 100 * 3 << 20);
+}
+
+// Whatever their order in the file.
+TEST(Light, OfManyLampsIsSharedByTheirPower) {
+  std::string faint;
+  for (int i = 0; i < 40; ++i)
+    faint += "[[lamp]]\nsource = { point = {} }\nat = [0, 1]\npower = 1e-6\n";
+  const std::string bright = "[[lamp]]\nsource = { point = {} }\n";
+  const double first = fluence(lit(bright + faint, "rays = 2000")).at(40, 40);
+  const double last = fluence(lit(faint + bright, "rays = 2000")).at(40, 40);
+  EXPECT_NEAR(first / last, 1, 0.1);
+}
+
 TEST(Light, OfALampThatIsOffIsDark) {
   EXPECT_EQ(fluence(lit("[[lamp]]\nsource = { point = {} }\npower = 0\n")).sum(), 0);
 }
@@ -227,17 +311,18 @@ TEST(Light, IsAddedBelowWhatIsDrawn) {
 TEST(Light, ToneCurvesRise) {
   for (const ToneCurve curve : {ToneCurve::linear, ToneCurve::soft, ToneCurve::filmic}) {
     EXPECT_EQ(toned(curve, 0), 0);
-    for (float x = 0; x < 3.9F; x += 0.1F) EXPECT_LT(toned(curve, x), toned(curve, x + 0.1F)) << x;
+    for (double x = 0; x < 3.9; x += 0.1) EXPECT_LT(toned(curve, x), toned(curve, x + 0.1)) << x;
+    EXPECT_GE(toned(curve, 1e300), 1);
   }
   EXPECT_EQ(toned(ToneCurve::soft, 4), 1);
 }
 
 TEST(Light, ExposesOneOfAHundredLitPixelsAsWhite) {
-  std::vector<float> fluence(3 * 1000, 0.0F);
+  std::vector<double> fluence(3 * 1000, 0.0);
   for (std::size_t i = 0; i < 200; ++i)
-    for (std::size_t c = 0; c < 3; ++c) fluence[3 * i + c] = static_cast<float>(i + 1);
-  EXPECT_NEAR(automatic_exposure(fluence), 1.0 / 198, 1e-6);
-  EXPECT_EQ(automatic_exposure(std::vector<float>(30, 0.0F)), 1);
+    for (std::size_t c = 0; c < 3; ++c) fluence[3 * i + c] = static_cast<double>(i + 1);
+  EXPECT_NEAR(automatic_exposure(fluence), 1.0 / 198, 1e-12);
+  EXPECT_EQ(automatic_exposure(std::vector<double>(30, 0.0)), 1);
 }
 
 }  // namespace

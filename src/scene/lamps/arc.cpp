@@ -33,6 +33,8 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
   const double from = args.number("from", 0), to = args.number("to", 360);
   const bool inward = args.flag("inward");
   args.vanish(from == to);
+  if (from == to)
+    return fail(args.place("to"), "lamp.arc.to is where it begins", "write another angle");
   if (!(std::abs(to - from) <= 360))
     return fail(args.place("to"), "lamp.arc.to is more than a whole turn from lamp.arc.from",
                 "write degrees of which the difference is at most 360");

@@ -9,7 +9,7 @@ class Diffuse : public Scatterer {
   Departure scatter(const Arrival& arrival, double u) const override {
     if (u >= light_.part) return {};
     return {Departure::Way::scattered, lambert_direction(arrival.normal, u / light_.part),
-            light_.tint};
+            light_.tint, true};
   }
 
  private:

@@ -20,7 +20,8 @@ class Mix : public Scatterer {
   Departure scatter(const Arrival& arrival, double u) const override {
     using Way = Departure::Way;
     if (u < parts_.diffuse)
-      return {Way::scattered, lambert_direction(arrival.normal, u / parts_.diffuse), parts_.tint};
+      return {Way::scattered, lambert_direction(arrival.normal, u / parts_.diffuse), parts_.tint,
+              true};
     u -= parts_.diffuse;
     if (u < parts_.isotropic)
       return {Way::scattered, any_direction(u / parts_.isotropic), parts_.tint};

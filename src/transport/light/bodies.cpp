@@ -1,5 +1,10 @@
 #include "transport/light/bodies.h"
 
+#include <algorithm>
+
+#include "geom/arc.h"
+#include "trace/on_surface.h"
+
 namespace flatray {
 
 Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
@@ -14,21 +19,52 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
     last = &owner;
     bodies_[i] = static_cast<std::uint32_t>(scatterers_.size() - 1);
     disperse_ |= scatterers[i]->disperses();
+    surfaces_.resize(scatterers_.size());
+    surfaces_.back().push_back(static_cast<std::uint32_t>(i));
   }
+  for (std::uint32_t body = 0; body < surfaces_.size(); ++body) {
+    Surfaces walls;
+    for (const std::uint32_t surface : surfaces_[body]) {
+      if (walls_.is_straight(surface))
+        walls.add(walls_.segments[walls_.slot[surface]]);
+      else
+        walls.add(walls_.arc(surface));
+    }
+    bounds_.push_back(bounds_of(walls));
+    outermost_first_.push_back(body);
+  }
+  const auto reach = [&](std::uint32_t body) { return bounds_[body].size().sum(); };
+  std::stable_sort(outermost_first_.begin(), outermost_first_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return reach(a) > reach(b); });
 }
 
-Media Bodies::around_start(const Ray& ray, std::span<const NearestHit> hits) const {
-  std::vector<std::uint32_t> inside;  // the innermost first
-  std::vector<char> seen(scatterers_.size());
-  for (const NearestHit& hit : hits) {
-    const std::uint32_t body = of(hit.surface);
-    if (body == Media::kNone || hit.at_end || hit.kind == HitClass::along || seen[body] != 0)
+// By the crossings of the half line to the right, each edge with its lower end and without its upper.
+bool Bodies::holds(std::uint32_t body, const Vec2& point) const {
+  const Bounds& box = bounds_[body];
+  if (!(box.low.x() <= point.x() && point.x() <= box.high.x() && box.low.y() <= point.y() &&
+        point.y() <= box.high.y()))
+    return false;
+  bool inside = false;
+  for (const std::uint32_t surface : surfaces_[body]) {
+    if (!walls_.is_straight(surface)) {
+      const Sign side = curve_side(point, walls_.curve(surface));
+      if (side == Sign::zero) return false;
+      inside ^= side == Sign::negative;
       continue;
-    seen[body] = 1;
-    if (from_inside(walls_, ray, hit)) inside.push_back(body);
+    }
+    const Segment& wall = walls_.segments[walls_.slot[surface]];
+    if (lies_on(point, wall)) return false;
+    const bool rises = wall.b.y() > wall.a.y();
+    if ((wall.a.y() > point.y()) == (wall.b.y() > point.y())) continue;
+    inside ^= orientation(wall.a, wall.b, point) == (rises ? Sign::positive : Sign::negative);
   }
+  return inside;
+}
+
+Media Bodies::around(const Vec2& point) const {
   Media media;
-  for (auto body = inside.rbegin(); body != inside.rend(); ++body) media.enter(*body);
+  for (const std::uint32_t body : outermost_first_)
+    if (holds(body, point)) media.enter(body);
   return media;
 }
 

@@ -25,14 +25,25 @@ class Bodies {
     const std::uint32_t around = media.around(body);
     return around == Media::kNone ? 1 : scatterers_[around]->index(nm);
   }
-  /// The bodies that a ray starts in, by the sides from which it comes to `hits`, all of its walls in
-  /// order. Exact.
-  Media around_start(const Ray& ray, std::span<const NearestHit> hits) const;
+  /// Whether light of all wavelengths must have one to go through a wall.
+  bool disperse_at(std::uint32_t surface, const Media& media) const {
+    const std::uint32_t body = of(surface), around = media.around(body);
+    return disperse_ && body != Media::kNone &&
+           (scatterers_[body]->disperses() ||
+            (around != Media::kNone && scatterers_[around]->disperses()));
+  }
+  /// The bodies that a point lies in, those on whose walls it lies left out. Exact.
+  Media around(const Vec2& point) const;
 
  private:
+  bool holds(std::uint32_t body, const Vec2& point) const;
+
   const Surfaces& walls_;
-  std::vector<std::uint32_t> bodies_;         // by surface
-  std::vector<const Scatterer*> scatterers_;  // by body
+  std::vector<std::uint32_t> bodies_;                 // by surface
+  std::vector<const Scatterer*> scatterers_;          // by body
+  std::vector<std::vector<std::uint32_t>> surfaces_;  // by body
+  std::vector<Bounds> bounds_;                        // by body
+  std::vector<std::uint32_t> outermost_first_;
   bool disperse_ = false;
 };
 

@@ -9,21 +9,22 @@ namespace flatray {
 Emission::Emission(std::span<const LampState> lamps, std::uint32_t block_rays, LightSampler sampler,
                    std::uint64_t seed, unsigned frame, double headroom)
     : lamps_(lamps), sampler_(sampler), seed_(seed), frame_(frame) {
-  double power = 0, before = 0;
-  for (const LampState& lamp : lamps) power += lamp.power;
+  double brightest = 0, power = 0;  // parts of the brightest: nothing under- or overflows
+  for (const LampState& lamp : lamps) brightest = std::max(brightest, lamp.power);
+  for (const LampState& lamp : lamps) power += lamp.power / brightest;
   for (const LampState& lamp : lamps) {
-    before += lamp.power;
-    const auto end = static_cast<std::uint32_t>(before / power * block_rays + 0.5);
-    first_.push_back(std::max(end, first_.back() + 1));
+    const double share = lamp.power / brightest / power * block_rays + 0.5;
+    first_.push_back(first_.back() + std::max(static_cast<std::uint32_t>(share), 1U));
   }
+  const auto part = [&](std::size_t i) { return lamps[i].power / brightest; };
   const auto rays = [&](std::size_t i) { return first_[i + 1] - first_[i]; };
-  for (std::size_t i = 0; i < lamps.size(); ++i)
-    ray_power_ = std::max(ray_power_, lamps[i].power / rays(i));
-  ray_power_ *= headroom;
+  double most = 0;
+  for (std::size_t i = 0; i < lamps.size(); ++i) most = std::max(most, part(i) / rays(i));
+  ray_power_ = headroom * most * brightest;
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     LightWeight weight;
     for (std::size_t c = 0; c < weight.size(); ++c)
-      weight[c] = static_cast<float>(lamps[i].power / rays(i) / ray_power_ * lamps[i].colour[c]);
+      weight[c] = static_cast<float>(part(i) / rays(i) / most / headroom * lamps[i].colour[c]);
     weights_.push_back(weight);
     for (unsigned k = 0; k < kMostLampNumbers; ++k)
       scrambles_.push_back(static_cast<std::uint32_t>(
@@ -43,7 +44,11 @@ LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
   const Emitted local = emitter.emit(u.data());
   const Vec2 direction(state.pose.cos * local.direction.x() - state.pose.sin * local.direction.y(),
                        state.pose.sin * local.direction.x() + state.pose.cos * local.direction.y());
-  return {{state.pose(local.at), unit(direction)}, {}, weights_[lamp], number};
+  return {{state.pose(local.at), unit(direction)},
+          {},
+          weights_[lamp],
+          number,
+          static_cast<float>(state.nm)};
 }
 
 double Emission::number(std::uint32_t lamp, std::uint64_t sequence, unsigned dimension) const {

@@ -12,12 +12,12 @@ namespace flatray {
 /// share of the power is, at least one.
 class Emission {
  public:
-  /// Needs   lamps, which outlive it; at most as many as `block_rays`, where two or more shine.
+  /// Needs   lamps, which outlive it.
   /// The brightest ray has a weight of 1 / `headroom`.
   Emission(std::span<const LampState> lamps, std::uint32_t block_rays, LightSampler sampler,
            std::uint64_t seed, unsigned frame, double headroom);
 
-  /// Rays of a block: `block_rays`, or some more where lamps are fainter than one ray.
+  /// Rays of a block: `block_rays` but for rounding, and one for each lamp too faint for any.
   std::uint32_t size() const { return first_.back(); }
   /// Power of the largest channel of a ray of weight 1, were there one block.
   double ray_power() const { return ray_power_; }

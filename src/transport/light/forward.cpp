@@ -80,6 +80,8 @@ class Forward {
       for (std::size_t i = begin; i < end; ++i) {
         rays_[i] = emission_.ray(block, static_cast<std::uint32_t>(i));
         counts.emitted += energy(rays_[i].weight);
+        gamble(rays_[i], faint_, random_number(Stream::roulette, block, rays_[i].number, kEmitted),
+               counts);
         if (sets_off(rays_[i])) continue;
         counts.at_corners += energy(rays_[i].weight);
         rays_[i].weight = {0, 0, 0};
@@ -91,13 +93,16 @@ class Forward {
 
   // As an orbit does: what stands on a wall has left it.
   bool sets_off(LightRay& ray) const {
-    if (bodies_.any())
-      ray.media = bodies_.around_start(ray.ray, tracer_->all_of_one(ray.ray, {}, false));
     const std::vector<std::uint32_t> stood_on = lander_.walls_at(ray.ray.origin);
+    if (bodies_.any()) ray.media = bodies_.around(ray.ray.origin);
     if (stood_on.empty()) return true;
     if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
     ray.left = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
-    return !runs_along(walls_, ray.left, ray.ray.direction);
+    if (runs_along(walls_, ray.left, ray.ray.direction)) return false;
+    const std::uint32_t body = bodies_.of(ray.left.surface);
+    if (body != Media::kNone && goes_inside(walls_, ray.left, ray.ray.direction))
+      ray.media.enter(body);
+    return true;
   }
 
   void drop_dark() {
@@ -132,9 +137,9 @@ class Forward {
   }
 
   LightLine line(const Vec2& from, const Vec2& to, const LightWeight& weight) const {
-    const double scale = place_.pixels_per_unit;
-    return {(from.x() - place_.left) * scale, (place_.top - from.y()) * scale,
-            (to.x() - place_.left) * scale, (place_.top - to.y()) * scale, weight};
+    const auto px = [&](double world) { return held(world * place_.pixels_per_unit); };
+    return {px(from.x() - place_.left), px(place_.top - from.y()), px(to.x() - place_.left),
+            px(place_.top - to.y()), weight};
   }
 
   // What the walls do with the light that has come to them, in order of place.
@@ -151,7 +156,8 @@ class Forward {
                                     : random_numbers(block, ray.number, bounces);
         next[k] = scattered(ray, arrivals_[order[k]], bounces, numbers, counts);
         if (next[k].weight != LightWeight{0, 0, 0})
-          gamble(next[k], random_number(Stream::roulette, block, ray.number, bounces), counts);
+          gamble(next[k], faint_, random_number(Stream::roulette, block, ray.number, bounces),
+                 counts);
       }
     });
     rays_ = std::move(next);
@@ -167,7 +173,7 @@ class Forward {
   }
   double random_number(Stream stream, std::uint64_t block, std::uint32_t number,
                        std::uint32_t bounces) const {
-    const std::uint64_t item = block * kLightBlock + number;
+    const std::uint64_t item = block * emission_.size() + number;
     const auto high = static_cast<std::uint32_t>(item >> 32);
     return unit_double(
         random_bits(rules_.seed, stream, rules_.frame, item, bounces + (high << 20)));
@@ -221,7 +227,8 @@ class Forward {
     const Sign side = inner_side(walls_, ray.ray, arrival.hit);
     const Vec2 normal = static_cast<double>(side) * unit(arrival.landing.normal);
     LightRay next = ray;
-    if (disperses(surface) && ray.nm == 0) take_wavelength(next, numbers.colour, counts);
+    if (ray.nm == 0 && bodies_.disperse_at(surface, ray.media))
+      take_wavelength(next, numbers.colour, counts);
     const auto nm = static_cast<double>(next.nm);
     const Departure departure =
         depart(surface,
@@ -238,18 +245,13 @@ class Forward {
     return next;
   }
 
-  bool disperses(std::uint32_t surface) const {
-    return bodies_.disperse() && bodies_.of(surface) != Media::kNone &&
-           scatterers_[surface]->disperses();
-  }
-
   // From then on the light is of one colour, by chance.
   static void take_wavelength(LightRay& ray, double u, LightCounts& counts) {
     const std::int64_t before = energy(ray.weight);
     ray.nm = static_cast<float>(kFirstWavelength + u * (kLastWavelength - kFirstWavelength));
     const LightColour part = part_of_wavelength(static_cast<double>(ray.nm));
-    for (std::size_t c = 0; c < 3; ++c)
-      ray.weight[c] = std::min(ray.weight[c] * static_cast<float>(part[c]), 1.0F);
+    for (std::size_t c = 0; c < 3; ++c) ray.weight[c] *= static_cast<float>(part[c]);
+    FLATRAY_DCHECK(largest(ray.weight) <= 1);
     counts.gambled += before - energy(ray.weight);
   }
 
@@ -286,6 +288,10 @@ class Forward {
         next.ray.direction = departure.direction;
         next.left = {surface, root_stood_on(walls_, surface, next.ray)};
         if (runs_along(walls_, next.left, next.ray.direction)) return false;
+        if (departure.stays &&
+            !leads_away(walls_, surface, inner_side(walls_, ray.ray, arrival.hit), next.ray.origin,
+                        next.ray.direction))
+          return false;
         change_media(next, surface, from_inside(walls_, ray.ray, arrival.hit));
         return true;
     }
@@ -300,13 +306,13 @@ class Forward {
     if (!was_inside && is_inside) ray.media.enter(body);
   }
 
-  // Faint rays go on with the chance of their weight, and are then as bright as kBright.
-  static void gamble(LightRay& ray, double u, LightCounts& counts) {
-    constexpr float kFaint = 0.1F, kBright = 0.3F;
+  // Rays fainter than `faint` go on with the chance of their weight, and are then three times as
+  // bright as that.
+  static void gamble(LightRay& ray, float faint, double u, LightCounts& counts) {
     const float brightest = largest(ray.weight);
-    if (brightest >= kFaint) return;
+    if (brightest >= faint) return;
     const std::int64_t before = energy(ray.weight);
-    const float chance = brightest / kBright;
+    const float chance = brightest / (3 * faint);
     const bool goes_on = u < static_cast<double>(chance);
     for (float& channel : ray.weight) channel = goes_on ? channel / chance : 0;
     counts.gambled += before - energy(ray.weight);
@@ -317,6 +323,8 @@ class Forward {
     return {{place.left, place.top - size.y()}, {place.left + size.x(), place.top}};
   }
 
+  static constexpr std::uint32_t kEmitted = (1U << 20) - 1;  // no number of bounces
+
   const Surfaces& walls_;
   const std::vector<Material> materials_;
   std::span<const Scatterer* const> scatterers_;
@@ -325,6 +333,8 @@ class Forward {
   const std::uint32_t block_rays_;
   const Bodies bodies_;
   const Emission emission_;
+  // What is to have one wavelength must stay as dark as light that has just set off.
+  const float faint_ = bodies_.disperse() ? 0.1F / static_cast<float>(kMostOfWavelength) : 0.1F;
   const Lander lander_;
   const std::unique_ptr<Accelerator> tracer_;
   const Bounds size_;

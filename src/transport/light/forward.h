@@ -48,12 +48,13 @@ struct TracedLight {
 
 /// Rays in blocks of so many, fixed by their numbers: more rays are more blocks.
 inline constexpr std::uint64_t kLightBlock = std::uint64_t{1} << 18;
-/// What is traced of `rays` asked for: all of a block at most, else whole blocks.
+/// What is traced of `rays` asked for, but for rounding to the shares of the lamps: all of a block at
+/// most, else whole blocks.
 std::uint64_t rays_traced(std::uint64_t rays);
 
 /// Follows light from its lamps, and adds the length of every path in every pixel.
 ///
-/// Needs   lamps; no periodic walls. Scatterers by surface, nullptr where its owner's material says
+/// Needs   lamps. Scatterers by surface, nullptr where its owner's material says
 ///         all.
 /// Gives   the same sums for any number of threads, tier and exact tracer. A point lamp of power 1
 ///         with nothing in the way: 1 / (2 pi r), averaged over each pixel.
