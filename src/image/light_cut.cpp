@@ -50,6 +50,7 @@ inline Walk walk_on_film(const LightLine& line, const double (&size)[2]) {
   // Of halves, as the difference of the largest doubles is none.
   const double dx = std::fabs(line.to_x / 2 - line.from_x / 2);
   const double dy = std::fabs(line.to_y / 2 - line.from_y / 2);
+  const double length = std::max(dx, dy);
   // Which way a line goes is anyone's guess: by index, as branches would be guessed wrong.
   const double ends[2][2] = {{line.from_x, line.from_y}, {line.to_x, line.to_y}};
   const std::size_t major = dy > dx ? 1 : 0, minor = 1 - major;
@@ -67,9 +68,10 @@ inline Walk walk_on_film(const LightLine& line, const double (&size)[2]) {
                backwards,
                u[near],
                v[near],
-               std::min(dx, dy) / std::max(dx, dy),
+               std::min(dx, dy) / length,
                std::max(u[0], shift),
                std::min(u[1], size[major] + shift)};
+  if (length == 0) walk.to = walk.from;  // shorter than the least double has no slope
   if (!(walk.from < walk.to)) return walk;
   if (walk.v(walk.from) < 0) walk.from = walk.slope > 0 ? std::max(walk.from, walk.u(0)) : walk.to;
   if (walk.v(walk.to) >= size[minor])
@@ -164,6 +166,7 @@ inline void LightBins::cut(const LightLine& line) {
 inline void LightBins::add(std::size_t bin, const kernels::LightPiece& piece) {
   std::uint32_t& end = ends_[bin];
   if (end % kChunk == 0) {
+    FLATRAY_DCHECK(used_ < chunks_);
     before_[used_] = end;
     end = static_cast<std::uint32_t>(used_++) * kChunk;
   }

@@ -66,12 +66,12 @@ TEST(Develop, AlphaIsStraightAndRoundedHalvesUp) {
     develop(tile, image);
     return image.pixels;
   };
-  using Bytes = std::vector<std::uint8_t>;
-  EXPECT_EQ(develop_one({0.25F, 0.5F, 0, 0.5F}), (Bytes{188, 255, 0, 128}));  // alpha 127.5
-  EXPECT_EQ(develop_one({0, 0, 0, 0}), (Bytes{0, 0, 0, 0}));
-  EXPECT_EQ(develop_one({0.001F, 0, 0, 0.001F}), (Bytes{0, 0, 0, 0}));  // alpha 0.255: not seen
-  EXPECT_EQ(develop_one({0.01F, 0, 0, 0.01F}), (Bytes{255, 0, 0, 3}));
-  EXPECT_EQ(develop_one({1, 1, 1, 1}), (Bytes{255, 255, 255, 255}));
+  using Pixels = std::vector<std::uint8_t>;
+  EXPECT_EQ(develop_one({0.25F, 0.5F, 0, 0.5F}), (Pixels{188, 255, 0, 128}));  // alpha 127.5
+  EXPECT_EQ(develop_one({0, 0, 0, 0}), (Pixels{0, 0, 0, 0}));
+  EXPECT_EQ(develop_one({0.001F, 0, 0, 0.001F}), (Pixels{0, 0, 0, 0}));  // alpha 0.255: not seen
+  EXPECT_EQ(develop_one({0.01F, 0, 0, 0.01F}), (Pixels{255, 0, 0, 3}));
+  EXPECT_EQ(develop_one({1, 1, 1, 1}), (Pixels{255, 255, 255, 255}));
 }
 
 TEST(Develop, NegativeZeroAndZeroAreTheSameBlack) {

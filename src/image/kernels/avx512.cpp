@@ -14,6 +14,8 @@ typedef int32_t Places __attribute__((vector_size(64)));
 typedef float Lanes __attribute__((vector_size(64)));
 #define FLATRAY_FIRST_PAIRS 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23
 #define FLATRAY_LAST_PAIRS 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31
+#define FLATRAY_ONE_ON 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30
+static inline Words nearest(Lanes v) { return (Words)_mm512_maskz_cvtps_epi32(0xffff, (__m512)v); }
 #include "image/kernels/byte_kernels.inl"
 #include "image/kernels/fold_crc.inl"
 #include "image/kernels/light_kernels.inl"

@@ -14,6 +14,8 @@ typedef int32_t Places __attribute__((vector_size(16)));
 typedef float Lanes __attribute__((vector_size(16)));
 #define FLATRAY_FIRST_PAIRS 0, 4, 1, 5
 #define FLATRAY_LAST_PAIRS 2, 6, 3, 7
+#define FLATRAY_ONE_ON 3, 4, 5, 6
+static inline Words nearest(Lanes v) { return (Words)_mm_cvtps_epi32((__m128)v); }
 #include "image/kernels/byte_kernels.inl"
 #include "image/kernels/light_kernels.inl"
 

@@ -1,10 +1,11 @@
 // The kernels of the film of light for one tier, included inside its namespace: `Lanes`, `Places`
 // and `Words` are the tier's vectors of floats and of signed and unsigned numbers of 32 bits;
-// FLATRAY_FIRST_PAIRS and FLATRAY_LAST_PAIRS shuffle two vectors into pairs.
+// nearest() rounds, ties to even;
+// FLATRAY_FIRST_PAIRS and FLATRAY_LAST_PAIRS shuffle two vectors into pairs, FLATRAY_ONE_ON moves one on.
 
 constexpr size_t kColumns = sizeof(Lanes) / 4;
 // Steps that are worked out before they are added: adding them is then one loop without branches.
-constexpr size_t kStepsAtOnce = 512;
+constexpr size_t kStepsAtOnce = 256;
 static const float kPlaces[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 // A step: what one piece adds to the two pixels in one column, `place` and the next. Both are one
@@ -19,7 +20,7 @@ static inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
 static inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 
 static inline Words total(float units, Lanes u) {
-  return (Words)__builtin_convertvector(units * u + 0.5F, Places);
+  return nearest(units * u);
 }
 
 // Works out the steps of a piece and gives their number.
@@ -33,6 +34,9 @@ static inline size_t work_out(const LightPiece& piece, const LightLayer& layer, 
   const int32_t stride = layer.step * kChannels * kLightColumn;
   const int32_t start = (layer.first * kLightColumn + 1) * kChannels;
   Lanes column = load<Lanes>(kPlaces) + (float)first;
+  Words ended[kChannels];  // totals where the columns before end; the last one is looked at
+#pragma GCC unroll 3
+  for (int c = 0; c < kChannels; ++c) ended[c] = total(piece.units[c], from);
   for (int done = 0; done < columns; done += (int)kColumns, column += (float)kColumns) {
     const Lanes u0 = larger(column, from);
     const Lanes u1 = larger(smaller(column + 1.0F, to), u0);
@@ -46,9 +50,10 @@ static inline size_t work_out(const LightPiece& piece, const LightLayer& layer, 
     Words parts[2 * kChannels];  // the channels of the row, then those of the next
 #pragma GCC unroll 3
     for (int c = 0; c < kChannels; ++c) {
-      const Words middle = total(piece.units[c], m);
-      parts[c] = middle - total(piece.units[c], u0);
-      parts[kChannels + c] = total(piece.units[c], u1) - middle;
+      const Words middle = total(piece.units[c], m), end = total(piece.units[c], u1);
+      parts[c] = middle - __builtin_shufflevector(ended[c], end, FLATRAY_ONE_ON);
+      parts[kChannels + c] = end - middle;
+      ended[c] = end;
     }
 #pragma GCC unroll 3
     for (int c = 0; c < kChannels; ++c) {

@@ -24,8 +24,11 @@ AdlerSums adler(AdlerSums sums, const uint8_t* bytes, size_t count) {
   return sums;
 }
 
-// Half is added and the fraction left off: the same in every tier, and 1 stays 65536 units a pixel.
-uint32_t total(float units, float u) { return (uint32_t)(int32_t)(units * u + 0.5F); }
+// To the nearest whole number, ties to even: beyond 2^52 doubles have no others.
+uint32_t total(float units, float u) {
+  const float sum = units * u;
+  return (uint32_t)(((double)sum + 0x1p52) - 0x1p52);
+}
 
 float smaller(float a, float b) { return a < b ? a : b; }
 float larger(float a, float b) { return a > b ? a : b; }
