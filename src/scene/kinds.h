@@ -18,6 +18,7 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
                                     const std::vector<const Type*>& types, const char* what) {
   if (!in.is(field, Value::Kind::table, what)) return std::nullopt;
   std::vector<std::string> names;
+  names.reserve(types.size());
   for (const Type* type : types) names.emplace_back(type->name);
   if (field.value.members.size() != 1) {
     in.problem(field.value.where,
