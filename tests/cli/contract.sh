@@ -33,6 +33,7 @@ while IFS='|' read -r _ command code leaves memory _; do
   ((got == code)) || fail "flatray ${words[*]}: exit code $got, expected $code: $(head -c 300 err.txt)"
   ((got == 0 || got == 1)) || [[ -s err.txt ]] || fail "flatray ${words[*]}: exit code $got without a word"
   found=$(diff <(cd given && find . ! -type d | sort) <(cd here && find . ! -type d | sort) | sed -n 's,^> \./,,p' | xargs)
+  [[ -n $sanitizers && $command == *--max-seconds* ]] && continue  # what is done by then depends on their speed
   [[ $found == "$(xargs <<< "$leaves")" ]] || fail "flatray ${words[*]}: left '$found', expected '$leaves'"
 done < <(grep '^| `flatray ' "$root/docs/LIMITS.md")
 ((rows > 30)) || fail "only $rows rows"
