@@ -39,6 +39,7 @@ Bounds region_bounds(const FillArcs& arcs) {
 template <class T>
 bool same_bits(const T& a, const T& b) {
   static_assert(std::is_trivially_copyable_v<T>);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 bool same(const Vec2& a, const Vec2& b) {
