@@ -1,7 +1,6 @@
 #include "scene/material.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "base/light.h"
@@ -52,11 +51,6 @@ Reflectance read_reflectance(Args& args, const char* key) {
   const float most = *std::max_element(light.begin(), light.end());
   if (most == 0) return {0, {1, 1, 1}};
   return {part * static_cast<double>(most), {light[0] / most, light[1] / most, light[2] / most}};
-}
-
-Vec2 lambert_direction(const Vec2& normal, double u) {
-  const double sine = 2 * u - 1, cosine = std::sqrt((1 - sine) * (1 + sine));
-  return cosine * normal + sine * Vec2(-normal.y(), normal.x());
 }
 
 Vec2 any_direction(double u) {

@@ -3,6 +3,7 @@
 
 #include "base/result.h"
 #include "scene/args.h"
+#include "scene/lambert.h"
 #include "scene/scatterer.h"
 
 namespace flatray {
@@ -29,8 +30,6 @@ inline constexpr KeyInfo kReflectanceKeys[] = {{"reflectance", "number", "1"},
                                                {"colour", "\"#rrggbb\"", "\"#ffffff\""}};
 Reflectance read_reflectance(Args& args, const char* key = "reflectance");
 
-/// Matt: by Lambert's law in two dimensions, for which the sine to the normal is uniform.
-Vec2 lambert_direction(const Vec2& normal, double u);
 /// Any direction.
 Vec2 any_direction(double u);
 

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "geom/turn.h"
+#include "scene/lambert.h"
 #include "scene/lamp.h"
 
 namespace flatray::lamps {
@@ -16,12 +17,10 @@ class Arc : public Emitter {
   Arc(double radius, double from, double to, bool inward)
       : radius_(radius), from_(from), sweep_(to - from), out_(inward ? -1 : 1) {}
 
-  // By Lambert: the sine of the angle to the normal is uniform.
   Emitted emit(const double* u) const override {
     const Turn place = turn(from_ + u[1] * sweep_);
     const Vec2 normal(place.cos, place.sin), along(-place.sin, place.cos);
-    const double sine = 2 * u[0] - 1, cosine = std::sqrt((1 - sine) * (1 + sine));
-    return {radius_ * normal, sine * along + out_ * cosine * normal};
+    return {radius_ * normal, lambert_direction(out_ * normal, along, u[0])};
   }
 
  private:

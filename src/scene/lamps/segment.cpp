@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "scene/lambert.h"
 #include "scene/lamp.h"
 
 namespace flatray::lamps {
@@ -17,13 +18,11 @@ class Line : public Emitter {
     unit_ /= std::sqrt(unit_.dot(unit_));
   }
 
-  // By Lambert: the sine of the angle to the normal is uniform.
   Emitted emit(const double* u) const override {
     const bool right = both_sides_ && u[0] < 0.5;
     const double share = both_sides_ ? 2 * u[0] - (right ? 0 : 1) : u[0];
-    const double sine = 2 * share - 1, cosine = std::sqrt((1 - sine) * (1 + sine));
-    const Vec2 left(-unit_.y(), unit_.x());
-    return {from_ + u[1] * along_, sine * unit_ + (right ? -cosine : cosine) * left};
+    const Vec2 left(-unit_.y(), unit_.x()), normal = (right ? -1.0 : 1.0) * left;
+    return {from_ + u[1] * along_, lambert_direction(normal, unit_, share)};
   }
 
  private:

@@ -11,12 +11,12 @@ Emission::Emission(std::span<const LampState> lamps, std::uint32_t block_rays, L
     : lamps_(lamps), sampler_(sampler), seed_(seed), frame_(frame) {
   double brightest = 0, power = 0;  // parts of the brightest: nothing under- or overflows
   for (const LampState& lamp : lamps) brightest = std::max(brightest, lamp.power);
-  for (const LampState& lamp : lamps) power += lamp.power / brightest;
-  for (const LampState& lamp : lamps) {
-    const double share = lamp.power / brightest / power * block_rays + 0.5;
+  const auto part = [&](std::size_t i) { return lamps[i].power / brightest; };
+  for (std::size_t i = 0; i < lamps.size(); ++i) power += part(i);
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const double share = part(i) / power * block_rays + 0.5;
     first_.push_back(first_.back() + std::max(static_cast<std::uint32_t>(share), 1U));
   }
-  const auto part = [&](std::size_t i) { return lamps[i].power / brightest; };
   const auto rays = [&](std::size_t i) { return first_[i + 1] - first_[i]; };
   double most = 0;
   for (std::size_t i = 0; i < lamps.size(); ++i) most = std::max(most, part(i) / rays(i));
@@ -38,13 +38,11 @@ LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
   const std::uint32_t rays = first_[lamp + 1] - first_[lamp];
   const std::uint64_t sequence = block * rays + (number - first_[lamp]);
   const LampState& state = lamps_[lamp];
-  const Emitter& emitter = *state.emitter;
   std::array<double, kMostLampNumbers> u{};
   for (unsigned k = 0; k < state.numbers; ++k) u[k] = this->number(lamp, sequence, k);
-  const Emitted local = emitter.emit(u.data());
-  const Vec2 direction(state.pose.cos * local.direction.x() - state.pose.sin * local.direction.y(),
-                       state.pose.sin * local.direction.x() + state.pose.cos * local.direction.y());
-  return {{state.pose(local.at), unit(direction)},
+  const Emitted local = state.emitter->emit(u.data());
+  const Pose turn{{0, 0}, state.pose.cos, state.pose.sin};
+  return {{state.pose(local.at), unit(turn.turned(local.direction))},
           {},
           weights_[lamp],
           number,
