@@ -59,6 +59,13 @@ std::uint64_t memory_limit() {
   return limit.rlim_cur;
 }
 
+Result<void> expect_memory(const Arguments& arguments, double bytes, const std::string& what,
+                           const std::string& remedy) {
+  if (bytes <= static_cast<double>(memory_limit())) return {};
+  return fail(arguments.where("max-memory"), fmt::format("{} takes {:.0f} MB", what, bytes / 1e6),
+              "allow more, or " + remedy);
+}
+
 int out_of_memory_code() {
   constexpr int kInternalError = 70;
   return memory_limit() == RLIM_INFINITY ? kInternalError : kOverLimit;

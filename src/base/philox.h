@@ -20,6 +20,7 @@ enum class Stream : std::uint32_t {
   bounce = 7,    ///< what becomes of light at a wall
   roulette = 8,  ///< which faint rays go on
   colour = 9,    ///< wavelengths of light that comes to what disperses
+  gather = 10,   ///< paths from pixels to lamps
 };
 
 /// 64 uniform bits named by (seed, stream, frame, item, draw). `frame` and `item` keep 32 bits

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "render/film_transform.h"
+#include "scene/lamp.h"
 
 namespace flatray {
 namespace {
@@ -18,11 +19,35 @@ const Scatterer* scatterer_of(const Scene& scene, const SurfaceOwner& owner) {
   return id == kNoEntry ? nullptr : scene.scatterers[id].get();
 }
 
+// What is needed to follow light in a frame.
+struct LitFrame {
+  World world;
+  std::vector<const Scatterer*> scatterers;
+  std::vector<LampState> lamps;
+  FilmPlace place{};
+
+  LitFrame(const Scene& scene, const FrameState& state)
+      : world(build_world(scene, state)), lamps(lamp_states(scene, state)) {
+    for (const SurfaceOwner& owner : world.owners) scatterers.push_back(scatterer_of(scene, owner));
+    const FilmTransform film(scene.film, state);
+    place = {film.corner().x(), film.corner().y(), film.scale(), scene.film.width,
+             scene.film.height};
+  }
+};
+
+unsigned noise_frame(const Scene& scene, const FrameState& state) {
+  return scene.light.noise_moves ? state.frame : 0;
+}
+
+// Where less than this part of the walls is shown, pixels reach lamps sooner than lamps pixels
+// (docs/adr/0023-light-from-lamps.md).
+constexpr double kSmallPart = 2500;
+
 double luminance(const double* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
 }  // namespace
 
-double automatic_exposure(const std::vector<double>& fluence) {
+double automatic_exposure(std::span<const double> fluence) {
   std::vector<double> lit;
   for (std::size_t i = 0; i + 2 < fluence.size(); i += 3)
     if (const double y = luminance(&fluence[i]); y > 0) lit.push_back(y);
@@ -47,12 +72,11 @@ float toned(ToneCurve curve, double light) {
   unreachable();
 }
 
-LightPicture light_picture(const TracedLight& traced, const LightSettings& light, bool raw) {
-  const std::vector<std::int64_t> sums = traced.film.sums();
-  std::vector<double> counts(sums.begin(), sums.end());
+LightPicture light_picture(std::span<const double> counts, double unit, const LightSettings& light,
+                           bool raw) {
   // Of sums and unit apart, as their product may be beyond the doubles.
-  const double exposure = raw              ? traced.unit
-                          : light.exposure ? *light.exposure * traced.unit
+  const double exposure = raw              ? unit
+                          : light.exposure ? *light.exposure * unit
                                            : automatic_exposure(counts);
   constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
   LightPicture picture;
@@ -77,17 +101,40 @@ std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
 
 TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
                               std::uint64_t seed, unsigned threads, bool (*stop)()) {
-  const World world = build_world(scene, state);
-  std::vector<const Scatterer*> scatterers;
-  for (const SurfaceOwner& owner : world.owners) scatterers.push_back(scatterer_of(scene, owner));
+  const LitFrame lit(scene, state);
+  if (lit.lamps.empty()) return {LightFilm(lit.place.width, lit.place.height, 3), 0, {}};
+  return trace_light(lit.world, lit.scatterers, lit.lamps, lit.place,
+                     {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
+}
+
+GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                 std::uint64_t seed, unsigned threads, bool (*stop)()) {
+  const LitFrame lit(scene, state);
+  return gather_light(lit.world, lit.scatterers, lit.lamps, lit.place,
+                      {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
+}
+
+bool is_gathered(const Scene& scene, const FrameState& state) {
+  if (scene.light.estimator != LightEstimator::automatic)
+    return scene.light.estimator == LightEstimator::backward;
+  if (why_not_backward(scene)) return false;
+  const Bounds all = bounds_of(build_world(scene, state).surfaces);
   const FilmTransform film(scene.film, state);
-  const FilmPlace place{film.corner().x(), film.corner().y(), film.scale(), scene.film.width,
-                        scene.film.height};
-  const std::vector<LampState> lamps = lamp_states(scene, state);
-  if (lamps.empty()) return {LightFilm(place.width, place.height, 3), 0, {}};
-  return trace_light(
-      world, scatterers, lamps, place,
-      {scene.light, seed, scene.light.noise_moves ? state.frame : 0, threads, tracer, stop});
+  const double pixel = 1 / film.scale();
+  return all.size().prod() > kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
+}
+
+LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                 std::uint64_t seed, const LightRun& run) {
+  if (is_gathered(scene, state)) {
+    const GatheredLight light =
+        gather_frame_light(scene, state, tracer, seed, run.threads, run.stop);
+    return light_picture(light.fluence, 1, scene.light, run.raw);
+  }
+  const TracedLight light = trace_frame_light(scene, state, tracer, seed, run.threads, run.stop);
+  const std::vector<std::int64_t> sums = light.film.sums();
+  return light_picture(std::vector<double>(sums.begin(), sums.end()), light.unit, scene.light,
+                       run.raw);
 }
 
 }  // namespace flatray

@@ -1,14 +1,16 @@
 #pragma once
 #include "render/draw_list.h"
-#include "transport/light/forward.h"
+#include "render/pass.h"
+#include "transport/light/backward.h"
 
 namespace flatray {
 
-/// What a film shows: its fluence as it is, or exposed and toned for the eye.
-LightPicture light_picture(const TracedLight& traced, const LightSettings& light, bool raw);
+/// What a film shows, given in units of fluence: as it is, or exposed and toned for the eye.
+LightPicture light_picture(std::span<const double> counts, double unit, const LightSettings& light,
+                           bool raw);
 
 /// The exposure at which one of a hundred pixels that light crosses is 1 or brighter; 1 where none is.
-double automatic_exposure(const std::vector<double>& fluence);
+double automatic_exposure(std::span<const double> fluence);
 
 /// A channel of exposed light as it is shown, from 0 to 1 where the curve ends there.
 float toned(ToneCurve curve, double light);
@@ -16,8 +18,21 @@ float toned(ToneCurve curve, double light);
 /// Memory that the light of a frame takes at its peak.
 std::uint64_t light_bytes(const Scene& scene, unsigned threads);
 
-/// The light of a frame, traced.
+/// The light of a frame, from its lamps.
 TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
                               std::uint64_t seed, unsigned threads, bool (*stop)());
+
+/// The light of a frame, from its pixels.
+/// Needs   why_not_backward() says nothing.
+GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                 std::uint64_t seed, unsigned threads, bool (*stop)());
+
+/// Whether the light of a frame is followed from its pixels: asked for, or where the picture shows
+/// less than 1/2500 of the box around all walls, and no light would be missed.
+bool is_gathered(const Scene& scene, const FrameState& state);
+
+/// The light of a frame as its scene wants it followed and shown.
+LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                 std::uint64_t seed, const LightRun& run);
 
 }  // namespace flatray

@@ -1,6 +1,8 @@
 #pragma once
 #include <memory>
+#include <optional>
 
+#include "geom/bounds.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -11,12 +13,31 @@ struct Emitted {
   Vec2 direction{1, 0};  ///< of length 1
 };
 
+/// What a point sees of a lamp whose light comes to it from one direction.
+struct Sight {
+  Vec2 from;       ///< where that light has left the lamp
+  double fluence;  ///< of power 1
+};
+
+/// A lamp that is a line, as bright from all directions on a side of it that shines.
+struct LampLine {
+  Segment ends;                  ///< along an arc counter-clockwise
+  std::optional<Circle> circle;  ///< that it is a part of; none: it is straight
+  bool whole = false;            ///< all of the circle
+  double length = 0;
+  bool left = true, right = false;  ///< which sides shine; the left of an arc is towards the centre
+};
+
 /// Sends out rays that all carry the same power.
 class Emitter {
  public:
   virtual ~Emitter() = default;
   /// Needs   `u`: as many numbers as LampType::numbers says, in [0, 1), angles first, then places.
   virtual Emitted emit(const double* u) const = 0;
+  /// Of lamps that LampType::seen calls `points`; none where no light comes to `at`.
+  virtual std::optional<Sight> sight(const Vec2& /*at*/) const { return std::nullopt; }
+  /// Of lamps that LampType::seen calls `line`.
+  virtual std::optional<LampLine> line() const { return std::nullopt; }
 };
 
 inline constexpr unsigned kMostLampNumbers = 5;

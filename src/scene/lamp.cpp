@@ -1,11 +1,78 @@
 #include "scene/lamp.h"
 
+#include <fmt/format.h>
+
+#include "scene/scatterer.h"
+
 namespace flatray {
 namespace lamps {
 #define FLATRAY_ENTRY(name) extern const LampType name;
 #include "lamps.inc"
 #undef FLATRAY_ENTRY
 }  // namespace lamps
+
+namespace {
+
+struct Wall {
+  std::string_view what, name;
+  Material material;
+  ScattererId scatterer;
+  Place where;
+};
+
+std::vector<Wall> walls_of(const Scene& scene) {
+  std::vector<Wall> walls;
+  for (const Entity& one : scene.entities)
+    if (one.material)
+      walls.push_back({"entity", one.name, *one.material, one.scatterer, one.where});
+  for (const Chamber& one : scene.chambers) {
+    walls.push_back({"chamber", one.name, one.material, one.scatterer, one.where});
+    for (const Chamber::Pillar& pillar : one.pillars)
+      walls.push_back({"pillar", pillar.name, pillar.material, pillar.scatterer, one.where});
+  }
+  return walls;
+}
+
+// Whether light that leaves it in one direction has come from one.
+bool is_specular(const Scene& scene, const Wall& wall) {
+  if (wall.scatterer == kNoEntry) return wall.material == Material::mirror;
+  const LightShares* shares = scene.scatterers[wall.scatterer]->shares();
+  return shares == nullptr || shares->mirror > 0;
+}
+
+std::string named(std::string_view what, std::string_view name) {
+  return fmt::format("{} \"{}\"", what, name);
+}
+
+}  // namespace
+
+std::optional<Diagnostic> why_not_backward(const Scene& scene) {
+  constexpr const char* kHint = "write estimator = \"forward\" or \"auto\" in [light]";
+  const Lamp* points = nullptr;
+  for (const Lamp& lamp : scene.lamps) {
+    if (lamp.type->seen == LampSeen::never)
+      return Diagnostic{lamp.where,
+                        fmt::format("no path from a pixel finds the light of {}, a {}",
+                                    named("lamp", lamp.name), lamp.type->name),
+                        kHint};
+    if (lamp.type->seen == LampSeen::points && points == nullptr) points = &lamp;
+  }
+  for (const Wall& wall : walls_of(scene)) {
+    if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->disperses())
+      return Diagnostic{wall.where,
+                        fmt::format("paths from pixels have no wavelength, and {} parts colours",
+                                    named(wall.what, wall.name)),
+                        kHint};
+    if (points != nullptr && is_specular(scene, wall))
+      return Diagnostic{
+          points->where,
+          fmt::format("no path from a pixel finds the light of {}, a {}, by way of {}, which "
+                      "sends it on in one direction",
+                      named("lamp", points->name), points->type->name, named(wall.what, wall.name)),
+          kHint};
+  }
+  return std::nullopt;
+}
 
 std::vector<const LampType*> lamp_types() {
   return {

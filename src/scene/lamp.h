@@ -5,6 +5,13 @@
 
 namespace flatray {
 
+/// How light of a lamp is found by paths that set off from pixels.
+enum class LampSeen : std::uint8_t {
+  never,   ///< only paths from the lamp know it
+  points,  ///< by Emitter::sight: no path meets it by chance
+  line     ///< by Emitter::line
+};
+
 /// A kind of lamp: one file in lamps/, registered in CMake.
 struct LampType {
   const char* name;
@@ -12,7 +19,11 @@ struct LampType {
   std::span<const KeyInfo> keys;
   unsigned numbers;  ///< that a ray needs, at most kMostLampNumbers
   Result<std::unique_ptr<const Emitter>> (*build)(Args&);
+  LampSeen seen = LampSeen::never;
 };
+
+/// Why paths from pixels cannot find all light of a scene; nothing where they can.
+std::optional<Diagnostic> why_not_backward(const Scene& scene);
 
 /// Registered kinds by name.
 std::vector<const LampType*> lamp_types();

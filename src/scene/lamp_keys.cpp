@@ -91,6 +91,9 @@ constexpr Word<ToneCurve> kTones[] = {
     {"linear", ToneCurve::linear}, {"soft", ToneCurve::soft}, {"filmic", ToneCurve::filmic}};
 constexpr Word<LightSampler> kSamplers[] = {{"sorted", LightSampler::sorted},
                                             {"random", LightSampler::random}};
+constexpr Word<LightEstimator> kEstimators[] = {{"auto", LightEstimator::automatic},
+                                                {"forward", LightEstimator::forward},
+                                                {"backward", LightEstimator::backward}};
 constexpr Word<bool> kNoises[] = {{"still", false}, {"moving", true}};
 
 constexpr Key<LightSettings> kLightKeys[] = {
@@ -101,6 +104,8 @@ constexpr Key<LightSettings> kLightKeys[] = {
      &set_word<&LightSettings::tone, kTones>},
     {{"sampler", R"("sorted" or "random")", "\"sorted\""},
      &set_word<&LightSettings::sampler, kSamplers>},
+    {{"estimator", R"("forward", "backward" or "auto")", "\"auto\""},
+     &set_word<&LightSettings::estimator, kEstimators>},
     {{"noise", R"("still" or "moving")", "\"still\""},
      &set_word<&LightSettings::noise_moves, kNoises>},
     {{"layer", "whole number", "-1"}, &set_integer<&LightSettings::layer, -1000000, 1000000>},
@@ -137,6 +142,9 @@ void check_light(Builder& builder) {
       builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
                          "light ends there: make the chamber a mirror, or leave its lamps out");
   }
+  if (auto hindrance = why_not_backward(scene);
+      hindrance && scene.light.estimator == LightEstimator::backward)
+    builder.in.problems.push_back(std::move(*hindrance));
   if (scene.lamps.empty() && scene.light.where.source != nullptr)
     builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
 }

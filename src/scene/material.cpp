@@ -31,6 +31,36 @@ std::optional<ScattererId> build_scatterer(Builder& builder, const Field& field)
   return static_cast<ScattererId>(builder.scene.scatterers.size() - 1);
 }
 
+Vec2 any_direction(double u) {
+  const Turn out = turn(2 * std::numbers::pi * u);
+  return {out.cos, out.sin};
+}
+
+class Mixture : public Scatterer {
+ public:
+  Mixture(const LightShares& shares, Material for_rays) : shares_(shares), for_rays_(for_rays) {}
+
+  Departure scatter(const Arrival& arrival, double u) const override {
+    using Way = Departure::Way;
+    const std::array<float, 3>& tint = shares_.tint;
+    if (u < shares_.diffuse)
+      return {Way::scattered, lambert_direction(arrival.normal, u / shares_.diffuse), tint, true};
+    u -= shares_.diffuse;
+    if (u < shares_.isotropic) return {Way::scattered, any_direction(u / shares_.isotropic), tint};
+    u -= shares_.isotropic;
+    if (u < shares_.mirror) return {Way::mirrored, {1, 0}, tint};
+    u -= shares_.mirror;
+    if (u < shares_.pass) return {Way::through, {1, 0}, tint};
+    return {};
+  }
+  const LightShares* shares() const override { return &shares_; }
+  Material for_rays() const override { return for_rays_; }
+
+ private:
+  LightShares shares_;
+  Material for_rays_;
+};
+
 }  // namespace
 
 std::vector<const MaterialType*> material_types() {
@@ -53,9 +83,8 @@ Reflectance read_reflectance(Args& args, const char* key) {
   return {part * static_cast<double>(most), {light[0] / most, light[1] / most, light[2] / most}};
 }
 
-Vec2 any_direction(double u) {
-  const Turn out = turn(2 * std::numbers::pi * u);
-  return {out.cos, out.sin};
+std::unique_ptr<const Scatterer> mixture(const LightShares& shares, Material for_rays) {
+  return std::make_unique<Mixture>(shares, for_rays);
 }
 
 std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,

@@ -30,8 +30,9 @@ inline constexpr KeyInfo kReflectanceKeys[] = {{"reflectance", "number", "1"},
                                                {"colour", "\"#rrggbb\"", "\"#ffffff\""}};
 Reflectance read_reflectance(Args& args, const char* key = "reflectance");
 
-/// Any direction.
-Vec2 any_direction(double u);
+/// What sends on `shares` of the light, in the order in which they stand.
+std::unique_ptr<const Scatterer> mixture(const LightShares& shares,
+                                         Material for_rays = Material::absorb);
 
 /// Reads one of `words` or `{ MATERIAL = { ... } }`.
 struct ReadMaterial {

@@ -28,12 +28,22 @@ struct Departure {
   bool stays = false;                  ///< scattered: to the side it comes from alone
 };
 
+/// Parts of the light that a wall sends on, from wherever it comes; the rest is absorbed.
+struct LightShares {
+  double diffuse = 0;    ///< by Lambert's law, to the side it comes from
+  double isotropic = 0;  ///< alike into all directions, on both sides
+  double mirror = 0, pass = 0;
+  std::array<float, 3> tint{1, 1, 1};  ///< as Departure::tint
+};
+
 /// What a wall does with light.
 class Scatterer {
  public:
   virtual ~Scatterer() = default;
   /// Needs   `u` in [0, 1), uniform: it chooses what happens and where to.
   virtual Departure scatter(const Arrival& arrival, double u) const = 0;
+  /// The same whatever the direction of the light; null: it depends on it, as in glass.
+  virtual const LightShares* shares() const { return nullptr; }
   /// What it is to orbits and rays that are drawn.
   virtual Material for_rays() const { return Material::absorb; }
   /// Of what fills its shape, for light of a wavelength; 0: light goes through the wall alone.

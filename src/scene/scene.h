@@ -259,6 +259,13 @@ enum class LightSampler : std::uint8_t {
   random   ///< independent numbers
 };
 
+/// Which way light is followed.
+enum class LightEstimator : std::uint8_t {
+  automatic,  ///< backward where a small part of the scene is shown, and it can; else forward
+  forward,    ///< from lamps: all pixels that a path crosses get some
+  backward    ///< from each pixel, until a lamp is met
+};
+
 /// How light in [0, infinity) becomes a picture.
 enum class ToneCurve : std::uint8_t {
   linear,  ///< as it is; above 1 it is white
@@ -273,6 +280,7 @@ struct LightSettings {
   std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
   ToneCurve tone = ToneCurve::soft;
   LightSampler sampler = LightSampler::sorted;
+  LightEstimator estimator = LightEstimator::automatic;
   bool noise_moves = false;  ///< other random numbers in each frame
   int layer = -1;            ///< where it is added to what is drawn
   Place where;

@@ -3,6 +3,7 @@
 #include "app/option_values.h"
 #include "app/orbit_report.h"
 #include "app/report.h"
+#include "app/resource_limits.h"
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
 #include "app/verb.h"
@@ -133,6 +134,11 @@ Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room
                                std::optional<MovingRoom>& moving) {
   const auto bounces = arguments.whole("bounces", ray.bounces, 0, kMostBounces);
   if (!bounces) return tl::unexpected(bounces.error());
+  const double bytes = static_cast<double>(*bounces) * sizeof(Bounce);
+  if (auto fits = expect_memory(arguments, bytes, fmt::format("an orbit of {} bounces", *bounces),
+                                "say fewer --bounces");
+      !fits)
+    return fail(std::move(fits));
   const std::optional<double> speed = speeds.of(ray);
   if (!speed)
     return follow_orbit(room, ray.name, {world_pose(frame)(ray.at), ray.direction}, *bounces,

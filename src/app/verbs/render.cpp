@@ -60,12 +60,10 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
 }
 
 Result<void> fits_in_memory(const Arguments& arguments, const RenderJob& job) {
-  const std::uint64_t bytes = picture_bytes_at_once(job, job.frames.size(), 1);
-  if (bytes <= memory_limit()) return {};
-  return fail(arguments.where("max-memory"),
-              fmt::format("a picture of {}x{} takes {:.0f} MB", job.picture().width,
-                          job.picture().height, static_cast<double>(bytes) / 1e6),
-              "allow more, or say a smaller --size or --crop");
+  return expect_memory(
+      arguments, static_cast<double>(picture_bytes_at_once(job, job.frames.size(), 1)),
+      fmt::format("a picture of {}x{}", job.picture().width, job.picture().height),
+      "say a smaller --size or --crop");
 }
 
 Result<VerbOutput> run(const Arguments& given) {

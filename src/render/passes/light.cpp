@@ -1,24 +1,28 @@
 #include "base/counted.h"
 #include "render/light_picture.h"
 #include "render/pass.h"
+#include "scene/lamp.h"
 
 namespace flatray {
 namespace {
 
 Need need(const Scene& scene) {
   if (scene.lamps.empty()) return skip("no lamps");
-  return run(counted(scene.lamps.size(), "lamp"));
+  const std::string lamps = counted(scene.lamps.size(), "lamp");
+  if (scene.light.estimator == LightEstimator::backward)
+    return run(lamps + ", backward from pixels, as the scene asks");
+  if (scene.light.estimator == LightEstimator::forward) return run(lamps + ", forward");
+  const auto hindrance = why_not_backward(scene);
+  return run(hindrance ? lamps + ", forward: " + hindrance->message
+                       : lamps + ", forward, but for views of a small part of the walls");
 }
 
 void draw(DrawContext& context) {
   const Scene& scene = context.scene;
   if (scene.lamps.empty()) return;
-  const TracedLight traced =
-      trace_frame_light(scene, context.state, context.tracer, context.timeline.seed(),
-                        context.light.threads, context.light.stop);
   context.place(scene.light.layer, 0, scene.light.where);
-  context.add_light(
-      std::make_shared<LightPicture>(light_picture(traced, scene.light, context.light.raw)));
+  context.add_light(std::make_shared<LightPicture>(frame_light_picture(
+      scene, context.state, context.tracer, context.timeline.seed(), context.light)));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "geom/turn.h"
@@ -22,6 +23,16 @@ class Arc : public Emitter {
     const Vec2 normal(place.cos, place.sin), along(-place.sin, place.cos);
     return {radius_ * normal, lambert_direction(out_ * normal, along, u[0])};
   }
+  std::optional<LampLine> line() const override {
+    const Turn first = turn(std::min(from_, from_ + sweep_));
+    const Turn last = turn(std::max(from_, from_ + sweep_));
+    const double sweep = std::abs(sweep_);
+    return LampLine{{radius_ * Vec2(first.cos, first.sin), radius_ * Vec2(last.cos, last.sin)},
+                    Circle{{0, 0}, radius_},
+                    sweep >= radians(360),
+                    radius_ * sweep,
+                    out_<0, out_> 0};
+  }
 
  private:
   double radius_, from_, sweep_, out_;
@@ -42,7 +53,7 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType arc = {"arc", "an arc that shines outward, as a matt surface does", kKeys, 2,
-                             &build};
+extern const LampType arc = {
+    "arc", "an arc that shines outward, as a matt surface does", kKeys, 2, &build, LampSeen::line};
 
 }  // namespace flatray::lamps

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "scene/lamp.h"
 
 namespace flatray::lamps {
@@ -9,6 +11,10 @@ class Beam : public Emitter {
  public:
   explicit Beam(double width) : width_(width) {}
   Emitted emit(const double* u) const override { return {{0, (u[0] - 0.5) * width_}, {1, 0}}; }
+  std::optional<Sight> sight(const Vec2& at) const override {
+    if (!(at.x() > 0 && std::abs(at.y()) <= width_ / 2)) return std::nullopt;
+    return Sight{{0, at.y()}, 1 / width_};
+  }
 
  private:
   double width_;
@@ -20,6 +26,7 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 
 }  // namespace
 
-extern const LampType beam = {"beam", "parallel rays side by side", kKeys, 1, &build};
+extern const LampType beam = {"beam",          "parallel rays side by side", kKeys, 1, &build,
+                              LampSeen::points};
 
 }  // namespace flatray::lamps

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "geom/turn.h"
 #include "scene/lamp.h"
 
@@ -12,6 +14,11 @@ class Cone : public Emitter {
   Emitted emit(const double* u) const override {
     const Turn out = turn((u[0] - 0.5) * spread_);
     return {{0, 0}, {out.cos, out.sin}};
+  }
+  std::optional<Sight> sight(const Vec2& at) const override {
+    const double r = std::sqrt(at.dot(at));
+    if (spread_ == 0 || !(at.x() >= r * turn(spread_ / 2).cos)) return std::nullopt;
+    return Sight{{0, 0}, 1 / (spread_ * r)};
   }
 
  private:
@@ -29,6 +36,7 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 }  // namespace
 
 extern const LampType cone = {"cone", "a point that shines alike in all directions of a cone",
-                              kKeys, 1, &build};
+                              kKeys,  1,
+                              &build, LampSeen::points};
 
 }  // namespace flatray::lamps

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include "geom/turn.h"
@@ -12,6 +13,9 @@ class AllAround : public Emitter {
     const Turn out = turn(u[0] * (2 * std::numbers::pi));
     return {{0, 0}, {out.cos, out.sin}};
   }
+  std::optional<Sight> sight(const Vec2& at) const override {
+    return Sight{{0, 0}, 1 / (2 * std::numbers::pi * std::sqrt(at.dot(at)))};
+  }
 };
 
 Result<std::unique_ptr<const Emitter>> build(Args&) { return std::make_unique<AllAround>(); }
@@ -19,6 +23,6 @@ Result<std::unique_ptr<const Emitter>> build(Args&) { return std::make_unique<Al
 }  // namespace
 
 extern const LampType point = {
-    "point", "a point that shines alike in all directions", {}, 1, &build};
+    "point", "a point that shines alike in all directions", {}, 1, &build, LampSeen::points};
 
 }  // namespace flatray::lamps

@@ -24,6 +24,10 @@ class Line : public Emitter {
     const Vec2 left(-unit_.y(), unit_.x()), normal = (right ? -1.0 : 1.0) * left;
     return {from_ + u[1] * along_, lambert_direction(normal, unit_, share)};
   }
+  std::optional<LampLine> line() const override {
+    const double length = std::sqrt(along_.dot(along_));
+    return LampLine{{from_, from_ + along_}, std::nullopt, false, length, true, both_sides_};
+  }
 
  private:
   Vec2 from_, along_, unit_;
@@ -42,6 +46,8 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
 }  // namespace
 
 extern const LampType segment = {
-    "segment", "a straight line that shines to its left, as a matt surface does", kKeys, 2, &build};
+    "segment", "a straight line that shines to its left, as a matt surface does",
+    kKeys,     2,
+    &build,    LampSeen::line};
 
 }  // namespace flatray::lamps

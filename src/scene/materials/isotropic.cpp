@@ -3,20 +3,9 @@
 namespace flatray::materials {
 namespace {
 
-class Isotropic : public Scatterer {
- public:
-  explicit Isotropic(const Reflectance& light) : light_(light) {}
-  Departure scatter(const Arrival&, double u) const override {
-    if (u >= light_.part) return {};
-    return {Departure::Way::scattered, any_direction(u / light_.part), light_.tint};
-  }
-
- private:
-  Reflectance light_;
-};
-
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
-  return std::make_unique<Isotropic>(read_reflectance(args));
+  const Reflectance light = read_reflectance(args);
+  return mixture({.isotropic = light.part, .tint = light.tint});
 }
 
 }  // namespace

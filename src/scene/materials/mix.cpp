@@ -9,33 +9,6 @@ constexpr KeyInfo kKeys[] = {{"diffuse", "number", "0"},
                              {"pass", "number", "0"},
                              {"colour", "\"#rrggbb\"", "\"#ffffff\""}};
 
-struct Parts {
-  double diffuse, isotropic, mirror, pass;
-  std::array<float, 3> tint;
-};
-
-class Mix : public Scatterer {
- public:
-  explicit Mix(const Parts& parts) : parts_(parts) {}
-  Departure scatter(const Arrival& arrival, double u) const override {
-    using Way = Departure::Way;
-    if (u < parts_.diffuse)
-      return {Way::scattered, lambert_direction(arrival.normal, u / parts_.diffuse), parts_.tint,
-              true};
-    u -= parts_.diffuse;
-    if (u < parts_.isotropic)
-      return {Way::scattered, any_direction(u / parts_.isotropic), parts_.tint};
-    u -= parts_.isotropic;
-    if (u < parts_.mirror) return {Way::mirrored, {1, 0}, parts_.tint};
-    u -= parts_.mirror;
-    if (u < parts_.pass) return {Way::through, {1, 0}, parts_.tint};
-    return {};
-  }
-
- private:
-  Parts parts_;
-};
-
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
   const double numbers[] = {args.number("diffuse"), args.number("isotropic"), args.number("mirror"),
                             args.number("pass")};
@@ -48,8 +21,8 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
                 "write how much of the light goes each way; the rest is absorbed");
   const Reflectance colour = read_reflectance(args);
   const double part = colour.part;
-  return std::make_unique<Mix>(Parts{part * numbers[0], part * numbers[1], part * numbers[2],
-                                     part * numbers[3], colour.tint});
+  return mixture(
+      {part * numbers[0], part * numbers[1], part * numbers[2], part * numbers[3], colour.tint});
 }
 
 }  // namespace

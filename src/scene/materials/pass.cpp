@@ -3,23 +3,12 @@
 namespace flatray::materials {
 namespace {
 
-class Pass : public Scatterer {
- public:
-  explicit Pass(const Reflectance& light) : light_(light) {}
-  Departure scatter(const Arrival&, double u) const override {
-    if (u >= light_.part) return {};
-    return {Departure::Way::through, {1, 0}, light_.tint};
-  }
-
- private:
-  Reflectance light_;
-};
-
 constexpr KeyInfo kKeys[] = {{"transmittance", "number", "1"},
                              {"colour", "\"#rrggbb\"", "\"#ffffff\""}};
 
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
-  return std::make_unique<Pass>(read_reflectance(args, "transmittance"));
+  const Reflectance light = read_reflectance(args, "transmittance");
+  return mixture({.pass = light.part, .tint = light.tint});
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ class Bodies {
   bool disperse() const { return disperse_; }
   /// By surface; Media::kNone for what is no wall of one.
   std::uint32_t of(std::uint32_t surface) const { return bodies_[surface]; }
+  /// Of refraction, in the body of a wall.
+  double index_in(std::uint32_t body, double nm) const { return scatterers_[body]->index(nm); }
   /// Of the innermost body around `body`, or of nothing.
   double index_around(const Media& media, std::uint32_t body, double nm) const {
     const std::uint32_t around = media.around(body);

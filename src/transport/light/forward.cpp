@@ -3,12 +3,10 @@
 #include "base/check.h"
 #include "base/parallel.h"
 #include "base/philox.h"
-#include "geom/predicates.h"
-#include "transport/light/bodies.h"
 #include "transport/light/emission.h"
+#include "transport/light/lit_walls.h"
 #include "transport/light/net.h"
 #include "transport/light/order.h"
-#include "transport/reflection.h"
 
 namespace flatray {
 namespace {
@@ -19,17 +17,12 @@ class Forward {
  public:
   Forward(const World& world, std::span<const Scatterer* const> scatterers,
           std::span<const LampState> lamps, const FilmPlace& place, const LightRules& rules)
-      : walls_(world.surfaces),
-        materials_(world.materials()),
-        scatterers_(scatterers),
+      : walls_(world, scatterers, rules.tracer),
         place_(place),
         rules_(rules),
         block_rays_(static_cast<std::uint32_t>(std::min(rules.light.rays, kLightBlock))),
-        bodies_(world, scatterers),
         emission_(lamps, block_rays_, rules.light.sampler, rules.seed, rules.frame,
-                  bodies_.disperse() ? kMostOfWavelength : 1),
-        lander_(walls_),
-        tracer_(choose_tracer(walls_, rules.tracer).tracer->build(walls_)),
+                  walls_.bodies().disperse() ? kMostOfWavelength : 1),
         size_(world_size(place)),
         film_(place.width, place.height, 3) {}
 
@@ -42,12 +35,6 @@ class Forward {
   }
 
  private:
-  // Where a ray comes to a wall, and what it may do there.
-  struct Landed {
-    NearestHit hit;
-    Landing landing;
-  };
-
   // What chance decides at a wall, uniform in [0, 1).
   struct Numbers {
     double bounce, colour;
@@ -82,27 +69,13 @@ class Forward {
         counts.emitted += energy(rays_[i].weight);
         gamble(rays_[i], faint_, random_number(Stream::roulette, block, rays_[i].number, kEmitted),
                counts);
-        if (sets_off(rays_[i])) continue;
+        if (walls_.sets_off(rays_[i])) continue;
         counts.at_corners += energy(rays_[i].weight);
         rays_[i].weight = {0, 0, 0};
       }
       counts.rays += end - begin;
     });
     drop_dark();
-  }
-
-  // As an orbit does: what stands on a wall has left it.
-  bool sets_off(LightRay& ray) const {
-    const std::vector<std::uint32_t> stood_on = lander_.walls_at(ray.ray.origin);
-    if (bodies_.any()) ray.media = bodies_.around(ray.ray.origin);
-    if (stood_on.empty()) return true;
-    if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
-    ray.left = {stood_on.front(), root_stood_on(walls_, stood_on.front(), ray.ray)};
-    if (runs_along(walls_, ray.left, ray.ray.direction)) return false;
-    const std::uint32_t body = bodies_.of(ray.left.surface);
-    if (body != Media::kNone && goes_inside(walls_, ray.left, ray.ray.direction))
-      ray.media.enter(body);
-    return true;
   }
 
   void drop_dark() {
@@ -114,17 +87,12 @@ class Forward {
     arrivals_.resize(rays_.size());
     lines_.resize(rays_.size());
     in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
-      RayBatch batch;
-      batch.tangents = false;
-      for (std::size_t i = begin; i < end; ++i) batch.add(rays_[i].ray, rays_[i].left);
-      std::vector<NearestHit> hits(end - begin);
-      tracer_->nearest(batch, hits);
+      const std::span<const LightRay> rays(rays_);
+      walls_.fly(rays.subspan(begin, end - begin),
+                 std::span(arrivals_).subspan(begin, end - begin));
       for (std::size_t i = begin; i < end; ++i) {
         const Ray& ray = rays_[i].ray;
-        Landed& arrival = arrivals_[i];
-        arrival.hit = hits[i - begin];
-        if (arrival.hit) arrival.landing = lander_.land(ray, arrival.hit);
-        const Vec2 to = arrival.hit ? arrival.landing.point : beyond_film(ray);
+        const Vec2 to = arrivals_[i].hit ? arrivals_[i].landing.point : beyond_film(ray);
         lines_[i] = line(ray.origin, to, rays_[i].weight);
       }
       counts.legs += end - begin;
@@ -189,18 +157,18 @@ class Forward {
   }
 
   // The place along a segment by its larger extent, on a curve by the angle of its form.
-  WallPlace place_of(const Landed& arrival) const {
+  WallPlace place_of(const LightLanding& arrival) const {
     const std::uint32_t surface = arrival.hit.surface;
     if (!arrival.hit) return ~WallPlace{0};
     double share = 0;
     const Vec2& point = arrival.landing.point;
-    if (walls_.is_straight(surface)) {
-      const Segment& wall = walls_.segments[walls_.slot[surface]];
+    if (walls_.walls().is_straight(surface)) {
+      const Segment& wall = walls_.walls().segments[walls_.walls().slot[surface]];
       const Vec2 along = wall.b - wall.a;
       const int axis = std::fabs(along.x()) >= std::fabs(along.y()) ? 0 : 1;
       share = (point[axis] - wall.a[axis]) / along[axis];
     } else {
-      share = turn_share(point - walls_.curve(surface).centre);
+      share = turn_share(point - walls_.walls().curve(surface).centre);
     }
     const double held = share > 0 ? std::min(share, 1 - 0x1p-32) : 0;  // NaN: 0
     return (WallPlace{surface} << 32) | static_cast<std::uint32_t>(held * 0x1p32);
@@ -213,7 +181,7 @@ class Forward {
   }
 
   // The ray that goes on, or one of weight 0.
-  LightRay scattered(const LightRay& ray, const Landed& arrival, std::uint32_t bounces,
+  LightRay scattered(const LightRay& ray, const LightLanding& arrival, std::uint32_t bounces,
                      const Numbers& numbers, LightCounts& counts) const {
     const auto ends = [&](std::int64_t& where, std::int64_t with) {
       where += with;
@@ -221,26 +189,18 @@ class Forward {
     };
     if (!arrival.hit) return ends(counts.escaped, energy(ray.weight));
     if (!arrival.landing.corner.empty())
-      return ends(all_absorb(arrival.landing.corner) ? counts.absorbed : counts.at_corners,
+      return ends(walls_.all_absorb(arrival.landing.corner) ? counts.absorbed : counts.at_corners,
                   energy(ray.weight));
-    const std::uint32_t surface = arrival.hit.surface;
-    const Sign side = inner_side(walls_, ray.ray, arrival.hit);
-    const Vec2 normal = static_cast<double>(side) * unit(arrival.landing.normal);
     LightRay next = ray;
-    if (ray.nm == 0 && bodies_.disperse_at(surface, ray.media))
+    if (ray.nm == 0 && walls_.bodies().disperse_at(arrival.hit.surface, ray.media))
       take_wavelength(next, numbers.colour, counts);
-    const auto nm = static_cast<double>(next.nm);
     const Departure departure =
-        depart(surface,
-               {ray.ray.direction, normal, from_inside(walls_, ray.ray, arrival.hit),
-                bodies_.index_around(ray.media, bodies_.of(surface), nm), nm},
-               numbers.bounce);
+        walls_.depart(arrival, walls_.arrival(next, arrival), numbers.bounce);
     const std::int64_t left = energy(next.weight);
     if (departure.way == Departure::Way::absorbed) return ends(counts.absorbed, left);
-    if (bounces == rules_.light.bounces) return ends(counts.cut_off, left);
-    next.ray.origin = arrival.landing.point;
+    if (bounces == rules_.light.bounces || !walls_.leaves(next, arrival, departure))
+      return ends(counts.cut_off, left);
     for (std::size_t c = 0; c < 3; ++c) next.weight[c] *= departure.tint[c];
-    if (!leaves(ray, arrival, departure, next)) return ends(counts.cut_off, left);
     counts.absorbed += left - energy(next.weight);
     return next;
   }
@@ -253,57 +213,6 @@ class Forward {
     for (std::size_t c = 0; c < 3; ++c) ray.weight[c] *= static_cast<float>(part[c]);
     FLATRAY_DCHECK(largest(ray.weight) <= 1);
     counts.gambled += before - energy(ray.weight);
-  }
-
-  Departure depart(std::uint32_t surface, const Arrival& arrival, double u) const {
-    if (scatterers_[surface] != nullptr) return scatterers_[surface]->scatter(arrival, u);
-    return {materials_[surface] == Material::mirror ? Departure::Way::mirrored
-                                                    : Departure::Way::absorbed};
-  }
-
-  bool all_absorb(std::span<const std::uint32_t> surfaces) const {
-    return std::all_of(surfaces.begin(), surfaces.end(), [&](std::uint32_t i) {
-      return scatterers_[i] == nullptr && materials_[i] == Material::absorb;
-    });
-  }
-
-  // Gives `next` its direction and what it has left; false where it would run along the wall.
-  bool leaves(const LightRay& ray, const Landed& arrival, const Departure& departure,
-              LightRay& next) const {
-    const std::uint32_t surface = arrival.hit.surface;
-    switch (departure.way) {
-      case Departure::Way::absorbed:
-        return false;
-      case Departure::Way::through:
-        next.left = {surface, arrival.hit.root};
-        return true;
-      case Departure::Way::mirrored: {
-        const auto reflection = reflect_off(walls_, ray.ray, arrival.hit, arrival.landing, speed_);
-        if (!reflection) return false;
-        next.ray.direction = reflection->direction;
-        next.left = {surface, root_left_by(arrival.hit.root)};
-        return true;
-      }
-      case Departure::Way::scattered:
-        next.ray.direction = departure.direction;
-        next.left = {surface, root_stood_on(walls_, surface, next.ray)};
-        if (runs_along(walls_, next.left, next.ray.direction)) return false;
-        if (departure.stays &&
-            !leads_away(walls_, surface, inner_side(walls_, ray.ray, arrival.hit), next.ray.origin,
-                        next.ray.direction))
-          return false;
-        change_media(next, surface, from_inside(walls_, ray.ray, arrival.hit));
-        return true;
-    }
-    unreachable();
-  }
-
-  void change_media(LightRay& ray, std::uint32_t surface, bool was_inside) const {
-    const std::uint32_t body = bodies_.of(surface);
-    if (body == Media::kNone) return;
-    const bool is_inside = goes_inside(walls_, ray.left, ray.ray.direction);
-    if (was_inside && !is_inside) ray.media.leave(body);
-    if (!was_inside && is_inside) ray.media.enter(body);
   }
 
   // Rays fainter than `faint` go on with the chance of their weight, and are then three times as
@@ -325,24 +234,19 @@ class Forward {
 
   static constexpr std::uint32_t kEmitted = (1U << 20) - 1;  // no number of bounces
 
-  const Surfaces& walls_;
-  const std::vector<Material> materials_;
-  std::span<const Scatterer* const> scatterers_;
+  const LitWalls walls_;
   const FilmPlace& place_;
   const LightRules& rules_;
   const std::uint32_t block_rays_;
-  const Bodies bodies_;
   const Emission emission_;
   // What is to have one wavelength must stay as dark as light that has just set off.
-  const float faint_ = bodies_.disperse() ? 0.1F / static_cast<float>(kMostOfWavelength) : 0.1F;
-  const Lander lander_;
-  const std::unique_ptr<Accelerator> tracer_;
+  const float faint_ =
+      walls_.bodies().disperse() ? 0.1F / static_cast<float>(kMostOfWavelength) : 0.1F;
   const Bounds size_;
-  const Speed speed_{Vec2(1, 0)};
   LightFilm film_;
   LightCounts counts_;
   std::vector<LightRay> rays_;  // under way
-  std::vector<Landed> arrivals_;
+  std::vector<LightLanding> arrivals_;
   std::vector<LightLine> lines_;
   std::vector<WallPlace> places_;
 };

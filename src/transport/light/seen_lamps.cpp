@@ -1,0 +1,101 @@
+#include "transport/light/seen_lamps.h"
+
+#include <cmath>
+
+namespace flatray {
+namespace {
+
+LightSum light_of(const LampState& lamp, double power) {
+  return {power * lamp.colour[0], power * lamp.colour[1], power * lamp.colour[2]};
+}
+
+Vec2 to_local(const Pose& pose, const Vec2& world) {
+  const Vec2 out = (world - pose.at) / pose.scale;
+  return {pose.cos * out.x() + pose.sin * out.y(), pose.cos * out.y() - pose.sin * out.x()};
+}
+
+}  // namespace
+
+SeenLamps::SeenLamps(std::span<const LampState> lamps, const LitWalls& walls)
+    : lamps_(lamps), walls_(walls) {
+  for (const LampState& lamp : lamps) {
+    stood_on_.push_back(walls.lander().walls_at(lamp.pose.at));
+    const std::optional<LampLine> line = lamp.emitter->line();
+    if (!line) continue;
+    const Pose& pose = lamp.pose;
+    const Segment ends{pose(line->ends.a), pose(line->ends.b)};
+    if (line->circle)
+      lines_.add(Arc{Circle{pose(line->circle->centre), pose.length(line->circle->radius)},
+                     line->whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
+    else
+      lines_.add(ends);
+    // A side sends out twice its radiance from each unit of length: the cosine over all angles.
+    const double sides = line->left && line->right ? 2 : 1;
+    glows_.push_back({light_of(lamp, lamp.power / (2 * sides * pose.length(line->length))),
+                      line->left, line->right});
+  }
+  if (any_lines()) tracer_ = choose_tracer(lines_).tracer->build(lines_);
+}
+
+std::optional<SeenLamps::Sighted> SeenLamps::sight(std::size_t lamp, const Vec2& at) const {
+  const LampState& state = lamps_[lamp];
+  const std::optional<Sight> sight = state.emitter->sight(to_local(state.pose, at));
+  if (!sight || !std::isfinite(sight->fluence)) return std::nullopt;
+  return Sighted{state.pose(sight->from),
+                 light_of(state, state.power * sight->fluence / state.pose.scale)};
+}
+
+// A lamp on a wall shines to both sides of it, and from corners not at all.
+bool SeenLamps::ends_at(std::size_t lamp, const Ray& ray, const NearestHit& hit) const {
+  const std::vector<std::uint32_t>& on = stood_on_[lamp];
+  if (hit.surface != on.front()) return hit.t >= 1;
+  const Vec2& at = lamps_[lamp].pose.at;
+  return hit.root == root_left_by(root_stood_on(walls_.walls(), on.front(), {at, -ray.direction}));
+}
+
+std::array<float, 3> SeenLamps::passes(std::size_t lamp, const Ray& ray, const Left& left,
+                                       const NearestHit& first) const {
+  constexpr std::array<float, 3> kNone{0, 0, 0};
+  const std::vector<std::uint32_t>& on = stood_on_[lamp];
+  if (on.size() > 1 || (on.size() == 1 && is_end(walls_.walls(), on.front(), lamps_[lamp].pose.at)))
+    return kNone;
+  std::array<float, 3> passed{1, 1, 1};
+  const auto arrives = [&](const NearestHit& hit) {
+    return on.empty() ? hit.t >= 1 : ends_at(lamp, ray, hit);
+  };
+  if (!first || arrives(first)) return passed;
+  const auto pass = [&](const NearestHit& hit) {
+    const LightShares* shares = walls_.shares(hit.surface);
+    return shares == nullptr || hit.at_end ? 0 : shares->pass;
+  };
+  if (pass(first) == 0) return kNone;
+  for (const NearestHit& hit : walls_.tracer().all_of_one(ray, left, false)) {
+    if (arrives(hit)) break;
+    const auto part = static_cast<float>(pass(hit));
+    if (part == 0) return kNone;
+    for (std::size_t c = 0; c < 3; ++c) passed[c] *= part * walls_.shares(hit.surface)->tint[c];
+  }
+  return passed;
+}
+
+void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightLanding> landings,
+                          std::span<LightSum> radiance) const {
+  RayBatch batch;
+  batch.tangents = false;
+  for (const LightRay& ray : rays) batch.add(ray.ray);
+  std::vector<NearestHit> nearest(rays.size());
+  tracer_->nearest(batch, nearest);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!nearest[i] || nearest[i].t > landings[i].hit.t) continue;
+    for (const NearestHit& hit : tracer_->all_of_one(rays[i].ray, {}, false)) {
+      if (hit.t > landings[i].hit.t) break;
+      const Glow& glow = glows_[hit.surface];
+      // From the left of a segment, or the inside of an arc.
+      const Sign left = lines_.is_straight(hit.surface) ? Sign::positive : Sign::negative;
+      if (!(inner_side(lines_, rays[i].ray, hit) == left ? glow.left : glow.right)) continue;
+      for (std::size_t c = 0; c < 3; ++c) radiance[i][c] += glow.radiance[c];
+    }
+  }
+}
+
+}  // namespace flatray
