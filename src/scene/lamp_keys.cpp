@@ -142,9 +142,9 @@ void check_light(Builder& builder) {
       builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
                          "light ends there: make the chamber a mirror, or leave its lamps out");
   }
-  if (auto hindrance = why_not_backward(scene);
-      hindrance && scene.light.estimator == LightEstimator::backward)
-    builder.in.problems.push_back(std::move(*hindrance));
+  if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward)
+    if (auto hindrance = why_not_backward(scene))
+      builder.in.problems.push_back(std::move(*hindrance));
   if (scene.lamps.empty() && scene.light.where.source != nullptr)
     builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
 }
