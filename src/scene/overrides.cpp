@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/counted.h"
@@ -75,20 +76,38 @@ bool is_one_key(const Value& table) {
          (!is_part_of_key(table.members.front().value) || is_one_key(table.members.front().value));
 }
 
+// Whether a value that TOML cannot read is a word left without its quotes, or a colour.
+bool is_bare(const std::string& value) {
+  const auto in_word = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' ||
+           c == '-' || c == '.' || c == '/' || c == '#';
+  };
+  const char first = value.empty() ? '0' : value.front();
+  return !('0' <= first && first <= '9') && first != '-' && first != '.' &&
+         std::all_of(value.begin(), value.end(), in_word);
+}
+
+Result<SceneDesc> read_override(const Format& toml, const std::string& key,
+                                const std::string& value) {
+  return toml.read(std::make_shared<const SourceText>(std::string(kPrefix) + key,
+                                                      fmt::format("{} = {}", key, value)),
+                   {});
+}
+
 }  // namespace
 
 Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
   const auto& [key, value] = override_value;
-  const auto source = std::make_shared<const SourceText>(std::string(kPrefix) + key,
-                                                         fmt::format("{} = {}", key, value));
+  const Place where = named_place(std::string(kPrefix) + key);
   const Format* toml = find_format("toml");
   if (toml == nullptr)
-    return fail(named_place(source->name()), "-D needs TOML, which this build leaves out", "",
-                Trouble::unavailable);
-  Result<SceneDesc> parsed = toml->read(source, {});
+    return fail(where, "-D needs TOML, which this build leaves out", "", Trouble::unavailable);
+  Result<SceneDesc> parsed = read_override(*toml, key, value);
+  if (!parsed && is_bare(value))
+    if (auto quoted = read_override(*toml, key, fmt::format("\"{}\"", value)))
+      parsed = std::move(quoted);
   if (parsed && !is_one_key(parsed->root))
-    parsed = fail(named_place(source->name()), "this is not one key and one value",
-                  "write -D film.size=[640,360]");
+    parsed = fail(where, "this is not one key and one value", "write -D film.size=[640,360]");
   if (!parsed) {
     for (Diagnostic& problem : parsed.error()) problem.trouble = Trouble::usage;
     return fail(std::move(parsed));

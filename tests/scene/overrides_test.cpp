@@ -32,6 +32,12 @@ TEST(Overrides, ChooseEntriesByNumberFromZeroOrByName) {
   EXPECT_EQ(overridden("entity.0.at.1", "9").entities[0].at, Vec2(1, 9));
 }
 
+TEST(Overrides, MayLeaveOutTheQuotesOfWordsAndColours) {
+  EXPECT_EQ(overridden("light.tone", "filmic").light.tone, ToneCurve::filmic);
+  EXPECT_EQ(overridden("film.background", "#010203").film.background.b, 3);
+  EXPECT_EQ(overridden("entity.0.name", "a-b.c").entities[0].name, "a-b.c");
+}
+
 TEST(Overrides, TheLastOneCounts) {
   EXPECT_EQ(loaded(kScene, {{"frames", "2"}, {"frames", "3"}}).scene.frames, 3u);
 }
