@@ -124,17 +124,37 @@ bool is_gathered(const Scene& scene, const FrameState& state) {
   return all.size().prod() > kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
 }
 
-LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                 std::uint64_t seed, const LightRun& run) {
-  if (is_gathered(scene, state)) {
-    const GatheredLight light =
-        gather_frame_light(scene, state, tracer, seed, run.threads, run.stop);
-    return light_picture(light.fluence, 1, scene.light, run.raw);
-  }
+namespace {
+
+// Light in numbers of a unit: their product may be beyond the doubles.
+struct CountedLight {
+  std::vector<double> counts;
+  double unit;
+};
+
+CountedLight counted_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                           std::uint64_t seed, const LightRun& run) {
+  if (is_gathered(scene, state))
+    return {gather_frame_light(scene, state, tracer, seed, run.threads, run.stop).fluence, 1};
   const TracedLight light = trace_frame_light(scene, state, tracer, seed, run.threads, run.stop);
   const std::vector<std::int64_t> sums = light.film.sums();
-  return light_picture(std::vector<double>(sums.begin(), sums.end()), light.unit, scene.light,
-                       run.raw);
+  return {{sums.begin(), sums.end()}, light.unit};
+}
+
+}  // namespace
+
+std::vector<double> frame_fluence(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                  std::uint64_t seed, const LightRun& run) {
+  const auto [counts, unit] = counted_light(scene, state, tracer, seed, run);
+  std::vector<double> fluence(counts);
+  for (double& one : fluence) one *= unit;
+  return fluence;
+}
+
+LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                 std::uint64_t seed, const LightRun& run) {
+  const auto [counts, unit] = counted_light(scene, state, tracer, seed, run);
+  return light_picture(counts, unit, scene.light, run.raw);
 }
 
 }  // namespace flatray

@@ -31,7 +31,11 @@ GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, co
 /// less than 1/2500 of the box around all walls, and no light would be missed.
 bool is_gathered(const Scene& scene, const FrameState& state);
 
-/// The light of a frame as its scene wants it followed and shown.
+/// The fluence of a frame as its scene wants it followed: row by row from the top, 3 a pixel.
+std::vector<double> frame_fluence(const Scene& scene, const FrameState& state, const Tracer* tracer,
+                                  std::uint64_t seed, const LightRun& run);
+
+/// The same as it is shown.
 LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
                                  std::uint64_t seed, const LightRun& run);
 

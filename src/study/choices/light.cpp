@@ -1,0 +1,161 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/processor_time.h"
+#include "image/srgb.h"
+#include "render/light_picture.h"
+#include "scene/lamp.h"
+#include "study/accuracy.h"
+#include "study/estimate.h"
+#include "study/pixel_map.h"
+
+namespace flatray {
+namespace {
+
+constexpr int kSide = 128;           // pixels of the longer side of the film
+constexpr std::uint64_t kSeeds = 4;  // pictures of a setting
+constexpr std::uint64_t kMostRays = std::uint64_t{1} << 20, kTruthRays = std::uint64_t{1} << 18;
+
+struct Way {
+  const char* series;
+  LightEstimator estimator;
+  LightSampler sampler;
+};
+constexpr Way kWays[] = {{"forward, sorted", LightEstimator::forward, LightSampler::sorted},
+                         {"forward, random", LightEstimator::forward, LightSampler::random},
+                         {"backward", LightEstimator::backward, LightSampler::sorted}};
+
+using Fluence = std::vector<double>;
+
+// The light of a frame on a small film, what it is, and what a setting found in its pictures.
+struct Lit {
+  Scene scene;
+  FrameState state;
+  std::uint64_t seed;
+  unsigned threads;
+  Fluence truth;
+  std::vector<Fluence> found;
+
+  // Under a seed of its own.
+  Fluence picture(const Way& way, std::uint64_t rays, std::uint64_t number) {
+    scene.light.estimator = way.estimator, scene.light.sampler = way.sampler;
+    scene.light.rays = rays;
+    return frame_fluence(scene, state, nullptr, seed + number, {threads, nullptr, true});
+  }
+};
+
+double mean(const Fluence& light) {
+  double sum = 0;
+  for (const double one : light) sum += one;
+  return sum / static_cast<double>(light.size());
+}
+
+double rms(const Fluence& a, const Fluence& b) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(squares / static_cast<double>(a.size()));
+}
+
+// Root mean square over the pictures; its doubt by how they differ.
+Outcome judge(const Lit& lit) {
+  const double scale = 1 / mean(lit.truth);
+  double squares = 0, sum = 0;
+  for (const Fluence& one : lit.found) {
+    const double error = scale * rms(one, lit.truth);
+    squares += error * error, sum += error;
+  }
+  const double variance = std::max(squares - sum * sum / kSeeds, 0.0) / (kSeeds - 1);
+  const LightPicture shown = light_picture(lit.found.front(), 1, lit.scene.light, false);
+  const Film& film = lit.scene.film;
+  Image image(film.width, film.height, 3);
+  for (std::size_t i = 0; i < shown.rgb.size(); ++i)
+    image.pixels[i] = srgb_from_linear(std::min(shown.rgb[i], 1.0F));
+  return {std::sqrt(squares / kSeeds), student_95(kSeeds - 1) * std::sqrt(variance / kSeeds),
+          std::move(image)};
+}
+
+// The mean of as many pictures as there is time for, and what it is off itself.
+struct Truth {
+  std::size_t pictures;
+  double doubt;
+};
+Truth find_truth(Lit& lit, double seconds) {
+  const double start = processor_seconds();
+  std::vector<Fluence> pictures;
+  while (pictures.size() < kSeeds || processor_seconds() - start < seconds)
+    pictures.push_back(lit.picture(kWays[0], kTruthRays, kSeeds + pictures.size()));
+  const auto count = static_cast<double>(pictures.size());
+  lit.truth.assign(pictures.front().size(), 0.0);
+  for (const Fluence& one : pictures)
+    for (std::size_t i = 0; i < one.size(); ++i) lit.truth[i] += one[i] / count;
+  double squares = 0;
+  for (const Fluence& one : pictures) squares += rms(one, lit.truth) * rms(one, lit.truth);
+  return {pictures.size(), std::sqrt(squares / (count * (count - 1))) / mean(lit.truth)};
+}
+
+Setting followed(const std::shared_ptr<Lit>& lit, const Way& way, std::uint64_t rays) {
+  Setting setting;
+  setting.words = fmt::format("{}, {} rays", way.series, rays);
+  setting.n = static_cast<double>(rays);
+  setting.work = [lit, way, rays] {
+    lit->found.clear();
+    for (std::uint64_t k = 0; k < kSeeds; ++k) lit->found.push_back(lit->picture(way, rays, k));
+  };
+  setting.judge = [lit] { return judge(*lit); };
+  if (&way == kWays)
+    setting.options = RenderOptions{{"define", fmt::format("light.rays={}", rays)}};
+  setting.series = way.series;
+  return setting;
+}
+
+std::string left_out(const Scene& scene) {
+  return scene.lamps.empty() ? "the scene has no lamps" : "";
+}
+
+Result<ChoiceSettings> settings(const AccuracyContext& context) {
+  const unsigned frame = (context.scene.frames + 1) / 2;
+  const auto lit =
+      std::make_shared<Lit>(Lit{context.scene,
+                                at(Timeline(context.scene, context.seed, frame), frame),
+                                context.seed,
+                                context.threads,
+                                {},
+                                {}});
+  Film& film = lit->scene.film;
+  const double shrink =
+      std::min(1.0, static_cast<double>(kSide) / std::max(film.width, film.height));
+  film.width = std::max(1, static_cast<int>(shrink * film.width));
+  film.height = std::max(1, static_cast<int>(shrink * film.height));
+  const auto [pictures, doubt] = find_truth(*lit, reference_budget(context));
+  if (!(mean(lit->truth) > 0))
+    return fail(context.scene.lamps.front().where, "no light reaches the picture");
+  ChoiceSettings made;
+  made.unit = fmt::format("root mean square over the pixels of a film of {}x{}, over the mean",
+                          film.width, film.height);
+  made.reference =
+      fmt::format("frame {}, the mean of {} pictures of {} rays, which is off by {:.2g}", frame,
+                  pictures, kTruthRays, doubt);
+  made.doubt = doubt;
+  made.grows = "rays";
+  const std::uint64_t pixels = pixel_count(film);
+  for (std::uint64_t rays = 4096; rays <= kMostRays; rays *= 4)
+    for (const Way& way : kWays) {
+      if (way.estimator == LightEstimator::backward &&
+          (why_not_backward(lit->scene) || paths_a_pixel(rays, pixels) * pixels > 2 * rays))
+        continue;
+      made.settings.push_back(followed(lit, way, rays));
+    }
+  return made;
+}
+
+}  // namespace
+
+namespace choice_entries {
+extern const Choice light = {"light", "How many rays of light, by which sampler and which way?",
+                             ErrorKind::sampling, &left_out, &settings};
+}  // namespace choice_entries
+
+}  // namespace flatray
