@@ -228,12 +228,24 @@ TEST(Accuracy, ExactTracersAreRightByTheIndependentReference) {
 constexpr const char* kHead =
     "flatray = 1\nfilm = { size = [24, 16], world = [[0, 0], [24, 16]] }\n";
 
-ChoiceReport report_of(std::string_view name, const std::string& text) {
+ChoiceReport report_of(std::string_view name, const std::string& text, double seconds = 10) {
   const Scene scene = loaded(kHead + text).scene;
   for (const Choice* choice : choices())
-    if (name == choice->name) return measure_choice(*choice, {scene});
+    if (name == choice->name) return measure_choice(*choice, {scene, 1, 1, seconds});
   return {};
 }
+// Of a point lamp in the open, with the root of random directions, with the 3/2 of those of a net.
+TEST(Accuracy, OfLightFallsAsItsSamplerSays) {
+  const ChoiceReport report =
+      report_of("light", "[[lamp]]\nsource = { point = {} }\nat = [11.3, 7.9]\n", 1.5);
+  ASSERT_GE(report.orders.size(), 2U) << report.left_out;
+  for (const FittedOrder& order : report.orders)
+    if (order.series != "backward")
+      EXPECT_NEAR(order.slope, order.series == "forward, sorted" ? -1.5 : -0.5, 0.2)
+          << order.series;
+  EXPECT_NE(report_of("light", "").left_out, "");
+}
+
 ChoiceReport coverage_of(const std::string& text) { return report_of("coverage", text); }
 
 double error_of(const ChoiceReport& report, const std::string& setting) {
