@@ -237,7 +237,7 @@ ChoiceReport report_of(std::string_view name, const std::string& text, double se
 // Of a point lamp in the open, with the root of random directions, with the 3/2 of those of a net.
 TEST(Accuracy, OfLightFallsAsItsSamplerSays) {
   const ChoiceReport report =
-      report_of("light", "[[lamp]]\nsource = { point = {} }\nat = [11.3, 7.9]\n", 1.5);
+      report_of("light", "[[lamp]]\nsource = { point = {} }\nat = [11.3, 7.9]\n", 4);
   ASSERT_GE(report.orders.size(), 2U) << report.left_out;
   for (const FittedOrder& order : report.orders) {
     if (order.series == "backward") continue;
