@@ -202,7 +202,8 @@ TEST(Materials, SayWhatIsWrong) {
   EXPECT_NE(index.find("material.glass.index is 0"), std::string::npos) << index;
   EXPECT_EQ(index.find("dispersion"), index.rfind("dispersion")) << index;
   expect_problem(with_material("{ mix = { mirror = 0.7, pass = 0.7 } }"), "more than 1 together");
-  expect_problem(with_material("{ glass = { index = 0 } }"), "material.glass.index is 0, not above 0 and at most 100");
+  expect_problem(with_material("{ glass = { index = 0 } }"),
+                 "material.glass.index is 0, not above 0 and at most 100");
   expect_problem(with_material("{ glass = { index = 1.5, dispersion = -1e9 } }"),
                  "material.glass.dispersion");
 }
