@@ -61,10 +61,10 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
 }
 
 Result<void> fits_in_memory(const Arguments& arguments, const RenderJob& job) {
-  return expect_memory(
-      arguments, static_cast<double>(picture_bytes_at_once(job, job.frames.size(), 1)),
-      fmt::format("a picture of {}x{}", job.picture().width, job.picture().height),
-      "say a smaller --size or --crop");
+  return expect_memory(arguments,
+                       static_cast<double>(picture_bytes_at_once(job, job.frames.size(), 1)),
+                       fmt::format("a picture of {}x{}", job.picture().width, job.picture().height),
+                       "say a smaller --size or --crop");
 }
 
 // Of --backend auto: a back end that does not add light is not the one of choice for lamps.
