@@ -1,5 +1,6 @@
 #include "anim/camera.h"
 
+#include "anim/rays.h"
 #include "scene/curve.h"
 
 namespace flatray {
@@ -96,7 +97,7 @@ Bounds content_bounds(const Scene& scene, const std::vector<EntityState>& entiti
       box.add(scene.shapes[pillar.shape], pose(pillar.at, pillar.angle),
               world_width(pillar.stroke));
   }
-  for (const RayPath& ray : scene.rays) box.add(ray.at);
+  for (const RayState& ray : ray_states(scene, 0)) box.add(ray.start.origin);
   for (const Lamp& lamp : scene.lamps) box.add(lamp.at);
   return box.bounds();
 }

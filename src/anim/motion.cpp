@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "anim/lamps.h"
+#include "anim/rays.h"
 #include "base/portable_math.h"
 #include "scene/curve.h"
 #include "scene/responses.h"
@@ -66,9 +67,12 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
 
 std::string reason_to_move(const Scene& scene) {
   if (moves(scene.camera)) return "the camera moves";
-  for (const RayPath& ray : scene.rays)
+  for (const RayPath& ray : scene.rays) {
     if (ray.ball || ray.speed)
       return std::string(ray.ball ? "a ball" : "a ray") + " goes along '" + ray.name + "'";
+    if (moves(ray)) return "ray '" + ray.name + "' moves";
+    if (auto reason = reason_of_groups(scene, ray.group); !reason.empty()) return reason;
+  }
   for (const Entity& entity : scene.entities) {
     if (moves(scene, entity)) return "'" + entity.name + "' moves";
     if (auto reason = reason_of_groups(scene, entity.group); !reason.empty()) return reason;

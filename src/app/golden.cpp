@@ -250,7 +250,7 @@ Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row
 }
 
 bool limit_golden_light(Scene& scene) {
-  constexpr std::uint64_t kMostRays = 100'000;
+  constexpr std::uint64_t kMostRays = std::uint64_t{1} << 15;
   if (scene.lamps.empty() || scene.light.rays <= kMostRays) return false;
   scene.light.rays = kMostRays;
   return true;

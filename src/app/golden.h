@@ -85,7 +85,7 @@ struct GoldenScene {
                         /// < none are needed
 };
 Result<GoldenScene> load_golden_scene(const std::filesystem::path& root, const GoldenRow& row);
-/// A golden of light is drawn with 100 000 rays at most. Gives   whether the scene asks for more.
+/// A golden of light is drawn with 2^15 rays at most. Gives   whether the scene asks for more.
 bool limit_golden_light(Scene& scene);
 
 /// The picture a row asks for. Same bytes for any number of threads.

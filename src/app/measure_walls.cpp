@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "anim/rays.h"
 #include "app/measure.h"
 #include "collide/scene_timeline.h"
 #include "render/ray_walls.h"
@@ -31,11 +32,12 @@ Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
   const std::size_t count = walls.world().surfaces.size();
   if (count == 0) return std::vector<Saving>();
   WallTests tests;
-  for (const RayPath& ray : job.scene.rays) {
+  for (const RayState& now : ray_states(job.scene, state)) {
+    const RayPath& ray = job.scene.rays[now.ray];
     if (ray.speed) continue;
-    const Ray start{world_pose(state)(ray.at), ray.direction};
+    const Ray& start = now.start;
     const Orbit orbit = trace_orbits(walls.orbits(), std::span(&start, 1),
-                                     std::min<std::uint64_t>(ray.bounces, kMostBounces))
+                                     std::min<std::uint64_t>(ray.bounces, kMostBounces) + 1)
                             .front();
     Ray flight = start;
     Left left;

@@ -8,6 +8,7 @@
 #include "app/option_values.h"
 #include "app/report.h"
 #include "app/scene_input.h"
+#include "render/unseen.h"
 
 namespace flatray {
 namespace {
@@ -116,6 +117,7 @@ Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const Rende
     if (loaded) report_warnings(loaded->warnings, arguments);
     Result<RenderJob> job = loaded ? make_job(arguments, request, std::move(loaded->scene))
                                    : Result<RenderJob>(fail(std::move(loaded)));
+    if (job) report_warnings(unseen_in(job->scene, job->seed), arguments);
     if (!job) {
       problems.insert(problems.end(), job.error().begin(), job.error().end());
       continue;

@@ -12,16 +12,17 @@ constexpr Key<Pillar> kPillarKeys[] = {
     kAtKey<Pillar>,
     kAngleKey<Pillar>,
     material_key<Pillar>("\"mirror\""),
-    fill_key<Pillar>("\"#999999\" without a stroke, else \"none\""),
+    fill_key<Pillar>("\"#999999\", of glass \"#ffffff18\", without a stroke, else \"none\""),
     stroke_key<Pillar>("\"none\""),
 };
 
 void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
   each_table(builder, field, [&](const Value& table) {
     Pillar pillar;
+    pillar.where = table.where;
     read_keys<Pillar>(builder, table, "pillar", kPillarKeys, pillar);
     if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
-      pillar.fill = kPillarColour;
+      pillar.fill = default_fill(builder.scene, pillar.scatterer, kPillarColour);
     chamber.pillars.push_back(std::move(pillar));
   });
 }

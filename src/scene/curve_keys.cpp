@@ -160,6 +160,13 @@ std::optional<Moving> read_moving(Builder& builder, const Field& field, double (
   return Moving{change == nullptr ? *number : change(*number), {}};
 }
 
+bool lies_between(const Scene& scene, const Moving& number, double low, double high) {
+  const Curve* curve = number.curve ? &scene.curves[*number.curve] : nullptr;
+  const double least = curve != nullptr ? lowest(*curve) : number.value;
+  const double most = curve != nullptr ? highest(*curve) : number.value;
+  return least >= low && most <= high;
+}
+
 std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field) {
   if (is_curve(field.value)) {
     const std::optional<CurveId> curve = read_curves(builder, field, Of::point);

@@ -9,6 +9,9 @@ namespace flatray {
 std::optional<Moving> read_moving(Builder& builder, const Field& field,
                                   double (*change)(double) = nullptr);
 
+/// Whether it is never below `low` and never above `high`.
+bool lies_between(const Scene& scene, const Moving& number, double low, double high);
+
 /// A point that may be a curve, or have curves as coordinates: added to where `at` leaves them.
 struct MovingPoint {
   Vec2 value{0, 0};

@@ -11,14 +11,6 @@ namespace {
 // A look can hide what the entity shows: "none" is a colour no one sees.
 constexpr Colour kUnseen{0, 0, 0, 0};
 
-// Reads what may change with time.
-template <class T, void (*read)(Builder&, const Field&, T&)>
-void read_changing(Builder& builder, const Field& field, T& target) {
-  builder.may_change = true;
-  read(builder, field, target);
-  builder.may_change = false;
-}
-
 void read_look_fill(Builder& builder, const Field& field, Look& look) {
   read_fill(builder, field, look.fill);
   if (!look.fill) look.fill = kUnseen;
@@ -109,17 +101,6 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
   }
 }
 
-void read_moving_opacity(Builder& builder, const Field& field, Entity& entity) {
-  const std::optional<Moving> opacity = read_moving(builder, field);
-  if (!opacity) return;
-  const Curve* curve = opacity->curve ? &builder.scene.curves[*opacity->curve] : nullptr;
-  const double low = curve != nullptr ? lowest(*curve) : opacity->value,
-               high = curve != nullptr ? highest(*curve) : opacity->value;
-  if (!(low >= 0 && high <= 1)) return refuse_opacity(builder, field);
-  entity.opacity = opacity->value;
-  entity.opacity_curve = opacity->curve;
-}
-
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
     {kShapeKey<Entity>.info, &read_changing<Entity, &set_shape<Entity>>},
@@ -128,14 +109,15 @@ constexpr Key<Entity> kEntityKeys[] = {
     kMovingAngleKey<Entity>,
     {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
     {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
-    {{"fill", kChangingFill, "\"#333333\" without a stroke, else \"none\""},
+    {{"fill", kChangingFill,
+      "\"#333333\", of glass \"#ffffff18\", without a stroke, else \"none\""},
      &read_changing<Entity, &set_fill<Entity>>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")",
       "\"none\"; a segment without fill and stroke has one"},
      &read_changing<Entity, &set_stroke<&Entity::stroke>>},
     {{"bounding_box", R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""},
      &set_stroke<&Entity::bounding_box>},
-    {{"opacity", "number or a curve", "1"}, &read_moving_opacity},
+    kMovingOpacityKey<Entity>,
     kLayerKey<Entity>,
     material_key<Entity>("none: rays pass"),
     response_key<Entity>("that of collisions"),
@@ -157,7 +139,7 @@ void dress(const Scene& scene, const Value& table, Entity& entity) {
   if (entity.shape < scene.shapes.size() && is_only_lines(scene.shapes[entity.shape]))
     entity.stroke = kDefaultStroke;
   else
-    entity.fill = kDefaultColour;
+    entity.fill = default_fill(scene, entity.scatterer, kDefaultColour);
 }
 
 void add_entity(Builder& builder, Entity&& entity) {

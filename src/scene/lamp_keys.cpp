@@ -1,3 +1,6 @@
+#include <set>
+
+#include "base/number_text.h"
 #include "scene/copies.h"
 #include "scene/kinds.h"
 #include "scene/lamp.h"
@@ -11,6 +14,18 @@ namespace {
 constexpr std::int64_t kMostRays = std::int64_t{1} << 40;
 constexpr std::int64_t kMostBounces = 1'000'000;
 
+// At which its curves have keys.
+std::set<double> key_times(const Scene& scene, const KeptArguments& kept) {
+  std::set<double> times;
+  for (const KeptArguments::Argument& argument : kept.arguments)
+    for (const Moving& number : argument.numbers)
+      if (number.curve) {
+        const std::vector<double>& keys = scene.curves[*number.curve].times;
+        times.insert(keys.begin(), keys.end());
+      }
+  return times;
+}
+
 void read_source(Builder& builder, const Field& field, Lamp& lamp) {
   const std::size_t problems = builder.in.problems.size();
   const auto kind = read_kind(builder.in, field, lamp_types(), "a lamp");
@@ -19,10 +34,21 @@ void read_source(Builder& builder, const Field& field, Lamp& lamp) {
   lamp.source = {};
   Args args(builder, {std::string("lamp.") + kind->type->name, kind->arguments, "{ ... }"},
             kind->type->keys, &lamp.source);
-  const auto made = kind->type->build(args);
-  const bool may_vanish = args.gone() && has_curve(kind->arguments);
-  if (made || may_vanish || builder.in.problems.size() > problems) return;
-  for (const Diagnostic& one : made.error()) builder.in.problems.push_back(one);
+  const auto build_at = [&](double time, const std::string& when) {
+    args.set_time(time);
+    const auto made = kind->type->build(args);
+    const bool may_vanish = args.gone() && has_curve(kind->arguments);
+    if (made || may_vanish || builder.in.problems.size() > problems) return;
+    for (Diagnostic one : made.error()) {
+      one.message += when;
+      builder.in.problems.push_back(std::move(one));
+    }
+  };
+  build_at(0, "");
+  for (const double time : key_times(builder.scene, lamp.source)) {
+    if (builder.in.problems.size() > problems) return;
+    build_at(time, fmt::format(" at {} s", number_text(time)));
+  }
 }
 
 // A number that may be a curve and whose values all lie in [low, high].
@@ -31,12 +57,16 @@ void set_between(Builder& builder, const Field& field, Lamp& lamp, double low, d
                  const char* hint) {
   const std::optional<Moving> number = read_moving(builder, field);
   if (!number) return;
+  lamp.*Pointer = *number;
+  if (lies_between(builder.scene, *number, low, high)) return;
   const Curve* curve = number->curve ? &builder.scene.curves[*number->curve] : nullptr;
   const double least = curve != nullptr ? lowest(*curve) : number->value;
-  const double most = curve != nullptr ? highest(*curve) : number->value;
-  if (!(least >= low && most <= high))
-    return builder.in.problem(field.value.where, field.name + " is out of range", hint);
-  lamp.*Pointer = *number;
+  const double wrong = least >= low && curve != nullptr ? highest(*curve) : least;
+  builder.in.problem(
+      field.value.where,
+      fmt::format("{} {} {}, not {} to {}", field.name, curve != nullptr ? "comes to" : "is",
+                  number_text(wrong), number_text(low), number_text(high)),
+      hint);
 }
 
 void read_power(Builder& builder, const Field& field, Lamp& lamp) {
@@ -53,8 +83,18 @@ void read_temperature(Builder& builder, const Field& field, Lamp& lamp) {
 
 void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
   builder.may_change = true;
-  if (const auto colour = read_moving_colour(builder, field)) lamp.colour = *colour;
+  const auto colour = read_moving_colour(builder, field);
   builder.may_change = false;
+  if (!colour) return;
+  constexpr CurveId kAlpha = 3;  // of the four curves of a colour
+  const bool clear = colour->curve == kNoEntry
+                         ? colour->a < 255
+                         : lowest(builder.scene.curves[colour->curve + kAlpha]) < 1;
+  if (clear)
+    return builder.in.problem(field.value.where,
+                              field.name + " has an opacity, which light has not",
+                              "write #rrggbb, and a power below 1 for less light");
+  lamp.colour = *colour;
 }
 
 constexpr Key<Lamp> kLampKeys[] = {
@@ -82,8 +122,10 @@ void read_exposure(Builder& builder, const Field& field, LightSettings& light) {
   const auto exposure = builder.in.number(field);
   if (!exposure) return;
   if (!(*exposure > 0 && *exposure <= 1e30))
-    return builder.in.problem(field.value.where, field.name + " is not above 0 and at most 1e30",
-                              "write what light of 1 is to be shown as, or \"auto\"");
+    return builder.in.problem(
+        field.value.where,
+        fmt::format("{} is {}, not above 0 and at most 1e30", field.name, number_text(*exposure)),
+        "write what light of 1 is to be shown as, or \"auto\"");
   light.exposure = *exposure;
 }
 
@@ -119,6 +161,18 @@ bool is_body(const Shape& shape) {
                      [](const ArcPath& path) { return path.is_ellipse(); });
 }
 
+// What leaves a lamp dark in all frames; nothing where it shines.
+const char* reason_dark(const Scene& scene, const Lamp& lamp) {
+  if (lies_between(scene, lamp.power, 0, 0)) return "its power is 0";
+  if (lamp.wavelength || lamp.temperature) return nullptr;
+  const Paint& colour = lamp.colour;
+  if (colour.curve == kNoEntry)
+    return colour.r == 0 && colour.g == 0 && colour.b == 0 ? "its colour is black" : nullptr;
+  for (CurveId channel = 0; channel < 3; ++channel)
+    if (highest(scene.curves[colour.curve + channel]) > 0) return nullptr;
+  return "its colour is black";
+}
+
 void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const Place& where) {
   const Scene& scene = builder.scene;
   if (scatterer == kNoEntry || scene.scatterers[scatterer]->index(0) == 0 ||
@@ -137,7 +191,7 @@ void check_light(Builder& builder) {
   for (const Chamber& chamber : scene.chambers) {
     expect_body(builder, chamber.scatterer, chamber.shape, chamber.where);
     for (const Chamber::Pillar& pillar : chamber.pillars)
-      expect_body(builder, pillar.scatterer, pillar.shape, chamber.where);
+      expect_body(builder, pillar.scatterer, pillar.shape, pillar.where);
     if (chamber.material == Material::periodic && !scene.lamps.empty())
       builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
                          "light ends there: make the chamber a mirror, or leave its lamps out");
@@ -150,16 +204,22 @@ void check_light(Builder& builder) {
 }
 
 void read_lamps(Builder& builder, const Field& field, Scene& scene) {
+  constexpr std::uint32_t kLampTables = 3U << 30;  // apart from groups
   std::uint32_t tables = 0;
   each_table(builder, field, [&](const Value& table) {
-    const CopiedTable what{"lamp", (1U << 31) + tables++, scene.lamps.size()};
+    const char* dark = nullptr;
+    const CopiedTable what{"lamp", kLampTables + tables++, scene.lamps.size()};
     make_copies<Lamp>(builder, table, what, kLampKeys,
                       [&](Lamp&& lamp, std::uint64_t, const std::string&) {
                         if (lamp.wavelength && lamp.temperature)
                           builder.in.problem(table.where, "a lamp has nm and kelvin",
                                              "leave one of them out: either is a colour");
+                        if (const char* reason = reason_dark(scene, lamp)) dark = reason;
                         scene.lamps.push_back(std::move(lamp));
                       });
+    if (dark != nullptr)
+      builder.in.warning(table.where, fmt::format("the lamp is dark: {}", dark),
+                         "leave the lamp out, or let it shine");
   });
 }
 

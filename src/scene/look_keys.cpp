@@ -120,6 +120,10 @@ bool read_stroke(Builder& builder, const Field& field, Stroke& stroke) {
   return builder.in.problems.size() == problems;
 }
 
+Paint default_fill(const Scene& scene, ScattererId scatterer, const Colour& fill) {
+  return scatterer != kNoEntry && scene.scatterers[scatterer]->is_clear() ? kClearColour : fill;
+}
+
 void read_fill(Builder& builder, const Field& field, std::optional<Paint>& target) {
   using Fill = std::optional<Paint>;
   const auto read = [&](const Field& one) -> std::optional<Fill> {

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/curve_keys.h"
 #include "scene/keys.h"
 #include "scene/material.h"
 
@@ -6,10 +7,14 @@ namespace flatray {
 
 inline constexpr Colour kDefaultColour{0x33, 0x33, 0x33, 255};
 inline constexpr Colour kPillarColour{0x99, 0x99, 0x99, 255};
+inline constexpr Colour kClearColour{0xff, 0xff, 0xff, 0x18};  ///< of glass: light is below it
 inline constexpr Stroke kDefaultStroke{1.5, true, kDefaultColour};
 
 /// `{ width, colour }`; what is not given stays as it is in `stroke`. False where it is wrong.
 bool read_stroke(Builder& builder, const Field& field, Stroke& stroke);
+
+/// The fill of what is given none: that of glass where light goes through it, else `fill`.
+Paint default_fill(const Scene& scene, ScattererId scatterer, const Colour& fill);
 
 /// Colour, or `{ linear = { ... } }` or `{ radial = { ... } }`.
 std::optional<Paint> read_paint(Builder& builder, const Field& field);
@@ -56,6 +61,24 @@ void set_opacity(Builder& builder, const Field& field, T& target) {
 }
 template <class T>
 inline constexpr Key<T> kOpacityKey = {{"opacity", "number", "1"}, &set_opacity<T>};
+template <class T>
+void set_moving_opacity(Builder& builder, const Field& field, T& target) {
+  const std::optional<Moving> opacity = read_moving(builder, field);
+  if (!opacity) return;
+  if (!lies_between(builder.scene, *opacity, 0, 1)) return refuse_opacity(builder, field);
+  target.opacity = opacity->value;
+  target.opacity_curve = opacity->curve;
+}
+template <class T>
+inline constexpr Key<T> kMovingOpacityKey = {{"opacity", "number or a curve", "1"},
+                                             &set_moving_opacity<T>};
+/// Reads what may change with time.
+template <class T, void (*read)(Builder&, const Field&, T&)>
+void read_changing(Builder& builder, const Field& field, T& target) {
+  builder.may_change = true;
+  read(builder, field, target);
+  builder.may_change = false;
+}
 template <class T, const auto& words = kMaterialWords>
 void set_material(Builder& builder, const Field& field, T& target) {
   const auto read = read_material(builder, field, words);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/light.h"
+#include "base/number_text.h"
 #include "geom/turn.h"
 #include "scene/kinds.h"
 
@@ -75,10 +76,16 @@ Reflectance read_reflectance(Args& args, const char* key) {
   const double part = args.number(key, 1);
   const Colour colour = args.colour("colour", {255, 255, 255, 255});
   if (!(part >= 0 && part <= 1))
-    args.problem(key, "does not lie between 0 and 1", "0 absorbs all light, 1 gives all back");
+    args.problem(key, fmt::format("is {}, not between 0 and 1", number_text(part)),
+                 "0 absorbs all light, 1 gives all back");
+  if (colour.a < 255)
+    args.problem("colour", "has an opacity, which a wall has not for light", "write #rrggbb");
   const std::array<float, 3> light{linear_from_srgb(colour.r), linear_from_srgb(colour.g),
                                    linear_from_srgb(colour.b)};
   const float most = *std::max_element(light.begin(), light.end());
+  if (part == 0 || most == 0)
+    args.warning(args.place(part == 0 ? key : "colour"), "the material sends no light on",
+                 "write \"absorb\", which says so");
   if (most == 0) return {0, {1, 1, 1}};
   return {part * static_cast<double>(most), {light[0] / most, light[1] / most, light[2] / most}};
 }

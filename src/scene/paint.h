@@ -64,7 +64,7 @@ struct Stroke {
   double miter_limit = 4;           ///< times the width; longer miters are bevels
   std::uint32_t dashes = kNoEntry;  ///< index into Scene::dashes
   double dash_offset = 0;
-  std::optional<CurveId> width_curve{};  ///< instead of `width`: of entities only
+  std::optional<CurveId> width_curve{};  ///< instead of `width`: of entities and rays only
 };
 
 }  // namespace flatray

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 
 #include "base/counted.h"
-#include "geom/turn.h"
+#include "scene/copies.h"
 #include "scene/look_keys.h"
+#include "scene/motion_keys.h"
 #include "scene/moving_mirrors.h"
 #include "scene/scene_keys.h"
 
@@ -15,19 +15,24 @@ constexpr Colour kRed{0xd6, 0x27, 0x28, 255}, kGreen{0x2c, 0xa0, 0x2c, 255},
 constexpr std::int64_t kMaxBounces = 100'000;
 constexpr std::int64_t kMaxFan = 10'000;
 
-template <auto Pointer>
-void change_stroke(Builder& builder, const Field& field,
-                   typename MemberOf<decltype(Pointer)>::Owner& target) {
-  read_stroke(builder, field, target.*Pointer);
+void change_ray_stroke(Builder& builder, const Field& field, RayPath& ray) {
+  read_stroke(builder, field, ray.stroke);
+}
+void change_edge_stroke(Builder& builder, const Field& field, EdgeRays& rays) {
+  read_stroke(builder, field, rays.stroke);
 }
 
 void read_direction(Builder& builder, const Field& field, RayPath& ray) {
-  const auto direction = builder.in.point(field);
+  const std::optional<MovingPoint> direction = read_moving_point(builder, field);
   if (!direction) return;
-  if (*direction == Vec2(0, 0))
+  const Scene& scene = builder.scene;
+  if (lies_between(scene, {direction->value.x(), direction->x}, 0, 0) &&
+      lies_between(scene, {direction->value.y(), direction->y}, 0, 0))
     return builder.in.problem(field.value.where, field.name + " has no length",
                               "write where the ray goes, at any length");
-  ray.direction = *direction;
+  ray.direction = direction->value;
+  ray.direction_x = direction->x;
+  ray.direction_y = direction->y;
 }
 
 template <auto Pointer>
@@ -47,10 +52,17 @@ void set_positive(Builder& builder, const Field& field,
   target.*Pointer = *value;
 }
 
+template <auto Pointer, double (*change)(double) = nullptr>
+void set_moving(Builder& builder, const Field& field,
+                typename MemberOf<decltype(Pointer)>::Owner& target) {
+  if (const std::optional<Moving> number = read_moving(builder, field, change))
+    target.*Pointer = *number;
+}
+
 constexpr Key<RayPath::Fan> kFanKeys[] = {
     {{"count", "whole number", kRequired}, &set_integer<&RayPath::Fan::count, 1, kMaxFan>},
-    {{"spread", "degrees", "0"}, &set_angle<&RayPath::Fan::spread>},
-    {{"width", "number", "0"}, &set<&RayPath::Fan::width>},
+    {{"spread", "degrees or a curve", "0"}, &set_moving<&RayPath::Fan::spread, &radians>},
+    {{"width", "number or a curve", "0"}, &set_moving<&RayPath::Fan::width>},
 };
 
 void read_fan(Builder& builder, const Field& field, RayPath& ray) {
@@ -61,30 +73,37 @@ void read_fan(Builder& builder, const Field& field, RayPath& ray) {
 
 // The rays of a fan from the first to the last, to the left; the middle one of an odd number is the
 // ray as written.
-void add_fan(Builder& builder, const RayPath& ray, std::vector<RayPath>& rays) {
-  const RayPath::Fan fan = ray.fan.value_or(RayPath::Fan{});
-  if (rays.size() + fan.count > builder.limits.max_entities)
+void add_fan(Builder& builder, RayPath&& ray, std::vector<RayPath>& rays) {
+  const unsigned count = ray.fan ? ray.fan->count : 1;
+  if (rays.size() + count > builder.limits.max_entities)
     return builder.in.problem(ray.where, "more than " + counted(builder.limits.max_entities, "ray"),
                               "--max-entities raises the limit");
-  const Vec2& d = ray.direction;
-  const double size = std::max(std::fabs(d.x()), std::fabs(d.y()));
-  const Vec2 along = d / size, left = Vec2(-along.y(), along.x()) / std::sqrt(along.dot(along));
-  for (unsigned i = 0; i < fan.count; ++i) {
-    RayPath one = ray;
-    one.fan.reset();
-    one.written_name = ray.name;
-    const double place = fan.count == 1 ? 0 : static_cast<double>(i) / (fan.count - 1) - 0.5;
-    const Turn by = turn(place * fan.spread);
-    one.direction = {by.cos * d.x() - by.sin * d.y(), by.sin * d.x() + by.cos * d.y()};
-    one.at += place * fan.width * left;
-    if (fan.count > 1) one.name += fmt::format(" {}", i + 1);
-    rays.push_back(std::move(one));
+  ray.written_name = ray.name;
+  if (count == 1) {
+    ray.fan.reset();
+    return rays.push_back(std::move(ray));
   }
+  for (unsigned i = 0; i < count; ++i) {
+    RayPath& one = rays.emplace_back(ray);
+    one.fan->place = static_cast<double>(i) / (count - 1) - 0.5;
+    one.name += fmt::format(" {}", i + 1);
+  }
+}
+
+void read_radius(Builder& builder, const Field& field, RayPath::Ball& ball) {
+  const std::optional<Moving> radius = read_moving(builder, field);
+  if (!radius) return;
+  if (radius->curve && !lies_between(builder.scene, *radius, 0, kFarthest))
+    return builder.in.problem(field.value.where, field.name + " goes below 0 or beyond 1e300",
+                              "end the curve at 0: no ball is seen then");
+  if (!radius->curve && !(radius->value > 0))
+    return builder.in.problem(field.value.where, field.name + " must be above 0", "write 1");
+  ball.radius = *radius;
 }
 
 constexpr Key<RayPath::Ball> kBallKeys[] = {
     {{"speed", "number", "that of the ray"}, &set_positive<&RayPath::Ball::speed>},
-    {{"radius", "number", kRequired}, &set_positive<&RayPath::Ball::radius>},
+    {{"radius", "number or a curve", kRequired}, &read_radius},
     {{"colour", "\"#rrggbb\"", "the line's"}, &set<&RayPath::Ball::colour>},
 };
 
@@ -105,20 +124,26 @@ void read_ball(Builder& builder, const Field& field, RayPath& ray) {
 
 constexpr Key<RayPath> kRayKeys[] = {
     kNameKey<RayPath>,
-    {{"at", "[x, y]", kRequired}, &set<&RayPath::at>},
-    {{"direction", "[dx, dy]", kRequired}, &read_direction},
+    kGroupKey<RayPath>,
+    {{"at", "[x, y] or a curve", kRequired}, &set_moving_at<RayPath>},
+    {{"direction", "[dx, dy] or a curve", kRequired}, &read_direction},
+    kMovingAngleKey<RayPath>,
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&RayPath::velocity>},
+    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&RayPath::angular_velocity>},
     {{"bounces", "whole number", "0"}, &set_integer<&RayPath::bounces, 0, kMaxBounces>},
     {{"speed", "number", "none"}, &set_positive<&RayPath::speed>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })",
       R"({ width_px = 1.5, colour = "#d62728" })"},
-     &change_stroke<&RayPath::stroke>},
+     &read_changing<RayPath, &change_ray_stroke>},
     {{"hit_points", "\"#rrggbb\"", "none"}, &set<&RayPath::hit_points>},
     {{"end_colour", "\"#rrggbb\"", "the stroke's"}, &set<&RayPath::end_colour>},
     {{"numbers", "\"#rrggbb\"", "none"}, &set<&RayPath::numbers>},
     {{"ball", R"({ speed = v, radius = r, colour = "#rrggbb" })", "none"}, &read_ball},
     {{"fan", "{ count = n, spread = degrees, width = w }", "none"}, &read_fan},
-    kOpacityKey<RayPath>,
+    kMovingOpacityKey<RayPath>,
     kLayerKey<RayPath>,
+    kFollowKey<RayPath>,
+    kRepeatKey<RayPath>,
 };
 
 constexpr Key<EdgeRays> kEdgeRayKeys[] = {
@@ -126,24 +151,49 @@ constexpr Key<EdgeRays> kEdgeRayKeys[] = {
     {{"against", "\"ENTITY\"", kRequired}, &set_entity<&EdgeRays::against>},
     {{"stroke", R"({ width = w, colour = "#rrggbb" })",
       R"({ width_px = 1.5, colour = "#7f7f7f" })"},
-     &change_stroke<&EdgeRays::stroke>},
+     &change_edge_stroke},
     {{"inside", "\"#rrggbb\"", "\"#1f77b4\""}, &set<&EdgeRays::inside>},
     {{"enter", "\"#rrggbb\"", "\"#2ca02c\""}, &set<&EdgeRays::enter>},
     {{"exit", "\"#rrggbb\"", "\"#d62728\""}, &set<&EdgeRays::exit>},
     kLayerKey<EdgeRays>,
 };
 
+// What hides a ray in all frames; nothing where something of it shows.
+const char* reason_unseen(const RayPath& ray) {
+  if (ray.opacity == 0 && !ray.opacity_curve) return "its opacity is 0";
+  const Paint& line = ray.stroke.colour;
+  const bool clear = line.a == 0 && line.curve == kNoEntry && line.gradient == kNoEntry;
+  const auto shows = [](const std::optional<Colour>& colour) { return colour && colour->a > 0; };
+  const bool marked = shows(ray.hit_points) || shows(ray.end_colour) || shows(ray.numbers) ||
+                      (ray.ball && ray.ball->colour.a > 0);
+  return clear && !marked ? "its stroke is clear" : nullptr;
+}
+
+void read_ray(Builder& builder, const Value& table, std::uint32_t number) {
+  constexpr std::uint32_t kRayTables = 7U << 29;  // apart from groups and lamps
+  Scene& scene = builder.scene;
+  const char* unseen = nullptr;
+  const auto add = [&](RayPath&& ray, std::uint64_t copy, const std::string&) {
+    if (ray.end_colour && ray.stroke.colour.curve != kNoEntry)
+      builder.in.problem(table.where, "the colour of the ray is a curve, and it has an end_colour",
+                         "leave one of them out");
+    ray.order = draw_order(builder, table.where, copy);
+    if (ray.group) ray.layer += scene.groups[*ray.group].layer;
+    if (const char* reason = reason_unseen(ray)) unseen = reason;
+    add_fan(builder, std::move(ray), scene.rays);
+  };
+  make_copies<RayPath>(builder, table, {"ray", kRayTables + number, scene.rays.size()}, kRayKeys,
+                       add);
+  if (unseen != nullptr)
+    builder.in.warning(table.where, fmt::format("the ray draws nothing: {}", unseen),
+                       "leave the ray out, or let it be seen");
+}
+
 }  // namespace
 
 void read_rays(Builder& builder, const Field& field, Scene& scene) {
-  each_table(builder, field, [&](const Value& table) {
-    RayPath ray;
-    ray.stroke = {1.5, true, kRed};
-    ray.where = table.where;
-    ray.order = draw_order(builder, table.where);
-    read_keys<RayPath>(builder, table, "ray", kRayKeys, ray);
-    add_fan(builder, ray, scene.rays);
-  });
+  std::uint32_t tables = 0;
+  each_table(builder, field, [&](const Value& table) { read_ray(builder, table, tables++); });
   if (!std::any_of(scene.rays.begin(), scene.rays.end(),
                    [](const RayPath& ray) { return ray.speed.has_value(); }))
     return;
@@ -162,9 +212,9 @@ void read_edge_rays(Builder& builder, const Field& field, Scene& scene) {
 }
 
 std::vector<TableInfo> ray_tables() {
-  return {{"ray", key_infos<RayPath>(kRayKeys)},
-          {"ray.fan", key_infos<RayPath::Fan>(kFanKeys)},
-          {"ray.ball", key_infos<RayPath::Ball>(kBallKeys)},
+  return {{"ray", key_infos<RayPath>(kRayKeys), true},
+          {"ray.fan", key_infos<RayPath::Fan>(kFanKeys), true},
+          {"ray.ball", key_infos<RayPath::Ball>(kBallKeys), true},
           {"edge_rays", key_infos<EdgeRays>(kEdgeRayKeys)}};
 }
 

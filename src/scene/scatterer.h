@@ -48,6 +48,8 @@ class Scatterer {
   virtual Material for_rays() const { return Material::absorb; }
   /// Of what fills its shape, for light of a wavelength; 0: light goes through the wall alone.
   virtual double index(double /*nm*/) const { return 0; }
+  /// Whether what is behind it is seen through it: glass, and what half of the light passes.
+  bool is_clear() const { return shares() != nullptr ? shares()->pass >= 0.5 : index(0) != 0; }
   /// Whether the index differs between wavelengths, so that light must have one.
   virtual bool disperses() const { return false; }
 };

@@ -195,6 +195,7 @@ struct Chamber {
     ScattererId scatterer = kNoEntry;
     std::optional<Paint> fill;
     std::optional<Stroke> stroke;
+    Place where;
   };
   std::vector<Pillar> pillars;
   Place where;
@@ -204,31 +205,39 @@ struct Chamber {
 /// An orbit to trace and draw: starts at `at`, reflected by mirrors, ended by what absorbs.
 struct RayPath {
   std::string name;
+  std::optional<std::uint32_t> group;  ///< index into Scene::groups: what `at` is seen from
   Vec2 at{0, 0}, direction{1, 0};
-  unsigned bounces = 0;
+  std::optional<CurveId> direction_x, direction_y;  ///< added to `direction`
+  double angle = 0;                                 ///< radians, by which it is turned
+  Vec2 velocity{0, 0};                              ///< of where it starts
+  double angular_velocity = 0;
+  Motion motion;
+  unsigned bounces = 0;  ///< after which it flies once more
   /// World units a second when it sets off, in frame 1: mirrors are met where they are when it comes
   /// there, and what is drawn is its way up to the frame. Unset: those of each frame stand still.
   std::optional<double> speed;
-  Stroke stroke;
+  Stroke stroke{1.5, true, Colour{0xd6, 0x27, 0x28, 255}};
   std::optional<Colour> hit_points;  ///< marks where it bounces
   std::optional<Colour> end_colour;  ///< of the line after its last bounce, gone over to evenly
   std::optional<Colour> numbers;     ///< counts its bounces
   /// Goes along the path as time goes by; the path is drawn as far as it has come.
   struct Ball {
     double speed = 0;  ///< world units a second; of a ray that has a speed of its own not used
-    double radius = 1;
+    Moving radius{1, {}};
     Colour colour;
   };
   std::optional<Ball> ball;
-  /// Rays from one start that were written as one: a scene holds each by itself, without a fan.
+  /// Rays that were written as one: a scene holds each by itself.
   struct Fan {
     unsigned count = 1;
-    double spread = 0;  ///< radians from the first direction to the last
-    double width = 0;   ///< from the first start to the last, across the direction
+    Moving spread{};   ///< radians from the first direction to the last
+    Moving width{};    ///< from the first start to the last, across the direction
+    double place = 0;  ///< of this one among them, from -1/2 to 1/2
   };
   std::optional<Fan> fan;
-  std::string written_name;  ///< of the fan it is one of; else its own
-  double opacity = 1;        ///< of the line and its marks together
+  std::string written_name;              ///< of the fan it is one of; else its own
+  double opacity = 1;                    ///< of the line and its marks together
+  std::optional<CurveId> opacity_curve;  ///< instead of it
   int layer = 0;
   Place where;
   std::uint64_t order = 0;

@@ -69,7 +69,10 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
     std::string message =
         fmt::format("unknown key '{}' of {}", member.key.substr(0, 64), table_name);
     if (!near.empty()) message += fmt::format(" (did you mean '{}'?)", near);
-    problems.push_back({member.where, message, near.empty() ? "known: " + joined(known) : ""});
+    problems.push_back({member.where, message,
+                        !near.empty()   ? ""
+                        : known.empty() ? "it has no keys: write {}"
+                                        : "known: " + joined(known)});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anim/rays.h"
 #include "anim/world.h"
 #include "base/philox.h"
 #include "geom/predicates.h"
@@ -100,13 +101,11 @@ class Measure {
 std::vector<Margin> of_rays(const Scene& scene, const FrameState& state) {
   const World world = build_world(scene, state);
   const Measure measure(scene, world);
-  const Pose place = world_pose(state);
   std::vector<Margin> all;
-  for (std::size_t i = 0; i < scene.rays.size(); ++i) {
-    const RayPath& ray = scene.rays[i];
-    const std::string name = ray.name.empty() ? fmt::format("ray {}", i + 1) : ray.name;
-    const Orbit orbit =
-        trace_orbit(world.surfaces, world.materials(), {place(ray.at), ray.direction}, ray.bounces);
+  for (const RayState& now : ray_states(scene, state)) {
+    const RayPath& ray = scene.rays[now.ray];
+    const std::string name = ray.name.empty() ? fmt::format("ray {}", now.ray + 1) : ray.name;
+    const Orbit orbit = trace_orbit(world.surfaces, world.materials(), now.start, ray.bounces + 1);
     std::uint64_t leg = 0;
     const std::vector<OrbitLine> lines = orbit_lines(orbit);
     for (const OrbitLine& line : lines) {

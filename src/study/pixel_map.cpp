@@ -1,5 +1,6 @@
 #include "study/pixel_map.h"
 
+#include "anim/rays.h"
 #include "base/philox.h"
 #include "base/portable_math.h"
 #include "study/blocks.h"
@@ -69,9 +70,9 @@ PixelOutcome outcome(std::span<const double> six) {
 class PlaceStarts {
  public:
   PlaceStarts(const Room& room, PixelMap map) : window_(room.state().window), map_(map) {
-    const std::vector<RayPath>& rays = room.scene().rays;
-    const Vec2 at = rays.empty() ? window_.centre() : world_pose(room.state())(rays.front().at);
-    ray_ = {at, unit(rays.empty() ? Vec2(1, 0) : rays.front().direction)};
+    const std::vector<RayState> rays = ray_states(room.scene(), room.state());
+    ray_ = rays.empty() ? Ray{window_.centre(), {1, 0}} : rays.front().start;
+    ray_.direction = unit(ray_.direction);
   }
   Ray operator[](const UnitPoint& place) const {
     const auto [x, y] = place;

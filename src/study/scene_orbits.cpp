@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "anim/rays.h"
 #include "study/starts.h"
 
 namespace flatray {
@@ -10,14 +11,14 @@ Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room
                                     std::uint64_t random_orbits) {
   NamedOrbits orbits;
   Diagnostics outside;
-  for (const RayPath& ray : context.scene.rays) {
-    const Vec2 at = world_pose(room.state())(ray.at);
-    if (!room.has_start(at))
+  for (const RayState& state : ray_states(context.scene, room.state())) {
+    const RayPath& ray = context.scene.rays[state.ray];
+    if (!room.has_start(state.start.origin))
       outside.push_back({ray.where, fmt::format("ray '{}' starts outside the room", ray.name),
                          "let it start in the chamber, and in none of its pillars",
                          Trouble::invalid});
     orbits.names.push_back(ray.name);
-    orbits.starts.push_back({{at, ray.direction}});
+    orbits.starts.push_back({state.start});
   }
   if (!outside.empty()) return tl::unexpected(std::move(outside));
   if (!orbits.starts.empty()) return orbits;

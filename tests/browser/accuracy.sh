@@ -17,7 +17,7 @@ command -v node >/dev/null || skip "there is no node"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 pages=()
-for scene in demo chamber/three_discs collision/bullet; do
+for scene in tutorial/10_everything chamber/three_discs collision/bullet; do
   folder=$work/${scene//\//_}
   "$flatray" accuracy "$root/scenes/$scene.toml" -o "$folder" --budget 4s -D film.size=[200,120] --json >/dev/null
   pages+=("$folder/accuracy.html")

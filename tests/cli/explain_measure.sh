@@ -64,7 +64,7 @@ shape = { box = { min = [-1, -1], max = [1, 1] } }
 name = "r"
 at = [0.25, 0]
 direction = [1, 0]
-bounces = 2
+bounces = 1
 TOML
 run 0 explain --measure room.toml
 says out "3.5 a flight"

@@ -20,10 +20,10 @@ compare() {
 }
 
 # What finds the first wall alone has no answer where all are asked for.
-run 2 render "$root/scenes/demo.toml" --view intervals --tracer float -f 1 -o no.png
+run 2 render "$root/scenes/tutorial/10_everything.toml" --view intervals --tracer float -f 1 -o no.png
 says err "--tracer: error: 'float' finds the first wall of a ray alone, and the view intervals asks for all of them"
 absent no.png
-run 0 render "$root/scenes/demo.toml" --view depth --tracer float -f 1 --quiet --size 32x18 -o float.png
+run 0 render "$root/scenes/tutorial/10_everything.toml" --view depth --tracer float -f 1 --quiet --size 32x18 -o float.png
 
 export FLATRAY_ROOT=/  # scenes that refer to others
 mapfile -t tiers < <("$flatray" list isas | awk '{ print $1 }')

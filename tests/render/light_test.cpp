@@ -7,6 +7,7 @@
 
 #include "render/light_picture.h"
 #include "support/pictures.h"
+#include "transport/light/emission.h"
 
 namespace flatray {
 namespace {
@@ -102,6 +103,23 @@ TEST(Light, InAClosedMattRoomIsPowerOverLoss) {
     EXPECT_NEAR(paths / (kPi * 3 / 2 / (1 - reflectance)), 1, 0.005) << reflectance;
     EXPECT_EQ(light.counts.escaped, 0);
   }
+}
+
+// Each 256 rays of a beam fill 256 strips, those after 2^32 others of the places in them.
+TEST(Light, AfterManyRaysOfALampTakesOtherNumbers) {
+  const Scene scene = lit("[[lamp]]\nsource = { beam = { width = 256 } }\n");
+  const std::vector<LampState> lamps = lamp_states(scene, at(Timeline(scene, 0, 1), 1));
+  const Emission emission(lamps, std::uint32_t{1} << 18, LightSampler::sorted, 0, 1, 1);
+  int same = 0;
+  std::vector<int> strips(256);
+  for (std::uint32_t i = 0; i < 256; ++i) {
+    const double first = emission.ray(0, i).ray.origin.y();
+    const double later = emission.ray(std::uint64_t{1} << 14, i).ray.origin.y();
+    if (first == later) ++same;
+    ++strips.at(static_cast<std::size_t>(later + 128));
+  }
+  EXPECT_EQ(same, 0);
+  EXPECT_EQ(strips, std::vector<int>(256, 1));
 }
 
 TEST(Light, IsAccountedFor) {

@@ -40,9 +40,10 @@ TEST(OrbitMarks, ABallIsWhereTheRayHasCome) {
   }
 }
 
-TEST(OrbitMarks, EveryBounceHasItsPoint) {
+TEST(OrbitMarks, EveryBounceHasItsPointAndWhereItArrives) {
   const auto points = rings(room_with("hit_points = \"#0000ff\"\n"));
-  ASSERT_EQ(points.size(), 3U);
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_EQ(points[3].centre, Vec2(4, 20));
   EXPECT_EQ(points[0].centre, Vec2(36, 20));
   EXPECT_EQ(points[1].centre, Vec2(4, 20));
   EXPECT_EQ(points[2].centre, Vec2(36, 20));

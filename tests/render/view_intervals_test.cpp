@@ -68,7 +68,7 @@ void expect_each_pixel_alone(const Scene& scene, const std::string& name) {
 
 TEST(ViewOfIntervals, IsWhatEachPixelFindsForItself) {
   for (const char* scene :
-       {"demo", "tutorial/02_shapes", "tutorial/10_everything", "chamber/mushroom",
+       {"tutorial/02_shapes", "tutorial/10_everything", "tutorial/11_journey", "chamber/mushroom",
         "chamber/lorentz", "chamber/stadium", "drawing/fading", "language/groups", "extreme/far",
         "extreme/huge", "extreme/tiny", "extreme/slivers", "extreme/near_parallel"}) {
     const std::string path = std::string("scenes/") + scene + ".toml";
@@ -107,7 +107,7 @@ shape = { segment = { from = [1, 1], to = [30, 15] } }
 }
 
 TEST(Views, BuildTheWallsOnceAndAskARayAPixel) {
-  const Scene scene = scene_at("scenes/demo.toml", {{"film.size", "[32, 18]"}});
+  const Scene scene = scene_at("scenes/tutorial/11_journey.toml", {{"film.size", "[32, 18]"}});
   const Timeline timeline(scene, scene.seed, 1);
   const std::size_t walls =
       build_world(scene, at(timeline, 1), WorldOf::everything).surfaces.size();

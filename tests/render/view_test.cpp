@@ -123,7 +123,7 @@ shape = { circle = { centre = [2, 3], radius = 0.9 } }
 }
 
 TEST(View, IsTheSameFromEveryExactTracerThreadsAndCrop) {
-  const Scene scene = scene_at("scenes/demo.toml", {{"film.size", "[64, 36]"}});
+  const Scene scene = scene_at("scenes/tutorial/11_journey.toml", {{"film.size", "[64, 36]"}});
   FrameOptions threads, crop;
   threads.threads = 3;
   crop.crop = PixelBox{20, 10, 32, 16};

@@ -62,17 +62,40 @@ TEST(Lamps, SayWhatIsWrong) {
   expect_problem(with_lamp(""), "lamp needs 'source'");
   expect_problem(with_lamp("source = { bulb = {} }"), "unknown lamp 'bulb'");
   expect_problem(with_lamp("source = { cone = { spread = 400 } }"),
-                 "lamp.cone.spread does not lie between 0 and 360");
+                 "lamp.cone.spread is 400, not between 0 and 360");
   expect_problem(with_lamp("source = { beam = { width = -1 } }"), "lamp.beam.width is -1");
   expect_problem(with_lamp("source = { segment = { from = [1, 1], to = [1, 1] } }"),
                  "lamp.segment.to is where it begins");
   expect_problem(with_lamp("source = { arc = { radius = 1, to = 400 } }"),
                  "more than a whole turn");
-  expect_problem(with_lamp("source = { point = {} }\npower = -1"), "lamp.power is out of range");
-  expect_problem(with_lamp("source = { point = {} }\nnm = 200"), "lamp.nm is out of range");
-  expect_problem(with_lamp("source = { point = {} }\nkelvin = 10"), "lamp.kelvin is out of range");
+  expect_problem(with_lamp("source = { point = {} }\npower = -1"),
+                 "lamp.power is -1, not 0 to 1e+30");
+  expect_problem(with_lamp("source = { point = {} }\nnm = 200"), "lamp.nm is 200, not 380 to 780");
+  expect_problem(with_lamp("source = { point = {} }\nnm = { keys = [[0, 400], [1, 900]] }"),
+                 "lamp.nm comes to 900, not 380 to 780");
+  expect_problem(with_lamp("source = { point = {} }\nkelvin = 10"),
+                 "lamp.kelvin is 10, not 800 to 1e+05");
+  expect_problem(with_lamp("source = { cone = { spread = { keys = [[0, 10], [3, 400]] } } }"),
+                 "lamp.cone.spread is 400, not between 0 and 360 at 3 s");
+  expect_problem(with_lamp("source = { beam = { width = { keys = [[0, 1], [2, -1]] } } }"),
+                 "lamp.beam.width goes below 0");
+  expect_problem(with_lamp("source = { point = { width = 1 } }"), "it has no keys");
+  expect_problem(with_lamp("source = { point = {} }\ncolour = '#ff000080'"), "has an opacity");
   expect_problem("flatray = 1\n[light]\nrays = 0\n", "light.rays");
-  expect_problem("flatray = 1\n[light]\nexposure = 0\n", "light.exposure is not above 0");
+  expect_problem("flatray = 1\n[light]\nexposure = 0\n", "light.exposure is 0, not above 0");
+}
+
+TEST(Lamps, ThatAreDarkInAllFramesAreWarnedOf) {
+  const auto warning = [](const std::string& keys) {
+    const Diagnostics warnings = loaded(with_lamp("source = { point = {} }\n" + keys)).warnings;
+    return warnings.empty() ? std::string() : warnings.front().message;
+  };
+  EXPECT_EQ(warning(""), "");
+  EXPECT_EQ(warning("power = 0"), "the lamp is dark: its power is 0");
+  EXPECT_EQ(warning("power = { keys = [[0, 0], [1, 1]] }"), "");
+  EXPECT_EQ(warning("colour = '#000000'"), "the lamp is dark: its colour is black");
+  EXPECT_EQ(warning("colour = { keys = [[0, '#000000'], [1, '#010000']] }"), "");
+  EXPECT_EQ(warning("nm = 500\ncolour = '#000000'"), "");
 }
 
 TEST(Lamps, AreCopied) {
@@ -168,11 +191,39 @@ TEST(Materials, SayWhatIsWrong) {
   expect_problem(with_material("'glass'"), "unknown entity.material 'glass'");
   expect_problem(with_material("{ wood = {} }"), "unknown material 'wood'");
   expect_problem(with_material("{ mirror = { reflectance = 1.5 } }"),
-                 "material.mirror.reflectance does not lie between 0 and 1");
+                 "material.mirror.reflectance is 1.5, not between 0 and 1");
+  expect_problem(with_material("{ mirror = { colour = '#ffffff80' } }"), "has an opacity");
+  const std::string pillar = refusal(
+      "flatray = 1\n[[chamber]]\nshape = { box = { min = [0, 0], max = [9, 9] } }\n"
+      "[[chamber.pillars]]\nshape = { segment = { from = [1, 1], to = [2, 2] } }\n"
+      "material = { glass = {} }\n");
+  EXPECT_NE(pillar.find(":4:"), std::string::npos) << pillar;
+  const std::string index = refusal(with_material("{ glass = { index = 0, dispersion = 4000 } }"));
+  EXPECT_NE(index.find("material.glass.index is 0"), std::string::npos) << index;
+  EXPECT_EQ(index.find("dispersion"), index.rfind("dispersion")) << index;
   expect_problem(with_material("{ mix = { mirror = 0.7, pass = 0.7 } }"), "more than 1 together");
-  expect_problem(with_material("{ glass = { index = 0 } }"), "material.glass.index");
+  expect_problem(with_material("{ glass = { index = 0 } }"),
+                 "material.glass.index is 0, not above 0 and at most 100");
   expect_problem(with_material("{ glass = { index = 1.5, dispersion = -1e9 } }"),
                  "material.glass.dispersion");
+}
+
+TEST(Materials, ThatSendNoLightOnAreWarnedOf) {
+  for (const char* dark :
+       {"{ mirror = { reflectance = 0 } }", "{ diffuse = { colour = '#000000' } }",
+        "{ pass = { transmittance = 0 } }", "{ mix = {} }"})
+    EXPECT_EQ(loaded(with_material(dark)).warnings.at(0).message, "the material sends no light on")
+        << dark;
+  EXPECT_TRUE(loaded(with_material("{ mix = { pass = 0.1 } }")).warnings.empty());
+}
+
+TEST(Materials, ThatAreClearHaveAFillThatLightIsSeenThrough) {
+  const auto alpha = [](const std::string& material) {
+    return loaded(with_material(material)).scene.entities[0].fill->a;
+  };
+  EXPECT_EQ(alpha("{ mirror = {} }"), 255);
+  EXPECT_LT(alpha("{ glass = {} }"), 64);
+  EXPECT_LT(alpha("{ pass = {} }"), 64);
 }
 
 TEST(Materials, OfCopiesAreOneUnlessTheyAreDrawn) {

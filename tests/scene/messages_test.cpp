@@ -76,7 +76,8 @@ TEST(Messages, EveryTableListsItsKeysWhereNoneIsNear) {
     EXPECT_NE(shown.find(std::string("error: unknown key 'zqzqzqzqzq' of ") + table.name + "\n"),
               std::string::npos)
         << shown;
-    EXPECT_NE(shown.find("known: "), std::string::npos) << shown;
+    const bool lists = shown.find("known: ") != std::string::npos;
+    EXPECT_TRUE(lists || shown.find("it has no keys") != std::string::npos) << shown;
   }
 }
 

@@ -92,9 +92,10 @@ extern const Verb accuracy = {
     1,
     1,
     kOptions,
-    "  flatray accuracy scenes/demo.toml -o out/accuracy\n"
+    "  flatray accuracy scenes/tutorial/11_journey.toml -o out/accuracy\n"
     "  flatray accuracy scenes/chamber/sinai.toml --choice samples,precision --budget 10s\n"
-    "  flatray accuracy scenes/demo.toml --choice coverage --profile demo.profile\n",
+    "  flatray accuracy scenes/tutorial/11_journey.toml --choice coverage --profile "
+    "journey.profile\n",
     "nothing measured",
     &run};
 

@@ -5,6 +5,7 @@
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/shown_text.h"
+#include "render/unseen.h"
 
 namespace flatray::verbs {
 namespace {
@@ -31,7 +32,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
   for (const std::string& path : arguments.operands()) {
     const Result<LoadedScene> loaded = load_input(arguments, path);
     const Diagnostics errors = loaded ? Diagnostics{} : loaded.error();
-    const Diagnostics warnings = loaded ? loaded->warnings : Diagnostics{};
+    Diagnostics warnings;
+    if (loaded) {
+      warnings = loaded->warnings;
+      const Diagnostics unseen = unseen_in(loaded->scene, loaded->scene.seed);
+      warnings.insert(warnings.end(), unseen.begin(), unseen.end());
+    }
     report_warnings(warnings, arguments);
     results.push_back(Fields{{"scene", path},
                              {"valid", errors.empty()},

@@ -286,7 +286,7 @@ extern const Verb collide = {
     "  flatray collide scenes/paper/case_two.toml --table\n"
     "  flatray collide scenes/collision/cradle.toml\n"
     "  flatray collide scenes/collision/cradle.toml --response stop --fixed wall\n"
-    "  flatray collide scenes/demo.toml -f 30..60 --csv\n",
+    "  flatray collide scenes/tutorial/11_journey.toml -f 30..60 --csv\n",
     "nothing looked for",
     &run};
 

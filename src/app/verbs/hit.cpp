@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "anim/rays.h"
 #include "app/hit_report.h"
 #include "app/hit_sets.h"
 #include "app/hit_svg.h"
@@ -90,8 +91,8 @@ Result<std::vector<Question>> scene_questions(const Arguments& arguments, const 
     questions.push_back({edge_rays(scene, state, pair.from), {pair.against}, *within});
   }
   std::vector<NamedRay> rays;
-  for (const RayPath& ray : scene.rays)
-    rays.push_back({ray.name, {world_pose(state)(ray.at), ray.direction}});
+  for (const RayState& ray : ray_states(scene, state))
+    rays.push_back({scene.rays[ray.ray].name, ray.start});
   if (rays.empty()) return questions;
   auto question = ask(arguments, scene, std::move(rays), std::nullopt);
   if (!question) return fail(std::move(question));

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "anim/rays.h"
 #include "app/option_values.h"
 #include "app/orbit_report.h"
 #include "app/report.h"
@@ -31,15 +32,26 @@ constexpr auto kOptions = with_scene_options(
      kJsonOption,
      kCsvOption});
 
-Result<std::vector<const RayPath*>> chosen_rays(const Arguments& arguments, const Scene& scene) {
+// As they set off at the time of the frame, not displaced.
+Result<std::vector<RayState>> chosen_rays(const Arguments& arguments, const Scene& scene,
+                                          const FrameState& frame) {
   const std::optional<std::string> wanted = arguments.text("ray");
-  std::vector<const RayPath*> rays;
   std::vector<std::string> known;
+  bool any = false;
+  const auto chosen = [&](const RayPath& ray) {
+    return !wanted || *wanted == ray.name || *wanted == ray.written_name;
+  };
   for (const RayPath& ray : scene.rays) {
-    if (!wanted || *wanted == ray.name || *wanted == ray.written_name) rays.push_back(&ray);
+    any |= chosen(ray);
     known.push_back(ray.name);
   }
+  std::vector<RayState> rays = ray_states(scene, frame.time);
+  std::erase_if(rays, [&](const RayState& ray) { return !chosen(scene.rays[ray.ray]); });
   if (!rays.empty()) return rays;
+  if (any)
+    return fail(named_place(arguments.operands().front()),
+                fmt::format("no ray has a direction in frame {}", frame.frame),
+                "ask for a frame in which its curve is not 0");
   if (!wanted)
     return fail(named_place(arguments.operands().front()), "has no ray to follow",
                 "add [[ray]] with at, direction and bounces");
@@ -114,10 +126,11 @@ class MovingRoom {
                       responds(scene) ? (last - 1) / scene.fps : kInfinity);
   }
 
-  OrbitReport follow(const OrbitRoom& room, const RayPath& ray, double speed,
+  OrbitReport follow(const OrbitRoom& room, const RayState& ray, double speed,
                      std::uint64_t bounces) const {
-    return follow_moving(room, walls_, ray.name, {ray.at, at_speed(ray.direction, speed)}, from_,
-                         {bounces, until_});
+    const auto& [at, direction] = ray.start;
+    return follow_moving(room, walls_, room.scene.rays[ray.ray].name,
+                         {at, at_speed(direction, speed)}, from_, {bounces, until_});
   }
 
  private:
@@ -129,9 +142,10 @@ class MovingRoom {
 };
 
 Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room,
-                               const FrameState& frame, const RayPath& ray,
+                               const FrameState& frame, const RayState& state,
                                const OrbitRequest& request, const SpeedAsked& speeds,
                                std::optional<MovingRoom>& moving) {
+  const RayPath& ray = room.scene.rays[state.ray];
   const auto bounces = arguments.whole("bounces", ray.bounces, 0, kMostBounces);
   if (!bounces) return tl::unexpected(bounces.error());
   const double bytes = static_cast<double>(*bounces) * sizeof(Bounce);
@@ -141,7 +155,8 @@ Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room
     return fail(std::move(fits));
   const std::optional<double> speed = speeds.of(ray);
   if (!speed)
-    return follow_orbit(room, ray.name, {world_pose(frame)(ray.at), ray.direction}, *bounces,
+    return follow_orbit(room, ray.name,
+                        {world_pose(frame)(state.start.origin), state.start.direction}, *bounces,
                         request);
   if (auto checked = check_frozen(arguments, ray.name); !checked) return fail(std::move(checked));
   if (!moving) {
@@ -149,7 +164,7 @@ Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room
     if (!made) return fail(std::move(made));
     moving = std::move(*made);
   }
-  return moving->follow(room, ray, *speed, *bounces);
+  return moving->follow(room, state, *speed, *bounces);
 }
 
 Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitRoom& room,
@@ -159,13 +174,14 @@ Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitR
   if (!request) return tl::unexpected(request.error());
   const auto speeds = read_speed(arguments);
   if (!speeds) return tl::unexpected(speeds.error());
-  const auto rays = chosen_rays(arguments, room.scene);
+  const auto rays = chosen_rays(arguments, room.scene, frame);
   if (!rays) return tl::unexpected(rays.error());
   std::vector<OrbitReport> reports;
-  for (const RayPath* ray : *rays) {
-    auto report = follow_ray(arguments, room, frame, *ray, *request, *speeds, moving);
+  for (const RayState& ray : *rays) {
+    auto report = follow_ray(arguments, room, frame, ray, *request, *speeds, moving);
     if (!report) return tl::unexpected(report.error());
-    if (report->starts_badly) report_note(ray->name + " starts " + report->start);
+    if (report->starts_badly)
+      report_note(room.scene.rays[ray.ray].name + " starts " + report->start);
     reports.push_back(std::move(*report));
   }
   return reports;

@@ -4,6 +4,7 @@
 #include "app/build_parts.h"
 #include "app/profile.h"
 #include "app/render_run.h"
+#include "app/report.h"
 #include "app/resource_limits.h"
 #include "app/scene_input.h"
 #include "app/tracer_choice.h"
@@ -60,10 +61,15 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
 }
 
 Result<void> fits_in_memory(const Arguments& arguments, const RenderJob& job) {
-  return expect_memory(
-      arguments, static_cast<double>(picture_bytes_at_once(job, job.frames.size(), 1)),
-      fmt::format("a picture of {}x{}", job.picture().width, job.picture().height),
-      "say a smaller --size or --crop");
+  return expect_memory(arguments,
+                       static_cast<double>(picture_bytes_at_once(job, job.frames.size(), 1)),
+                       fmt::format("a picture of {}x{}", job.picture().width, job.picture().height),
+                       "say a smaller --size or --crop");
+}
+
+// Of --backend auto: a back end that does not add light is not the one of choice for lamps.
+bool wants_software(const Arguments& arguments, const RenderJob& job) {
+  return arguments.text("backend") == "auto" && !job.scene.lamps.empty();
 }
 
 Result<VerbOutput> run(const Arguments& given) {
@@ -89,7 +95,14 @@ Result<VerbOutput> run(const Arguments& given) {
       return fail(std::move(can));
   for (RenderJob& job : *jobs) {
     job.tracer = *tracer;
-    job.renderer = *renderer;
+    if (*renderer != nullptr && wants_software(arguments, job))
+      report_warnings(
+          {{arguments.where("backend"),
+            fmt::format("the lamps of '{}' are drawn by the software back end", job.scene.name),
+            "GL adds no light"}},
+          arguments);
+    else
+      job.renderer = *renderer;
     job.view = *view;
     if (*view && job.output.format() == PictureFormat::hdr)
       return usage_error(arguments.where("view"), "has no light for an HDR picture",

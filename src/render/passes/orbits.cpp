@@ -2,9 +2,11 @@
 #include <map>
 #include <span>
 
+#include "anim/rays.h"
 #include "base/counted.h"
 #include "render/pass.h"
 #include "render/ray_walls.h"
+#include "scene/curve.h"
 #include "scene/easy_font.h"
 #include "transport/moving_orbit.h"
 
@@ -41,9 +43,14 @@ void cut_to(std::vector<OrbitLine>& path, double length) {
   }
 }
 
+// Orbits are followed to where the flight after the last bounce arrives: that is no bounce of the ray.
+constexpr std::uint64_t kLastFlight = 1;
+bool arrives(const RayPath& ray, const Orbit& orbit) { return orbit.bounces.size() > ray.bounces; }
+
 std::vector<OrbitLine> shown_path(const DrawContext& context, const RayPath& ray,
                                   const Orbit& orbit) {
   std::vector<OrbitLine> path = orbit_lines(orbit);
+  if (arrives(ray, orbit)) path.back().reflected = false;
   if (leaves(orbit))
     path.back().line.b = beyond_window(context.state.window, path.back().line.a, orbit.out);
   if (ray.ball) cut_to(path, ray.ball->speed * context.state.time);
@@ -51,13 +58,14 @@ std::vector<OrbitLine> shown_path(const DrawContext& context, const RayPath& ray
 }
 
 // From mirror to mirror as they moved, up to the time of the frame.
-std::vector<OrbitLine> way_so_far(const Orbit& orbit) {
+std::vector<OrbitLine> way_so_far(const RayPath& ray, const Orbit& orbit) {
   std::vector<OrbitLine> path;
   Vec2 last = orbit.start;
   for (const Bounce& bounce : orbit.bounces) {
     path.push_back({{last, bounce.point}, true});
     last = bounce.point;
   }
+  if (arrives(ray, orbit)) path.back().reflected = false;
   if (orbit.end_point != last) path.push_back({{last, orbit.end_point}, false});
   return path;
 }
@@ -73,14 +81,15 @@ std::uint8_t between(std::uint8_t a, std::uint8_t b, double part) {
 }
 
 // Lines of one colour after another, at most kShades of them.
-void add_shaded(DrawContext& context, const RayPath& ray, std::span<const Segment> lines) {
+void add_shaded(DrawContext& context, const Stroke& line, const Colour& to,
+                std::span<const Segment> lines) {
   constexpr std::size_t kShades = 64;
   const std::size_t shades = std::min(kShades, lines.size());
-  const Colour &from = ray.stroke.colour, &to = *ray.end_colour;
+  const Colour& from = line.colour;
   for (std::size_t i = 0; i < shades; ++i) {
     const std::size_t begin = i * lines.size() / shades, end = (i + 1) * lines.size() / shades;
     const double part = shades == 1 ? 0 : static_cast<double>(i) / static_cast<double>(shades - 1);
-    Stroke stroke = ray.stroke;
+    Stroke stroke = line;
     stroke.colour = Colour{between(from.r, to.r, part), between(from.g, to.g, part),
                            between(from.b, to.b, part), between(from.a, to.a, part)};
     context.add_lines(lines.subspan(begin, end - begin), stroke);
@@ -96,16 +105,17 @@ void add_number(DrawContext& context, const Vec2& point, std::size_t number, con
   context.add_shape(shape, {point}, Paint(colour), std::nullopt);
 }
 
-void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit,
+void draw(DrawContext& context, const RayState& now, const Orbit& orbit,
           const std::vector<OrbitLine>& path) {
   constexpr std::size_t kMostNumbers = 999;
+  const RayPath& ray = context.scene.rays[now.ray];
   std::vector<Segment> lines;
   for (const OrbitLine& part : path) lines.push_back(part.line);
   if (ray.end_colour)
-    add_shaded(context, ray, lines);
+    add_shaded(context, now.stroke, *ray.end_colour, lines);
   else
-    context.add_lines(lines, ray.stroke);
-  const double radius_px = kMarkWidths * context.half_width_px(ray.stroke);
+    context.add_lines(lines, now.stroke);
+  const double radius_px = kMarkWidths * context.half_width_px(now.stroke);
   std::size_t bounces = 0;
   for (const OrbitLine& part : path) {
     if (!part.reflected) continue;
@@ -115,61 +125,70 @@ void draw(DrawContext& context, const RayPath& ray, const Orbit& orbit,
       add_number(context, part.line.b, bounces, *ray.numbers);
   }
   const bool whole = path.empty() || path.back().line.b == orbit.end_point;
-  if (ray.hit_points && whole && (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner))
+  const bool at_wall =
+      orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner || arrives(ray, orbit);
+  if (ray.hit_points && whole && at_wall)
     context.add_mark(orbit.end_point, radius_px, *ray.hit_points);
   if (ray.ball)
     context.add_mark(path.empty() ? orbit.start : path.back().line.b,
-                     context.film_from_world.length(ray.ball->radius), ray.ball->colour);
+                     context.film_from_world.length(
+                         now.scale * plus(context.scene, ray.ball->radius, context.state.time)),
+                     ray.ball->colour);
 }
 
 // Rays of as many bounces are advanced together, a few at a time: orbits are long.
 constexpr std::size_t kRaysAtOnce = 64;
 
 void draw_some(DrawContext& context, const OrbitTracer& tracer,
-               std::span<const std::size_t> numbers, std::uint64_t bounces) {
+               std::span<const RayState* const> rays, std::uint64_t bounces) {
   std::vector<Ray> starts;
-  for (const std::size_t i : numbers) {
-    const RayPath& ray = context.scene.rays[i];
-    starts.push_back({world_pose(context.state)(ray.at), ray.direction});
-  }
-  const std::vector<Orbit> orbits = trace_orbits(tracer, starts, bounces);
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const RayPath& ray = context.scene.rays[numbers[k]];
+  for (const RayState* now : rays) starts.push_back(now->start);
+  const std::vector<Orbit> orbits = trace_orbits(tracer, starts, bounces + kLastFlight);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const RayPath& ray = context.scene.rays[rays[k]->ray];
     context.place(ray.layer, ray.order, ray.where);
-    context.fade(ray.opacity,
-                 [&] { draw(context, ray, orbits[k], shown_path(context, ray, orbits[k])); });
+    context.fade(rays[k]->opacity,
+                 [&] { draw(context, *rays[k], orbits[k], shown_path(context, ray, orbits[k])); });
   }
 }
 
-// Each has a way of its own in time.
-void draw_moving(DrawContext& context) {
-  std::optional<MovingWalls> walls;
-  for (const RayPath& ray : context.scene.rays) {
-    if (!ray.speed) continue;
+// Each has a way of its own in time: it set off in frame 1, and looks as it does now.
+void draw_moving(DrawContext& context, std::span<const RayState> rays) {
+  if (std::none_of(context.scene.rays.begin(), context.scene.rays.end(),
+                   [](const RayPath& ray) { return ray.speed.has_value(); }))
+    return;
+  const MovingWalls walls = moving_walls(context.timeline);
+  std::map<std::uint32_t, Ray> starts;
+  for (const RayState& first : ray_states(context.scene, 0)) starts[first.ray] = first.start;
+  for (const RayState& now : rays) {
+    const RayPath& ray = context.scene.rays[now.ray];
+    const auto start = starts.find(now.ray);
+    if (!ray.speed || start == starts.end()) continue;
     if (context.refused()) return;
-    if (!walls) walls = moving_walls(context.timeline);
-    Orbit orbit = trace_moving_orbit(*walls, {ray.at, at_speed(ray.direction, *ray.speed)}, 0,
-                                     {ray.bounces, context.state.time})
+    const auto& [at, direction] = start->second;
+    Orbit orbit = trace_moving_orbit(walls, {at, at_speed(direction, *ray.speed)}, 0,
+                                     {ray.bounces + kLastFlight, context.state.time})
                       .orbit;
     displace(orbit, context.state.displaced);
     context.place(ray.layer, ray.order, ray.where);
-    context.fade(ray.opacity, [&] { draw(context, ray, orbit, way_so_far(orbit)); });
+    context.fade(now.opacity, [&] { draw(context, now, orbit, way_so_far(ray, orbit)); });
   }
 }
 
 void draw_all(DrawContext& context) {
-  draw_moving(context);
-  const std::vector<RayPath>& rays = context.scene.rays;
+  const std::vector<RayState> rays = ray_states(context.scene, context.state);
+  draw_moving(context, rays);
   if (!need_of_ray_walls(context.scene).needed) return;
   const RayWalls walls(context.scene, context.state, context.tracer);
-  std::map<std::uint64_t, std::vector<std::size_t>> by_bounces;
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    if (!rays[i].speed) by_bounces[rays[i].bounces].push_back(i);
-  for (const auto& [bounces, numbers] : by_bounces)
-    for (std::size_t begin = 0; begin < numbers.size(); begin += kRaysAtOnce) {
+  std::map<std::uint64_t, std::vector<const RayState*>> by_bounces;
+  for (const RayState& now : rays)
+    if (const RayPath& ray = context.scene.rays[now.ray]; !ray.speed)
+      by_bounces[ray.bounces].push_back(&now);
+  for (const auto& [bounces, alike] : by_bounces)
+    for (std::size_t begin = 0; begin < alike.size(); begin += kRaysAtOnce) {
       if (context.refused()) return;
-      const std::size_t count = std::min(kRaysAtOnce, numbers.size() - begin);
-      draw_some(context, walls.orbits(), std::span(numbers).subspan(begin, count), bounces);
+      const std::size_t count = std::min(kRaysAtOnce, alike.size() - begin);
+      draw_some(context, walls.orbits(), std::span(alike).subspan(begin, count), bounces);
     }
 }
 

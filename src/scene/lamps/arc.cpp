@@ -1,6 +1,9 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.h"
 #include "geom/turn.h"
 #include "scene/lambert.h"
 #include "scene/lamp.h"
@@ -46,7 +49,9 @@ Result<std::unique_ptr<const Emitter>> build(Args& args) {
   if (from == to)
     return fail(args.place("to"), "lamp.arc.to is where it begins", "write another angle");
   if (!(std::abs(to - from) <= 360))
-    return fail(args.place("to"), "lamp.arc.to is more than a whole turn from lamp.arc.from",
+    return fail(args.place("to"),
+                fmt::format("lamp.arc.to is {} degrees from lamp.arc.from, more than a whole turn",
+                            number_text(std::abs(to - from))),
                 "write degrees of which the difference is at most 360");
   return std::make_unique<Arc>(radius, radians(from), radians(to), inward);
 }

@@ -1,5 +1,8 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "base/number_text.h"
 #include "geom/turn.h"
 #include "scene/lamp.h"
 
@@ -28,7 +31,8 @@ class Cone : public Emitter {
 Result<std::unique_ptr<const Emitter>> build(Args& args) {
   const double spread = args.number("spread");
   if (!(spread >= 0 && spread <= 360))
-    return fail(args.place("spread"), "lamp.cone.spread does not lie between 0 and 360",
+    return fail(args.place("spread"),
+                fmt::format("lamp.cone.spread is {}, not between 0 and 360", number_text(spread)),
                 "write the whole angle of the cone in degrees");
   return std::make_unique<Cone>(radians(spread));
 }

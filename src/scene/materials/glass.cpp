@@ -1,5 +1,8 @@
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "base/number_text.h"
 #include "scene/material.h"
 
 namespace flatray::materials {
@@ -49,7 +52,10 @@ class Glass : public Scatterer {
 Result<std::unique_ptr<const Scatterer>> build(Args& args) {
   const double index = args.number("index", 1.5), dispersion = args.number("dispersion", 0);
   if (!(index > 0 && index <= kMostIndex))
-    args.problem("index", "is not above 0 and at most 100", "write 1.33 for water, 1.5 for glass");
+    return fail(
+        args.place("index"),
+        fmt::format("material.glass.index is {}, not above 0 and at most 100", number_text(index)),
+        "write 1.33 for water, 1.5 for glass");
   constexpr double kViolet_nm = 380, kRed_nm = 780;
   const Glass glass(index, dispersion);
   if (!(glass.index(kViolet_nm) > 0 && glass.index(kRed_nm) > 0))

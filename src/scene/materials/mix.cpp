@@ -14,6 +14,8 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
                             args.number("pass")};
   double sum = 0;
   for (const double number : numbers) sum += number >= 0 ? number : 2;
+  if (sum == 0)
+    args.warning(args.where, "the material sends no light on", "write \"absorb\", which says so");
   constexpr double kRounding =
       0x1p-50;  // that decimals and three sums leave, as of 0.1 + 0.2 + 0.7
   if (!(sum <= 1 + kRounding))

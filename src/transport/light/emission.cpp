@@ -50,10 +50,12 @@ LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
 }
 
 double Emission::number(std::uint32_t lamp, std::uint64_t sequence, unsigned dimension) const {
-  if (sampler_ == LightSampler::sorted)
-    return net_number(static_cast<std::uint32_t>(sequence), dimension,
-                      scrambles_[lamp * kMostLampNumbers + dimension]);
   const auto high = static_cast<std::uint32_t>(sequence >> 32);
+  if (sampler_ == LightSampler::sorted) {
+    const std::uint32_t scramble = scrambles_[lamp * kMostLampNumbers + dimension];
+    constexpr std::uint32_t kGolden = 0x9e3779b9;  // each 2^32 rays have a net of their own
+    return net_number(static_cast<std::uint32_t>(sequence), dimension, scramble ^ (kGolden * high));
+  }
   const std::uint64_t lamp_seed = seed_ ^ (std::uint64_t{lamps_[lamp].lamp} << 40);
   return unit_double(random_bits(lamp_seed, Stream::lamp, frame_, sequence,
                                  kMostLampNumbers + dimension + (high << 8)));
