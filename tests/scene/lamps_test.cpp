@@ -215,6 +215,11 @@ TEST(Entities, HaveAlternativesThatAreSegments) {
                 .scene.entities.at(0)
                 .alternatives.size(),
             1U);
+  expect_problem(
+      wall +
+          "[{ segment = { from = [0, 1], to = [1, 1] } }]\n[[lamp]]\nsource = { point = {} "
+          "}\n[light]\nestimator = 'backward'\n",
+      "paths from pixels do not know the alternatives");
   for (const char* shape :
        {"{ box = { min = [0, 0], max = [1, 1] } }", "{ segment = { from = [2, 2], to = [2, 2] } }",
         "{ segment = { from = [0, 0], to = [1, { keys = [[0, 1], [1, 2]] }] } }"})
