@@ -91,6 +91,25 @@ std::vector<Material> World::materials() const {
   return all;
 }
 
+std::vector<World> alternative_worlds(const Scene& scene, const FrameState& state) {
+  std::size_t count = 1;
+  for (const Entity& entity : scene.entities)
+    count = std::max(count, entity.alternatives.size() + 1);
+  std::vector<World> worlds{build_world(scene, state)};
+  FrameState other = state;
+  for (std::size_t k = 1; k < count; ++k) {
+    for (std::size_t i = 0; i < scene.entities.size(); ++i)
+      if (const auto& shapes = scene.entities[i].alternatives; !shapes.empty()) {
+        const std::size_t which = k % (shapes.size() + 1);
+        other.entities[i].shape = which == 0 ? state.entities[i].shape : shapes[which - 1];
+      }
+    World world = build_world(scene, other);
+    // So far away that the doubles do not tell the ends of one apart: it is left out.
+    if (world.owners.size() == worlds.front().owners.size()) worlds.push_back(std::move(world));
+  }
+  return worlds;
+}
+
 World build_world(const Scene& scene, const FrameState& state, WorldOf of) {
   using Kind = SurfaceOwner::Kind;
   World world;

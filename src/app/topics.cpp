@@ -49,6 +49,7 @@ constexpr WrittenTopic kTopics[] = {
      "  .obj, .obj2d  Wavefront outlines, as a scene or as shape = { import = { file = ... } }\n"
      "  .txt, .list   the paper's objects, a line { NAME, x, y } each\n"
      "  .chamber      Hill's chambers: a count, then sides, colour and vertices of each\n"
+     "  .json         scenes of High Quality Zen; one a line is an animation\n"
      "What an import cannot honour is listed on standard error. flatray list formats: this "
      "build's.\n",
      "import"},

@@ -1,9 +1,12 @@
 #include "render/light_picture.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "base/check.h"
+#include "base/light.h"
+#include "base/portable_math.h"
 #include "render/film_transform.h"
 #include "scene/lamp.h"
 
@@ -21,14 +24,15 @@ const Scatterer* scatterer_of(const Scene& scene, const SurfaceOwner& owner) {
 
 // What is needed to follow light in a frame.
 struct LitFrame {
-  World world;
+  std::vector<World> worlds;  // one, or those of alternatives
   std::vector<const Scatterer*> scatterers;
   std::vector<LampState> lamps;
   FilmPlace place{};
 
   LitFrame(const Scene& scene, const FrameState& state)
-      : world(build_world(scene, state)), lamps(lamp_states(scene, state)) {
-    for (const SurfaceOwner& owner : world.owners) scatterers.push_back(scatterer_of(scene, owner));
+      : worlds(alternative_worlds(scene, state)), lamps(lamp_states(scene, state)) {
+    for (const SurfaceOwner& owner : worlds.front().owners)
+      scatterers.push_back(scatterer_of(scene, owner));
     const FilmTransform film(scene.film, state);
     place = {film.corner().x(), film.corner().y(), film.scale(), scene.film.width,
              scene.film.height};
@@ -43,14 +47,14 @@ unsigned noise_frame(const Scene& scene, const FrameState& state) {
 // (docs/adr/0023-light-from-lamps.md).
 constexpr double kSmallPart = 2500;
 
-double luminance(const double* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+double luminance_of(const double* rgb) { return luminance({rgb[0], rgb[1], rgb[2]}); }
 
 }  // namespace
 
 double automatic_exposure(std::span<const double> fluence) {
   std::vector<double> lit;
   for (std::size_t i = 0; i + 2 < fluence.size(); i += 3)
-    if (const double y = luminance(&fluence[i]); y > 0) lit.push_back(y);
+    if (const double y = luminance_of(&fluence[i]); y > 0) lit.push_back(y);
   if (lit.empty()) return 1;
   const auto place = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() - 1 - lit.size() / 100);
   std::nth_element(lit.begin(), place, lit.end());
@@ -62,6 +66,7 @@ float toned(ToneCurve curve, double light) {
   const double x = std::min(light, kMost);
   switch (curve) {
     case ToneCurve::linear:
+    case ToneCurve::gamma:  // GammaCurve
       return static_cast<float>(x);
     case ToneCurve::soft:  // Reinhard et al. 2002, white at 4
       return static_cast<float>(std::min(x * (1 + x / 16) / (1 + x), 1.0));
@@ -70,6 +75,23 @@ float toned(ToneCurve curve, double light) {
           std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0));
   }
   unreachable();
+}
+
+GammaCurve::GammaCurve(double gamma) {
+  for (std::uint32_t i = 0; i < shown_.size(); ++i) {
+    const auto light = static_cast<double>(std::bit_cast<float>((i + kFirst) << kShift));
+    shown_[i] = static_cast<float>(light_of(255 * portable::pow(light, 1 / gamma)));
+  }
+}
+
+float GammaCurve::operator()(double light) const {
+  const auto x = static_cast<float>(light);
+  if (!(x < 1)) return 1;
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(x), knot = bits >> kShift;
+  if (x < 0 || knot < kFirst) return 0;
+  const float part = static_cast<float>(bits & kRest) / static_cast<float>(kRest + 1);
+  const float low = shown_[knot - kFirst];
+  return low + part * (shown_[knot - kFirst + 1] - low);
 }
 
 LightPicture light_picture(std::span<const double> counts, double unit, const LightSettings& light,
@@ -81,6 +103,11 @@ LightPicture light_picture(std::span<const double> counts, double unit, const Li
   constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
   LightPicture picture;
   picture.rgb.reserve(counts.size());
+  if (!raw && light.tone == ToneCurve::gamma) {
+    const GammaCurve curve(light.gamma);
+    for (const double count : counts) picture.rgb.push_back(curve(count * exposure));
+    return picture;
+  }
   for (const double count : counts) {
     const double shown = std::min(count * exposure, kMost);
     picture.rgb.push_back(raw ? static_cast<float>(shown) : toned(light.tone, shown));
@@ -103,14 +130,14 @@ TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const
                               std::uint64_t seed, unsigned threads, bool (*stop)()) {
   const LitFrame lit(scene, state);
   if (lit.lamps.empty()) return {LightFilm(lit.place.width, lit.place.height, 3), 0, {}};
-  return trace_light(lit.world, lit.scatterers, lit.lamps, lit.place,
+  return trace_light(lit.worlds, lit.scatterers, lit.lamps, lit.place,
                      {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
 }
 
 GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
                                  std::uint64_t seed, unsigned threads, bool (*stop)()) {
   const LitFrame lit(scene, state);
-  return gather_light(lit.world, lit.scatterers, lit.lamps, lit.place,
+  return gather_light(lit.worlds.front(), lit.scatterers, lit.lamps, lit.place,
                       {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
 }
 

@@ -109,6 +109,14 @@ double Args::number(const char* key, double fallback) {
   return field ? builder_->in.number(*field).value_or(fallback) : fallback;
 }
 
+Vec2 Args::range(const char* key) {
+  const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
+    if (field.value.kind == Value::Kind::array) return note_point(field, made);
+    if (const auto number = read_moving(*builder_, field)) made.numbers = {*number, *number};
+  });
+  return argument == nullptr ? Vec2(0, 0) : point_now(*argument, 0);
+}
+
 double Args::size(const char* key) {
   if (known_ != nullptr) return changing_size(key);
   const std::optional<Field> field = find(key);

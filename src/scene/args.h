@@ -24,6 +24,8 @@ class Args {
 
   Vec2 point(const char* key);
   double number(const char* key, double fallback = 0);
+  /// A number, twice, or `[low, high]` in any order, of what may change; 0 where it is not given.
+  Vec2 range(const char* key);
   /// Above 0 and at most kFarthest. What changes may come to 0: the shape is then not there.
   double size(const char* key);
   std::int64_t integer(const char* key, std::int64_t fallback, std::int64_t low, std::int64_t high);

@@ -36,7 +36,8 @@ double value_at(const Curve& curve, double time) {
   const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), time);
   if (after == curve.times.begin()) return curve.values.front();
   const auto i = static_cast<std::size_t>(after - curve.times.begin()) - 1;
-  if (after == curve.times.end() || curve.times[i] == time) return curve.values[i];
+  if (after == curve.times.end() || curve.times[i] == time || curve.ease == Curve::Ease::step)
+    return curve.values[i];
   const double u = (time - curve.times[i]) / span(curve, i);
   const double value = curve.ease == Curve::Ease::smooth ? smooth(curve, i, u)
                                                          : curve.values[i] + u * rise(curve, i);
@@ -48,7 +49,8 @@ Cubic<double> cubic_between(const Curve& curve, double from, double to) {
   const double middle = from + 0.5 * (to - from);
   const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), middle);
   const double begin = value_at(curve, from);
-  const bool rests = after == curve.times.begin() || after == curve.times.end();
+  const bool rests =
+      after == curve.times.begin() || after == curve.times.end() || curve.ease == Curve::Ease::step;
   if (rests) return linear(begin, 0);
   if (curve.ease == Curve::Ease::linear) return linear(begin, value_at(curve, to) - begin);
   const auto i = static_cast<std::size_t>(after - curve.times.begin()) - 1;

@@ -11,8 +11,8 @@
 namespace flatray {
 namespace {
 
-constexpr Word<Curve::Ease> kEases[] = {{"linear", Curve::Ease::linear},
-                                        {"smooth", Curve::Ease::smooth}};
+constexpr Word<Curve::Ease> kEases[] = {
+    {"linear", Curve::Ease::linear}, {"smooth", Curve::Ease::smooth}, {"step", Curve::Ease::step}};
 
 // What the values of a curve are, by how many numbers.
 enum class Of : std::size_t { number = 1, point = 2, colour = 4 };
@@ -39,7 +39,8 @@ void keep_keys(Builder&, const Field& field, CurveWords& words) { words.keys = &
 
 constexpr Key<CurveWords> kCurveKeys[] = {
     {{"keys", R"([[t, v or [x, y] or "#rrggbb"], ...])", kRequired}, &keep_keys},
-    {{"ease", R"("linear" or "smooth")", R"("linear")"}, &set_word<&CurveWords::ease, kEases>},
+    {{"ease", R"("linear", "smooth" or "step")", R"("linear")"},
+     &set_word<&CurveWords::ease, kEases>},
 };
 
 // Steeper than this, and a slope in between could be beyond the doubles.

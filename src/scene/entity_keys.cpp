@@ -101,6 +101,35 @@ void read_states(Builder& builder, const Field& field, Entity& entity) {
   }
 }
 
+bool is_one_segment(const Scene& scene, ShapeId id) {
+  if (id >= scene.shapes.size()) return true;  // told
+  const Shape& shape = scene.shapes[id];
+  return shape.segments.size() == 1 && shape.changes == kNoEntry && shape.piece_count() == 0 &&
+         shape.circles.empty() && shape.arc_paths.empty() && shape.crossing_rings.empty();
+}
+
+void read_alternatives(Builder& builder, const Field& field, Entity& entity) {
+  if (!builder.in.is(field, Value::Kind::array, "a list of shapes")) return;
+  constexpr std::size_t kMostAlternatives = 1023;
+  if (field.value.items.size() > kMostAlternatives)
+    return builder.in.problem(field.value.where, field.name + " holds more than 1023 shapes",
+                              "write fewer");
+  for (std::size_t i = 0; i < field.value.items.size(); ++i)
+    if (const auto shape = read_shape(builder, field.item(i)))
+      entity.alternatives.push_back(*shape);
+}
+
+// Worlds differ in where a wall is, not in which there are.
+void check_alternatives(Builder& builder, const Entity& entity, const Value& table) {
+  const Scene& scene = builder.scene;
+  bool right = is_one_segment(scene, entity.shape) && !entity.markov;
+  for (const ShapeId shape : entity.alternatives) right = right && is_one_segment(scene, shape);
+  const Member* key = table.find("alternatives");
+  if (!right && key != nullptr)
+    builder.in.problem(key->where, "alternatives are not one segment each, as the shape must be",
+                       "write alternatives = [{ segment = { from = [0, 0], to = [1, 0] } }]");
+}
+
 constexpr Key<Entity> kEntityKeys[] = {
     kNameKey<Entity>,
     {kShapeKey<Entity>.info, &read_changing<Entity, &set_shape<Entity>>},
@@ -120,6 +149,8 @@ constexpr Key<Entity> kEntityKeys[] = {
     kMovingOpacityKey<Entity>,
     kLayerKey<Entity>,
     material_key<Entity>("none: rays pass"),
+    {{"alternatives", "[{ segment = { from = [x, y], to = [x, y] } }, ...]", "[]"},
+     &read_alternatives},
     response_key<Entity>("that of collisions"),
     {{"mass", "number or \"fixed\"", "its area"}, &read_mass},
     {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
@@ -159,6 +190,7 @@ void read_entity(Builder& builder, const Value& table) {
     if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
     refuse_hindered(builder, entity, table);
     dress(scene, table, entity);
+    if (!entity.alternatives.empty()) check_alternatives(builder, entity, table);
     entity.order = draw_order(builder, table.where, copy);
     if (entity.group) entity.layer += scene.groups[*entity.group].layer;
     add_entity(builder, std::move(entity));

@@ -57,6 +57,12 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene) {
                         kHint};
     if (lamp.type->seen == LampSeen::points && points == nullptr) points = &lamp;
   }
+  for (const Entity& entity : scene.entities)
+    if (!entity.alternatives.empty())
+      return Diagnostic{entity.where,
+                        fmt::format("paths from pixels do not know the alternatives of {}",
+                                    named("entity", entity.name)),
+                        kHint};
   for (const Wall& wall : walls_of(scene)) {
     if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->disperses())
       return Diagnostic{wall.where,

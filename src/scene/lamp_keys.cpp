@@ -129,8 +129,19 @@ void read_exposure(Builder& builder, const Field& field, LightSettings& light) {
   light.exposure = *exposure;
 }
 
-constexpr Word<ToneCurve> kTones[] = {
-    {"linear", ToneCurve::linear}, {"soft", ToneCurve::soft}, {"filmic", ToneCurve::filmic}};
+void read_gamma(Builder& builder, const Field& field, LightSettings& light) {
+  const auto gamma = builder.in.number(field);
+  if (!gamma) return;
+  if (!(*gamma >= 0.1 && *gamma <= 10))
+    return builder.in.problem(field.value.where, field.name + " does not lie between 0.1 and 10",
+                              "write 2.2, or 1 for levels in proportion to light");
+  light.gamma = *gamma;
+}
+
+constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
+                                      {"soft", ToneCurve::soft},
+                                      {"filmic", ToneCurve::filmic},
+                                      {"gamma", ToneCurve::gamma}};
 constexpr Word<LightSampler> kSamplers[] = {{"sorted", LightSampler::sorted},
                                             {"random", LightSampler::random}};
 constexpr Word<LightEstimator> kEstimators[] = {{"auto", LightEstimator::automatic},
@@ -142,8 +153,9 @@ constexpr Key<LightSettings> kLightKeys[] = {
     {{"rays", "whole number", "1000000"}, &set_integer<&LightSettings::rays, 1, kMostRays>},
     {{"bounces", "whole number", "1000"}, &set_integer<&LightSettings::bounces, 0, kMostBounces>},
     {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
-    {{"tone", R"("linear", "soft" or "filmic")", "\"soft\""},
+    {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
      &set_word<&LightSettings::tone, kTones>},
+    {{"gamma", "number", "2.2"}, &read_gamma},
     {{"sampler", R"("sorted" or "random")", "\"sorted\""},
      &set_word<&LightSettings::sampler, kSamplers>},
     {{"estimator", R"("forward", "backward" or "auto")", "\"auto\""},
@@ -199,6 +211,13 @@ void check_light(Builder& builder) {
   if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward)
     if (auto hindrance = why_not_backward(scene))
       builder.in.problems.push_back(std::move(*hindrance));
+  std::uint64_t most = 0;
+  for (const Entity& entity : scene.entities)
+    most = std::max<std::uint64_t>(most, entity.alternatives.size());
+  if (most > 0 && builder.corners > builder.limits.max_corners / (most + 1))
+    builder.in.problem(scene.entities.front().where,
+                       "walls in all of their alternatives are more than the limit of corners",
+                       "write fewer alternatives, or say --max-corners N");
   if (scene.lamps.empty() && scene.light.where.source != nullptr)
     builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
 }

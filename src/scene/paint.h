@@ -15,7 +15,7 @@ struct Colour {
 
 /// A number over time through its keys, constant before the first and after the last.
 struct Curve {
-  enum class Ease { linear, smooth } ease = Ease::linear;
+  enum class Ease { linear, smooth, step } ease = Ease::linear;
   std::vector<double> times, values;  ///< seconds, ascending; one value each
 };
 using CurveId = std::uint32_t;  ///< index into Scene::curves

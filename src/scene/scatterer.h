@@ -12,6 +12,8 @@ struct Arrival {
   bool from_inside = false;  ///< out of a closed shape
   double outer_index = 1;    ///< of refraction, of what is around the shape there
   double nm = 0;             ///< wavelength; 0: all of them together
+  /// Where along a straight wall, from 0 to 1 as it was written; 0 on others, and for what asks not.
+  double along = 0;
 };
 
 /// What becomes of it.
@@ -50,6 +52,8 @@ class Scatterer {
   virtual double index(double /*nm*/) const { return 0; }
   /// Whether what is behind it is seen through it: glass, and what half of the light passes.
   bool is_clear() const { return shares() != nullptr ? shares()->pass >= 0.5 : index(0) != 0; }
+  /// Whether it asks for Arrival::along.
+  virtual bool depends_on_place() const { return false; }
   /// Whether the index differs between wavelengths, so that light must have one.
   virtual bool disperses() const { return false; }
 };

@@ -169,6 +169,9 @@ struct Entity {
   int layer = 0;
   std::optional<Material> material;  ///< unset: scenery, which rays pass through
   ScattererId scatterer = kNoEntry;  ///< what it does with light; none: what `material` says
+  /// Segments, as its shape is: each leg of light meets its shape or one of them, by chance. All else
+  /// meets its shape.
+  std::vector<ShapeId> alternatives;
   std::optional<MarkovUse> markov;
   std::optional<Response> response;  ///< unset: that of Scene::collisions
   std::optional<double> mass;        ///< infinite: nothing moves it; unset: its area
@@ -279,7 +282,8 @@ enum class LightEstimator : std::uint8_t {
 enum class ToneCurve : std::uint8_t {
   linear,  ///< as it is; above 1 it is white
   soft,    ///< x (1 + x / 16) / (1 + x): white at 4
-  filmic   ///< a curve with a foot and a shoulder
+  filmic,  ///< a curve with a foot and a shoulder
+  gamma    ///< levels are x^(1 / gamma), whatever the eye makes of them
 };
 
 /// How the light of lamps is traced and shown.
@@ -288,6 +292,7 @@ struct LightSettings {
   unsigned bounces = 1000;         ///< at most; what is left is cut off, and counted
   std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
   ToneCurve tone = ToneCurve::soft;
+  double gamma = 2.2;  ///< of that curve
   LightSampler sampler = LightSampler::sorted;
   LightEstimator estimator = LightEstimator::automatic;
   bool noise_moves = false;  ///< other random numbers in each frame

@@ -1,6 +1,7 @@
 #include "scene/spectrum.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "base/portable_math.h"
 
@@ -40,6 +41,26 @@ LightColour shown(LightColour colour) {
   return colour;
 }
 
+constexpr double kSecond_nm = 1.438776877e7;  // Planck's second constant, nm K
+constexpr double kStep_nm = 5, kGreen_nm = 560;
+constexpr double kLeastKelvin = 800, kMostKelvin = 100'000;
+
+// The sum over steps of a blackbody's light, in parts of its radiance at kGreen_nm, so that nothing is
+// beyond the doubles.
+Xyz seen_of(double kelvin) {
+  const double t = std::clamp(kelvin, kLeastKelvin, kMostKelvin);
+  Xyz sum;
+  for (double nm = kFirst_nm; nm <= kLast_nm; nm += kStep_nm) {
+    const double ratio = kGreen_nm / nm, fifth = ratio * ratio * ratio * ratio * ratio;
+    const double part = fifth * (1 - portable::exp(-kSecond_nm / (kGreen_nm * t))) /
+                        (1 - portable::exp(-kSecond_nm / (nm * t))) *
+                        portable::exp(kSecond_nm / t * (1 / kGreen_nm - 1 / nm));
+    const Xyz eye = matching(nm);
+    sum = {sum.x + part * eye.x, sum.y + part * eye.y, sum.z + part * eye.z};
+  }
+  return sum;
+}
+
 }  // namespace
 
 LightColour colour_of_wavelength(double nm) {
@@ -65,21 +86,18 @@ LightColour part_of_wavelength(double nm) {
   return part;
 }
 
-LightColour colour_of_temperature(double kelvin) {
-  constexpr double kSecond_nm = 1.438776877e7;  // Planck's second constant, nm K
-  constexpr double kStep_nm = 5, kGreen_nm = 560;
-  const double t = std::clamp(kelvin, 800.0, 100'000.0);
-  Xyz sum;
-  for (double nm = kFirst_nm; nm <= kLast_nm; nm += kStep_nm) {
-    const double ratio = kGreen_nm / nm, fifth = ratio * ratio * ratio * ratio * ratio;
-    // Of the radiance at kGreen_nm, so that nothing is beyond the doubles.
-    const double part = fifth * (1 - portable::exp(-kSecond_nm / (kGreen_nm * t))) /
-                        (1 - portable::exp(-kSecond_nm / (nm * t))) *
-                        portable::exp(kSecond_nm / t * (1 / kGreen_nm - 1 / nm));
-    const Xyz eye = matching(nm);
-    sum = {sum.x + part * eye.x, sum.y + part * eye.y, sum.z + part * eye.z};
-  }
-  return shown(srgb_of(sum));
+LightColour colour_of_temperature(double kelvin) { return shown(srgb_of(seen_of(kelvin))); }
+
+double luminance_of_wavelength(double nm) { return matching(nm).y; }
+
+double luminance_of_temperature(double kelvin) {
+  // The integral of Planck's law over all wavelengths, in the units of seen_of().
+  const double t = std::clamp(kelvin, kLeastKelvin, kMostKelvin), x = kSecond_nm / (kGreen_nm * t);
+  constexpr double kFourth =
+      std::numbers::pi * std::numbers::pi * std::numbers::pi * std::numbers::pi;
+  const double all =
+      kFourth / 15 * kGreen_nm * portable::exp(x) * (1 - portable::exp(-x)) / (x * x * x * x);
+  return kStep_nm * seen_of(kelvin).y / all;
 }
 
 }  // namespace flatray

@@ -19,6 +19,17 @@ LightColour colour_of_wavelength(double nm);
 /// Units   kelvin. Gives   as above. Source  Planck's law in steps of 5 nm.
 LightColour colour_of_temperature(double kelvin);
 
+/// How bright light of power 1 is: of one wavelength, by the eye's curve, whose peak is 1; of a
+/// blackbody from 800 K to 100 000 K, of all that it sends out, seen or not.
+///
+/// Units   nm, kelvin. Source  as above.
+double luminance_of_wavelength(double nm);
+double luminance_of_temperature(double kelvin);
+/// The same of a colour: that of white is 1.
+inline double luminance(const LightColour& colour) {
+  return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
+}
+
 /// Light of all colours together, taken apart: how much of red, green and blue goes to a wavelength,
 /// so that their means over [kFirstWavelength, kLastWavelength] are 1. None is below 0; at most
 /// kMostOfWavelength.

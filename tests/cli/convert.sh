@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # flatray convert: what is written draws the same pictures as what was read, and is written again as it is.
-# needs: formats/list formats/obj formats/toml shapes/import
+# needs: formats/hqz formats/list formats/obj formats/toml shapes/import
 source "$(dirname "$0")/lib.sh"
 printf '{ SPIDER MAN, 200, 200 }\nBAT, MAN, -1.5, 2e2\n' > objects.list
 
@@ -12,7 +12,7 @@ drawn() {
 }
 count=0
 export FLATRAY_ROOT=/  # outlines stay where they are: elsewhere
-for scene in "$root"/scenes/*.toml "$root"/scenes/*/*.{toml,obj} objects.list; do
+for scene in "$root"/scenes/*.toml "$root"/scenes/*/*.{toml,obj,json} objects.list; do
   count=$((count + 1))
   run 0 convert "$scene" "out/$count.toml" --quiet
   silent out
@@ -20,7 +20,7 @@ for scene in "$root"/scenes/*.toml "$root"/scenes/*/*.{toml,obj} objects.list; d
   cmp -s "out/$count.toml" out/again.toml || fail "$scene: converted again it is another file"
   [[ -n $sanitizers && $scene != */tutorial/* ]] && continue # ten times as slow
   light=()
-  [[ $scene != */light/* ]] || light=(-D light.rays=1000)
+  [[ $scene != */light/* && $scene != *.json ]] || light=(-D light.rays=1000)
   drawn "$scene" before
   drawn "out/$count.toml" after
   same before after "$scene"

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 rm -rf seeds
-mkdir -p seeds/{toml,obj,list,hill,png,override,render,query}
+mkdir -p seeds/{toml,obj,list,hill,hqz,png,override,render,query}
 
 repeat() { printf "%.0s$1" $(seq "$2"); }
 seed() { cat > "seeds/$1"; }
@@ -71,6 +71,12 @@ printf '{ SPIDER MAN, 200,200}\r\n\xff\xc2\x9b, 1e308, 5e-324' | seed list/bytes
 printf '2\n4 1 1 1\n0 0\n4 0\n4 4\n0 4\n3 1 0 0\n1 1\n2 1\n1 2\n' | seed hill/room
 printf '1 3 0 0 0 1e308 -1e308 5e-324 0 1e16 10000000000000001 more' | seed hill/odd
 printf '99999999999\r\n\xff 2 nan' | seed hill/wrong
+
+view='"resolution":[8,4],"viewport":[0,0,8,4],"exposure":0.5,"rays":9'
+printf "{$view"',"gamma":2.2,"seed":1,"lights":[[1,[1,2],2,[0,360],[0,1],[0,360],[5000,"K"]],[1,3,3,0,0,0,[400,500]]],"objects":[[0,1,1,3,0],[0,2,1,3,0],[0,0,0,90,2,0,30]],"materials":[[[0.5,"d"],[0.2,"t"],[0.3,"r"]]]}' | seed hqz/all
+printf "{$view"',"lights":[[1,2,2,0,0,[0,360],0]],"objects":[],"materials":[]}\n\n{'"$view"',"lights":[[3,2,2,0,0,[0,360],0]],"objects":[[0,0,0,1,1]],"materials":[[]]}\r\n' | seed hqz/lines
+printf "{$view"',"lights":[[1e308,null,-0,1e-400,0,[9,1],-1]],"objects":[[99,0,0,0,0]],"materials":[[[2,"x"],[-1,"d"]]],"x":"\\ud83d\\ude00"}' | seed hqz/wrong
+{ repeat '[' 70; } | seed hqz/brackets
 
 printf '{"id":"a","op":"clip","polygon":[[20,2],[16,10],[10,10],[5,5]],"origin":[1,2],"direction":[22,10]}' | seed query/clip
 printf '{"op":"clip","disc":{"center":[0,0],"radius":1},"origin":[-2,1],"direction":[1,0],"domain":"line"}' | seed query/disc

@@ -8,7 +8,7 @@ namespace {
 using Ease = Curve::Ease;
 
 TEST(Curve, IsItsKeysAtTheirTimesAndConstantOutside) {
-  for (const Ease ease : {Ease::linear, Ease::smooth}) {
+  for (const Ease ease : {Ease::linear, Ease::smooth, Ease::step}) {
     const Curve curve{ease, {0.1, 0.7, 2, 3}, {0.3, -1e9, 7, 7.1}};
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(value_at(curve, curve.times[i]), curve.values[i]);
     EXPECT_EQ(value_at(curve, -5), 0.3);
@@ -20,6 +20,15 @@ TEST(Curve, LinearIsInProportion) {
   const Curve curve{Ease::linear, {1, 3, 4}, {10, 20, 0}};
   EXPECT_EQ(value_at(curve, 1.5), 12.5);
   EXPECT_EQ(value_at(curve, 3.25), 15);
+}
+
+TEST(Curve, StepsJumpAtTheirKeys) {
+  const Curve curve{Ease::step, {1, 3, 4}, {10, 20, 0}};
+  EXPECT_EQ(value_at(curve, 2.999), 10);
+  EXPECT_EQ(value_at(curve, 3), 20);
+  EXPECT_EQ(value_at(curve, 3.5), 20);
+  EXPECT_TRUE(cubic_between(curve, 1, 3).is_constant());
+  EXPECT_EQ(cubic_between(curve, 1, 3)(0.9), 10);
 }
 
 TEST(Curve, SmoothBetweenTwoKeysIsTheCubicThatStartsAndEndsAtRest) {

@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
+// needs: shapes/box shapes/capsule shapes/segment lamps/arc lamps/beam lamps/cone lamps/point lamps/ranges lamps/ray lamps/segment materials/diffuse materials/glass materials/isotropic materials/mirror materials/mix materials/pass formats/toml
 // Lamps and materials as scenes have them, and what they do with rays.
 #include <cmath>
 
@@ -56,6 +56,26 @@ TEST(Lamps, ChangeWithTheirCurves) {
   EXPECT_EQ(emitter(source, 0)->emit(u).direction, Vec2(1, 0));
   EXPECT_EQ(emitter(source, 1)->emit(u).direction, Vec2(0, -1));
   EXPECT_EQ(emitter("{ beam = { width = { keys = [[0, 0], [1, 2]] } } }", 0), nullptr);
+}
+
+TEST(Lamps, OfRangesTakeANumberForEachThatIsOne) {
+  const auto made = emitter(
+      "{ ranges = { x = [1, 3], y = 4, polar_angle = 90, polar_distance = [0, 5], ray_angle = "
+      "[90, 180] } }");
+  const double u[] = {1.0 / 3, 0.5, 0.25, 9, 9};  // ray angle, distance, x
+  const Emitted out = made->emit(u);
+  EXPECT_NEAR(out.at.x(), 1.5, 1e-14);
+  EXPECT_NEAR(out.at.y(), 4 + 2.5, 1e-14);
+  EXPECT_NEAR(out.direction.x(), -0.5, 1e-14);
+  EXPECT_NEAR(out.direction.y(), std::sqrt(0.75), 1e-14);
+  const double none[] = {0, 0, 0, 0, 0};
+  EXPECT_EQ(emitter("{ ranges = {} }")->emit(none).direction, Vec2(1, 0));
+  const char* moving = "{ ranges = { x = [{ keys = [[0, 0], [1, 8]] }, 8] } }";
+  EXPECT_EQ(emitter(moving, 0.5)->emit(none).at, Vec2(4, 0));
+  EXPECT_EQ(emitter("{ ranges = { x = { keys = [[0, 0], [1, 8]] } } }", 0.5)->emit(none).at,
+            Vec2(4, 0));
+  expect_problem(with_lamp("source = { ranges = { x = [1, 2, 3] } }"), "lamp.ranges.x");
+  expect_problem(with_lamp("source = { ranges = { ray_angle = 1e200 } }"), "reaches beyond 1e150");
 }
 
 TEST(Lamps, SayWhatIsWrong) {
@@ -226,6 +246,40 @@ TEST(Materials, ThatAreClearHaveAFillThatLightIsSeenThrough) {
   EXPECT_LT(alpha("{ pass = {} }"), 64);
 }
 
+TEST(Materials, TurnedMirrorsAreForStraightWalls) {
+  const Scene scene =
+      loaded(with_material("{ mix = { mirror = 1, mirror_turn = [0, 90] } }")).scene;
+  const Scatterer& mix = *scene.scatterers.at(0);
+  ASSERT_TRUE(mix.depends_on_place());
+  const Departure end = mix.scatter({{0, -1}, {0, 1}, false, 1, 0, 1}, 0.5);
+  EXPECT_EQ(end.way, Departure::Way::scattered);
+  EXPECT_NEAR(end.direction.y(), -1, 1e-14);  // its normal runs along the wall: it goes through
+  expect_problem(with_material("{ mix = { mirror_turn = [0, 1e7] } }"),
+                 "more than 1000000 degrees");
+}
+
+TEST(Entities, HaveAlternativesThatAreSegments) {
+  const std::string wall =
+      "flatray = 1\n[[entity]]\nshape = { segment = { from = [0, 0], to = [1, 0] } }\nmaterial = "
+      "'mirror'\nalternatives = ";
+  EXPECT_EQ(loaded(wall + "[{ segment = { from = [0, 1], to = [1, 1] } }]")
+                .scene.entities.at(0)
+                .alternatives.size(),
+            1U);
+  expect_problem(
+      wall +
+          "[{ segment = { from = [0, 1], to = [1, 1] } }]\n[[lamp]]\nsource = { point = {} "
+          "}\n[light]\nestimator = 'backward'\n",
+      "paths from pixels do not know the alternatives");
+  for (const char* shape :
+       {"{ box = { min = [0, 0], max = [1, 1] } }", "{ segment = { from = [2, 2], to = [2, 2] } }",
+        "{ segment = { from = [0, 0], to = [1, { keys = [[0, 1], [1, 2]] }] } }"})
+    EXPECT_NE(refusal(wall + "[" + shape + "]").find("error: "), std::string::npos) << shape;
+  expect_problem(with_shape("circle = { radius = 1 }") +
+                     "alternatives = [{ segment = { from = [0, 1], to = [1, 1] } }]\n",
+                 "alternatives are not one segment each");
+}
+
 TEST(Materials, OfCopiesAreOneUnlessTheyAreDrawn) {
   const auto scatterers = [](const std::string& reflectance) {
     return loaded(with_material("{ mirror = { reflectance = " + reflectance + " } }") +
@@ -265,6 +319,18 @@ TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
   for (const double channel : colour_of_temperature(6500)) EXPECT_NEAR(channel, 1, 0.1);
   EXPECT_LT(colour_of_temperature(2000)[2], 0.1);
   EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
+}
+
+// The eye's curve has its peak, 1, at 555 nm; of a blackbody's light most is seen near 6640 K: 96 of 683
+// lumens a watt.
+TEST(Spectrum, KnowsHowBrightLightIs) {
+  EXPECT_NEAR(luminance_of_wavelength(555), 1, 0.02);
+  EXPECT_LT(luminance_of_wavelength(400), 0.01);
+  EXPECT_NEAR(luminance_of_temperature(6640), 96.0 / 683, 0.003);
+  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(6000));
+  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(7300));
+  EXPECT_LT(luminance_of_temperature(1000), 1e-4);
+  EXPECT_NEAR(luminance({1, 1, 1}), 1, 1e-12);
 }
 
 TEST(Spectrum, IsWhiteAgainWhenItsPartsAreAddedUp) {

@@ -88,6 +88,7 @@ inline constexpr TableText kTables[] = {
     {"lamp.beam", "flatray = 1\n[[lamp]]\nsource = { beam = { width = 1, @ } }"},
     {"lamp.cone", "flatray = 1\n[[lamp]]\nsource = { cone = { spread = 1, @ } }"},
     {"lamp.point", "flatray = 1\n[[lamp]]\nsource = { point = { @ } }"},
+    {"lamp.ranges", "flatray = 1\n[[lamp]]\nsource = { ranges = { @ } }"},
     {"lamp.ray", "flatray = 1\n[[lamp]]\nsource = { ray = { @ } }"},
     {"lamp.segment",
      "flatray = 1\n[[lamp]]\nsource = { segment = { from = [0, 0], to = [1, 0], @ } }"},

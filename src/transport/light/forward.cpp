@@ -12,12 +12,14 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kChunk = 2048;  // rays that a thread takes at a time
+constexpr std::size_t kAhead = 8;     // of them, fetched before their turn
 
 class Forward {
  public:
-  Forward(const World& world, std::span<const Scatterer* const> scatterers,
+  Forward(std::span<const World> worlds, std::span<const Scatterer* const> scatterers,
           std::span<const LampState> lamps, const FilmPlace& place, const LightRules& rules)
-      : walls_(world, scatterers, rules.tracer),
+      : worlds_(ready(worlds, scatterers, rules.tracer)),
+        walls_(*worlds_.front()),
         place_(place),
         rules_(rules),
         block_rays_(static_cast<std::uint32_t>(std::min(rules.light.rays, kLightBlock))),
@@ -54,6 +56,7 @@ class Forward {
     emit(block);
     for (std::uint32_t bounces = 0; !rays_.empty(); ++bounces) {
       if (rules_.stop != nullptr && rules_.stop()) return false;
+      choose_worlds(block, bounces);
       fly();
       film_.add(lines_, rules_.threads);
       scatter(block, bounces);
@@ -82,14 +85,38 @@ class Forward {
     std::erase_if(rays_, [](const LightRay& ray) { return largest(ray.weight) == 0; });
   }
 
+  // Where walls have alternatives, each ray gets a world, and they are put in order of them.
+  void choose_worlds(std::uint64_t block, std::uint32_t bounces) {
+    world_of_.resize(rays_.size());
+    if (worlds_.size() == 1) return;
+    const auto count = static_cast<double>(worlds_.size());
+    places_.resize(rays_.size());
+    in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts&) {
+      for (std::size_t i = begin; i < end; ++i)
+        places_[i] = static_cast<WallPlace>(
+            count * random_number(Stream::alternative, block, rays_[i].number, bounces));
+    });
+    const std::vector<std::uint32_t> order = ascending_order(places_);
+    std::vector<LightRay> sorted(rays_.size());
+    in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts&) {
+      for (std::size_t k = begin; k < end; ++k) {
+        sorted[k] = rays_[order[k]];
+        world_of_[k] = static_cast<std::uint32_t>(places_[order[k]]);
+      }
+    });
+    rays_ = std::move(sorted);
+  }
+
   // Takes every ray to its next wall, or out of the picture.
   void fly() {
     arrivals_.resize(rays_.size());
     lines_.resize(rays_.size());
     in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
-      const std::span<const LightRay> rays(rays_);
-      walls_.fly(rays.subspan(begin, end - begin),
-                 std::span(arrivals_).subspan(begin, end - begin));
+      for (std::size_t i = begin, last = i; i < end; i = last) {
+        while (last < end && world_of_[last] == world_of_[i]) ++last;
+        worlds_[world_of_[i]]->fly(std::span<const LightRay>(rays_).subspan(i, last - i),
+                                   std::span(arrivals_).subspan(i, last - i));
+      }
       for (std::size_t i = begin; i < end; ++i) {
         const Ray& ray = rays_[i].ray;
         const Vec2 to = arrivals_[i].hit ? arrivals_[i].landing.point : beyond_film(ray);
@@ -118,11 +145,15 @@ class Forward {
         random_bits(rules_.seed, Stream::bounce, rules_.frame, block, bounces));
     in_parts(order.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
       for (std::size_t k = begin; k < end; ++k) {
+        if (k + kAhead < end) {  // the order goes to and fro in memory
+          __builtin_prefetch(&rays_[order[k + kAhead]]);
+          __builtin_prefetch(&arrivals_[order[k + kAhead]]);
+        }
         const LightRay& ray = rays_[order[k]];
         const Numbers numbers = rules_.light.sampler == LightSampler::sorted
                                     ? net_numbers(static_cast<std::uint32_t>(k), scramble)
                                     : random_numbers(block, ray.number, bounces);
-        next[k] = scattered(ray, arrivals_[order[k]], bounces, numbers, counts);
+        next[k] = scattered(order[k], bounces, numbers, counts);
         if (next[k].weight != LightWeight{0, 0, 0})
           gamble(next[k], faint_, random_number(Stream::roulette, block, ray.number, bounces),
                  counts);
@@ -151,54 +182,38 @@ class Forward {
     places_.resize(rays_.size());
     in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts&) {
       for (std::size_t i = begin; i < end; ++i)
-        places_[i] = rules_.light.sampler == LightSampler::sorted ? place_of(arrivals_[i]) : i;
+        places_[i] = rules_.light.sampler == LightSampler::sorted ? place_of(i) : i;
     });
     return ascending_order(places_);
   }
 
-  // The place along a segment by its larger extent, on a curve by the angle of its form.
-  WallPlace place_of(const LightLanding& arrival) const {
-    const std::uint32_t surface = arrival.hit.surface;
+  WallPlace place_of(std::size_t i) const {
+    const LightLanding& arrival = arrivals_[i];
     if (!arrival.hit) return ~WallPlace{0};
-    double share = 0;
-    const Vec2& point = arrival.landing.point;
-    if (walls_.walls().is_straight(surface)) {
-      const Segment& wall = walls_.walls().segments[walls_.walls().slot[surface]];
-      const Vec2 along = wall.b - wall.a;
-      const int axis = std::fabs(along.x()) >= std::fabs(along.y()) ? 0 : 1;
-      share = (point[axis] - wall.a[axis]) / along[axis];
-    } else {
-      share = turn_share(point - walls_.walls().curve(surface).centre);
-    }
-    const double held = share > 0 ? std::min(share, 1 - 0x1p-32) : 0;  // NaN: 0
-    return (WallPlace{surface} << 32) | static_cast<std::uint32_t>(held * 0x1p32);
-  }
-
-  // Rises from 0 to 1 as `v` turns once; by its components alone.
-  static double turn_share(const Vec2& v) {
-    const double part = v.y() / (std::fabs(v.x()) + std::fabs(v.y()));
-    return v.x() < 0 ? (2 - part) / 4 : v.y() < 0 ? (4 + part) / 4 : part / 4;
+    return wall_place(worlds_[world_of_[i]]->walls(), arrival.hit.surface, arrival.landing.point);
   }
 
   // The ray that goes on, or one of weight 0.
-  LightRay scattered(const LightRay& ray, const LightLanding& arrival, std::uint32_t bounces,
-                     const Numbers& numbers, LightCounts& counts) const {
+  LightRay scattered(std::size_t i, std::uint32_t bounces, const Numbers& numbers,
+                     LightCounts& counts) const {
+    const LightRay& ray = rays_[i];
+    const LightLanding& arrival = arrivals_[i];
+    const LitWalls& walls = *worlds_[world_of_[i]];
     const auto ends = [&](std::int64_t& where, std::int64_t with) {
       where += with;
       return LightRay{ray.ray, {}, {0, 0, 0}, ray.number};
     };
     if (!arrival.hit) return ends(counts.escaped, energy(ray.weight));
     if (!arrival.landing.corner.empty())
-      return ends(walls_.all_absorb(arrival.landing.corner) ? counts.absorbed : counts.at_corners,
+      return ends(walls.all_absorb(arrival.landing.corner) ? counts.absorbed : counts.at_corners,
                   energy(ray.weight));
     LightRay next = ray;
-    if (ray.nm == 0 && walls_.bodies().disperse_at(arrival.hit.surface, ray.media))
+    if (ray.nm == 0 && walls.bodies().disperse_at(arrival.hit.surface, ray.media))
       take_wavelength(next, numbers.colour, counts);
-    const Departure departure =
-        walls_.depart(arrival, walls_.arrival(next, arrival), numbers.bounce);
+    const Departure departure = walls.depart(arrival, walls.arrival(next, arrival), numbers.bounce);
     const std::int64_t left = energy(next.weight);
     if (departure.way == Departure::Way::absorbed) return ends(counts.absorbed, left);
-    if (bounces == rules_.light.bounces || !walls_.leaves(next, arrival, departure))
+    if (bounces == rules_.light.bounces || !walls.leaves(next, arrival, departure))
       return ends(counts.cut_off, left);
     for (std::size_t c = 0; c < 3; ++c) next.weight[c] *= departure.tint[c];
     counts.absorbed += left - energy(next.weight);
@@ -234,7 +249,17 @@ class Forward {
 
   static constexpr std::uint32_t kEmitted = (1U << 20) - 1;  // no number of bounces
 
-  const LitWalls walls_;
+  using Worlds = std::vector<std::unique_ptr<const LitWalls>>;
+  static Worlds ready(std::span<const World> worlds, std::span<const Scatterer* const> scatterers,
+                      const Tracer* tracer) {
+    Worlds made;
+    for (const World& world : worlds)
+      made.push_back(std::make_unique<const LitWalls>(world, scatterers, tracer));
+    return made;
+  }
+
+  const Worlds worlds_;    // one, or those of alternatives, whose surfaces have the same numbers
+  const LitWalls& walls_;  // of the first
   const FilmPlace& place_;
   const LightRules& rules_;
   const std::uint32_t block_rays_;
@@ -249,6 +274,7 @@ class Forward {
   std::vector<LightLanding> arrivals_;
   std::vector<LightLine> lines_;
   std::vector<WallPlace> places_;
+  std::vector<std::uint32_t> world_of_;  // by ray
 };
 
 }  // namespace
@@ -264,10 +290,10 @@ std::uint64_t rays_traced(std::uint64_t rays) {
   return rays <= kLightBlock ? rays : (rays + kLightBlock - 1) / kLightBlock * kLightBlock;
 }
 
-TracedLight trace_light(const World& world, std::span<const Scatterer* const> scatterers,
+TracedLight trace_light(std::span<const World> worlds, std::span<const Scatterer* const> scatterers,
                         std::span<const LampState> lamps, const FilmPlace& place,
                         const LightRules& rules) {
-  return Forward(world, scatterers, lamps, place, rules).trace();
+  return Forward(worlds, scatterers, lamps, place, rules).trace();
 }
 
 }  // namespace flatray

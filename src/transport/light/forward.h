@@ -55,13 +55,14 @@ std::uint64_t rays_traced(std::uint64_t rays);
 /// Follows light from its lamps, and adds the length of every path in every pixel.
 ///
 /// Needs   lamps. Scatterers by surface, nullptr where its owner's material says
-///         all.
+///         all. `worlds` are one, or those of anim/world.h's alternatives: each leg is in one of them, by
+///         chance.
 /// Gives   the same sums for any number of threads, tier and exact tracer. A point lamp of power 1
 ///         with nothing in the way: 1 / (2 pi r), averaged over each pixel.
 /// Error   rays are followed as orbits are (transport/orbit.h): none gets through a closed wall. One
 ///         that comes to a corner ends there.
 /// Source  Jarosz et al. 2012, "Theory, analysis and applications of 2D global illumination".
-TracedLight trace_light(const World& world, std::span<const Scatterer* const> scatterers,
+TracedLight trace_light(std::span<const World> worlds, std::span<const Scatterer* const> scatterers,
                         std::span<const LampState> lamps, const FilmPlace& place,
                         const LightRules& rules);
 

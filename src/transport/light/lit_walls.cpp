@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "transport/light/order.h"
 
 namespace flatray {
 
@@ -44,8 +45,15 @@ Arrival LitWalls::arrival(const LightRay& ray, const LightLanding& landed) const
   const Sign side = inner_side(walls_, ray.ray, landed.hit);
   const Vec2 normal = static_cast<double>(side) * unit(landed.landing.normal);
   const auto nm = static_cast<double>(ray.nm);
-  return {ray.ray.direction, normal, from_inside(walls_, ray.ray, landed.hit),
-          bodies_.index_around(ray.media, bodies_.of(landed.hit.surface), nm), nm};
+  const std::uint32_t surface = landed.hit.surface;
+  const bool placed = scatterers_[surface] != nullptr && scatterers_[surface]->depends_on_place() &&
+                      walls_.is_straight(surface);
+  return {ray.ray.direction,
+          normal,
+          from_inside(walls_, ray.ray, landed.hit),
+          bodies_.index_around(ray.media, bodies_.of(surface), nm),
+          nm,
+          placed ? share_along(walls_, surface, landed.landing.point) : 0.0};
 }
 
 Departure LitWalls::depart(const LightLanding& landed, const Arrival& arrival, double u) const {

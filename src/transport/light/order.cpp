@@ -1,9 +1,34 @@
 #include "transport/light/order.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace flatray {
+namespace {
+
+// Rises from 0 to 1 as `v` turns once; by its components alone.
+double turn_share(const Vec2& v) {
+  const double part = v.y() / (std::fabs(v.x()) + std::fabs(v.y()));
+  return v.x() < 0 ? (2 - part) / 4 : v.y() < 0 ? (4 + part) / 4 : part / 4;
+}
+
+}  // namespace
+
+double share_along(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  const Segment& wall = walls.segments[walls.slot[surface]];
+  const Vec2 along = wall.b - wall.a;
+  const int axis = std::fabs(along.x()) >= std::fabs(along.y()) ? 0 : 1;
+  return (point[axis] - wall.a[axis]) / along[axis];
+}
+
+WallPlace wall_place(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  const double share = walls.is_straight(surface) ? share_along(walls, surface, point)
+                                                  : turn_share(point - walls.curve(surface).centre);
+  const double held = share > 0 ? std::min(share, 1 - 0x1p-32) : 0;  // NaN: 0
+  return (WallPlace{surface} << 32) | static_cast<std::uint32_t>(held * 0x1p32);
+}
 
 std::vector<std::uint32_t> ascending_order(std::span<const WallPlace> places) {
   std::vector<std::uint32_t> order(places.size()), sorted(places.size());

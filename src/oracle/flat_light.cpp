@@ -1,0 +1,171 @@
+#include "oracle/flat_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/portable_math.h"
+
+namespace flatray::oracle {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr int kMostWalls = 1000;
+
+class FlatTracer {
+ public:
+  FlatTracer(const FlatScene& scene, int width, int height, std::uint64_t seed)
+      : scene_(scene), width_(width), height_(height), state_((seed + 1) * 0x9e3779b97f4a7c15) {
+    light_.rgb.assign(
+        std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0);
+    for (const FlatScene::Lamp& lamp : scene.lamps) power_ += lamp.power;
+  }
+
+  FlatLight trace(std::uint64_t rays) && {
+    for (std::uint64_t i = 0; i < rays; ++i) follow_one();
+    // One ray carries power_ / rays; lengths are in pixels of the window, and so is the area.
+    const double unit = power_ / static_cast<double>(rays) *
+                        std::min(width_ / scene_.width, height_ / scene_.height);
+    for (double& value : light_.rgb) value *= unit;
+    return std::move(light_);
+  }
+
+ private:
+  struct Point {
+    double x, y;
+  };
+
+  // Marsaglia 2003, "Xorshift RNGs", times a constant as by Vigna 2016.
+  double unit() {
+    state_ ^= state_ >> 12, state_ ^= state_ << 25, state_ ^= state_ >> 27;
+    return static_cast<double>((state_ * 0x2545f4914f6cdd1d) >> 11) * 0x1p-53;
+  }
+  double draw(const EvenRange& range) {
+    return range.low == range.high ? range.low : range.low + unit() * (range.high - range.low);
+  }
+  static Point toward(double degrees) {
+    return {portable::cos(degrees * kDegree), portable::sin(degrees * kDegree)};
+  }
+
+  const FlatScene::Lamp& any_lamp() {
+    double left = unit() * power_;
+    for (const FlatScene::Lamp& lamp : scene_.lamps)
+      if ((left -= lamp.power) < 0) return lamp;
+    return scene_.lamps.back();
+  }
+
+  void follow_one() {
+    const FlatScene::Lamp& lamp = any_lamp();
+    const Point place = toward(draw(lamp.polar_angle));
+    const double distance = draw(lamp.polar_distance);
+    Point at{draw(lamp.x) + distance * place.x, draw(lamp.y) + distance * place.y};
+    Point way = toward(draw(lamp.ray_angle));
+    const FlatScene::Wall* left = nullptr;
+    for (int walls = 0; walls <= kMostWalls; ++walls) {
+      ++light_.ways;
+      const Hit hit = next_wall(at, way, left);
+      const double far = std::isinf(hit.t) ? beyond(at) : hit.t;
+      const Point to{at.x + far * way.x, at.y + far * way.y};
+      deposit(at, to, lamp.rgb);
+      if (hit.wall == nullptr || !goes_on(hit, way)) return;
+      at = to, left = hit.wall;
+    }
+  }
+
+  struct Hit {
+    const FlatScene::Wall* wall = nullptr;
+    double t = std::numeric_limits<double>::infinity(), share = 0;
+    Point along{0, 0};
+  };
+
+  Hit next_wall(const Point& at, const Point& way, const FlatScene::Wall* left) {
+    Hit nearest;
+    for (const FlatScene::Wall& wall : scene_.walls) {
+      if (&wall == left) continue;
+      const Point from{draw(wall.x) - at.x, draw(wall.y) - at.y};
+      const Point along{draw(wall.dx), draw(wall.dy)};
+      const double det = way.x * along.y - way.y * along.x;
+      const double t = (from.x * along.y - from.y * along.x) / det;
+      const double share = (from.x * way.y - from.y * way.x) / det;
+      if (t >= 0 && t < nearest.t && share >= 0 && share <= 1) nearest = {&wall, t, share, along};
+    }
+    return nearest;
+  }
+
+  bool goes_on(const Hit& hit, Point& way) {
+    const FlatScene::Wall& wall = *hit.wall;
+    double u = unit();
+    if (u < wall.scattered) return way = toward(360 * unit()), true;
+    if ((u -= wall.scattered) < wall.through) return true;
+    if (u - wall.through >= wall.mirrored) return false;
+    Point normal{-hit.along.y, hit.along.x};
+    if (wall.has_normal) normal = toward(draw(wall.normal) + hit.share * draw(wall.turn));
+    const double twice =
+        2 * (way.x * normal.x + way.y * normal.y) / (normal.x * normal.x + normal.y * normal.y);
+    way = {way.x - twice * normal.x, way.y - twice * normal.y};
+    return true;
+  }
+
+  double beyond(const Point& at) const {
+    return std::abs(at.x - scene_.left) + std::abs(at.y - scene_.top) + scene_.width +
+           scene_.height;
+  }
+
+  // Adds the length of a line in each pixel, from border to border.
+  void deposit(const Point& from, const Point& to, const std::array<double, 3>& rgb) {
+    const double scale = std::min(width_ / scene_.width, height_ / scene_.height);
+    const double start[2] = {(from.x - scene_.left) * scale, (from.y - scene_.top) * scale};
+    const double way[2] = {(to.x - from.x) * scale, (to.y - from.y) * scale};
+    const double size[2] = {static_cast<double>(width_), static_cast<double>(height_)};
+    double begin = 0, end = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (way[axis] == 0 && !(start[axis] >= 0 && start[axis] < size[axis])) return;
+      if (way[axis] == 0) continue;
+      const double low = -start[axis] / way[axis], high = (size[axis] - start[axis]) / way[axis];
+      begin = std::max(begin, std::min(low, high)), end = std::min(end, std::max(low, high));
+    }
+    const double length = std::sqrt(way[0] * way[0] + way[1] * way[1]);
+    while (begin < end) {
+      double next = end;  // where it leaves the pixel in which it goes on
+      int cell[2];
+      for (int axis = 0; axis < 2; ++axis) {
+        const double at = start[axis] + begin * way[axis];
+        constexpr double kInto = 1e-9;  // of a pixel, past a border it stands on
+        const double into = std::floor(at + (way[axis] < 0 ? -kInto : kInto));
+        cell[axis] = std::clamp(static_cast<int>(into), 0, static_cast<int>(size[axis]) - 1);
+        if (way[axis] == 0) continue;
+        const double border = into + (way[axis] > 0 ? 1 : 0);
+        const double t = (border - start[axis]) / way[axis];
+        if (t > begin) next = std::min(next, t);
+      }
+      const auto pixel = static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(width_) +
+                         static_cast<std::size_t>(cell[0]);
+      for (std::size_t c = 0; c < 3; ++c)
+        light_.rgb[3 * pixel + c] += (next - begin) * length * rgb[c];
+      begin = next;
+    }
+  }
+
+  const FlatScene& scene_;
+  const int width_, height_;
+  std::uint64_t state_;
+  double power_ = 0;
+  FlatLight light_;
+};
+
+}  // namespace
+
+std::array<double, 3> FlatLight::mean() const {
+  std::array<double, 3> sum{0, 0, 0};
+  for (std::size_t i = 0; i < rgb.size(); ++i) sum[i % 3] += rgb[i];
+  for (double& channel : sum) channel *= 3 / static_cast<double>(rgb.size());
+  return sum;
+}
+
+FlatLight trace_flat(const FlatScene& scene, int width_px, int height_px, std::uint64_t rays,
+                     std::uint64_t seed) {
+  return FlatTracer(scene, width_px, height_px, seed).trace(rays);
+}
+
+}  // namespace flatray::oracle

@@ -1,0 +1,74 @@
+#include <fmt/core.h>
+
+#include <set>
+
+#include "scene/format.h"
+#include "scene/hqz_scene.h"
+#include "scene/json_value.h"
+
+namespace flatray::scene_formats {
+namespace {
+
+// Bytes of each scene: the whole text, or, where its first line is a scene by itself, each line.
+std::vector<std::pair<std::size_t, std::size_t>> scenes_in(const SourcePtr& source) {
+  const std::string_view text = source->text();
+  std::vector<std::pair<std::size_t, std::size_t>> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (!trimmed(text.substr(begin, end - begin)).empty()) lines.emplace_back(begin, end);
+    if (lines.size() == 1 && !json_value(source, lines[0].first, lines[0].second)) break;
+    begin = end + 1;
+  }
+  if (lines.size() > 1) return lines;
+  return {{0, text.size()}};
+}
+
+Result<SceneDesc> read(const SourcePtr& source, const LoadLimits& limits) {
+  std::vector<HqzScene> scenes;
+  Diagnostics warnings, problems;
+  std::uint64_t objects = 0;
+  for (const auto& [begin, end] : scenes_in(source)) {
+    const Result<Value> value = json_value(source, begin, end);
+    if (!value) return tl::unexpected(value.error());
+    Result<HqzScene> scene = read_hqz_scene(*value, limits, warnings);
+    if (!scene) {
+      for (Diagnostic& one : scene.error()) problems.push_back(std::move(one));
+      continue;
+    }
+    objects += scene->objects.size();
+    if (objects > limits.max_corners)
+      return fail(scene->where,
+                  fmt::format("more than {} objects in all lines", limits.max_corners),
+                  "--max-corners raises the limit");
+    scenes.push_back(std::move(*scene));
+  }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  const bool many = scenes.size() > 1;
+  Result<SceneDesc> desc = describe_hqz(std::move(scenes), warnings);
+  if (!desc) return desc;
+  // Of what all lines have in common the first is told.
+  std::set<std::string> told;
+  for (Diagnostic& one : warnings)
+    if (told.insert(one.message).second || !many) desc->warnings.push_back(std::move(one));
+  return desc;
+}
+
+// An object whose first name is in quotes.
+bool recognises(std::string_view text) {
+  text = trimmed(text);
+  if (!text.starts_with('{')) return false;
+  text = trimmed(text.substr(1));
+  if (!text.starts_with('"')) return false;
+  const std::size_t quote = text.find('"', 1);
+  return quote != std::string_view::npos && trimmed(text.substr(quote + 1)).starts_with(':');
+}
+
+constexpr std::string_view kExtensions[] = {"json"};
+
+}  // namespace
+
+extern const Format hqz = {"hqz",       "a scene of High Quality Zen in JSON, or one in each line",
+                           kExtensions, &recognises,
+                           &read,       nullptr};
+
+}  // namespace flatray::scene_formats
