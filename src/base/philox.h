@@ -16,11 +16,12 @@ enum class Stream : std::uint32_t {
   test = 3,
   scatter = 4,
   value = 5,
-  lamp = 6,      ///< how rays leave lamps
-  bounce = 7,    ///< what becomes of light at a wall
-  roulette = 8,  ///< which faint rays go on
-  colour = 9,    ///< wavelengths of light that comes to what disperses
-  gather = 10,   ///< paths from pixels to lamps
+  lamp = 6,       ///< how rays leave lamps
+  bounce = 7,     ///< what becomes of light at a wall
+  roulette = 8,   ///< which faint rays go on
+  colour = 9,     ///< wavelengths of light that comes to what disperses
+  gather = 10,    ///< paths from pixels to lamps
+  scramble = 11,  ///< seeds of pictures of light that are compared with one another
 };
 
 /// 64 uniform bits named by (seed, stream, frame, item, draw). `frame` and `item` keep 32 bits

@@ -50,6 +50,8 @@ class Scatterer {
   virtual double index(double /*nm*/) const { return 0; }
   /// Whether the index differs between wavelengths, so that light must have one.
   virtual bool disperses() const { return false; }
+  /// Whether grey light may come away with a colour.
+  virtual bool colours() const { return disperses(); }
 };
 
 }  // namespace flatray
