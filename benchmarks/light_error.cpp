@@ -8,6 +8,7 @@
 
 #include "measure.h"
 #include "render/light_picture.h"
+#include "render/light_run.h"
 #include "scene/lamp.h"
 #include "scene/load.h"
 
@@ -42,9 +43,9 @@ std::vector<double> fluence(const Scene& scene, std::uint64_t seed) {
   if (scene.light.estimator == LightEstimator::backward)
     return gather_frame_light(scene, state, nullptr, seed, 1, nullptr).fluence;
   const TracedLight traced = trace_frame_light(scene, state, nullptr, seed, 1, nullptr);
-  const std::vector<std::int64_t> sums = traced.film.sums();
+  const std::vector<std::int64_t> sums = traced.sums();
   std::vector<double> light(sums.begin(), sums.end());
-  for (double& one : light) one *= traced.unit;
+  for (double& one : light) one *= traced.unit();
   return light;
 }
 

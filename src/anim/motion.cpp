@@ -65,6 +65,23 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
   return poses;
 }
 
+namespace {
+
+std::string reason_of(const Scene& scene, const Entity& entity) {
+  if (moves(scene, entity)) return "'" + entity.name + "' moves";
+  return reason_of_groups(scene, entity.group);
+}
+
+std::string reason_of_lamps(const Scene& scene) {
+  for (const Lamp& lamp : scene.lamps) {
+    if (moves(lamp)) return "lamp '" + lamp.name + "' moves";
+    if (auto reason = reason_of_groups(scene, lamp.group); !reason.empty()) return reason;
+  }
+  return !scene.lamps.empty() && scene.light.noise_moves ? "the noise of light moves" : "";
+}
+
+}  // namespace
+
 std::string reason_to_move(const Scene& scene) {
   if (moves(scene.camera)) return "the camera moves";
   for (const RayPath& ray : scene.rays) {
@@ -73,15 +90,18 @@ std::string reason_to_move(const Scene& scene) {
     if (moves(ray)) return "ray '" + ray.name + "' moves";
     if (auto reason = reason_of_groups(scene, ray.group); !reason.empty()) return reason;
   }
-  for (const Entity& entity : scene.entities) {
-    if (moves(scene, entity)) return "'" + entity.name + "' moves";
-    if (auto reason = reason_of_groups(scene, entity.group); !reason.empty()) return reason;
-  }
-  for (const Lamp& lamp : scene.lamps) {
-    if (moves(lamp)) return "lamp '" + lamp.name + "' moves";
-    if (auto reason = reason_of_groups(scene, lamp.group); !reason.empty()) return reason;
-  }
-  return !scene.lamps.empty() && scene.light.noise_moves ? "the noise of light moves" : "";
+  for (const Entity& entity : scene.entities)
+    if (auto reason = reason_of(scene, entity); !reason.empty()) return reason;
+  return reason_of_lamps(scene);
+}
+
+std::string reason_for_light_to_move(const Scene& scene) {
+  if (moves(scene.camera) || scene.camera.follow) return "the camera moves";
+  if (responds(scene)) return "what responds to contact may move";
+  for (const Entity& entity : scene.entities)
+    if (entity.material)
+      if (auto reason = reason_of(scene, entity); !reason.empty()) return reason;
+  return reason_of_lamps(scene);
 }
 
 }  // namespace flatray

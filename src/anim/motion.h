@@ -19,5 +19,7 @@ Placed placed(const Scene& scene, const Vec2& at, double angle, const Motion& mo
 
 /// Why the frames of a scene differ, or "" when they are all one picture.
 std::string reason_to_move(const Scene& scene);
+/// The same of the light of lamps alone, whatever else moves.
+std::string reason_for_light_to_move(const Scene& scene);
 
 }  // namespace flatray

@@ -7,6 +7,7 @@
 
 #include "app/help.h"
 #include "app/option_values.h"
+#include "app/output_pattern.h"
 #include "app/places.h"
 #include "base/shown_text.h"
 #include "scene/build_scene.h"
@@ -107,7 +108,7 @@ void add_values(Completion& completion, const CommandLine& line, const std::stri
     return add(completion, line, names_in_scene(line, [](const Scene& s) { return s.rays; }));
   if (what == "KEY=VALUE") return add(completion, line, keys_to_set());
   if (what == "FOLDER" || what == "DIR") completion.folders = true;
-  if (what == "PATTERN") completion.extensions = {"png", "hdr"};
+  if (what == "PATTERN") completion.extensions = picture_formats();
   const std::size_t dot = what.find('.');
   if (dot != std::string::npos) completion.extensions = {what.substr(dot + 1)};
 }

@@ -11,6 +11,7 @@ namespace flatray {
 struct Encoded {
   std::vector<std::byte> bytes;
   FrameRecord record;
+  std::vector<std::byte> error_bytes{};  ///< of the picture of its error, where one is wanted
 };
 
 /// Draws frames of a job one after another and encodes them in its format; a frame that shows what
@@ -30,6 +31,9 @@ class FrameEncoder {
 
  private:
   Result<const Encoded*> encode(Result<DrawList> list);
+  Result<const Encoded*> encode_film(const RenderPlan& plan, const Timeline& timeline,
+                                     unsigned frame);
+  void keep_report();
   template <class Picture>
   Result<void> encode(FrameDrawer<Picture>& drawer, DrawList list);
   template <class Picture>
@@ -38,6 +42,7 @@ class FrameEncoder {
   std::vector<std::byte> file_bytes(const LinearImage& image, const RowsChanged& changed);
 
   const RenderJob& job_;
+  LightReport report_;
   const FrameOptions options_;
   std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>> drawer_;
   PngEncoder png_;

@@ -2,11 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/journal.h"
 #include "app/option_values.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "image/film_file.h"
 #include "image/hdr.h"
+#include "image/pfm.h"
 #include "image/png.h"
 
 namespace flatray {
@@ -31,10 +35,58 @@ unsigned number_of(const JsonValue& record, const char* field) {
 }  // namespace
 
 JsonValue as_value(const FrameRecord& record) {
-  return Fields{{"frame", record.frame},   {"file", record.file},     {"width", record.width},
+  Fields fields{{"frame", record.frame},   {"file", record.file},     {"width", record.width},
                 {"height", record.height}, {"pixels", record.pixels}, {"bytes", record.bytes},
                 {"scene", record.scene},   {"seed", record.seed},     {"backend", record.backend}};
+  if (record.light) fields.emplace_back("light", as_value(*record.light));
+  return fields;
 }
+
+JsonValue as_value(const LightRecord& light) {
+  Fields fields{{"rays", light.rays},         {"rounds", light.rounds},
+                {"absorbed", light.absorbed}, {"escaped", light.escaped},
+                {"corners", light.corners},   {"cut_off", light.cut_off},
+                {"gambled", light.gambled}};
+  if (light.error) fields.emplace_back("error", *light.error);
+  return fields;
+}
+
+LightRecord record_of(const LightReport& report) {
+  const LightCounts& counts = report.counts;
+  const auto emitted = static_cast<double>(std::max<std::int64_t>(counts.emitted, 1));
+  const auto share = [&](std::int64_t part) { return static_cast<double>(part) / emitted; };
+  return {counts.rays,
+          report.rounds,
+          share(counts.absorbed),
+          share(counts.escaped),
+          share(counts.at_corners),
+          share(counts.cut_off),
+          share(counts.gambled),
+          report.error};
+}
+
+namespace {
+
+LightRecord light_in(const JsonValue& value) {
+  const auto whole = [&](const char* field) {
+    const JsonValue* one = value.find(field);
+    return one == nullptr ? 0 : one->as_whole().value_or(0);
+  };
+  const auto number = [&](const char* field) {
+    const JsonValue* one = value.find(field);
+    return one == nullptr ? std::nullopt : one->as_number();
+  };
+  return {whole("rays"),
+          whole("rounds"),
+          number("absorbed").value_or(0),
+          number("escaped").value_or(0),
+          number("corners").value_or(0),
+          number("cut_off").value_or(0),
+          number("gambled").value_or(0),
+          number("error")};
+}
+
+}  // namespace
 
 std::string manifest_line(const FrameRecord& record) { return json_text(as_value(record)); }
 
@@ -53,6 +105,7 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   if (const JsonValue* seed = value->find("seed")) record.seed = seed->as_whole().value_or(0);
   // Lines of versions that had one back end only do not name it.
   if (value->find("backend") != nullptr) record.backend = value->text_of("backend");
+  if (const JsonValue* light = value->find("light")) record.light = light_in(*light);
   // A name with folders in it would lead elsewhere.
   if (record.frame == 0 || record.bytes.empty() || record.file.empty() ||
       record.file.find('/') != std::string::npos)
@@ -90,7 +143,7 @@ bool is_whole(const FrameRecord& record, const fs::path& folder) {
   if (!bytes) return false;
   const auto content = std::as_bytes(std::span(*bytes));
   if (Hash().add(content).hex() != record.bytes) return false;
-  if (is_hdr(content)) return true;
+  if (is_hdr(content) || is_pfm(content) || is_film(content)) return true;
   const Result<Image> image = decode_png(content, record.file);
   return image && image->width == record.width && image->height == record.height &&
          pixel_hash(*image) == record.pixels;

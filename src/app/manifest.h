@@ -8,8 +8,22 @@
 
 #include "app/frames.h"
 #include "app/value.h"
+#include "render/light_run.h"
 
 namespace flatray {
+
+/// What became of the light of a frame, as parts of what was emitted, which they add up to.
+struct LightRecord {
+  std::uint64_t rays = 0, rounds = 0;
+  double absorbed = 0, escaped = 0;
+  double corners = 0;             ///< lost: at corners
+  double cut_off = 0;             ///< lost: after the last bounce allowed
+  double gambled = 0;             ///< by faint rays; some win
+  std::optional<double> error{};  ///< relative standard error, where scrambles tell it
+  bool operator==(const LightRecord&) const = default;
+};
+LightRecord record_of(const LightReport& report);
+JsonValue as_value(const LightRecord& light);
 
 /// One frame written: a line of `manifest.jsonl`. Nothing in it depends on when, where or by how
 /// many threads.
@@ -21,7 +35,8 @@ struct FrameRecord {
   std::string bytes;   ///< hash of the file
   std::string scene;   ///< hash of the scene and every option a pixel depends on
   std::uint64_t seed = 0;
-  std::string backend = "software";  ///< what drew it, with all its pixels depend on
+  std::string backend = "software";    ///< what drew it, with all its pixels depend on
+  std::optional<LightRecord> light{};  ///< of scenes with lamps
   bool operator==(const FrameRecord&) const = default;
 };
 

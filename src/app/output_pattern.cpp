@@ -9,6 +9,18 @@
 #include "app/option_values.h"
 
 namespace flatray {
+
+namespace {
+constexpr std::array<const char*, 4> kFormats = {"png", "hdr", "pfm", "film"};
+}  // namespace
+
+Result<PictureFormat> picture_format(const std::string& name, const Place& where) {
+  for (std::size_t i = 0; i < kFormats.size(); ++i)
+    if (name == kFormats[i]) return static_cast<PictureFormat>(i);
+  return usage_error(where, fmt::format("unknown picture format '{}'", name),
+                     "say " + comma_list(picture_formats()));
+}
+
 namespace {
 
 // File systems allow 255 bytes; the temporary name beside the file needs some, the frame number and
@@ -62,29 +74,26 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-Result<PictureFormat> format_named(const std::string& name, const Place& where) {
-  if (name == "png") return PictureFormat::png;
-  if (name == "hdr") return PictureFormat::hdr;
-  return usage_error(where, fmt::format("unknown picture format '{}'", name), "say png or hdr");
-}
-
 Result<PictureFormat> format_of(const std::string& text, const std::optional<std::string>& wanted,
                                 const Place& where) {
-  if (text == "-") return format_named(wanted.value_or("png"), named_place("--format"));
+  if (text == "-") return picture_format(wanted.value_or("png"), named_place("--format"));
   const std::string extension = lower_case(std::filesystem::path(text).extension().string());
-  if (extension.empty() && wanted) return format_named(*wanted, named_place("--format"));
-  if (extension != ".png" && extension != ".hdr")
-    return usage_error(where, fmt::format("'{}' ends neither in .png nor in .hdr", text),
+  if (extension.empty() && wanted) return picture_format(*wanted, named_place("--format"));
+  if (std::find(kFormats.begin(), kFormats.end(),
+                std::string_view(extension).substr(extension.empty() ? 0 : 1)) == kFormats.end())
+    return usage_error(where, fmt::format("'{}' does not end in .png, .hdr, .pfm or .film", text),
                        "say which, or --format png");
   if (wanted && "." + lower_case(*wanted) != extension)
     return usage_error(where, fmt::format("'{}' is not a name for --format {}", text, *wanted),
                        fmt::format("end it in .{}, or leave --format out", *wanted));
-  return format_named(extension.substr(1), where);
+  return picture_format(extension.substr(1), where);
 }
 
 }  // namespace
 
-const char* name(PictureFormat format) { return format == PictureFormat::png ? "png" : "hdr"; }
+const char* name(PictureFormat format) { return kFormats[static_cast<std::size_t>(format)]; }
+
+std::vector<std::string> picture_formats() { return {kFormats.begin(), kFormats.end()}; }
 
 OutputPattern::OutputPattern(std::string text, PictureFormat format)
     : text_(std::move(text)), format_(format) {

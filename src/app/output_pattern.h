@@ -3,20 +3,30 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 
 namespace flatray {
 
-enum class PictureFormat { png, hdr };
+enum class PictureFormat {
+  png,
+  hdr,
+  pfm,
+  film  ///< light to which more can be added: image/film_file.h
+};
 const char* name(PictureFormat format);
+/// All names, "png" first.
+std::vector<std::string> picture_formats();
+/// Error   Trouble::usage for another name.
+Result<PictureFormat> picture_format(const std::string& name, const Place& where);
 
 /// Where pictures go: "out/{scene}/frame_####.png". `####` (any number of #, the last run in the
 /// file name) or `%04d` is the frame number, `{scene}` the scene's name. Nothing else is special,
 /// and no name is ever a format string.
 class OutputPattern {
  public:
-  /// `format` is --format, if given; else the extension decides (.png or .hdr).
+  /// `format` is --format, if given; else the extension decides.
   /// Error   Trouble::usage: empty, a folder, no known extension, extension against `format`, a
   ///         name too long.
   static Result<OutputPattern> parse(std::string text, const std::optional<std::string>& format,

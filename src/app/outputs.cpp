@@ -11,6 +11,8 @@
 
 #include "app/option_values.h"
 #include "base/file.h"
+#include "image/film_file.h"
+#include "image/pfm.h"
 #include "image/png.h"
 
 namespace flatray {
@@ -21,8 +23,10 @@ namespace fs = std::filesystem;
 struct Kind {
   std::string_view name, beginning;
 };
-constexpr std::array<Kind, 6> kKinds = {{{"a PNG", kPngSignature},
+constexpr std::array<Kind, 8> kKinds = {{{"a PNG", kPngSignature},  // as PictureFormat has them
                                          {"an HDR picture", "#?RADIANCE"},
+                                         {"a PFM picture", kPfmSignature},
+                                         {"a film", kFilmSignature},
                                          {"an SVG", "<?xml"},
                                          {"a page of HTML", "<!DOCTYPE html"},
                                          {"JSON", "{"},
@@ -65,7 +69,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 }  // namespace
 
 std::string_view beginning(PictureFormat format) {
-  return kKinds[format == PictureFormat::png ? 0 : 1].beginning;
+  return kKinds[static_cast<std::size_t>(format)].beginning;
 }
 
 Outputs::Outputs(const Arguments& arguments) : force_(arguments.has("force")), can_force_(true) {

@@ -37,10 +37,7 @@ struct Profile {
 
 std::optional<double> number_of(const JsonValue& line, const char* name) {
   const JsonValue* value = line.find(name);
-  if (value == nullptr) return std::nullopt;
-  if (const auto* real = std::get_if<double>(&value->data)) return *real;
-  if (const auto whole = value->as_whole()) return static_cast<double>(*whole);
-  return std::nullopt;
+  return value == nullptr ? std::nullopt : value->as_number();
 }
 
 // What a profile may say to render; all else would draw another scene.
@@ -202,10 +199,6 @@ std::string profile_text(const Scene& scene, std::span<const ChoiceReport> repor
 
 Result<Arguments> with_profile(const Arguments& arguments) {
   const auto path = arguments.text("profile");
-  for (const char* wish : {"error", "time"})
-    if (!path && arguments.has(wish))
-      return usage_error(arguments.where(wish), "needs --profile",
-                         "flatray accuracy SCENE --profile FILE writes one");
   if (!path) return arguments;
   const auto wish = read_wish(arguments);
   if (!wish) return tl::unexpected(wish.error());

@@ -14,10 +14,11 @@ std::string profile_text(const Scene& scene, std::span<const ChoiceReport> repor
 inline constexpr Option kProfileOption = {"profile", '\0', "FILE",
                                           "written by flatray accuracy: choose by it how to draw"};
 inline constexpr Option kErrorOption = {
-    "error", '\0', "E", "with --profile: the cheapest way to draw with an error of E at most"};
+    "error", '\0', "E",
+    "light: rays until its relative error is E; with --profile: the cheapest way to draw so"};
 inline constexpr Option kTimeOption = {
     "time", '\0', "S",
-    "with --profile: the nearest way to draw that takes S seconds a frame at most"};
+    "light: rays for S seconds a frame; with --profile: the nearest way to draw that takes S"};
 
 /// The arguments with --backend, --samples and -D as the profile they name says; as they are
 /// without one. Says on standard error what it has chosen, unless --quiet.

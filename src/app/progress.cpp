@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <bit>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -31,17 +32,30 @@ std::string progress_bar(std::size_t done, std::size_t total, double seconds, co
                             static_cast<double>(total - done) / rate);
 }
 
-Progress::Progress(std::size_t total, ProgressMode mode, const char* unit)
+Progress::Progress(std::size_t total, ProgressMode mode, const char* unit, bool has_news)
     : total_(total), unit_(unit), style_(Style::none), start_(std::chrono::steady_clock::now()) {
-  if (mode == ProgressMode::never || total < 2) return;
+  if (mode == ProgressMode::never || (total < 2 && !has_news)) return;
   if (is_terminal())
     style_ = Style::bar;
   else if (mode == ProgressMode::always)
     style_ = Style::lines;
 }
 
-void Progress::draw_bar(std::size_t done, double seconds) const {
-  print("\r" + progress_bar(done, total_, seconds, unit_) + "   ");
+void Progress::draw_bar(std::size_t done, double seconds, const std::string& news) const {
+  const std::string gap(3, ' ');
+  print("\r" + progress_bar(done, total_, seconds, unit_) + gap + news + (news.empty() ? "" : gap));
+}
+
+void Progress::tell(const std::string& news) {
+  const std::size_t times = told_.fetch_add(1) + 1;
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+  if (style_ == Style::lines && std::has_single_bit(times))
+    print(fmt::format("flatray: {}\n", news));
+  if (style_ != Style::bar) return;
+  const int now = static_cast<int>(elapsed.count() * 10);
+  int before = shown_.load();
+  if (now > before && shown_.compare_exchange_strong(before, now))
+    draw_bar(done_.load(), elapsed.count(), news);
 }
 
 void Progress::step() {
@@ -60,7 +74,7 @@ void Progress::step() {
 }
 
 void Progress::finish() {
-  if (style_ == Style::bar) print("\r" + std::string(kBarWidth + 60, ' ') + "\r");
+  if (style_ == Style::bar) print("\r" + std::string(kBarWidth + 90, ' ') + "\r");
 }
 
 }  // namespace flatray

@@ -20,7 +20,7 @@ std::string reason(std::string_view what) {
 }
 
 // Builds a value from what the library's lexer finds, one call a token.
-class Builder {
+class JsonBuilder {
  public:
   bool null() { return put({}); }
   bool boolean(bool truth) { return put(truth); }
@@ -85,7 +85,7 @@ class Builder {
 tl::expected<JsonValue, JsonMistake> read_json(std::string_view text) {
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     return tl::unexpected(JsonMistake{nul + 1, "no JSON: a NUL byte"});
-  Builder builder;
+  JsonBuilder builder;
   const bool whole = Json::sax_parse(text, &builder);
   return builder.result(whole);
 }

@@ -9,65 +9,61 @@
 
 #include "app/frame_encoder.h"
 #include "app/interrupt.h"
-#include "app/resource_limits.h"
+#include "app/light_files.h"
 #include "app/value.h"
-#include "app/version.h"
 #include "base/counted.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "base/number_text.h"
 #include "base/parallel.h"
 #include "collide/scene_timeline.h"
-#include "render/light_picture.h"
 
 namespace flatray {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Frames are drawn side by side as long as their pictures together stay under this.
-constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
-
-// What one picture takes at its peak, for pixels that do not compress, and what lies still below
-// moving things, kept from frame to frame. Not what the scene and its outlines take.
-std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
-  const std::uint64_t channels = job.scene.film.background.a == 255 ? 3 : 4;
-  const std::uint64_t png_bytes = 3 * channels;  // picture, its bands packed, joined
-  constexpr std::uint64_t kHdrBytes =
-      12 + 12 + 12;  // picture, without what RGBE lacks, growing file
-  const PixelBox box = job.picture();
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-  const std::uint64_t picture =
-      pixels * (job.output.format() == PictureFormat::png ? png_bytes : kHdrBytes);
-  const std::uint64_t light =
-      job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene, hardware_threads());
-  if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture + light;
-  return picture + light + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
+RenderPlan plan_of(const RenderJob& job, const LightGoal& goal) {
+  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
+  plan.light_goal = &goal;
+  const bool film = job.output.format() == PictureFormat::film;
+  plan.still = plan.still && !film;  // each names its frame
+  plan.still_light = plan.still_light && !film && !job.view;
+  plan.raw_light = job.output.format() != PictureFormat::png;
+  return plan;
 }
 
-RenderPlan plan_of(const RenderJob& job) {
-  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
-  plan.raw_light = job.output.format() == PictureFormat::hdr;
-  return plan;
+// The goal of the job's light, of which `told` is told.
+LightGoal told_goal(const RenderJob& job, const Told& told) {
+  LightGoal goal = job.light.goal();
+  if (told)
+    goal.told = [&told](const TracedLight& light, std::optional<double> error) {
+      told(fmt::format("{} rays{}", light.counts.rays,
+                       error ? fmt::format(", error {:.2g}", *error) : std::string()));
+    };
+  return goal;
 }
 
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
 class FrameMaker {
  public:
   FrameMaker(const RenderJob& job, const Timeline& timeline, const std::vector<unsigned>& frames,
-             unsigned threads, const std::function<void()>& done, const Claim* claim)
+             unsigned threads, const std::function<void()>& done, const Claim* claim,
+             const Told& told)
       : job_(job),
         frames_(frames),
         spread_(spread(job, frames.size(), threads)),
         run_(run_length(frames.size(), spread_)),
         done_(done),
         claim_(claim),
-        plan_(plan_of(job)),
+        goal_(told_goal(job, told)),
+        plan_(plan_of(job, goal_)),
         timeline_(timeline),
         manifest_(job.manifest()),
         made_((frames.size() + run_ - 1) / run_) {
-    if (plan_.still) draw_still(threads);
+    if (plan_.still)
+      draw_still(threads);
+    else if (plan_.still_light && frames.size() > 1)
+      trace_still_light(threads);
   }
 
   void make_all() {
@@ -120,6 +116,12 @@ class FrameMaker {
     encoded_ = encoder.encoded();
   }
 
+  void trace_still_light(unsigned threads) {
+    kept_light_ = show_light(timeline_, at(timeline_, frames_.front()), job_.tracer,
+                             {threads, &interrupted, plan_.raw_light, &goal_});
+    plan_.kept_light = &kept_light_;
+  }
+
   // Names and lines of a run are flushed together: what a machine that stops then loses of them,
   // --resume makes again. The bytes of a picture are flushed before it has its name.
   void make_run(std::size_t begin, Made& made) {
@@ -163,6 +165,11 @@ class FrameMaker {
     record.frame = frame;
     record.file = job_.path(frame).filename();
     if (auto written = write((*made)->bytes, record); !written) return fail(std::move(written));
+    if (job_.light.error_image)
+      if (auto written =
+              write_file(job_.light.error_image->path(job_.name, frame), (*made)->error_bytes);
+          !written)
+        return fail(std::move(written));
     return record;
   }
 
@@ -186,7 +193,9 @@ class FrameMaker {
   const std::size_t run_;
   const std::function<void()>& done_;
   const Claim* const claim_;
-  const RenderPlan plan_;
+  const LightGoal goal_;
+  ShownLight kept_light_;
+  RenderPlan plan_;
   const Timeline& timeline_;
   const Journal manifest_;
   std::vector<Made> made_;
@@ -262,47 +271,12 @@ Result<void> write_timings(const RenderJob& job, const JobResult& result) {
 
 }  // namespace
 
-Fields RenderJob::setting() const {
-  const PixelBox part = picture();
-  Fields fields{{"scene", Hash().add(scene.hash).hex()},
-                {"seed", seed},
-                {"size", fmt::format("{}x{}", scene.film.width, scene.film.height)},
-                {"part", fmt::format("{}x{} at {},{}", part.width, part.height, part.x, part.y)},
-                {"format", flatray::name(output.format())},
-                {"backend", backend()},
-                {"version", kVersion}};
-  if (view)
-    fields.emplace_back("view",
-                        fmt::format("{} {} {}", view->view->name, number_text(view->point.x()),
-                                    number_text(view->point.y())));
-  if (tracer != nullptr && !tracer->exact) fields.emplace_back("tracer", tracer->name);
-  return fields;
-}
-
-std::string RenderJob::fingerprint() const { return Hash().add(json_text(setting())).hex(); }
-
-bool RenderJob::makes(const FrameRecord& record) const {
-  return std::binary_search(frames.begin(), frames.end(), record.frame) && names(record);
-}
-
-Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
-  const std::uint64_t memory = std::min(kMemoryAtOnce, memory_limit() / 2);
-  const std::uint64_t fit = std::max<std::uint64_t>(memory / bytes_of_frame(job, frame_count), 1);
-  const std::uint64_t at_once =
-      std::min({std::uint64_t{threads}, fit, std::max<std::uint64_t>(frame_count, 1)});
-  return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
-}
-
-std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_count,
-                                    unsigned threads) {
-  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job, frame_count);
-}
-
 Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   Work work{&job, {}, {}};
   std::vector<FrameRecord> candidates;
   const std::string own = job.fingerprint();
-  if (resume && job.output.has_frame()) {
+  // Of films it is their frames that go on: each has the rays that are missing added.
+  if (resume && job.output.has_frame() && job.output.format() != PictureFormat::film) {
     const auto text = text_of_manifests(job.folder());
     if (!text) return tl::unexpected(text.error());
     each_line(*text, [&](std::string_view line) {
@@ -365,16 +339,18 @@ Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& 
 }
 
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-                  const std::function<void()>& done, const Claim* claim) {
+                  const std::function<void()>& done, const Claim* claim, const Told& told) {
   if (frames.empty()) return {};
   Result<PartTimeline> part = timeline_before_trouble(job.scene, job.seed, job.last_frame);
   if (!part) return {{}, {}, std::move(part).error()};
   std::vector<unsigned> known = frames;
   std::erase_if(known, [&](unsigned frame) { return frame > part->last_frame; });
   if (known.empty()) return {{}, {}, std::move(part->problems), true};
-  FrameMaker maker(job, part->timeline, known, threads, done, claim);
+  FrameMaker maker(job, part->timeline, known, threads, done, claim, told);
   maker.make_all();
   JobResult result = maker.result();
+  if (auto lost = lost_light(job.scene, result.written))
+    result.warnings.push_back(std::move(*lost));
   if (job.output.has_frame() && result.problems.empty())
     if (auto written = write_timings(job, result); !written)
       result.problems = std::move(written).error();
@@ -387,7 +363,8 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
 
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
                                              unsigned threads) {
-  const RenderPlan plan = plan_of(job);
+  const LightGoal goal = job.light.goal();
+  const RenderPlan plan = plan_of(job, goal);
   Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return fail(std::move(timeline));
   FrameEncoder encoder(job, threads);

@@ -9,6 +9,7 @@
 
 #include "app/frames.h"
 #include "app/journal.h"
+#include "app/light_wish.h"
 #include "app/manifest.h"
 #include "app/output_pattern.h"
 #include "app/outputs.h"
@@ -31,6 +32,7 @@ struct RenderJob {
   std::shared_ptr<const Renderer> renderer = nullptr;  ///< null: the software back end
   const Tracer* tracer = nullptr;                      ///< of its rays; null: the one of choice
   std::optional<ViewRequest> view = std::nullopt;      ///< drawn instead of the picture
+  LightWish light{};
 
   std::filesystem::path path(unsigned frame) const { return output.path(name, frame); }
   std::filesystem::path folder() const { return folder_of(path(1)); }
@@ -49,6 +51,8 @@ struct RenderJob {
   /// Everything a byte of the pictures depends on but the frame, and a hash of it.
   Fields setting() const;
   std::string fingerprint() const;
+  /// Everything a film depends on but its rounds.
+  Fields film_setting(unsigned frame) const;
 };
 
 /// How frames are spread over threads: many small ones side by side, large ones one after another
@@ -86,12 +90,15 @@ struct JobResult {
   bool ends = false;                 ///< the scene has no frames beyond
   DrawCounts drawn{};                ///< by the software back end
   std::size_t encoded = 0;           ///< pictures; the others have the bytes of one before
+  Diagnostics warnings{};            ///< of light that was lost
 };
 /// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
 /// whole frames kept, when interrupted, when a file cannot be written or the claim is lost. `done`
-/// is told of every frame, by any thread.
+/// is told of every frame, and `told` how far the light of one has come, by any thread.
+using Told = std::function<void(const std::string&)>;
 JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
-                  const std::function<void()>& done, const Claim* claim = nullptr);
+                  const std::function<void()>& done, const Claim* claim = nullptr,
+                  const Told& told = {});
 
 /// One picture as the bytes of its file. Error   what the job's back end cannot draw.
 Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,

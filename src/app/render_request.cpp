@@ -47,10 +47,11 @@ Result<OutputPattern> output_of(const Arguments& arguments, bool sequence) {
   const std::optional<std::string> format = arguments.text("format");
   if (const auto text = arguments.text("output"))
     return OutputPattern::parse(*text, format, arguments.where("output"));
-  const auto known = arguments.one_of("format", {"png", "hdr"});
+  const auto known = arguments.one_of("format", picture_formats());
   if (!known) return tl::unexpected(known.error());
-  return OutputPattern::standard(sequence,
-                                 *known == "png" ? PictureFormat::png : PictureFormat::hdr);
+  const auto known_format = picture_format(*known, arguments.where("format"));
+  if (!known_format) return tl::unexpected(known_format.error());
+  return OutputPattern::standard(sequence, *known_format);
 }
 
 Result<void> check_places(const Arguments& arguments, const OutputPattern& output,

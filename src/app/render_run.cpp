@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 
@@ -61,7 +62,10 @@ JsonValue job_value(const Work& work, const JobResult& result) {
 class Run {
  public:
   Run(const Arguments& arguments, const WorkList& list, ProgressMode mode)
-      : arguments_(arguments), list_(list), total_(total(list)), progress_(total_, mode) {}
+      : arguments_(arguments),
+        list_(list),
+        total_(total(list)),
+        progress_(total_, mode, "frames", has_light(list)) {}
 
   VerbOutput operator()() {
     if (const auto begun = begin(); !begun) return give_up(begun.error());
@@ -70,7 +74,10 @@ class Run {
       const auto claim = claims_.find(&work);
       JobResult result = run_job(
           *work.job, work.frames, list_.threads, [this] { progress_.step(); },
-          claim == claims_.end() ? nullptr : &claim->second);
+          claim == claims_.end() ? nullptr : &claim->second,
+          [this](const std::string& news) { progress_.tell(news); });
+      if (!result.warnings.empty()) progress_.finish();
+      report_warnings(result.warnings, arguments_);
       written_ += result.written.size();
       kept_ += work.kept.size();
       results_.push_back(job_value(work, result));
@@ -86,6 +93,12 @@ class Run {
     return count;
   }
 
+  static bool has_light(const WorkList& list) {
+    return std::any_of(list.works.begin(), list.works.end(), [](const Work& work) {
+      return !work.job->scene.lamps.empty() && !work.job->view;
+    });
+  }
+
   // All that can be refused is refused before the first picture. Where nothing is to be done nothing
   // is written. Files of runs that were killed go first.
   Result<void> begin() {
@@ -99,6 +112,12 @@ class Run {
                     "remove it, or write the folder out in -o", Trouble::output);
       remove_leftovers(job.folder());
       if (work.frames.empty()) continue;
+      if (job.light.error_image)
+        for (const unsigned frame : work.frames)
+          if (auto allowed = outputs.allow(job.light.error_image->path(job.name, frame),
+                                           beginning(job.light.error_image->format()));
+              !allowed)
+            return allowed;
       if (!job.output.has_frame()) {
         const std::filesystem::path path = job.path(work.frames.front());
         if (auto allowed = outputs.allow(path, beginning(job.output.format())); !allowed)

@@ -14,7 +14,7 @@ constexpr WrittenTopic kTopics[] = {
      "\"#rrggbb\" or \"#rrggbbaa\": sRGB, straight alpha, ff for opaque. Blending is done on "
      "linear\n"
      "light: half of black over white is #bcbcbc, not #808080. fill = \"none\" leaves a fill out.\n"
-     "A PNG holds sRGB; .hdr holds linear light.\n",
+     "A PNG holds sRGB; .hdr and .pfm hold linear light.\n",
      ""},
     {"determinism", "what makes two renders equal, byte for byte",
      "A picture is named by the scene (its text, what it imports, -D), the frame and the seed.\n"
@@ -108,7 +108,8 @@ constexpr WrittenTopic kTopics[] = {
      "Without -o: out/SCENE.png, or out/SCENE/frame_####.png for a sequence.\n"
      "  -o 'out/frame_####.png'     the number of the frame, as many digits as #\n"
      "  -o 'out/{scene}/%04d.png'   the same, with the scene's name\n"
-     "  -o picture.hdr              linear light\n"
+     "  -o picture.hdr              linear light; .pfm: every float as it is\n"
+     "  -o light.film               light of lamps, to which --resume and merge add more\n"
      "  -o -                        one picture on standard output\n"
      "A picture appears under its name when it is whole. manifest.jsonl beside it has a line for\n"
      "each: frame, file, hash of its pixels, of the scene, the seed. Inputs, links and files of\n"

@@ -135,6 +135,18 @@ std::optional<std::uint64_t> JsonValue::as_whole() const {
   return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
+std::optional<double> JsonValue::as_number() const {
+  return std::visit(
+      [](const auto& value) -> std::optional<double> {
+        using Type = std::decay_t<decltype(value)>;
+        if constexpr (std::is_arithmetic_v<Type> && !std::is_same_v<Type, bool>)
+          return static_cast<double>(value);
+        else
+          return std::nullopt;
+      },
+      data);
+}
+
 std::string json_text(const JsonValue& value) {
   std::string text;
   add_json(text, value);

@@ -44,6 +44,8 @@ struct JsonValue {
   std::string text_of(std::string_view name) const;
   /// A whole number that is not negative.
   std::optional<std::uint64_t> as_whole() const;
+  /// Any number, rounded where it is a large whole one.
+  std::optional<double> as_number() const;
 };
 
 /// One line of JSON. Numbers are shortest round-trip; infinities, which JSON lacks, are the texts

@@ -21,6 +21,7 @@ enum class Stream : std::uint32_t {
   roulette = 8,      ///< which faint rays go on
   colour = 9,        ///< wavelengths of light that comes to what disperses
   gather = 10,       ///< paths from pixels to lamps
+  scramble = 11,     ///< seeds of pictures of light that are compared with one another
   alternative = 12,  ///< which of its alternatives light meets of a wall
 };
 

@@ -50,6 +50,13 @@ const kernels::LightKernels& light_kernels([[maybe_unused]] Isa isa) {
 
 }  // namespace
 
+std::vector<std::int64_t> in_three_channels(std::vector<std::int64_t> sums, int channels) {
+  if (channels == 3) return sums;
+  std::vector<std::int64_t> all(3 * sums.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = sums[i / 3];
+  return all;
+}
+
 LightFilm::LightFilm(int width, int height, int channels, Isa isa)
     : width_(width), height_(height), channels_(channels), tiles_x_(tiles_along(width)) {
   FLATRAY_CHECK(width >= 1 && width <= 65536 && height >= 1 && height <= 65536);
@@ -59,12 +66,13 @@ LightFilm::LightFilm(int width, int height, int channels, Isa isa)
   tiles_.resize(tiles_of(width, height));
 }
 
-std::uint64_t LightFilm::bytes(int width, int height, int channels, unsigned threads) {
+std::uint64_t LightFilm::bytes(int width, int height, int channels, unsigned threads,
+                               unsigned films) {
   const std::uint64_t of_tile = sizeof(Tile) +
                                 2 * sizeof(std::uint32_t) * numbers_of_layer(channels) +
                                 sizeof(std::int64_t) * numbers_of_tile(channels);
   const unsigned cutters = std::clamp(threads, 1U, kMostThreads);
-  return tiles_of(width, height) * of_tile +
+  return films * tiles_of(width, height) * of_tile +
          cutters * LightBins::bytes(width, height, kPiecesAtOnce / cutters);
 }
 

@@ -8,6 +8,9 @@
 
 namespace flatray {
 
+/// Sums of three channels a pixel, of one whose channels are alike.
+std::vector<std::int64_t> in_three_channels(std::vector<std::int64_t> sums, int channels);
+
 /// What light has fallen on each pixel: the sum of weight times length of path inside it, as whole
 /// numbers, so that sums have no order. Any order, batches and threads, and any instruction-set
 /// tier, give the same sums; films of parts of the lines merge to the film of all.
@@ -27,13 +30,18 @@ class LightFilm {
 
   /// Needs   1 to 2^16 pixels along each axis; 1 channel (the first weight of each line) or 3.
   LightFilm(int width, int height, int channels, Isa isa = active_isa());
-  /// Memory of a film that has light everywhere, while lines are added to it.
-  static std::uint64_t bytes(int width, int height, int channels, unsigned threads);
+  /// Memory of films that have light everywhere and share the room in which lines are cut.
+  static std::uint64_t bytes(int width, int height, int channels, unsigned threads,
+                             unsigned films = 1);
 
   /// Needs   finite coordinates of any size, weights in [0, 1]; kMostLines in all.
   void add(std::span<const LightLine> lines, unsigned threads = 1);
   /// Adds the light of another film of the same size and channels.
   void merge(const LightFilm& other);
+  /// Takes the room in which another film of the same size cut its lines.
+  void take_room(LightFilm& other) {
+    if (&other != this && bins_.empty()) bins_.swap(other.bins_);
+  }
   /// Adds sums as `sums()` gave them, of so many lines.
   /// Needs   none of more than 2^17 for each line.
   void add_sums(std::span<const std::int64_t> sums, std::uint64_t lines);

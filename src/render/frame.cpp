@@ -10,7 +10,8 @@ Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, uns
   const Colour& background = film.background;
   const FrameState state = at(timeline, frame);
   DrawContext context(timeline, state, plan.tracer);
-  context.light = {options.threads, options.stop, plan.raw_light};
+  context.light = {options.threads, options.stop,         plan.raw_light,
+                   plan.light_goal, options.light_report, plan.kept_light};
   for (const Pass* pass : plan.passes) pass->draw(context);
   Result<std::vector<DrawItem>> items = std::move(context).sorted_items();
   if (!items) return fail(std::move(items));

@@ -16,6 +16,7 @@ struct FrameOptions {
   /// Asked before each band or tile, and before each row of an item, by any thread: true leaves it
   /// and all after it undrawn, and stays true.
   bool (*stop)() = nullptr;
+  LightReport* light_report = nullptr;  ///< LightRun::report
 
   bool stopped() const { return stop != nullptr && stop(); }
 };

@@ -7,47 +7,15 @@
 #include "base/check.h"
 #include "base/light.h"
 #include "base/portable_math.h"
-#include "render/film_transform.h"
-#include "scene/lamp.h"
+#include "image/light_film.h"
+#include "scene/scatterer.h"
+#include "scene/spectrum.h"
+#include "transport/light/traced_light.h"
 
 namespace flatray {
 namespace {
 
-const Scatterer* scatterer_of(const Scene& scene, const SurfaceOwner& owner) {
-  using Kind = SurfaceOwner::Kind;
-  const ScattererId id = owner.kind == Kind::entity ? scene.entities[owner.index].scatterer
-                         : owner.kind == Kind::chamber
-                             ? scene.chambers[owner.index].scatterer
-                             : scene.chambers[owner.index].pillars[owner.pillar].scatterer;
-  return id == kNoEntry ? nullptr : scene.scatterers[id].get();
-}
-
-// What is needed to follow light in a frame.
-struct LitFrame {
-  std::vector<World> worlds;  // one, or those of alternatives
-  std::vector<const Scatterer*> scatterers;
-  std::vector<LampState> lamps;
-  FilmPlace place{};
-
-  LitFrame(const Scene& scene, const FrameState& state)
-      : worlds(alternative_worlds(scene, state)), lamps(lamp_states(scene, state)) {
-    for (const SurfaceOwner& owner : worlds.front().owners)
-      scatterers.push_back(scatterer_of(scene, owner));
-    const FilmTransform film(scene.film, state);
-    place = {film.corner().x(), film.corner().y(), film.scale(), scene.film.width,
-             scene.film.height};
-  }
-};
-
-unsigned noise_frame(const Scene& scene, const FrameState& state) {
-  return scene.light.noise_moves ? state.frame : 0;
-}
-
-// Where less than this part of the walls is shown, pixels reach lamps sooner than lamps pixels
-// (docs/adr/0023-light-from-lamps.md).
-constexpr double kSmallPart = 2500;
-
-double luminance_of(const double* rgb) { return luminance({rgb[0], rgb[1], rgb[2]}); }
+double luminance_of(const double* rgb) { return flatray::luminance(LightColour{rgb[0], rgb[1], rgb[2]}); }
 
 }  // namespace
 
@@ -59,6 +27,20 @@ double automatic_exposure(std::span<const double> fluence) {
   const auto place = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() - 1 - lit.size() / 100);
   std::nth_element(lit.begin(), place, lit.end());
   return 1 / *place;
+}
+
+const char* name(ToneCurve curve) {
+  switch (curve) {
+    case ToneCurve::linear:
+      return "linear";
+    case ToneCurve::soft:
+      return "soft";
+    case ToneCurve::filmic:
+      return "filmic";
+    case ToneCurve::gamma:
+      return "gamma";
+  }
+  unreachable();
 }
 
 float toned(ToneCurve curve, double light) {
@@ -115,6 +97,19 @@ LightPicture light_picture(std::span<const double> counts, double unit, const Li
   return picture;
 }
 
+int light_channels(const Scene& scene) {
+  const bool grey = std::all_of(scene.lamps.begin(), scene.lamps.end(),
+                                [](const Lamp& lamp) {
+                                  const Paint& colour = lamp.colour;
+                                  return !lamp.wavelength && !lamp.temperature &&
+                                         colour.curve == kNoEntry && colour.r == colour.g &&
+                                         colour.g == colour.b;
+                                }) &&
+                    std::none_of(scene.scatterers.begin(), scene.scatterers.end(),
+                                 [](const auto& scatterer) { return scatterer->colours(); });
+  return grey ? 1 : 3;
+}
+
 std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   const Film& film = scene.film;
   constexpr std::uint64_t kBytesOfPixel =
@@ -122,66 +117,12 @@ std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   constexpr std::uint64_t kBytesOfRay = 512;  // under way, where it arrives, its line
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
-  return LightFilm::bytes(film.width, film.height, 3, threads) + kBytesOfPixel * pixels +
-         kBytesOfRay * (std::min(scene.light.rays, kLightBlock) + scene.lamps.size());
-}
-
-TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                              std::uint64_t seed, unsigned threads, bool (*stop)()) {
-  const LitFrame lit(scene, state);
-  if (lit.lamps.empty()) return {LightFilm(lit.place.width, lit.place.height, 3), 0, {}};
-  return trace_light(lit.worlds, lit.scatterers, lit.lamps, lit.place,
-                     {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
-}
-
-GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                 std::uint64_t seed, unsigned threads, bool (*stop)()) {
-  const LitFrame lit(scene, state);
-  return gather_light(lit.worlds.front(), lit.scatterers, lit.lamps, lit.place,
-                      {scene.light, seed, noise_frame(scene, state), threads, tracer, stop});
-}
-
-bool is_gathered(const Scene& scene, const FrameState& state) {
-  if (scene.light.estimator != LightEstimator::automatic)
-    return scene.light.estimator == LightEstimator::backward;
-  if (why_not_backward(scene)) return false;
-  const Bounds all = bounds_of(build_world(scene, state).surfaces);
-  const FilmTransform film(scene.film, state);
-  const double pixel = 1 / film.scale();
-  return all.size().prod() > kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
-}
-
-namespace {
-
-// Light in numbers of a unit: their product may be beyond the doubles.
-struct CountedLight {
-  std::vector<double> counts;
-  double unit;
-};
-
-CountedLight counted_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                           std::uint64_t seed, const LightRun& run) {
-  if (is_gathered(scene, state))
-    return {gather_frame_light(scene, state, tracer, seed, run.threads, run.stop).fluence, 1};
-  const TracedLight light = trace_frame_light(scene, state, tracer, seed, run.threads, run.stop);
-  const std::vector<std::int64_t> sums = light.film.sums();
-  return {{sums.begin(), sums.end()}, light.unit};
-}
-
-}  // namespace
-
-std::vector<double> frame_fluence(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                  std::uint64_t seed, const LightRun& run) {
-  const auto [counts, unit] = counted_light(scene, state, tracer, seed, run);
-  std::vector<double> fluence(counts);
-  for (double& one : fluence) one *= unit;
-  return fluence;
-}
-
-LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                 std::uint64_t seed, const LightRun& run) {
-  const auto [counts, unit] = counted_light(scene, state, tracer, seed, run);
-  return light_picture(counts, unit, scene.light, run.raw);
+  const std::uint64_t films = scene.light.scrambles;
+  const std::uint64_t sums_at_once = films == 1 ? 0 : films * 3 * sizeof(std::int64_t);
+  return LightFilm::bytes(film.width, film.height, light_channels(scene), threads,
+                          scene.light.scrambles) +
+         (kBytesOfPixel + sums_at_once) * pixels +
+         kBytesOfRay * (std::min(scene.light.rays, kLightRound) + films * scene.lamps.size());
 }
 
 }  // namespace flatray

@@ -1,7 +1,10 @@
 #pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "render/draw_list.h"
-#include "render/pass.h"
-#include "transport/light/backward.h"
+#include "scene/scene.h"
 
 namespace flatray {
 
@@ -11,6 +14,10 @@ LightPicture light_picture(std::span<const double> counts, double unit, const Li
 
 /// The exposure at which one of a hundred pixels that light crosses is 1 or brighter; 1 where none is.
 double automatic_exposure(std::span<const double> fluence);
+
+inline constexpr ToneCurve kToneCurves[] = {ToneCurve::linear, ToneCurve::soft, ToneCurve::filmic,
+                                            ToneCurve::gamma};
+const char* name(ToneCurve curve);
 
 /// A channel of exposed light as it is shown, from 0 to 1 where the curve ends there.
 float toned(ToneCurve curve, double light);
@@ -31,28 +38,10 @@ class GammaCurve {
   std::array<float, kLast - kFirst + 1> shown_;  // at 2^-126 ... 1
 };
 
+/// 1 where all light is grey, as that of every lamp and after every wall: its channels are alike.
+int light_channels(const Scene& scene);
+
 /// Memory that the light of a frame takes at its peak.
 std::uint64_t light_bytes(const Scene& scene, unsigned threads);
-
-/// The light of a frame, from its lamps.
-TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                              std::uint64_t seed, unsigned threads, bool (*stop)());
-
-/// The light of a frame, from its pixels.
-/// Needs   why_not_backward() says nothing.
-GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                 std::uint64_t seed, unsigned threads, bool (*stop)());
-
-/// Whether the light of a frame is followed from its pixels: asked for, or where the picture shows
-/// less than 1/2500 of the box around all walls, and no light would be missed.
-bool is_gathered(const Scene& scene, const FrameState& state);
-
-/// The fluence of a frame as its scene wants it followed: row by row from the top, 3 a pixel.
-std::vector<double> frame_fluence(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                  std::uint64_t seed, const LightRun& run);
-
-/// The same as it is shown.
-LightPicture frame_light_picture(const Scene& scene, const FrameState& state, const Tracer* tracer,
-                                 std::uint64_t seed, const LightRun& run);
 
 }  // namespace flatray

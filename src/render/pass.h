@@ -9,6 +9,9 @@
 
 namespace flatray {
 
+struct LightGoal;
+struct LightReport;
+struct ShownLight;
 struct Tracer;
 
 /// Whether a pass runs on a scene, and why: shown by `flatray explain`.
@@ -22,8 +25,11 @@ inline Need skip(std::string reason) { return {false, std::move(reason)}; }
 /// How the light of a frame is traced.
 struct LightRun {
   unsigned threads = 1;
-  bool (*stop)() = nullptr;  ///< FrameOptions::stop
-  bool raw = false;          ///< fluence itself, not exposed and toned for the eye
+  bool (*stop)() = nullptr;          ///< FrameOptions::stop
+  bool raw = false;                  ///< fluence itself, not exposed and toned for the eye
+  const LightGoal* goal = nullptr;   ///< null: all rays of the scene
+  LightReport* report = nullptr;     ///< where to tell of it, if anywhere
+  const ShownLight* kept = nullptr;  ///< light of all frames, instead of tracing it
 };
 
 /// What a pass draws from and into. Items are ordered by layer, then by their place in the scene

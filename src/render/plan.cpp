@@ -44,8 +44,14 @@ RenderPlan make_plan(const Scene& scene, bool keep_all, const Tracer* tracer) {
   const std::string responses = responses_of(scene);
   plan.choices.push_back({"responses", responses.empty() ? "left out" : "simulated once",
                           responses.empty() ? "nothing responds to contact" : responses});
-  const std::string motion = reason_to_move(scene);
+  const std::string motion = reason_to_move(scene), light_motion = reason_for_light_to_move(scene);
   plan.still = motion.empty() && !keep_all;
+  plan.still_light = light_motion.empty() && !keep_all && !scene.lamps.empty();
+  if (!motion.empty() && !scene.lamps.empty())
+    plan.choices.push_back({"light of frames", plan.still_light ? "traced once" : "each traced",
+                            !light_motion.empty() ? light_motion
+                            : keep_all ? "it does not move, but nothing is to be left out"
+                                       : "nothing moves that it comes from or to"});
   plan.choices.push_back({"frames", plan.still ? "drawn once" : "each drawn",
                           !motion.empty() ? motion
                           : keep_all      ? "nothing moves, but nothing is to be left out"

@@ -12,9 +12,12 @@ struct RenderPlan {
     std::string part, decision, reason;
   };
   std::vector<const Pass*> passes;
-  const Tracer* tracer = nullptr;  ///< of the rays; null: the one of choice
-  bool still = false;              ///< all frames are one picture: drawn once
-  bool raw_light = false;          ///< LightRun::raw
+  const Tracer* tracer = nullptr;          ///< of the rays; null: the one of choice
+  bool still = false;                      ///< all frames are one picture: drawn once
+  bool still_light = false;                ///< all frames have one light: traced once
+  bool raw_light = false;                  ///< LightRun::raw
+  const LightGoal* light_goal = nullptr;   ///< LightRun::goal
+  const ShownLight* kept_light = nullptr;  ///< LightRun::kept
   std::vector<Choice> choices;
 };
 

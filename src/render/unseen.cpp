@@ -7,7 +7,7 @@
 #include "anim/lamps.h"
 #include "anim/rays.h"
 #include "anim/solids.h"
-#include "render/light_picture.h"
+#include "render/light_run.h"
 #include "render/ray_walls.h"
 #include "scene/scatterer.h"
 
@@ -107,9 +107,10 @@ bool reaches_film(const Scene& scene, const FrameState& state, std::uint64_t see
   small.film.height = std::max(kWidth * scene.film.height / scene.film.width, 1);
   small.film.width = kWidth;
   small.light.rays = kTrialRays;
+  small.light.scrambles = 1;
   small.light.bounces = std::min(scene.light.bounces, kTrialBounces);
   const std::vector<std::int64_t> sums =
-      trace_frame_light(small, state, nullptr, seed, 1, nullptr).film.sums();
+      trace_frame_light(small, state, nullptr, seed, 1, nullptr).sums();
   return std::any_of(sums.begin(), sums.end(), [](std::int64_t sum) { return sum > 0; });
 }
 

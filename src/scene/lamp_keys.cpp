@@ -138,6 +138,15 @@ void read_gamma(Builder& builder, const Field& field, LightSettings& light) {
   light.gamma = *gamma;
 }
 
+void read_scrambles(Builder& builder, const Field& field, LightSettings& light) {
+  const auto count = builder.in.integer(field, 1, 64);
+  if (!count) return;
+  if (*count != 1 && *count != 16 && *count != 32 && *count != 64)
+    return builder.in.problem(field.value.where, field.name + " is neither 1 nor 16, 32 or 64",
+                              "write 16 where the error is asked for");
+  light.scrambles = static_cast<unsigned>(*count);
+}
+
 constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
                                       {"soft", ToneCurve::soft},
                                       {"filmic", ToneCurve::filmic},
@@ -152,6 +161,7 @@ constexpr Word<bool> kNoises[] = {{"still", false}, {"moving", true}};
 constexpr Key<LightSettings> kLightKeys[] = {
     {{"rays", "whole number", "1000000"}, &set_integer<&LightSettings::rays, 1, kMostRays>},
     {{"bounces", "whole number", "1000"}, &set_integer<&LightSettings::bounces, 0, kMostBounces>},
+    {{"scrambles", "whole number", "1"}, &read_scrambles},
     {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
     {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
      &set_word<&LightSettings::tone, kTones>},

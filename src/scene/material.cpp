@@ -56,6 +56,9 @@ class Mixture : public Scatterer {
   }
   const LightShares* shares() const override { return &shares_; }
   Material for_rays() const override { return for_rays_; }
+  bool colours() const override {
+    return shares_.tint[0] != shares_.tint[1] || shares_.tint[1] != shares_.tint[2];
+  }
 
  private:
   LightShares shares_;

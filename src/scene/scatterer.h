@@ -56,6 +56,8 @@ class Scatterer {
   virtual bool depends_on_place() const { return false; }
   /// Whether the index differs between wavelengths, so that light must have one.
   virtual bool disperses() const { return false; }
+  /// Whether grey light may come away with a colour.
+  virtual bool colours() const { return disperses(); }
 };
 
 }  // namespace flatray

@@ -289,7 +289,8 @@ enum class ToneCurve : std::uint8_t {
 /// How the light of lamps is traced and shown.
 struct LightSettings {
   std::uint64_t rays = 1'000'000;
-  unsigned bounces = 1000;         ///< at most; what is left is cut off, and counted
+  unsigned bounces = 1000;  ///< at most; what is left is cut off, and counted
+  unsigned scrambles = 1;   ///< pictures of a part of the rays each: their spread is the error
   std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
   ToneCurve tone = ToneCurve::soft;
   double gamma = 2.2;  ///< of that curve

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/box formats/obj
+# needs: shapes/box formats/obj lamps/point
 # Every command of docs/LIMITS.md gives the exit code, leaves the files and keeps to the memory that its row says.
 source "$(dirname "$0")/lib.sh"
 ignore_leaks  # of Mesa, which `accuracy` draws with
@@ -11,12 +11,14 @@ scene good.toml 2 '[[chamber]]' 'name = "room"' 'shape = { box = { min = [0, 0],
 scene bad.toml 1 'velocty = [1, 2]'
 scene many.toml 1 'repeat = { grid = { count = [20, 20], step = [1, 1] } }'
 scene imports_pipe.toml 1 '[[entity]]' 'shape = { import = { file = "pipe.obj" } }'
+scene lamp.toml 1 '[light]' 'rays = 1000' '[[lamp]]' 'source = { point = {} }'
 mkfifo pipe.obj
 ln -s /dev/zero endless.toml
 cp good.toml scenes/
 echo '{"op":"clip","polygon":[[0,0],[1,0],[1,1]],"origin":[-1,0.5],"direction":[1,0]}' > questions.jsonl
 "$flatray" render good.toml -f 1 -o a.png -q
 "$flatray" render good.toml -f 2 -o b.png -q
+"$flatray" render lamp.toml -o given.film -q
 "$flatray" golden update good --why first > ../update.txt || fail "no golden: $(cat ../update.txt)"
 cd ..
 

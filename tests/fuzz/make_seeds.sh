@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 rm -rf seeds
-mkdir -p seeds/{toml,obj,list,hill,hqz,png,override,render,query}
+mkdir -p seeds/{toml,obj,list,hill,hqz,png,film,override,render,query}
 
 repeat() { printf "%.0s$1" $(seq "$2"); }
 seed() { cat > "seeds/$1"; }
@@ -89,6 +89,10 @@ head='\x89PNG\r\n\x1a\n\x00\x00\x00\x0dIHDR'
 printf "$head"'\x00\x00\x00\x01\x00\x00\x00\x01\x08\x02\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x0cIDAT\x78\x9c\x63\x60\x60\x60\x00\x00\x00\x04\x00\x01\x00\x00\x00\x00\x00\x00\x00\x00IEND\x00\x00\x00\x00' | seed png/one_pixel
 printf "$head"'\x7f\xff\xff\xff\x7f\xff\xff\xff\x10\x06\x00\x00\x01\x00\x00\x00\x00' | seed png/huge
 printf "$head"'\x00\x00\x00\x02\x00\x00\x00\x02\x01\x03\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x06PLTE\x00\x00\x00\xff\xff\xff\x00\x00\x00\x00\x00\x00\x00\x0cIDAT\x78\x9c\x63\x60\x60\x60\x00\x00\x00\x04\x00\x01\x00\x00\x00\x00\x00\x00\x00\x00IEND\x00\x00\x00\x00' | seed png/palette
+zero='\x00\x00\x00\x00\x00\x00\x00'
+film() { printf 'flatray film 1\n'; for number; do printf "\\x$number$zero"; done; }
+{ film 02 01 01 01 01 01 01 01 00 00 00; printf '{}'; printf "\\x05$zero\\x07$zero\\x02$zero\\x09\\x00$zero"; } | seed film/one_pixel
+film 00 ff ff 03 40 00 00 08 00 00 00 | seed film/huge
 printf 'film.size=[3,4]\nentity.0.at=[1,2]\nentity.runner.fill="none"\n' | seed override/three
 printf 'markov.run.RUN.DIE=0.7\na.b.c.d={e=[1,{f=2}]}\n=\n..=1\nentity.999999999999.at=1' | seed override/odd
 { repeat 'a.' 200; printf '=1\nfilm='; repeat '[' 300; } | seed override/deep

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/light_picture.h"
+#include "render/light_run.h"
 #include "support/pictures.h"
 
 namespace flatray {
@@ -30,9 +31,9 @@ std::vector<double> from_lamps(const std::string& rest) {
   const Scene scene = scene_of(seen(rest, "rays = 262144\nbounces = 50"));
   const Timeline timeline(scene, 0, 1);
   const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, 0, 2, nullptr);
-  const std::vector<std::int64_t> sums = traced.film.sums();
+  const std::vector<std::int64_t> sums = traced.sums();
   std::vector<double> fluence(sums.begin(), sums.end());
-  for (double& one : fluence) one *= traced.unit;
+  for (double& one : fluence) one *= traced.unit();
   return fluence;
 }
 

@@ -9,6 +9,7 @@
 
 #include "oracle/flat_light.h"
 #include "render/light_picture.h"
+#include "render/light_run.h"
 #include "scene/spectrum.h"
 #include "support/pictures.h"
 
@@ -39,10 +40,10 @@ Channels engine_mean(const Scene& scene, std::uint64_t seed) {
   const Timeline timeline(scene, seed, 1);
   const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, seed, 1, nullptr);
   Channels mean{};
-  const std::vector<std::int64_t> sums = traced.film.sums();
+  const std::vector<std::int64_t> sums = traced.sums();
   for (std::size_t i = 0; i < sums.size(); ++i)
     mean[i % 3] +=
-        static_cast<double>(sums[i]) * traced.unit * 3 / static_cast<double>(sums.size());
+        static_cast<double>(sums[i]) * traced.unit() * 3 / static_cast<double>(sums.size());
   return mean;
 }
 
@@ -182,9 +183,9 @@ TEST(HqzLight, MeetsEveryAlternativeOfAWallAsOften) {
       across(2, 2) + ", " + across(2, -9) + "]\n");
   const Timeline timeline(scene, 0, 1);
   const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, 0, 2, nullptr);
-  const std::vector<std::int64_t> sums = traced.film.sums();
+  const std::vector<std::int64_t> sums = traced.sums();
   const auto fluence = [&](std::size_t x) {
-    return static_cast<double>(sums[3 * (8 * 3 + x)]) * traced.unit;
+    return static_cast<double>(sums[3 * (8 * 3 + x)]) * traced.unit();
   };
   EXPECT_NEAR(fluence(2), 4, 1e-3);
   EXPECT_NEAR(fluence(6), 3, 0.05);

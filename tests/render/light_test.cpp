@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "render/light_picture.h"
+#include "render/light_run.h"
 #include "support/pictures.h"
 #include "transport/light/emission.h"
 
@@ -35,8 +36,8 @@ Fluence fluence(const Scene& scene, unsigned threads = 1, std::uint64_t seed = 0
   const TracedLight traced =
       trace_frame_light(scene, at(timeline, 1), nullptr, seed, threads, nullptr);
   Fluence made{scene.film.width, scene.film.height, {}, traced.counts};
-  for (const std::int64_t sum : traced.film.sums())
-    made.rgb.push_back(static_cast<double>(sum) * traced.unit);
+  for (const std::int64_t sum : traced.sums())
+    made.rgb.push_back(static_cast<double>(sum) * traced.unit());
   return made;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 
 #include "app/difference_text.h"
@@ -15,6 +16,7 @@
 #include "base/shown_text.h"
 #include "image/hdr.h"
 #include "image/metric.h"
+#include "image/pfm.h"
 #include "image/png.h"
 
 namespace flatray::verbs {
@@ -49,7 +51,8 @@ std::vector<std::string> pictures_below(const fs::path& folder) {
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
-    if (entry->path().extension() == ".png" || entry->path().extension() == ".hdr")
+    if (const fs::path kind = entry->path().extension();
+        kind == ".png" || kind == ".hdr" || kind == ".pfm")
       names.push_back(entry->path().lexically_relative(folder).generic_string());
   std::sort(names.begin(), names.end());
   return names;
@@ -76,7 +79,7 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
   const std::vector<std::string> names_a = pictures_below(a), names_b = pictures_below(b);
   Diagnostics problems;
   if (names_a.empty() && names_b.empty())
-    problems.push_back({named_place(a), "holds no PNG or HDR", "", Trouble::missing});
+    problems.push_back({named_place(a), "holds no PNG, HDR or PFM", "", Trouble::missing});
   expect_all(names_a, names_b, b, problems);
   expect_all(names_b, names_a, a, problems);
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -89,16 +92,18 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
 
 struct Picture {
   Image image;
-  std::vector<float> light;  // of an HDR
+  std::vector<float> light;  // of an HDR or PFM
 };
 
 Result<Picture> read_picture(const std::string& path, bool named) {
-  const Result<std::string> content = read_file(
-      path, {.bytes = kMostPictureBytes, .pipes = named, .begins = {kPngSignature, kHdrSignature}});
+  const Result<std::string> content =
+      read_file(path, {.bytes = kMostPictureBytes,
+                       .pipes = named,
+                       .begins = {kPngSignature, kHdrSignature, kPfmSignature}});
   if (!content) return tl::unexpected(content.error());
   const auto bytes = std::as_bytes(std::span(*content));
-  if (is_hdr(bytes)) {
-    Result<LinearImage> light = decode_hdr(bytes, path);
+  if (is_hdr(bytes) || is_pfm(bytes)) {
+    Result<LinearImage> light = is_hdr(bytes) ? decode_hdr(bytes, path) : decode_pfm(bytes, path);
     if (!light) return fail(std::move(light));
     return Picture{develop(*light), std::move(light->pixels)};
   }
@@ -111,7 +116,7 @@ Result<Picture> read_picture(const std::string& path, bool named) {
 std::uint64_t pixels_of_other_light(const Picture& a, const Picture& b) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < std::min(a.light.size(), b.light.size()); i += 3)
-    count += std::equal(&a.light[i], &a.light[i] + 3, &b.light[i]) ? 0 : 1;
+    count += std::memcmp(&a.light[i], &b.light[i], 3 * sizeof(float)) == 0 ? 0 : 1;  // NaN, too
   return count;
 }
 

@@ -25,16 +25,19 @@ constexpr auto kOptions = with_scene_options(
      kProfileOption,
      kErrorOption,
      kTimeOption,
+     kRaysOption,
+     kRayShardOption,
+     kErrorImageOption,
      kViewOption,
      kTracerOption,
      kSeedOption,
      {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
-     {"resume", '\0', "", "keep frames already written whole for this very scene",
+     {"resume", '\0', "", "keep frames already written whole for this very scene, rays of films",
       OptionKind::flag},
      {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
      {"keep-all", '\0', "", "draw also what the plan would leave out; same pictures",
       OptionKind::flag},
-     {"format", '\0', "png|hdr", "format where the name does not say it"},
+     {"format", '\0', "png|hdr|pfm|film", "format where the name does not say it"},
      kForceOption,
      {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
      kJsonOption});
@@ -78,6 +81,8 @@ Result<VerbOutput> run(const Arguments& given) {
   const Arguments& arguments = *chosen;
   const auto request = read_request(arguments);
   if (!request) return tl::unexpected(request.error());
+  const auto light = read_light_wish(arguments);
+  if (!light) return tl::unexpected(light.error());
   const auto mode = progress_mode(arguments);
   if (!mode) return tl::unexpected(mode.error());
   auto jobs = make_jobs(arguments, *request);
@@ -104,9 +109,10 @@ Result<VerbOutput> run(const Arguments& given) {
     else
       job.renderer = *renderer;
     job.view = *view;
-    if (*view && job.output.format() == PictureFormat::hdr)
+    if (*view && job.output.format() != PictureFormat::png)
       return usage_error(arguments.where("view"), "has no light for an HDR picture",
                          "write a PNG file");
+    if (auto wished = wish_light(arguments, *light, job); !wished) return fail(std::move(wished));
     if (auto fits = fits_in_memory(arguments, job); !fits) return fail(std::move(fits));
   }
   const auto list = work_list(*jobs, *request);
@@ -131,7 +137,9 @@ extern const Verb render = {
     "  flatray render scene.toml -o 'out/frame_####.png' -j 4 --resume\n"
     "  flatray render scene.toml --shard 0/3        # and 1/3, 2/3 elsewhere\n"
     "  flatray render scene.toml --profile scene.profile --error 0.002\n"
-    "  flatray render scene.toml --view visibility:3,4 -o lit.png\n",
+    "  flatray render scene.toml --view visibility:3,4 -o lit.png\n"
+    "  flatray render lamps.toml --error 0.01 --error-image error.pfm -o lit.png\n"
+    "  flatray render lamps.toml --rays 100000000 -o lit.film --resume\n",
     "nothing rendered",
     &run,
     nullptr,

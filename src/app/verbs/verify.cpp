@@ -5,6 +5,7 @@
 #include "app/chunk_log.h"
 #include "app/experiment_monitor.h"
 #include "app/manifest.h"
+#include "app/output_pattern.h"
 #include "app/report.h"
 #include "app/scene_input.h"
 #include "app/verb.h"
@@ -15,6 +16,12 @@ namespace flatray::verbs {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_picture(const fs::path& extension) {
+  const std::vector<std::string> formats = picture_formats();
+  return std::any_of(formats.begin(), formats.end(),
+                     [&](const std::string& format) { return extension == "." + format; });
+}
 
 constexpr Option kOptions[] = {kThreadsOption, kJsonOption};
 
@@ -115,7 +122,7 @@ class FolderCheck {
         tell(text.error());
       else if (!are_blocks(*text))
         tell(path, "is not what an experiment keeps");
-    } else if (path.extension() == ".png" || path.extension() == ".hdr") {
+    } else if (is_picture(path.extension())) {
       if (!records_.contains(name)) pictures_.push_back(path);
     }
   }

@@ -1,5 +1,5 @@
 #include "base/counted.h"
-#include "render/light_picture.h"
+#include "render/light_run.h"
 #include "render/pass.h"
 #include "scene/lamp.h"
 
@@ -20,9 +20,13 @@ Need need(const Scene& scene) {
 void draw(DrawContext& context) {
   const Scene& scene = context.scene;
   if (scene.lamps.empty()) return;
+  const LightRun& run = context.light;
+  const ShownLight light = run.kept != nullptr
+                               ? *run.kept
+                               : show_light(context.timeline, context.state, context.tracer, run);
+  if (run.report != nullptr) *run.report = light.report;
   context.place(scene.light.layer, 0, scene.light.where);
-  context.add_light(std::make_shared<LightPicture>(frame_light_picture(
-      scene, context.state, context.tracer, context.timeline.seed(), context.light)));
+  context.add_light(light.picture);
 }
 
 }  // namespace

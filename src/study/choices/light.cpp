@@ -7,6 +7,7 @@
 #include "base/processor_time.h"
 #include "image/srgb.h"
 #include "render/light_picture.h"
+#include "render/light_run.h"
 #include "scene/lamp.h"
 #include "study/accuracy.h"
 #include "study/estimate.h"

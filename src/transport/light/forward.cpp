@@ -22,21 +22,49 @@ class Forward {
         walls_(*worlds_.front()),
         place_(place),
         rules_(rules),
-        block_rays_(static_cast<std::uint32_t>(std::min(rules.light.rays, kLightBlock))),
-        emission_(lamps, block_rays_, rules.light.sampler, rules.seed, rules.frame,
-                  walls_.bodies().disperse() ? kMostOfWavelength : 1),
-        size_(world_size(place)),
-        film_(place.width, place.height, 3) {}
+        scrambles_(scrambles(lamps)),
+        size_(world_size(place)) {}
 
-  TracedLight trace() && {
-    const std::uint64_t blocks = rays_traced(rules_.light.rays) / block_rays_;
-    bool whole = true;
-    for (std::uint64_t block = 0; block < blocks && whole; ++block) whole = trace_block(block);
-    const double unit = 0x1p-16 * place_.pixels_per_unit * emission_.ray_power();
-    return {std::move(film_), unit / static_cast<double>(blocks), counts_, whole};
+  TracedLight trace(TracedLight light, const NextRound& next) && {
+    light_ = std::move(light);
+    light_.round_unit = 0x1p-16 * place_.pixels_per_unit * scrambles_.front().emission.ray_power();
+    while (light_.films.size() < scrambles_.size())
+      light_.films.emplace_back(place_.width, place_.height, rules_.channels);
+    while (light_.whole && light_.lines() <= LightFilm::kMostLines - most_lines_of_round()) {
+      const std::optional<std::uint64_t> round = next(light_);
+      if (!round) break;
+      light_.whole = trace_round(*round);
+      if (light_.whole) light_.rounds.add(*round);
+    }
+    return std::move(light_);
   }
 
  private:
+  // Seeds give independent pictures.
+  struct Scramble {
+    std::uint64_t seed;
+    Emission emission;
+  };
+
+  std::vector<Scramble> scrambles(std::span<const LampState> lamps) const {
+    const std::uint64_t count = rules_.light.scrambles;
+    const std::uint64_t rays = std::min(rules_.light.rays, kLightRound);
+    const auto of_each = static_cast<std::uint32_t>((rays + count - 1) / count);
+    std::vector<Scramble> all;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t seed =
+          i == 0 ? rules_.seed : random_bits(rules_.seed, Stream::scramble, 0, i);
+      all.push_back({seed, Emission(lamps, of_each, rules_.light.sampler, seed, rules_.frame,
+                                    walls_.bodies().disperse() ? kMostOfWavelength : 1)});
+    }
+    return all;
+  }
+
+  std::uint64_t most_lines_of_round() const {
+    return scrambles_.size() * scrambles_.front().emission.size() *
+           (std::uint64_t{rules_.light.bounces} + 1);
+  }
+
   // What chance decides at a wall, uniform in [0, 1).
   struct Numbers {
     double bounce, colour;
@@ -49,26 +77,37 @@ class Forward {
     parallel_for(counts.size(), rules_.threads, [&](std::size_t i) {
       task(i * kChunk, std::min((i + 1) * kChunk, count), counts[i]);
     });
-    for (const LightCounts& one : counts) counts_ += one;
+    for (const LightCounts& one : counts) light_.counts += one;
   }
 
+  bool trace_round(std::uint64_t round) {
+    for (std::size_t i = 0; i < scrambles_.size(); ++i) {
+      now_ = &scrambles_[i];
+      film_ = &light_.films[i];
+      film_->take_room(light_.films[(i == 0 ? scrambles_.size() : i) - 1]);
+      if (!trace_block(round)) return false;
+    }
+    return true;
+  }
+
+  // The rays of a scramble in a round.
   bool trace_block(std::uint64_t block) {
     emit(block);
     for (std::uint32_t bounces = 0; !rays_.empty(); ++bounces) {
       if (rules_.stop != nullptr && rules_.stop()) return false;
       choose_worlds(block, bounces);
       fly();
-      film_.add(lines_, rules_.threads);
+      film_->add(lines_, rules_.threads);
       scatter(block, bounces);
     }
     return true;
   }
 
   void emit(std::uint64_t block) {
-    rays_.resize(emission_.size());
+    rays_.resize(now_->emission.size());
     in_parts(rays_.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
       for (std::size_t i = begin; i < end; ++i) {
-        rays_[i] = emission_.ray(block, static_cast<std::uint32_t>(i));
+        rays_[i] = now_->emission.ray(block, static_cast<std::uint32_t>(i));
         counts.emitted += energy(rays_[i].weight);
         gamble(rays_[i], faint_, random_number(Stream::roulette, block, rays_[i].number, kEmitted),
                counts);
@@ -142,7 +181,7 @@ class Forward {
     const std::vector<std::uint32_t> order = order_of_arrival();
     std::vector<LightRay> next(order.size());
     const auto scramble = static_cast<std::uint32_t>(
-        random_bits(rules_.seed, Stream::bounce, rules_.frame, block, bounces));
+        random_bits(now_->seed, Stream::bounce, rules_.frame, block, bounces));
     in_parts(order.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
       for (std::size_t k = begin; k < end; ++k) {
         if (k + kAhead < end) {  // the order goes to and fro in memory
@@ -172,10 +211,9 @@ class Forward {
   }
   double random_number(Stream stream, std::uint64_t block, std::uint32_t number,
                        std::uint32_t bounces) const {
-    const std::uint64_t item = block * emission_.size() + number;
+    const std::uint64_t item = block * now_->emission.size() + number;
     const auto high = static_cast<std::uint32_t>(item >> 32);
-    return unit_double(
-        random_bits(rules_.seed, stream, rules_.frame, item, bounces + (high << 20)));
+    return unit_double(random_bits(now_->seed, stream, rules_.frame, item, bounces + (high << 20)));
   }
 
   std::vector<std::uint32_t> order_of_arrival() {
@@ -262,14 +300,14 @@ class Forward {
   const LitWalls& walls_;  // of the first
   const FilmPlace& place_;
   const LightRules& rules_;
-  const std::uint32_t block_rays_;
-  const Emission emission_;
+  const std::vector<Scramble> scrambles_;
   // What is to have one wavelength must stay as dark as light that has just set off.
   const float faint_ =
       walls_.bodies().disperse() ? 0.1F / static_cast<float>(kMostOfWavelength) : 0.1F;
   const Bounds size_;
-  LightFilm film_;
-  LightCounts counts_;
+  TracedLight light_;
+  const Scramble* now_ = nullptr;  // the one that is traced, and its film
+  LightFilm* film_ = nullptr;
   std::vector<LightRay> rays_;  // under way
   std::vector<LightLanding> arrivals_;
   std::vector<LightLine> lines_;
@@ -279,21 +317,10 @@ class Forward {
 
 }  // namespace
 
-LightCounts& LightCounts::operator+=(const LightCounts& more) {
-  rays += more.rays, legs += more.legs;
-  emitted += more.emitted, absorbed += more.absorbed, escaped += more.escaped;
-  at_corners += more.at_corners, cut_off += more.cut_off, gambled += more.gambled;
-  return *this;
-}
-
-std::uint64_t rays_traced(std::uint64_t rays) {
-  return rays <= kLightBlock ? rays : (rays + kLightBlock - 1) / kLightBlock * kLightBlock;
-}
-
 TracedLight trace_light(std::span<const World> worlds, std::span<const Scatterer* const> scatterers,
                         std::span<const LampState> lamps, const FilmPlace& place,
-                        const LightRules& rules) {
-  return Forward(worlds, scatterers, lamps, place, rules).trace();
+                        const LightRules& rules, TracedLight light, const NextRound& next) {
+  return Forward(worlds, scatterers, lamps, place, rules).trace(std::move(light), next);
 }
 
 }  // namespace flatray

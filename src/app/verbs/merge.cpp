@@ -1,0 +1,161 @@
+#include <fmt/core.h>
+
+#include "app/json_failure.h"
+#include "app/light_files.h"
+#include "app/light_wish.h"
+#include "app/outputs.h"
+#include "app/report.h"
+#include "app/scene_input.h"
+#include "app/verb.h"
+#include "base/counted.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/number_text.h"
+#include "image/hdr.h"
+#include "image/pfm.h"
+#include "image/png.h"
+#include "render/light_picture.h"
+
+namespace flatray::verbs {
+namespace {
+
+std::vector<std::string> tones() {
+  std::vector<std::string> names;
+  for (const ToneCurve tone : kToneCurves) names.emplace_back(name(tone));
+  return names;
+}
+
+constexpr Option kOptions[] = {
+    {"output", 'o', "OUT.film", "where to: all.film, or a picture .png, .hdr, .pfm"},
+    {"exposure", '\0', "E",
+     "of a .png: what light of 1 is shown as, or auto (default: the scene's)"},
+    {"tone", '\0', "NAME", "of a .png: linear, soft, filmic, gamma (default: the scene's)",
+     OptionKind::text, &tones},
+    kErrorImageOption,
+    {"max-bytes", '\0', "N", "most bytes of a film (default 17179869184)"},
+    kForceOption,
+    kJsonOption,
+    kQuietOption};
+
+// How the film's scene, or the command line, wants it shown.
+Result<LightSettings> look(const Arguments& arguments, const FilmFile& film) {
+  LightSettings light;
+  const auto setting = parse_json(film.setting);
+  const JsonValue* exposure = setting ? setting->find("exposure") : nullptr;
+  if (exposure != nullptr) light.exposure = exposure->as_number();
+  if (const JsonValue* gamma = setting ? setting->find("gamma") : nullptr)
+    light.gamma = gamma->as_number().value_or(light.gamma);
+  std::string tone = setting ? setting->text_of("tone") : "";
+  if (const auto text = arguments.text("exposure")) {
+    light.exposure = parse_number(*text);
+    if (*text != "auto" && !(light.exposure && *light.exposure > 0 && *light.exposure <= 1e30))
+      return usage_error(arguments.where("exposure"), "is not above 0 and at most 1e30",
+                         "say what light of 1 is to be shown as, or auto");
+  }
+  if (arguments.has("tone")) {
+    const auto word = arguments.one_of("tone", tones());
+    if (!word) return tl::unexpected(word.error());
+    tone = *word;
+  }
+  for (const ToneCurve one : kToneCurves)
+    if (tone == name(one)) light.tone = one;
+  return light;
+}
+
+Result<FilmFile> merged(const Arguments& arguments) {
+  const auto most = arguments.whole("max-bytes", kMostFilmBytes, 1, std::uint64_t{1} << 40);
+  if (!most) return tl::unexpected(most.error());
+  const std::vector<std::string>& paths = arguments.operands();
+  Result<FilmFile> film = read_film(paths.front(), *most);
+  for (std::size_t i = 1; film && i < paths.size(); ++i) {
+    const auto more = read_film(paths[i], *most);
+    if (!more) return tl::unexpected(more.error());
+    if (auto added = merge_film(*film, *more, paths[i]); !added) return fail(std::move(added));
+  }
+  return film;
+}
+
+std::vector<std::byte> picture_of(const FilmFile& film, const LightReport& report,
+                                  const LightSettings& light, PictureFormat format) {
+  std::vector<std::int64_t> sums = report.scrambles.front();
+  for (std::size_t k = 1; k < report.scrambles.size(); ++k)
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += report.scrambles[k][i];
+  const double unit = report.film_unit / static_cast<double>(report.scrambles.size());
+  const std::vector<double> counts(sums.begin(), sums.end());
+  const LightPicture shown = light_picture(counts, unit, light, format != PictureFormat::png);
+  const LinearImage image{film.width, film.height, shown.rgb};
+  if (format == PictureFormat::hdr) return encode_hdr(image);
+  if (format == PictureFormat::pfm) return encode_pfm(image);
+  return encode_png(develop(image));
+}
+
+Result<OutputPattern> output_of(const Arguments& arguments, const char* option) {
+  const auto text = arguments.text(option);
+  if (!text)
+    return usage_error(named_place(fmt::format("--{}", option)), "is missing",
+                       "say -o all.film, or -o picture.png");
+  auto output = OutputPattern::parse(*text, std::nullopt, arguments.where(option));
+  if (output && (output->has_scene() || output->is_stdout()))
+    return usage_error(arguments.where(option), "is not the name of one file", "say all.film");
+  return output;
+}
+
+Result<VerbOutput> run(const Arguments& arguments) {
+  const auto output = output_of(arguments, "output");
+  if (!output) return tl::unexpected(output.error());
+  std::optional<OutputPattern> error_output;
+  if (arguments.has("error-image")) {
+    auto image = output_of(arguments, "error-image");
+    if (!image) return tl::unexpected(image.error());
+    error_output = std::move(*image);
+  }
+  const auto film = merged(arguments);
+  if (!film) return tl::unexpected(film.error());
+  const auto light = look(arguments, *film);
+  if (!light) return tl::unexpected(light.error());
+  const LightReport report = report_of(*film);
+  const Outputs outputs(arguments);
+  const std::filesystem::path path = *arguments.text("output");
+  if (error_output) {
+    if (film->scrambles.size() < 2 || error_output->format() == PictureFormat::film)
+      return usage_error(arguments.where("error-image"), "needs films of 16 scrambles or more",
+                         "render them with -D light.scrambles=16, to a picture's name");
+    const PixelBox all{0, 0, film->width, film->height};
+    if (auto written = outputs.write(*arguments.text("error-image"),
+                                     error_picture(report, error_output->format(), all, all));
+        !written)
+      return fail(std::move(written));
+  }
+  const std::vector<std::byte> bytes = output->format() == PictureFormat::film
+                                           ? encode_film(*film)
+                                           : picture_of(*film, report, *light, output->format());
+  if (auto written = outputs.write(path, bytes); !written) return fail(std::move(written));
+  const LightRecord record = record_of(report);
+  if (!arguments.has("quiet"))
+    report_note(fmt::format("flatray: {} of {}{}", path.string(), counted(record.rays, "ray"),
+                            record.error ? fmt::format(", error {:.2g}", *record.error) : ""));
+  if (!arguments.has("json")) return VerbOutput{};
+  return VerbOutput{json_report("merge", arguments,
+                                Fields{{"file", path.string()},
+                                       {"width", film->width},
+                                       {"height", film->height},
+                                       {"bytes", Hash().add(bytes).hex()},
+                                       {"light", as_value(record)}})};
+}
+
+}  // namespace
+
+extern const Verb merge = {
+    "merge",
+    "FILE.film...",
+    "add films of light, exactly and in any order, into a film or a picture",
+    1,
+    10'000,
+    kOptions,
+    "  flatray render scene.toml --ray-shard 0/2 -o a.film    # and 1/2 elsewhere\n"
+    "  flatray merge a.film b.film -o picture.png\n"
+    "  flatray merge a.film b.film -o all.film --force\n",
+    "nothing written",
+    &run};
+
+}  // namespace flatray::verbs

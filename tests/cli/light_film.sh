@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# needs: shapes/box lamps/point materials/diffuse formats/toml passes/light
+# Films of light: more rays, shards and runs that were killed give the bytes of one run.
+source "$(dirname "$0")/lib.sh"
+cat > lamp.toml << 'END'
+flatray = 1
+film = { size = [40, 30], world = [[-4, -3], [4, 3]], background = "#000000" }
+light = { bounces = 2, exposure = 3.0, tone = "filmic" }
+[[lamp]]
+source = { point = {} }
+at = [-2, 1]
+[[entity]]
+fill = "none"
+shape = { box = { min = [0, -1], max = [1, 1] } }
+material = { diffuse = { reflectance = 0.7, colour = "#ffc080" } }
+END
+as_one() { cmp -s "$1" "$2" || fail "$3: $1 and $2 differ"; }
+
+# Threads, more rays, shards in any order.
+run 0 render lamp.toml --rays 1048576 -o all.film -j 1 --quiet
+for threads in 2 7; do
+  run 0 render lamp.toml --rays 1048576 -o threads.film -j $threads --quiet
+  as_one all.film threads.film "$threads threads"
+done
+run 0 render lamp.toml --rays 300000 -o more.film --quiet
+run 0 render lamp.toml --rays 1048576 -o more.film --resume --quiet
+as_one all.film more.film "more rays"
+run 0 render lamp.toml --rays 1048576 -o more.film --resume --quiet
+as_one all.film more.film "nothing left to do"
+for i in 0 1 2; do run 0 render lamp.toml --rays 1048576 --ray-shard $i/3 -o $i.film --quiet; done
+run 0 merge 2.film 0.film 1.film -o merged.film --quiet
+as_one all.film merged.film "shards"
+run 0 merge 1.film 2.film -o part.film --quiet
+run 0 merge part.film 0.film -o merged.film --quiet
+as_one all.film merged.film "shards, two first"
+run 0 render lamp.toml --rays 1048576 --ray-shard 4/5 -o empty.film --quiet
+run 0 merge empty.film -o dark.png --quiet
+
+# Pictures of films are pictures of scenes.
+for format in png hdr pfm; do
+  run 0 merge all.film -o merged.$format --quiet
+  run 0 render lamp.toml --rays 1048576 -o rendered.$format --quiet
+  as_one merged.$format rendered.$format "a picture"
+done
+run 0 merge all.film --tone linear --exposure auto -o linear.png --quiet
+! cmp -s linear.png merged.png || fail "--tone changes nothing"
+run 2 merge all.film --tone sfot -o x.png
+says err "say linear, soft, filmic"
+run 2 merge all.film --exposure 0 -o x.png
+run 2 merge all.film
+
+# What does not go together.
+run 4 merge all.film 1.film -o x.film
+says err "1.film: error: has rays that are in the films before, too"
+run 0 render lamp.toml --rays 1 --seed 7 -o seed.film --quiet
+run 4 merge all.film seed.film -o x.film
+says err "seed 0 there, 7 here"
+run 0 render lamp.toml --rays 1 -D film.size=[8,8] -o size.film --quiet
+run 4 merge all.film size.film -o x.film
+says err 'size "40x30" there, "8x8" here'
+run 6 render lamp.toml --seed 7 -o all.film --resume
+says err "is a film of other light: seed 0 there, 7 here"
+head -c 1000 all.film > cut.film
+run 4 merge cut.film -o x.film
+says err "cut.film: error: film has 1000 bytes, and its header tells of"
+run 3 merge absent.film -o x.film
+run 4 merge lamp.toml -o x.film
+says err "is not a film of this version"
+run 6 merge all.film -o lamp.toml/x.png
+run 2 render lamp.toml --ray-shard 0/2 -o x.png
+says err "needs a film"
+run 2 render lamp.toml --crop 0,0,4,4 -o x.film
+sed '/lamp\]/,/^at/d' lamp.toml > unlit.toml
+run 2 render unlit.toml -o x.film
+says err "no lamp shines here"
+run 2 render unlit.toml --error 0.1 -o x.png
+says err "needs --profile, or lamps"
+absent x.film x.png
+
+# Killed at any moment, then resumed.
+run 0 render lamp.toml --rays 6291456 -o long.film --quiet
+for delay in 0.1 0.4 2.5; do
+  "$flatray" render lamp.toml --rays 6291456 -o killed.film --resume --quiet &
+  sleep $delay
+  kill -9 $! 2> /dev/null
+  wait $! 2> /dev/null
+  [[ ! -e killed.film ]] || run 0 merge killed.film -o killed.png --quiet
+done
+run 0 render lamp.toml --rays 6291456 -o killed.film --resume --quiet
+as_one long.film killed.film "killed and resumed"
+
+# The error.
+run 0 render lamp.toml --error 0.05 --error-image error.pfm -o lit.pfm --json
+says out '"error":0.0'
+[[ $(head -c 13 error.pfm) == $'PF\n40 30\n-1.0' ]] || fail "no error image"
+run 0 render lamp.toml --time 0.01 -o lit.png --json
+says out '"rounds":1,'
+run 0 render lamp.toml --rays 100000 -D light.scrambles=16 -o lit.film --json --progress always
+says err "rays, error 0.0"
+run 0 merge lit.film -o lit.png --error-image error.png --json
+says out '"error":0.0'
+run 2 merge all.film -o lit.png --error-image error.png
+run 2 render lamp.toml --error 0 -o lit.png
+run 2 render lamp.toml --error-image lit.png -o lit.png
+run 2 render lamp.toml -D light.scrambles=3 -o lit.png
+
+# Lost light is told.
+run 0 render lamp.toml --rays 1000 -D light.bounces=0 -o lit.png
+says err "of the light is lost"
+says err "light.bounces=10"
+run 0 render lamp.toml --rays 1000 -o lit.png --json
+says out '"cut_off":0'
+
+# A sequence: a film a frame, each with its record.
+sed 's/^flatray = 1/flatray = 1\nframes = 2/; s/^at = .*/velocity = [1, 0]/' lamp.toml > moving.toml
+run 0 render moving.toml --rays 262144 -o 'seq/####.film' --quiet
+run 0 render moving.toml --rays 524288 -o 'seq/####.film' --resume --quiet
+run 0 render moving.toml --rays 524288 -o 'once/####.film' --quiet
+as_one seq/0002.film once/0002.film "a sequence"
+run 0 verify seq
+run 4 merge seq/0001.film seq/0002.film -o x.film
+says err "frame 1 there, 2 here"
+
+# Of light that does not move one is traced for all frames, and shown below what moves.
+cat > below.toml << 'END'
+flatray = 1
+frames = 3
+END
+sed 1d lamp.toml >> below.toml
+cat >> below.toml << 'END'
+[[entity]]
+shape = { box = { min = [-3, -2], max = [-2, -1] } }
+velocity = [10, 5]
+fill = "#3366cc"
+END
+run 0 explain below.toml
+says out "traced once"
+run 0 render below.toml -D light.rays=10000 -o 'once/####.png' --quiet
+run 0 render below.toml -D light.rays=10000 -o 'each/####.png' --keep-all --quiet
+same once each "light that is kept"
+! cmp -s once/0001.png once/0002.png || fail "nothing moves"
+for moving in lamp.0.velocity=[1,0] entity.0.velocity=[1,0] light.noise=\"moving\" camera.velocity=[1,0]; do
+  run 0 explain below.toml -D $moving
+  says out "each traced"
+done
+finish
