@@ -59,6 +59,7 @@ Fields RenderJob::setting() const {
     fields.emplace_back("rays", scene.light.rays);
     fields.emplace_back("scrambles", scene.light.scrambles);
   }
+  if (light.estimator) fields.emplace_back("estimator", static_cast<int>(*light.estimator));
   if (light.error > 0) fields.emplace_back("error", light.error);
   if (light.seconds < kInfinity) fields.emplace_back("time", light.seconds);
   return fields;

@@ -5,6 +5,7 @@
 #include "app/option_values.h"
 #include "app/render_job.h"
 #include "base/number_text.h"
+#include "scene/lamp.h"
 
 namespace flatray {
 namespace {
@@ -39,9 +40,10 @@ Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
         return usage_error(arguments.where(option), "needs --profile, or lamps in the scene",
                            "flatray accuracy SCENE --profile FILE writes one");
   if (no_light && (film || job.light.any()))
-    return usage_error(arguments.where(film             ? "output"
-                                       : job.light.rays ? "rays"
-                                                        : "error-image"),
+    return usage_error(arguments.where(film                  ? "output"
+                                       : job.light.rays      ? "rays"
+                                       : job.light.estimator ? "estimator"
+                                                             : "error-image"),
                        "is of light, and no lamp shines here",
                        "add [[lamp]] source = { point = {} }");
   if (film && job.crop)
@@ -72,6 +74,8 @@ Result<void> fits_error_image(const Arguments& arguments, const RenderJob& job) 
 
 }  // namespace
 
+std::vector<std::string> estimator_words() { return {"forward", "backward", "auto"}; }
+
 Result<LightWish> read_light_wish(const Arguments& arguments) {
   LightWish wish;
   Diagnostics problems;
@@ -81,6 +85,11 @@ Result<LightWish> read_light_wish(const Arguments& arguments) {
   };
   if (const auto rays = arguments.whole("rays", 0, 1, kMostRays); note(rays) && *rays > 0)
     wish.rays = *rays;
+  if (arguments.has("estimator"))
+    if (const auto word = arguments.one_of("estimator", estimator_words()); note(word))
+      wish.estimator = *word == "backward"  ? LightEstimator::backward
+                       : *word == "forward" ? LightEstimator::forward
+                                            : LightEstimator::automatic;
   note(read_ends(arguments, wish));
   if (const auto text = arguments.text("ray-shard"))
     if (const auto shard = parse_shard(*text, arguments.where("ray-shard")); note(shard))
@@ -100,6 +109,10 @@ Result<void> wish_light(const Arguments& arguments, const LightWish& wish, Rende
   if (auto fits = fits_scene(arguments, job); !fits) return fits;
   if (auto fits = fits_error_image(arguments, job); !fits) return fits;
   LightSettings& light = job.scene.light;
+  if (wish.estimator) light.estimator = *wish.estimator;
+  if (light.estimator == LightEstimator::backward)
+    if (auto hindrance = why_not_backward(job.scene))
+      return tl::unexpected(Diagnostics{std::move(*hindrance)});
   if (wish.rays)
     light.rays = *wish.rays;
   else if (wish.seconds < kInfinity || wish.error > 0)
@@ -108,9 +121,10 @@ Result<void> wish_light(const Arguments& arguments, const LightWish& wish, Rende
   const bool by_rounds = wish.error > 0 || wish.error_image || wish.seconds < kInfinity ||
                          job.output.format() == PictureFormat::film || light.scrambles > 1;
   if (by_rounds && light.estimator == LightEstimator::backward)
-    return usage_error(named_place("light.estimator"),
-                       "backward has no rounds of rays, and so no films, --error or --time",
-                       "say -D light.estimator=forward");
+    return usage_error(
+        wish.estimator ? arguments.where("estimator") : named_place("light.estimator"),
+        "backward has no rounds of rays, and so no films, --error or --time",
+        "say --estimator forward");
   if (by_rounds) light.estimator = LightEstimator::forward;
   if (wish.error > 0 || wish.error_image)
     light.scrambles = std::max(light.scrambles, kScrambles[0]);

@@ -12,6 +12,14 @@ struct RenderJob;
 
 inline constexpr Option kRaysOption = {"rays", '\0', "N",
                                        "rays of all lamps of a frame, instead of the scene's"};
+std::vector<std::string> estimator_words();
+inline constexpr Option kEstimatorOption = {
+    "estimator",
+    '\0',
+    "WAY",
+    "how light is followed, instead of the scene's: forward, backward, auto",
+    OptionKind::text,
+    &estimator_words};
 inline constexpr Option kRayShardOption = {
     "ray-shard", '\0', "I/N", "into a film: only every N-th round of rays, from the I-th on"};
 inline constexpr Option kErrorImageOption = {
@@ -20,6 +28,7 @@ inline constexpr Option kErrorImageOption = {
 /// What the command line says of light.
 struct LightWish {
   std::optional<std::uint64_t> rays;
+  std::optional<LightEstimator> estimator;
   double seconds = kInfinity;  ///< of a frame
   double error = 0;            ///< relative standard error that is enough
   Shard shard;                 ///< of the rounds of rays
@@ -27,7 +36,7 @@ struct LightWish {
   std::optional<OutputPattern> error_image;
 
   bool any() const {
-    return rays || seconds < kInfinity || error > 0 || shard.count > 1 || error_image;
+    return rays || estimator || seconds < kInfinity || error > 0 || shard.count > 1 || error_image;
   }
   LightGoal goal() const { return {shard.index, shard.count, seconds, error, {}}; }
 };

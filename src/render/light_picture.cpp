@@ -15,7 +15,9 @@
 namespace flatray {
 namespace {
 
-double luminance_of(const double* rgb) { return flatray::luminance(LightColour{rgb[0], rgb[1], rgb[2]}); }
+double luminance_of(const double* rgb) {
+  return flatray::luminance(LightColour{rgb[0], rgb[1], rgb[2]});
+}
 
 }  // namespace
 

@@ -47,7 +47,7 @@ std::string named(std::string_view what, std::string_view name) {
 }  // namespace
 
 std::optional<Diagnostic> why_not_backward(const Scene& scene) {
-  constexpr const char* kHint = "write estimator = \"forward\" or \"auto\" in [light]";
+  constexpr const char* kHint = "say --estimator forward, or estimator = \"forward\" in [light]";
   const Lamp* points = nullptr;
   for (const Lamp& lamp : scene.lamps) {
     if (lamp.type->seen == LampSeen::never)

@@ -77,6 +77,18 @@ run 2 render unlit.toml --error 0.1 -o x.png
 says err "needs --profile, or lamps"
 absent x.film x.png
 
+# From pixels: the same for any threads, other noise, and not with mirrors before a point.
+run 0 render lamp.toml --estimator forward -o forward.png --quiet
+run 0 render lamp.toml --estimator backward --rays 20000 -o backward.png -j 1 --quiet
+run 0 render lamp.toml --estimator backward --rays 20000 -o two.png -j 2 --quiet
+as_one backward.png two.png "threads of pixels"
+! cmp -s forward.png backward.png || fail "--estimator backward does what forward does"
+run 2 render lamp.toml --estimator backward -o x.film
+says err "backward has no rounds"
+run 4 render lamp.toml -D 'entity.0.material="mirror"' --estimator backward -o x.png
+says err "no path from a pixel finds the light of lamp"
+run 2 render lamp.toml --estimator sideways -o x.png
+
 # Killed at any moment, then resumed.
 run 0 render lamp.toml --rays 6291456 -o long.film --quiet
 for delay in 0.1 0.4 2.5; do

@@ -26,6 +26,7 @@ constexpr auto kOptions = with_scene_options(
      kErrorOption,
      kTimeOption,
      kRaysOption,
+     kEstimatorOption,
      kRayShardOption,
      kErrorImageOption,
      kViewOption,
