@@ -1,5 +1,8 @@
 #include "anim/world.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "geom/hit_interval.h"
 #include "scene/outline.h"
 #include "scene/rounded.h"
@@ -91,10 +94,24 @@ std::vector<Material> World::materials() const {
   return all;
 }
 
+namespace {
+
+// So many worlds that all shapes of either come equally often; where those would be many, nearly.
+std::size_t common(std::size_t a, std::size_t b) {
+  constexpr std::size_t kMostWorlds = 1024;
+  const std::size_t both = std::lcm(a, b);
+  return both <= kMostWorlds ? both : std::max(a, b);
+}
+
+bool belongs_alike(const SurfaceOwner& a, const SurfaceOwner& b) {
+  return a.kind == b.kind && a.index == b.index && a.pillar == b.pillar;
+}
+
+}  // namespace
+
 std::vector<World> alternative_worlds(const Scene& scene, const FrameState& state) {
   std::size_t count = 1;
-  for (const Entity& entity : scene.entities)
-    count = std::max(count, entity.alternatives.size() + 1);
+  for (const Entity& entity : scene.entities) count = common(count, entity.alternatives.size() + 1);
   std::vector<World> worlds{build_world(scene, state)};
   FrameState other = state;
   for (std::size_t k = 1; k < count; ++k) {
@@ -105,7 +122,9 @@ std::vector<World> alternative_worlds(const Scene& scene, const FrameState& stat
       }
     World world = build_world(scene, other);
     // So far away that the doubles do not tell the ends of one apart: it is left out.
-    if (world.owners.size() == worlds.front().owners.size()) worlds.push_back(std::move(world));
+    if (std::equal(world.owners.begin(), world.owners.end(), worlds.front().owners.begin(),
+                   worlds.front().owners.end(), belongs_alike))
+      worlds.push_back(std::move(world));
   }
   return worlds;
 }

@@ -12,6 +12,7 @@
 #include "image/hdr.h"
 #include "image/pfm.h"
 #include "image/png.h"
+#include "render/light_picture.h"
 
 namespace flatray {
 namespace {
@@ -78,6 +79,12 @@ Result<TracedLight> light_before(const RenderJob& job, const fs::path& path,
     return fail(named_place(path.string()),
                 "is a film of other light: " + differences(film->setting, setting),
                 "name another file, or leave --resume out", Trouble::output);
+  const Film& size = job.scene.film;
+  if (film->width != size.width || film->height != size.height ||
+      film->channels != light_channels(job.scene) ||
+      film->scrambles.size() != job.scene.light.scrambles)
+    return fail(named_place(path.string()), "has another size than its setting says",
+                "it is damaged: name another file, or leave --resume out", Trouble::output);
   return light_of(*film);
 }
 
@@ -196,7 +203,7 @@ std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRe
   if (worst == nullptr || lost(*worst) <= kMuch) return std::nullopt;
   const bool cut = worst->cut_off >= worst->corners;
   return Diagnostic{scene.light.where ? scene.light.where : scene.lamps.front().where,
-                    fmt::format("{:.2g} % of the light is lost: {:.2g} % cut off after {} bounces, "
+                    fmt::format("{:.3g} % of the light is lost: {:.3g} % cut off after {} bounces, "
                                 "{:.2g} % at corners",
                                 100 * lost(*worst), 100 * worst->cut_off, scene.light.bounces,
                                 100 * worst->corners),

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "base/hash.h"
@@ -180,7 +181,8 @@ Result<FilmFile> decode_film(std::span<const std::byte> bytes, const std::string
                 {},
                 {},
                 {}};
-  if (!(film.round_unit >= 0)) return wrong("film has light without a unit");
+  if (!(film.round_unit >= 0 && std::isfinite(film.round_unit)))
+    return wrong("film has light without a unit");
   std::vector<std::uint64_t> words;
   for (std::uint64_t i = 0; i < header.words; ++i) words.push_back(reader.number());
   if (!words.empty() && words.back() == 0) return wrong("film has rounds that are none");

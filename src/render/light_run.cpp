@@ -6,6 +6,7 @@
 #include "render/film_transform.h"
 #include "render/light_picture.h"
 #include "scene/lamp.h"
+#include "transport/light/seen_lamps.h"
 
 namespace flatray {
 namespace {
@@ -73,7 +74,7 @@ class Rounds {
     if (due && light.films.size() > 1) error = relative_error(sums_of_scrambles(light));
     if (before_ < count && goal_.told) goal_.told(light, error);
     before_ = count;
-    if (error && *error <= goal_.error) return std::nullopt;
+    if (error && is_reached(*error, count)) return std::nullopt;
     const std::chrono::duration<double> time = Clock::now() - start_;
     if (count > 0 && time.count() >= goal_.seconds) return std::nullopt;
     while (next_ < end_ && light.rounds.has(next_)) next_ += goal_.shards;
@@ -82,6 +83,12 @@ class Rounds {
   }
 
  private:
+  // Where no light has come by then, none is waited for.
+  bool is_reached(double error, std::uint64_t rounds) const {
+    constexpr std::uint64_t kDarkRounds = 8;
+    return goal_.error > 0 && error <= goal_.error && (error > 0 || rounds >= kDarkRounds);
+  }
+
   const LightGoal& goal_;
   const std::uint64_t end_;
   std::uint64_t next_, before_;
@@ -129,7 +136,10 @@ bool is_gathered(const Scene& scene, const FrameState& state) {
   if (scene.light.estimator != LightEstimator::automatic)
     return scene.light.estimator == LightEstimator::backward;
   if (why_not_backward(scene)) return false;
-  const Bounds all = bounds_of(build_world(scene, state).surfaces);
+  const World world = build_world(scene, state);
+  if (world.surfaces.size() == 0 || any_on_wall(lamp_states(scene, state), world.surfaces))
+    return false;
+  const Bounds all = bounds_of(world.surfaces);
   const FilmTransform film(scene.film, state);
   const double pixel = 1 / film.scale();
   return all.size().prod() > kSmallPart * (scene.film.width * pixel) * (scene.film.height * pixel);
@@ -144,21 +154,12 @@ struct CountedLight {
   LightReport report;
 };
 
-// Its standard errors, together, over all of its light.
-double relative_error(const GatheredLight& light) {
-  double all = 0, error = 0;
-  for (std::size_t i = 0; i < light.fluence.size(); ++i)
-    all += light.fluence[i], error += light.error[i];
-  return all > 0 ? error / all : 0;
-}
-
 CountedLight counted_light(const Scene& scene, const FrameState& state, const Tracer* tracer,
                            std::uint64_t seed, const LightRun& run) {
   if (is_gathered(scene, state)) {
     GatheredLight light = gather_frame_light(scene, state, tracer, seed, run.threads, run.stop);
     LightReport report;
     report.counts.rays = light.paths;
-    report.error = relative_error(light);
     return {std::move(light.fluence), 1, std::move(report)};
   }
   const LightGoal all;

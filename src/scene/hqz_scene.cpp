@@ -82,8 +82,8 @@ class HqzReader {
       problem(value.where, fmt::format("{} is {}, not a number", what, kind_name(value.kind)));
       return std::nullopt;
     }
-    if (value.text == "null") return 0;
-    const auto literal = parse_literal(source_text(value));
+    auto literal = parse_literal(source_text(value));
+    if (value.text == "null") literal.emplace().value = 0;
     if (!literal || !(std::abs(literal->value) <= kFarthest)) {
       problem(value.where, fmt::format("{} is beyond 1e300", what));
       return std::nullopt;

@@ -69,6 +69,11 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene) {
                         fmt::format("paths from pixels have no wavelength, and {} parts colours",
                                     named(wall.what, wall.name)),
                         kHint};
+    if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->depends_on_place())
+      return Diagnostic{wall.where,
+                        fmt::format("no path goes back by way of {}, whose mirror is turned",
+                                    named(wall.what, wall.name)),
+                        kHint};
     if (points != nullptr && is_specular(scene, wall))
       return Diagnostic{
           points->where,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "base/hash.h"
 #include "image/light_film.h"
 
@@ -122,6 +124,12 @@ TEST(FilmFiles, WithHostileHeadersAreRefused) {
   FilmBytes negative = bytes;
   put(negative, header + 64, std::uint64_t{1} << 63 | 1);
   EXPECT_NE(refusal_of(signed_again(negative)).find("without a unit"), std::string::npos);
+}
+
+TEST(FilmFiles, WithAnEndlessUnitAreRefused) {
+  FilmFile film = film_with(0, 1);
+  film.round_unit = std::numeric_limits<double>::infinity();
+  EXPECT_NE(refusal_of(encode_film(film)).find("without a unit"), std::string::npos);
 }
 
 TEST(FilmFiles, WithMoreLightThanLinesAreRefused) {

@@ -8,6 +8,7 @@
 #include "render/light_picture.h"
 #include "render/light_run.h"
 #include "support/pictures.h"
+#include "transport/light/seen_lamps.h"
 
 namespace flatray {
 namespace {
@@ -153,6 +154,33 @@ TEST(Gather, AgreesWithLampsByMirrorsAndGlass) {
       0.9);
 }
 
+// On a wall it shines to its side alone, whichever way it is followed.
+TEST(Gather, OfALampAlongAWallDoesNotGoThroughTheWall) {
+  const std::string room =
+      "[[entity]]\nshape = { box = { min = [-3, -3], max = [3, 3] } }\n"
+      "material = { diffuse = { reflectance = 0.5 } }\n";
+  const std::string out = "[[lamp]]\nsource = { segment = { from = [2, -3], to = [-2, -3] } }\n";
+  const std::string in = "[[lamp]]\nsource = { segment = { from = [-2, -3], to = [2, -3] } }\n";
+  const GatheredLight dark = gathered(out + room);
+  EXPECT_EQ(dark.fluence[3 * (7 * 16 + 7)], 0);
+  const GatheredLight lit = gathered(in + room);
+  EXPECT_EQ(lit.fluence[3 * (15 * 16 + 7)], 0);
+  EXPECT_GT(covered(in + room), 0.9);
+  const Scene scene = scene_of(seen(in + room, ""));
+  const Timeline timeline(scene, 0, 1);
+  EXPECT_TRUE(any_on_wall(lamp_states(scene, at(timeline, 1)),
+                          build_world(scene, at(timeline, 1)).surfaces));
+}
+
+// Its light leaves along a line: what of it a wall cuts off is dark.
+TEST(Gather, OfABeamThatAWallCrossesIsCutThere) {
+  const GatheredLight light = gathered(
+      "[[lamp]]\nsource = { beam = { width = 2 } }\n"
+      "[[entity]]\nshape = { segment = { from = [-1, -1], to = [1, 1] } }\nmaterial = 'absorb'\n");
+  EXPECT_EQ(light.fluence[3 * (6 * 16 + 12)], 0);            // above, behind the wall
+  EXPECT_NEAR(light.fluence[3 * (9 * 16 + 12)], 0.5, 1e-9);  // below, before it
+}
+
 TEST(Gather, IsTheSameForAnyThreadsAndSeedsDiffer) {
   const std::string scene = std::string(kRoom) + "[[lamp]]\nsource = { point = {} }\n";
   const GatheredLight one = gathered(scene, "rays = 10000");
@@ -181,6 +209,11 @@ TEST(Gather, NamesTheLampAndTheMirrorThatHinderIt) {
             std::string::npos);
   EXPECT_NE(refusal("[[lamp]]\nsource = { segment = { from = [0, 2], to = [1, 2] } }\n" + mirror +
                     "{ glass = { dispersion = 5000 } }\n")
+                .find("\"pane\""),
+            std::string::npos);
+  EXPECT_NE(refusal("[[lamp]]\nsource = { segment = { from = [0, 2], to = [1, 2] } }\n"
+                    "[[entity]]\nname = 'pane'\nshape = { segment = { from = [0, 0], to = [1, 0] } "
+                    "}\nmaterial = { mix = { mirror = 1, mirror_turn = [0, 9] } }\n")
                 .find("\"pane\""),
             std::string::npos);
   EXPECT_EQ(refusal(sun + mirror + "{ diffuse = {} }\n"), "");

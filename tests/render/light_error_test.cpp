@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle lamps/point materials/diffuse materials/mirror materials/mix materials/isotropic materials/pass materials/glass passes/light formats/toml
+// needs: shapes/box shapes/circle lamps/point lamps/ray materials/diffuse materials/mirror materials/mix materials/isotropic materials/pass materials/glass passes/light formats/toml
 // How far light is from the truth, and rounds of rays in any order.
 #include "render/light_error.h"
 
@@ -129,6 +129,18 @@ TEST(LightGoals, EndWhereTheErrorIsSmallEnough) {
 TEST(LightGoals, OfTimeHaveOneRoundAtLeast) {
   const Scene scene = small_room("rays = 1000000000000\nbounces = 2");
   EXPECT_EQ(traced(scene, {.seconds = 1e-9}).rounds.count(), 1U);
+}
+
+// Without a light to be seen no error is small: all rays that are asked for are traced.
+TEST(LightGoals, AreNotReachedInTheDark) {
+  const Scene scene = scene_of(
+      "flatray = 1\nfilm = { size = [4, 4], world = [[-4, -4], [4, 4]] }\n[light]\nrays = 600000\n"
+      "scrambles = 16\n[[lamp]]\nsource = { ray = {} }\nat = [9, 9]\n");
+  LightGoal told;
+  told.told = [](const TracedLight&, std::optional<double>) {};
+  EXPECT_EQ(traced(scene, told).rounds.count(), 3U);
+  told.error = 0.1;
+  EXPECT_EQ(traced(scene, told).rounds.count(), 3U);
 }
 
 TEST(LightErrors, AreThoseOfStudent) {

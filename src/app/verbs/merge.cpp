@@ -1,5 +1,8 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/json_failure.h"
 #include "app/light_files.h"
 #include "app/light_wish.h"
@@ -43,8 +46,9 @@ Result<LightSettings> look(const Arguments& arguments, const FilmFile& film) {
   const auto setting = parse_json(film.setting);
   const JsonValue* exposure = setting ? setting->find("exposure") : nullptr;
   if (exposure != nullptr) light.exposure = exposure->as_number();
+  if (light.exposure && !(*light.exposure > 0 && *light.exposure <= 1e30)) light.exposure.reset();
   if (const JsonValue* gamma = setting ? setting->find("gamma") : nullptr)
-    light.gamma = gamma->as_number().value_or(light.gamma);
+    light.gamma = std::clamp(gamma->as_number().value_or(light.gamma), 0.1, 10.0);
   std::string tone = setting ? setting->text_of("tone") : "";
   if (const auto text = arguments.text("exposure")) {
     light.exposure = parse_number(*text);
@@ -116,19 +120,26 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const LightReport report = report_of(*film);
   const Outputs outputs(arguments);
   const std::filesystem::path path = *arguments.text("output");
+  const std::vector<std::byte> bytes = output->format() == PictureFormat::film
+                                           ? encode_film(*film)
+                                           : picture_of(*film, report, *light, output->format());
   if (error_output) {
     if (film->scrambles.size() < 2 || error_output->format() == PictureFormat::film)
       return usage_error(arguments.where("error-image"), "needs films of 16 scrambles or more",
                          "render them with -D light.scrambles=16, to a picture's name");
+    if (std::filesystem::path(*arguments.text("error-image")).lexically_normal() ==
+        path.lexically_normal())
+      return usage_error(arguments.where("error-image"), "is where the picture goes",
+                         "name another file");
+    if (auto may = outputs.allow(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        !may)
+      return fail(std::move(may));
     const PixelBox all{0, 0, film->width, film->height};
     if (auto written = outputs.write(*arguments.text("error-image"),
                                      error_picture(report, error_output->format(), all, all));
         !written)
       return fail(std::move(written));
   }
-  const std::vector<std::byte> bytes = output->format() == PictureFormat::film
-                                           ? encode_film(*film)
-                                           : picture_of(*film, report, *light, output->format());
   if (auto written = outputs.write(path, bytes); !written) return fail(std::move(written));
   const LightRecord record = record_of(report);
   if (!arguments.has("quiet"))

@@ -15,8 +15,10 @@ std::vector<std::pair<std::size_t, std::size_t>> scenes_in(const SourcePtr& sour
   std::vector<std::pair<std::size_t, std::size_t>> lines;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (!trimmed(text.substr(begin, end - begin)).empty()) lines.emplace_back(begin, end);
-    if (lines.size() == 1 && !json_value(source, lines[0].first, lines[0].second)) break;
+    if (!trimmed(text.substr(begin, end - begin)).empty()) {
+      lines.emplace_back(begin, end);
+      if (lines.size() == 1 && !json_value(source, begin, end)) break;
+    }
     begin = end + 1;
   }
   if (lines.size() > 1) return lines;

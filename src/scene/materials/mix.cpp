@@ -27,6 +27,7 @@ class TurnedMix : public Scatterer {
     return departure;
   }
   bool depends_on_place() const override { return true; }
+  bool colours() const override { return mix_->colours(); }
 
  private:
   // Which side of the mirror is seen makes no difference.

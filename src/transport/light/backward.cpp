@@ -18,7 +18,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::uint64_t kParts = 16;  // independent, each with a net of its own
 constexpr std::size_t kPixels = 64;   // that a thread takes at a time
 constexpr std::uint64_t kRound = 64;  // paths of a pixel followed at once, a multiple of kParts
-constexpr double kFaint = 0.1;        // of the weight of a path that sets off
+constexpr std::size_t kMostLooks = 1U << 16;  // at once
+constexpr double kFaint = 0.1;                // of the weight of a path that sets off
 
 // A path on its way from a pixel to lamps.
 struct Path {
@@ -30,7 +31,8 @@ struct Path {
 
 // A point that looks towards a lamp.
 struct Look {
-  std::size_t path, lamp;
+  std::size_t path;
+  Vec2 from;       // of the lamp
   LightSum light;  // that it adds, if nothing is in the way
 };
 
@@ -143,11 +145,12 @@ class Backward {
               !of_.walls_.sets_off_from(towards, wall->came, wall->landed, !wall->both_sides))
             continue;
         }
-        Look one{path.pixel * kParts + path.part, lamp, {}};
+        Look one{path.pixel * kParts + path.part, sight->from, {}};
         for (std::size_t c = 0; c < 3; ++c)
           one.light[c] = path.weight[c] * part * sight->fluence[c];
         looks_.push_back(one);
         looking_.add(towards.ray, towards.left);
+        if (looks_.size() == kMostLooks) add_looks();
       }
     }
 
@@ -157,7 +160,7 @@ class Backward {
       of_.walls_.tracer().nearest(looking_, hits);
       for (std::size_t i = 0; i < looks_.size(); ++i) {
         const Look& one = looks_[i];
-        const auto passed = of_.lamps_.passes(one.lamp, looking_.ray(i), looking_.left[i], hits[i]);
+        const auto passed = of_.lamps_.passes(one.from, looking_.ray(i), looking_.left[i], hits[i]);
         for (std::size_t c = 0; c < 3; ++c)
           sums_[one.path][c] += static_cast<double>(passed[c]) * one.light[c];
       }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geom/predicates.h"
+
 namespace flatray {
 namespace {
 
@@ -14,24 +16,48 @@ Vec2 to_local(const Pose& pose, const Vec2& world) {
   return {pose.cos * out.x() + pose.sin * out.y(), pose.cos * out.y() - pose.sin * out.x()};
 }
 
+void add(Surfaces& lines, const LampLine& line, const Pose& pose) {
+  const Segment ends{pose(line.ends.a), pose(line.ends.b)};
+  if (line.circle)
+    lines.add(Arc{Circle{pose(line.circle->centre), pose.length(line.circle->radius)},
+                  line.whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
+  else
+    lines.add(ends);
+}
+
+bool lies_along(const Surfaces& line, const Surfaces& walls, std::uint32_t wall) {
+  if (line.is_straight(0) != walls.is_straight(wall)) return false;
+  if (line.is_straight(0)) {
+    const Segment &a = line.segments.front(), &b = walls.segments[walls.slot[wall]];
+    return orientation(b.a, b.b, a.a) == Sign::zero && orientation(b.a, b.b, a.b) == Sign::zero;
+  }
+  const Ellipse a = line.curve(0), b = walls.curve(wall);
+  return a.centre == b.centre && a.is_circle() && b.is_circle() && a.u == b.u;
+}
+
 }  // namespace
+
+bool any_on_wall(std::span<const LampState> lamps, const Surfaces& walls) {
+  for (const LampState& lamp : lamps) {
+    const std::optional<LampLine> line = lamp.emitter->line();
+    if (!line) continue;
+    Surfaces alone;
+    add(alone, *line, lamp.pose);
+    for (std::uint32_t wall = 0; wall < walls.size(); ++wall)
+      if (lies_along(alone, walls, wall)) return true;
+  }
+  return false;
+}
 
 SeenLamps::SeenLamps(std::span<const LampState> lamps, const LitWalls& walls)
     : lamps_(lamps), walls_(walls) {
   for (const LampState& lamp : lamps) {
-    stood_on_.push_back(walls.lander().walls_at(lamp.pose.at));
     const std::optional<LampLine> line = lamp.emitter->line();
     if (!line) continue;
-    const Pose& pose = lamp.pose;
-    const Segment ends{pose(line->ends.a), pose(line->ends.b)};
-    if (line->circle)
-      lines_.add(Arc{Circle{pose(line->circle->centre), pose.length(line->circle->radius)},
-                     line->whole ? Arc::Extent::whole : Arc::Extent::between, ends.a, ends.b});
-    else
-      lines_.add(ends);
+    add(lines_, *line, lamp.pose);
     // A side sends out twice its radiance from each unit of length: the cosine over all angles.
     const double sides = line->left && line->right ? 2 : 1;
-    glows_.push_back({light_of(lamp, lamp.power / (2 * sides * pose.length(line->length))),
+    glows_.push_back({light_of(lamp, lamp.power / (2 * sides * lamp.pose.length(line->length))),
                       line->left, line->right});
   }
   if (any_lines()) tracer_ = choose_tracer(lines_).tracer->build(lines_);
@@ -46,23 +72,17 @@ std::optional<SeenLamps::Sighted> SeenLamps::sight(std::size_t lamp, const Vec2&
 }
 
 // A lamp on a wall shines to both sides of it, and from corners not at all.
-bool SeenLamps::ends_at(std::size_t lamp, const Ray& ray, const NearestHit& hit) const {
-  const std::vector<std::uint32_t>& on = stood_on_[lamp];
-  if (hit.surface != on.front()) return hit.t >= 1;
-  const Vec2& at = lamps_[lamp].pose.at;
-  return hit.root == root_left_by(root_stood_on(walls_.walls(), on.front(), {at, -ray.direction}));
-}
-
-std::array<float, 3> SeenLamps::passes(std::size_t lamp, const Ray& ray, const Left& left,
+std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const Left& left,
                                        const NearestHit& first) const {
   constexpr std::array<float, 3> kNone{0, 0, 0};
-  const std::vector<std::uint32_t>& on = stood_on_[lamp];
-  if (on.size() > 1 || (on.size() == 1 && is_end(walls_.walls(), on.front(), lamps_[lamp].pose.at)))
-    return kNone;
-  std::array<float, 3> passed{1, 1, 1};
+  const Surfaces& walls = walls_.walls();
+  const std::vector<std::uint32_t> on = walls_.lander().walls_at(from);
+  if (on.size() > 1 || (on.size() == 1 && is_end(walls, on.front(), from))) return kNone;
   const auto arrives = [&](const NearestHit& hit) {
-    return on.empty() ? hit.t >= 1 : ends_at(lamp, ray, hit);
+    if (on.empty() || hit.surface != on.front()) return hit.t >= 1;
+    return hit.root == root_left_by(root_stood_on(walls, on.front(), {from, -ray.direction}));
   };
+  std::array<float, 3> passed{1, 1, 1};
   if (!first || arrives(first)) return passed;
   const auto pass = [&](const NearestHit& hit) {
     const LightShares* shares = walls_.shares(hit.surface);
@@ -89,6 +109,8 @@ void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightL
     if (!nearest[i] || nearest[i].t > landings[i].hit.t) continue;
     for (const NearestHit& hit : tracer_->all_of_one(rays[i].ray, {}, false)) {
       if (hit.t > landings[i].hit.t) break;
+      if (hit.t == 0 && rays[i].left.surface != kNoSurface)
+        continue;  // seen as the path came there
       const Glow& glow = glows_[hit.surface];
       // From the left of a segment, or the inside of an arc.
       const Sign left = lines_.is_straight(hit.surface) ? Sign::positive : Sign::negative;

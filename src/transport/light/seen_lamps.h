@@ -10,6 +10,10 @@ namespace flatray {
 
 using LightSum = std::array<double, 3>;
 
+/// Whether a lamp that is a line lies along a wall, so that it is by rounding on which side of it a
+/// path comes to the lamp.
+bool any_on_wall(std::span<const LampState> lamps, const Surfaces& walls);
+
 /// The lamps of a frame as paths from pixels find them.
 class SeenLamps {
  public:
@@ -23,9 +27,9 @@ class SeenLamps {
   };
   std::size_t size() const { return lamps_.size(); }
   std::optional<Sighted> sight(std::size_t lamp, const Vec2& at) const;
-  /// Whether light from a lamp reaches the far end, at t = 1, of a ray that looks towards it, given
-  /// the first wall the ray meets; and what part of it, through walls that let it pass.
-  std::array<float, 3> passes(std::size_t lamp, const Ray& ray, const Left& left,
+  /// What part of the light that left a lamp at `from` comes to the start of a ray that looks there,
+  /// at t = 1, given the first wall the ray meets: walls may let some of it pass.
+  std::array<float, 3> passes(const Vec2& from, const Ray& ray, const Left& left,
                               const NearestHit& hit) const;
 
   /// Whether any lamp is a line.
@@ -36,15 +40,12 @@ class SeenLamps {
                  std::span<LightSum> radiance) const;
 
  private:
-  bool ends_at(std::size_t lamp, const Ray& ray, const NearestHit& hit) const;
-
   struct Glow {
     LightSum radiance;
     bool left, right;
   };
   std::span<const LampState> lamps_;
   const LitWalls& walls_;
-  std::vector<std::vector<std::uint32_t>> stood_on_;  // walls, by lamp
   Surfaces lines_;
   std::vector<Glow> glows_;  // by line
   std::unique_ptr<Accelerator> tracer_;
