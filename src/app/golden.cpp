@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <new>
 #include <set>
 
 #include "app/backend_choice.h"
@@ -147,6 +148,7 @@ std::vector<std::string> files_below(const fs::path& root, const std::string& fo
        entry.increment(error))
     if (entry->is_regular_file(error))
       files.push_back(entry->path().lexically_relative(root).generic_string());
+  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
   std::sort(files.begin(), files.end());
   return files;
 }

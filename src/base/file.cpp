@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <new>
 
 #include "base/counted.h"
 #include "base/in_flight.h"
@@ -249,6 +250,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
     files.push_back(entry->path());
+  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -1,5 +1,6 @@
 #include "render/light_run.h"
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 
@@ -58,7 +59,7 @@ std::vector<std::vector<std::int64_t>> sums_of_scrambles(const TracedLight& ligh
 // films. By the number of rounds alone, so that a picture does not hang on when it was interrupted.
 bool is_error_due(std::uint64_t rounds) {
   if (rounds == 0) return false;
-  return rounds < 8 || rounds % (std::bit_floor(rounds) / 8) == 0;
+  return rounds < 8 || rounds % std::max<std::uint64_t>(std::bit_floor(rounds) / 8, 1) == 0;
 }
 
 class Rounds {
@@ -96,7 +97,7 @@ class Rounds {
 };
 
 // Where every lamp is off.
-TracedLight darkness(const Scene& scene, TracedLight light, NextRound next) {
+TracedLight darkness(const Scene& scene, TracedLight light, const NextRound& next) {
   while (light.films.size() < scene.light.scrambles)
     light.films.emplace_back(scene.film.width, scene.film.height, light_channels(scene));
   while (const auto round = next(light)) light.rounds.add(*round);

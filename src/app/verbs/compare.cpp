@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 #include <filesystem>
+#include <new>
 
 #include "app/difference_text.h"
 #include "app/outputs.h"
@@ -54,6 +55,7 @@ std::vector<std::string> pictures_below(const fs::path& folder) {
     if (const fs::path kind = entry->path().extension();
         kind == ".png" || kind == ".hdr" || kind == ".pfm")
       names.push_back(entry->path().lexically_relative(folder).generic_string());
+  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -115,8 +117,11 @@ Result<Picture> read_picture(const std::string& path, bool named) {
 // Pixels of two HDR whose light is not the same, shown or not.
 std::uint64_t pixels_of_other_light(const Picture& a, const Picture& b) {
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i < std::min(a.light.size(), b.light.size()); i += 3)
-    count += std::memcmp(&a.light[i], &b.light[i], 3 * sizeof(float)) == 0 ? 0 : 1;  // NaN, too
+  const auto same = [&](std::size_t i) {  // NaN, too
+    return std::bit_cast<std::uint32_t>(a.light[i]) == std::bit_cast<std::uint32_t>(b.light[i]);
+  };
+  for (std::size_t i = 0; i + 2 < std::min(a.light.size(), b.light.size()); i += 3)
+    count += same(i) && same(i + 1) && same(i + 2) ? 0 : 1;
   return count;
 }
 

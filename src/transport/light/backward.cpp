@@ -88,7 +88,8 @@ class Backward {
 
     // Means, and standard errors from the parts.
     void give(std::span<double> fluence, std::span<double> error) const {
-      const double paths = static_cast<double>(of_.paths_ / kParts);
+      const std::uint64_t paths_of_part = of_.paths_ / kParts;
+      const auto paths = static_cast<double>(paths_of_part);
       for (std::size_t i = 0; i < 3 * count_; ++i) {
         double sum = 0, squares = 0;
         const auto part = [&](std::size_t k) { return sums_[i / 3 * kParts + k][i % 3] / paths; };
@@ -274,8 +275,8 @@ class Backward {
       u[k] = net_number(index, k, scramble);
     }
     const auto width = static_cast<std::size_t>(place_.width);
-    const double x = static_cast<double>(pixel % width) + u[1];
-    const double y = static_cast<double>(pixel / width) + u[2];
+    const std::size_t column = pixel % width, row = pixel / width;
+    const double x = static_cast<double>(column) + u[1], y = static_cast<double>(row) + u[2];
     const Turn out = turn(2 * kPi * u[0]);
     LightRay ray;
     ray.ray = {{place_.left + x / place_.pixels_per_unit, place_.top - y / place_.pixels_per_unit},
