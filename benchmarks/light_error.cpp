@@ -38,15 +38,8 @@ constexpr Way kWays[] = {{"random", LightSampler::random, LightEstimator::forwar
                          {"backward", LightSampler::sorted, LightEstimator::backward}};
 
 std::vector<double> fluence(const Scene& scene, std::uint64_t seed) {
-  const Timeline timeline(scene, seed, 1);
-  const FrameState state = at(timeline, 1);
-  if (scene.light.estimator == LightEstimator::backward)
-    return gather_frame_light(scene, state, nullptr, seed, 1, nullptr).fluence;
-  const TracedLight traced = trace_frame_light(scene, state, nullptr, seed, 1, nullptr);
-  const std::vector<std::int64_t> sums = traced.sums();
-  std::vector<double> light(sums.begin(), sums.end());
-  for (double& one : light) one *= traced.unit();
-  return light;
+  const FrameState state = at(Timeline(scene, seed, 1), 1);
+  return frame_fluence(scene, state, nullptr, seed, {1, nullptr, true});
 }
 
 // Standard deviation of a pixel, over the mean.

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <new>
 #include <set>
 
 #include "app/backend_choice.h"
@@ -141,14 +140,12 @@ std::string without_extension(const fs::path& path) {
 }
 
 // Files below `folder` as paths below `root`, sorted; none where there is no folder.
-std::vector<std::string> files_below(const fs::path& root, const std::string& folder) {
+std::vector<std::string> names_below(const fs::path& root, const std::string& folder) {
   std::vector<std::string> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry(root / folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (entry->is_regular_file(error))
-      files.push_back(entry->path().lexically_relative(root).generic_string());
-  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
+  std::error_code ignored;
+  for (const fs::path& path : files_below(root / folder))
+    if (fs::is_regular_file(path, ignored))
+      files.push_back(path.lexically_relative(root).generic_string());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -220,7 +217,7 @@ Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows,
 Result<std::string> find_scene(const fs::path& root, const std::string& name) {
   const std::string wanted = fs::path(name).lexically_normal().generic_string();
   std::vector<std::string> found, known;
-  for (const std::string& file : files_below(root, "scenes")) {
+  for (const std::string& file : names_below(root, "scenes")) {
     const std::string below = fs::path(file).lexically_relative("scenes").generic_string();
     known.push_back(without_extension(below));
     if (wanted == file || wanted == below) return file;
@@ -280,7 +277,7 @@ Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
 std::vector<std::string> stray_goldens(const fs::path& root, const std::vector<GoldenRow>& rows) {
   std::set<std::string> known;
   for (const GoldenRow& row : rows) known.insert(row.file());
-  std::vector<std::string> stray = files_below(root, "golden_images");
+  std::vector<std::string> stray = names_below(root, "golden_images");
   std::erase_if(stray, [&](const std::string& file) {
     return known.count(file) != 0 || !file.ends_with(".png");
   });

@@ -244,15 +244,28 @@ void remove_leftovers(const fs::path& folder) {
   each_leftover(folder, [](const fs::path& path) { ::unlink(path.c_str()); });
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
+namespace {
+
+// As far as it can be read; what has no memory is not what is not there.
+template <class Entries>
+std::vector<fs::path> walked(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
+  for (Entries entry(folder, error), end; !error && entry != end; entry.increment(error))
     files.push_back(entry->path());
   if (error == std::errc::not_enough_memory) throw std::bad_alloc();
   std::sort(files.begin(), files.end());
   return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  return walked<fs::directory_iterator>(folder);
+}
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+  return walked<fs::recursive_directory_iterator>(folder);
 }
 
 fs::path folder_of(const fs::path& path) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <filesystem>
-#include <new>
 
 #include "app/difference_text.h"
 #include "app/outputs.h"
@@ -49,13 +48,9 @@ struct Outcome {
 
 std::vector<std::string> pictures_below(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (const fs::path kind = entry->path().extension();
-        kind == ".png" || kind == ".hdr" || kind == ".pfm")
-      names.push_back(entry->path().lexically_relative(folder).generic_string());
-  if (error == std::errc::not_enough_memory) throw std::bad_alloc();
+  for (const fs::path& path : files_below(folder))
+    if (const fs::path kind = path.extension(); kind == ".png" || kind == ".hdr" || kind == ".pfm")
+      names.push_back(path.lexically_relative(folder).generic_string());
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -32,11 +32,4 @@ std::uint64_t rays_traced(std::uint64_t rays) {
   return rays <= kLightRound ? rays : rounds_of(rays) * kLightRound;
 }
 
-NextRound all_rounds(std::uint64_t rays) {
-  return [next = std::uint64_t{0},
-          end = rounds_of(rays)](const TracedLight&) mutable -> std::optional<std::uint64_t> {
-    return next < end ? std::optional(next++) : std::nullopt;
-  };
-}
-
 }  // namespace flatray

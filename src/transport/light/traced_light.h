@@ -50,7 +50,5 @@ std::uint64_t rays_traced(std::uint64_t rays);
 /// The number of the round to be traced next, below FilmRounds::kMost, after what has been traced;
 /// nothing ends it.
 using NextRound = std::function<std::optional<std::uint64_t>(const TracedLight& so_far)>;
-/// The rounds of `rays`, one after another.
-NextRound all_rounds(std::uint64_t rays);
 
 }  // namespace flatray
