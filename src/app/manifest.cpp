@@ -43,10 +43,10 @@ JsonValue as_value(const FrameRecord& record) {
 }
 
 JsonValue as_value(const LightRecord& light) {
-  Fields fields{{"rays", light.rays},         {"rounds", light.rounds},
-                {"absorbed", light.absorbed}, {"escaped", light.escaped},
-                {"corners", light.corners},   {"cut_off", light.cut_off},
-                {"gambled", light.gambled}};
+  Fields fields{{"rays", light.rays},       {"legs", light.legs},
+                {"rounds", light.rounds},   {"absorbed", light.absorbed},
+                {"escaped", light.escaped}, {"corners", light.corners},
+                {"cut_off", light.cut_off}, {"gambled", light.gambled}};
   if (light.error) fields.emplace_back("error", *light.error);
   return fields;
 }
@@ -55,13 +55,10 @@ LightRecord record_of(const LightReport& report) {
   const LightCounts& counts = report.counts;
   const auto emitted = static_cast<double>(std::max<std::int64_t>(counts.emitted, 1));
   const auto share = [&](std::int64_t part) { return static_cast<double>(part) / emitted; };
-  return {counts.rays,
-          report.rounds,
-          share(counts.absorbed),
-          share(counts.escaped),
-          share(counts.at_corners),
-          share(counts.cut_off),
-          share(counts.gambled),
+  return {counts.rays,           counts.legs,
+          report.rounds,         share(counts.absorbed),
+          share(counts.escaped), share(counts.at_corners),
+          share(counts.cut_off), share(counts.gambled),
           report.error};
 }
 
@@ -77,6 +74,7 @@ LightRecord light_in(const JsonValue& value) {
     return one == nullptr ? std::nullopt : one->as_number();
   };
   return {whole("rays"),
+          whole("legs"),
           whole("rounds"),
           number("absorbed").value_or(0),
           number("escaped").value_or(0),

@@ -14,7 +14,7 @@ namespace flatray {
 
 /// What became of the light of a frame, as parts of what was emitted, which they add up to.
 struct LightRecord {
-  std::uint64_t rays = 0, rounds = 0;
+  std::uint64_t rays = 0, legs = 0, rounds = 0;  ///< legs: straight parts of paths
   double absorbed = 0, escaped = 0;
   double corners = 0;             ///< lost: at corners
   double cut_off = 0;             ///< lost: after the last bounce allowed

@@ -7,14 +7,6 @@ void RayBatch::add(const Ray& ray, const Left& from) {
   set(size() - 1, ray, from);
 }
 
-void RayBatch::set(std::size_t i, const Ray& ray, const Left& from) {
-  ox[i] = ray.origin.x();
-  oy[i] = ray.origin.y();
-  dx[i] = ray.direction.x();
-  dy[i] = ray.direction.y();
-  left[i] = from;
-}
-
 void RayBatch::resize(std::size_t count) {
   for (std::vector<double>* column : {&ox, &oy, &dx, &dy}) column->resize(count);
   left.resize(count);

@@ -27,8 +27,12 @@ struct RayBatch {
   Ray ray(std::size_t i) const { return {{ox[i], oy[i]}, {dx[i], dy[i]}}; }
   void add(const Ray& ray, const Left& from = {});
   /// Puts another ray in the place of ray i.
-  void set(std::size_t i, const Ray& ray, const Left& from);
-  /// Shortens the batch to its first `count` rays.
+  void set(std::size_t i, const Ray& ray, const Left& from) {
+    ox[i] = ray.origin.x(), oy[i] = ray.origin.y();
+    dx[i] = ray.direction.x(), dy[i] = ray.direction.y();
+    left[i] = from;
+  }
+  /// Shortens the batch to its first `count` rays, or adds others for set().
   void resize(std::size_t count);
 };
 

@@ -124,9 +124,7 @@ class Backward {
 
     // A matt wall where a path has landed.
     struct Matt {
-      const Ray& came;
       const LightLanding& landed;
-      Vec2 normal;
       bool both_sides;
     };
     // Notes the lamps that a point sees from one direction; `share` is what of their fluence, times the
@@ -140,10 +138,9 @@ class Backward {
         if (towards.ray.direction.isZero(0)) continue;
         double part = share;
         if (wall != nullptr) {
-          const double cosine = wall->normal.dot(unit(towards.ray.direction));
+          const double cosine = wall->landed.normal.dot(unit(towards.ray.direction));
           part *= wall->both_sides ? std::abs(cosine) : cosine;
-          if (!(part > 0) ||
-              !of_.walls_.sets_off_from(towards, wall->came, wall->landed, !wall->both_sides))
+          if (!(part > 0) || !of_.walls_.sets_off_from(towards, wall->landed, !wall->both_sides))
             continue;
         }
         Look one{path.pixel * kParts + path.part, sight->from, {}};
@@ -188,7 +185,7 @@ class Backward {
 
     bool goes_on(std::size_t i, std::uint32_t bounces) {
       const LightLanding& landed = landings_[i];
-      if (!landed.hit || !landed.landing.corner.empty()) return false;
+      if (!landed.hit || landed.in_corner) return false;
       if (bounces == of_.rules_.light.bounces) return false;
       const auto number = [&](std::uint32_t draw) {
         return unit_double(random_bits(paths_[i].key, Stream::bounce, bounces, 0, draw));
@@ -216,8 +213,8 @@ class Backward {
         return true;
       }
       LightRay at = rays_[i];
-      at.ray.origin = landed.landing.point;
-      const Matt wall{rays_[i].ray, landed, arrival.normal, !departure.stays};
+      at.ray.origin = landed.point;
+      const Matt wall{landed, !departure.stays};
       if (departure.stays) {
         look(path, at, 0.5, &wall);
         return true;

@@ -68,11 +68,6 @@ Media Bodies::around(const Vec2& point) const {
   return media;
 }
 
-bool from_inside(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  const Sign inside = walls.is_straight(hit.surface) ? Sign::positive : Sign::negative;
-  return inner_side(walls, ray, hit) == inside;
-}
-
 bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction) {
   if (!walls.is_straight(left.surface)) return left.root == Root::first;
   const Segment& wall = walls.segments[walls.slot[left.surface]];

@@ -4,7 +4,6 @@
 
 #include "anim/world.h"
 #include "scene/scatterer.h"
-#include "transport/landing.h"
 #include "transport/light/light_ray.h"
 
 namespace flatray {
@@ -49,9 +48,7 @@ class Bodies {
   bool disperse_ = false;
 };
 
-/// Whether a ray comes to a wall of a closed shape from inside: outlines run counter-clockwise.
-bool from_inside(const Surfaces& walls, const Ray& ray, const NearestHit& hit);
-/// Whether it goes on inside, having left a wall.
+/// Whether a ray goes on inside a closed shape, having left a wall of it.
 bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction);
 
 }  // namespace flatray

@@ -12,7 +12,7 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kChunk = 2048;  // rays that a thread takes at a time
-constexpr std::size_t kAhead = 8;     // of them, fetched before their turn
+constexpr std::size_t kAhead = 12;    // of them, fetched before their turn
 
 class Forward {
  public:
@@ -65,11 +65,6 @@ class Forward {
            (std::uint64_t{rules_.light.bounces} + 1);
   }
 
-  // What chance decides at a wall, uniform in [0, 1).
-  struct Numbers {
-    double bounce, colour;
-  };
-
   // Calls `task(begin, end, counts)` for parts of [0, count), on all threads.
   template <class Task>
   void in_parts(std::size_t count, const Task& task) {
@@ -109,8 +104,7 @@ class Forward {
       for (std::size_t i = begin; i < end; ++i) {
         rays_[i] = now_->emission.ray(block, static_cast<std::uint32_t>(i));
         counts.emitted += energy(rays_[i].weight);
-        gamble(rays_[i], faint_, random_number(Stream::roulette, block, rays_[i].number, kEmitted),
-               counts);
+        gamble(rays_[i], block, kEmitted, counts);
         if (walls_.sets_off(rays_[i])) continue;
         counts.at_corners += energy(rays_[i].weight);
         rays_[i].weight = {0, 0, 0};
@@ -158,7 +152,7 @@ class Forward {
       }
       for (std::size_t i = begin; i < end; ++i) {
         const Ray& ray = rays_[i].ray;
-        const Vec2 to = arrivals_[i].hit ? arrivals_[i].landing.point : beyond_film(ray);
+        const Vec2 to = arrivals_[i].hit ? arrivals_[i].point : beyond_film(ray);
         lines_[i] = line(ray.origin, to, rays_[i].weight);
       }
       counts.legs += end - begin;
@@ -179,36 +173,39 @@ class Forward {
   // What the walls do with the light that has come to them, in order of place.
   void scatter(std::uint64_t block, std::uint32_t bounces) {
     const std::vector<std::uint32_t> order = order_of_arrival();
-    std::vector<LightRay> next(order.size());
+    next_.resize(std::max(next_.size(), order.size()));  // kept as long as the longest
     const auto scramble = static_cast<std::uint32_t>(
         random_bits(now_->seed, Stream::bounce, rules_.frame, block, bounces));
     in_parts(order.size(), [&](std::size_t begin, std::size_t end, LightCounts& counts) {
       for (std::size_t k = begin; k < end; ++k) {
         if (k + kAhead < end) {  // the order goes to and fro in memory
-          __builtin_prefetch(&rays_[order[k + kAhead]]);
-          __builtin_prefetch(&arrivals_[order[k + kAhead]]);
+          fetch(rays_[order[k + kAhead]]);
+          fetch(arrivals_[order[k + kAhead]]);
         }
-        const LightRay& ray = rays_[order[k]];
-        const Numbers numbers = rules_.light.sampler == LightSampler::sorted
-                                    ? net_numbers(static_cast<std::uint32_t>(k), scramble)
-                                    : random_numbers(block, ray.number, bounces);
-        next[k] = scattered(order[k], bounces, numbers, counts);
-        if (next[k].weight != LightWeight{0, 0, 0})
-          gamble(next[k], faint_, random_number(Stream::roulette, block, ray.number, bounces),
-                 counts);
+        const auto rank = static_cast<std::uint32_t>(k);
+        const auto number = [&](Stream stream) {
+          if (rules_.light.sampler == LightSampler::random)
+            return random_number(stream, block, rays_[order[k]].number, bounces);
+          return stream == Stream::colour ? net_number(rank, 1, ~scramble)
+                                          : net_number(rank, scramble);
+        };
+        next_[k] = scattered(order[k], bounces, number, counts);
+        gamble(next_[k], block, bounces, counts);
       }
     });
-    rays_ = std::move(next);
+    rays_.swap(next_);
+    rays_.resize(order.size());
     drop_dark();
   }
 
-  static Numbers net_numbers(std::uint32_t rank, std::uint32_t scramble) {
-    return {net_number(rank, scramble), net_number(rank, 1, ~scramble)};
+  // What is longer than a line of the cache may lie in two.
+  template <class T>
+  static void fetch(const T& thing) {
+    const auto* const bytes = reinterpret_cast<const char*>(&thing);
+    __builtin_prefetch(bytes);
+    __builtin_prefetch(bytes + sizeof(T) - 1);
   }
-  Numbers random_numbers(std::uint64_t block, std::uint32_t number, std::uint32_t bounces) const {
-    return {random_number(Stream::bounce, block, number, bounces),
-            random_number(Stream::colour, block, number, bounces)};
-  }
+
   double random_number(Stream stream, std::uint64_t block, std::uint32_t number,
                        std::uint32_t bounces) const {
     const std::uint64_t item = block * now_->emission.size() + number;
@@ -228,11 +225,12 @@ class Forward {
   WallPlace place_of(std::size_t i) const {
     const LightLanding& arrival = arrivals_[i];
     if (!arrival.hit) return ~WallPlace{0};
-    return wall_place(worlds_[world_of_[i]]->walls(), arrival.hit.surface, arrival.landing.point);
+    return wall_place(worlds_[world_of_[i]]->walls(), arrival.hit.surface, arrival.point);
   }
 
-  // The ray that goes on, or one of weight 0.
-  LightRay scattered(std::size_t i, std::uint32_t bounces, const Numbers& numbers,
+  // The ray that goes on, or one of weight 0. number(stream): what chance decides, in [0, 1).
+  template <class Number>
+  LightRay scattered(std::size_t i, std::uint32_t bounces, const Number& number,
                      LightCounts& counts) const {
     const LightRay& ray = rays_[i];
     const LightLanding& arrival = arrivals_[i];
@@ -242,13 +240,14 @@ class Forward {
       return LightRay{ray.ray, {}, {0, 0, 0}, ray.number};
     };
     if (!arrival.hit) return ends(counts.escaped, energy(ray.weight));
-    if (!arrival.landing.corner.empty())
-      return ends(walls.all_absorb(arrival.landing.corner) ? counts.absorbed : counts.at_corners,
+    if (arrival.in_corner)
+      return ends(walls.all_absorb(ray, arrival) ? counts.absorbed : counts.at_corners,
                   energy(ray.weight));
     LightRay next = ray;
     if (ray.nm == 0 && walls.bodies().disperse_at(arrival.hit.surface, ray.media))
-      take_wavelength(next, numbers.colour, counts);
-    const Departure departure = walls.depart(arrival, walls.arrival(next, arrival), numbers.bounce);
+      take_wavelength(next, number(Stream::colour), counts);
+    const Departure departure =
+        walls.depart(arrival, walls.arrival(next, arrival), number(Stream::bounce));
     const std::int64_t left = energy(next.weight);
     if (departure.way == Departure::Way::absorbed) return ends(counts.absorbed, left);
     if (bounces == rules_.light.bounces || !walls.leaves(next, arrival, departure))
@@ -268,14 +267,16 @@ class Forward {
     counts.gambled += before - energy(ray.weight);
   }
 
-  // Rays fainter than `faint` go on with the chance of their weight, and are then three times as
-  // bright as that.
-  static void gamble(LightRay& ray, float faint, double u, LightCounts& counts) {
+  // Faint rays go on with the chance of their weight, and are then three times as bright as the
+  // faintest that is let be.
+  void gamble(LightRay& ray, std::uint64_t block, std::uint32_t bounces,
+              LightCounts& counts) const {
     const float brightest = largest(ray.weight);
-    if (brightest >= faint) return;
+    if (brightest >= faint_ || brightest == 0) return;
     const std::int64_t before = energy(ray.weight);
-    const float chance = brightest / (3 * faint);
-    const bool goes_on = u < static_cast<double>(chance);
+    const float chance = brightest / (3 * faint_);
+    const bool goes_on =
+        random_number(Stream::roulette, block, ray.number, bounces) < static_cast<double>(chance);
     for (float& channel : ray.weight) channel = goes_on ? channel / chance : 0;
     counts.gambled += before - energy(ray.weight);
   }
@@ -308,7 +309,7 @@ class Forward {
   TracedLight light_;
   const Scramble* now_ = nullptr;  // the one that is traced, and its film
   LightFilm* film_ = nullptr;
-  std::vector<LightRay> rays_;  // under way
+  std::vector<LightRay> rays_, next_;  // under way, and after a bounce
   std::vector<LightLanding> arrivals_;
   std::vector<LightLine> lines_;
   std::vector<WallPlace> places_;

@@ -35,7 +35,7 @@ struct LightRules {
 /// Gives   the same sums for any number of threads, tier and exact tracer, and for any order of the
 ///         rounds. A point lamp of power 1 with nothing in the way: 1 / (2 pi r), averaged over each
 ///         pixel. It ends where another round could be more lines than a film counts.
-/// Error   rays are followed as orbits are (transport/orbit.h): none gets through a closed wall. One
+/// Error   what a ray meets is decided exactly, and none gets through a closed wall (lit_walls.h). One
 ///         that comes to a corner ends there.
 /// Source  Jarosz et al. 2012, "Theory, analysis and applications of 2D global illumination".
 TracedLight trace_light(std::span<const World> worlds, std::span<const Scatterer* const> scatterers,

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "trace/rays.h"
@@ -19,7 +18,8 @@ inline float largest(const LightWeight& weight) {
 inline std::int64_t energy(const LightWeight& weight) {
   constexpr double kUnits = 0x1p20;
   std::int64_t sum = 0;
-  for (const float channel : weight) sum += std::llround(static_cast<double>(channel) * kUnits);
+  for (const float channel : weight)
+    sum += static_cast<std::int64_t>(static_cast<double>(channel) * kUnits + 0.5);  // exact sum
   return sum;
 }
 

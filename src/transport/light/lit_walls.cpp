@@ -14,7 +14,9 @@ LitWalls::LitWalls(const World& world, std::span<const Scatterer* const> scatter
       scatterers_(scatterers),
       bodies_(world, scatterers),
       lander_(walls_),
-      tracer_(choose_tracer(walls_, tracer).tracer->build(walls_)) {}
+      origins_(walls_),
+      kind_(*choose_tracer(walls_, tracer).tracer),
+      tracer_(kind_.build(walls_)) {}
 
 bool LitWalls::sets_off(LightRay& ray) const {
   const std::vector<std::uint32_t> stood_on = lander_.walls_at(ray.ray.origin);
@@ -32,28 +34,48 @@ bool LitWalls::sets_off(LightRay& ray) const {
 void LitWalls::fly(std::span<const LightRay> rays, std::span<LightLanding> landings) const {
   RayBatch batch;
   batch.tangents = false;
-  for (const LightRay& ray : rays) batch.add(ray.ray, ray.left);
+  batch.resize(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) batch.set(i, rays[i].ray, rays[i].left);
   std::vector<NearestHit> hits(rays.size());
   tracer_->nearest(batch, hits);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    landings[i].hit = hits[i];
-    if (hits[i]) landings[i].landing = lander_.land(rays[i].ray, hits[i]);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    landings[i] = hits[i] ? land(rays[i].ray, hits[i]) : LightLanding{};
+}
+
+LightLanding LitWalls::land(const Ray& ray, const NearestHit& hit) const {
+  const bool straight = walls_.is_straight(hit.surface);
+  if (const auto met = kind_.exact ? origins_.meet(ray, hit) : std::nullopt) {
+    const bool back = met->normal.dot(ray.direction) < 0;  // to the side of the normal
+    return {hit,
+            false,
+            straight == back,
+            met->point,
+            back ? met->normal : Vec2(-met->normal),
+            origins_.distance()};
   }
+  const Landing landing = lander_.land(ray, hit);
+  if (!landing.corner.empty()) return {hit, true, false, landing.point};
+  const Sign side = inner_side(walls_, ray, hit);
+  return {hit, false, straight == (side == Sign::positive), landing.point,
+          static_cast<double>(side) * unit(landing.normal)};
+}
+
+Sign LitWalls::side(const LightLanding& landed) const {
+  return walls_.is_straight(landed.hit.surface) == landed.from_inside ? Sign::positive
+                                                                      : Sign::negative;
 }
 
 Arrival LitWalls::arrival(const LightRay& ray, const LightLanding& landed) const {
-  const Sign side = inner_side(walls_, ray.ray, landed.hit);
-  const Vec2 normal = static_cast<double>(side) * unit(landed.landing.normal);
   const auto nm = static_cast<double>(ray.nm);
   const std::uint32_t surface = landed.hit.surface;
   const bool placed = scatterers_[surface] != nullptr && scatterers_[surface]->depends_on_place() &&
                       walls_.is_straight(surface);
   return {ray.ray.direction,
-          normal,
-          from_inside(walls_, ray.ray, landed.hit),
+          landed.normal,
+          landed.from_inside,
           bodies_.index_around(ray.media, bodies_.of(surface), nm),
           nm,
-          placed ? share_along(walls_, surface, landed.landing.point) : 0.0};
+          placed ? share_along(walls_, surface, landed.point) : 0.0};
 }
 
 Departure LitWalls::depart(const LightLanding& landed, const Arrival& arrival, double u) const {
@@ -63,54 +85,73 @@ Departure LitWalls::depart(const LightLanding& landed, const Arrival& arrival, d
                                                   : Departure::Way::absorbed};
 }
 
-bool LitWalls::all_absorb(std::span<const std::uint32_t> surfaces) const {
-  return std::all_of(surfaces.begin(), surfaces.end(), [&](std::uint32_t i) {
+bool LitWalls::all_absorb(const LightRay& ray, const LightLanding& landed) const {
+  const std::vector<std::uint32_t> corner = lander_.land(ray.ray, landed.hit).corner;
+  return std::all_of(corner.begin(), corner.end(), [&](std::uint32_t i) {
     return scatterers_[i] == nullptr && materials_[i] == Material::absorb;
   });
 }
 
-bool LitWalls::sets_off_from(LightRay& ray, const Ray& came, const LightLanding& landed,
-                             bool stays) const {
+bool LitWalls::sets_off_from(LightRay& ray, const LightLanding& landed, bool stays) const {
   const std::uint32_t surface = landed.hit.surface;
-  ray.ray.origin = landed.landing.point;
+  const Vec2& direction = ray.ray.direction;
+  const double cosine = landed.normal.dot(direction);
+  constexpr double kLeast = OffsetOrigins::kLeastCosine * OffsetOrigins::kLeastCosine;
+  if (landed.offset > 0 && cosine * cosine > kLeast * direction.squaredNorm()) {
+    const bool back = cosine > 0;
+    ray.ray.origin = landed.point + (back ? landed.offset : -landed.offset) * landed.normal;
+    ray.left = {surface, walls_.is_straight(surface)  ? Root::none
+                         : back == landed.from_inside ? Root::first
+                                                      : Root::second};
+    return back || !stays;
+  }
+  ray.ray.origin = landed.point + landed.offset * landed.normal;
   ray.left = {surface, root_stood_on(walls_, surface, ray.ray)};
-  return !runs_along(walls_, ray.left, ray.ray.direction) &&
-         (!stays || leads_away(walls_, surface, inner_side(walls_, came, landed.hit),
-                               ray.ray.origin, ray.ray.direction));
+  return !runs_along(walls_, ray.left, direction) &&
+         (!stays || leads_away(walls_, surface, side(landed), ray.ray.origin, direction));
 }
 
 bool LitWalls::leaves(LightRay& ray, const LightLanding& landed, const Departure& departure) const {
-  const Ray came = ray.ray;
   const std::uint32_t surface = landed.hit.surface;
-  ray.ray.origin = landed.landing.point;
   switch (departure.way) {
     case Departure::Way::absorbed:
       return false;
     case Departure::Way::through:
+      ray.ray.origin = landed.point - landed.offset * landed.normal;
       ray.left = {surface, landed.hit.root};
       return true;
-    case Departure::Way::mirrored: {
-      const auto reflection = reflect_off(walls_, came, landed.hit, landed.landing, speed_);
-      if (!reflection) return false;
-      ray.ray.direction = reflection->direction;
+    case Departure::Way::mirrored:
       ray.left = {surface, root_left_by(landed.hit.root)};
-      return true;
-    }
+      return mirrors(ray.ray, landed);
     case Departure::Way::scattered:
       ray.ray.direction = departure.direction;
-      if (!sets_off_from(ray, came, landed, departure.stays)) return false;
-      change_media(ray, surface, from_inside(walls_, came, landed.hit));
+      if (!sets_off_from(ray, landed, departure.stays)) return false;
+      change_media(ray, landed);
       return true;
   }
   unreachable();
 }
 
-void LitWalls::change_media(LightRay& ray, std::uint32_t surface, bool was_inside) const {
-  const std::uint32_t body = bodies_.of(surface);
+bool LitWalls::mirrors(Ray& ray, const LightLanding& landed) const {
+  const Vec2& normal = landed.normal;
+  const Ray came = ray;
+  ray.origin = landed.point + landed.offset * normal;
+  if (landed.offset > 0) {
+    ray.direction -= 2 * normal.dot(came.direction) * normal;
+    return true;
+  }
+  const Landing landing{landed.point, {}, static_cast<double>(side(landed)) * normal};
+  const auto reflection = reflect_off(walls_, came, landed.hit, landing, speed_);
+  if (reflection) ray.direction = reflection->direction;
+  return reflection.has_value();
+}
+
+void LitWalls::change_media(LightRay& ray, const LightLanding& landed) const {
+  const std::uint32_t body = bodies_.of(landed.hit.surface);
   if (body == Media::kNone) return;
   const bool is_inside = goes_inside(walls_, ray.left, ray.ray.direction);
-  if (was_inside && !is_inside) ray.media.leave(body);
-  if (!was_inside && is_inside) ray.media.enter(body);
+  if (landed.from_inside && !is_inside) ray.media.leave(body);
+  if (!landed.from_inside && is_inside) ray.media.enter(body);
 }
 
 }  // namespace flatray

@@ -9,18 +9,24 @@
 #include "transport/landing.h"
 #include "transport/light/bodies.h"
 #include "transport/light/light_ray.h"
+#include "transport/light/offset_origins.h"
 #include "transport/reflection.h"
 
 namespace flatray {
 
-/// Where a ray of light comes to a wall, and where it may go on from.
+/// Where a ray of light comes to a wall.
 struct LightLanding {
   NearestHit hit;
-  Landing landing;  ///< of a hit
+  bool in_corner = false;    ///< of walls, where it ends
+  bool from_inside = false;  ///< to the wall of a closed shape: outlines run counter-clockwise
+  Vec2 point{0, 0};          ///< of a hit
+  Vec2 normal{0, 0};         ///< of length 1, towards the side it comes from; not in a corner
+  double offset = 0;         ///< along the normal, to where it goes on from
 };
 
-/// The walls of a frame as light meets them, whichever way it is followed: rays are those of orbits
-/// (transport/orbit.h), so that none gets through a closed wall.
+/// The walls of a frame as light meets them, whichever way it is followed: none gets through a closed
+/// wall. Rays go on from points beside their walls, or where these are not certain as orbits do
+/// (transport/landing.h).
 class LitWalls {
  public:
   /// Needs   scatterers by surface, nullptr where its owner's material says all; they and `world`
@@ -28,7 +34,8 @@ class LitWalls {
   LitWalls(const World& world, std::span<const Scatterer* const> scatterers, const Tracer* tracer);
 
   const Surfaces& walls() const { return walls_; }
-  const Lander& lander() const { return lander_; }
+  /// The walls on which a point stands, ascending. Exact.
+  std::vector<std::uint32_t> walls_at(const Vec2& point) const { return lander_.walls_at(point); }
   const Accelerator& tracer() const { return *tracer_; }
   const Bodies& bodies() const { return bodies_; }
 
@@ -37,31 +44,36 @@ class LitWalls {
   bool sets_off(LightRay& ray) const;
   /// The next wall of each ray. Needs   as many landings as rays.
   void fly(std::span<const LightRay> rays, std::span<LightLanding> landings) const;
+  /// Of a landing in a corner: whether all walls there absorb all light.
+  bool all_absorb(const LightRay& ray, const LightLanding& landed) const;
   /// What a wall is told of light that lands on it, not in a corner.
   Arrival arrival(const LightRay& ray, const LightLanding& landed) const;
   /// What chance, uniform in [0, 1), makes of it.
   Departure depart(const LightLanding& landed, const Arrival& arrival, double u) const;
-  /// Whether a landing is in a corner of walls that absorb all light.
-  bool all_absorb(std::span<const std::uint32_t> surfaces) const;
   /// Of its scatterer: Scatterer::shares; null where it has none.
   const LightShares* shares(std::uint32_t surface) const {
     return scatterers_[surface] == nullptr ? nullptr : scatterers_[surface]->shares();
   }
-  /// Makes `ray`, whose direction is set, one that sets off from where `came` landed; false where it
+  /// Makes `ray`, whose direction is set, one that sets off from where light landed; false where it
   /// would run along the wall, or, where it `stays`, to the other side.
-  bool sets_off_from(LightRay& ray, const Ray& came, const LightLanding& landed, bool stays) const;
+  bool sets_off_from(LightRay& ray, const LightLanding& landed, bool stays) const;
   /// Makes `ray` the one that goes on from where it landed; false where it is absorbed, or would run
   /// along the wall.
   bool leaves(LightRay& ray, const LightLanding& landed, const Departure& departure) const;
 
  private:
-  void change_media(LightRay& ray, std::uint32_t surface, bool was_inside) const;
+  LightLanding land(const Ray& ray, const NearestHit& hit) const;
+  Sign side(const LightLanding& landed) const;
+  bool mirrors(Ray& ray, const LightLanding& landed) const;
+  void change_media(LightRay& ray, const LightLanding& landed) const;
 
   const Surfaces& walls_;
   const std::vector<Material> materials_;
   std::span<const Scatterer* const> scatterers_;
   const Bodies bodies_;
   const Lander lander_;
+  const OffsetOrigins origins_;
+  const Tracer& kind_;
   const std::unique_ptr<Accelerator> tracer_;
   const Speed speed_{Vec2(1, 0)};
 };

@@ -8,14 +8,6 @@ namespace {
 constexpr unsigned kBits = 32;
 using Directions = std::array<std::uint32_t, kBits>;
 
-constexpr std::uint32_t reversed(std::uint32_t x) {
-  x = (x >> 16) | (x << 16);
-  x = ((x & 0xff00ff00U) >> 8) | ((x & 0x00ff00ffU) << 8);
-  x = ((x & 0xf0f0f0f0U) >> 4) | ((x & 0x0f0f0f0fU) << 4);
-  x = ((x & 0xccccccccU) >> 2) | ((x & 0x33333333U) << 2);
-  return ((x & 0xaaaaaaaaU) >> 1) | ((x & 0x55555555U) << 1);
-}
-
 // Of a primitive polynomial of a degree with inner coefficients `a`, and the first numbers m.
 constexpr Directions directions(unsigned degree, std::uint32_t a,
                                 std::array<std::uint32_t, 4> first) {
@@ -39,7 +31,7 @@ constexpr Directions kDirections[kMostNetDimensions] = {{},  // van der Corput's
                                                         directions(3, 2, {1, 1, 1})};
 
 std::uint32_t sobol(std::uint32_t index, unsigned dimension) {
-  if (dimension == 0) return reversed(index);
+  if (dimension == 0) return reversed_bits(index);
   std::uint32_t x = 0;
   for (const std::uint32_t v : kDirections[dimension]) {
     if (index == 0) break;
@@ -49,24 +41,12 @@ std::uint32_t sobol(std::uint32_t index, unsigned dimension) {
   return x;
 }
 
-// Each bit is changed by those above it alone, in reversed order.
-std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-  x = reversed(x);
-  x += seed;
-  x ^= x * 0x6c50b47cU;
-  x ^= x * 0xb82f1e52U;
-  x ^= x * 0xc7afe638U;
-  x ^= x * 0x8d22f6e6U;
-  return reversed(x);
-}
-
 }  // namespace
-
-double net_number(std::uint32_t index, std::uint32_t seed) { return net_number(index, 0, seed); }
 
 double net_number(std::uint32_t index, unsigned dimension, std::uint32_t seed) {
   FLATRAY_DCHECK(dimension < kMostNetDimensions);
-  return static_cast<double>(scrambled(sobol(index, dimension), seed)) * 0x1p-32;
+  return static_cast<double>(scrambled_bits(reversed_bits(sobol(index, dimension)), seed)) *
+         0x1p-32;
 }
 
 }  // namespace flatray

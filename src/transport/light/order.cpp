@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace flatray {
 namespace {
@@ -31,18 +30,28 @@ WallPlace wall_place(const Surfaces& walls, std::uint32_t surface, const Vec2& p
 }
 
 std::vector<std::uint32_t> ascending_order(std::span<const WallPlace> places) {
-  std::vector<std::uint32_t> order(places.size()), sorted(places.size());
-  std::iota(order.begin(), order.end(), 0U);
+  struct Item {
+    WallPlace place;
+    std::uint32_t number;
+  };
+  constexpr unsigned kBits = 11;  // at a time
+  std::vector<Item> items(places.size()), sorted(places.size());
   WallPlace same = ~WallPlace{0}, any = 0;
-  for (const WallPlace place : places) same &= place, any |= place;
-  for (unsigned shift = 0; shift < 64; shift += 8) {
-    if ((((same ^ any) >> shift) & 0xff) == 0) continue;
-    std::array<std::uint32_t, 257> begin{};
-    for (const WallPlace place : places) ++begin[((place >> shift) & 0xff) + 1];
-    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    for (const std::uint32_t i : order) sorted[begin[(places[i] >> shift) & 0xff]++] = i;
-    order.swap(sorted);
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    items[i] = {places[i], i};
+    same &= places[i], any |= places[i];
   }
+  for (unsigned shift = 0; shift < 64; shift += kBits) {
+    const auto digit = [&](WallPlace place) { return (place >> shift) & ((1U << kBits) - 1); };
+    if (digit(same ^ any) == 0) continue;
+    std::array<std::uint32_t, (1U << kBits) + 1> begin{};
+    for (const Item& item : items) ++begin[digit(item.place) + 1];
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    for (const Item& item : items) sorted[begin[digit(item.place)]++] = item;
+    items.swap(sorted);
+  }
+  std::vector<std::uint32_t> order(places.size());
+  for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].number;
   return order;
 }
 

@@ -76,7 +76,7 @@ std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const L
                                        const NearestHit& first) const {
   constexpr std::array<float, 3> kNone{0, 0, 0};
   const Surfaces& walls = walls_.walls();
-  const std::vector<std::uint32_t> on = walls_.lander().walls_at(from);
+  const std::vector<std::uint32_t> on = walls_.walls_at(from);
   if (on.size() > 1 || (on.size() == 1 && is_end(walls, on.front(), from))) return kNone;
   const auto arrives = [&](const NearestHit& hit) {
     if (on.empty() || hit.surface != on.front()) return hit.t >= 1;

@@ -1,0 +1,182 @@
+#include "transport/light/offset_origins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geom/arc.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kLeastSize = 0x1p-300, kMostSize = 0x1p300;
+constexpr double kApart = 0x1p-36, kDistance = 0x1p-44, kFarthest = 0x1p4, kLeastBend = 0x1p-20;
+constexpr std::size_t kMostPairs = std::size_t{1} << 26;
+
+const auto kPlain = [](double x) { return x; };
+
+double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// How far from the centre of a curve a point is: 1 on it, in proportion along each line.
+double share_of_radius(const Ellipse& curve, const Vec2& point) {
+  const auto form = curve_form(kPlain, curve, pair_of(kPlain, Vec2(point - curve.centre)));
+  return std::sqrt(dot(form, form)) / form_size(kPlain, curve);
+}
+
+struct Axes {
+  double least, most;  // at most the shorter half-axis, at least the longer
+};
+Axes axes(const Ellipse& curve) {
+  if (curve.is_circle()) return {curve.u.x(), curve.u.x()};
+  const double most = std::sqrt(curve.u.squaredNorm() + curve.v.squaredNorm());
+  return {cross_of(curve.u, curve.v) / most, most};
+}
+
+Vec2 along(const Vec2& normal) { return {normal.y(), -normal.x()}; }
+
+}  // namespace
+
+OffsetOrigins::OffsetOrigins(const Surfaces& walls) : walls_(walls), table_(walls.size()) {
+  const Bounds all = bounds_of(walls);
+  const double size = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
+  if (!(size > kLeastSize && size < kMostSize)) return;
+  apart_ = kApart * size, distance_ = kDistance * size, farthest_ = kFarthest * size;
+  for (std::uint32_t i = 0; i < walls.size(); ++i) table_[i] = wall(i);
+  find_neighbours();
+}
+
+OffsetOrigins::Wall OffsetOrigins::wall(std::uint32_t surface) const {
+  Wall made;
+  if (walls_.is_straight(surface)) {
+    const Segment& ends = walls_.segments[walls_.slot[surface]];
+    const Vec2 edge = ends.b - ends.a;
+    made.at = ends.a;
+    made.length = std::sqrt(edge.squaredNorm());
+    made.is_plain = made.ready = made.length > apart_;
+    if (made.ready) made.normal = Vec2(-edge.y(), edge.x()) / made.length;
+    return made;
+  }
+  const Arc arc = walls_.arc(surface);
+  const Axes half = axes(arc.curve);
+  made.at = arc.curve.centre;
+  made.length = half.least;
+  const bool is_round =
+      half.least > 0 && half.least * half.least > kLeastBend * (distance_ / kDistance) * half.most;
+  const auto joins = [&](const Vec2& end) {
+    return std::fabs(share_of_radius(arc.curve, end) - 1) * half.most < apart_ / 4;
+  };
+  made.is_plain =
+      is_round && (arc.extent != Arc::Extent::between || (joins(arc.from) && joins(arc.to)));
+  made.ready = made.is_plain && arc.extent != Arc::Extent::half;
+  return made;
+}
+
+Bounds OffsetOrigins::box(std::uint32_t surface) const {
+  Surfaces one;
+  if (walls_.is_straight(surface))
+    one.add(walls_.segments[walls_.slot[surface]]);
+  else
+    one.add(walls_.arc(surface));
+  Bounds made = bounds_of(one);
+  const Vec2 around = Vec2::Constant(2 * apart_);
+  made.low -= around, made.high += around;
+  return made;
+}
+
+void OffsetOrigins::find_neighbours() {
+  const auto count = static_cast<std::uint32_t>(walls_.size());
+  std::vector<Bounds> boxes;
+  for (std::uint32_t i = 0; i < count; ++i) boxes.push_back(box(i));
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return boxes[a].low.x() < boxes[b].low.x(); });
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::size_t looks = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Bounds& one = boxes[order[i]];
+    for (std::uint32_t j = i + 1; j < count; ++j) {
+      const Bounds& other = boxes[order[j]];
+      if (other.low.x() > one.high.x()) break;
+      if (++looks > kMostPairs) {
+        for (Wall& wall : table_) wall.ready = false;
+        return;
+      }
+      if (other.low.y() > one.high.y() || one.low.y() > other.high.y()) continue;
+      if (are_far(order[i], order[j]) || are_far(order[j], order[i])) continue;
+      pairs.emplace_back(order[i], order[j]);
+      pairs.emplace_back(order[j], order[i]);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Wall& wall = table_[pairs[i].first];
+    if (wall.end == 0) wall.begin = static_cast<std::uint32_t>(i);
+    wall.end = static_cast<std::uint32_t>(i + 1);
+    near_.push_back(pairs[i].second);
+  }
+}
+
+// Whether all of segment b is on one side of segment a, or of its ends, or inside curve a.
+bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b) const {
+  const Wall& wall = table_[a];
+  if (!wall.is_plain || !walls_.is_straight(b)) return false;
+  const Segment& other = walls_.segments[walls_.slot[b]];
+  const double far = 4 * apart_;
+  if (!walls_.is_straight(a)) {
+    const Ellipse curve = walls_.curve(a);
+    const auto inside = [&](const Vec2& point) {
+      return (1 - share_of_radius(curve, point)) * wall.length > far;
+    };
+    return inside(other.a) && inside(other.b);
+  }
+  const auto apart = [&](const Vec2& axis, double low, double high) {
+    const auto [least, most] =
+        std::minmax(axis.dot(other.a - wall.at), axis.dot(other.b - wall.at));
+    return least > high + far || most < low - far;
+  };
+  return apart(wall.normal, 0, 0) || apart(along(wall.normal), 0, wall.length);
+}
+
+bool OffsetOrigins::is_far(std::uint32_t surface, const Vec2& point) const {
+  const Wall& wall = table_[surface];
+  if (!wall.is_plain) return false;
+  const double far = 2 * apart_;
+  if (!walls_.is_straight(surface))
+    return std::fabs(share_of_radius(walls_.curve(surface), point) - 1) * wall.length > far;
+  const Vec2 from = point - wall.at;
+  if (std::fabs(wall.normal.dot(from)) > far) return true;
+  const double place = along(wall.normal).dot(from);
+  return place < -far || place > wall.length + far;
+}
+
+bool OffsetOrigins::ends_far(std::uint32_t surface, const Vec2& point) const {
+  if (walls_.kinds[surface] != SurfaceKind::arc) return true;
+  const Arc& arc = walls_.arcs[walls_.slot[surface]];
+  const auto far = [&](const Vec2& end) {
+    return (point - end).cwiseAbs().maxCoeff() > 2 * apart_;
+  };
+  return arc.extent == Arc::Extent::whole || (far(arc.from) && far(arc.to));
+}
+
+std::optional<OffsetOrigins::Meeting> OffsetOrigins::meet(const Ray& ray,
+                                                          const NearestHit& hit) const {
+  const Wall& wall = table_[hit.surface];
+  const bool crosses = hit.kind != HitClass::along && hit.root != Root::both && !hit.at_end;
+  if (!wall.ready || !crosses || !(ray.origin.cwiseAbs().maxCoeff() + hit.t < farthest_))
+    return std::nullopt;
+  Meeting met{ray.origin + hit.t * ray.direction, wall.normal};
+  if (!walls_.is_straight(hit.surface)) {
+    const Ellipse curve = walls_.curve(hit.surface);
+    const auto form = curve_form(kPlain, curve, pair_of(kPlain, Vec2(met.point - curve.centre)));
+    const auto normal = curve_normal(kPlain, curve, form);
+    met.normal = Vec2(normal.x, normal.y) / std::sqrt(dot(normal, normal));
+    if (!ends_far(hit.surface, met.point)) return std::nullopt;
+  }
+  if (!(std::fabs(met.normal.dot(ray.direction)) > kLeastCosine)) return std::nullopt;
+  for (std::uint32_t i = wall.begin; i < wall.end; ++i)
+    if (!is_far(near_[i], met.point)) return std::nullopt;
+  return met;
+}
+
+}  // namespace flatray

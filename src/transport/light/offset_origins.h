@@ -1,0 +1,64 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "geom/bounds.h"
+#include "trace/hits.h"
+#include "trace/surfaces.h"
+
+namespace flatray {
+
+/// Doubles beside a wall from which rays go on after a hit: off the wall by far more than rounding can
+/// move them, and far nearer to the hit than any other wall is, so that no wall lies between the two.
+///
+/// The double nearest to a hit lies on either side of its wall by chance, and to find one that is on
+/// the right side of all walls near it is the Lander's work (transport/landing.h). Light needs no
+/// nearest double, and nearly all of its hits are far from corners.
+///
+/// Units   S is the largest coordinate of all walls.
+/// Error   a hit is off by less than 2^-46 S, an origin by 2^-44 S more; no other wall comes within
+///         2^-36 S of them. Derived in docs/adr/0024-offset-origins.md.
+class OffsetOrigins {
+ public:
+  /// Needs   `walls` to outlive it.
+  /// Cost    a look at each pair of walls whose boxes overlap along x; where these are more than
+  ///         2^26, nothing is certain.
+  explicit OffsetOrigins(const Surfaces& walls);
+
+  /// Where a ray meets a wall.
+  struct Meeting {
+    Vec2 point, normal;  ///< of length 1: to the left of a segment, outward of a curve
+  };
+  /// Needs   a direction of length 1, but for 2^-10 of it, and the ray's exact hit.
+  /// Gives   nullopt where another wall or the end of an arc is too near, the ray grazes, or starts too
+  ///         far away.
+  std::optional<Meeting> meet(const Ray& ray, const NearestHit& hit) const;
+  /// How far an origin is from its wall, along the normal.
+  double distance() const { return distance_; }
+
+  /// A direction surely leads to one side of a wall where the cosine of its angle with the normal
+  /// is further from 0 than this.
+  static constexpr double kLeastCosine = 0x1p-18;
+
+ private:
+  struct Wall {
+    Vec2 at, normal;                   // a segment's end a; a curve's centre
+    double length = 0;                 // of a curve the least distance from its centre
+    std::uint32_t begin = 0, end = 0;  // of its neighbours in near_
+    bool ready = false;                // its points have origins beside them
+    bool is_plain = false;             // a segment, or a curve whose ends lie on it
+  };
+  Wall wall(std::uint32_t surface) const;
+  Bounds box(std::uint32_t surface) const;
+  void find_neighbours();
+  bool is_far(std::uint32_t surface, const Vec2& point) const;
+  bool are_far(std::uint32_t a, std::uint32_t b) const;
+  bool ends_far(std::uint32_t surface, const Vec2& point) const;
+
+  const Surfaces& walls_;
+  double apart_ = 0, distance_ = 0, farthest_ = 0;
+  std::vector<Wall> table_;
+  std::vector<std::uint32_t> near_;
+};
+
+}  // namespace flatray
