@@ -52,6 +52,7 @@ OffsetOrigins::Wall OffsetOrigins::wall(std::uint32_t surface) const {
     const Vec2 edge = ends.b - ends.a;
     made.at = ends.a;
     made.length = std::sqrt(edge.squaredNorm());
+    made.is_straight = true;
     made.is_plain = made.ready = made.length > apart_;
     if (made.ready) made.normal = Vec2(-edge.y(), edge.x()) / made.length;
     return made;
@@ -109,12 +110,71 @@ void OffsetOrigins::find_neighbours() {
     }
   }
   std::sort(pairs.begin(), pairs.end());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Wall& wall = table_[pairs[i].first];
-    if (wall.end == 0) wall.begin = static_cast<std::uint32_t>(i);
-    wall.end = static_cast<std::uint32_t>(i + 1);
-    near_.push_back(pairs[i].second);
+  std::vector<std::uint32_t> others;
+  for (std::size_t i = 0; i < pairs.size(); i += others.size()) {
+    others.clear();
+    for (std::size_t k = i; k < pairs.size() && pairs[k].first == pairs[i].first; ++k)
+      others.push_back(pairs[k].second);
+    keep_neighbours(pairs[i].first, others);
   }
+}
+
+void OffsetOrigins::keep_neighbours(std::uint32_t surface, std::span<const std::uint32_t> others) {
+  Wall& wall = table_[surface];
+  if (!wall.is_straight) {
+    wall.begin = static_cast<std::uint32_t>(near_.size());
+    near_.insert(near_.end(), others.begin(), others.end());
+    wall.end = static_cast<std::uint32_t>(near_.size());
+    return;
+  }
+  std::vector<Stretch> found;
+  for (const std::uint32_t other : others) add_near(wall, other, found);
+  std::sort(found.begin(), found.end(),
+            [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  wall.begin = static_cast<std::uint32_t>(stretches_.size());
+  for (const Stretch& one : found) {
+    if (stretches_.size() > wall.begin && one.from <= stretches_.back().to)
+      stretches_.back().to = std::max(stretches_.back().to, one.to);
+    else
+      stretches_.push_back(one);
+  }
+  wall.end = static_cast<std::uint32_t>(stretches_.size());
+}
+
+// Where a segment is near the line of another and not beyond its ends, both linear along it, or near
+// a whole curve, on both sides of what lies inside. A quotient by less than kLeastSlope would not be
+// certain.
+void OffsetOrigins::add_near(const Wall& wall, std::uint32_t other,
+                             std::vector<Stretch>& found) const {
+  constexpr double kLeastSlope = 0x1p-10;
+  const double far = 3 * apart_;
+  const Vec2 way = along(wall.normal);
+  const Wall& second = table_[other];
+  Stretch near{-far, wall.length + far};
+  if (second.is_straight && second.is_plain) {
+    const auto within = [&](const Vec2& axis, double low, double high) {
+      const double start = axis.dot(wall.at - second.at), slope = axis.dot(way);
+      if (std::fabs(slope) < kLeastSlope) return;
+      const auto [from, to] = std::minmax({(low - start) / slope, (high - start) / slope});
+      near = {std::max(near.from, from), std::min(near.to, to)};
+    };
+    within(second.normal, -far, far);
+    within(along(second.normal), -far, second.length + far);
+  } else if (second.is_plain) {
+    const Ellipse curve = walls_.curve(other);
+    const auto form = [&](const Vec2& v) { return curve_form(kPlain, curve, pair_of(kPlain, v)); };
+    const auto start = form(wall.at - curve.centre), slope = form(way);
+    const double speed = std::sqrt(dot(slope, slope)), size = form_size(kPlain, curve);
+    const double middle = -dot(start, slope) / speed, off = std::fabs(cross(start, slope)) / speed;
+    const auto half = [&](double radius) {
+      return std::sqrt(std::max((radius - off) * (radius + off), 0.0));
+    };
+    const double margin = size * (far / second.length);
+    const double inner = half(size - margin), outer = half(size + margin);
+    found.push_back({(middle - outer) / speed, (middle - inner) / speed});
+    near = {(middle + inner) / speed, (middle + outer) / speed};
+  }
+  found.push_back(near);
 }
 
 // Whether all of segment b is on one side of segment a, or of its ends, or inside curve a.
@@ -132,7 +192,7 @@ bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b) const {
   }
   const auto apart = [&](const Vec2& axis, double low, double high) {
     const auto [least, most] =
-        std::minmax(axis.dot(other.a - wall.at), axis.dot(other.b - wall.at));
+        std::minmax({axis.dot(other.a - wall.at), axis.dot(other.b - wall.at)});
     return least > high + far || most < low - far;
   };
   return apart(wall.normal, 0, 0) || apart(along(wall.normal), 0, wall.length);
@@ -142,12 +202,11 @@ bool OffsetOrigins::is_far(std::uint32_t surface, const Vec2& point) const {
   const Wall& wall = table_[surface];
   if (!wall.is_plain) return false;
   const double far = 2 * apart_;
-  if (!walls_.is_straight(surface))
+  if (!wall.is_straight)
     return std::fabs(share_of_radius(walls_.curve(surface), point) - 1) * wall.length > far;
   const Vec2 from = point - wall.at;
-  if (std::fabs(wall.normal.dot(from)) > far) return true;
   const double place = along(wall.normal).dot(from);
-  return place < -far || place > wall.length + far;
+  return std::fabs(wall.normal.dot(from)) > far || place < -far || place > wall.length + far;
 }
 
 bool OffsetOrigins::ends_far(std::uint32_t surface, const Vec2& point) const {
@@ -166,17 +225,29 @@ std::optional<OffsetOrigins::Meeting> OffsetOrigins::meet(const Ray& ray,
   if (!wall.ready || !crosses || !(ray.origin.cwiseAbs().maxCoeff() + hit.t < farthest_))
     return std::nullopt;
   Meeting met{ray.origin + hit.t * ray.direction, wall.normal};
-  if (!walls_.is_straight(hit.surface)) {
-    const Ellipse curve = walls_.curve(hit.surface);
-    const auto form = curve_form(kPlain, curve, pair_of(kPlain, Vec2(met.point - curve.centre)));
-    const auto normal = curve_normal(kPlain, curve, form);
-    met.normal = Vec2(normal.x, normal.y) / std::sqrt(dot(normal, normal));
-    if (!ends_far(hit.surface, met.point)) return std::nullopt;
-  }
+  if (!(wall.is_straight ? is_clear(wall, met.point) : is_clear(hit.surface, met)))
+    return std::nullopt;
   if (!(std::fabs(met.normal.dot(ray.direction)) > kLeastCosine)) return std::nullopt;
-  for (std::uint32_t i = wall.begin; i < wall.end; ++i)
-    if (!is_far(near_[i], met.point)) return std::nullopt;
   return met;
+}
+
+bool OffsetOrigins::is_clear(const Wall& wall, const Vec2& point) const {
+  const double place = along(wall.normal).dot(point - wall.at);
+  for (std::uint32_t i = wall.begin; i < wall.end; ++i)
+    if (stretches_[i].from <= place && place <= stretches_[i].to) return false;
+  return true;
+}
+
+// Of a curve, whose normal is set.
+bool OffsetOrigins::is_clear(std::uint32_t surface, Meeting& met) const {
+  const Ellipse curve = walls_.curve(surface);
+  const auto form = curve_form(kPlain, curve, pair_of(kPlain, Vec2(met.point - curve.centre)));
+  const auto normal = curve_normal(kPlain, curve, form);
+  met.normal = Vec2(normal.x, normal.y) / std::sqrt(dot(normal, normal));
+  const Wall& wall = table_[surface];
+  return ends_far(surface, met.point) &&
+         std::all_of(near_.begin() + wall.begin, near_.begin() + wall.end,
+                     [&](std::uint32_t other) { return is_far(other, met.point); });
 }
 
 }  // namespace flatray

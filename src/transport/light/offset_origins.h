@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geom/bounds.h"
@@ -44,13 +45,22 @@ class OffsetOrigins {
   struct Wall {
     Vec2 at, normal;                   // a segment's end a; a curve's centre
     double length = 0;                 // of a curve the least distance from its centre
-    std::uint32_t begin = 0, end = 0;  // of its neighbours in near_
+    std::uint32_t begin = 0, end = 0;  // in stretches_ of a segment, in near_ of a curve
     bool ready = false;                // its points have origins beside them
     bool is_plain = false;             // a segment, or a curve whose ends lie on it
+    bool is_straight = false;
   };
   Wall wall(std::uint32_t surface) const;
   Bounds box(std::uint32_t surface) const;
+  // Of a segment, from its end a, where others come near.
+  struct Stretch {
+    double from, to;
+  };
   void find_neighbours();
+  void keep_neighbours(std::uint32_t surface, std::span<const std::uint32_t> others);
+  void add_near(const Wall& wall, std::uint32_t other, std::vector<Stretch>& found) const;
+  bool is_clear(const Wall& wall, const Vec2& point) const;
+  bool is_clear(std::uint32_t surface, Meeting& met) const;
   bool is_far(std::uint32_t surface, const Vec2& point) const;
   bool are_far(std::uint32_t a, std::uint32_t b) const;
   bool ends_far(std::uint32_t surface, const Vec2& point) const;
@@ -58,7 +68,8 @@ class OffsetOrigins {
   const Surfaces& walls_;
   double apart_ = 0, distance_ = 0, farthest_ = 0;
   std::vector<Wall> table_;
-  std::vector<std::uint32_t> near_;
+  std::vector<Stretch> stretches_;   // of each segment apart, ascending
+  std::vector<std::uint32_t> near_;  // of each curve
 };
 
 }  // namespace flatray
