@@ -36,6 +36,7 @@ LightColour paint_light(const Scene& scene, const Paint& paint, double time) {
 LightColour lamp_colour(const Scene& scene, const Lamp& lamp, double time) {
   if (lamp.wavelength) return colour_of_wavelength(plus(scene, *lamp.wavelength, time));
   if (lamp.temperature) return colour_of_temperature(plus(scene, *lamp.temperature, time));
+  if (lamp.spectrum) return lamp.spectrum->colour();
   return paint_light(scene, lamp.colour, time);
 }
 
@@ -55,7 +56,7 @@ std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) 
     for (double& channel : colour) channel /= most;
     states.push_back({i, lamp_pose(scene, lamp, state, groups), power, colour,
                       lamp.wavelength ? plus(scene, *lamp.wavelength, state.time) : 0.0,
-                      std::move(emitter), lamp.type->numbers});
+                      lamp.spectrum.get(), std::move(emitter), lamp.type->numbers});
   }
   return states;
 }

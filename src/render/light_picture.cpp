@@ -103,7 +103,7 @@ int light_channels(const Scene& scene) {
   const bool grey = std::all_of(scene.lamps.begin(), scene.lamps.end(),
                                 [](const Lamp& lamp) {
                                   const Paint& colour = lamp.colour;
-                                  return !lamp.wavelength && !lamp.temperature &&
+                                  return !lamp.wavelength && !lamp.temperature && !lamp.spectrum &&
                                          colour.curve == kNoEntry && colour.r == colour.g &&
                                          colour.g == colour.b;
                                 }) &&

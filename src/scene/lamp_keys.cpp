@@ -7,6 +7,7 @@
 #include "scene/look_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
+#include "scene/spectrum_text.h"
 
 namespace flatray {
 namespace {
@@ -81,6 +82,24 @@ void read_temperature(Builder& builder, const Field& field, Lamp& lamp) {
                                   "write 800 to 100000 kelvin, 2700 for a bulb, 6500 for daylight");
 }
 
+// A file that several lamps have is read once.
+void read_spectrum(Builder& builder, const Field& field, Lamp& lamp) {
+  const auto name = builder.in.string(field);
+  if (!name) return;
+  const auto tell = [&](Diagnostics&& problems) {
+    for (Diagnostic& one : problems) builder.in.problems.push_back(std::move(one));
+  };
+  Result<SourcePtr> source = builder.imports.open(*name, field.value.where);
+  if (!source) return tell(std::move(source.error()));
+  const auto [known, is_new] = builder.spectra.try_emplace(source->get());
+  if (is_new) {
+    Result<Spectrum> spectrum = parse_spectrum(*source);
+    if (!spectrum) return tell(std::move(spectrum.error()));
+    known->second = std::make_shared<const Spectrum>(std::move(*spectrum));
+  }
+  lamp.spectrum = known->second;
+}
+
 void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
   builder.may_change = true;
   const auto colour = read_moving_colour(builder, field);
@@ -109,6 +128,7 @@ constexpr Key<Lamp> kLampKeys[] = {
     {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour},
     {{"nm", "number or a curve", "none"}, &read_wavelength},
     {{"kelvin", "number or a curve", "none"}, &read_temperature},
+    {{"spectrum", "\"spectrum.csv\"", "none"}, &read_spectrum},
     kFollowKey<Lamp>,
     kRepeatKey<Lamp>,
 };
@@ -186,13 +206,23 @@ bool is_body(const Shape& shape) {
 // What leaves a lamp dark in all frames; nothing where it shines.
 const char* reason_dark(const Scene& scene, const Lamp& lamp) {
   if (lies_between(scene, lamp.power, 0, 0)) return "its power is 0";
-  if (lamp.wavelength || lamp.temperature) return nullptr;
+  if (lamp.wavelength || lamp.temperature || lamp.spectrum) return nullptr;
   const Paint& colour = lamp.colour;
   if (colour.curve == kNoEntry)
     return colour.r == 0 && colour.g == 0 && colour.b == 0 ? "its colour is black" : nullptr;
   for (CurveId channel = 0; channel < 3; ++channel)
     if (highest(scene.curves[colour.curve + channel]) > 0) return nullptr;
   return "its colour is black";
+}
+
+void expect_one_colour(Builder& builder, const Lamp& lamp, const Place& where) {
+  std::vector<std::string> colours;
+  if (lamp.wavelength) colours.emplace_back("nm");
+  if (lamp.temperature) colours.emplace_back("kelvin");
+  if (lamp.spectrum) colours.emplace_back("spectrum");
+  if (colours.size() > 1)
+    builder.in.problem(where, fmt::format("a lamp has {} and {}", colours[0], colours[1]),
+                       "leave one of them out: either is a colour");
 }
 
 void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const Place& where) {
@@ -240,9 +270,7 @@ void read_lamps(Builder& builder, const Field& field, Scene& scene) {
     const CopiedTable what{"lamp", kLampTables + tables++, scene.lamps.size()};
     make_copies<Lamp>(builder, table, what, kLampKeys,
                       [&](Lamp&& lamp, std::uint64_t, const std::string&) {
-                        if (lamp.wavelength && lamp.temperature)
-                          builder.in.problem(table.where, "a lamp has nm and kelvin",
-                                             "leave one of them out: either is a colour");
+                        expect_one_colour(builder, lamp, table.where);
                         if (const char* reason = reason_dark(scene, lamp)) dark = reason;
                         scene.lamps.push_back(std::move(lamp));
                       });

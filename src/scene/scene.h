@@ -247,6 +247,7 @@ struct RayPath {
 };
 
 struct LampType;
+class Spectrum;
 
 /// What sends out light, `power` a second in all directions together, per unit of depth.
 struct Lamp {
@@ -260,9 +261,10 @@ struct Lamp {
   double angular_velocity = 0;
   Motion motion;
   Moving power{1, {}};
-  Paint colour{Colour{255, 255, 255, 255}};  ///< where neither of the next two is set
+  Paint colour{Colour{255, 255, 255, 255}};  ///< where none of the next three is set
   std::optional<Moving> wavelength;          ///< nm
   std::optional<Moving> temperature;         ///< of a blackbody, kelvin
+  std::shared_ptr<const Spectrum> spectrum;  ///< of a file
   Place where;
 };
 

@@ -257,6 +257,43 @@ TEST(Light, OfOneWavelengthIsNotTakenApart) {
       EXPECT_NEAR(strong.at(x, y), plain.at(x, y), 0.15) << x << " " << y;
 }
 
+// Two lines are seen where lamps of those wavelengths are, and nowhere between, with the colour of both.
+TEST(Light, OfASpectrumIsTakenApartIntoItsLines) {
+  const auto prism = [](double nm, std::span<const Spectrum::Row> rows, const char* dispersion) {
+    Scene scene =
+        lit("[[lamp]]\nsource = { beam = { width = 0.02 } }\nat = [-3.5, -1]\nangle = 15\n"
+            "nm = " +
+            std::to_string(nm) +
+            "\n[[entity]]\nshape = { ngon = { sides = 3, radius = 1.5 } }\n"
+            "material = { glass = { dispersion = " +
+            std::string(dispersion) + " } }\n");
+    if (!rows.empty()) {
+      scene.lamps[0].wavelength.reset();
+      scene.lamps[0].spectrum = std::make_shared<const Spectrum>(rows);
+    }
+    return fluence(scene);
+  };
+  const Spectrum::Row rows[] = {{449.9, 0}, {450, 1}, {450.1, 0}, {639.9, 0}, {640, 2}, {640.1, 0}};
+  const Fluence both = prism(450, rows, "60000");
+  const Fluence blue = prism(450, {}, "60000"), red = prism(640, {}, "60000");
+  double seen = 0, elsewhere = 0;
+  for (int y = 0; y < 64; ++y) {
+    double of_both = 0, of_one = 0;
+    for (int c = 0; c < 3; ++c)
+      of_both += both.at(60, y, c), of_one += blue.at(60, y, c) + red.at(60, y, c);
+    (of_one > 0 ? seen : elsewhere) += of_both;
+  }
+  EXPECT_GT(seen, 0);
+  EXPECT_EQ(elsewhere, 0);
+  const Fluence plain = prism(450, rows, "0"), weak = prism(450, rows, "0.001");
+  for (int c = 0; c < 3; c += 2) {
+    double with = 0, without = 0;
+    for (std::size_t i = static_cast<std::size_t>(c); i < plain.rgb.size(); i += 3)
+      with += weak.rgb[i], without += plain.rgb[i];
+    EXPECT_NEAR(with / without, 1, 0.03) << c;
+  }
+}
+
 // By the bodies it stands in, whatever lies ahead.
 TEST(Light, KnowsTheGlassItStartsIn) {
   const std::string blocks =

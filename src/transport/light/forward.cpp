@@ -258,10 +258,10 @@ class Forward {
   }
 
   // From then on the light is of one colour, by chance.
-  static void take_wavelength(LightRay& ray, double u, LightCounts& counts) {
+  void take_wavelength(LightRay& ray, double u, LightCounts& counts) const {
     const std::int64_t before = energy(ray.weight);
-    ray.nm = static_cast<float>(kFirstWavelength + u * (kLastWavelength - kFirstWavelength));
-    const LightColour part = part_of_wavelength(static_cast<double>(ray.nm));
+    const auto [nm, part] = now_->emission.part(ray.number, u);
+    ray.nm = static_cast<float>(nm);
     for (std::size_t c = 0; c < 3; ++c) ray.weight[c] *= static_cast<float>(part[c]);
     FLATRAY_DCHECK(largest(ray.weight) <= 1);
     counts.gambled += before - energy(ray.weight);
