@@ -1,5 +1,3 @@
-#include "render/light_picture.h"
-
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "base/light.h"
 #include "base/portable_math.h"
 #include "image/light_film.h"
+#include "render/light_picture.h"
 #include "scene/scatterer.h"
 #include "scene/spectrum.h"
 #include "transport/light/traced_light.h"
@@ -119,11 +118,16 @@ std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   constexpr std::uint64_t kBytesOfRay = 512;  // under way, where it arrives, its line
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
+  constexpr std::uint64_t kBytesOfPieces = std::uint64_t{1} << 26;  // of rays that fade
+  const bool absorbs =
+      std::any_of(scene.scatterers.begin(), scene.scatterers.end(), [](const auto& scatterer) {
+        return scatterer->absorption() != std::array<double, 3>{0, 0, 0};
+      });
   const std::uint64_t films = scene.light.scrambles;
   const std::uint64_t sums_at_once = films == 1 ? 0 : films * 3 * sizeof(std::int64_t);
   return LightFilm::bytes(film.width, film.height, light_channels(scene), threads,
                           scene.light.scrambles) +
-         (kBytesOfPixel + sums_at_once) * pixels +
+         (kBytesOfPixel + sums_at_once) * pixels + (absorbs ? kBytesOfPieces : 0) +
          kBytesOfRay * (std::min(scene.light.rays, kLightRound) + films * scene.lamps.size());
 }
 

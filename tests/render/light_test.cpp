@@ -123,6 +123,10 @@ TEST(Light, AfterManyRaysOfALampTakesOtherNumbers) {
   EXPECT_EQ(strips, std::vector<int>(256, 1));
 }
 
+std::int64_t accounted(const LightCounts& counts) {
+  return counts.absorbed + counts.escaped + counts.at_corners + counts.cut_off + counts.gambled;
+}
+
 TEST(Light, IsAccountedFor) {
   const Scene scene =
       lit("[[lamp]]\nsource = { cone = { spread = 100 } }\nat = [-3, 0]\ncolour = '#ff8040'\n"
@@ -133,12 +137,65 @@ TEST(Light, IsAccountedFor) {
           "material = { glass = { dispersion = 9000 } }\n",
           "rays = 30000\nbounces = 3");
   const LightCounts counts = fluence(scene).counts;
-  EXPECT_EQ(counts.emitted,
-            counts.absorbed + counts.escaped + counts.at_corners + counts.cut_off + counts.gambled);
+  EXPECT_EQ(counts.emitted, accounted(counts));
   EXPECT_GT(counts.absorbed, 0);
   EXPECT_GT(counts.escaped, 0);
   EXPECT_GT(counts.cut_off, 0);
   EXPECT_NE(counts.gambled, 0);
+}
+
+// A body 2 units long in the way of a beam that it neither bends nor reflects: of each channel
+// exp(-2 a) is left behind it, and (1 - exp(-2 a)) / a falls on the film in it.
+TEST(Light, FadesByBeerAndLambert) {
+  const double absorption[] = {0.7, 40, 1e-3};
+  for (const char* at : {"[-3.5, 0]", "[-1.5, 0]"}) {  // before the body; the beam begins in it
+    const bool inside = at[1] == '-' && at[2] == '1';
+    const Fluence made =
+        fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = " + std::string(at) +
+                        "\n[[entity]]\nshape = { box = { min = [-2, -2], max = [0.5, 2] } }\n"
+                        "material = { glass = { index = 1, absorption = [0.7, 40, 1e-3] } }\n",
+                    "rays = 4096"));
+    EXPECT_EQ(made.counts.emitted, accounted(made.counts));
+    EXPECT_GT(made.counts.absorbed, 0);
+    const double length = inside ? 2 : 2.5;
+    for (int c = 0; c < 3; ++c) {
+      double within = 0, behind = 0;
+      for (int y = 0; y < 64; ++y)
+        for (int x = 16; x < 64; ++x) (x < 36 ? within : behind) += made.at(x, y, c) / 64;
+      const double a = absorption[c], left = std::exp(-a * length);
+      const double error = c == 1 ? 1e-3 : 3e-5;  // within a fifth of a pixel
+      EXPECT_NEAR(within * a / (1 - left), 1, error) << at << c;
+      EXPECT_NEAR(behind / 3.5, left, 1e-5) << at << c;
+    }
+  }
+}
+
+// A column has the mean of exp(-a x) over it, though light is laid on it in pieces.
+TEST(Light, FadesEvenlyAlongItsWay) {
+  const Fluence made =
+      fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = [-3.5, 0]\n"
+                  "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
+                  "material = { glass = { index = 1, absorption = 1.5 } }\n"));
+  for (int x = 16; x < 48; ++x) {
+    const double left = std::exp(-1.5 * (x - 16) / 8.0);
+    EXPECT_NEAR(made.at(x, 32) / (left * (1 - std::exp(-1.5 / 8)) / (1.5 / 8)), 1, 0.006) << x;
+  }
+}
+
+// The innermost body absorbs: a bubble nothing, what lies in two the inner one's part.
+TEST(Light, FadesInTheInnermostBody) {
+  const auto behind = [](const char* inner) {
+    const Fluence made =
+        fluence(lit("[[lamp]]\nsource = { beam = { width = 0.5 } }\nat = [-3.5, 0]\n"
+                    "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
+                    "material = { glass = { index = 1, absorption = 0.1 } }\n"
+                    "[[entity]]\nshape = { box = { min = [-1, -1], max = [1, 1] } }\n"
+                    "material = { glass = { index = 1, absorption = " +
+                    std::string(inner) + " } }\n"));
+    return made.at(60, 32);
+  };
+  EXPECT_NEAR(behind("0") / behind("0.1"), std::exp(0.2), 1e-4);
+  EXPECT_NEAR(behind("0.4") / behind("0.1"), std::exp(-0.6), 1e-4);
 }
 
 TEST(Light, IsTheSameForAnyThreadsAndTiersAndSeedsDiffer) {

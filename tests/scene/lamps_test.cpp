@@ -207,6 +207,18 @@ TEST(Materials, GlassFollowsSnellAndFresnel) {
   EXPECT_NEAR(glass.scatter(same, 0).direction.x(), 0.6, 1e-15);
 }
 
+TEST(Materials, OfGlassHaveATintWhereTheyAbsorb) {
+  Scene scene;
+  using Channels = std::array<double, 3>;
+  EXPECT_EQ(scatterer(scene, "{ glass = {} }").absorption(), (Channels{0, 0, 0}));
+  const Scatterer& grey = scatterer(scene, "{ glass = { absorption = 0.5 } }");
+  EXPECT_EQ(grey.absorption(), (Channels{0.5, 0.5, 0.5}));
+  EXPECT_FALSE(grey.colours());
+  const Scatterer& blue = scatterer(scene, "{ glass = { absorption = [2, 1, 0.1] } }");
+  EXPECT_EQ(blue.absorption(), (Channels{2, 1, 0.1}));
+  EXPECT_TRUE(blue.colours());
+}
+
 TEST(Materials, SayWhatIsWrong) {
   expect_problem(with_material("'glass'"), "unknown entity.material 'glass'");
   expect_problem(with_material("{ wood = {} }"), "unknown material 'wood'");
@@ -224,6 +236,14 @@ TEST(Materials, SayWhatIsWrong) {
   expect_problem(with_material("{ mix = { mirror = 0.7, pass = 0.7 } }"), "more than 1 together");
   expect_problem(with_material("{ glass = { index = 0 } }"),
                  "material.glass.index is 0, not above 0 and at most 100");
+  expect_problem(with_material("{ glass = { absorption = -1 } }"),
+                 "material.glass.absorption is -1, not 0 to 1e30");
+  expect_problem(with_material("{ glass = { absorption = [0, 1, 1e31] } }"),
+                 "material.glass.absorption is 1e+31");
+  expect_problem(with_material("{ glass = { absorption = [1, 2] } }"),
+                 "a number, or three of them");
+  expect_problem(with_material("{ glass = { absorption = '#ff0000' } }"),
+                 "material.glass.absorption");
   expect_problem(with_material("{ glass = { index = 1.5, dispersion = -1e9 } }"),
                  "material.glass.dispersion");
 }
