@@ -1,3 +1,5 @@
+#include "render/light_picture.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -6,7 +8,7 @@
 #include "base/light.h"
 #include "base/portable_math.h"
 #include "image/light_film.h"
-#include "render/light_picture.h"
+#include "scene/lamp.h"
 #include "scene/scatterer.h"
 #include "scene/spectrum.h"
 #include "transport/light/traced_light.h"
@@ -99,12 +101,15 @@ LightPicture light_picture(std::span<const double> counts, double unit, const Li
 }
 
 int light_channels(const Scene& scene) {
+  const auto is_grey = [](const LampLight* light) {
+    const Paint& colour = light->colour;
+    return !light->wavelength && !light->temperature && !light->spectrum &&
+           colour.curve == kNoEntry && colour.r == colour.g && colour.g == colour.b;
+  };
   const bool grey = std::all_of(scene.lamps.begin(), scene.lamps.end(),
-                                [](const Lamp& lamp) {
-                                  const Paint& colour = lamp.colour;
-                                  return !lamp.wavelength && !lamp.temperature && !lamp.spectrum &&
-                                         colour.curve == kNoEntry && colour.r == colour.g &&
-                                         colour.g == colour.b;
+                                [&](const Lamp& lamp) {
+                                  const auto lights = lights_of(lamp);
+                                  return std::all_of(lights.begin(), lights.end(), is_grey);
                                 }) &&
                     std::none_of(scene.scatterers.begin(), scene.scatterers.end(),
                                  [](const auto& scatterer) { return scatterer->colours(); });
