@@ -5,47 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "lit.h"
 #include "render/light_picture.h"
-#include "render/light_run.h"
-#include "support/pictures.h"
 #include "transport/light/emission.h"
 
 namespace flatray {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-// The fluence of a frame by its pixels, and what became of the light.
-struct Fluence {
-  int width, height;
-  std::vector<double> rgb;
-  LightCounts counts;
-
-  double at(int x, int y, int channel = 0) const {
-    return rgb[static_cast<std::size_t>(3 * (y * width + x) + channel)];
-  }
-  double sum() const {
-    double all = 0;
-    for (std::size_t i = 0; i < rgb.size(); i += 3) all += rgb[i];
-    return all;
-  }
-};
-
-Fluence fluence(const Scene& scene, unsigned threads = 1, std::uint64_t seed = 0) {
-  const Timeline timeline(scene, seed, 1);
-  const TracedLight traced =
-      trace_frame_light(scene, at(timeline, 1), nullptr, seed, threads, nullptr);
-  Fluence made{scene.film.width, scene.film.height, {}, traced.counts};
-  for (const std::int64_t sum : traced.sums())
-    made.rgb.push_back(static_cast<double>(sum) * traced.unit());
-  return made;
-}
-
-// A film of 64 by 64 pixels from (-4, -4) to (4, 4).
-Scene lit(const std::string& rest, const std::string& light = "rays = 65536") {
-  return scene_of("flatray = 1\nfilm = { size = [64, 64], world = [[-4, -4], [4, 4]] }\n[light]\n" +
-                  light + "\n" + rest);
-}
 
 constexpr const char* kPoint = "[[lamp]]\nsource = { point = {} }\n";
 
@@ -123,10 +90,6 @@ TEST(Light, AfterManyRaysOfALampTakesOtherNumbers) {
   EXPECT_EQ(strips, std::vector<int>(256, 1));
 }
 
-std::int64_t accounted(const LightCounts& counts) {
-  return counts.absorbed + counts.escaped + counts.at_corners + counts.cut_off + counts.gambled;
-}
-
 TEST(Light, IsAccountedFor) {
   const Scene scene =
       lit("[[lamp]]\nsource = { cone = { spread = 100 } }\nat = [-3, 0]\ncolour = '#ff8040'\n"
@@ -142,60 +105,6 @@ TEST(Light, IsAccountedFor) {
   EXPECT_GT(counts.escaped, 0);
   EXPECT_GT(counts.cut_off, 0);
   EXPECT_NE(counts.gambled, 0);
-}
-
-// A body 2 units long in the way of a beam that it neither bends nor reflects: of each channel
-// exp(-2 a) is left behind it, and (1 - exp(-2 a)) / a falls on the film in it.
-TEST(Light, FadesByBeerAndLambert) {
-  const double absorption[] = {0.7, 40, 1e-3};
-  for (const char* at : {"[-3.5, 0]", "[-1.5, 0]"}) {  // before the body; the beam begins in it
-    const bool inside = at[1] == '-' && at[2] == '1';
-    const Fluence made =
-        fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = " + std::string(at) +
-                        "\n[[entity]]\nshape = { box = { min = [-2, -2], max = [0.5, 2] } }\n"
-                        "material = { glass = { index = 1, absorption = [0.7, 40, 1e-3] } }\n",
-                    "rays = 4096"));
-    EXPECT_EQ(made.counts.emitted, accounted(made.counts));
-    EXPECT_GT(made.counts.absorbed, 0);
-    const double length = inside ? 2 : 2.5;
-    for (int c = 0; c < 3; ++c) {
-      double within = 0, behind = 0;
-      for (int y = 0; y < 64; ++y)
-        for (int x = 16; x < 64; ++x) (x < 36 ? within : behind) += made.at(x, y, c) / 64;
-      const double a = absorption[c], left = std::exp(-a * length);
-      const double error = c == 1 ? 1e-3 : 3e-5;  // within a fifth of a pixel
-      EXPECT_NEAR(within * a / (1 - left), 1, error) << at << c;
-      EXPECT_NEAR(behind / 3.5, left, 1e-5) << at << c;
-    }
-  }
-}
-
-// A column has the mean of exp(-a x) over it, though light is laid on it in pieces.
-TEST(Light, FadesEvenlyAlongItsWay) {
-  const Fluence made =
-      fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = [-3.5, 0]\n"
-                  "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
-                  "material = { glass = { index = 1, absorption = 1.5 } }\n"));
-  for (int x = 16; x < 48; ++x) {
-    const double left = std::exp(-1.5 * (x - 16) / 8.0);
-    EXPECT_NEAR(made.at(x, 32) / (left * (1 - std::exp(-1.5 / 8)) / (1.5 / 8)), 1, 0.006) << x;
-  }
-}
-
-// The innermost body absorbs: a bubble nothing, what lies in two the inner one's part.
-TEST(Light, FadesInTheInnermostBody) {
-  const auto behind = [](const char* inner) {
-    const Fluence made =
-        fluence(lit("[[lamp]]\nsource = { beam = { width = 0.5 } }\nat = [-3.5, 0]\n"
-                    "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
-                    "material = { glass = { index = 1, absorption = 0.1 } }\n"
-                    "[[entity]]\nshape = { box = { min = [-1, -1], max = [1, 1] } }\n"
-                    "material = { glass = { index = 1, absorption = " +
-                    std::string(inner) + " } }\n"));
-    return made.at(60, 32);
-  };
-  EXPECT_NEAR(behind("0") / behind("0.1"), std::exp(0.2), 1e-4);
-  EXPECT_NEAR(behind("0.4") / behind("0.1"), std::exp(-0.6), 1e-4);
 }
 
 TEST(Light, IsTheSameForAnyThreadsAndTiersAndSeedsDiffer) {
@@ -312,43 +221,6 @@ TEST(Light, OfOneWavelengthIsNotTakenApart) {
   for (const int x : {50, 60})
     for (int y = 0; y < 64; ++y)
       EXPECT_NEAR(strong.at(x, y), plain.at(x, y), 0.15) << x << " " << y;
-}
-
-// Two lines are seen where lamps of those wavelengths are, and nowhere between, with the colour of both.
-TEST(Light, OfASpectrumIsTakenApartIntoItsLines) {
-  const auto prism = [](double nm, std::span<const Spectrum::Row> rows, const char* dispersion) {
-    Scene scene =
-        lit("[[lamp]]\nsource = { beam = { width = 0.02 } }\nat = [-3.5, -1]\nangle = 15\n"
-            "nm = " +
-            std::to_string(nm) +
-            "\n[[entity]]\nshape = { ngon = { sides = 3, radius = 1.5 } }\n"
-            "material = { glass = { dispersion = " +
-            std::string(dispersion) + " } }\n");
-    if (!rows.empty()) {
-      scene.lamps[0].wavelength.reset();
-      scene.lamps[0].spectrum = std::make_shared<const Spectrum>(rows);
-    }
-    return fluence(scene);
-  };
-  const Spectrum::Row rows[] = {{449.9, 0}, {450, 1}, {450.1, 0}, {639.9, 0}, {640, 2}, {640.1, 0}};
-  const Fluence both = prism(450, rows, "60000");
-  const Fluence blue = prism(450, {}, "60000"), red = prism(640, {}, "60000");
-  double seen = 0, elsewhere = 0;
-  for (int y = 0; y < 64; ++y) {
-    double of_both = 0, of_one = 0;
-    for (int c = 0; c < 3; ++c)
-      of_both += both.at(60, y, c), of_one += blue.at(60, y, c) + red.at(60, y, c);
-    (of_one > 0 ? seen : elsewhere) += of_both;
-  }
-  EXPECT_GT(seen, 0);
-  EXPECT_EQ(elsewhere, 0);
-  const Fluence plain = prism(450, rows, "0"), weak = prism(450, rows, "0.001");
-  for (int c = 0; c < 3; c += 2) {
-    double with = 0, without = 0;
-    for (std::size_t i = static_cast<std::size_t>(c); i < plain.rgb.size(); i += 3)
-      with += weak.rgb[i], without += plain.rgb[i];
-    EXPECT_NEAR(with / without, 1, 0.03) << c;
-  }
 }
 
 // By the bodies it stands in, whatever lies ahead.

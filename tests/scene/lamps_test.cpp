@@ -4,17 +4,11 @@
 
 #include "scene/lamp.h"
 #include "scene/material.h"
-#include "scene/spectrum.h"
 #include "scene_text.h"
 
 namespace flatray {
 namespace {
 
-void expect_problem(const std::string& text, const std::string& message) {
-  EXPECT_NE(refusal(text).find(message), std::string::npos) << refusal(text);
-}
-
-std::string with_lamp(const std::string& keys) { return "flatray = 1\n[[lamp]]\n" + keys + "\n"; }
 std::string with_material(const std::string& material) {
   return "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = " +
          material + "\n";
@@ -116,53 +110,6 @@ TEST(Lamps, ThatAreDarkInAllFramesAreWarnedOf) {
   EXPECT_EQ(warning("colour = '#000000'"), "the lamp is dark: its colour is black");
   EXPECT_EQ(warning("colour = { keys = [[0, '#000000'], [1, '#010000']] }"), "");
   EXPECT_EQ(warning("nm = 500\ncolour = '#000000'"), "");
-}
-
-std::string flickering(const std::string& keys, const std::string& own = "") {
-  return with_lamp("source = { point = {} }\n" + own + "\nmarkov = { chain = 'c', start = 'B' }\n" +
-                   keys) +
-         "[markov.c]\nA = { B = 1 }\nB = { A = 1 }\n";
-}
-
-TEST(Lamps, HaveStatesThatKeepWhatTheyDoNotGive) {
-  const Lamp lamp =
-      loaded(flickering("states = { A = [{ nm = 500 }, { power = 3, velocity = [1, 0] "
-                        "}] }",
-                        "kelvin = 3000\npower = 2"))
-          .scene.lamps.at(0);
-  ASSERT_TRUE(lamp.markov);
-  EXPECT_EQ(lamp.markov->start, 1U);
-  ASSERT_EQ(lamp.markov->looks.at(0).size(), 2U);
-  EXPECT_TRUE(lamp.markov->looks.at(1).empty());
-  const Look &first = lamp.markov->looks[0][0], &second = lamp.markov->looks[0][1];
-  EXPECT_EQ(first.light->wavelength->value, 500);
-  EXPECT_FALSE(first.light->temperature);
-  EXPECT_EQ(first.light->power.value, 2);
-  EXPECT_FALSE(first.velocity);
-  EXPECT_EQ(second.light->temperature->value, 3000);
-  EXPECT_EQ(second.light->power.value, 3);
-  EXPECT_EQ(second.velocity, Vec2(1, 0));
-}
-
-TEST(Lamps, SayWhatIsWrongWithTheirStates) {
-  expect_problem(with_lamp("source = { point = {} }\nstates = { A = {} }"),
-                 "lamp has states but no Markov chain");
-  expect_problem(with_lamp("source = { point = {} }\nmarkov = { chain = 'x' }"),
-                 "unknown Markov chain 'x'");
-  expect_problem(flickering("states = { C = {} }"), "unknown state of chain 'c': 'C'");
-  expect_problem(flickering("states = { A = { nm = 100 } }"),
-                 "lamp state A.nm is 100, not 380 to 780");
-  expect_problem(flickering("states = { A = { nm = 500, kelvin = 3000 } }"),
-                 "a lamp has nm and kelvin");
-  expect_problem(flickering("states = { A = { fill = 'none' } }"), "unknown key 'fill'");
-  expect_problem(flickering("states = 3"), "a table of states");
-  const std::string hit =
-      with_lamp("source = { point = {} }\nmarkov = { chain = 'c', hit = 'A' }") +
-      "[markov.c]\nA = { A = 1 }\n";
-  expect_problem(hit, "a lamp has a state for what is hit, but meets nothing");
-  const auto warnings = [](const std::string& text) { return loaded(text).warnings.size(); };
-  EXPECT_EQ(warnings(flickering("states = { A = { power = 1 } }", "power = 0")), 0U);
-  EXPECT_EQ(warnings(flickering("states = { A = { colour = '#ffffff' } }", "power = 0")), 1U);
 }
 
 TEST(Lamps, AreCopied) {
@@ -368,51 +315,6 @@ TEST(Materials, OfGlassNeedAnInside) {
       "'periodic'\n[[lamp]]\nsource = { point = {} }\n";
   ASSERT_EQ(loaded(periodic).warnings.size(), 1U);
   EXPECT_EQ(loaded("flatray = 1\n[light]\nrays = 5\n").warnings.at(0).message, "no lamp shines");
-}
-
-TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
-  const auto brightest = [](const LightColour& c) {
-    return std::max_element(c.begin(), c.end()) - c.begin();
-  };
-  EXPECT_EQ(brightest(colour_of_wavelength(650)), 0);
-  EXPECT_EQ(brightest(colour_of_wavelength(530)), 1);
-  EXPECT_EQ(brightest(colour_of_wavelength(450)), 2);
-  for (double nm = 380; nm <= 780; nm += 1) {
-    const LightColour c = colour_of_wavelength(nm);
-    EXPECT_EQ(*std::max_element(c.begin(), c.end()), 1) << nm;
-    EXPECT_GE(*std::min_element(c.begin(), c.end()), 0) << nm;
-  }
-  EXPECT_EQ(colour_of_wavelength(200), (LightColour{0, 0, 0}));
-  for (const double channel : colour_of_temperature(6500)) EXPECT_NEAR(channel, 1, 0.1);
-  EXPECT_LT(colour_of_temperature(2000)[2], 0.1);
-  EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
-}
-
-// The eye's curve has its peak, 1, at 555 nm; of a blackbody's light most is seen near 6640 K: 96 of 683
-// lumens a watt.
-TEST(Spectrum, KnowsHowBrightLightIs) {
-  EXPECT_NEAR(luminance_of_wavelength(555), 1, 0.02);
-  EXPECT_LT(luminance_of_wavelength(400), 0.01);
-  EXPECT_NEAR(luminance_of_temperature(6640), 96.0 / 683, 0.003);
-  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(6000));
-  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(7300));
-  EXPECT_LT(luminance_of_temperature(1000), 1e-4);
-  EXPECT_NEAR(luminance({1, 1, 1}), 1, 1e-12);
-}
-
-TEST(Spectrum, IsWhiteAgainWhenItsPartsAreAddedUp) {
-  LightColour sum{0, 0, 0};
-  constexpr int kSteps = 100'000;
-  for (int i = 0; i < kSteps; ++i) {
-    const double nm = kFirstWavelength + (i + 0.5) / kSteps * (kLastWavelength - kFirstWavelength);
-    const LightColour part = part_of_wavelength(nm);
-    for (std::size_t c = 0; c < 3; ++c) {
-      sum[c] += part[c] / kSteps;
-      EXPECT_LE(part[c], kMostOfWavelength);
-      EXPECT_GE(part[c], 0);
-    }
-  }
-  for (const double channel : sum) EXPECT_NEAR(channel, 1, 1e-4);
 }
 
 }  // namespace

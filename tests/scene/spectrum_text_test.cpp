@@ -1,7 +1,8 @@
 // needs: lamps/point formats/toml
-// Spectra of files: what is read, what is told, and the colours they have.
+// Colours of light; spectra of files: what is read, what is told, and the colours they have.
 #include "scene/spectrum_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/file.h"
@@ -157,6 +158,51 @@ TEST_F(LampSpectrum, CountsToTheBytesOfAScene) {
   ASSERT_FALSE(scene);
   EXPECT_NE(format(scene.error()).find("--max-bytes raises it"), std::string::npos)
       << format(scene.error());
+}
+
+TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
+  const auto brightest = [](const LightColour& c) {
+    return std::max_element(c.begin(), c.end()) - c.begin();
+  };
+  EXPECT_EQ(brightest(colour_of_wavelength(650)), 0);
+  EXPECT_EQ(brightest(colour_of_wavelength(530)), 1);
+  EXPECT_EQ(brightest(colour_of_wavelength(450)), 2);
+  for (double nm = 380; nm <= 780; nm += 1) {
+    const LightColour c = colour_of_wavelength(nm);
+    EXPECT_EQ(*std::max_element(c.begin(), c.end()), 1) << nm;
+    EXPECT_GE(*std::min_element(c.begin(), c.end()), 0) << nm;
+  }
+  EXPECT_EQ(colour_of_wavelength(200), (LightColour{0, 0, 0}));
+  for (const double channel : colour_of_temperature(6500)) EXPECT_NEAR(channel, 1, 0.1);
+  EXPECT_LT(colour_of_temperature(2000)[2], 0.1);
+  EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
+}
+
+// The eye's curve has its peak, 1, at 555 nm; of a blackbody's light most is seen near 6640 K: 96 of 683
+// lumens a watt.
+TEST(Spectrum, KnowsHowBrightLightIs) {
+  EXPECT_NEAR(luminance_of_wavelength(555), 1, 0.02);
+  EXPECT_LT(luminance_of_wavelength(400), 0.01);
+  EXPECT_NEAR(luminance_of_temperature(6640), 96.0 / 683, 0.003);
+  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(6000));
+  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(7300));
+  EXPECT_LT(luminance_of_temperature(1000), 1e-4);
+  EXPECT_NEAR(luminance({1, 1, 1}), 1, 1e-12);
+}
+
+TEST(Spectrum, IsWhiteAgainWhenItsPartsAreAddedUp) {
+  LightColour sum{0, 0, 0};
+  constexpr int kSteps = 100'000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double nm = kFirstWavelength + (i + 0.5) / kSteps * (kLastWavelength - kFirstWavelength);
+    const LightColour part = part_of_wavelength(nm);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += part[c] / kSteps;
+      EXPECT_LE(part[c], kMostOfWavelength);
+      EXPECT_GE(part[c], 0);
+    }
+  }
+  for (const double channel : sum) EXPECT_NEAR(channel, 1, 1e-4);
 }
 
 }  // namespace

@@ -78,9 +78,8 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
     return !(channel >= 0 && channel <= kMostAbsorption);
   });
   if (wrong != absorption.end())
-    args.problem(
-        "absorption", fmt::format("is {}, not 0 to 1e30", number_text(*wrong)),
-        "write what is lost on a unit of length: after a length of 1, exp(-absorption) is left");
+    args.problem("absorption", fmt::format("is {}, not 0 to 1e30", number_text(*wrong)),
+                 "0 is clear; with 1 a part of 1/e is left after a unit of length");
   return std::make_unique<Glass>(glass);
 }
 
