@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lit.h"
+#include "transport/light/bodies.h"
 
 namespace flatray {
 namespace {
@@ -96,6 +97,18 @@ TEST(TintedLight, OfASpectrumIsTakenApartIntoItsLines) {
       with += weak.rgb[i], without += plain.rgb[i];
     EXPECT_NEAR(with / without, 1, 0.03) << c;
   }
+}
+
+TEST(Fading, IsExpAndItsMeanForDepthsOfAnySize) {
+  for (double depth = 1e-18; depth < 600; depth *= 1.07) {
+    const Fading made = fading(depth / 8, 8);
+    EXPECT_NEAR(made.left / std::exp(-depth), 1, 1e-12) << depth;
+    EXPECT_NEAR(made.mean / (-std::expm1(-depth) / depth), 1, 1e-12) << depth;
+  }
+  EXPECT_EQ(fading(0, 1e300).left, 1);
+  EXPECT_EQ(fading(0, 1e300).mean, 1);
+  EXPECT_EQ(fading(1e30, 1e300).left, 0);
+  EXPECT_EQ(fading(1e30, 1e300).mean, 0);
 }
 
 }  // namespace
