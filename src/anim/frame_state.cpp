@@ -80,6 +80,17 @@ void change_shapes(const Scene& scene, double time, std::vector<EntityState>& st
   }
 }
 
+std::vector<Timeline::MarkovFrame> lamp_walks(const Timeline& timeline, unsigned frame) {
+  const std::vector<Lamp>& lamps = timeline.scene().lamps;
+  std::vector<Timeline::MarkovFrame> walks;
+  for (std::uint32_t i = 0; i < lamps.size(); ++i) {
+    if (!lamps[i].markov) continue;
+    walks.resize(lamps.size());
+    walks[i] = timeline.lamp(i, frame);
+  }
+  return walks;
+}
+
 Bounds window_at(const Timeline& timeline, unsigned frame) {
   const double time = time_of(timeline.scene(), frame);
   const std::optional<std::uint32_t> follow = timeline.scene().camera.follow;
@@ -110,6 +121,7 @@ FrameState at(const Timeline& timeline, unsigned frame) {
   FrameState state{.frame = frame,
                    .time = time_of(timeline.scene(), frame),
                    .entities = entity_states(timeline, frame),
+                   .lamps = lamp_walks(timeline, frame),
                    .window = window_at(timeline, frame)};
   if (timeline.scene().camera.motion == CameraMotion::objects) {
     const Bounds first = window_at(timeline, 1);

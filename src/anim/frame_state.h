@@ -27,7 +27,8 @@ struct FrameState {
   unsigned frame = 1;  ///< from 1
   double time = 0;     ///< (frame - 1) / fps seconds
   std::vector<EntityState> entities;
-  Bounds window;  ///< world shown, of the film's aspect
+  std::vector<Timeline::MarkovFrame> lamps{};  ///< by lamp, of its chain; empty where none has one
+  Bounds window;                               ///< world shown, of the film's aspect
   /// Added to every world position where the camera moves objects instead of itself.
   Vec2 displaced{0, 0};
 };

@@ -10,10 +10,11 @@
 namespace flatray {
 namespace {
 
-Pose lamp_pose(const Scene& scene, const Lamp& lamp, const FrameState& state,
+Pose lamp_pose(const Scene& scene, std::uint32_t index, const FrameState& state,
                std::span<const GroupPose> groups) {
+  const Lamp& lamp = scene.lamps[index];
   const Placed now = placed(scene, lamp.at, lamp.angle, lamp.motion, state.time);
-  Vec2 at = held(now.at + lamp.velocity * state.time);
+  Vec2 at = held(now.at + (lamp.markov ? state.lamps[index].moved : lamp.velocity * state.time));
   double angle = now.angle + lamp.angular_velocity * state.time, scale = 1;
   if (lamp.group) {
     const GroupPose& group = groups[*lamp.group];
@@ -33,10 +34,17 @@ LightColour paint_light(const Scene& scene, const Paint& paint, double time) {
   return {channel(0), channel(1), channel(2)};
 }
 
-LightColour lamp_colour(const Scene& scene, const Lamp& lamp, double time) {
-  if (lamp.wavelength) return colour_of_wavelength(plus(scene, *lamp.wavelength, time));
-  if (lamp.temperature) return colour_of_temperature(plus(scene, *lamp.temperature, time));
-  return paint_light(scene, lamp.colour, time);
+LightColour lamp_colour(const Scene& scene, const LampLight& light, double time) {
+  if (light.wavelength) return colour_of_wavelength(plus(scene, *light.wavelength, time));
+  if (light.temperature) return colour_of_temperature(plus(scene, *light.temperature, time));
+  if (light.spectrum) return light.spectrum->colour();
+  return paint_light(scene, light.colour, time);
+}
+
+const LampLight& light_in(const Lamp& lamp, const FrameState& state, std::uint32_t index) {
+  if (!lamp.markov) return lamp;
+  const std::vector<Look>& looks = lamp.markov->looks[state.lamps[index].state];
+  return looks.empty() ? lamp : *looks[state.lamps[index].sub_state].light;
 }
 
 }  // namespace
@@ -47,24 +55,25 @@ std::vector<LampState> lamp_states(const Scene& scene, const FrameState& state) 
   const std::vector<GroupPose> groups = group_poses(scene, state.time);
   for (std::uint32_t i = 0; i < scene.lamps.size(); ++i) {
     const Lamp& lamp = scene.lamps[i];
-    LightColour colour = lamp_colour(scene, lamp, state.time);
+    const LampLight& light = light_in(lamp, state, i);
+    LightColour colour = lamp_colour(scene, light, state.time);
     const double most = *std::max_element(colour.begin(), colour.end());
-    const double power = plus(scene, lamp.power, state.time) * most;
+    const double power = plus(scene, light.power, state.time) * most;
     auto emitter = emitter_at(scene, lamp, state.time);
     if (!(power > 0) || emitter == nullptr) continue;
     for (double& channel : colour) channel /= most;
-    states.push_back({i, lamp_pose(scene, lamp, state, groups), power, colour,
-                      lamp.wavelength ? plus(scene, *lamp.wavelength, state.time) : 0.0,
-                      std::move(emitter), lamp.type->numbers});
+    states.push_back({i, lamp_pose(scene, i, state, groups), power, colour,
+                      light.wavelength ? plus(scene, *light.wavelength, state.time) : 0.0,
+                      light.spectrum.get(), std::move(emitter), lamp.type->numbers});
   }
   return states;
 }
 
 bool moves(const Lamp& lamp) {
   const auto curved = [](const std::optional<Moving>& number) { return number && number->curve; };
-  return lamp.motion.any() || !lamp.velocity.isZero(0) || lamp.angular_velocity != 0 ||
-         lamp.power.curve || lamp.colour.curve != kNoEntry || curved(lamp.wavelength) ||
-         curved(lamp.temperature) ||
+  return lamp.markov || lamp.motion.any() || !lamp.velocity.isZero(0) ||
+         lamp.angular_velocity != 0 || lamp.power.curve || lamp.colour.curve != kNoEntry ||
+         curved(lamp.wavelength) || curved(lamp.temperature) ||
          std::any_of(lamp.source.arguments.begin(), lamp.source.arguments.end(),
                      [&](const KeptArguments::Argument& argument) {
                        return std::any_of(argument.numbers.begin(), argument.numbers.end(),

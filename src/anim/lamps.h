@@ -10,11 +10,12 @@ namespace flatray {
 
 /// A lamp that shines in a frame.
 struct LampState {
-  std::uint32_t lamp;  ///< index into Scene::lamps
-  Pose pose;           ///< of what its emitter says, in the world
-  double power;        ///< above 0, of the largest channel
-  LightColour colour;  ///< the largest channel is 1
-  double nm;           ///< its wavelength; 0: light of many
+  std::uint32_t lamp;        ///< index into Scene::lamps
+  Pose pose;                 ///< of what its emitter says, in the world
+  double power;              ///< above 0, of the largest channel
+  LightColour colour;        ///< the largest channel is 1
+  double nm;                 ///< its wavelength; 0: light of many
+  const Spectrum* spectrum;  ///< null: light of all colours alike, but for its own
   std::unique_ptr<const Emitter> emitter;
   unsigned numbers;  ///< LampType::numbers
 };

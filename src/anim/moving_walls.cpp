@@ -83,7 +83,7 @@ bool stays(const std::vector<Leg>& legs) {
 
 MovingWalls moving_walls(const Timeline& timeline) {
   const Scene& scene = timeline.scene();
-  FrameState state{1, 0, entity_states(timeline, 1), {}, {0, 0}};
+  FrameState state{1, 0, entity_states(timeline, 1), {}, {}, {0, 0}};
   MovingWalls walls{{}, {{Leg{}}}, {}, {kInfinity}};
   std::vector<std::uint32_t> by_entity(scene.entities.size(), 0);
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {

@@ -8,21 +8,32 @@
 #include "base/philox.h"
 
 namespace flatray {
+
+struct Timeline::Walker {
+  Walker(const Entity& entity, std::uint32_t index, std::span<const std::uint64_t> hit)
+      : use(*entity.markov), velocity(entity.velocity), draws(index), hits(hit) {}
+  Walker(const Lamp& lamp, std::uint32_t index)
+      : use(*lamp.markov), velocity(lamp.velocity), draws(kLampDraws + index) {}
+
+  const MarkovUse& use;
+  Vec2 velocity;                        // of states that have none
+  std::uint32_t draws;                  // names them
+  std::span<const std::uint64_t> hits;  // frames after the first
+};
+
 namespace {
 
-// One entity's way through its chain, a frame at a time.
+// Its way through its chain, a frame at a time.
 class Walk {
  public:
   /// From `frames` after the first on, where it was at `then`.
-  Walk(const Scene& scene, std::uint64_t seed, std::uint32_t index,
-       std::span<const std::uint64_t> hits, std::uint64_t frames, const Timeline::MarkovFrame& then)
-      : entity_(scene.entities[index]),
-        use_(*entity_.markov),
+  Walk(const Scene& scene, std::uint64_t seed, const Timeline::Walker& walker, std::uint64_t frames,
+       const Timeline::MarkovFrame& then)
+      : walker_(walker),
+        use_(walker.use),
         chain_(scene.chains[use_.chain]),
         fps_(scene.fps),
         seed_(seed),
-        index_(index),
-        hits_(hits),
         frames_(frames),
         now_(then) {
     if (frames == 0) take_hit();
@@ -45,40 +56,39 @@ class Walk {
     return now_.state < use_.looks.size() ? use_.looks[now_.state].size() : 0;
   }
   Vec2 velocity() const {
-    if (look_count() == 0) return entity_.velocity;
-    return use_.looks[now_.state][now_.sub_state].velocity.value_or(entity_.velocity);
+    if (look_count() == 0) return walker_.velocity;
+    return use_.looks[now_.state][now_.sub_state].velocity.value_or(walker_.velocity);
   }
   std::uint32_t next_sub_state() const {
     return now_.sub_state + 1 < look_count() ? now_.sub_state + 1 : 0;
   }
   void take_hit() {
-    if (!std::binary_search(hits_.begin(), hits_.end(), frames_)) return;
+    if (!std::binary_search(walker_.hits.begin(), walker_.hits.end(), frames_)) return;
     now_.state = *use_.hit;
     now_.sub_state = 0;
   }
   void draw() {
     const std::uint64_t steps_made = frames_ / chain_.hold - 1;
-    now_.state = step(chain_, now_.state, random_bits(seed_, Stream::markov, steps_made, index_));
+    now_.state =
+        step(chain_, now_.state, random_bits(seed_, Stream::markov, steps_made, walker_.draws));
   }
 
-  const Entity& entity_;
+  const Timeline::Walker walker_;
   const MarkovUse& use_;
   const MarkovChain& chain_;
   double fps_;
   std::uint64_t seed_;
-  std::uint32_t index_;
-  std::span<const std::uint64_t> hits_;
   std::uint64_t frames_;  ///< since the first
   Timeline::MarkovFrame now_;
 };
 
 // Frames 1, 1 + every, 1 + 2 every...
 std::vector<Timeline::MarkovFrame> replay(const Scene& scene, std::uint64_t seed,
-                                          std::uint32_t index, std::span<const std::uint64_t> hits,
-                                          unsigned last_frame, unsigned every) {
+                                          const Timeline::Walker& walker, unsigned last_frame,
+                                          unsigned every) {
   std::vector<Timeline::MarkovFrame> kept;
   kept.reserve((last_frame - 1) / every + 1);
-  Walk walk(scene, seed, index, hits, 0, {scene.entities[index].markov->start, 0, {0, 0}});
+  Walk walk(scene, seed, walker, 0, {walker.use.start, 0, {0, 0}});
   kept.push_back(walk.now());
   for (unsigned frame = 2; frame <= last_frame; ++frame) {
     walk.advance();
@@ -89,8 +99,9 @@ std::vector<Timeline::MarkovFrame> replay(const Scene& scene, std::uint64_t seed
 
 // So that no more than kMostKept are kept.
 unsigned frames_between(const Scene& scene, unsigned last_frame) {
-  const auto walks = std::count_if(scene.entities.begin(), scene.entities.end(),
-                                   [](const Entity& entity) { return entity.markov.has_value(); });
+  const auto has_chain = [](const auto& thing) { return thing.markov.has_value(); };
+  const auto walks = std::count_if(scene.entities.begin(), scene.entities.end(), has_chain) +
+                     std::count_if(scene.lamps.begin(), scene.lamps.end(), has_chain);
   const std::uint64_t frames = static_cast<std::uint64_t>(walks) * last_frame;
   const std::uint64_t every = (frames + Timeline::kMostKept - 1) / Timeline::kMostKept;
   return static_cast<unsigned>(
@@ -131,19 +142,32 @@ Timeline::Timeline(const Scene& scene, std::uint64_t seed, unsigned last_frame, 
       every_(frames_between(scene, last_frame)),
       responses_(std::move(responses)),
       hits_(hits_of(scene, responses_.events, last_frame)),
-      markov_(scene.entities.size()) {
+      markov_(scene.entities.size()),
+      lamps_(scene.lamps.size()) {
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
-    if (scene.entities[i].markov) markov_[i] = replay(scene, seed, i, hits_[i], last_frame, every_);
+    if (const Entity& entity = scene.entities[i]; entity.markov)
+      markov_[i] = replay(scene, seed, {entity, i, hits_[i]}, last_frame, every_);
+  for (std::uint32_t i = 0; i < scene.lamps.size(); ++i)
+    if (const Lamp& lamp = scene.lamps[i]; lamp.markov)
+      lamps_[i] = replay(scene, seed, {lamp, i}, last_frame, every_);
   content_ = content_bounds(scene, entity_states(*this, 1));
 }
 
 Timeline::MarkovFrame Timeline::markov(std::uint32_t index, unsigned frame) const {
+  return frame_of({scene_->entities[index], index, hits_[index]}, markov_[index], frame);
+}
+
+Timeline::MarkovFrame Timeline::lamp(std::uint32_t index, unsigned frame) const {
+  return frame_of({scene_->lamps[index], index}, lamps_[index], frame);
+}
+
+Timeline::MarkovFrame Timeline::frame_of(const Walker& walker, std::span<const MarkovFrame> kept,
+                                         unsigned frame) const {
   FLATRAY_CHECK(frame >= 1 && frame <= last_frame_);
-  const unsigned kept = (frame - 1) / every_;
-  if (kept * every_ == frame - 1) return markov_[index][kept];
-  Walk walk(*scene_, seed_, index, hits_[index], std::uint64_t{kept} * every_,
-            markov_[index][kept]);
-  for (unsigned at = kept * every_; at < frame - 1; ++at) walk.advance();
+  const unsigned before = (frame - 1) / every_;
+  if (before * every_ == frame - 1) return kept[before];
+  Walk walk(*scene_, seed_, walker, std::uint64_t{before} * every_, kept[before]);
+  for (unsigned at = before * every_; at < frame - 1; ++at) walk.advance();
   return walk.now();
 }
 

@@ -31,6 +31,9 @@ class Timeline {
   /// Cost    O(1); where more than kMostKept frames of entities were to be kept, draws as many as
   ///         frames since the one kept.
   MarkovFrame markov(std::uint32_t index, unsigned frame) const;
+  /// The same of lamp `index`, whose draws are named kLampDraws + index.
+  MarkovFrame lamp(std::uint32_t index, unsigned frame) const;
+  static constexpr std::uint32_t kLampDraws = 1U << 31;
   static constexpr std::uint64_t kMostKept = std::uint64_t{1} << 21;
 
   /// How an entity moves that responds to contact; empty for others.
@@ -42,7 +45,12 @@ class Timeline {
 
   const Bounds& content() const { return content_; }  ///< of frame 1, for scenes without a window
 
+  struct Walker;  ///< what goes through a chain
+
  private:
+  MarkovFrame frame_of(const Walker& walker, std::span<const MarkovFrame> kept,
+                       unsigned frame) const;
+
   const Scene* scene_;
   std::uint64_t seed_;
   unsigned last_frame_;
@@ -51,6 +59,7 @@ class Timeline {
   /// By entity, frames after the first at which a hit shows, ascending; empty where none is asked for.
   std::vector<std::vector<std::uint64_t>> hits_;
   std::vector<std::vector<MarkovFrame>> markov_;  ///< by entity, empty without a chain
+  std::vector<std::vector<MarkovFrame>> lamps_;   ///< by lamp, likewise
   Bounds content_;
 };
 

@@ -97,13 +97,13 @@ constexpr WrittenTopic kTopics[] = {
     {"markov", "chains that choose looks at random, by the seed",
      "A chain has a row for each state; a row sums to 1. It draws once every hold frames; an "
      "entity\n"
-     "that uses it shows the look of its state, several looks one a frame. --seed N, another "
+     "or lamp that uses it has the look of its state, several looks one a frame. --seed N, another "
      "walk.\n"
      "  [markov.paper]\n"
      "  STANDING = { STANDING = 0.15, RUNNING = 0.85 }\n"
      "  RUNNING  = { RUNNING = 1 }\n"
      "flatray experiment markov SCENE compares a million walks with the closed form.\n",
-     "markov.NAME entity.markov entity.states"},
+     "markov.NAME entity.markov entity.states lamp.states"},
     {"output", "where pictures go",
      "Without -o: out/SCENE.png, or out/SCENE/frame_####.png for a sequence.\n"
      "  -o 'out/frame_####.png'     the number of the frame, as many digits as #\n"

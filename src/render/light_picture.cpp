@@ -8,6 +8,7 @@
 #include "base/light.h"
 #include "base/portable_math.h"
 #include "image/light_film.h"
+#include "scene/lamp.h"
 #include "scene/scatterer.h"
 #include "scene/spectrum.h"
 #include "transport/light/traced_light.h"
@@ -100,12 +101,15 @@ LightPicture light_picture(std::span<const double> counts, double unit, const Li
 }
 
 int light_channels(const Scene& scene) {
+  const auto is_grey = [](const LampLight* light) {
+    const Paint& colour = light->colour;
+    return !light->wavelength && !light->temperature && !light->spectrum &&
+           colour.curve == kNoEntry && colour.r == colour.g && colour.g == colour.b;
+  };
   const bool grey = std::all_of(scene.lamps.begin(), scene.lamps.end(),
-                                [](const Lamp& lamp) {
-                                  const Paint& colour = lamp.colour;
-                                  return !lamp.wavelength && !lamp.temperature &&
-                                         colour.curve == kNoEntry && colour.r == colour.g &&
-                                         colour.g == colour.b;
+                                [&](const Lamp& lamp) {
+                                  const auto lights = lights_of(lamp);
+                                  return std::all_of(lights.begin(), lights.end(), is_grey);
                                 }) &&
                     std::none_of(scene.scatterers.begin(), scene.scatterers.end(),
                                  [](const auto& scatterer) { return scatterer->colours(); });
@@ -119,11 +123,16 @@ std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   constexpr std::uint64_t kBytesOfRay = 512;  // under way, where it arrives, its line
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
+  constexpr std::uint64_t kBytesOfPieces = std::uint64_t{1} << 26;  // of rays that fade
+  const bool absorbs =
+      std::any_of(scene.scatterers.begin(), scene.scatterers.end(), [](const auto& scatterer) {
+        return scatterer->absorption() != std::array<double, 3>{0, 0, 0};
+      });
   const std::uint64_t films = scene.light.scrambles;
   const std::uint64_t sums_at_once = films == 1 ? 0 : films * 3 * sizeof(std::int64_t);
   return LightFilm::bytes(film.width, film.height, light_channels(scene), threads,
                           scene.light.scrambles) +
-         (kBytesOfPixel + sums_at_once) * pixels +
+         (kBytesOfPixel + sums_at_once) * pixels + (absorbs ? kBytesOfPieces : 0) +
          kBytesOfRay * (std::min(scene.light.rays, kLightRound) + films * scene.lamps.size());
 }
 

@@ -109,6 +109,21 @@ double Args::number(const char* key, double fallback) {
   return field ? builder_->in.number(*field).value_or(fallback) : fallback;
 }
 
+std::array<double, 3> Args::channels(const char* key, double fallback) {
+  std::array<double, 3> numbers{fallback, fallback, fallback};
+  const std::optional<Field> field = find(key);
+  if (!field) return numbers;
+  if (field->value.kind != Value::Kind::array) {
+    numbers.fill(builder_->in.number(*field).value_or(fallback));
+  } else if (field->value.items.size() != numbers.size()) {
+    builder_->in.mismatch(*field, "a number, or three of them");
+  } else {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      numbers[i] = builder_->in.number(field->item(i)).value_or(fallback);
+  }
+  return numbers;
+}
+
 Vec2 Args::range(const char* key) {
   const Argument* argument = noted(key, [&](const Field& field, Argument& made) {
     if (field.value.kind == Value::Kind::array) return note_point(field, made);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ class Args {
 
   Vec2 point(const char* key);
   double number(const char* key, double fallback = 0);
+  /// A number for all of red, green and blue, or one each, of what does not change.
+  std::array<double, 3> channels(const char* key, double fallback);
   /// A number, twice, or `[low, high]` in any order, of what may change; 0 where it is not given.
   Vec2 range(const char* key);
   /// Above 0 and at most kFarthest. What changes may come to 0: the shape is then not there.

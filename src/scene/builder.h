@@ -22,6 +22,8 @@ struct Builder {
   std::map<const Value*, CurveId> fixed_curves{};  ///< likewise
   std::map<const Value*, ScattererId> fixed_scatterers{};
   std::map<const Member*, std::uint32_t> fixed_paths{};
+  std::map<const SourceText*, std::shared_ptr<const Spectrum>>
+      spectra{};              ///< null: wrong, and told
   std::uint64_t corners = 0;  ///< counted so far; see corner_limit.h
   bool full = false;          ///< more than the limit: told
   bool may_change = false;    ///< whether the shape, paint or width being read may be a curve

@@ -43,14 +43,20 @@ std::uint64_t corner_count(const Scene& scene, const Entity& entity) {
   };
   std::uint64_t count = corner_count(entity.name), most = walls(entity.shape);
   if (!entity.markov) return count + most;
-  for (const std::vector<Look>& looks : entity.markov->looks) {
-    ++count;
-    for (const Look& look : looks) {
-      count += kLook + corner_count(look.name);
+  for (const std::vector<Look>& looks : entity.markov->looks)
+    for (const Look& look : looks)
       if (look.shape) most = std::max(most, walls(*look.shape));
-    }
+  return count + corner_count(entity.markov) + most;
+}
+
+std::uint64_t corner_count(const std::optional<MarkovUse>& markov) {
+  std::uint64_t count = 0;
+  if (!markov) return count;
+  for (const std::vector<Look>& looks : markov->looks) {
+    ++count;
+    for (const Look& look : looks) count += kLook + corner_count(look.name);
   }
-  return count + most;
+  return count;
 }
 
 }  // namespace flatray

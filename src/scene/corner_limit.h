@@ -15,5 +15,6 @@ std::uint64_t corner_count(const Shape& shape);
 std::uint64_t corner_count(const std::string& name);
 /// Its looks and its name; where rays meet it, also walls, which every copy has of its own.
 std::uint64_t corner_count(const Scene& scene, const Entity& entity);
+std::uint64_t corner_count(const std::optional<MarkovUse>& markov);
 
 }  // namespace flatray

@@ -2,6 +2,7 @@
 #include "scene/copies.h"
 #include "scene/corner_limit.h"
 #include "scene/look_keys.h"
+#include "scene/markov_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
 
@@ -33,72 +34,13 @@ constexpr Key<Look> kLookKeys[] = {
     {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
 };
 
-struct MarkovWords {
-  const MarkovChain* chain = nullptr;
-  MarkovUse use;
-};
-
-void read_chain(Builder& builder, const Field& field, MarkovWords& words) {
-  const auto name = builder.in.string(field);
-  if (!name) return;
-  std::vector<std::string> known;
-  for (std::uint32_t i = 0; i < builder.scene.chains.size(); ++i) {
-    const MarkovChain& chain = builder.scene.chains[i];
-    known.push_back(chain.name);
-    if (chain.name != *name) continue;
-    words.chain = &chain;
-    words.use.chain = i;
-    words.use.start = chain.start;
-    return;
-  }
-  builder.in.problems.push_back(unknown_word(field.value.where, "Markov chain", *name, known));
-}
-
-void read_start(Builder& builder, const Field& field, MarkovWords& words) {
-  const auto name = builder.in.string(field);
-  if (!name || words.chain == nullptr) return;
-  if (const auto state = find_state(builder, *words.chain, field.value.where, *name))
-    words.use.start = *state;
-}
-
-void read_hit(Builder& builder, const Field& field, MarkovWords& words) {
-  const auto name = builder.in.string(field);
-  if (!name || words.chain == nullptr) return;
-  words.use.hit = find_state(builder, *words.chain, field.value.where, *name);
-}
-
-constexpr Key<MarkovWords> kMarkovKeys[] = {
-    {{"chain", "\"CHAIN\"", kRequired}, &read_chain},
-    {{"start", "\"STATE\"", "the chain's first row"}, &read_start},
-    {{"hit", "\"STATE\"", "none"}, &read_hit},
-};
-
-void read_markov(Builder& builder, const Field& field, Entity& entity) {
-  MarkovWords words;
-  read_keys<MarkovWords>(builder, field.value, "markov", kMarkovKeys, words);
-  if (words.chain == nullptr) return;
-  words.use.looks.resize(words.chain->states.size());
-  entity.markov = std::move(words.use);
-}
-
-std::vector<Look> read_looks(Builder& builder, const Value& value, const std::string& state) {
-  const bool is_list = value.kind == Value::Kind::array;
-  std::vector<Look> looks(is_list ? value.items.size() : 1);
-  for (std::size_t i = 0; i < looks.size(); ++i)
-    read_keys<Look>(builder, is_list ? value.items[i] : value, "state " + state, kLookKeys,
-                    looks[i]);
-  return looks;
-}
-
 void read_states(Builder& builder, const Field& field, Entity& entity) {
-  if (!builder.in.is(field, Value::Kind::table, "a table of states")) return;
-  for (const Member& member : field.value.members) {
-    std::vector<Look> looks = read_looks(builder, member.value, member.key);
-    if (!entity.markov) continue;
-    const MarkovChain& chain = builder.scene.chains[entity.markov->chain];
-    if (const auto state = find_state(builder, chain, member.where, member.key))
-      entity.markov->looks[*state] = std::move(looks);
-  }
+  const auto read_look = [&](const Value& table, const std::string& name) {
+    Look look;
+    read_keys<Look>(builder, table, name, kLookKeys, look);
+    return look;
+  };
+  read_looks(builder, field, entity.markov, read_look);
 }
 
 bool is_one_segment(const Scene& scene, ShapeId id) {
@@ -153,8 +95,8 @@ constexpr Key<Entity> kEntityKeys[] = {
      &read_alternatives},
     response_key<Entity>("that of collisions"),
     {{"mass", "number or \"fixed\"", "its area"}, &read_mass},
-    {{"markov", R"({ chain = "CHAIN", start = "STATE" })", "none"}, &read_markov},
-    {{"states", "{ STATE = { ... } or [{ ... }, ...] }", "{}"}, &read_states},
+    kMarkovKey<Entity>,
+    states_key<Entity>(&read_states),
     kFollowKey<Entity>,
     kRepeatKey<Entity>,
 };
@@ -181,10 +123,7 @@ void add_entity(Builder& builder, Entity&& entity) {
 }
 
 void read_entity(Builder& builder, const Value& table) {
-  const Member* states = table.find("states");
-  if (states != nullptr && table.find("markov") == nullptr)
-    builder.in.problem(states->where, "entity has states but no Markov chain",
-                       R"(add markov = { chain = "CHAIN" })");
+  expect_chain(builder, table, "entity");
   const Scene& scene = builder.scene;
   const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
     if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
@@ -246,7 +185,7 @@ std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
 
 std::vector<TableInfo> entity_tables() {
   return {{"entity", key_infos<Entity>(kEntityKeys), true},
-          {"entity.markov", key_infos<MarkovWords>(kMarkovKeys)},
+          {"entity.markov", markov_use_keys()},
           {"entity.states", key_infos<Look>(kLookKeys), true}};
 }
 

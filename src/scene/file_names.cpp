@@ -29,21 +29,22 @@ struct Rebase {
     name.text = (relative.empty() ? target : relative).generic_string();
   }
 
-  // The one key that names a file: shape = { import = { file = "outline.obj" } }.
   void value(Value& any) {
     for (Value& item : any.items) value(item);
     for (Member& member : any.members) {
-      Value* name = member.key == "import" ? find_file(member.value) : nullptr;
-      if (name != nullptr)
+      if (Value* name = file_of(member))
         file(*name);
       else
         value(member.value);
     }
   }
 
-  static Value* find_file(Value& arguments) {
-    Member* file = arguments.find("file");
-    return file != nullptr && file->value.kind == Value::Kind::string ? &file->value : nullptr;
+  // The keys that name a file: shape = { import = { file = "outline.obj" } }, spectrum = "lamp.csv".
+  static Value* file_of(Member& member) {
+    Member* key = member.key == "import"     ? member.value.find("file")
+                  : member.key == "spectrum" ? &member
+                                             : nullptr;
+    return key != nullptr && key->value.kind == Value::Kind::string ? &key->value : nullptr;
   }
 };
 

@@ -85,6 +85,14 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene) {
   return std::nullopt;
 }
 
+std::vector<const LampLight*> lights_of(const Lamp& lamp) {
+  std::vector<const LampLight*> lights{&lamp};
+  if (lamp.markov)
+    for (const std::vector<Look>& looks : lamp.markov->looks)
+      for (const Look& look : looks) lights.push_back(look.light.get());
+  return lights;
+}
+
 std::vector<const LampType*> lamp_types() {
   return {
 #define FLATRAY_ENTRY(name) &lamps::name,

@@ -25,6 +25,9 @@ struct LampType {
 /// Why paths from pixels cannot find all light of a scene; nothing where they can.
 std::optional<Diagnostic> why_not_backward(const Scene& scene);
 
+/// All lights that a lamp may have, its own and those of its states.
+std::vector<const LampLight*> lights_of(const Lamp& lamp);
+
 /// Registered kinds by name.
 std::vector<const LampType*> lamp_types();
 

@@ -2,11 +2,14 @@
 
 #include "base/number_text.h"
 #include "scene/copies.h"
+#include "scene/corner_limit.h"
 #include "scene/kinds.h"
 #include "scene/lamp.h"
 #include "scene/look_keys.h"
+#include "scene/markov_keys.h"
 #include "scene/motion_keys.h"
 #include "scene/scene_keys.h"
+#include "scene/spectrum_text.h"
 
 namespace flatray {
 namespace {
@@ -81,6 +84,24 @@ void read_temperature(Builder& builder, const Field& field, Lamp& lamp) {
                                   "write 800 to 100000 kelvin, 2700 for a bulb, 6500 for daylight");
 }
 
+// A file that several lamps have is read once.
+void read_spectrum(Builder& builder, const Field& field, Lamp& lamp) {
+  const auto name = builder.in.string(field);
+  if (!name) return;
+  const auto tell = [&](Diagnostics&& problems) {
+    for (Diagnostic& one : problems) builder.in.problems.push_back(std::move(one));
+  };
+  Result<SourcePtr> source = builder.imports.open(*name, field.value.where);
+  if (!source) return tell(std::move(source.error()));
+  const auto [known, is_new] = builder.spectra.try_emplace(source->get());
+  if (is_new) {
+    Result<Spectrum> spectrum = parse_spectrum(*source);
+    if (!spectrum) return tell(std::move(spectrum.error()));
+    known->second = std::make_shared<const Spectrum>(std::move(*spectrum));
+  }
+  lamp.spectrum = known->second;
+}
+
 void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
   builder.may_change = true;
   const auto colour = read_moving_colour(builder, field);
@@ -97,6 +118,50 @@ void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
   lamp.colour = *colour;
 }
 
+void expect_one_colour(Builder& builder, const LampLight& light, const Place& where) {
+  std::vector<std::string> colours;
+  if (light.wavelength) colours.emplace_back("nm");
+  if (light.temperature) colours.emplace_back("kelvin");
+  if (light.spectrum) colours.emplace_back("spectrum");
+  if (colours.size() > 1)
+    builder.in.problem(where, fmt::format("a lamp has {} and {}", colours[0], colours[1]),
+                       "leave one of them out: either is a colour");
+}
+
+// What a state gives; the rest is the lamp's, its colour as a whole.
+constexpr const char* kOwn = "the lamp's";
+constexpr Key<Lamp> kLampLookKeys[] = {
+    kNameKey<Lamp>,
+    {{"power", "number or a curve", kOwn}, &read_power},
+    {{"colour", "\"#rrggbb\" or a curve", kOwn}, &read_colour},
+    {{"nm", "number or a curve", kOwn}, &read_wavelength},
+    {{"kelvin", "number or a curve", kOwn}, &read_temperature},
+    {{"spectrum", "\"spectrum.csv\"", kOwn}, &read_spectrum},
+    {{"velocity", "[vx, vy]", kOwn}, &set<&Lamp::velocity>},
+};
+
+Look read_lamp_look(Builder& builder, const Value& table, const std::string& name,
+                    const Lamp& lamp) {
+  Lamp now;
+  now.power = lamp.power;
+  const auto has = [&](const char* key) { return table.find(key) != nullptr; };
+  if (!has("colour") && !has("nm") && !has("kelvin") && !has("spectrum"))
+    static_cast<LampLight&>(now) = lamp;
+  read_keys<Lamp>(builder, table, "lamp " + name, kLampLookKeys, now);
+  expect_one_colour(builder, now, table.where);
+  Look look;
+  look.name = now.name;
+  if (has("velocity")) look.velocity = now.velocity;
+  look.light = std::make_shared<const LampLight>(std::move(now));
+  return look;
+}
+
+void read_lamp_states(Builder& builder, const Field& field, Lamp& lamp) {
+  read_looks(builder, field, lamp.markov, [&](const Value& table, const std::string& name) {
+    return read_lamp_look(builder, table, name, lamp);
+  });
+}
+
 constexpr Key<Lamp> kLampKeys[] = {
     kNameKey<Lamp>,
     {{"source", "{ LAMP = { ... } }", kRequired}, &read_source},
@@ -109,6 +174,9 @@ constexpr Key<Lamp> kLampKeys[] = {
     {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour},
     {{"nm", "number or a curve", "none"}, &read_wavelength},
     {{"kelvin", "number or a curve", "none"}, &read_temperature},
+    {{"spectrum", "\"spectrum.csv\"", "none"}, &read_spectrum},
+    kMarkovKey<Lamp>,
+    states_key<Lamp>(&read_lamp_states),
     kFollowKey<Lamp>,
     kRepeatKey<Lamp>,
 };
@@ -183,16 +251,31 @@ bool is_body(const Shape& shape) {
                      [](const ArcPath& path) { return path.is_ellipse(); });
 }
 
-// What leaves a lamp dark in all frames; nothing where it shines.
-const char* reason_dark(const Scene& scene, const Lamp& lamp) {
-  if (lies_between(scene, lamp.power, 0, 0)) return "its power is 0";
-  if (lamp.wavelength || lamp.temperature) return nullptr;
-  const Paint& colour = lamp.colour;
+const char* reason_dark(const Scene& scene, const LampLight& light) {
+  if (lies_between(scene, light.power, 0, 0)) return "its power is 0";
+  if (light.wavelength || light.temperature || light.spectrum) return nullptr;
+  const Paint& colour = light.colour;
   if (colour.curve == kNoEntry)
     return colour.r == 0 && colour.g == 0 && colour.b == 0 ? "its colour is black" : nullptr;
   for (CurveId channel = 0; channel < 3; ++channel)
     if (highest(scene.curves[colour.curve + channel]) > 0) return nullptr;
   return "its colour is black";
+}
+
+// What leaves a lamp dark in all frames and states; nothing where it shines.
+const char* reason_dark(const Scene& scene, const Lamp& lamp) {
+  const auto lights = lights_of(lamp);
+  for (const LampLight* light : lights)
+    if (reason_dark(scene, *light) == nullptr) return nullptr;
+  return reason_dark(scene, *lights.front());
+}
+
+// Lamps meet nothing, and the scene keeps what they look like.
+bool take_states(Builder& builder, const Lamp& lamp, const Place& where) {
+  if (lamp.markov && lamp.markov->hit)
+    builder.in.problem(where, "a lamp has a state for what is hit, but meets nothing",
+                       "leave hit out");
+  return take_corners(builder, corner_count(lamp.markov), where);
 }
 
 void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const Place& where) {
@@ -238,11 +321,11 @@ void read_lamps(Builder& builder, const Field& field, Scene& scene) {
   each_table(builder, field, [&](const Value& table) {
     const char* dark = nullptr;
     const CopiedTable what{"lamp", kLampTables + tables++, scene.lamps.size()};
+    expect_chain(builder, table, "lamp");
     make_copies<Lamp>(builder, table, what, kLampKeys,
                       [&](Lamp&& lamp, std::uint64_t, const std::string&) {
-                        if (lamp.wavelength && lamp.temperature)
-                          builder.in.problem(table.where, "a lamp has nm and kelvin",
-                                             "leave one of them out: either is a colour");
+                        expect_one_colour(builder, lamp, table.where);
+                        if (!take_states(builder, lamp, table.where)) return;
                         if (const char* reason = reason_dark(scene, lamp)) dark = reason;
                         scene.lamps.push_back(std::move(lamp));
                       });
@@ -259,6 +342,7 @@ void read_light(Builder& builder, const Field& field, Scene& scene) {
 
 std::vector<TableInfo> lamp_tables() {
   return {{"lamp", key_infos<Lamp>(kLampKeys), true},
+          {"lamp.states", key_infos<Lamp>(kLampLookKeys), true},
           {"light", key_infos<LightSettings>(kLightKeys)}};
 }
 

@@ -50,6 +50,9 @@ class Scatterer {
   virtual Material for_rays() const { return Material::absorb; }
   /// Of what fills its shape, for light of a wavelength; 0: light goes through the wall alone.
   virtual double index(double /*nm*/) const { return 0; }
+  /// What part of red, green and blue is lost in what fills its shape on each unit of length, of what
+  /// is left there: after a length d, exp(-absorption * d) is left.
+  virtual std::array<double, 3> absorption() const { return {0, 0, 0}; }
   /// Whether what is behind it is seen through it: glass, and what half of the light passes.
   bool is_clear() const { return shares() != nullptr ? shares()->pass >= 0.5 : index(0) != 0; }
   /// Whether it asks for Arrival::along.

@@ -56,13 +56,25 @@ struct ChangingShape : KeptArguments {
   const ShapeType* type;
 };
 
-/// What a Markov state or sub-state changes; nothing set keeps the entity's own.
+class Spectrum;
+
+/// How bright a lamp is, and of what colour.
+struct LampLight {
+  Moving power{1, {}};
+  Paint colour{Colour{255, 255, 255, 255}};  ///< where none of the next three is set
+  std::optional<Moving> wavelength;          ///< nm
+  std::optional<Moving> temperature;         ///< of a blackbody, kelvin
+  std::shared_ptr<const Spectrum> spectrum;  ///< of a file
+};
+
+/// What a Markov state or sub-state changes; nothing set keeps the own of the entity or lamp.
 struct Look {
   std::string name;  ///< of the sub-state, "" if unnamed
   std::optional<ShapeId> shape;
   std::optional<Paint> fill;
   std::optional<Stroke> stroke;
   std::optional<Vec2> velocity;
+  std::shared_ptr<const LampLight> light;  ///< of a lamp
 };
 
 using StateId = std::uint32_t;
@@ -249,7 +261,7 @@ struct RayPath {
 struct LampType;
 
 /// What sends out light, `power` a second in all directions together, per unit of depth.
-struct Lamp {
+struct Lamp : LampLight {
   std::string name;
   const LampType* type = nullptr;  ///< how its rays set off
   KeptArguments source;            ///< of the type
@@ -259,10 +271,7 @@ struct Lamp {
   Vec2 velocity{0, 0};
   double angular_velocity = 0;
   Motion motion;
-  Moving power{1, {}};
-  Paint colour{Colour{255, 255, 255, 255}};  ///< where neither of the next two is set
-  std::optional<Moving> wavelength;          ///< nm
-  std::optional<Moving> temperature;         ///< of a blackbody, kelvin
+  std::optional<MarkovUse> markov;
   Place where;
 };
 

@@ -33,9 +33,15 @@ LightColour srgb_of(const Xyz& c) {
           0.0557 * c.x - 0.2040 * c.y + 1.0570 * c.z};
 }
 
-LightColour shown(LightColour colour) {
+// White is mixed in until no channel is below 0.
+LightColour within_srgb(LightColour colour) {
   const double least = std::min(0.0, *std::min_element(colour.begin(), colour.end()));
   for (double& channel : colour) channel -= least;
+  return colour;
+}
+
+LightColour shown(LightColour colour) {
+  colour = within_srgb(colour);
   const double most = *std::max_element(colour.begin(), colour.end());
   for (double& channel : colour) channel = most > 0 ? channel / most : 0;
   return colour;
@@ -98,6 +104,53 @@ double luminance_of_temperature(double kelvin) {
   const double all =
       kFourth / 15 * kGreen_nm * portable::exp(x) * (1 - portable::exp(-x)) / (x * x * x * x);
   return kStep_nm * seen_of(kelvin).y / all;
+}
+
+Spectrum::Spectrum(std::span<const Row> rows) {
+  for (std::size_t i = 1; i < rows.size(); ++i) add_cells(rows[i - 1], rows[i]);
+  LightColour sum{0, 0, 0};  // of what is in them, taken apart
+  for (const Cell& cell : cells_)
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += cell.light[c];
+  double chances = 0;  // of all cells: each has that of its brightest channel
+  for (Cell& cell : cells_) {
+    for (std::size_t c = 0; c < sum.size(); ++c)
+      cell.light[c] = sum[c] > 0 ? cell.light[c] / sum[c] : 0;
+    chances += *std::max_element(cell.light.begin(), cell.light.end());
+    cell.end = chances;
+  }
+  if (chances == 0) cells_.clear();
+  for (Cell& cell : cells_) cell.end /= chances;
+  colour_ = shown(colour_);
+}
+
+// Between two rows, at most a nanometre each, integrated by Simpson's rule.
+void Spectrum::add_cells(const Row& from, const Row& to) {
+  const double begin = std::max(from.nm, kLeastSeen), end = std::min(to.nm, kMostSeen);
+  if (!(begin < end) || (from.power == 0 && to.power == 0)) return;
+  const auto count = static_cast<int>(end - begin) + 1;
+  const auto at = [&](double cell) { return begin + cell / count * (end - begin); };
+  for (int i = 0; i < count; ++i) {
+    Cell& cell = cells_.emplace_back(Cell{at(i), at(i + 1) - at(i), {0, 0, 0}, 0});
+    for (const double place : {0.0, 0.5, 1.0}) {
+      const double nm = at(i + place), part = (nm - from.nm) / (to.nm - from.nm);
+      const double power = (1 - part) * from.power + part * to.power;
+      const double weight = (place == 0.5 ? 4 : 1) * cell.width / 6 * power;
+      const LightColour eye = srgb_of(matching(nm)), own = within_srgb(eye);
+      for (std::size_t c = 0; c < eye.size(); ++c)
+        colour_[c] += weight * eye[c], cell.light[c] += weight * own[c];
+    }
+  }
+}
+
+Spectrum::Part Spectrum::part(double u) const {
+  const auto after = std::upper_bound(cells_.begin(), cells_.end(), u,
+                                      [](double v, const Cell& cell) { return v < cell.end; });
+  const auto cell = after == cells_.end() ? std::prev(after) : after;
+  const double begin = cell == cells_.begin() ? 0 : std::prev(cell)->end;
+  const double chance = cell->end - begin;
+  Part made{cell->nm + (u - begin) / chance * cell->width, cell->light};
+  for (double& channel : made.part) channel /= chance;
+  return made;
 }
 
 }  // namespace flatray

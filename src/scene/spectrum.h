@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <span>
+#include <vector>
 
 namespace flatray {
 
@@ -36,5 +38,41 @@ inline double luminance(const LightColour& colour) {
 inline constexpr double kFirstWavelength = 390, kLastWavelength = 720;
 inline constexpr double kMostOfWavelength = 6;
 LightColour part_of_wavelength(double nm);
+
+/// Light whose power at some wavelengths is known, in proportion between them, none beyond them.
+/// Only what lies between kLeastSeen and kMostSeen counts.
+class Spectrum {
+ public:
+  struct Row {
+    double nm, power;
+  };
+  static constexpr double kLeastSeen = 380, kMostSeen = 780;
+
+  /// Needs   rows with ascending wavelengths, none below 0.
+  explicit Spectrum(std::span<const Row> rows);
+
+  /// As colour_of_wavelength(); black where nothing is seen.
+  const LightColour& colour() const { return colour_; }
+
+  /// The light taken apart by chance `u`, uniform in [0, 1): a wavelength, and what part of red,
+  /// green and blue goes to it. The means of the parts are 1 in channels that are not 0; none is
+  /// above 3.
+  struct Part {
+    double nm;
+    LightColour part;
+  };
+  Part part(double u) const;
+
+ private:
+  struct Cell {
+    double nm, width;  // from nm on
+    LightColour light;
+    double end;  // of the numbers that stand for it
+  };
+  void add_cells(const Row& from, const Row& to);
+
+  std::vector<Cell> cells_;
+  LightColour colour_{0, 0, 0};
+};
 
 }  // namespace flatray

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # flatray convert: what is written draws the same pictures as what was read, and is written again as it is.
-# needs: formats/hqz formats/list formats/obj formats/toml shapes/import
+# needs: formats/hqz formats/list formats/obj formats/toml lamps/point shapes/import
 source "$(dirname "$0")/lib.sh"
 printf '{ SPIDER MAN, 200, 200 }\nBAT, MAN, -1.5, 2e2\n' > objects.list
 
@@ -35,10 +35,16 @@ cat > far/away/outline.toml << 'TOML'
 flatray = 1
 [[entity]]
 shape = { import = { file = "outline.obj" } }
+[[lamp]]
+source = { point = {} }
+at = [2, 2]
+spectrum = "green.csv"
 TOML
+printf '500 0\n520 1\n540 0\n' > far/away/green.csv
 printf 'v 0 0\nv 1 0\nv 0 1\nf 1 2 3\nvn 0 0 1\n' > far/away/outline.obj
 run 0 convert far/away/outline.toml -
 says out 'file = "far/away/outline.obj"'
+says out 'spectrum = "far/away/green.csv"'
 says err 'vn ignored'  # what the import cannot honour
 run 0 convert far/away/outline.toml near.toml
 run 0 convert far/away/outline.obj -

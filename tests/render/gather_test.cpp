@@ -155,6 +155,20 @@ TEST(Gather, AgreesWithLampsByMirrorsAndGlass) {
 }
 
 // On a wall it shines to its side alone, whichever way it is followed.
+// Tinted glass with a bubble in it, a lamp inside of the glass and one outside.
+TEST(Gather, AgreesWithLampsWhereGlassAbsorbs) {
+  const std::string tinted =
+      "[[chamber]]\nshape = { box = { min = [-4, -4], max = [4, 4] } }\n"
+      "material = { diffuse = { reflectance = 0.6 } }\n"
+      "[[entity]]\nshape = { circle = { radius = 2.3 } }\nat = [0.4, -0.2]\n"
+      "material = { glass = { index = 1.3, absorption = [0.8, 0.1, 0] } }\n"
+      "[[entity]]\nshape = { circle = { radius = 0.7 } }\nat = [0.9, -0.6]\n"
+      "material = { glass = { index = 1 } }\n"
+      "[[lamp]]\nsource = { segment = { from = [-0.8, 0.3], to = [-0.2, 0.9] } }\n"
+      "[[lamp]]\nsource = { segment = { from = [-3.5, -3], to = [-3.4, 3], both_sides = true } }\n";
+  EXPECT_GT(covered(tinted), 0.9);
+}
+
 TEST(Gather, OfALampAlongAWallDoesNotGoThroughTheWall) {
   const std::string room =
       "[[entity]]\nshape = { box = { min = [-3, -3], max = [3, 3] } }\n"

@@ -5,47 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "lit.h"
 #include "render/light_picture.h"
-#include "render/light_run.h"
-#include "support/pictures.h"
 #include "transport/light/emission.h"
 
 namespace flatray {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-// The fluence of a frame by its pixels, and what became of the light.
-struct Fluence {
-  int width, height;
-  std::vector<double> rgb;
-  LightCounts counts;
-
-  double at(int x, int y, int channel = 0) const {
-    return rgb[static_cast<std::size_t>(3 * (y * width + x) + channel)];
-  }
-  double sum() const {
-    double all = 0;
-    for (std::size_t i = 0; i < rgb.size(); i += 3) all += rgb[i];
-    return all;
-  }
-};
-
-Fluence fluence(const Scene& scene, unsigned threads = 1, std::uint64_t seed = 0) {
-  const Timeline timeline(scene, seed, 1);
-  const TracedLight traced =
-      trace_frame_light(scene, at(timeline, 1), nullptr, seed, threads, nullptr);
-  Fluence made{scene.film.width, scene.film.height, {}, traced.counts};
-  for (const std::int64_t sum : traced.sums())
-    made.rgb.push_back(static_cast<double>(sum) * traced.unit());
-  return made;
-}
-
-// A film of 64 by 64 pixels from (-4, -4) to (4, 4).
-Scene lit(const std::string& rest, const std::string& light = "rays = 65536") {
-  return scene_of("flatray = 1\nfilm = { size = [64, 64], world = [[-4, -4], [4, 4]] }\n[light]\n" +
-                  light + "\n" + rest);
-}
 
 constexpr const char* kPoint = "[[lamp]]\nsource = { point = {} }\n";
 
@@ -133,8 +100,7 @@ TEST(Light, IsAccountedFor) {
           "material = { glass = { dispersion = 9000 } }\n",
           "rays = 30000\nbounces = 3");
   const LightCounts counts = fluence(scene).counts;
-  EXPECT_EQ(counts.emitted,
-            counts.absorbed + counts.escaped + counts.at_corners + counts.cut_off + counts.gambled);
+  EXPECT_EQ(counts.emitted, accounted(counts));
   EXPECT_GT(counts.absorbed, 0);
   EXPECT_GT(counts.escaped, 0);
   EXPECT_GT(counts.cut_off, 0);

@@ -4,17 +4,11 @@
 
 #include "scene/lamp.h"
 #include "scene/material.h"
-#include "scene/spectrum.h"
 #include "scene_text.h"
 
 namespace flatray {
 namespace {
 
-void expect_problem(const std::string& text, const std::string& message) {
-  EXPECT_NE(refusal(text).find(message), std::string::npos) << refusal(text);
-}
-
-std::string with_lamp(const std::string& keys) { return "flatray = 1\n[[lamp]]\n" + keys + "\n"; }
 std::string with_material(const std::string& material) {
   return "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\nmaterial = " +
          material + "\n";
@@ -207,6 +201,18 @@ TEST(Materials, GlassFollowsSnellAndFresnel) {
   EXPECT_NEAR(glass.scatter(same, 0).direction.x(), 0.6, 1e-15);
 }
 
+TEST(Materials, OfGlassHaveATintWhereTheyAbsorb) {
+  Scene scene;
+  using Channels = std::array<double, 3>;
+  EXPECT_EQ(scatterer(scene, "{ glass = {} }").absorption(), (Channels{0, 0, 0}));
+  const Scatterer& grey = scatterer(scene, "{ glass = { absorption = 0.5 } }");
+  EXPECT_EQ(grey.absorption(), (Channels{0.5, 0.5, 0.5}));
+  EXPECT_FALSE(grey.colours());
+  const Scatterer& blue = scatterer(scene, "{ glass = { absorption = [2, 1, 0.1] } }");
+  EXPECT_EQ(blue.absorption(), (Channels{2, 1, 0.1}));
+  EXPECT_TRUE(blue.colours());
+}
+
 TEST(Materials, SayWhatIsWrong) {
   expect_problem(with_material("'glass'"), "unknown entity.material 'glass'");
   expect_problem(with_material("{ wood = {} }"), "unknown material 'wood'");
@@ -224,6 +230,14 @@ TEST(Materials, SayWhatIsWrong) {
   expect_problem(with_material("{ mix = { mirror = 0.7, pass = 0.7 } }"), "more than 1 together");
   expect_problem(with_material("{ glass = { index = 0 } }"),
                  "material.glass.index is 0, not above 0 and at most 100");
+  expect_problem(with_material("{ glass = { absorption = -1 } }"),
+                 "material.glass.absorption is -1, not 0 to 1e30");
+  expect_problem(with_material("{ glass = { absorption = [0, 1, 1e31] } }"),
+                 "material.glass.absorption is 1e+31");
+  expect_problem(with_material("{ glass = { absorption = [1, 2] } }"),
+                 "a number, or three of them");
+  expect_problem(with_material("{ glass = { absorption = '#ff0000' } }"),
+                 "material.glass.absorption");
   expect_problem(with_material("{ glass = { index = 1.5, dispersion = -1e9 } }"),
                  "material.glass.dispersion");
 }
@@ -301,51 +315,6 @@ TEST(Materials, OfGlassNeedAnInside) {
       "'periodic'\n[[lamp]]\nsource = { point = {} }\n";
   ASSERT_EQ(loaded(periodic).warnings.size(), 1U);
   EXPECT_EQ(loaded("flatray = 1\n[light]\nrays = 5\n").warnings.at(0).message, "no lamp shines");
-}
-
-TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
-  const auto brightest = [](const LightColour& c) {
-    return std::max_element(c.begin(), c.end()) - c.begin();
-  };
-  EXPECT_EQ(brightest(colour_of_wavelength(650)), 0);
-  EXPECT_EQ(brightest(colour_of_wavelength(530)), 1);
-  EXPECT_EQ(brightest(colour_of_wavelength(450)), 2);
-  for (double nm = 380; nm <= 780; nm += 1) {
-    const LightColour c = colour_of_wavelength(nm);
-    EXPECT_EQ(*std::max_element(c.begin(), c.end()), 1) << nm;
-    EXPECT_GE(*std::min_element(c.begin(), c.end()), 0) << nm;
-  }
-  EXPECT_EQ(colour_of_wavelength(200), (LightColour{0, 0, 0}));
-  for (const double channel : colour_of_temperature(6500)) EXPECT_NEAR(channel, 1, 0.1);
-  EXPECT_LT(colour_of_temperature(2000)[2], 0.1);
-  EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
-}
-
-// The eye's curve has its peak, 1, at 555 nm; of a blackbody's light most is seen near 6640 K: 96 of 683
-// lumens a watt.
-TEST(Spectrum, KnowsHowBrightLightIs) {
-  EXPECT_NEAR(luminance_of_wavelength(555), 1, 0.02);
-  EXPECT_LT(luminance_of_wavelength(400), 0.01);
-  EXPECT_NEAR(luminance_of_temperature(6640), 96.0 / 683, 0.003);
-  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(6000));
-  EXPECT_GT(luminance_of_temperature(6640), luminance_of_temperature(7300));
-  EXPECT_LT(luminance_of_temperature(1000), 1e-4);
-  EXPECT_NEAR(luminance({1, 1, 1}), 1, 1e-12);
-}
-
-TEST(Spectrum, IsWhiteAgainWhenItsPartsAreAddedUp) {
-  LightColour sum{0, 0, 0};
-  constexpr int kSteps = 100'000;
-  for (int i = 0; i < kSteps; ++i) {
-    const double nm = kFirstWavelength + (i + 0.5) / kSteps * (kLastWavelength - kFirstWavelength);
-    const LightColour part = part_of_wavelength(nm);
-    for (std::size_t c = 0; c < 3; ++c) {
-      sum[c] += part[c] / kSteps;
-      EXPECT_LE(part[c], kMostOfWavelength);
-      EXPECT_GE(part[c], 0);
-    }
-  }
-  for (const double channel : sum) EXPECT_NEAR(channel, 1, 1e-4);
 }
 
 }  // namespace

@@ -41,6 +41,16 @@ struct Refused {
   std::string text, message;
 };
 
+/// A scene is refused, among others with that message.
+inline void expect_problem(const std::string& text, const std::string& message) {
+  EXPECT_NE(refusal(text).find(message), std::string::npos) << refusal(text);
+}
+
+/// A scene of one lamp.
+inline std::string with_lamp(const std::string& keys) {
+  return "flatray = 1\n[[lamp]]\n" + keys + "\n";
+}
+
 /// Every text is refused so; `show` gives what the user reads of one.
 template <class Show>
 void expect_refused(std::span<const Refused> cases, const Show& show) {

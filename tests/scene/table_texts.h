@@ -83,6 +83,9 @@ inline constexpr TableText kTables[] = {
     {"tokarsky", "flatray = 1\n[[entity]]\nshape = { tokarsky = { size = 1, @ } }"},
     {"text", "flatray = 1\n[[entity]]\nshape = { text = { string = \"a\", size = 1, @ } }"},
     {"lamp", "flatray = 1\n[[lamp]]\nsource = { point = {} }\n@"},
+    {"lamp state A",
+     "flatray = 1\n[[lamp]]\nsource = { point = {} }\nmarkov = { chain = \"c\" }\nstates = { A = "
+     "{ @ } }\n[markov.c]\nA = { A = 1 }"},
     {"light", "flatray = 1\n[light]\n@"},
     {"lamp.arc", "flatray = 1\n[[lamp]]\nsource = { arc = { radius = 1, @ } }"},
     {"lamp.beam", "flatray = 1\n[[lamp]]\nsource = { beam = { width = 1, @ } }"},
@@ -118,6 +121,7 @@ inline std::string with_key(const TableText& table, const std::string& key,
 /// A table's name in the documents: that in messages but for states, pillars and chains.
 inline std::string documented_name(const std::string& name) {
   if (name == "state A") return "entity.states";
+  if (name == "lamp state A") return "lamp.states";
   if (name == "markov") return "entity.markov";
   if (name == "pillar") return "chamber.pillars";
   return name == "markov.c" ? "markov.NAME" : name;

@@ -193,6 +193,8 @@ class Backward {
       const Arrival arrival = of_.walls_.arrival(rays_[i], landed);
       Departure departure = of_.walls_.depart(landed, arrival, number(0));
       Path& path = paths_[i];
+      const LightSum left = of_.walls_.bodies().left_after(landed.hit.t, rays_[i].media);
+      for (std::size_t c = 0; c < 3; ++c) path.weight[c] *= left[c];
       for (std::size_t c = 0; c < 3; ++c) path.weight[c] *= static_cast<double>(departure.tint[c]);
       if (departure.way == Departure::Way::scattered &&
           !turned_round(i, arrival, departure, number(1)))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/portable_math.h"
 #include "geom/arc.h"
 #include "trace/on_surface.h"
 
@@ -15,10 +16,11 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
     const SurfaceOwner& owner = world.owners[i];
     if (last == nullptr || owner.kind != last->kind || owner.index != last->index ||
         owner.pillar != last->pillar)
-      scatterers_.push_back(scatterers[i]);
+      scatterers_.push_back(scatterers[i]), absorptions_.push_back(scatterers[i]->absorption());
     last = &owner;
     bodies_[i] = static_cast<std::uint32_t>(scatterers_.size() - 1);
     disperse_ |= scatterers[i]->disperses();
+    absorb_ |= absorptions_.back() != std::array<double, 3>{0, 0, 0};
     surfaces_.resize(scatterers_.size());
     surfaces_.back().push_back(static_cast<std::uint32_t>(i));
   }
@@ -61,11 +63,27 @@ bool Bodies::holds(std::uint32_t body, const Vec2& point) const {
   return inside;
 }
 
+std::array<double, 3> Bodies::left_after(double length, const Media& media) const {
+  if (!absorb_) return {1, 1, 1};
+  const std::array<double, 3>& absorption = absorption_in(media);
+  return {fading(absorption[0], length).left, fading(absorption[1], length).left,
+          fading(absorption[2], length).left};
+}
+
 Media Bodies::around(const Vec2& point) const {
   Media media;
   for (const std::uint32_t body : outermost_first_)
     if (holds(body, point)) media.enter(body);
   return media;
+}
+
+Fading fading(double absorption, double length) {
+  const double depth = absorption * length;
+  if (!(depth > 0)) return {1, 1};
+  const double left = portable::exp(-depth);
+  // Of little the difference from 1 is: (1 - exp(-x)) / x by its series, whose next term is x^4 / 120.
+  const double series = 1 - depth / 2 * (1 - depth / 3 * (1 - depth / 4));
+  return {left, depth < 0x1p-10 ? series : (1 - left) / depth};
 }
 
 bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction) {

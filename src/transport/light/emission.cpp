@@ -33,8 +33,7 @@ Emission::Emission(std::span<const LampState> lamps, std::uint32_t block_rays, L
 }
 
 LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
-  const auto after = std::upper_bound(first_.begin(), first_.end(), number);
-  const auto lamp = static_cast<std::uint32_t>(after - first_.begin()) - 1;
+  const std::uint32_t lamp = lamp_of(number);
   const std::uint32_t rays = first_[lamp + 1] - first_[lamp];
   const std::uint64_t sequence = block * rays + (number - first_[lamp]);
   const LampState& state = lamps_[lamp];
@@ -47,6 +46,17 @@ LightRay Emission::ray(std::uint64_t block, std::uint32_t number) const {
           weights_[lamp],
           number,
           static_cast<float>(state.nm)};
+}
+
+std::uint32_t Emission::lamp_of(std::uint32_t number) const {
+  const auto after = std::upper_bound(first_.begin(), first_.end(), number);
+  return static_cast<std::uint32_t>(after - first_.begin()) - 1;
+}
+
+Spectrum::Part Emission::part(std::uint32_t number, double u) const {
+  if (const Spectrum* spectrum = lamps_[lamp_of(number)].spectrum) return spectrum->part(u);
+  const double nm = kFirstWavelength + u * (kLastWavelength - kFirstWavelength);
+  return {nm, part_of_wavelength(static_cast<double>(static_cast<float>(nm)))};
 }
 
 double Emission::number(std::uint32_t lamp, std::uint64_t sequence, unsigned dimension) const {

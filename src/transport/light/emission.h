@@ -23,8 +23,12 @@ class Emission {
   double ray_power() const { return ray_power_; }
   /// Ray `number` of a block, in the world.
   LightRay ray(std::uint64_t block, std::uint32_t number) const;
+  /// A wavelength for it by chance `u`, uniform in [0, 1), where it has none, and what is then left
+  /// of its colours.
+  Spectrum::Part part(std::uint32_t number, double u) const;
 
  private:
+  std::uint32_t lamp_of(std::uint32_t number) const;
   double number(std::uint32_t lamp, std::uint64_t sequence, unsigned dimension) const;
 
   std::span<const LampState> lamps_;

@@ -61,8 +61,8 @@ class Forward {
   }
 
   std::uint64_t most_lines_of_round() const {
-    return scrambles_.size() * scrambles_.front().emission.size() *
-           (std::uint64_t{rules_.light.bounces} + 1);
+    return (walls_.bodies().absorb() ? kMostPieces : 1) * scrambles_.size() *
+           scrambles_.front().emission.size() * (std::uint64_t{rules_.light.bounces} + 1);
   }
 
   // Calls `task(begin, end, counts)` for parts of [0, count), on all threads.
@@ -92,6 +92,7 @@ class Forward {
       if (rules_.stop != nullptr && rules_.stop()) return false;
       choose_worlds(block, bounces);
       fly();
+      if (walls_.bodies().absorb()) fade();
       film_->add(lines_, rules_.threads);
       scatter(block, bounces);
     }
@@ -157,6 +158,54 @@ class Forward {
       }
       counts.legs += end - begin;
     });
+  }
+
+  // In bodies that absorb rays get fainter on their way. What falls on the film is added here; for the
+  // others, lines_ are left.
+  void fade() {
+    std::vector<std::vector<LightLine>> pieces;
+    for (std::size_t first = 0; first < rays_.size(); first += kFading) {
+      const std::size_t count = std::min(kFading, rays_.size() - first);
+      pieces.assign((count + kChunk - 1) / kChunk, {});
+      in_parts(count, [&](std::size_t begin, std::size_t end, LightCounts& counts) {
+        for (std::size_t i = begin; i < end; ++i) fade(first + i, pieces[begin / kChunk], counts);
+      });
+      for (const std::vector<LightLine>& some : pieces) film_->add(some, rules_.threads);
+    }
+    std::erase_if(lines_, [](const LightLine& line) { return line.weight == kDark; });
+  }
+
+  // Cuts the flight of a ray into pieces, each with its mean weight, over which what fades fastest
+  // and has not yet faded to 2^-12 loses a 16th at most; an 8th of a pixel is short enough.
+  void fade(std::size_t i, std::vector<LightLine>& pieces, LightCounts& counts) {
+    LightRay& ray = rays_[i];
+    const std::array<double, 3>& absorption = walls_.bodies().absorption_in(ray.media);
+    if (!arrivals_[i].hit || absorption == std::array<double, 3>{0, 0, 0}) return;
+    const Vec2 to = arrivals_[i].point, way = to - ray.ray.origin;
+    const double length = std::sqrt(way.dot(way));
+    const LightWeight first = ray.weight;
+    const double short_enough = 0.125 / place_.pixels_per_unit;
+    Vec2 at = ray.ray.origin;
+    for (double begin = 0, end = 0; begin < length; begin = end) {
+      double fastest = 0;
+      for (const double channel : absorption)
+        if (channel * begin < kFaded) fastest = std::max(fastest, channel);
+      end = fastest > 0 ? begin + std::max(kPiece / fastest, short_enough) : length;
+      end = std::min(end, length);
+      const Vec2 next = end < length ? Vec2(ray.ray.origin + end / length * way) : to;
+      LightWeight mean{};
+      for (std::size_t c = 0; c < mean.size(); ++c) {
+        const double left = fading(absorption[c], begin).left;
+        mean[c] = static_cast<float>(static_cast<double>(first[c]) * left *
+                                     fading(absorption[c], end - begin).mean);
+      }
+      pieces.push_back(line(at, next, mean));
+      at = next;
+    }
+    const std::array<double, 3> left = walls_.bodies().left_after(length, ray.media);
+    for (std::size_t c = 0; c < left.size(); ++c) ray.weight[c] *= static_cast<float>(left[c]);
+    counts.absorbed += energy(first) - energy(ray.weight);
+    lines_[i].weight = kDark;
   }
 
   Vec2 beyond_film(const Ray& ray) const {
@@ -258,10 +307,10 @@ class Forward {
   }
 
   // From then on the light is of one colour, by chance.
-  static void take_wavelength(LightRay& ray, double u, LightCounts& counts) {
+  void take_wavelength(LightRay& ray, double u, LightCounts& counts) const {
     const std::int64_t before = energy(ray.weight);
-    ray.nm = static_cast<float>(kFirstWavelength + u * (kLastWavelength - kFirstWavelength));
-    const LightColour part = part_of_wavelength(static_cast<double>(ray.nm));
+    const auto [nm, part] = now_->emission.part(ray.number, u);
+    ray.nm = static_cast<float>(nm);
     for (std::size_t c = 0; c < 3; ++c) ray.weight[c] *= static_cast<float>(part[c]);
     FLATRAY_DCHECK(largest(ray.weight) <= 1);
     counts.gambled += before - energy(ray.weight);
@@ -286,6 +335,10 @@ class Forward {
     return {{place.left, place.top - size.y()}, {place.left + size.x(), place.top}};
   }
 
+  static constexpr LightWeight kDark{0, 0, 0};
+  static constexpr double kPiece = 0x1p-4, kFaded = 8.5;     // depths; that of 2^-12 is 8.3
+  static constexpr std::uint64_t kMostPieces = 3 * 136 + 1;  // each channel, and the rest
+  static constexpr std::size_t kFading = 4 * kChunk;         // rays that are cut at once
   static constexpr std::uint32_t kEmitted = (1U << 20) - 1;  // no number of bounces
 
   using Worlds = std::vector<std::unique_ptr<const LitWalls>>;

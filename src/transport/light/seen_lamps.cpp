@@ -115,7 +115,8 @@ void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightL
       // From the left of a segment, or the inside of an arc.
       const Sign left = lines_.is_straight(hit.surface) ? Sign::positive : Sign::negative;
       if (!(inner_side(lines_, rays[i].ray, hit) == left ? glow.left : glow.right)) continue;
-      for (std::size_t c = 0; c < 3; ++c) radiance[i][c] += glow.radiance[c];
+      const LightSum there = walls_.bodies().left_after(hit.t, rays[i].media);
+      for (std::size_t c = 0; c < 3; ++c) radiance[i][c] += glow.radiance[c] * there[c];
     }
   }
 }

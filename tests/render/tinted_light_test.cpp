@@ -1,0 +1,115 @@
+// needs: shapes/box shapes/ngon lamps/beam materials/glass passes/light passes/entities formats/toml
+// Light that fades in glass, and light of spectra.
+#include <cmath>
+
+#include "lit.h"
+#include "transport/light/bodies.h"
+
+namespace flatray {
+namespace {
+
+// A body 2 units long in the way of a beam that it neither bends nor reflects: of each channel
+// exp(-2 a) is left behind it, and (1 - exp(-2 a)) / a falls on the film in it.
+TEST(TintedLight, FadesByBeerAndLambert) {
+  const double absorption[] = {0.7, 40, 1e-3};
+  for (const char* at : {"[-3.5, 0]", "[-1.5, 0]"}) {  // before the body; the beam begins in it
+    const bool inside = at[1] == '-' && at[2] == '1';
+    const Fluence made =
+        fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = " + std::string(at) +
+                        "\n[[entity]]\nshape = { box = { min = [-2, -2], max = [0.5, 2] } }\n"
+                        "material = { glass = { index = 1, absorption = [0.7, 40, 1e-3] } }\n",
+                    "rays = 4096"));
+    EXPECT_EQ(made.counts.emitted, accounted(made.counts));
+    EXPECT_GT(made.counts.absorbed, 0);
+    const double length = inside ? 2 : 2.5;
+    for (int c = 0; c < 3; ++c) {
+      double within = 0, behind = 0;
+      for (int y = 0; y < 64; ++y)
+        for (int x = 16; x < 64; ++x) (x < 36 ? within : behind) += made.at(x, y, c) / 64;
+      const double a = absorption[c], left = std::exp(-a * length);
+      const double error = c == 1 ? 1e-3 : 3e-5;  // within a fifth of a pixel
+      EXPECT_NEAR(within * a / (1 - left), 1, error) << at << c;
+      EXPECT_NEAR(behind / 3.5, left, 1e-5) << at << c;
+    }
+  }
+}
+
+// A column has the mean of exp(-a x) over it, though light is laid on it in pieces.
+TEST(TintedLight, FadesEvenlyAlongItsWay) {
+  const Fluence made =
+      fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = [-3.5, 0]\n"
+                  "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
+                  "material = { glass = { index = 1, absorption = 1.5 } }\n"));
+  for (int x = 16; x < 48; ++x) {
+    const double left = std::exp(-1.5 * (x - 16) / 8.0);
+    EXPECT_NEAR(made.at(x, 32) / (left * (1 - std::exp(-1.5 / 8)) / (1.5 / 8)), 1, 0.006) << x;
+  }
+}
+
+// The innermost body absorbs: a bubble nothing, what lies in two the inner one's part.
+TEST(TintedLight, FadesInTheInnermostBody) {
+  const auto behind = [](const char* inner) {
+    const Fluence made =
+        fluence(lit("[[lamp]]\nsource = { beam = { width = 0.5 } }\nat = [-3.5, 0]\n"
+                    "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
+                    "material = { glass = { index = 1, absorption = 0.1 } }\n"
+                    "[[entity]]\nshape = { box = { min = [-1, -1], max = [1, 1] } }\n"
+                    "material = { glass = { index = 1, absorption = " +
+                    std::string(inner) + " } }\n"));
+    return made.at(60, 32);
+  };
+  EXPECT_NEAR(behind("0") / behind("0.1"), std::exp(0.2), 1e-4);
+  EXPECT_NEAR(behind("0.4") / behind("0.1"), std::exp(-0.6), 1e-4);
+}
+
+// Two lines are seen where lamps of those wavelengths are, and nowhere between, with the colour of both.
+TEST(TintedLight, OfASpectrumIsTakenApartIntoItsLines) {
+  const auto prism = [](double nm, std::span<const Spectrum::Row> rows, const char* dispersion) {
+    Scene scene =
+        lit("[[lamp]]\nsource = { beam = { width = 0.02 } }\nat = [-3.5, -1]\nangle = 15\n"
+            "nm = " +
+            std::to_string(nm) +
+            "\n[[entity]]\nshape = { ngon = { sides = 3, radius = 1.5 } }\n"
+            "material = { glass = { dispersion = " +
+            std::string(dispersion) + " } }\n");
+    if (!rows.empty()) {
+      scene.lamps[0].wavelength.reset();
+      scene.lamps[0].spectrum = std::make_shared<const Spectrum>(rows);
+    }
+    return fluence(scene);
+  };
+  const Spectrum::Row rows[] = {{449.9, 0}, {450, 1}, {450.1, 0}, {639.9, 0}, {640, 2}, {640.1, 0}};
+  const Fluence both = prism(450, rows, "60000");
+  const Fluence blue = prism(450, {}, "60000"), red = prism(640, {}, "60000");
+  double seen = 0, elsewhere = 0;
+  for (int y = 0; y < 64; ++y) {
+    double of_both = 0, of_one = 0;
+    for (int c = 0; c < 3; ++c)
+      of_both += both.at(60, y, c), of_one += blue.at(60, y, c) + red.at(60, y, c);
+    (of_one > 0 ? seen : elsewhere) += of_both;
+  }
+  EXPECT_GT(seen, 0);
+  EXPECT_EQ(elsewhere, 0);
+  const Fluence plain = prism(450, rows, "0"), weak = prism(450, rows, "0.001");
+  for (int c = 0; c < 3; c += 2) {
+    double with = 0, without = 0;
+    for (std::size_t i = static_cast<std::size_t>(c); i < plain.rgb.size(); i += 3)
+      with += weak.rgb[i], without += plain.rgb[i];
+    EXPECT_NEAR(with / without, 1, 0.03) << c;
+  }
+}
+
+TEST(Fading, IsExpAndItsMeanForDepthsOfAnySize) {
+  for (double depth = 1e-18; depth < 600; depth *= 1.07) {
+    const Fading made = fading(depth / 8, 8);
+    EXPECT_NEAR(made.left / std::exp(-depth), 1, 1e-12) << depth;
+    EXPECT_NEAR(made.mean / (-std::expm1(-depth) / depth), 1, 1e-12) << depth;
+  }
+  EXPECT_EQ(fading(0, 1e300).left, 1);
+  EXPECT_EQ(fading(0, 1e300).mean, 1);
+  EXPECT_EQ(fading(1e30, 1e300).left, 0);
+  EXPECT_EQ(fading(1e30, 1e300).mean, 0);
+}
+
+}  // namespace
+}  // namespace flatray
