@@ -1,4 +1,6 @@
 #pragma once
+#include <set>
+
 #include "base/result.h"
 #include "scene/args.h"
 #include "scene/emitter.h"
@@ -24,6 +26,13 @@ struct LampType {
 
 /// Why paths from pixels cannot find all light of a scene; nothing where they can.
 std::optional<Diagnostic> why_not_backward(const Scene& scene);
+
+/// Why their noise may be beyond all bounds: a wall that scatters alike into all directions shines
+/// along itself as bright as one likes, and paths come to it there by chance.
+std::optional<Diagnostic> why_noisy_backward(const Scene& scene);
+
+/// Times in seconds at which curves of arguments have keys.
+std::set<double> key_times(const Scene& scene, const KeptArguments& kept);
 
 /// Registered kinds by name.
 std::vector<const LampType*> lamp_types();

@@ -1,5 +1,3 @@
-#include <set>
-
 #include "base/number_text.h"
 #include "scene/copies.h"
 #include "scene/kinds.h"
@@ -13,18 +11,6 @@ namespace {
 
 constexpr std::int64_t kMostRays = std::int64_t{1} << 40;
 constexpr std::int64_t kMostBounces = 1'000'000;
-
-// At which its curves have keys.
-std::set<double> key_times(const Scene& scene, const KeptArguments& kept) {
-  std::set<double> times;
-  for (const KeptArguments::Argument& argument : kept.arguments)
-    for (const Moving& number : argument.numbers)
-      if (number.curve) {
-        const std::vector<double>& keys = scene.curves[*number.curve].times;
-        times.insert(keys.begin(), keys.end());
-      }
-  return times;
-}
 
 void read_source(Builder& builder, const Field& field, Lamp& lamp) {
   const std::size_t problems = builder.in.problems.size();
@@ -147,6 +133,11 @@ void read_scrambles(Builder& builder, const Field& field, LightSettings& light) 
   light.scrambles = static_cast<unsigned>(*count);
 }
 
+void read_bounces(Builder& builder, const Field& field, LightSettings& light) {
+  set_integer<&LightSettings::bounces, 0, kMostBounces>(builder, field, light);
+  light.bounces_chosen = true;
+}
+
 constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
                                       {"soft", ToneCurve::soft},
                                       {"filmic", ToneCurve::filmic},
@@ -160,7 +151,7 @@ constexpr Word<bool> kNoises[] = {{"still", false}, {"moving", true}};
 
 constexpr Key<LightSettings> kLightKeys[] = {
     {{"rays", "whole number", "1000000"}, &set_integer<&LightSettings::rays, 1, kMostRays>},
-    {{"bounces", "whole number", "1000"}, &set_integer<&LightSettings::bounces, 0, kMostBounces>},
+    {{"bounces", "whole number", "1000"}, &read_bounces},
     {{"scrambles", "whole number", "1"}, &read_scrambles},
     {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
     {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
@@ -218,9 +209,12 @@ void check_light(Builder& builder) {
       builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
                          "light ends there: make the chamber a mirror, or leave its lamps out");
   }
-  if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward)
+  if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward) {
     if (auto hindrance = why_not_backward(scene))
       builder.in.problems.push_back(std::move(*hindrance));
+    else if (auto noisy = why_noisy_backward(scene))
+      builder.in.warning(noisy->where, noisy->message, noisy->hint);
+  }
   std::uint64_t most = 0;
   for (const Entity& entity : scene.entities)
     most = std::max<std::uint64_t>(most, entity.alternatives.size());
