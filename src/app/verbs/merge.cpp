@@ -46,9 +46,8 @@ Result<LightSettings> look(const Arguments& arguments, const FilmFile& film) {
   const auto setting = parse_json(film.setting);
   const JsonValue* exposure = setting ? setting->find("exposure") : nullptr;
   if (exposure != nullptr) light.exposure = exposure->as_number();
-  if (light.exposure && !(*light.exposure > 0 && *light.exposure <= 1e30)) light.exposure.reset();
   if (const JsonValue* gamma = setting ? setting->find("gamma") : nullptr)
-    light.gamma = std::clamp(gamma->as_number().value_or(light.gamma), 0.1, 10.0);
+    light.gamma = gamma->as_number().value_or(light.gamma);
   std::string tone = setting ? setting->text_of("tone") : "";
   if (const auto text = arguments.text("exposure")) {
     light.exposure = parse_number(*text);
@@ -113,6 +112,13 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!image) return tl::unexpected(image.error());
     error_output = std::move(*image);
   }
+  if (output->format() != PictureFormat::png)
+    for (const char* option : {"exposure", "tone"})
+      if (arguments.has(option))
+        return usage_error(
+            arguments.where(option),
+            fmt::format("is of a .png: a .{} keeps light as it is", name(output->format())),
+            "leave it out, or say -o picture.png");
   const auto film = merged(arguments);
   if (!film) return tl::unexpected(film.error());
   const auto light = look(arguments, *film);
@@ -144,7 +150,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const LightRecord record = record_of(report);
   if (!arguments.has("quiet"))
     report_note(fmt::format("flatray: {} of {}{}", path.string(), counted(record.rays, "ray"),
-                            record.error ? fmt::format(", error {:.2g}", *record.error) : ""));
+                            record.error ? fmt::format(", error {:.2g}", *record.error)
+                            : !report.scrambles.empty() && record.rounds == 0 ? ", no error yet"
+                                                                              : ""));
   if (!arguments.has("json")) return VerbOutput{};
   return VerbOutput{json_report("merge", arguments,
                                 Fields{{"file", path.string()},
