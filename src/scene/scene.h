@@ -291,7 +291,7 @@ struct LightSettings {
   std::uint64_t rays = 1'000'000;
   unsigned bounces = 1000;      ///< at most; what is left is cut off, and counted
   bool bounces_chosen = false;  ///< so that what is cut off is no surprise
-  unsigned scrambles = 1;   ///< pictures of a part of the rays each: their spread is the error
+  unsigned scrambles = 1;       ///< pictures of a part of the rays each: their spread is the error
   std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
   ToneCurve tone = ToneCurve::soft;
   double gamma = 2.2;  ///< of that curve
