@@ -262,7 +262,7 @@ std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRe
   const bool cut = cut_counts * worst->cut_off >= worst->corners;
   return Diagnostic{scene.light.where ? scene.light.where : scene.lamps.front().where,
                     fmt::format("{:.3g} % of the light is lost: {:.3g} % cut off after {} bounces, "
-                                "{:.2g} % at corners",
+                                "{:.3g} % at corners",
                                 100 * lost(*worst), 100 * worst->cut_off, scene.light.bounces,
                                 100 * worst->corners),
                     cut ? fmt::format("raise light.bounces, as -D light.bounces={}",

@@ -39,7 +39,7 @@ struct Sums {
 double gap(std::uint8_t actual, std::uint8_t expected) { return std::abs(actual - expected); }
 double gap(float actual, float expected) {
   if (actual == expected || (std::isnan(actual) && std::isnan(expected))) return 0;
-  const double gap = std::abs(double{actual} - double{expected});
+  const double gap = std::abs(static_cast<double>(actual) - static_cast<double>(expected));
   return std::isnan(gap) ? std::numeric_limits<double>::infinity() : gap;
 }
 
@@ -101,7 +101,8 @@ Result<Difference> compare(const LinearImage& actual, const LinearImage& expecte
   float most = 0;
   for (const float light : expected.pixels)
     if (std::isfinite(light)) most = std::max(most, light);
-  return compared<float>(actual.pixels, expected.pixels, actual.width, 3, double{most});
+  return compared<float>(actual.pixels, expected.pixels, actual.width, 3,
+                         static_cast<double>(most));
 }
 
 Image difference_image(const Image& actual, const Image& expected, int gain) {
@@ -122,7 +123,7 @@ Image difference_image(const LinearImage& actual, const LinearImage& expected, i
   FLATRAY_CHECK(layout(actual) == layout(expected));
   double sum = 0;
   for (const float light : expected.pixels)
-    if (std::isfinite(light)) sum += std::abs(double{light});
+    if (std::isfinite(light)) sum += static_cast<double>(std::abs(light));
   const double mean = sum / static_cast<double>(expected.pixels.size());
   LinearImage shown{actual.width, actual.height, {}};
   shown.pixels.reserve(actual.pixels.size());

@@ -239,7 +239,7 @@ class HqzWriter {
     for (const HqzRange* range : {&object.x, &object.y, &object.dx, &object.dy})
       if (!range->is_number()) {
         if (frames_ > 1)
-          warn_of_middle(*range, "a wall");
+          warn_of_middle(*range, "a wall of an animation");
         else if (alternatives.empty())
           for (std::uint32_t k = 0; k < kAlternatives; ++k)
             alternatives.push_back(drawn(object, entity_count_, k));
@@ -270,7 +270,7 @@ class HqzWriter {
   void warn_of_middle(const HqzRange& range, const char* what) {
     warnings_.push_back(
         {range.where,
-         fmt::format("{} is not drawn at random for every ray here: the middle is taken", what),
+         fmt::format("{} is not drawn at random for every ray: the middle is taken", what),
          {}});
   }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/number_text.h"
 #include "scene/copies.h"
 #include "scene/kinds.h"
@@ -215,13 +217,18 @@ void check_light(Builder& builder) {
     else if (auto noisy = why_noisy_backward(scene))
       builder.in.warning(noisy->where, noisy->message, noisy->hint);
   }
-  std::uint64_t most = 0;
-  for (const Entity& entity : scene.entities)
-    most = std::max<std::uint64_t>(most, entity.alternatives.size());
-  if (most > 0 && builder.corners > builder.limits.max_corners / (most + 1))
-    builder.in.problem(scene.entities.front().where,
-                       "walls in all of their alternatives are more than the limit of corners",
-                       "write fewer alternatives, or say --max-corners N");
+  const auto most = std::max_element(scene.entities.begin(), scene.entities.end(),
+                                     [](const Entity& a, const Entity& b) {
+                                       return a.alternatives.size() < b.alternatives.size();
+                                     });
+  if (most != scene.entities.end() && !most->alternatives.empty() &&
+      builder.corners > builder.limits.max_corners / (most->alternatives.size() + 1))
+    builder.in.problem(
+        most->where,
+        fmt::format("the corners of all walls, once for each of these {} alternatives, "
+                    "come to more than {}",
+                    most->alternatives.size(), builder.limits.max_corners),
+        "write fewer alternatives, or say --max-corners N");
   if (scene.lamps.empty() && scene.light.where.source != nullptr)
     builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
 }

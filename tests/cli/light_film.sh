@@ -126,6 +126,9 @@ says err "rays, error 0.0"
 run 0 merge lit.film -o lit.png --error-image error.png --json
 says out '"error":0.0'
 run 2 merge all.film -o lit.png --error-image error.png
+says err "needs films of 16 scrambles or more"
+run 2 merge lit.film -o lit.png --error-image error.film
+says err "is a picture, not a film"
 run 0 render lamp.toml -D light.scrambles=16 --rays 1048576 --ray-shard 4/5 -o none.film
 run 0 merge none.film -o none.png --json
 says err "of 0 rays, no error yet"

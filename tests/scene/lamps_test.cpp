@@ -321,6 +321,19 @@ TEST(Spectrum, HasTheColoursOfWavelengthsAndTemperatures) {
   EXPECT_LT(colour_of_temperature(20000)[0], 0.6);
 }
 
+TEST(Lamps, WallsOfTooManyAlternativesAreToldWhereTheyAre) {
+  const auto refused = load_scene_text(
+      "t.toml",
+      "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n[[entity]]\n"
+      "shape = { segment = { from = [0, 0], to = [1, 0] } }\nmaterial = 'absorb'\n"
+      "alternatives = [{ segment = { from = [0, 0], to = [2, 0] } }]\n",
+      {}, {.max_corners = 60});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(format(refused.error()).find("t.toml:4:1: error: the corners of all walls, once for"),
+            std::string::npos)
+      << format(refused.error());
+}
+
 // The eye's curve has its peak, 1, at 555 nm; of a blackbody's light most is seen near 6640 K: 96 of 683
 // lumens a watt.
 TEST(Spectrum, KnowsHowBrightLightIs) {

@@ -130,9 +130,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
                                            ? encode_film(*film)
                                            : picture_of(*film, report, *light, output->format());
   if (error_output) {
-    if (film->scrambles.size() < 2 || error_output->format() == PictureFormat::film)
+    if (error_output->format() == PictureFormat::film)
+      return usage_error(arguments.where("error-image"), "is a picture, not a film",
+                         "say .pfm, .hdr or .png");
+    if (film->scrambles.size() < 2)
       return usage_error(arguments.where("error-image"), "needs films of 16 scrambles or more",
-                         "render them with -D light.scrambles=16, to a picture's name");
+                         "render them again with -D light.scrambles=16");
     if (std::filesystem::path(*arguments.text("error-image")).lexically_normal() ==
         path.lexically_normal())
       return usage_error(arguments.where("error-image"), "is where the picture goes",
