@@ -35,7 +35,7 @@ for i in 0 1 2; do
     } > room.toml
     run 0 render room.toml --rays "$each" -o room.png --json --quiet --force
     says out '"escaped":0,'
-    echo "${rooms[i]}, $material: $(grep -o '"rays":[0-9]*,"rounds.*gambled":[^,}]*' out.txt)"
+    echo "${rooms[i]}, $material: $(grep -o '"light":{[^}]*}' out.txt)"
   done
 done
 finish
