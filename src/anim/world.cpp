@@ -109,9 +109,14 @@ bool belongs_alike(const SurfaceOwner& a, const SurfaceOwner& b) {
 
 }  // namespace
 
-std::vector<World> alternative_worlds(const Scene& scene, const FrameState& state) {
+std::size_t count_of_worlds(const Scene& scene) {
   std::size_t count = 1;
   for (const Entity& entity : scene.entities) count = common(count, entity.alternatives.size() + 1);
+  return count;
+}
+
+std::vector<World> alternative_worlds(const Scene& scene, const FrameState& state) {
+  const std::size_t count = count_of_worlds(scene);
   std::vector<World> worlds{build_world(scene, state)};
   FrameState other = state;
   for (std::size_t k = 1; k < count; ++k) {

@@ -65,6 +65,8 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
 /// Cost    O(n log n) edges for shapes of several pieces, else O(n).
 World build_world(const Scene& scene, const FrameState& state, WorldOf of = WorldOf::mirrors);
 
+/// How many the next makes: at most 1024.
+std::size_t count_of_worlds(const Scene& scene);
 /// The worlds of entities with alternatives: the first as above, then with all of their second shapes,
 /// and so on, beginning again with those that have fewer. The numbers of their surfaces mean the same.
 std::vector<World> alternative_worlds(const Scene& scene, const FrameState& state);

@@ -8,14 +8,13 @@
 
 namespace flatray {
 
-std::string difference_text(const Difference& difference, const Image& image) {
+std::string difference_text(const Difference& difference) {
   constexpr std::array<const char*, 4> kChannels = {"red", "green", "blue", "alpha"};
-  const auto& [pixels, worst, x, y, channel, actual, expected, mean, rmse, psnr] = difference;
-  return fmt::format(
-      "worst pixel ({}, {}) {}: {}, expected {}; {} of {} differ{}", x, y,
-      kChannels[static_cast<std::size_t>(channel)], actual, expected, pixels,
-      counted(image.pixels.size() / static_cast<std::size_t>(image.channels), "pixel"),
-      pixels == 1 ? "s" : "");
+  return fmt::format("worst pixel ({}, {}) {}: {}, expected {}; {} of {} differ{}", difference.x,
+                     difference.y, kChannels[static_cast<std::size_t>(difference.channel)],
+                     static_cast<float>(difference.actual), static_cast<float>(difference.expected),
+                     difference.pixels, counted(difference.of, "pixel"),
+                     difference.pixels == 1 ? "s" : "");
 }
 
 std::string tolerance_text(const Difference& difference) {

@@ -53,7 +53,7 @@ std::string golden_report(const GoldenRow& row, const GoldenCheck& check) {
       row.exact() ? "must be equal" : fmt::format("{} allowed", row.tolerance.text());
   std::string text = fmt::format("{} frame {}: differs from {} ({}: {})\n", row.name(), row.frame,
                                  row.file(), row.backend, allowed);
-  text += check.difference ? fmt::format("  {}\n", difference_text(*check.difference, check.actual))
+  text += check.difference ? fmt::format("  {}\n", difference_text(*check.difference))
                            : fmt::format("  picture of {}, expected {}\n",
                                          layout_text(check.actual), layout_text(check.expected));
   if (check.scene_changed)

@@ -104,13 +104,12 @@ Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, Gol
   const Difference& drift = *measured;
   if (!row.exact()) {
     row.renderer = drawn->renderer;
-    row.tolerance = {drift.worst, drift.pixels};
+    row.tolerance = {static_cast<int>(drift.worst), drift.pixels};
   }
   if (!row.tolerance.allows(drift))
-    return tl::unexpected(Diagnostics{refusal(
-        row.name(),
-        fmt::format("frame {} drifts: {}", row.frame, difference_text(drift, picture.after)),
-        "two renders must be equal: that is a bug, and no golden can stand for it")});
+    return tl::unexpected(Diagnostics{
+        refusal(row.name(), fmt::format("frame {} drifts: {}", row.frame, difference_text(drift)),
+                "two renders must be equal: that is a bug, and no golden can stand for it")});
   row.drift = tolerance_text(drift);
   row.pixels = pixel_hash(picture.after);
   const auto old = std::find_if(before.begin(), before.end(),

@@ -169,15 +169,22 @@ Result<void> Claim::expect_held() const {
 
 std::string differences(const std::string& there, const std::string& here) {
   const auto theirs = parse_json(there), ours = parse_json(here);
-  const auto* fields = ours ? std::get_if<Fields>(&ours->data) : nullptr;
-  if (!theirs || fields == nullptr) return "of another version";
+  const auto fields_of = [](const auto& value) {
+    return value ? std::get_if<Fields>(&value->data) : nullptr;
+  };
+  const Fields *before = fields_of(theirs), *now = fields_of(ours);
+  if (before == nullptr || now == nullptr) return "of another version";
   std::string text;
-  for (const auto& [name, value] : *fields) {
-    const JsonValue* other = theirs->find(name);
-    const std::string was = other == nullptr ? "none" : json_text(*other), is = json_text(value);
-    if (was != is)
-      text += fmt::format("{}{} {} there, {} here", text.empty() ? "" : "; ", name, was, is);
-  }
+  const auto note = [&](const std::string& name) {
+    const JsonValue *was = theirs->find(name), *is = ours->find(name);
+    const auto shown = [](const JsonValue* value) { return value ? json_text(*value) : "none"; };
+    if (shown(was) != shown(is))
+      text += fmt::format("{}its {} is {}, not {}", text.empty() ? "" : "; ", name, shown(was),
+                          shown(is));
+  };
+  for (const auto& field : *now) note(field.first);
+  for (const auto& field : *before)
+    if (ours->find(field.first) == nullptr) note(field.first);
   return text;
 }
 

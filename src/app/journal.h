@@ -79,7 +79,7 @@ class Claim {
   std::unique_ptr<const InFlight> in_flight_;
 };
 
-/// Fields of one object of JSON that another does not have so: "seed 1 there, 2 here".
+/// Fields of an object of JSON, `there`, that are not those of another: "its seed is 1, not 2".
 std::string differences(const std::string& there, const std::string& here);
 
 }  // namespace flatray

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "app/journal.h"
 #include "app/render_job.h"
+#include "base/counted.h"
 #include "base/file.h"
 #include "image/hdr.h"
 #include "image/pfm.h"
@@ -34,13 +36,67 @@ LightCounts counts_of(const FilmFile& film) {
   return counts;
 }
 
-bool has_counts(const FilmFile& film) {
-  if (film.counts.size() != std::size(kNumbers) + std::size(kEnergies)) return false;
+// Counts and lines that no rounds of rays have; nothing where they fit.
+std::optional<std::string> misfit_of_counts(const FilmFile& film) {
+  constexpr std::uint64_t kMostOfRay = 3ULL << 20;
+  if (film.counts.size() != std::size(kNumbers) + std::size(kEnergies))
+    return fmt::format("it has {}", counted(film.counts.size(), "count"));
   const LightCounts counts = counts_of(film);
   std::uint64_t rest = static_cast<std::uint64_t>(counts.emitted);  // in which any sum is defined
-  for (const auto part : kEnergies)
+  for (const auto part : kEnergies) {
     if (part != &LightCounts::emitted) rest -= static_cast<std::uint64_t>(counts.*part);
-  return rest == 0 && counts.emitted >= 0;
+    if (counts.*part < 0 && part != &LightCounts::gambled)
+      return fmt::format("it counts {} of light", counts.*part);
+  }
+  if (rest != 0) return "what became of its light is not what was emitted";
+  if (static_cast<std::uint64_t>(counts.emitted) / kMostOfRay > counts.rays)
+    return fmt::format("{} cannot emit so much light", counted(counts.rays, "ray"));
+  const std::uint64_t rounds = film.rounds.count();
+  if (rounds == 0 ? counts.rays != 0 : counts.rays % rounds != 0)
+    return fmt::format("{} are no {}", counted(counts.rays, "ray"), counted(rounds, "round"));
+  std::uint64_t lines = 0;
+  for (const FilmFile::Scramble& one : film.scrambles) lines += one.lines;
+  if (lines > counts.legs || (counts.rays == 0 && counts.legs != 0))
+    return fmt::format("{} of light do not come from {} of {}", counted(lines, "line"),
+                       counted(counts.legs, "leg"), counted(counts.rays, "ray"));
+  return std::nullopt;
+}
+
+// A setting that is not that of its film.
+std::optional<std::string> misfit_of_setting(const FilmFile& film) {
+  const auto setting = parse_json(film.setting);
+  if (!setting) return "its setting is no JSON";
+  const auto is = [&](const char* field, const JsonValue& value) {
+    const JsonValue* one = setting->find(field);
+    return one != nullptr && json_text(*one) == json_text(value);
+  };
+  const auto within = [&](const char* field, double low, double high) {
+    const JsonValue* one = setting->find(field);
+    const auto number = one == nullptr ? std::nullopt : one->as_number();
+    return number && *number >= low && *number <= high;
+  };
+  if (!is("size", fmt::format("{}x{}", film.width, film.height)) ||
+      !is("scrambles", film.scrambles.size()))
+    return fmt::format("its setting is not of {}x{} pixels and {}", film.width, film.height,
+                       counted(film.scrambles.size(), "scramble"));
+  if (!is("exposure", "auto") &&
+      !within("exposure", std::numeric_limits<double>::denorm_min(), 1e30))
+    return "its exposure is not above 0 and at most 1e30";
+  if (!within("gamma", 0.1, 10)) return "its gamma is not between 0.1 and 10";
+  if (std::none_of(std::begin(kToneCurves), std::end(kToneCurves),
+                   [&](ToneCurve curve) { return is("tone", name(curve)); }))
+    return "its tone is unknown";
+  return std::nullopt;
+}
+
+// What shows that flatray render did not write it.
+std::optional<std::string> misfit(const FilmFile& film) {
+  const std::size_t scrambles = film.scrambles.size();
+  if (scrambles != 1 &&
+      std::find(std::begin(kScrambles), std::end(kScrambles), scrambles) == std::end(kScrambles))
+    return fmt::format("it has {}", counted(scrambles, "scramble"));
+  if (auto counts = misfit_of_counts(film)) return counts;
+  return misfit_of_setting(film);
 }
 
 // Writes a film now and then, but no more than a twentieth of the time.
@@ -138,7 +194,8 @@ LightReport report_of(const FilmFile& film) {
   report.film_unit = film.round_unit / rounds;
   for (const FilmFile::Scramble& one : film.scrambles)
     report.scrambles.push_back(in_three_channels(one.sums, film.channels));
-  if (report.scrambles.size() > 1) report.error = relative_error(report.scrambles);
+  if (report.scrambles.size() > 1 && report.rounds > 0)
+    report.error = relative_error(report.scrambles);
   return report;
 }
 
@@ -148,18 +205,16 @@ Result<FilmFile> read_film(const fs::path& path, std::size_t most_bytes) {
       {.bytes = most_bytes, .raise = "--max-bytes N allows more", .begins = {kFilmSignature}});
   if (!text) return tl::unexpected(text.error());
   Result<FilmFile> film = decode_film(std::as_bytes(std::span(*text)), path.string());
-  if (film && (!has_counts(*film) || (film->scrambles.size() > 1 &&
-                                      std::find(std::begin(kScrambles), std::end(kScrambles),
-                                                film->scrambles.size()) == std::end(kScrambles))))
-    return fail(named_place(path.string()), "is not a film that flatray render writes",
-                "write it again");
+  if (const auto wrong = film ? misfit(*film) : std::nullopt)
+    return fail(named_place(path.string()), "is not a film that flatray render writes: " + *wrong,
+                "write or copy it again");
   return film;
 }
 
 Result<void> merge_film(FilmFile& film, const FilmFile& more, const std::string& name) {
   if (film.setting != more.setting)
     return fail(named_place(name),
-                "is a film of other light: " + differences(film.setting, more.setting),
+                "is a film of other light: " + differences(more.setting, film.setting),
                 "add films of one scene, size, frame and seed");
   return add_film(film, more, name);
 }
@@ -196,15 +251,18 @@ std::vector<std::byte> error_picture(const LightReport& report, PictureFormat fo
 std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRecord> records) {
   constexpr double kMuch = 0.01;
   const LightRecord* worst = nullptr;
-  const auto lost = [](const LightRecord& light) { return light.cut_off + light.corners; };
+  const double cut_counts = scene.light.bounces_chosen ? 0 : 1;
+  const auto lost = [&](const LightRecord& light) {
+    return cut_counts * light.cut_off + light.corners;
+  };
   for (const FrameRecord& record : records)
     if (record.light && (worst == nullptr || lost(*record.light) > lost(*worst)))
       worst = &*record.light;
   if (worst == nullptr || lost(*worst) <= kMuch) return std::nullopt;
-  const bool cut = worst->cut_off >= worst->corners;
+  const bool cut = cut_counts * worst->cut_off >= worst->corners;
   return Diagnostic{scene.light.where ? scene.light.where : scene.lamps.front().where,
                     fmt::format("{:.3g} % of the light is lost: {:.3g} % cut off after {} bounces, "
-                                "{:.2g} % at corners",
+                                "{:.3g} % at corners",
                                 100 * lost(*worst), 100 * worst->cut_off, scene.light.bounces,
                                 100 * worst->corners),
                     cut ? fmt::format("raise light.bounces, as -D light.bounces={}",

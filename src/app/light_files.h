@@ -41,7 +41,8 @@ Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPl
 std::vector<std::byte> error_picture(const LightReport& report, PictureFormat format,
                                      const PixelBox& film, const PixelBox& part);
 
-/// The warning of the frame that lost most, where that is more than a hundredth of its light.
+/// The warning of the frame that lost most, where that is more than a hundredth of its light. What is
+/// cut off after as many bounces as the scene asks for is not lost.
 std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRecord> records);
 
 }  // namespace flatray

@@ -44,10 +44,14 @@ Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
                                        : job.light.rays      ? "rays"
                                        : job.light.estimator ? "estimator"
                                                              : "error-image"),
-                       "is of light, and no lamp shines here",
-                       "add [[lamp]] source = { point = {} }");
+                       job.view ? "is of light, which --view does not show"
+                                : "is of light, and the scene has no lamp",
+                       job.view ? "leave one of them out" : "add [[lamp]] source = { point = {} }");
   if (film && job.crop)
     return usage_error(arguments.where("crop"), "does not go with a film", "leave it out");
+  if (job.light.resume && !no_light && !film && !job.output.has_frame())
+    return usage_error(arguments.where("resume"), "has no film to go on from: a picture keeps none",
+                       "say -o light.film --resume, then flatray merge light.film -o picture.png");
   if (!film && job.light.shard.count > 1)
     return usage_error(arguments.where("ray-shard"), "needs a film to be added to the others",
                        "say -o part.film, then flatray merge");
@@ -118,14 +122,18 @@ Result<void> wish_light(const Arguments& arguments, const LightWish& wish, Rende
   else if (wish.seconds < kInfinity || wish.error > 0)
     light.rays = kMostRays;
   if (job.output.format() == PictureFormat::film) light.rays = rounds_of(light.rays) * kLightRound;
-  const bool by_rounds = wish.error > 0 || wish.error_image || wish.seconds < kInfinity ||
-                         job.output.format() == PictureFormat::film || light.scrambles > 1;
-  if (by_rounds && light.estimator == LightEstimator::backward)
+  const char* by_rounds = job.output.format() == PictureFormat::film ? "a film"
+                          : wish.error > 0                           ? "--error"
+                          : wish.seconds < kInfinity                 ? "--time"
+                          : wish.error_image                         ? "--error-image"
+                          : light.scrambles > 1                      ? "light.scrambles"
+                                                                     : nullptr;
+  if (by_rounds != nullptr && light.estimator == LightEstimator::backward)
     return usage_error(
-        wish.estimator ? arguments.where("estimator") : named_place("light.estimator"),
-        "backward has no rounds of rays, and so no films, --error or --time",
-        "say --estimator forward");
-  if (by_rounds) light.estimator = LightEstimator::forward;
+        wish.estimator ? arguments.where("estimator") : light.where,
+        fmt::format("backward has no rounds of rays, which {} is made of", by_rounds),
+        fmt::format("say --estimator forward, or leave {} out", by_rounds));
+  if (by_rounds != nullptr) light.estimator = LightEstimator::forward;
   if (wish.error > 0 || wish.error_image)
     light.scrambles = std::max(light.scrambles, kScrambles[0]);
   return {};

@@ -82,7 +82,7 @@ Result<PictureFormat> format_of(const std::string& text, const std::optional<std
   if (std::find(kFormats.begin(), kFormats.end(),
                 std::string_view(extension).substr(extension.empty() ? 0 : 1)) == kFormats.end())
     return usage_error(where, fmt::format("'{}' does not end in .png, .hdr, .pfm or .film", text),
-                       "say which, or --format png");
+                       "end the name in one of them, as picture.png");
   if (wanted && "." + lower_case(*wanted) != extension)
     return usage_error(where, fmt::format("'{}' is not a name for --format {}", text, *wanted),
                        fmt::format("end it in .{}, or leave --format out", *wanted));

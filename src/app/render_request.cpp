@@ -73,6 +73,10 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
   std::vector<unsigned> frames(scene.frames);
   std::iota(frames.begin(), frames.end(), 1U);
   if (request.frames) frames = *request.frames;
+  if (scene.ends && frames.back() > scene.frames)
+    return usage_error(arguments.where("frames"),
+                       fmt::format("there is no frame {} in {}", frames.back(), scene.name),
+                       fmt::format("its lines are frames 1 to {}", scene.frames));
   const auto output = output_of(arguments, frames.size() > 1);
   if (!output) return tl::unexpected(output.error());
   if (auto fits = check_places(arguments, *output, frames.size()); !fits)

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
+#include <span>
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "image/hdr.h"
 
 namespace flatray {
 namespace {
@@ -16,54 +19,90 @@ namespace {
 std::string layout(const Image& image) {
   return fmt::format("{} x {} {}", image.width, image.height, image.channels == 4 ? "RGBA" : "RGB");
 }
+std::string layout(const LinearImage& image) {
+  return fmt::format("{} x {} light", image.width, image.height);
+}
 
-// Sums of levels and their squares as integers: no order, no rounding.
+template <class Picture>
+Result<void> expect_one_layout(const Picture& actual, const Picture& expected) {
+  if (layout(actual) == layout(expected)) return {};
+  return fail(
+      {}, fmt::format("pictures differ in layout: {} against {}", layout(actual), layout(expected)),
+      "compare pictures of one size and channel count");
+}
+
+// Whole levels have exact sums.
 struct Sums {
-  std::uint64_t absolute = 0, square = 0;
+  double absolute = 0, square = 0;
 };
 
-void add_pixel(const std::uint8_t* actual, const std::uint8_t* expected, int channels, int x, int y,
+double gap(std::uint8_t actual, std::uint8_t expected) { return std::abs(actual - expected); }
+double gap(float actual, float expected) {
+  if (actual == expected || (std::isnan(actual) && std::isnan(expected))) return 0;
+  const double gap = std::abs(static_cast<double>(actual) - static_cast<double>(expected));
+  return std::isnan(gap) ? std::numeric_limits<double>::infinity() : gap;
+}
+
+template <class Number>
+void add_pixel(const Number* actual, const Number* expected, int channels, int x, int y,
                Difference& all, Sums& sums) {
   ++all.pixels;
   for (int c = 0; c < channels; ++c) {
-    const int gap = std::abs(actual[c] - expected[c]);
-    sums.absolute += static_cast<std::uint64_t>(gap);
-    sums.square += static_cast<std::uint64_t>(gap * gap);
-    if (gap <= all.worst) continue;
-    all.worst = gap;
+    const double found = gap(actual[c], expected[c]);
+    sums.absolute += found;
+    sums.square += found * found;
+    if (found <= all.worst) continue;
+    all.worst = found;
     all.x = x, all.y = y;
-    all.channel = c, all.actual = actual[c], all.expected = expected[c];
+    all.channel = c;
+    all.actual = static_cast<double>(actual[c]), all.expected = static_cast<double>(expected[c]);
   }
 }
 
-double decibels(double mean_square) {
-  if (mean_square == 0) return std::numeric_limits<double>::infinity();
-  return 10 * portable::log(255.0 * 255.0 / mean_square) / portable::log(10);
+double decibels(double mean_square, double most) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (mean_square == 0) return kInfinity;
+  if (most == 0 || mean_square == kInfinity) return -kInfinity;
+  return 10 * portable::log(most * most / mean_square) / portable::log(10);
+}
+
+template <class Number>
+Difference compared(std::span<const Number> actual, std::span<const Number> expected, int width,
+                    int channels, double most) {
+  Difference all;
+  Sums sums;
+  const auto step = static_cast<std::size_t>(channels);
+  all.of = actual.size() / step;
+  const std::size_t row = step * static_cast<std::size_t>(width);
+  for (std::size_t begin = 0; begin < actual.size(); begin += row) {
+    const auto a = actual.subspan(begin, row), b = expected.subspan(begin, row);
+    if (std::memcmp(a.data(), b.data(), a.size_bytes()) == 0) continue;
+    for (std::size_t i = 0; i < row; i += step)
+      if (std::memcmp(&a[i], &b[i], step * sizeof(Number)) != 0)  // NaN, too
+        add_pixel(&a[i], &b[i], channels, static_cast<int>(i / step), static_cast<int>(begin / row),
+                  all, sums);
+  }
+  const auto count = static_cast<double>(actual.size());
+  all.mean = sums.absolute / count;
+  all.rmse = std::sqrt(sums.square / count);
+  all.psnr = decibels(sums.square / count, most);
+  return all;
 }
 
 }  // namespace
 
 Result<Difference> compare(const Image& actual, const Image& expected) {
-  if (layout(actual) != layout(expected))
-    return fail(
-        {},
-        fmt::format("pictures differ in layout: {} against {}", layout(actual), layout(expected)),
-        "compare pictures of one size and channel count");
-  Difference all;
-  Sums sums;
-  const auto channels = static_cast<std::size_t>(actual.channels);
-  for (int y = 0; y < actual.height; ++y) {
-    const std::uint8_t *a = actual.at(0, y), *b = expected.at(0, y);
-    if (std::equal(a, a + channels * static_cast<std::size_t>(actual.width), b)) continue;
-    for (int x = 0; x < actual.width; ++x, a += channels, b += channels)
-      if (!std::equal(a, a + channels, b)) add_pixel(a, b, actual.channels, x, y, all, sums);
-  }
-  const auto count = static_cast<double>(actual.pixels.size());
-  const double mean_square = static_cast<double>(sums.square) / count;
-  all.mean = static_cast<double>(sums.absolute) / count;
-  all.rmse = std::sqrt(mean_square);
-  all.psnr = decibels(mean_square);
-  return all;
+  if (auto alike = expect_one_layout(actual, expected); !alike) return fail(std::move(alike));
+  return compared<std::uint8_t>(actual.pixels, expected.pixels, actual.width, actual.channels, 255);
+}
+
+Result<Difference> compare(const LinearImage& actual, const LinearImage& expected) {
+  if (auto alike = expect_one_layout(actual, expected); !alike) return fail(std::move(alike));
+  float most = 0;
+  for (const float light : expected.pixels)
+    if (std::isfinite(light)) most = std::max(most, light);
+  return compared<float>(actual.pixels, expected.pixels, actual.width, 3,
+                         static_cast<double>(most));
 }
 
 Image difference_image(const Image& actual, const Image& expected, int gain) {
@@ -78,6 +117,23 @@ Image difference_image(const Image& actual, const Image& expected, int gain) {
             std::clamp(gain * std::max(std::abs(a[c] - b[c]), alpha), 0, 255));
     }
   return shown;
+}
+
+Image difference_image(const LinearImage& actual, const LinearImage& expected, int gain) {
+  FLATRAY_CHECK(layout(actual) == layout(expected));
+  double sum = 0;
+  for (const float light : expected.pixels)
+    if (std::isfinite(light)) sum += static_cast<double>(std::abs(light));
+  const double mean = sum / static_cast<double>(expected.pixels.size());
+  LinearImage shown{actual.width, actual.height, {}};
+  shown.pixels.reserve(actual.pixels.size());
+  for (std::size_t i = 0; i < actual.pixels.size(); ++i) {
+    const double found = gap(actual.pixels[i], expected.pixels[i]);
+    shown.pixels.push_back(found * gain < mean ? static_cast<float>(found * gain / mean)
+                           : found > 0         ? 1.0F
+                                               : 0.0F);
+  }
+  return develop(shown);
 }
 
 }  // namespace flatray

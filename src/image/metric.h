@@ -14,6 +14,7 @@ struct Metric {
   const char* name;
   const char* summary;
   double (*value)(const Image& actual, const Image& expected);
+  double (*of_light)(const LinearImage& actual, const LinearImage& expected);
 };
 
 /// Registered metrics by name.

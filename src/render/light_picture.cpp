@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "anim/world.h"
 #include "base/check.h"
 #include "base/light.h"
 #include "base/portable_math.h"
@@ -116,11 +117,34 @@ int light_channels(const Scene& scene) {
   return grey ? 1 : 3;
 }
 
+namespace {
+
+// Walls of a frame, or a few more.
+std::uint64_t most_walls(const Scene& scene) {
+  const auto walls = [&](ShapeId id) {
+    const Shape& shape = scene.shapes[id];
+    std::uint64_t count = shape.vertices.size() + shape.circles.size() + shape.segments.size();
+    for (const ArcPath& path : shape.arc_paths) count += 2 * path.arcs.size();
+    return count;
+  };
+  std::uint64_t count = 0;
+  for (const Entity& entity : scene.entities)
+    if (entity.material && entity.shape < scene.shapes.size()) count += walls(entity.shape);
+  for (const Chamber& chamber : scene.chambers) {
+    count += walls(chamber.shape);
+    for (const Chamber::Pillar& pillar : chamber.pillars) count += walls(pillar.shape);
+  }
+  return count;
+}
+
+}  // namespace
+
 std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   const Film& film = scene.film;
   constexpr std::uint64_t kBytesOfPixel =
       3 * (sizeof(std::int64_t) + sizeof(double) + sizeof(float));
-  constexpr std::uint64_t kBytesOfRay = 512;  // under way, where it arrives, its line
+  constexpr std::uint64_t kBytesOfRay = 512;   // under way, where it arrives, its line
+  constexpr std::uint64_t kBytesOfWall = 256;  // with its owner and its part of a tracer
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
   constexpr std::uint64_t kBytesOfPieces = std::uint64_t{1} << 26;  // of rays that fade
@@ -133,6 +157,7 @@ std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   return LightFilm::bytes(film.width, film.height, light_channels(scene), threads,
                           scene.light.scrambles) +
          (kBytesOfPixel + sums_at_once) * pixels + (absorbs ? kBytesOfPieces : 0) +
+         kBytesOfWall * count_of_worlds(scene) * most_walls(scene) +
          kBytesOfRay * (std::min(scene.light.rays, kLightRound) + films * scene.lamps.size());
 }
 

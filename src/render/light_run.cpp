@@ -97,10 +97,16 @@ class Rounds {
 };
 
 // Where every lamp is off.
-TracedLight darkness(const Scene& scene, TracedLight light, const NextRound& next) {
+TracedLight darkness(const Scene& scene, TracedLight light, const NextRound& next, bool (*stop)()) {
   while (light.films.size() < scene.light.scrambles)
     light.films.emplace_back(scene.film.width, scene.film.height, light_channels(scene));
-  while (const auto round = next(light)) light.rounds.add(*round);
+  while (const auto round = next(light)) {
+    if (stop != nullptr && stop()) {
+      light.whole = false;
+      break;
+    }
+    light.rounds.add(*round);
+  }
   return light;
 }
 
@@ -110,7 +116,7 @@ LightReport report_of(const TracedLight& light) {
   LightReport report{light.counts, light.rounds.count(), {}, {}, light.film_unit()};
   if (light.films.size() < 2) return report;
   report.scrambles = sums_of_scrambles(light);
-  report.error = relative_error(report.scrambles);
+  if (report.rounds > 0) report.error = relative_error(report.scrambles);
   return report;
 }
 
@@ -119,7 +125,7 @@ TracedLight trace_frame_light(const Scene& scene, const FrameState& state, const
                               const LightGoal& goal, TracedLight so_far) {
   const LitFrame lit(scene, state);
   const Rounds rounds(goal, scene.light.rays);
-  if (lit.lamps.empty()) return darkness(scene, std::move(so_far), rounds);
+  if (lit.lamps.empty()) return darkness(scene, std::move(so_far), rounds, stop);
   return trace_light(
       lit.worlds, lit.scatterers, lit.lamps, lit.place,
       {scene.light, seed, noise_frame(scene, state), threads, tracer, stop, light_channels(scene)},
@@ -136,7 +142,7 @@ GatheredLight gather_frame_light(const Scene& scene, const FrameState& state, co
 bool is_gathered(const Scene& scene, const FrameState& state) {
   if (scene.light.estimator != LightEstimator::automatic)
     return scene.light.estimator == LightEstimator::backward;
-  if (why_not_backward(scene)) return false;
+  if (why_not_backward(scene) || why_noisy_backward(scene)) return false;
   const World world = build_world(scene, state);
   if (world.surfaces.size() == 0 || any_on_wall(lamp_states(scene, state), world.surfaces))
     return false;

@@ -36,6 +36,8 @@ class Emitter {
   virtual Emitted emit(const double* u) const = 0;
   /// Of lamps that LampType::seen calls `points`; none where no light comes to `at`.
   virtual std::optional<Sight> sight(const Vec2& /*at*/) const { return std::nullopt; }
+  /// Whether all its light leaves as one ray: no point sees it but by chance.
+  virtual bool is_one_ray() const { return false; }
   /// Of lamps that LampType::seen calls `line`.
   virtual std::optional<LampLine> line() const { return std::nullopt; }
 };

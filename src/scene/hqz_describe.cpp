@@ -13,7 +13,8 @@
 namespace flatray {
 namespace {
 
-constexpr double kFps = 24;  // lines have no times
+constexpr double kMostPower = 1e30;  // of a lamp
+constexpr double kFps = 24;          // lines have no times
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 Member member(const char* key, Value value) { return {key, value.where, std::move(value)}; }
@@ -27,17 +28,41 @@ Value kind(const char* name, Value arguments) {
   return table_value(where, {member(name, std::move(arguments))});
 }
 
-// What a number is in each frame.
-using Track = std::vector<double>;
+// What a number is from each frame on in which it changes: as long as what the lines say of it.
+struct Track {
+  struct Step {
+    std::size_t frame;
+    double value;
+  };
+  std::vector<Step> steps{};
+  std::size_t end = 0;  // frames that have been told
+
+  // From `frame` on. What has not been told before stays what it was; of a new track it is the same.
+  void set(std::size_t frame, double value) {
+    add(steps.empty() ? 0 : frame, value), end = frame + 1;
+  }
+  // What has not been told before is 0.
+  void show(std::size_t frame, double value) {
+    finish(frame);
+    set(frame, value);
+  }
+  void finish(std::size_t frames) {
+    if (end < frames) add(end, 0), end = frames;
+  }
+
+ private:
+  void add(std::size_t frame, double value) {
+    if (steps.empty() || steps.back().value != value) steps.push_back({frame, value});
+  }
+};
 
 // A number, or a curve that stays from frame to frame.
 Value written(const Track& track) {
+  if (track.steps.size() == 1) return built_in_number(track.steps[0].value);
   std::vector<Value> keys;
-  for (std::size_t i = 0; i < track.size(); ++i)
-    if (i == 0 || track[i] != track[i - 1])
-      keys.push_back(
-          pair(built_in_number(static_cast<double>(i) / kFps), built_in_number(track[i])));
-  if (keys.size() == 1) return built_in_number(track[0]);
+  for (const auto& [frame, value] : track.steps)
+    keys.push_back(
+        pair(built_in_number(static_cast<double>(frame) / kFps), built_in_number(value)));
   std::vector<Member> curve;
   curve.push_back(member("keys", array_value({}, std::move(keys))));
   curve.push_back(member("ease", word("step")));
@@ -96,6 +121,7 @@ class HqzWriter {
       lamps_used_.clear(), walls_used_.clear();
       std::vector<HqzObject>().swap(scene.objects);
     }
+    if (!problems_.empty()) return tl::unexpected(std::move(problems_));
     std::vector<Member> root;
     root.push_back({"flatray", first.where, built_in_number(1)});
     root.push_back({"frames", first.where, built_in_number(static_cast<double>(frames_))});
@@ -106,7 +132,9 @@ class HqzWriter {
     root.push_back(member("light", light(first, exposure)));
     root.push_back(member("lamp", array_value(first.where, lamps())));
     root.push_back(member("entity", array_value(first.where, walls())));
-    return SceneDesc{table_value(first.where, std::move(root))};
+    SceneDesc desc{table_value(first.where, std::move(root))};
+    desc.ends = frames_ > 1;
+    return desc;
   }
 
  private:
@@ -166,25 +194,21 @@ class HqzWriter {
     if (k == of_kind.size()) of_kind.push_back({.where = where});
     return of_kind[k];
   }
-  // What stays what it was, from frame 1 on if it is new.
-  void set(Track& track, double value) {
-    track.resize(frame_, track.empty() ? value : track.back());
-    track.push_back(value);
-  }
-  // What is not there until now.
-  void show(Track& track, double value) {
-    track.resize(frame_, 0.0);
-    track.push_back(value);
-  }
 
   void add_lamp(const HqzLight& light, double power, double tint) {
+    if (!(power <= kMostPower))
+      problems_.push_back(
+          {light.power.where,
+           fmt::format("power comes to {:.3g} with the exposure of its line, beyond {}", power,
+                       kMostPower),
+           "write less power, or exposures that differ less"});
     LampTrack& lamp = track(lamps_[light.colour], lamps_used_[light.colour]++, light.where);
-    show(lamp.power, power);
-    set(lamp.tint, tint);
+    lamp.power.show(frame_, power);
+    lamp.tint.set(frame_, tint);
     for (std::size_t i = 0; i < std::size(kRanges); ++i) {
       const HqzRange& range = light.*kRanges[i].range;
-      set(lamp.ranges[2 * i], 0 + kRanges[i].sign * range.low);
-      set(lamp.ranges[2 * i + 1], 0 + kRanges[i].sign * range.high);
+      lamp.ranges[2 * i].set(frame_, 0 + kRanges[i].sign * range.low);
+      lamp.ranges[2 * i + 1].set(frame_, 0 + kRanges[i].sign * range.high);
     }
   }
 
@@ -215,7 +239,7 @@ class HqzWriter {
     for (const HqzRange* range : {&object.x, &object.y, &object.dx, &object.dy})
       if (!range->is_number()) {
         if (frames_ > 1)
-          warn_of_middle(*range, "a wall");
+          warn_of_middle(*range, "a wall of an animation");
         else if (alternatives.empty())
           for (std::uint32_t k = 0; k < kAlternatives; ++k)
             alternatives.push_back(drawn(object, entity_count_, k));
@@ -238,25 +262,21 @@ class HqzWriter {
         warnings_.push_back({object.where, "the normals of this wall turn with it", {}});
     }
     WallTrack& wall = track(walls_[kind], walls_used_[kind]++, object.where);
-    show(wall.x0, ends[0].x()), show(wall.y0, 0 - ends[0].y());
-    show(wall.x1, ends[1].x()), show(wall.y1, 0 - ends[1].y());
+    wall.x0.show(frame_, ends[0].x()), wall.y0.show(frame_, 0 - ends[0].y());
+    wall.x1.show(frame_, ends[1].x()), wall.y1.show(frame_, 0 - ends[1].y());
     wall.alternatives = std::move(alternatives);
   }
 
   void warn_of_middle(const HqzRange& range, const char* what) {
     warnings_.push_back(
         {range.where,
-         fmt::format("{} is not drawn at random for every ray here: the middle is taken", what),
+         fmt::format("{} is not drawn at random for every ray: the middle is taken", what),
          {}});
   }
 
   // Tracks that end before the last frame are not there from then on.
   Value whole(Track& track) {
-    track.resize(frames_, 0.0);
-    return written(track);
-  }
-  Value kept(Track& track) {
-    track.resize(frames_, track.back());
+    track.finish(frames_);
     return written(track);
   }
 
@@ -275,10 +295,11 @@ class HqzWriter {
   Value camera() const {
     Track x, y, height;
     for (const HqzScene& scene : scenes_) {
-      x.push_back(scene.left + scene.width / 2);
-      y.push_back(-(scene.top + scene.height / 2));
-      height.push_back(
-          std::max(scene.height, scene.width / scene.resolution[0] * scene.resolution[1]));
+      const std::size_t frame = x.end;
+      x.set(frame, scene.left + scene.width / 2);
+      y.set(frame, -(scene.top + scene.height / 2));
+      height.set(frame,
+                 std::max(scene.height, scene.width / scene.resolution[0] * scene.resolution[1]));
     }
     std::vector<Member> camera;
     camera.push_back(member("at", pair(written(x), written(y))));
@@ -302,13 +323,13 @@ class HqzWriter {
       for (LampTrack& one : tracks) {
         std::vector<Member> ranges, lamp;
         for (std::size_t i = 0; i < std::size(kRanges); ++i) {
-          Value low = kept(one.ranges[2 * i]), high = kept(one.ranges[2 * i + 1]);
+          Value low = written(one.ranges[2 * i]), high = written(one.ranges[2 * i + 1]);
           ranges.push_back(member(kRanges[i].name, pair(std::move(low), std::move(high))));
         }
         lamp.push_back(member("source", kind("ranges", table_value(one.where, std::move(ranges)))));
         lamp.push_back(member("power", whole(one.power)));
-        if (colour == HqzLight::Colour::nm) lamp.push_back(member("nm", kept(one.tint)));
-        if (colour == HqzLight::Colour::kelvin) lamp.push_back(member("kelvin", kept(one.tint)));
+        if (colour == HqzLight::Colour::nm) lamp.push_back(member("nm", written(one.tint)));
+        if (colour == HqzLight::Colour::kelvin) lamp.push_back(member("kelvin", written(one.tint)));
         all.push_back(table_value(one.where, std::move(lamp)));
       }
     return all;
@@ -360,6 +381,7 @@ class HqzWriter {
   std::vector<HqzScene> scenes_;
   const std::size_t frames_;
   Diagnostics& warnings_;
+  Diagnostics problems_;
   std::size_t frame_ = 0;
   bool noise_moves_ = false;
   std::uint64_t entity_count_ = 0;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/scatterer.h"
 
 namespace flatray {
@@ -44,15 +46,57 @@ std::string named(std::string_view what, std::string_view name) {
   return fmt::format("{} \"{}\"", what, name);
 }
 
+bool is_ever_one_ray(const Scene& scene, const Lamp& lamp) {
+  std::set<double> times = key_times(scene, lamp.source);
+  times.insert(0);
+  return std::any_of(times.begin(), times.end(), [&](double time) {
+    const auto emitter = emitter_at(scene, lamp, time);
+    return emitter != nullptr && emitter->is_one_ray();
+  });
+}
+
+constexpr const char* kHint = "say --estimator forward, or estimator = \"forward\" in [light]";
+
 }  // namespace
 
+std::set<double> key_times(const Scene& scene, const KeptArguments& kept) {
+  std::set<double> times;
+  for (const KeptArguments::Argument& argument : kept.arguments)
+    for (const Moving& number : argument.numbers)
+      if (number.curve) {
+        const std::vector<double>& keys = scene.curves[*number.curve].times;
+        times.insert(keys.begin(), keys.end());
+      }
+  return times;
+}
+
+std::optional<Diagnostic> why_noisy_backward(const Scene& scene) {
+  for (const Wall& wall : walls_of(scene)) {
+    const LightShares* shares =
+        wall.scatterer == kNoEntry ? nullptr : scene.scatterers[wall.scatterer]->shares();
+    if (shares != nullptr && shares->isotropic > 0)
+      return Diagnostic{wall.where,
+                        fmt::format("paths from pixels have noise without bounds near {}, which "
+                                    "scatters alike into all directions",
+                                    named(wall.what, wall.name)),
+                        kHint};
+  }
+  return std::nullopt;
+}
+
 std::optional<Diagnostic> why_not_backward(const Scene& scene) {
-  constexpr const char* kHint = "say --estimator forward, or estimator = \"forward\" in [light]";
   const Lamp* points = nullptr;
   for (const Lamp& lamp : scene.lamps) {
     if (lamp.type->seen == LampSeen::never)
       return Diagnostic{lamp.where,
-                        fmt::format("no path from a pixel finds the light of {}, a {}",
+                        fmt::format("no path from a pixel finds the light of {}, whose source is "
+                                    "{}",
+                                    named("lamp", lamp.name), lamp.type->name),
+                        kHint};
+    if (is_ever_one_ray(scene, lamp))
+      return Diagnostic{lamp.where,
+                        fmt::format("no path from a pixel finds the light of {}, a {} that is one "
+                                    "ray",
                                     named("lamp", lamp.name), lamp.type->name),
                         kHint};
     if (lamp.type->seen == LampSeen::points && points == nullptr) points = &lamp;

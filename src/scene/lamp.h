@@ -1,4 +1,6 @@
 #pragma once
+#include <set>
+
 #include "base/result.h"
 #include "scene/args.h"
 #include "scene/emitter.h"
@@ -27,6 +29,13 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene);
 
 /// All lights that a lamp may have, its own and those of its states.
 std::vector<const LampLight*> lights_of(const Lamp& lamp);
+
+/// Why their noise may be beyond all bounds: a wall that scatters alike into all directions shines
+/// along itself as bright as one likes, and paths come to it there by chance.
+std::optional<Diagnostic> why_noisy_backward(const Scene& scene);
+
+/// Times in seconds at which curves of arguments have keys.
+std::set<double> key_times(const Scene& scene, const KeptArguments& kept);
 
 /// Registered kinds by name.
 std::vector<const LampType*> lamp_types();

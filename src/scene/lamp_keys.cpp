@@ -1,4 +1,4 @@
-#include <set>
+#include <algorithm>
 
 #include "base/number_text.h"
 #include "scene/copies.h"
@@ -16,18 +16,6 @@ namespace {
 
 constexpr std::int64_t kMostRays = std::int64_t{1} << 40;
 constexpr std::int64_t kMostBounces = 1'000'000;
-
-// At which its curves have keys.
-std::set<double> key_times(const Scene& scene, const KeptArguments& kept) {
-  std::set<double> times;
-  for (const KeptArguments::Argument& argument : kept.arguments)
-    for (const Moving& number : argument.numbers)
-      if (number.curve) {
-        const std::vector<double>& keys = scene.curves[*number.curve].times;
-        times.insert(keys.begin(), keys.end());
-      }
-  return times;
-}
 
 void read_source(Builder& builder, const Field& field, Lamp& lamp) {
   const std::size_t problems = builder.in.problems.size();
@@ -215,6 +203,11 @@ void read_scrambles(Builder& builder, const Field& field, LightSettings& light) 
   light.scrambles = static_cast<unsigned>(*count);
 }
 
+void read_bounces(Builder& builder, const Field& field, LightSettings& light) {
+  set_integer<&LightSettings::bounces, 0, kMostBounces>(builder, field, light);
+  light.bounces_chosen = true;
+}
+
 constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
                                       {"soft", ToneCurve::soft},
                                       {"filmic", ToneCurve::filmic},
@@ -228,7 +221,7 @@ constexpr Word<bool> kNoises[] = {{"still", false}, {"moving", true}};
 
 constexpr Key<LightSettings> kLightKeys[] = {
     {{"rays", "whole number", "1000000"}, &set_integer<&LightSettings::rays, 1, kMostRays>},
-    {{"bounces", "whole number", "1000"}, &set_integer<&LightSettings::bounces, 0, kMostBounces>},
+    {{"bounces", "whole number", "1000"}, &read_bounces},
     {{"scrambles", "whole number", "1"}, &read_scrambles},
     {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
     {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
@@ -301,16 +294,24 @@ void check_light(Builder& builder) {
       builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
                          "light ends there: make the chamber a mirror, or leave its lamps out");
   }
-  if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward)
+  if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward) {
     if (auto hindrance = why_not_backward(scene))
       builder.in.problems.push_back(std::move(*hindrance));
-  std::uint64_t most = 0;
-  for (const Entity& entity : scene.entities)
-    most = std::max<std::uint64_t>(most, entity.alternatives.size());
-  if (most > 0 && builder.corners > builder.limits.max_corners / (most + 1))
-    builder.in.problem(scene.entities.front().where,
-                       "walls in all of their alternatives are more than the limit of corners",
-                       "write fewer alternatives, or say --max-corners N");
+    else if (auto noisy = why_noisy_backward(scene))
+      builder.in.warning(noisy->where, noisy->message, noisy->hint);
+  }
+  const auto most = std::max_element(scene.entities.begin(), scene.entities.end(),
+                                     [](const Entity& a, const Entity& b) {
+                                       return a.alternatives.size() < b.alternatives.size();
+                                     });
+  if (most != scene.entities.end() && !most->alternatives.empty() &&
+      builder.corners > builder.limits.max_corners / (most->alternatives.size() + 1))
+    builder.in.problem(
+        most->where,
+        fmt::format("the corners of all walls, once for each of these {} alternatives, "
+                    "come to more than {}",
+                    most->alternatives.size(), builder.limits.max_corners),
+        "write fewer alternatives, or say --max-corners N");
   if (scene.lamps.empty() && scene.light.where.source != nullptr)
     builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
 }

@@ -63,6 +63,7 @@ Result<ReadScene> read_text(std::string name, std::string text,
     return fail(std::move(loaded));
   }
   loaded->scene.name = scene_name(source->name());
+  loaded->scene.ends = desc->ends;
   loaded->scene.hash = hash_of(*source, overrides, imports);
   return ReadScene{std::move(*desc), std::move(*loaded)};
 }

@@ -298,8 +298,9 @@ enum class ToneCurve : std::uint8_t {
 /// How the light of lamps is traced and shown.
 struct LightSettings {
   std::uint64_t rays = 1'000'000;
-  unsigned bounces = 1000;  ///< at most; what is left is cut off, and counted
-  unsigned scrambles = 1;   ///< pictures of a part of the rays each: their spread is the error
+  unsigned bounces = 1000;      ///< at most; what is left is cut off, and counted
+  bool bounces_chosen = false;  ///< so that what is cut off is no surprise
+  unsigned scrambles = 1;       ///< pictures of a part of the rays each: their spread is the error
   std::optional<double> exposure;  ///< light of 1 is shown as this; unset: chosen by the picture
   ToneCurve tone = ToneCurve::soft;
   double gamma = 2.2;  ///< of that curve
@@ -366,6 +367,7 @@ struct Scene {
   Camera camera;
   std::uint64_t max_corners = std::uint64_t{1} << 25;  ///< of all that one frame draws
   unsigned frames = 1;
+  bool ends = false;  ///< with them: what would come later is not told
   double fps = 24;
   std::uint64_t seed = 0;
   std::vector<Shape> shapes;

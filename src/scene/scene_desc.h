@@ -50,6 +50,7 @@ Value array_value(Place where, std::vector<Value> items);
 struct SceneDesc {
   Value root;
   Diagnostics warnings{};            ///< of the importer
+  bool ends = false;                 ///< Scene::ends
   std::vector<SourcePtr> sources{};  ///< the files it is made of, in the order of their entries
 };
 

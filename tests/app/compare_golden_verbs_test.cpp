@@ -4,6 +4,7 @@
 
 #include "app/verb.h"
 #include "base/file.h"
+#include "image/pfm.h"
 #include "image/png.h"
 #include "support/own_folder.h"
 
@@ -94,6 +95,17 @@ TEST_F(Verbs, CompareWritesTheDifferenceAndTheMetric) {
   EXPECT_EQ(compare("a.png", "b.png", {"--json"}), 1);
   for (const char* part : {"\"schema\":\"flatray.compare/1\"", "\"equal\":false", "\"worst\":3"})
     EXPECT_NE(out_.find(part), std::string::npos) << part << " is not in\n" << out_;
+}
+
+TEST_F(Verbs, CompareOfLightTellsOfLight) {
+  for (const auto& [name, light] : {std::pair("a/x.pfm", 5.0F), std::pair("b/x.pfm", 8.0F)})
+    ASSERT_TRUE(write_file(folder_ / name, encode_pfm({1, 1, {light, 2, 2}})));
+  EXPECT_EQ(compare("a/x.pfm", "b/x.pfm", {"--metric", "max"}), 1);
+  EXPECT_EQ(out_, "worst pixel (0, 0) red: 5, expected 8; 1 of 1 pixel differs\n  max 3\n");
+  EXPECT_EQ(compare("a/x.pfm", "b/x.pfm", {"--json"}), 1);
+  EXPECT_NE(out_.find(R"("unit":"light")"), std::string::npos) << out_;
+  EXPECT_EQ(compare("a", "b", {"--diff", path("d")}), 1);
+  EXPECT_EQ(read_png(path("d/x.pfm.png"))->pixels.front(), 255);
 }
 
 constexpr const char* kScene = R"(flatray = 1

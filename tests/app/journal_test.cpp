@@ -130,7 +130,7 @@ TEST_F(JournalFile, AClaimIsSharedByRunsOfOneSettingAndRefusedToOthers) {
     ASSERT_TRUE(one && again);
     const auto other = Claim::take(folder_, "f_#.png", kTwo, false);
     ASSERT_FALSE(other);
-    EXPECT_EQ(other.error()[0].message, "another run is at work on it: seed 1 there, 2 here");
+    EXPECT_EQ(other.error()[0].message, "another run is at work on it: its seed is 1, not 2");
     EXPECT_EQ(other.error()[0].trouble, Trouble::output);
     EXPECT_TRUE(Claim::take(folder_, "g_#.png", kTwo, false)) << "another pattern";
     EXPECT_TRUE(one->expect_held());
@@ -164,7 +164,7 @@ TEST_F(JournalFile, AClaimOfADeadRunIsNobodysAndAPlantedOneWritesNowhereElse) {
 TEST(Differences, AreNamedWithBothValues) {
   EXPECT_EQ(differences(kOne, kOne), "");
   EXPECT_EQ(differences(R"({"seed":1})", kTwo),
-            "seed 1 there, 2 here; size none there, \"64x48\" here");
+            "its seed is 1, not 2; its size is none, not \"64x48\"");
   EXPECT_EQ(differences("a text of before", kTwo), "of another version");
 }
 

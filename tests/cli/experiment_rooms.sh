@@ -20,7 +20,7 @@ code=$?
 grep -q "stopped after" half.txt || fail "nothing was said of the stop"
 exists half/mean-free-path.blocks
 run 6 experiment mean-free-path "$sinai" --count 20000 --resume -o half
-says err "was kept by another run: count 100000000 there, 20000 here"
+says err "was kept by another run: its count is 100000000, not 20000"
 run 0 verify half
 rm -r half
 run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half

@@ -47,6 +47,14 @@ run 0 merge all.film --tone linear --exposure auto -o linear.png --quiet
 run 2 merge all.film --tone sfot -o x.png
 says err "say linear, soft, filmic"
 run 2 merge all.film --exposure 0 -o x.png
+for format in film hdr pfm; do
+  run 2 merge all.film --tone soft -o x.$format
+  says err "a .$format keeps light as it is"
+  run 2 merge all.film --exposure 2 -o x.$format
+done
+run 2 merge all.film -o x.jpg
+says err "does not end in .png, .hdr, .pfm or .film"
+says err "as picture.png"
 run 2 merge all.film
 
 # What does not go together.
@@ -54,12 +62,12 @@ run 4 merge all.film 1.film -o x.film
 says err "1.film: error: has rays that are in the films before, too"
 run 0 render lamp.toml --rays 1 --seed 7 -o seed.film --quiet
 run 4 merge all.film seed.film -o x.film
-says err "seed 0 there, 7 here"
+says err "is a film of other light: its seed is 7, not 0"
 run 0 render lamp.toml --rays 1 -D film.size=[8,8] -o size.film --quiet
 run 4 merge all.film size.film -o x.film
-says err 'size "40x30" there, "8x8" here'
+says err 'its size is "8x8", not "40x30"'
 run 6 render lamp.toml --seed 7 -o all.film --resume
-says err "is a film of other light: seed 0 there, 7 here"
+says err "is a film of other light: its seed is 0, not 7"
 head -c 1000 all.film > cut.film
 run 4 merge cut.film -o x.film
 says err "cut.film: error: film has 1000 bytes, and its header tells of"
@@ -72,10 +80,12 @@ says err "needs a film"
 run 2 render lamp.toml --crop 0,0,4,4 -o x.film
 sed '/lamp\]/,/^at/d' lamp.toml > unlit.toml
 run 2 render unlit.toml -o x.film
-says err "no lamp shines here"
+says err "is of light, and the scene has no lamp"
 run 2 render unlit.toml --error 0.1 -o x.png
 says err "needs --profile, or lamps"
-absent x.film x.png
+run 2 render lamp.toml -o x.png --resume
+says err "then flatray merge light.film"
+absent x.film x.png x.hdr x.pfm
 
 # From pixels: the same for any threads, other noise, and not with mirrors before a point.
 run 0 render lamp.toml --estimator forward -o forward.png --quiet
@@ -84,7 +94,11 @@ run 0 render lamp.toml --estimator backward --rays 20000 -o two.png -j 2 --quiet
 as_one backward.png two.png "threads of pixels"
 ! cmp -s forward.png backward.png || fail "--estimator backward does what forward does"
 run 2 render lamp.toml --estimator backward -o x.film
-says err "backward has no rounds"
+says err "backward has no rounds of rays, which a film is made of"
+for more in "--error 0.1" "--error-image e.png" "-D light.scrambles=16"; do
+  run 2 render lamp.toml -D 'light.estimator="backward"' $more -o x.png
+  says err "or leave"
+done
 run 4 render lamp.toml -D 'entity.0.material="mirror"' --estimator backward -o x.png
 says err "no path from a pixel finds the light of lamp"
 run 2 render lamp.toml --estimator sideways -o x.png
@@ -112,14 +126,26 @@ says err "rays, error 0.0"
 run 0 merge lit.film -o lit.png --error-image error.png --json
 says out '"error":0.0'
 run 2 merge all.film -o lit.png --error-image error.png
+says err "needs films of 16 scrambles or more"
+run 2 merge lit.film -o lit.png --error-image error.film
+says err "is a picture, not a film"
+run 0 render lamp.toml -D light.scrambles=16 --rays 1048576 --ray-shard 4/5 -o none.film
+run 0 merge none.film -o none.png --json
+says err "of 0 rays, no error yet"
+! grep -q '"error"' out.txt || fail "an error of no rays"
 run 2 render lamp.toml --error 0 -o lit.png
 run 2 render lamp.toml --error-image lit.png -o lit.png
 run 2 render lamp.toml -D light.scrambles=3 -o lit.png
 
 # Lost light is told.
-run 0 render lamp.toml --rays 1000 -D light.bounces=0 -o lit.png
+sed 's/bounces = 2, //; s/^material.*/material = "mirror"/; s/^at = .*/at = [0.5, 0]/' lamp.toml > shut.toml
+run 0 render shut.toml --rays 100 -o lit.png
 says err "of the light is lost"
-says err "light.bounces=10"
+says err "light.bounces=10000"
+run 0 render shut.toml --rays 100 -D light.bounces=3 -o lit.png
+! grep -qF "of the light is lost" err.txt || fail "the cut that the scene asks for is warned of"
+run 0 render shut.toml --rays 100 -D light.bounces=3 -o lit.png --json
+says out '"cut_off":1'
 run 0 render lamp.toml --rays 1000 -o lit.png --json
 says out '"cut_off":0'
 
@@ -131,7 +157,7 @@ run 0 render moving.toml --rays 524288 -o 'once/####.film' --quiet
 as_one seq/0002.film once/0002.film "a sequence"
 run 0 verify seq
 run 4 merge seq/0001.film seq/0002.film -o x.film
-says err "frame 1 there, 2 here"
+says err "its frame is 2, not 1"
 
 # Of light that does not move one is traced for all frames, and shown below what moves.
 cat > below.toml << 'END'

@@ -51,9 +51,9 @@ at_work() {
 }
 at_work
 run 6 render long.toml -o 'long/f_####.png' -f 1..3 --seed 2
-says err "long/f_####.png: error: another run is at work on it: seed 1 there, 2 here"
+says err "long/f_####.png: error: another run is at work on it: its seed is 1, not 2"
 run 6 render long.toml -o 'long/f_####.png' -f 3 --size 32x24 --resume
-says err 'size "64x48" there, "32x24" here'
+says err 'its size is "64x48", not "32x24"'
 run 0 render long.toml -o 'long/g_####.png' -f 1..3 --seed 2
 run 0 render long.toml -o 'long/f_####.png' -f 1..3 --seed 1
 run 0 render long.toml -o 'long/f_####.png' -f 1..4000:400 --seed 2 --force --quiet

@@ -91,6 +91,47 @@ TEST(DifferenceImage, ShowsADifferenceInAlphaAlone) {
   EXPECT_EQ(difference_image(actual, expected).pixels, (std::vector<std::uint8_t>{16, 16, 16}));
 }
 
+LinearImage light(std::vector<float> pixels) {
+  return {static_cast<int>(pixels.size() / 3), 1, std::move(pixels)};
+}
+
+TEST(Compare, LightIsComparedInItsOwnNumbersBeyondWhatIsShown) {
+  const LinearImage expected = light({8, 2, 1e-6F, 0, 0, 0}),
+                    actual = light({5, 2, 3e-6F, 0, 0, 0});
+  const Difference found = compare(actual, expected).value();
+  EXPECT_EQ(found.pixels, 1U);
+  EXPECT_EQ(found.of, 2U);
+  EXPECT_EQ(found.worst, 3);
+  EXPECT_EQ(found.actual, 5);
+  EXPECT_EQ(found.expected, 8);
+  EXPECT_NEAR(found.mean, 0.5, 1e-6);
+  EXPECT_NEAR(found.rmse, std::sqrt(9.0 / 6), 1e-6);
+  EXPECT_NEAR(found.psnr, 10 * std::log10(64 / 1.5), 1e-6);  // of the brightest light
+  EXPECT_FALSE(compare(actual, light({0, 0, 0})));
+}
+
+TEST(Compare, OfLightNoNumberIsAnInfiniteDifferenceFromAllButItself) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const LinearImage holes = light({none, 1, 1});
+  EXPECT_EQ(compare(holes, holes)->pixels, 0U);
+  const Difference found = compare(light({none, 1, 2}), holes).value();
+  EXPECT_EQ(found.worst, 1);
+  const Difference hole = compare(light({1, 1, 1}), holes).value();
+  EXPECT_EQ(hole.worst, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(hole.rmse, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(hole.channel, 0);
+}
+
+TEST(DifferenceImage, OfLightIsTheSameInAnyUnit) {
+  for (const float unit : {1e-6F, 1.0F, 1e6F}) {
+    const LinearImage expected = light({unit, unit, unit, unit, unit, unit});
+    LinearImage actual = expected;
+    actual.pixels[1] += unit / 16, actual.pixels[3] += unit / 64;
+    const Image shown = difference_image(actual, expected);
+    EXPECT_EQ(shown.pixels, (std::vector<std::uint8_t>{0, 255, 0, 137, 0, 0})) << unit;
+  }
+}
+
 TEST(Metrics, AreRegisteredByName) {
   std::vector<std::string> names;
   for (const Metric* metric : metrics()) names.emplace_back(metric->name);
@@ -105,6 +146,9 @@ TEST(Metrics, AreZeroOrInfiniteOnEqualPicturesAndOnNoOthers) {
     const double equal = metric->value(image, image), different = metric->value(image, other);
     EXPECT_TRUE(equal == 0 || std::isinf(equal)) << metric->name;
     EXPECT_TRUE(different > 0 && std::isfinite(different)) << metric->name;
+    const LinearImage one = light({1, 2, 3});
+    EXPECT_EQ(metric->of_light(one, one), equal) << metric->name;
+    EXPECT_TRUE(std::isfinite(metric->of_light(light({1, 2, 3.5F}), one))) << metric->name;
   }
 }
 

@@ -231,6 +231,54 @@ TEST(Gather, NamesTheLampAndTheMirrorThatHinderIt) {
                 .find("\"pane\""),
             std::string::npos);
   EXPECT_EQ(refusal(sun + mirror + "{ diffuse = {} }\n"), "");
+  // No point lies on one ray but by chance.
+  for (const char* spread : {"0", "{ keys = [[0, 10], [1, 0], [2, 10]] }"}) {
+    const std::string why =
+        refusal("[[lamp]]\nname = 'needle'\nsource = { cone = { spread = " + std::string(spread) +
+                " } }\n");
+    EXPECT_NE(why.find("\"needle\", a cone that is one ray"), std::string::npos) << why;
+  }
+}
+
+// To go through a wall is a bounce, whichever way light is followed.
+TEST(Gather, OfLightThroughWallsHasAsManyBouncesAsForward) {
+  const std::string panes =
+      "[[lamp]]\nsource = { point = {} }\nat = [-3, 0]\n"
+      "[[entity]]\nshape = { segment = { from = [-1, -9], to = [-1, 9] } }\nmaterial = { pass = {} "
+      "}\n"
+      "[[entity]]\nshape = { segment = { from = [1, -9], to = [1, 9] } }\nmaterial = { pass = {} "
+      "}\n";
+  const auto columns = [](const std::vector<double>& fluence) {
+    std::array<bool, 3> lit_columns{};
+    for (const std::size_t column : {4U, 8U, 12U})
+      lit_columns[column / 4 - 1] = fluence[3 * (7 * 16 + column)] > 0;
+    return lit_columns;
+  };
+  for (unsigned bounces = 0; bounces < 4; ++bounces) {
+    const std::string light = "rays = 65536\nbounces = " + std::to_string(bounces);
+    const Scene scene = scene_of(seen(panes, light));
+    const Timeline timeline(scene, 0, 1);
+    const TracedLight traced = trace_frame_light(scene, at(timeline, 1), nullptr, 0, 2, nullptr);
+    const std::vector<std::int64_t> sums = traced.sums();
+    EXPECT_EQ(columns(gathered(panes, light).fluence), columns({sums.begin(), sums.end()}))
+        << bounces;
+  }
+}
+
+TEST(Gather, BesideWhatScattersAlikeIsWarnedOf) {
+  const auto warnings = [](const char* material) {
+    const auto loaded =
+        load_scene_text("test.toml", seen("[[lamp]]\nsource = { point = {} }\nat = [-2, "
+                                          "0]\n[[entity]]\nname = 'fog'\nshape = { circle "
+                                          "= { radius = 1 } }\nmaterial = { mix = { " +
+                                              std::string(material) + " = 0.5 } }\n",
+                                          "estimator = 'backward'"));
+    FLATRAY_CHECK(loaded.has_value());
+    return format(loaded->warnings);
+  };
+  EXPECT_NE(warnings("isotropic").find("noise without bounds near entity \"fog\""),
+            std::string::npos);
+  EXPECT_EQ(warnings("diffuse"), "");
 }
 
 // Of 2500 times the size of the picture, and where it can.
@@ -247,6 +295,7 @@ TEST(Gather, IsChosenForASmallPartOfTheWalls) {
   EXPECT_TRUE(chosen("201", "{ diffuse = {} }"));
   EXPECT_FALSE(chosen("199", "{ diffuse = {} }"));
   EXPECT_FALSE(chosen("201", "'mirror'"));
+  EXPECT_FALSE(chosen("201", "{ isotropic = {} }"));  // whose noise has no bounds from there
 }
 
 }  // namespace

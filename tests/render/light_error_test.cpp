@@ -210,5 +210,46 @@ TEST(LightErrors, IntervalsHoldTheTruthAsOftenAsTheySay) {
   }
 }
 
+// Where every lamp is off there is nothing to trace, and still an end to ask for.
+TEST(LightRounds, OfDarknessEndWhereTheyAreStopped) {
+  const Scene scene = scene_of(
+      "flatray = 1\nfilm = { size = [4, 4], world = [[-1, -1], [1, 1]] }\n"
+      "light = { rays = 1000000000000 }\n[[lamp]]\nsource = { point = {} }\n"
+      "power = { keys = [[0, 0], [1, 1]] }\n");
+  const Timeline timeline(scene, 0, 1);
+  const TracedLight light =
+      trace_frame_light(scene, at(timeline, 1), nullptr, 0, 1, [] { return true; });
+  EXPECT_FALSE(light.whole);
+  EXPECT_EQ(light.rounds.count(), 0U);
+}
+
+TEST(LightRounds, AreCountedOnce) {
+  FilmRounds rounds, more;
+  for (const std::uint64_t round : {3U, 3U, 200U}) rounds.add(round);
+  EXPECT_EQ(rounds.count(), 2U);
+  for (const std::uint64_t round : {3U, 64U}) more.add(round);
+  rounds.add(more);
+  EXPECT_EQ(rounds.count(), 3U);
+  EXPECT_EQ(FilmRounds(rounds.words()).count(), 3U);
+}
+
+// All worlds of alternatives are in memory at once.
+TEST(LightMemory, HasTheWallsOfAllAlternatives) {
+  const auto bytes = [](const std::string& alternatives) {
+    const std::string segment = "{ segment = { from = [0, 0], to = [1, 0] } }";
+    std::string all;
+    for (int i = 0; i < 63; ++i) all += segment + ",";
+    return light_bytes(
+        scene_of(
+            "flatray = 1\nfilm = { size = [4, 4], world = [[-1, -1], [1, 1]] }\n"
+            "light = { rays = 1 }\n[[lamp]]\nsource = { point = {} }\n[[entity]]\nshape = " +
+            segment +
+            "\nmaterial = 'absorb'\nrepeat = { grid = { count = [1000, 1], step = [1, 1] } }\n" +
+            (alternatives.empty() ? "" : "alternatives = [" + all + "]\n")),
+        1);
+  };
+  EXPECT_GT(bytes("64"), bytes("") + 63 * 1000 * 200);
+}
+
 }  // namespace
 }  // namespace flatray

@@ -226,6 +226,35 @@ TEST(HqzFormat, ASceneALineIsAnAnimation) {
   EXPECT_EQ(power(3), 1);
 }
 
+// What comes to nothing and begins again steps down to 0 and up; what never changes has no curve.
+TEST(HqzFormat, WallsAreThereInTheirLinesAlone) {
+  const std::string wall = hqz_text(kLight, "[0, 0, 0, 4, 0]", R"([[1, "d"]])"),
+                    none = hqz_text(kLight, "", R"([[1, "d"]])");
+  const Scene scene = hqz_scene(none + "\n" + wall + "\n" + none + "\n" + none + "\n" + wall).scene;
+  ASSERT_EQ(scene.entities.size(), 1U);
+  const auto& curves = scene.curves;
+  bool found = false;
+  for (const Curve& curve : curves)
+    if (curve.values == std::vector<double>{0, 4, 0, 4}) {
+      found = true;
+      EXPECT_EQ(curve.times, (std::vector<double>{0, 1 / 24.0, 2 / 24.0, 4 / 24.0}));
+    }
+  EXPECT_TRUE(found);
+  EXPECT_TRUE(scene.ends);
+  EXPECT_FALSE(hqz_scene(wall).scene.ends);
+}
+
+// Brightness is told in parts of the exposure of the first line.
+TEST(HqzFormat, PowerBeyondAllBoundsIsToldWhereItIs) {
+  std::string dark = hqz_text(kLight), bright = hqz_text("[1e12, 0, 0, 0, 0, 0, 0]");
+  dark.replace(dark.find("0.5"), 3, "-6"), bright.replace(bright.find("0.5"), 3, "6");
+  const std::string told = hqz_refusal(dark + "\n" + bright);
+  EXPECT_NE(told.find("t.json:2:"), std::string::npos) << told;
+  EXPECT_NE(told.find("power comes to 1.3e+64 with the exposure of its line, beyond 1e+30"),
+            std::string::npos)
+      << told;
+}
+
 TEST(HqzFormat, IsKnownByItsContent) {
   const auto read = load_scene_text("-", hqz_text(kLight), {}, {});
   ASSERT_TRUE(read) << format(read.error());

@@ -317,5 +317,18 @@ TEST(Materials, OfGlassNeedAnInside) {
   EXPECT_EQ(loaded("flatray = 1\n[light]\nrays = 5\n").warnings.at(0).message, "no lamp shines");
 }
 
+TEST(Lamps, WallsOfTooManyAlternativesAreToldWhereTheyAre) {
+  const auto refused = load_scene_text(
+      "t.toml",
+      "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n[[entity]]\n"
+      "shape = { segment = { from = [0, 0], to = [1, 0] } }\nmaterial = 'absorb'\n"
+      "alternatives = [{ segment = { from = [0, 0], to = [2, 0] } }]\n",
+      {}, {.max_corners = 60});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(format(refused.error()).find("t.toml:4:1: error: the corners of all walls, once for"),
+            std::string::npos)
+      << format(refused.error());
+}
+
 }  // namespace
 }  // namespace flatray

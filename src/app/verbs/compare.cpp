@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <filesystem>
 
 #include "app/difference_text.h"
@@ -44,6 +43,7 @@ struct Outcome {
   Difference difference;
   std::string text;
   std::optional<double> metric;
+  const char* unit = "levels";
 };
 
 std::vector<std::string> pictures_below(const fs::path& folder) {
@@ -89,7 +89,7 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
 
 struct Picture {
   Image image;
-  std::vector<float> light;  // of an HDR or PFM
+  std::optional<LinearImage> light;  // of an HDR or PFM
 };
 
 Result<Picture> read_picture(const std::string& path, bool named) {
@@ -102,22 +102,28 @@ Result<Picture> read_picture(const std::string& path, bool named) {
   if (is_hdr(bytes) || is_pfm(bytes)) {
     Result<LinearImage> light = is_hdr(bytes) ? decode_hdr(bytes, path) : decode_pfm(bytes, path);
     if (!light) return fail(std::move(light));
-    return Picture{develop(*light), std::move(light->pixels)};
+    return Picture{develop(*light), std::move(*light)};
   }
   Result<Image> image = decode_png(bytes, path);
   if (!image) return fail(std::move(image));
-  return Picture{std::move(*image), {}};
+  return Picture{std::move(*image), std::nullopt};
 }
 
-// Pixels of two HDR whose light is not the same, shown or not.
-std::uint64_t pixels_of_other_light(const Picture& a, const Picture& b) {
-  std::uint64_t count = 0;
-  const auto same = [&](std::size_t i) {  // NaN, too
-    return std::bit_cast<std::uint32_t>(a.light[i]) == std::bit_cast<std::uint32_t>(b.light[i]);
-  };
-  for (std::size_t i = 0; i + 2 < std::min(a.light.size(), b.light.size()); i += 3)
-    count += same(i) && same(i + 1) && same(i + 2) ? 0 : 1;
-  return count;
+// Of two pictures as shown or, where both hold it, of their light.
+template <class Image>
+Result<Outcome> measure(const Image& actual, const Image& expected, const Metric* metric,
+                        double (*Metric::*value)(const Image&, const Image&),
+                        const std::optional<fs::path>& diff, const Outputs& outputs) {
+  const Result<Difference> difference = compare(actual, expected);
+  if (!difference) return tl::unexpected(difference.error());
+  if (diff)
+    if (auto written = outputs.write(*diff, encode_png(difference_image(actual, expected)));
+        !written)
+      return fail(std::move(written));
+  Outcome outcome{*difference, "equal", std::nullopt};
+  if (difference->pixels != 0) outcome.text = difference_text(*difference);
+  if (metric != nullptr) outcome.metric = (metric->*value)(actual, expected);
+  return outcome;
 }
 
 Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optional<fs::path>& diff,
@@ -127,21 +133,16 @@ Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optio
   if (!a) return tl::unexpected(a.error());
   const Result<Picture> b = read_picture(pair.expected.string(), named);
   if (!b) return tl::unexpected(b.error());
-  const Image &actual = a->image, &expected = b->image;
-  Result<Difference> difference = compare(actual, expected);
-  if (!difference) {
-    difference.error().front().where = named_place(pair.actual.string());
-    return fail(std::move(difference));
-  }
-  difference->pixels = std::max(difference->pixels, pixels_of_other_light(*a, *b));
-  if (diff) {
-    const fs::path path = pair.name.empty() ? *diff : *diff / pair.name;
-    auto written = outputs.write(path, encode_png(difference_image(actual, expected)));
-    if (!written) return fail(std::move(written));
-  }
-  Outcome outcome{*difference, "equal", std::nullopt};
-  if (difference->pixels != 0) outcome.text = difference_text(*difference, actual);
-  if (metric != nullptr) outcome.metric = metric->value(actual, expected);
+  std::optional<fs::path> path = diff;
+  if (diff && !named) path = *diff / pair.name;
+  if (path && !named && path->extension() != ".png") *path += ".png";
+  const bool of_light = a->light && b->light;
+  Result<Outcome> outcome =
+      of_light ? measure(*a->light, *b->light, metric, &Metric::of_light, path, outputs)
+               : measure(a->image, b->image, metric, &Metric::value, path, outputs);
+  if (!outcome && !outcome.error().front().where)
+    outcome.error().front().where = named_place(pair.actual.string());
+  if (outcome) outcome->unit = of_light ? "light" : "levels";
   return outcome;
 }
 
@@ -156,11 +157,9 @@ Result<const Metric*> chosen_metric(const Arguments& arguments) {
 
 JsonValue as_value(const Pair& pair, const Outcome& outcome, const Metric* metric) {
   const Difference& difference = outcome.difference;
-  Fields fields = {{"actual", pair.actual.string()},
-                   {"expected", pair.expected.string()},
-                   {"equal", difference.pixels == 0},
-                   {"pixels", difference.pixels},
-                   {"worst", difference.worst}};
+  Fields fields = {{"actual", pair.actual.string()},  {"expected", pair.expected.string()},
+                   {"equal", difference.pixels == 0}, {"unit", outcome.unit},
+                   {"pixels", difference.pixels},     {"worst", difference.worst}};
   if (difference.pixels != 0)
     fields.emplace_back("at", Fields{{"x", difference.x},
                                      {"y", difference.y},

@@ -119,7 +119,7 @@ std::string change_text(const GoldenUpdate::Picture& picture) {
   std::string what = "new";
   if (picture.before) {
     const auto change = compare(picture.after, *picture.before);
-    what = change ? difference_text(*change, picture.after) : std::string("of another size");
+    what = change ? difference_text(*change) : std::string("of another size");
   }
   return fmt::format("{}: {}\n  look:   {}{}\n", picture.row.file(), what, picture.sheet(),
                      picture.before ? " (before, after, difference x16)" : "");

@@ -46,9 +46,8 @@ Result<LightSettings> look(const Arguments& arguments, const FilmFile& film) {
   const auto setting = parse_json(film.setting);
   const JsonValue* exposure = setting ? setting->find("exposure") : nullptr;
   if (exposure != nullptr) light.exposure = exposure->as_number();
-  if (light.exposure && !(*light.exposure > 0 && *light.exposure <= 1e30)) light.exposure.reset();
   if (const JsonValue* gamma = setting ? setting->find("gamma") : nullptr)
-    light.gamma = std::clamp(gamma->as_number().value_or(light.gamma), 0.1, 10.0);
+    light.gamma = gamma->as_number().value_or(light.gamma);
   std::string tone = setting ? setting->text_of("tone") : "";
   if (const auto text = arguments.text("exposure")) {
     light.exposure = parse_number(*text);
@@ -113,6 +112,13 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!image) return tl::unexpected(image.error());
     error_output = std::move(*image);
   }
+  if (output->format() != PictureFormat::png)
+    for (const char* option : {"exposure", "tone"})
+      if (arguments.has(option))
+        return usage_error(
+            arguments.where(option),
+            fmt::format("is of a .png: a .{} keeps light as it is", name(output->format())),
+            "leave it out, or say -o picture.png");
   const auto film = merged(arguments);
   if (!film) return tl::unexpected(film.error());
   const auto light = look(arguments, *film);
@@ -124,9 +130,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
                                            ? encode_film(*film)
                                            : picture_of(*film, report, *light, output->format());
   if (error_output) {
-    if (film->scrambles.size() < 2 || error_output->format() == PictureFormat::film)
+    if (error_output->format() == PictureFormat::film)
+      return usage_error(arguments.where("error-image"), "is a picture, not a film",
+                         "say .pfm, .hdr or .png");
+    if (film->scrambles.size() < 2)
       return usage_error(arguments.where("error-image"), "needs films of 16 scrambles or more",
-                         "render them with -D light.scrambles=16, to a picture's name");
+                         "render them again with -D light.scrambles=16");
     if (std::filesystem::path(*arguments.text("error-image")).lexically_normal() ==
         path.lexically_normal())
       return usage_error(arguments.where("error-image"), "is where the picture goes",
@@ -144,7 +153,9 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const LightRecord record = record_of(report);
   if (!arguments.has("quiet"))
     report_note(fmt::format("flatray: {} of {}{}", path.string(), counted(record.rays, "ray"),
-                            record.error ? fmt::format(", error {:.2g}", *record.error) : ""));
+                            record.error ? fmt::format(", error {:.2g}", *record.error)
+                            : !report.scrambles.empty() && record.rounds == 0 ? ", no error yet"
+                                                                              : ""));
   if (!arguments.has("json")) return VerbOutput{};
   return VerbOutput{json_report("merge", arguments,
                                 Fields{{"file", path.string()},

@@ -4,12 +4,14 @@
 namespace flatray::metric {
 namespace {
 
-double value(const Image& actual, const Image& expected) {
+template <class Picture>
+double value(const Picture& actual, const Picture& expected) {
   return compare(actual, expected)->worst;
 }
 
 }  // namespace
 
-extern const Metric max = {"max", "largest channel difference, levels", &value};
+extern const Metric max = {"max", "largest channel difference, levels or light", &value<Image>,
+                           &value<LinearImage>};
 
 }  // namespace flatray::metric

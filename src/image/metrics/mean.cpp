@@ -4,10 +4,14 @@
 namespace flatray::metric {
 namespace {
 
-double value(const Image& actual, const Image& expected) { return compare(actual, expected)->mean; }
+template <class Picture>
+double value(const Picture& actual, const Picture& expected) {
+  return compare(actual, expected)->mean;
+}
 
 }  // namespace
 
-extern const Metric mean = {"mean", "mean absolute channel difference, levels", &value};
+extern const Metric mean = {"mean", "mean absolute channel difference, levels or light",
+                            &value<Image>, &value<LinearImage>};
 
 }  // namespace flatray::metric

@@ -4,10 +4,14 @@
 namespace flatray::metric {
 namespace {
 
-double value(const Image& actual, const Image& expected) { return compare(actual, expected)->psnr; }
+template <class Picture>
+double value(const Picture& actual, const Picture& expected) {
+  return compare(actual, expected)->psnr;
+}
 
 }  // namespace
 
-extern const Metric psnr = {"psnr", "peak signal-to-noise ratio, dB; infinite when equal", &value};
+extern const Metric psnr = {"psnr", "peak signal-to-noise ratio, dB; infinite when equal",
+                            &value<Image>, &value<LinearImage>};
 
 }  // namespace flatray::metric

@@ -4,10 +4,14 @@
 namespace flatray::metric {
 namespace {
 
-double value(const Image& actual, const Image& expected) { return compare(actual, expected)->rmse; }
+template <class Picture>
+double value(const Picture& actual, const Picture& expected) {
+  return compare(actual, expected)->rmse;
+}
 
 }  // namespace
 
-extern const Metric rmse = {"rmse", "root of the mean squared channel difference, levels", &value};
+extern const Metric rmse = {"rmse", "root of the mean squared channel difference, levels or light",
+                            &value<Image>, &value<LinearImage>};
 
 }  // namespace flatray::metric

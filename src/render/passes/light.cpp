@@ -12,7 +12,8 @@ Need need(const Scene& scene) {
   if (scene.light.estimator == LightEstimator::backward)
     return run(lamps + ", backward from pixels, as the scene asks");
   if (scene.light.estimator == LightEstimator::forward) return run(lamps + ", forward");
-  const auto hindrance = why_not_backward(scene);
+  auto hindrance = why_not_backward(scene);
+  if (!hindrance) hindrance = why_noisy_backward(scene);
   return run(hindrance ? lamps + ", forward: " + hindrance->message
                        : lamps + ", forward, but for views of a small part of the walls");
 }

@@ -23,6 +23,7 @@ class Cone : public Emitter {
     if (spread_ == 0 || !(at.x() >= r * turn(spread_ / 2).cos)) return std::nullopt;
     return Sight{{0, 0}, 1 / (spread_ * r)};
   }
+  bool is_one_ray() const override { return spread_ == 0; }
 
  private:
   double spread_;  // radians

@@ -32,8 +32,9 @@ struct Path {
 // A point that looks towards a lamp.
 struct Look {
   std::size_t path;
-  Vec2 from;       // of the lamp
-  LightSum light;  // that it adds, if nothing is in the way
+  std::uint32_t bounces;  // that are left
+  Vec2 from;              // of the lamp
+  LightSum light;         // that it adds, if nothing is in the way
 };
 
 class Backward {
@@ -110,7 +111,7 @@ class Backward {
                           bits(first_ + pixel, static_cast<std::uint32_t>(i)),
                           {2 * kPi, 2 * kPi, 2 * kPi}};
           const LightRay light = of_.start(first_ + pixel, i);
-          look(path, light, 1 / (2 * kPi), nullptr);
+          look(path, light, 1 / (2 * kPi), of_.rules_.light.bounces, nullptr);
           paths_.push_back(path), rays_.push_back(light);
         }
       add_looks();
@@ -129,7 +130,8 @@ class Backward {
     };
     // Notes the lamps that a point sees from one direction; `share` is what of their fluence, times the
     // cosine at a wall, becomes radiance along the path.
-    void look(const Path& path, const LightRay& at, double share, const Matt* wall) {
+    void look(const Path& path, const LightRay& at, double share, std::uint32_t bounces,
+              const Matt* wall) {
       for (std::size_t lamp = 0; lamp < of_.lamps_.size(); ++lamp) {
         const auto sight = of_.lamps_.sight(lamp, at.ray.origin);
         if (!sight) continue;
@@ -143,7 +145,7 @@ class Backward {
           if (!(part > 0) || !of_.walls_.sets_off_from(towards, wall->landed, !wall->both_sides))
             continue;
         }
-        Look one{path.pixel * kParts + path.part, sight->from, {}};
+        Look one{path.pixel * kParts + path.part, bounces, sight->from, {}};
         for (std::size_t c = 0; c < 3; ++c)
           one.light[c] = path.weight[c] * part * sight->fluence[c];
         looks_.push_back(one);
@@ -158,7 +160,8 @@ class Backward {
       of_.walls_.tracer().nearest(looking_, hits);
       for (std::size_t i = 0; i < looks_.size(); ++i) {
         const Look& one = looks_[i];
-        const auto passed = of_.lamps_.passes(one.from, looking_.ray(i), looking_.left[i], hits[i]);
+        const auto passed =
+            of_.lamps_.passes(one.from, looking_.ray(i), looking_.left[i], hits[i], one.bounces);
         for (std::size_t c = 0; c < 3; ++c)
           sums_[one.path][c] += static_cast<double>(passed[c]) * one.light[c];
       }
@@ -197,13 +200,14 @@ class Backward {
       for (std::size_t c = 0; c < 3; ++c) path.weight[c] *= left[c];
       for (std::size_t c = 0; c < 3; ++c) path.weight[c] *= static_cast<double>(departure.tint[c]);
       if (departure.way == Departure::Way::scattered &&
-          !turned_round(i, arrival, departure, number(1)))
+          !turned_round(i, of_.rules_.light.bounces - bounces - 1, arrival, departure, number(1)))
         return false;
       return of_.walls_.leaves(rays_[i], landed, departure) && gamble(path, number(2));
     }
 
     // Scattering the other way: of what comes, not of what leaves.
-    bool turned_round(std::size_t i, const Arrival& arrival, Departure& departure, double u) {
+    bool turned_round(std::size_t i, std::uint32_t bounces_left, const Arrival& arrival,
+                      Departure& departure, double u) {
       Path& path = paths_[i];
       const double cosine = -arrival.direction.dot(arrival.normal);
       const LightLanding& landed = landings_[i];
@@ -218,13 +222,13 @@ class Backward {
       at.ray.origin = landed.point;
       const Matt wall{landed, !departure.stays};
       if (departure.stays) {
-        look(path, at, 0.5, &wall);
+        look(path, at, 0.5, bounces_left, &wall);
         return true;
       }
       // Light that comes to a unit of the wall leaves alike in all directions, but from each direction
       // the wall looks shorter by the cosine.
       if (!(cosine > 0)) return false;
-      look(path, at, 1 / (2 * kPi * cosine), &wall);
+      look(path, at, 1 / (2 * kPi * cosine), bounces_left, &wall);
       const bool back = u < 0.5;
       departure.direction =
           lambert_direction((back ? 1.0 : -1.0) * arrival.normal, 2 * u - (back ? 0 : 1));

@@ -20,7 +20,8 @@ std::uint64_t paths_a_pixel(std::uint64_t rays, std::uint64_t pixels);
 ///         points; no body that disperses. LightRules::light says how many rays and bounces.
 /// Gives   what trace_light() gives, but for noise; the same bytes for any number of threads, tier and
 ///         exact tracer.
-/// Error   unbiased. Light that would come through a corner is lost.
+/// Error   unbiased. Light that would come through a corner is lost. At walls that scatter alike into
+///         all directions the variance is infinite: their radiance along the wall is without bounds.
 /// Source  Jarosz et al. 2012, "Theory, analysis and applications of 2D global illumination".
 /// Cost    a pixel costs the same whether much light crosses it or little: for views of a small part
 ///         of a scene.

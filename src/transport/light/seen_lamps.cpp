@@ -73,7 +73,7 @@ std::optional<SeenLamps::Sighted> SeenLamps::sight(std::size_t lamp, const Vec2&
 
 // A lamp on a wall shines to both sides of it, and from corners not at all.
 std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const Left& left,
-                                       const NearestHit& first) const {
+                                       const NearestHit& first, std::uint32_t most) const {
   constexpr std::array<float, 3> kNone{0, 0, 0};
   const Surfaces& walls = walls_.walls();
   const std::vector<std::uint32_t> on = walls_.walls_at(from);
@@ -92,7 +92,7 @@ std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const L
   for (const NearestHit& hit : walls_.tracer().all_of_one(ray, left, false)) {
     if (arrives(hit)) break;
     const auto part = static_cast<float>(pass(hit));
-    if (part == 0) return kNone;
+    if (part == 0 || most-- == 0) return kNone;
     for (std::size_t c = 0; c < 3; ++c) passed[c] *= part * walls_.shares(hit.surface)->tint[c];
   }
   return passed;
