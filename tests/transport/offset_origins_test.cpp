@@ -39,25 +39,25 @@ Surfaces crowd(Draws& draws, double size) {
   return walls;
 }
 
-long double distance(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  const auto size = [](long double x, long double y) { return std::sqrt(x * x + y * y); };
+double distance(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  const auto size = [](double x, double y) { return std::sqrt(x * x + y * y); };
   if (walls.kinds[surface] == SurfaceKind::segment) {
     const Segment& wall = walls.segments[walls.slot[surface]];
-    const long double ex = static_cast<long double>(wall.b.x()) - wall.a.x();
-    const long double ey = static_cast<long double>(wall.b.y()) - wall.a.y();
-    const long double px = static_cast<long double>(point.x()) - wall.a.x();
-    const long double py = static_cast<long double>(point.y()) - wall.a.y();
-    const long double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0L, 1.0L);
+    const double ex = wall.b.x() - wall.a.x();
+    const double ey = wall.b.y() - wall.a.y();
+    const double px = point.x() - wall.a.x();
+    const double py = point.y() - wall.a.y();
+    const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
     return size(px - share * ex, py - share * ey);
   }
   const Ellipse curve = walls.curve(surface);
-  const long double x = static_cast<long double>(point.x()) - curve.centre.x();
-  const long double y = static_cast<long double>(point.y()) - curve.centre.y();
+  const double x = point.x() - curve.centre.x();
+  const double y = point.y() - curve.centre.y();
   if (curve.is_circle()) return std::fabs(size(x, y) - curve.u.x());
   // At least: the share of its radius, times the shorter half-axis.
-  const long double ux = curve.u.x(), uy = curve.u.y(), vx = curve.v.x(), vy = curve.v.y();
-  const long double area = ux * vy - uy * vx;
-  const long double share = size(x * vy - y * vx, ux * y - uy * x) / area;
+  const double ux = curve.u.x(), uy = curve.u.y(), vx = curve.v.x(), vy = curve.v.y();
+  const double area = ux * vy - uy * vx;
+  const double share = size(x * vy - y * vx, ux * y - uy * x) / area;
   return std::fabs(share - 1) * area / size(size(ux, uy), size(vx, vy));
 }
 
@@ -94,7 +94,7 @@ TEST(OffsetOrigins, LieBesideTheirWallAndFarFromOthers) {
         ASSERT_LT((origin - exact).cwiseAbs().maxCoeff(), 0x1p-43 * most);
         for (std::uint32_t other = 0; other < walls.size(); ++other) {
           if (other == hit.surface) continue;
-          ASSERT_GT(distance(walls, other, origin), 0x1p-37L * most) << seed << ' ' << other;
+          ASSERT_GT(distance(walls, other, origin), 0x1p-37 * most) << seed << ' ' << other;
         }
       }
     }
