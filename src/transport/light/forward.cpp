@@ -186,7 +186,8 @@ class Forward {
     const LightWeight first = ray.weight;
     const double short_enough = 0.125 / place_.pixels_per_unit;
     Vec2 at = ray.ray.origin;
-    for (double begin = 0, end = 0; begin < length; begin = end) {
+    double begin = 0, end = 0;
+    while (begin < length) {
       double fastest = 0;
       for (const double channel : absorption)
         if (channel * begin < kFaded) fastest = std::max(fastest, channel);
@@ -200,7 +201,7 @@ class Forward {
                                      fading(absorption[c], end - begin).mean);
       }
       pieces.push_back(line(at, next, mean));
-      at = next;
+      at = next, begin = end;
     }
     const std::array<double, 3> left = walls_.bodies().left_after(length, ray.media);
     for (std::size_t c = 0; c < left.size(); ++c) ray.weight[c] *= static_cast<float>(left[c]);

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "trace/rays.h"
@@ -18,8 +19,7 @@ inline float largest(const LightWeight& weight) {
 inline std::int64_t energy(const LightWeight& weight) {
   constexpr double kUnits = 0x1p20;
   std::int64_t sum = 0;
-  for (const float channel : weight)
-    sum += static_cast<std::int64_t>(static_cast<double>(channel) * kUnits + 0.5);  // exact sum
+  for (const float channel : weight) sum += std::llrint(static_cast<double>(channel) * kUnits);
   return sum;
 }
 
