@@ -49,7 +49,7 @@ LightColour shown(LightColour colour) {
 
 constexpr double kSecond_nm = 1.438776877e7;  // Planck's second constant, nm K
 constexpr double kStep_nm = 5, kGreen_nm = 560;
-constexpr int kSteps = static_cast<int>((kLast_nm - kFirst_nm) / kStep_nm);
+constexpr int kPlanckSteps = static_cast<int>((kLast_nm - kFirst_nm) / kStep_nm);
 constexpr double kLeastKelvin = 800, kMostKelvin = 100'000;
 
 // The sum over steps of a blackbody's light, in parts of its radiance at kGreen_nm, so that nothing is
@@ -57,7 +57,7 @@ constexpr double kLeastKelvin = 800, kMostKelvin = 100'000;
 Xyz seen_of(double kelvin) {
   const double t = std::clamp(kelvin, kLeastKelvin, kMostKelvin);
   Xyz sum;
-  for (int step = 0; step <= kSteps; ++step) {
+  for (int step = 0; step <= kPlanckSteps; ++step) {
     const double nm = kFirst_nm + step * kStep_nm;
     const double ratio = kGreen_nm / nm, fifth = ratio * ratio * ratio * ratio * ratio;
     const double part = fifth * (1 - portable::exp(-kSecond_nm / (kGreen_nm * t))) /
