@@ -1,4 +1,4 @@
-// Goals S1 to S6: what rays meet first, by every exact tracer and by Embree as far as it is
+// Goals S1 to S6: what rays meet first, by the exact tracers, the paper's method and Embree as far as it is
 // built in, in million rays a second of one thread; then the memory and the time to build (S15).
 //   trace_nearest [--cells RAYS,SCENE] [--most N]     e.g. --cells random,uniform --most 4096
 #include <fmt/core.h>
@@ -58,7 +58,8 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
   bench::Tracings all;
   for (const flatray::Tracer* tracer : flatray::tracers())
     if (std::strcmp(tracer->name, "grid") == 0 ||
-        (segments <= 256 && std::strcmp(tracer->name, "brute") == 0))
+        (segments <= 256 && (std::strcmp(tracer->name, "brute") == 0 ||
+                             std::strncmp(tracer->name, "cyrus-beck", 10) == 0)))
       all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
   all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
   bench::add_plain_lanes(room.walls, all);

@@ -56,7 +56,8 @@ std::optional<std::string> misfit_of_counts(const FilmFile& film) {
     return fmt::format("{} are no {}", counted(counts.rays, "ray"), counted(rounds, "round"));
   std::uint64_t lines = 0;
   for (const FilmFile::Scramble& one : film.scrambles) lines += one.lines;
-  if (lines > counts.legs || (counts.rays == 0 && counts.legs != 0))
+  if ((lines + kMostLinesOfLeg - 1) / kMostLinesOfLeg > counts.legs ||
+      (counts.rays == 0 && counts.legs != 0))
     return fmt::format("{} of light do not come from {} of {}", counted(lines, "line"),
                        counted(counts.legs, "leg"), counted(counts.rays, "ray"));
   return std::nullopt;

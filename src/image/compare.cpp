@@ -46,17 +46,19 @@ double gap(float actual, float expected) {
 template <class Number>
 void add_pixel(const Number* actual, const Number* expected, int channels, int x, int y,
                Difference& all, Sums& sums) {
-  ++all.pixels;
+  bool differs = false;  // and not in bits alone, as 0 from -0
   for (int c = 0; c < channels; ++c) {
     const double found = gap(actual[c], expected[c]);
     sums.absolute += found;
     sums.square += found * found;
+    differs |= found > 0;
     if (found <= all.worst) continue;
     all.worst = found;
     all.x = x, all.y = y;
     all.channel = c;
     all.actual = static_cast<double>(actual[c]), all.expected = static_cast<double>(expected[c]);
   }
+  all.pixels += differs ? 1 : 0;
 }
 
 double decibels(double mean_square, double most) {

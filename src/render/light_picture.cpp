@@ -143,8 +143,9 @@ std::uint64_t light_bytes(const Scene& scene, unsigned threads) {
   const Film& film = scene.film;
   constexpr std::uint64_t kBytesOfPixel =
       3 * (sizeof(std::int64_t) + sizeof(double) + sizeof(float));
-  constexpr std::uint64_t kBytesOfRay = 512;   // under way, where it arrives, its line
-  constexpr std::uint64_t kBytesOfWall = 256;  // with its owner and its part of a tracer
+  constexpr std::uint64_t kBytesOfRay = 512;  // under way, where it arrives, its line
+  constexpr std::uint64_t kBytesOfWall =
+      640;  // with its owner, its neighbours and its part of a tracer
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
   constexpr std::uint64_t kBytesOfPieces = std::uint64_t{1} << 26;  // of rays that fade

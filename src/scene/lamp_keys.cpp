@@ -106,13 +106,14 @@ void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
   lamp.colour = *colour;
 }
 
-void expect_one_colour(Builder& builder, const LampLight& light, const Place& where) {
+void expect_one_colour(Builder& builder, const LampLight& light, const Value& table) {
   std::vector<std::string> colours;
+  if (table.find("colour") != nullptr) colours.emplace_back("colour");
   if (light.wavelength) colours.emplace_back("nm");
   if (light.temperature) colours.emplace_back("kelvin");
   if (light.spectrum) colours.emplace_back("spectrum");
   if (colours.size() > 1)
-    builder.in.problem(where, fmt::format("a lamp has {} and {}", colours[0], colours[1]),
+    builder.in.problem(table.where, fmt::format("a lamp has {} and {}", colours[0], colours[1]),
                        "leave one of them out: either is a colour");
 }
 
@@ -136,7 +137,7 @@ Look read_lamp_look(Builder& builder, const Value& table, const std::string& nam
   if (!has("colour") && !has("nm") && !has("kelvin") && !has("spectrum"))
     static_cast<LampLight&>(now) = lamp;
   read_keys<Lamp>(builder, table, "lamp " + name, kLampLookKeys, now);
-  expect_one_colour(builder, now, table.where);
+  expect_one_colour(builder, now, table);
   Look look;
   look.name = now.name;
   if (has("velocity")) look.velocity = now.velocity;
@@ -325,7 +326,7 @@ void read_lamps(Builder& builder, const Field& field, Scene& scene) {
     expect_chain(builder, table, "lamp");
     make_copies<Lamp>(builder, table, what, kLampKeys,
                       [&](Lamp&& lamp, std::uint64_t, const std::string&) {
-                        expect_one_colour(builder, lamp, table.where);
+                        expect_one_colour(builder, lamp, table);
                         if (!take_states(builder, lamp, table.where)) return;
                         if (const char* reason = reason_dark(scene, lamp)) dark = reason;
                         scene.lamps.push_back(std::move(lamp));

@@ -52,7 +52,7 @@ TEST_F(ForgedFilm, IsToldByWhatDoesNotFit) {
        "4 rays cannot emit so much light"},
       {[](FilmFile& film) { film.rounds.add(8), film.rounds.add(9); }, "4 rays are no 3 rounds"},
       {[](FilmFile& film) { film.rounds = {}; }, "4 rays are no 0 rounds"},
-      {[](FilmFile& film) { film.counts[1] = 5; }, "6 lines of light do not come from 5 legs"},
+      {[](FilmFile& film) { film.counts[1] = 0; }, "6 lines of light do not come from 0 legs"},
       {[](FilmFile& film) {
          film.scrambles.push_back({0, {0}});
        },

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/box lamps/point materials/diffuse formats/toml passes/light
+# needs: shapes/box lamps/point materials/diffuse materials/glass formats/toml passes/light
 # Films of light: more rays, shards and runs that were killed give the bytes of one run.
 source "$(dirname "$0")/lib.sh"
 cat > lamp.toml << 'END'
@@ -33,6 +33,12 @@ as_one all.film merged.film "shards"
 run 0 merge 1.film 2.film -o part.film --quiet
 run 0 merge part.film 0.film -o merged.film --quiet
 as_one all.film merged.film "shards, two first"
+# Light that fades is many lines a leg.
+sed 's/^material.*/material = { glass = { absorption = [1, 2, 3] } }/' lamp.toml > tinted.toml
+run 0 render tinted.toml --rays 524288 -o tinted.film -j 2 --quiet
+for i in 0 1; do run 0 render tinted.toml --rays 524288 --ray-shard $i/2 -o t$i.film --quiet; done
+run 0 merge t1.film t0.film -o faded.film --quiet
+as_one tinted.film faded.film "shards of what fades"
 run 0 render lamp.toml --rays 1048576 --ray-shard 4/5 -o empty.film --quiet
 run 0 merge empty.film -o dark.png --quiet
 

@@ -41,6 +41,8 @@ TEST(Lamps, SayWhatIsWrongWithTheirStates) {
                  "lamp state A.nm is 100, not 380 to 780");
   expect_problem(flickering("states = { A = { nm = 500, kelvin = 3000 } }"),
                  "a lamp has nm and kelvin");
+  expect_problem(flickering("states = { A = { nm = 500, colour = '#ffffff' } }"),
+                 "a lamp has colour and nm");
   expect_problem(flickering("states = { A = { fill = 'none' } }"), "unknown key 'fill'");
   expect_problem(flickering("states = 3"), "a table of states");
   const std::string hit =

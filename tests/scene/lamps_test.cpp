@@ -109,7 +109,6 @@ TEST(Lamps, ThatAreDarkInAllFramesAreWarnedOf) {
   EXPECT_EQ(warning("power = { keys = [[0, 0], [1, 1]] }"), "");
   EXPECT_EQ(warning("colour = '#000000'"), "the lamp is dark: its colour is black");
   EXPECT_EQ(warning("colour = { keys = [[0, '#000000'], [1, '#010000']] }"), "");
-  EXPECT_EQ(warning("nm = 500\ncolour = '#000000'"), "");
 }
 
 TEST(Lamps, AreCopied) {

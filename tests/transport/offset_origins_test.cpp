@@ -103,6 +103,33 @@ TEST(OffsetOrigins, LieBesideTheirWallAndFarFromOthers) {
   EXPECT_GT(static_cast<double>(met), 0.995 * static_cast<double>(hits));
 }
 
+// Of an ellipse the sixth power of its size is looked at.
+TEST(OffsetOrigins, OfEllipsesOfAnySizeAreSoundOrNone) {
+  for (int exponent = -1000; exponent <= 900; exponent += 10) {
+    const double size = std::ldexp(1.0, exponent);
+    Surfaces walls;
+    walls.add(Arc{Ellipse{{0, 0}, {1.5 * size, 0}, {0, size}}, Arc::Extent::whole, {0, 0}, {0, 0}});
+    const Ray ray{{0.1 * size, 0.2 * size}, {0.6, 0.8}};
+    const NearestHit hit = accelerate(walls)->nearest_of_one(ray, {}, false);
+    ASSERT_TRUE(hit) << exponent;
+    const OffsetOrigins origins(walls);
+    const auto met = origins.meet(ray, hit);
+    EXPECT_TRUE(met || exponent < -100 || exponent > 100) << exponent;
+    if (met) {
+      EXPECT_NEAR(met->normal.squaredNorm(), 1, 1e-10) << exponent;
+    }
+  }
+}
+
+// A round room about round pillars comes near none of them.
+TEST(OffsetOrigins, CurvesInsideCurvesAreFar) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 10});
+  for (int i = 0; i < 40; ++i) walls.add(Circle{{-4.0 + 0.2 * i, 0}, 0.05});
+  const Ray ray = from_to({0, 1}, {1, 9});
+  EXPECT_TRUE(OffsetOrigins(walls).meet(ray, accelerate(walls)->nearest_of_one(ray, {}, false)));
+}
+
 TEST(OffsetOrigins, NothingIsCertainNearAnotherWall) {
   Surfaces walls;
   walls.add(Segment{{-1, 0}, {1, 0}});

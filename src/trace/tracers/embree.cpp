@@ -5,7 +5,7 @@
 #include "base/check.h"
 #include "base/module_file.h"
 #include "trace/embree/module.h"
-#include "trace/plain_float.h"
+#include "trace/plain.h"
 #include "trace/tracer.h"
 
 namespace flatray {
@@ -54,7 +54,7 @@ class Embree : public Accelerator {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const Ray asked = rays.ray(i);
       scale.push_back(unit_scale(asked.direction));
-      const plain::Start ray = plain::start_of({asked.origin, scale[i] * asked.direction});
+      const auto ray = plain::start_of<float>({asked.origin, scale[i] * asked.direction});
       const std::uint32_t left = rays.left[i].surface;
       const bool segment = left != kNoSurface && walls_.is_straight(left);
       given.push_back({ray.x, ray.y, ray.dx, ray.dy, segment ? walls_.slot[left] : kNoSurface});
@@ -65,7 +65,7 @@ class Embree : public Accelerator {
       if (met[i].segment != kNoSurface)
         hits[i] = {walls_.segment_numbers[met[i].segment], HitClass::touch, Root::none, false,
                    scale[i] * static_cast<double>(met[i].t)};
-      plain::offer_curves(walls_, rays.ray(i), rays.left[i], hits[i]);
+      plain::offer_curves<float>(walls_, rays.ray(i), rays.left[i], hits[i]);
     }
   }
   std::size_t bytes() const override { return 0; }  // Embree does not say

@@ -1,4 +1,4 @@
-#include "trace/plain_float.h"
+#include "trace/plain.h"
 #include "trace/tracer.h"
 
 namespace flatray {
@@ -17,7 +17,7 @@ class Float : public Accelerator {
       hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool) const override {
-    const plain::Start start = plain::start_of(ray);
+    const plain::Start<float> start = plain::start_of<float>(ray);
     NearestHit best;
     float least = plain::kNever;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -27,13 +27,13 @@ class Float : public Accelerator {
       best = {walls_.segment_numbers[i], HitClass::touch, Root::none, false,
               static_cast<double>(t)};
     }
-    plain::offer_curves(walls_, ray, left, best);
+    plain::offer_curves<float>(walls_, ray, left, best);
     return best;
   }
-  std::size_t bytes() const override { return edges_.size() * sizeof(plain::Edge); }
+  std::size_t bytes() const override { return edges_.size() * sizeof(plain::Line); }
 
  private:
-  std::vector<plain::Edge> edges_;
+  std::vector<plain::Line> edges_;
 };
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {

@@ -61,7 +61,7 @@ class Forward {
   }
 
   std::uint64_t most_lines_of_round() const {
-    return (walls_.bodies().absorb() ? kMostPieces : 1) * scrambles_.size() *
+    return (walls_.bodies().absorb() ? kMostLinesOfLeg : 1) * scrambles_.size() *
            scrambles_.front().emission.size() * (std::uint64_t{rules_.light.bounces} + 1);
   }
 
@@ -182,7 +182,7 @@ class Forward {
     const std::array<double, 3>& absorption = walls_.bodies().absorption_in(ray.media);
     if (!arrivals_[i].hit || absorption == std::array<double, 3>{0, 0, 0}) return;
     const Vec2 to = arrivals_[i].point, way = to - ray.ray.origin;
-    const double length = std::sqrt(way.dot(way));
+    const double length = arrivals_[i].hit.t;
     const LightWeight first = ray.weight;
     const double short_enough = 0.125 / place_.pixels_per_unit;
     Vec2 at = ray.ray.origin;
@@ -338,7 +338,6 @@ class Forward {
 
   static constexpr LightWeight kDark{0, 0, 0};
   static constexpr double kPiece = 0x1p-4, kFaded = 8.5;     // depths; that of 2^-12 is 8.3
-  static constexpr std::uint64_t kMostPieces = 3 * 136 + 1;  // each channel, and the rest
   static constexpr std::size_t kFading = 4 * kChunk;         // rays that are cut at once
   static constexpr std::uint32_t kEmitted = (1U << 20) - 1;  // no number of bounces
 

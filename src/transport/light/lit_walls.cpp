@@ -95,20 +95,28 @@ bool LitWalls::all_absorb(const LightRay& ray, const LightLanding& landed) const
 bool LitWalls::sets_off_from(LightRay& ray, const LightLanding& landed, bool stays) const {
   const std::uint32_t surface = landed.hit.surface;
   const Vec2& direction = ray.ray.direction;
+  ray.ray.origin = landed.point;
+  if (landed.offset == 0) {
+    ray.left = {surface, root_stood_on(walls_, surface, ray.ray)};
+    return !runs_along(walls_, ray.left, direction) &&
+           (!stays || leads_away(walls_, surface, side(landed), ray.ray.origin, direction));
+  }
   const double cosine = landed.normal.dot(direction);
   constexpr double kLeast = OffsetOrigins::kLeastCosine * OffsetOrigins::kLeastCosine;
-  if (landed.offset > 0 && cosine * cosine > kLeast * direction.squaredNorm()) {
-    const bool back = cosine > 0;
-    ray.ray.origin = landed.point + (back ? landed.offset : -landed.offset) * landed.normal;
-    ray.left = {surface, walls_.is_straight(surface)  ? Root::none
-                         : back == landed.from_inside ? Root::first
-                                                      : Root::second};
-    return back || !stays;
-  }
-  ray.ray.origin = landed.point + landed.offset * landed.normal;
-  ray.left = {surface, root_stood_on(walls_, surface, ray.ray)};
-  return !runs_along(walls_, ray.left, direction) &&
-         (!stays || leads_away(walls_, surface, side(landed), ray.ray.origin, direction));
+  const bool straight = walls_.is_straight(surface);
+  const bool grazes = !(cosine * cosine > kLeast * direction.squaredNorm());
+  if (grazes && runs_along(walls_, {surface, Root::none}, direction)) return false;
+  const bool back = grazes && straight
+                        ? leads_away(walls_, surface, side(landed), landed.point, direction)
+                        : cosine > 0;
+  ray.ray.origin += (back ? landed.offset : -landed.offset) * landed.normal;
+  ray.left = {surface, straight                     ? Root::none
+                       : back == landed.from_inside ? Root::first
+                                                    : Root::second};
+  if (stays && !back) return false;
+  // A ray beside a curve that it only seems to leave would meet it again.
+  return !grazes || ray.left.root != Root::second ||
+         leads_away(walls_, surface, Sign::positive, ray.ray.origin, direction);
 }
 
 bool LitWalls::leaves(LightRay& ray, const LightLanding& landed, const Departure& departure) const {

@@ -1,6 +1,7 @@
 #include "transport/light/offset_origins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -9,9 +10,12 @@
 namespace flatray {
 namespace {
 
-constexpr double kLeastSize = 0x1p-300, kMostSize = 0x1p300;
+constexpr double kLeastSize = 0x1p-128, kMostSize = 0x1p128;  // sixth powers are doubles
 constexpr double kApart = 0x1p-36, kDistance = 0x1p-44, kFarthest = 0x1p4, kLeastBend = 0x1p-20;
-constexpr std::size_t kMostPairs = std::size_t{1} << 26;
+constexpr std::size_t kMostLooks = std::size_t{1} << 26;
+constexpr std::size_t kMostPairs = 1U << 16,
+                      kMostPairsOfWall = 16;   // that are kept, and a wall more
+constexpr std::uint32_t kMostNeighbours = 16;  // of a curve
 
 const auto kPlain = [](double x) { return x; };
 
@@ -99,12 +103,12 @@ void OffsetOrigins::find_neighbours() {
     for (std::uint32_t j = i + 1; j < count; ++j) {
       const Bounds& other = boxes[order[j]];
       if (other.low.x() > one.high.x()) break;
-      if (++looks > kMostPairs) {
+      if (++looks > kMostLooks || pairs.size() / 2 > kMostPairs + kMostPairsOfWall * count) {
         for (Wall& wall : table_) wall.ready = false;
         return;
       }
       if (other.low.y() > one.high.y() || one.low.y() > other.high.y()) continue;
-      if (are_far(order[i], order[j]) || are_far(order[j], order[i])) continue;
+      if (are_far(order[i], order[j], other) || are_far(order[j], order[i], one)) continue;
       pairs.emplace_back(order[i], order[j]);
       pairs.emplace_back(order[j], order[i]);
     }
@@ -125,6 +129,7 @@ void OffsetOrigins::keep_neighbours(std::uint32_t surface, std::span<const std::
     wall.begin = static_cast<std::uint32_t>(near_.size());
     near_.insert(near_.end(), others.begin(), others.end());
     wall.end = static_cast<std::uint32_t>(near_.size());
+    wall.ready = wall.ready && others.size() <= kMostNeighbours;
     return;
   }
   std::vector<Stretch> found;
@@ -177,22 +182,29 @@ void OffsetOrigins::add_near(const Wall& wall, std::uint32_t other,
   found.push_back(near);
 }
 
-// Whether all of segment b is on one side of segment a, or of its ends, or inside curve a.
-bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b) const {
+// Whether all of wall b, or of its box, is on one side of segment a, or of its ends, or inside curve a.
+bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const {
   const Wall& wall = table_[a];
-  if (!wall.is_plain || !walls_.is_straight(b)) return false;
-  const Segment& other = walls_.segments[walls_.slot[b]];
+  if (!wall.is_plain) return false;
+  std::array<Vec2, 4> points{box.low, box.high, Vec2(box.low.x(), box.high.y()),
+                             Vec2(box.high.x(), box.low.y())};
+  if (walls_.is_straight(b)) {
+    const Segment& other = walls_.segments[walls_.slot[b]];
+    points = {other.a, other.b, other.a, other.b};
+  }
   const double far = 4 * apart_;
-  if (!walls_.is_straight(a)) {
+  if (!wall.is_straight) {
     const Ellipse curve = walls_.curve(a);
-    const auto inside = [&](const Vec2& point) {
+    return std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
       return (1 - share_of_radius(curve, point)) * wall.length > far;
-    };
-    return inside(other.a) && inside(other.b);
+    });
   }
   const auto apart = [&](const Vec2& axis, double low, double high) {
-    const auto [least, most] =
-        std::minmax({axis.dot(other.a - wall.at), axis.dot(other.b - wall.at)});
+    double least = kInfinity, most = -kInfinity;
+    for (const Vec2& point : points) {
+      const double place = axis.dot(point - wall.at);
+      least = std::min(least, place), most = std::max(most, place);
+    }
     return least > high + far || most < low - far;
   };
   return apart(wall.normal, 0, 0) || apart(along(wall.normal), 0, wall.length);

@@ -16,14 +16,15 @@ namespace flatray {
 /// the right side of all walls near it is the Lander's work (transport/landing.h). Light needs no
 /// nearest double, and nearly all of its hits are far from corners.
 ///
-/// Units   S is the largest coordinate of all walls.
+/// Units   S is the largest coordinate of all walls, of arcs' whole curves too.
 /// Error   a hit is off by less than 2^-46 S, an origin by 2^-44 S more; no other wall comes within
 ///         2^-36 S of them. Derived in docs/adr/0024-offset-origins.md.
 class OffsetOrigins {
  public:
   /// Needs   `walls` to outlive it.
-  /// Cost    a look at each pair of walls whose boxes overlap along x; where these are more than
-  ///         2^26, nothing is certain.
+  /// Cost    a look at each pair of walls whose boxes overlap along x, some 300 bytes a wall. Where
+  ///         these are more than 2^26, or more come near than 2^16 and 16 a wall, nothing is certain,
+  ///         nor on a curve near more than 16 walls.
   explicit OffsetOrigins(const Surfaces& walls);
 
   /// Where a ray meets a wall.
@@ -62,7 +63,7 @@ class OffsetOrigins {
   bool is_clear(const Wall& wall, const Vec2& point) const;
   bool is_clear(std::uint32_t surface, Meeting& met) const;
   bool is_far(std::uint32_t surface, const Vec2& point) const;
-  bool are_far(std::uint32_t a, std::uint32_t b) const;
+  bool are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const;
   bool ends_far(std::uint32_t surface, const Vec2& point) const;
 
   const Surfaces& walls_;

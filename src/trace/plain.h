@@ -1,0 +1,76 @@
+#pragma once
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "trace/hits.h"
+#include "trace/rays.h"
+
+// Textbook formulas in floats or doubles, without bounds: for the tracers that are not exact.
+namespace flatray::plain {
+
+inline constexpr float kNever = std::numeric_limits<float>::infinity();
+inline float single(double x) { return static_cast<float>(x); }
+
+template <class Number>
+struct Start {
+  Number x, y, dx, dy;
+};
+template <class Number>
+Start<Number> start_of(const Ray& ray) {
+  const auto number = [](double x) { return static_cast<Number>(x); };
+  return {number(ray.origin.x()), number(ray.origin.y()), number(ray.direction.x()),
+          number(ray.direction.y())};
+}
+
+/// A segment by an end and the way to the other.
+struct Line {
+  float x, y, ex, ey;
+};
+inline float time_of(const Start<float>& ray, const Line& edge) {
+  const float wx = edge.x - ray.x, wy = edge.y - ray.y;
+  const float across = ray.dx * edge.ey - ray.dy * edge.ex;
+  const float t = (wx * edge.ey - wy * edge.ex) / across;
+  const float place = (wx * ray.dy - wy * ray.dx) / across;
+  if (t >= 0 && place >= 0 && place <= 1) return t;  // parallel: infinite or no number
+  return kNever;
+}
+
+/// Whether a point, as seen from the centre of its curve, lies on the arc.
+template <class Number>
+bool is_on(const Arc& arc, const Pair<Number>& w) {
+  const auto number = [](double x) { return static_cast<Number>(x); };
+  return place_in_cone(arc, [&](const Vec2& p, const Vec2& a, const Vec2& b) {
+           const Vec2 from = p - arc.curve.centre, way = b - a;
+           return sign_of(static_cast<double>(number(way.x()) * (w.y - number(from.y())) -
+                                              number(way.y()) * (w.x - number(from.x()))));
+         }) != ArcPlace::outside;
+}
+
+/// Puts the curved walls into competition with the best hit so far, whose t is `best.t`.
+template <class Number>
+void offer_curves(const Surfaces& walls, const Ray& ray, const Left& left, NearestHit& best) {
+  if (!walls.any_curves()) return;
+  const auto number_of = [](double x) { return static_cast<Number>(x); };
+  for (std::uint32_t number = 0; number < walls.size(); ++number) {
+    if (walls.is_straight(number)) continue;
+    const Arc arc = walls.arc(number);
+    const auto d = pair_of(number_of, ray.direction);
+    const auto w = pair_of(number_of, ray.origin) - pair_of(number_of, arc.curve.centre);
+    const auto form_d = curve_form(number_of, arc.curve, d),
+               form_w = curve_form(number_of, arc.curve, w);
+    const Number size = form_size(number_of, arc.curve);
+    const Number a = dot(form_d, form_d), b = dot(form_d, form_w);
+    const Number root = std::sqrt(b * b - a * (dot(form_w, form_w) - size * size));
+    for (const Root which : {Root::first, Root::second}) {
+      const Number time = (which == Root::first ? -b - root : -b + root) / a;
+      const double t = static_cast<double>(time);
+      const bool stood_on =
+          number == left.surface && (left.root == which || left.root == Root::both);
+      if (stood_on || !(t >= 0 && t < best.t) || !is_on(arc, w + time * d)) continue;
+      best = {number, HitClass::through, which, false, t};
+    }
+  }
+}
+
+}  // namespace flatray::plain
