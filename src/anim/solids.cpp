@@ -18,8 +18,7 @@ bool is_within(const Surfaces& outline, const Vec2& point) {
   if (outline.size() == 0) return false;
   for (double turn = 1;; turn += 1) {
     ExactHits every(outline, {point, {turn, 1}}, {}, true);
-    every.offers().offer_segments();
-    every.offers().offer_curves();
+    every.offers().offer_all();
     const std::vector<NearestHit> hits = every.hits();
     if (!hits.empty() && hits.front().t == 0) return true;
     const bool doubtful = std::any_of(hits.begin(), hits.end(), [](const NearestHit& hit) {

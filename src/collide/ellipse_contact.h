@@ -1,6 +1,6 @@
 #pragma once
 #include "collide/round_contact.h"
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 

@@ -7,7 +7,7 @@
 
 #include "anim/frame_state.h"
 #include "collide/round_contact.h"
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 

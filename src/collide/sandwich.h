@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 

@@ -157,10 +157,10 @@ class Line {
         if (const auto t = hit_joint(ray_, arc.curve, end)) touch(*t, edge);
     const auto met = hit_curve(ray_, arc.curve);
     if (!met || (tangents_alone && !met->tangent)) return;
-    for (const auto root : {HitTime::Root::first, HitTime::Root::second})
+    for (const auto root : {Root::first, Root::second})
       if (arc.extent == Arc::Extent::whole ||
-          ExactHit(ray_, arc.curve, root).place_in(arc) != ArcPlace::outside)
-        touch(root == HitTime::Root::first ? met->first : met->second, edge);
+          ExactHit(ray_, arc.curve, root).place_in(arc) != PlaceOn::outside)
+        touch(root == Root::first ? met->first : met->second, edge);
   }
 
   Ray ray_;

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "geom/hit_interval.h"
 
 namespace flatray {

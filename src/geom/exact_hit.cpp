@@ -17,7 +17,7 @@ struct ExactHit::LinearForm {
 
 // t = numer / denom as in eq. 3 of the paper. A wall parallel to an axis gives one coordinate
 // without error, where 0 +- an error would need the rationals.
-ExactHit::ExactHit(const Ray& ray, const Segment& wall)
+ExactHit::ExactHit(const Ray& ray, const Segment& wall, Root)
     : ray_(ray), time_(HitTime::on_line(ray, wall)), form_{0, 0}, from_{0, 0} {
   const Bounded t = determinant(kBounded, ray.origin, wall.a, wall.a, wall.b) /
                     determinant(kBounded, Vec2(0, 0), ray.direction, wall.a, wall.b);
@@ -32,18 +32,15 @@ ExactHit::ExactHit(const Ray& ray, const Segment& wall)
 // centre to the ray is k d' / d.d with d' = (-d_y, d_x), k = d x w and w = o - c; from there the
 // point lies along the ray, by d / d.d times the root of r^2 d.d - k^2. A form (a, b) of a vector
 // says a u + b v = r times the vector.
-ExactHit::ExactHit(const Ray& ray, const Ellipse& wall, HitTime::Root root)
+ExactHit::ExactHit(const Ray& ray, const Ellipse& wall, Root root)
     : ray_(ray), time_(HitTime::on_curve(ray, wall, root)), curve_(wall), form_{0, 0}, from_{0, 0} {
   const auto d = curve_form(kBounded, wall, pair_of(kBounded, ray.direction));
   const auto w =
       curve_form(kBounded, wall, pair_of(kBounded, ray.origin) - pair_of(kBounded, wall.centre));
   const Bounded r = form_size(kBounded, wall), size = dot(d, d), k = cross(d, w);
-  const Bounded length = square_root(r * r * size - k * k), s = static_cast<int>(root);
+  const Bounded length = square_root(r * r * size - k * k), s = root_sign(root);
   form_ = {(s * d.x * length - k * d.y) / size, (s * d.y * length + k * d.x) / size};
-  from_ = form_;
-  if (wall.is_circle()) return;
-  const auto u = pair_of(kBounded, wall.u), v = pair_of(kBounded, wall.v);
-  from_ = {(form_.x * u.x + form_.y * v.x) / r, (form_.x * u.y + form_.y * v.y) / r};
+  from_ = curve_vector(kBounded, wall, form_);
 }
 
 // constant + slope t by t = (p + s sqrt(q)) / a.
@@ -63,21 +60,15 @@ Vec2 ExactHit::nearest() const {
 }
 
 Vec2 ExactHit::normal() const {
-  // By the size of the form: else it might be beyond the doubles. It has the sign of u x v.
-  const auto normal_of = [&](const auto& number, const auto& form) {
-    const auto normal = curve_normal(number, curve_, form);
-    const auto size = form_size(number, curve_);
-    if (curve_.is_circle()) return normal;
-    return std::decay_t<decltype(normal)>{normal.x / size, normal.y / size};
-  };
-  const auto near = normal_of(kBounded, form_);
+  const auto near = sized_normal(kBounded, curve_, form_);
   const auto x = near.x.nearest(), y = near.y.nearest();
   if (x && y) return {*x, *y};
-  const auto at_origin = normal_of(
-      kRational, curve_form(kRational, curve_,
-                            pair_of(kRational, ray_.origin) - pair_of(kRational, curve_.centre)));
-  const auto rate =
-      normal_of(kRational, curve_form(kRational, curve_, pair_of(kRational, ray_.direction)));
+  const auto normal_of = [&](const Pair<Rational>& w) {
+    return sized_normal(kRational, curve_, curve_form(kRational, curve_, w));
+  };
+  const auto at_origin =
+      normal_of(pair_of(kRational, ray_.origin) - pair_of(kRational, curve_.centre));
+  const auto rate = normal_of(pair_of(kRational, ray_.direction));
   return {rounded({at_origin.x, rate.x}), rounded({at_origin.y, rate.y})};
 }
 
@@ -101,7 +92,8 @@ Sign ExactHit::ahead(const Vec2& p, const Vec2& a, const Vec2& b) const {
   return -turn(p, quarter_a, quarter_b);  // (b - a)' x w = -(b - a) . w
 }
 
-Sign ExactHit::side_of(const Ellipse& curve) const {
+Sign ExactHit::side_of(const Arc& wall) const {
+  const Ellipse& curve = wall.curve;
   const auto to_centre = pair_of(kBounded, curve_.centre) - pair_of(kBounded, curve.centre);
   if (const auto sign = curve_power(kBounded, curve, to_centre + from_).sign()) return *sign;
   // The power is c + 2 b t + a t^2, which is linear in the root of t once it is multiplied out.
@@ -116,27 +108,29 @@ Sign ExactHit::side_of(const Ellipse& curve) const {
                              t.s * static_cast<int>(slope.sign()), slope * slope * t.q);
 }
 
-bool ExactHit::on(const Segment& segment) const {
-  return side_of(segment) == Sign::zero &&
-         ahead(segment.a, segment.a, segment.b) != Sign::negative &&
-         ahead(segment.b, segment.b, segment.a) != Sign::negative;
+PlaceOn ExactHit::place_on(const Segment& segment) const {
+  if (side_of(segment) != Sign::zero) return PlaceOn::outside;
+  const Sign past_a = ahead(segment.a, segment.a, segment.b);
+  const Sign past_b = ahead(segment.b, segment.b, segment.a);
+  if (past_a == Sign::negative || past_b == Sign::negative) return PlaceOn::outside;
+  return past_a == Sign::zero || past_b == Sign::zero ? PlaceOn::at_end : PlaceOn::inner;
 }
 
-ArcPlace ExactHit::place_in(const Arc& arc) const {
+PlaceOn ExactHit::place_in(const Arc& arc) const {
   return place_in_cone(arc,
                        [&](const Vec2& p, const Vec2& a, const Vec2& b) { return turn(p, a, b); });
 }
 
-ArcPlace ExactHit::place_on(const Arc& arc) const {
+PlaceOn ExactHit::place_on(const Arc& arc) const {
   const Vec2& centre = arc.curve.centre;
-  const Sign side = side_of(arc.curve);
+  const Sign side = side_of(arc);
   if (side == Sign::zero) return place_in(arc);
-  if (arc.extent != Arc::Extent::between) return ArcPlace::outside;
+  if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
   for (const Vec2& end : {arc.from, arc.to})
     if (curve_side(end, arc.curve) == side && turn(centre, centre, end) == Sign::zero &&
         ahead(centre, centre, end) == Sign::positive && ahead(end, centre, end) != side)
-      return ArcPlace::at_end;
-  return ArcPlace::outside;
+      return PlaceOn::at_end;
+  return PlaceOn::outside;
 }
 
 }  // namespace flatray

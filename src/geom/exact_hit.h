@@ -11,8 +11,9 @@ namespace flatray {
 class ExactHit {
  public:
   /// Needs   a ray that crosses the wall: not along a segment, nor tangent to a curve.
-  ExactHit(const Ray& ray, const Segment& wall);
-  ExactHit(const Ray& ray, const Ellipse& wall, HitTime::Root root);
+  ExactHit(const Ray& ray, const Segment& wall, Root = Root::none);
+  ExactHit(const Ray& ray, const Ellipse& wall, Root root);
+  ExactHit(const Ray& ray, const Arc& wall, Root root) : ExactHit(ray, wall.curve, root) {}
 
   /// Nearest double of each coordinate.
   Vec2 nearest() const;
@@ -27,13 +28,13 @@ class ExactHit {
   /// Side of the line through a segment, positive to the left of a -> b. Exact.
   Sign side_of(const Segment& segment) const { return turn(segment.a, segment.a, segment.b); }
   /// Positive outside the curve, zero on it. Exact.
-  Sign side_of(const Ellipse& curve) const;
-  /// Whether the point lies on the closed segment. Exact.
-  bool on(const Segment& segment) const;
-  /// Whether it lies on the arc, and where. Exact.
-  ArcPlace place_on(const Arc& arc) const;
+  Sign side_of(const Arc& wall) const;
+  /// Whether it lies on the wall, and where. Exact.
+  PlaceOn place_on(const Segment& segment) const;
+  PlaceOn place_on(const Arc& arc) const;
   /// Its place in the cone of an arc: on the arc itself, if that is of the curve it hits. Exact.
-  ArcPlace place_in(const Arc& arc) const;
+  PlaceOn place_in(const Arc& arc) const;
+  PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }
 
  private:
   struct LinearForm;

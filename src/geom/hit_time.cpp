@@ -73,7 +73,7 @@ HitTime HitTime::on_moving_line(const Ray& ray, const Vec2& p, const Vec2& from,
 
 HitTime HitTime::on_curve(const Ray& ray, const Ellipse& curve, Root root) {
   HitTime time = on_line(ray, curve.centre, curve.u, curve.v);
-  time.root_ = static_cast<int>(root);
+  time.root_ = root_sign(root);
   return time;
 }
 
@@ -168,8 +168,8 @@ std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {
 std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve) {
   const Sign chord = decide([&](const auto& number) { return curve_time(number, ray, curve).q; });
   if (chord == Sign::negative) return std::nullopt;
-  return CurveHit{chord == Sign::zero, HitTime::on_curve(ray, curve, HitTime::Root::first),
-                  HitTime::on_curve(ray, curve, HitTime::Root::second)};
+  return CurveHit{chord == Sign::zero, HitTime::on_curve(ray, curve, Root::first),
+                  HitTime::on_curve(ray, curve, Root::second)};
 }
 
 std::optional<HitTime> hit_joint(const Ray& ray, const Ellipse& curve, const Vec2& end) {

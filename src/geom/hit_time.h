@@ -2,7 +2,7 @@
 #include <compare>
 #include <optional>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "geom/bounded.h"
 #include "geom/exact.h"
 #include "geom/ray.h"
@@ -24,8 +24,6 @@ struct RoundedTime {
 class HitTime {
  public:
   HitTime() = default;  ///< No hit: only to be assigned to.
-  /// The first or second root on a curve; a tangent has both in one.
-  enum class Root { first = -1, second = 1 };
 
   /// Where `ray` crosses the line through `p` along to - from. Needs a ray that is not parallel to
   /// it.
@@ -40,7 +38,7 @@ class HitTime {
   static HitTime abreast(const Ray& ray, const Vec2& point) {
     return on_line(ray, point, {0, 0}, {-ray.direction.y(), ray.direction.x()});
   }
-  /// Where `ray` crosses a curve. Needs a line that meets it, and a direction that is not zero.
+  /// Where `ray` crosses a curve, in the second root or else the first. Needs a line that meets it, and a direction that is not zero.
   static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root);
 
   /// t against `other`, which may be infinite. Exact.

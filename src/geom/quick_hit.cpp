@@ -37,6 +37,8 @@ void hit_line(const Ray& ray, const Segment& wall, QuickHit& hit) {
   const Quick x = upright ? Quick(wall.a.x() + 0.0) : t * d.x() + Quick(ray.origin.x());
   const Quick y = level ? Quick(wall.a.y() + 0.0) : t * d.y() + Quick(ray.origin.y());
   place(hit, x, y);
+  hit.normal = Vec2(-(wall.b.y() - wall.a.y()), wall.b.x() - wall.a.x());
+  hit.is_normal_certain = true;
   hit.gradient = Vec2(-edge.y.hi(), edge.x.hi());
   hit.is_certain = (upright || x.is_rounded()) && (level || y.is_rounded()) &&
                    is_sound(hit.gradient) && hit.nearest.cwiseAbs().maxCoeff() < kMost;
@@ -51,15 +53,8 @@ void hit_curve(const Ray& ray, const Ellipse& wall, int s, QuickHit& hit) {
   const Quick r = form_size(kQuick, wall), size = dot(d, d), k = cross(d, w);
   const Quick along = square_root(r * r * size - k * k) * s;
   const Pair<Quick> form{(d.x * along - k * d.y) / size, (d.y * along + k * d.x) / size};
-  Pair<Quick> from = form, normal = form;
-  hit.bend = 1;
-  if (!wall.is_circle()) {
-    const auto u = pair_of(kQuick, wall.u), v = pair_of(kQuick, wall.v);
-    from = {(form.x * u.x + form.y * v.x) / r, (form.x * u.y + form.y * v.y) / r};
-    normal = curve_normal(kQuick, wall, form);
-    normal = {normal.x / r, normal.y / r};
-    hit.bend = (wall.u.squaredNorm() + wall.v.squaredNorm()) / r.size();
-  }
+  const Pair<Quick> from = curve_vector(kQuick, wall, form), normal = sized_normal(kQuick, wall, form);
+  hit.bend = wall.is_circle() ? 1 : (wall.u.squaredNorm() + wall.v.squaredNorm()) / r.size();
   const Quick x = from.x + wall.centre.x(), y = from.y + wall.centre.y();
   place(hit, x, y);
   hit.normal = Vec2(normal.x.hi(), normal.y.hi());
@@ -88,15 +83,15 @@ Vec2 mirrored(const Vec2& d, const Vec2& e) {
 
 }  // namespace
 
-QuickHit quick_hit(const Ray& ray, const Segment& wall) {
+QuickHit quick_hit(const Ray& ray, const Segment& wall, Root) {
   QuickHit hit;
   with_fused([&] { hit_line(ray, wall, hit); });
   return hit;
 }
 
-QuickHit quick_hit(const Ray& ray, const Ellipse& wall, HitTime::Root root) {
+QuickHit quick_hit(const Ray& ray, const Ellipse& wall, Root root) {
   QuickHit hit;
-  with_fused([&] { hit_curve(ray, wall, static_cast<int>(root), hit); });
+  with_fused([&] { hit_curve(ray, wall, root_sign(root), hit); });
   return hit;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "geom/hit_time.h"
 
 namespace flatray {
@@ -13,7 +13,7 @@ namespace flatray {
 struct QuickHit {
   Vec2 nearest;                    ///< nearest double of each coordinate
   bool is_certain = false;         ///< about `nearest`
-  Vec2 normal{0, 0};               ///< of curves: nearest doubles of ExactHit::normal
+  Vec2 normal{0, 0};               ///< of a curve nearest doubles of ExactHit::normal
   bool is_normal_certain = false;  ///< about `normal`
 
   /// Side of the wall on which a double lies: positive to the left of a segment, outside a curve,
@@ -39,9 +39,12 @@ struct QuickHit {
 };
 
 /// Needs   a ray that is not parallel to the wall.
-QuickHit quick_hit(const Ray& ray, const Segment& wall);
+QuickHit quick_hit(const Ray& ray, const Segment& wall, Root = Root::none);
 /// Needs   a ray that crosses the curve.
-QuickHit quick_hit(const Ray& ray, const Ellipse& wall, HitTime::Root root);
+QuickHit quick_hit(const Ray& ray, const Ellipse& wall, Root root);
+inline QuickHit quick_hit(const Ray& ray, const Arc& wall, Root root) {
+  return quick_hit(ray, wall.curve, root);
+}
 
 /// geom/reflect.h's `reflect`, or NaN in doubt. Cost   some 30 ns.
 Vec2 quick_reflection(const Vec2& direction, const Vec2& along);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <limits>
 
 #include "geom/vec.h"
@@ -16,6 +17,13 @@ struct Range {
 };
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Range kLine{-kInfinity, kInfinity}, kRay{0, kInfinity}, kSegment{0, 1};
+
+/// Where the line of a ray meets a curve: it enters by the first root and leaves by the second; a
+/// tangent has both in one.
+enum class Root : std::uint8_t { none, first, second, both };
+
+/// Of the square root: in all but the second root -1.
+inline int root_sign(Root root) { return root == Root::second ? 1 : -1; }
 
 struct Segment {
   Vec2 a, b;

@@ -69,24 +69,24 @@ int part_of_turn(Sign turn, Sign ahead) {
   return turn == Sign::positive ? 1 : 3;
 }
 
-ArcPlace place_in(const Arc& arc, const Moving& point) {
-  if (arc.extent == Arc::Extent::whole) return ArcPlace::inner;
+PlaceOn place_in(const Arc& arc, const Moving& point) {
+  if (arc.extent == Arc::Extent::whole) return PlaceOn::inner;
   if (arc.extent == Arc::Extent::half) {
     const Sign ahead = point.ahead(exact(arc.from));
-    return ahead == Sign::zero       ? ArcPlace::at_end
-           : ahead == Sign::positive ? ArcPlace::inner
-                                     : ArcPlace::outside;
+    return ahead == Sign::zero       ? PlaceOn::at_end
+           : ahead == Sign::positive ? PlaceOn::inner
+                                     : PlaceOn::outside;
   }
   const Point centre = exact(arc.curve.centre);
   const Point from = minus(exact(arc.from), centre), to = minus(exact(arc.to), centre);
   const int part = part_of_turn(point.turn(from), point.ahead(from));
   const int last = part_of_turn(area(from, to).sign(), inner(from, to).sign());
-  if (part == 0) return ArcPlace::at_end;
-  if (part != last) return part < last ? ArcPlace::inner : ArcPlace::outside;
+  if (part == 0) return PlaceOn::at_end;
+  if (part != last) return part < last ? PlaceOn::inner : PlaceOn::outside;
   const Sign past = part == 2 ? Sign::zero : point.turn(to);
-  return past == Sign::zero       ? ArcPlace::at_end
-         : past == Sign::negative ? ArcPlace::inner
-                                  : ArcPlace::outside;
+  return past == Sign::zero       ? PlaceOn::at_end
+         : past == Sign::negative ? PlaceOn::inner
+                                  : PlaceOn::outside;
 }
 
 // A ray and an arc as seen from its centre.
@@ -115,13 +115,13 @@ class Meetings {
     if (t.sign() == Sign::negative || (best_ && best_->t < t)) return;
     best_ = Meeting{std::move(t), kind, root, at_end};
   }
-  ArcPlace place(const Surd& t) const { return place_in(arc_, Moving{from_, way_, t}); }
+  PlaceOn place(const Surd& t) const { return place_in(arc_, Moving{from_, way_, t}); }
 
   void offer_point() {
     if (frame_.side(from_) != Sign::zero) return;
-    const ArcPlace there = place({});
-    if (there != ArcPlace::outside)
-      offer({}, HitClass::touch, Root::none, there == ArcPlace::at_end);
+    const PlaceOn there = place({});
+    if (there != PlaceOn::outside)
+      offer({}, HitClass::touch, Root::none, there == PlaceOn::at_end);
   }
 
   void offer_roots() {
@@ -129,17 +129,17 @@ class Meetings {
     if (chord.sign() == Sign::negative) return;
     if (chord.sign() == Sign::zero) {
       const Surd t{foot, 0, 0};
-      const ArcPlace there = place(t);
-      if (there != ArcPlace::outside)
-        offer(t, HitClass::touch, Root::both, there == ArcPlace::at_end);
+      const PlaceOn there = place(t);
+      if (there != PlaceOn::outside)
+        offer(t, HitClass::touch, Root::both, there == PlaceOn::at_end);
       return;
     }
     for (const int way : {1, -1}) {
       const Surd t{foot, way, chord};
-      const ArcPlace there = place(t);
-      if (there != ArcPlace::outside)
+      const PlaceOn there = place(t);
+      if (there != PlaceOn::outside)
         offer(t, HitClass::through, way < 0 ? Root::first : Root::second,
-              there == ArcPlace::at_end);
+              there == PlaceOn::at_end);
     }
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "geom/hit_interval.h"
 #include "oracle/surd.h"
 #include "trace/rays.h"

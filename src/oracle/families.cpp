@@ -250,13 +250,7 @@ Vec2 nudge(const Vec2& v, Draw& draw) {
 Surfaces AimedScene::surfaces() const {
   Surfaces all;
   const auto add_curves = [&] {
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      const Arc& arc = curves[i];
-      if (i % 2 == 0 && arc.extent == Arc::Extent::whole && arc.curve.is_circle())
-        all.add(Circle{arc.curve.centre, arc.curve.u.x()});
-      else
-        all.add(arc);
-    }
+    for (const Arc& arc : curves) all.add(arc);
   };
   if (curves_first) add_curves();
   for (const Segment& wall : walls) all.add(wall);

@@ -46,14 +46,15 @@ class Walker {
     std::optional<Long> first;
     std::uint32_t met = 0;
     for (std::uint32_t i = 0; i < walls_.size(); ++i)
-      for (const Long& t : times(i))
+      for (const Long& t : walls_.visit(i, [&](const auto& wall) { return times(wall); }))
         if (t > soon_ && (!first || t < *first * same_)) {
           first = t;
           met = i;
         }
     if (!first) return std::nullopt;
     point_ = point_ + *first * way_;
-    const Place normal = normal_of(met);
+    const Place normal = 
+        walls_.visit(met, [&](const auto& wall) { return normal_of(wall); });
     const Long twice = 2 * inner(way_, normal) / inner(normal, normal);
     way_ = way_ - twice * normal;
     return LongOrbit::Bounce{met, {nearest(point_.x), nearest(point_.y)}};
@@ -62,13 +63,8 @@ class Walker {
  private:
   Long number(double x) const { return {x, bits_}; }
   Place place(const Vec2& v) const { return {number(v.x()), number(v.y())}; }
-  const Segment& segment(std::uint32_t i) const { return walls_.segments[walls_.slot[i]]; }
 
-  std::vector<Long> times(std::uint32_t i) const {
-    return walls_.is_straight(i) ? times_on_line(segment(i)) : times_on_curve(walls_.arc(i));
-  }
-
-  std::vector<Long> times_on_line(const Segment& wall) const {
+  std::vector<Long> times(const Segment& wall) const {
     const Place along = place(wall.b) - place(wall.a), to = place(wall.a) - point_;
     const Long across = area(way_, along);
     if (sgn(across) == 0) return {};
@@ -77,7 +73,7 @@ class Walker {
     return {area(to, along) / across};
   }
 
-  std::vector<Long> times_on_curve(const Arc& arc) const {
+  std::vector<Long> times(const Arc& arc) const {
     const Place from = in_circle(arc.curve, point_ - place(arc.curve.centre));
     const Place way = in_circle(arc.curve, way_);
     const Long a = inner(way, way), b = inner(way, from);
@@ -106,15 +102,15 @@ class Walker {
     return sgn(area(place(arc.to) - from, point - from)) <= 0;
   }
 
-  Place normal_of(std::uint32_t i) const {
-    if (!walls_.is_straight(i)) {  // across the tangent
-      const Ellipse curve = walls_.curve(i);
-      const Place at = in_circle(curve, point_ - place(curve.centre));
-      const Place tangent = at.x * place(curve.v) - at.y * place(curve.u);
-      return {tangent.y, -tangent.x};
-    }
-    const Place along = place(segment(i).b) - place(segment(i).a);
+  Place normal_of(const Segment& wall) const {
+    const Place along = place(wall.b) - place(wall.a);
     return {-along.y, along.x};
+  }
+  Place normal_of(const Arc& arc) const {  // across the tangent
+    const Ellipse& curve = arc.curve;
+    const Place at = in_circle(curve, point_ - place(curve.centre));
+    const Place tangent = at.x * place(curve.v) - at.y * place(curve.u);
+    return {tangent.y, -tangent.x};
   }
 
   const Surfaces& walls_;

@@ -158,22 +158,22 @@ NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
   return exact_search(ray, walls, all);
 }
 
-std::optional<double> time_of(const Ray& ray, const Surfaces& walls, std::uint32_t wall,
-                              Root root) {
-  if (walls.is_straight(wall)) {
-    const NearestWall met = nearest_wall(ray, {&walls.segments[walls.slot[wall]], 1});
-    return met ? std::optional(met.t) : std::nullopt;
-  }
-  const auto met = root_of(ray, walls.curve(wall), root);
+static std::optional<double> time_of(const Ray& ray, const Segment& wall, Root) {
+  const NearestWall met = nearest_wall(ray, {&wall, 1});
+  return met ? std::optional(met.t) : std::nullopt;
+}
+static std::optional<double> time_of(const Ray& ray, const Arc& wall, Root root) {
+  const auto met = root_of(ray, wall.curve, root);
   return met ? std::optional(met->nearest()) : std::nullopt;
 }
 
+std::optional<double> time_of(const Ray& ray, const Surfaces& walls, std::uint32_t wall,
+                              Root root) {
+  return walls.visit(wall, [&](const auto& met) { return time_of(ray, met, root); });
+}
+
 NearestWalls::NearestWalls(const Surfaces& walls) : walls_(walls) {
-  for (std::uint32_t i = 0; i < walls.size(); ++i)
-    if (!walls.is_straight(i)) {
-      curves_.push_back(i);
-      reaches_.push_back(reach_of(walls.arc(i)));
-    }
+  for (const Arc& arc : walls.arcs) reaches_.push_back(reach_of(arc));
 }
 
 NearestWall NearestWalls::of(const Ray& ray) {
@@ -206,8 +206,8 @@ NearestWall NearestWalls::among_curves(const Ray& ray) const {
                straight.at_end};
   }
   for (const Suspect& each : round_) {
-    const std::uint32_t number = curves_[static_cast<std::size_t>(each.wall)];
-    auto met = first_meeting(ray, walls_.arc(number));
+    const std::uint32_t number = walls_.curve_numbers[static_cast<std::size_t>(each.wall)];
+    auto met = first_meeting(ray, walls_.arcs[static_cast<std::size_t>(each.wall)]);
     if (!met) continue;
     const auto order = best ? met->t <=> *best : std::strong_ordering::less;
     if (order > 0 || (order == 0 && number > nearest.wall)) continue;

@@ -54,8 +54,7 @@ class NearestWalls {
   NearestWall among_curves(const Ray& ray) const;
 
   const Surfaces& walls_;
-  std::vector<std::uint32_t> curves_;  // ascending
-  std::vector<Reach> reaches_;         // of each
+  std::vector<Reach> reaches_;  // of each curve
   std::vector<Suspect> straight_, round_;
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "geom/ray.h"
 
 namespace flatray::oracle {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "geom/pair.h"
 #include "geom/ray.h"
 
@@ -63,8 +63,19 @@ struct Course {
   };
   Sight sight(const Vec2& point) const { return {side_of(point), place_of(point)}; }
 
-  Meeting<Number> meet_segment(const Segment& wall) const {
-    return meet_between(sight(wall.a), sight(wall.b));
+  std::vector<Meeting<Number>> meet(const Segment& wall, bool stood_on) const {
+    if (stood_on) return {};
+    return {meet_between(sight(wall.a), sight(wall.b))};
+  }
+
+  // To either side, at a point of the wall.
+  Pair<Number> normal(const Segment& wall, const Pair<Number>&) const {
+    const Pair<Number> edge = pair(wall.b) - pair(wall.a);
+    return {-edge.y, edge.x};
+  }
+  Pair<Number> normal(const Arc& wall, const Pair<Number>& point) const {
+    const Ellipse& curve = wall.curve;
+    return curve_normal(make, curve, curve_form(make, curve, point - pair(curve.centre)));
   }
 
   // A straight wall between two points.
@@ -130,7 +141,7 @@ struct Course {
     return {(q * d.x + k * d.y) / size, (q * d.y - k * d.x) / size};
   }
 
-  std::vector<Meeting<Number>> meet_arc(const Arc& arc, bool stood_on) const {
+  std::vector<Meeting<Number>> meet(const Arc& arc, bool stood_on) const {
     std::vector<Meeting<Number>> met = meet_curve(arc.curve, stood_on);
     if (arc.extent == Arc::Extent::whole) return met;
     for (Meeting<Number>& meeting : met) limit_to(arc, meeting);
@@ -175,7 +186,7 @@ struct Course {
     const auto from = from_centre(*meeting.place - centre, side_of(arc.curve.centre));
     const auto point = pair(arc.curve.centre) + from;
     bool known = true;
-    const ArcPlace place = place_in_cone(arc, [&](const Vec2& p, const Vec2& a, const Vec2& b) {
+    const PlaceOn place = place_in_cone(arc, [&](const Vec2& p, const Vec2& a, const Vec2& b) {
       const bool at_centre = p == arc.curve.centre;
       const auto sign = cross(pair(b) - pair(a), at_centre ? from : point - pair(p)).sign();
       known = known && sign;
@@ -183,9 +194,9 @@ struct Course {
     });
     if (!known)
       meeting.met = Met::open;
-    else if (place == ArcPlace::outside)
+    else if (place == PlaceOn::outside)
       meeting.met = Met::no;
-    else if (place == ArcPlace::at_end && meeting.met == Met::between)
+    else if (place == PlaceOn::at_end && meeting.met == Met::between)
       meeting.met = Met::end;
   }
 };

@@ -81,7 +81,7 @@ class Flight {
   /// Goes on from a wall that the ray is known to meet next; false where Number cannot tell how.
   bool bounce(std::uint32_t surface) {
     const bool known =
-        walls_.is_straight(surface) ? bounce_off(segment(surface)) : bounce_off_curve(surface);
+        walls_.visit(surface, [&](const auto& wall) { return bounce_off(wall, surface); });
     left_ = surface;
     crossings_ = 0;
     return known;
@@ -97,7 +97,7 @@ class Flight {
   /// Goes on from the walls opposite the periodic ones that it is known to meet next, and gives the
   /// point where it met them; nullopt where Number cannot tell it.
   std::optional<Pair<Number>> cross_over(const Prospect& next) {
-    const auto met = meeting_point(segment(next.walls.front()));
+    const auto met = meeting_point(walls_.segment(next.walls.front()));
     if (!met) return std::nullopt;
     point_ = *met;
     for (const std::uint32_t surface : next.walls) {
@@ -158,17 +158,11 @@ class Flight {
 
   /// Where a wall is met that the ray is known to meet next, in a corner.
   std::optional<Pair<Number>> corner_at(std::uint32_t surface) const {
-    if (!walls_.is_straight(surface))
-      if (const auto meeting = first_of(surface); meeting && meeting->end)
-        return pair(*meeting->end);
+    if (const auto end = walls_.visit(surface, [&](const auto& wall) { return end_of(wall, surface); }))
+      return end;
     Flight there(*this);
     if (there.bounce(surface)) return there.point_;
-    if (!walls_.is_straight(surface)) return std::nullopt;
-    const Segment& wall = segment(surface);  // on the line of the ray
-    const auto order =
-        (dot(pair(wall.a), course_.direction) - dot(pair(wall.b), course_.direction)).sign();
-    if (!order) return std::nullopt;
-    return pair(*order == Sign::positive ? wall.b : wall.a);
+    return walls_.visit(surface, [&](const auto& wall) { return first_end(wall); });
   }
 
   /// Makes balls of all that may go on without error. Of Certain.
@@ -182,13 +176,7 @@ class Flight {
 
   /// A normal of the wall that it has just bounced off, of any length, to either side.
   Pair<Number> normal(std::uint32_t surface) const {
-    if (walls_.is_straight(surface)) {
-      const Pair<Number> edge = pair(segment(surface).b) - pair(segment(surface).a);
-      return {-edge.y, edge.x};
-    }
-    const Ellipse curve = walls_.curve(surface);
-    return curve_normal(course_.make, curve,
-                        curve_form(course_.make, curve, point_ - pair(curve.centre)));
+    return walls_.visit(surface, [&](const auto& wall) { return course_.normal(wall, point_); });
   }
 
   /// Where the last bounce was, or where it came in by a periodic wall.
@@ -201,24 +189,36 @@ class Flight {
  private:
   Pair<Number> pair(const Vec2& v) const { return course_.pair(v); }
 
-  const Segment& segment(std::uint32_t surface) const {
-    return walls_.segments[walls_.slot[surface]];
+  // The end at which a wall is known to be met.
+  std::optional<Pair<Number>> end_of(const Segment&, std::uint32_t) const { return std::nullopt; }
+  std::optional<Pair<Number>> end_of(const Arc&, std::uint32_t surface) const {
+    const auto meeting = first_of(surface);
+    return meeting && meeting->end ? std::optional(pair(*meeting->end)) : std::nullopt;
+  }
+
+  // Of a wall on the line of the ray.
+  std::optional<Pair<Number>> first_end(const Arc&) const { return std::nullopt; }
+  std::optional<Pair<Number>> first_end(const Segment& wall) const {
+    const auto order =
+        (dot(pair(wall.a), course_.direction) - dot(pair(wall.b), course_.direction)).sign();
+    if (!order) return std::nullopt;
+    return pair(*order == Sign::positive ? wall.b : wall.a);
   }
 
   std::vector<Meeting<Number>> meetings(std::uint32_t surface) const {
-    std::vector<Meeting<Number>> met;
-    if (!walls_.is_straight(surface))
-      met = course_.meet_arc(walls_.arc(surface), stands_on_curve_of(surface));
-    else if (surface != left_)
-      met = {course_.meet_segment(segment(surface))};
+    std::vector<Meeting<Number>> met = walls_.visit(surface, [&](const auto& wall) {
+      return course_.meet(wall, stands_on(wall, surface));
+    });
     for (Meeting<Number>& meeting : met) meeting.surface = surface;
     return met;
   }
 
   // Of its own curve, whichever part of it was left.
-  bool stands_on_curve_of(std::uint32_t surface) const {
-    return surface == left_ || (left_ != kNoSurface && !walls_.is_straight(left_) &&
-                                is_same_curve(walls_.curve(surface), walls_.curve(left_)));
+  bool stands_on(const Segment&, std::uint32_t surface) const { return surface == left_; }
+  bool stands_on(const Arc& arc, std::uint32_t surface) const {
+    return surface == left_ ||
+           (left_ != kNoSurface && walls_.segment_slot(left_) == kNoSurface &&
+            is_same_curve(arc.curve, walls_.arc(left_).curve));
   }
 
   // Of places that are known: positive where b comes first.
@@ -230,11 +230,10 @@ class Flight {
   // Whether two walls are met in one point because they lie on each other.
   bool is_same_point(const Meeting<Number>& a, const Meeting<Number>& b) const {
     if (a.part != b.part || a.part == WallPart::other) return false;
-    if (a.part == WallPart::line) {
-      const Segment &p = segment(a.surface), &q = segment(b.surface);
-      return orientation(p.a, p.b, q.a) == Sign::zero && orientation(p.a, p.b, q.b) == Sign::zero;
-    }
-    return a.end == b.end && is_same_curve(walls_.curve(a.surface), walls_.curve(b.surface));
+    if (a.part == WallPart::line)
+      return lies_along(walls_.segment(b.surface), walls_.segment(a.surface));
+    return a.end == b.end &&
+           is_same_curve(walls_.arc(a.surface).curve, walls_.arc(b.surface).curve);
   }
 
   static bool is_same(const Pair<Number>& a, const Pair<Number>& b) {
@@ -267,12 +266,7 @@ class Flight {
     Bounds others, cell;
     for (std::uint32_t i = 0; i < walls_.size(); ++i) {
       Bounds& box = periodic_.has(i) ? cell : others;
-      if (walls_.is_straight(i)) {
-        box.add(segment(i).a);
-        box.add(segment(i).b);
-      } else {
-        box.add(curve_bounds(walls_.curve(i)));
-      }
+      box.add(walls_.visit(i, [](const auto& wall) { return bounds_of(wall); }));
     }
     double low = cell.low[axis], high = cell.high[axis];
     if (!others.empty()) {
@@ -307,7 +301,7 @@ class Flight {
 
   // d' = d - 2 (d.n) n / n.n, a reflection of d by known numbers; the moment about a point of the
   // wall changes its sign.
-  bool bounce_off(const Segment& wall) {
+  bool bounce_off(const Segment& wall, std::uint32_t) {
     const Number side_a = course_.side_of(wall.a), apart = side_a - course_.side_of(wall.b);
     const auto slope = apart.sign();
     if (!slope || *slope == Sign::zero) return false;
@@ -323,10 +317,10 @@ class Flight {
     return true;
   }
 
-  bool bounce_off_curve(std::uint32_t surface) {
+  bool bounce_off(const Arc& arc, std::uint32_t surface) {
     const auto meeting = first_of(surface);
     if (!meeting) return false;
-    const Ellipse curve = walls_.curve(surface);
+    const Ellipse& curve = arc.curve;
     const Number q = *meeting->place - course_.place_of(curve.centre);
     return curve.is_circle() ? bounce_off_circle(curve, q) : bounce_off_ellipse(curve, q);
   }

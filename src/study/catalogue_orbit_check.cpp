@@ -25,8 +25,8 @@ bool is_out(const oracle::StiffOrbits& orbits, const Vec2& start, const Vec2& po
     if (orientation(wall.a, wall.b, point) == Sign::negative) return true;
   }
   return std::any_of(
-      orbits.walls.circles.begin(), orbits.walls.circles.end(), [&](const Circle& circle) {
-        const Sign before = curve_side(start, circle), now = curve_side(point, circle);
+      orbits.walls.arcs.begin(), orbits.walls.arcs.end(), [&](const Arc& arc) {
+        const Sign before = side_of(arc, start), now = side_of(arc, point);
         return now != Sign::zero && before != Sign::zero && now != before;
       });
 }
@@ -88,9 +88,10 @@ bool is_same(const Orbit& a, const Orbit& b) {
 
 // On the inner side of a curve the root by which a ray would enter is the one just left.
 Left left_by(const Surfaces& walls, const Bounce& bounce) {
-  if (walls.is_straight(bounce.surface)) return {bounce.surface, Root::none};
-  const Vec2 inward = walls.curve(bounce.surface).centre - bounce.point;
-  return {bounce.surface, bounce.normal.dot(inward) > 0 ? Root::first : Root::second};
+  return walls.visit(bounce.surface, [&](const auto& wall) -> Left {
+    const bool out = bounce.normal.dot(normal_near(wall, bounce.point)) > 0;
+    return {bounce.surface, root_left(wall, out ? Sign::positive : Sign::negative)};
+  });
 }
 
 // What flies from each bounce of some orbits, and the bounce it came to.

@@ -64,7 +64,7 @@ Surfaces sealed_room(const RoomPlace& place, std::uint64_t seed) {
 Vec2 aimed(Draw& draw, const Surfaces& walls, const RoomPlace& place, const Vec2& from) {
   if (!place.round) return walls.segments[draw.bits() % walls.segments.size()].a - from;
   const std::uint64_t bits = draw.bits();
-  const Circle& circle = walls.circles[(bits >> 1) % walls.circles.size()];
+  const Circle circle = circle_of(walls.arcs[(bits >> 1) % walls.arcs.size()].curve);
   const Vec2 to = circle.centre - from, left(-to.y(), to.x());
   const double square = to.squaredNorm() - circle.radius * circle.radius;
   if (!(square > 0)) return to;
@@ -85,12 +85,11 @@ std::vector<Ray> aimed_rays(const Surfaces& walls, const RoomPlace& place, std::
 
 // Also where it has come from one side of a disc to the other.
 bool is_outside(const Surfaces& walls, const Vec2& start, const Vec2& point) {
-  for (std::size_t i = 0; i < walls.circles.size(); ++i) {
-    const Sign side = curve_side(point, walls.circles[i]);
-    const Sign before = curve_side(start, walls.circles[i]);
+  for (std::size_t i = 0; i < walls.arcs.size(); ++i) {
+    const Sign side = side_of(walls.arcs[i], point), before = side_of(walls.arcs[i], start);
     if (side != Sign::zero && side == -(i == 0 ? Sign::negative : before)) return true;
   }
-  if (!walls.circles.empty()) return false;
+  if (!walls.arcs.empty()) return false;
   for (int i = 0; i < kCorners; ++i) {
     const Segment& wall = walls.segments[static_cast<std::size_t>(i)];
     if (orientation(wall.a, wall.b, point) == Sign::negative) return true;

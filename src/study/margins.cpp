@@ -30,16 +30,11 @@ double beside(const Leg& leg, const Vec2& point) {
 class Measure {
  public:
   Measure(const Scene& scene, const World& world) : scene_(scene), world_(world) {
-    const Surfaces& walls = world.surfaces;
-    for (std::uint32_t i = 0; i < walls.size(); ++i) {
-      if (walls.is_straight(i)) {
-        const Segment& wall = walls.segments[walls.slot[i]];
-        grow(wall.a), grow(wall.b);
-      } else {
-        const Ellipse curve = walls.curve(i);
-        grow(curve.centre + curve.u), grow(curve.centre - curve.u);
-        grow(curve.centre + curve.v), grow(curve.centre - curve.v);
-      }
+    for (const Segment& wall : world.surfaces.segments) grow(wall.a), grow(wall.b);
+    for (const Arc& wall : world.surfaces.arcs) {
+      const Ellipse& curve = wall.curve;
+      grow(curve.centre + curve.u), grow(curve.centre - curve.u);
+      grow(curve.centre + curve.v), grow(curve.centre - curve.v);
     }
   }
 
@@ -53,23 +48,9 @@ class Measure {
       best.at = at;
     };
     for (std::uint32_t i = 0; i < walls.size(); ++i) {
-      if (walls.is_straight(i)) {
-        const Segment& wall = walls.segments[walls.slot[i]];
-        see(i, wall.a, beside(leg, wall.a));
-        see(i, wall.b, beside(leg, wall.b));
-        continue;
-      }
-      const Arc arc = walls.arc(i);
-      if (arc.extent == Arc::Extent::between) {
-        see(i, arc.from, beside(leg, arc.from));
-        see(i, arc.to, beside(leg, arc.to));
-      }
-      if (arc.curve.is_circle()) {  // the way may end on it, short of its foot
-        const double radius = arc.curve.u.x();
-        const Vec2 way = leg.to - leg.from;
-        const Leg longer{leg.from, leg.to + (radius / way.norm()) * way};
-        see(i, arc.curve.centre, std::fabs(beside(longer, arc.curve.centre) - radius));
-      }
+      walls.visit(i, [&](const auto& wall) {
+        see_wall(wall, leg, [&](const Vec2& at, double distance) { see(i, at, distance); });
+      });
     }
     best.ulps = best.distance / (largest_ * 0x1p-52);
     return best;
@@ -78,6 +59,23 @@ class Measure {
   double largest() const { return largest_; }
 
  private:
+  template <class See>
+  static void see_wall(const Segment& wall, const Leg& leg, const See& see) {
+    see(wall.a, beside(leg, wall.a));
+    see(wall.b, beside(leg, wall.b));
+  }
+  template <class See>
+  static void see_wall(const Arc& arc, const Leg& leg, const See& see) {
+    if (arc.extent == Arc::Extent::between) {
+      see(arc.from, beside(leg, arc.from));
+      see(arc.to, beside(leg, arc.to));
+    }
+    if (!arc.curve.is_circle()) return;  // the way may end on it, short of its foot
+    const auto [centre, radius] = circle_of(arc.curve);
+    const Vec2 way = leg.to - leg.from;
+    const Leg longer{leg.from, leg.to + (radius / way.norm()) * way};
+    see(centre, std::fabs(beside(longer, centre) - radius));
+  }
   void grow(const Vec2& p) { largest_ = std::max({largest_, std::fabs(p.x()), std::fabs(p.y())}); }
 
   std::string name_of(std::uint32_t wall) const {

@@ -11,7 +11,6 @@
 #include "geom/predicates.h"
 #include "study/starts.h"
 #include "study/wall_places.h"
-#include "trace/on_surface.h"
 #include "transport/landing.h"
 #include "transport/near_doubles.h"
 #include "transport/reflection.h"
@@ -19,10 +18,8 @@
 namespace flatray {
 namespace {
 
-Sign side_of(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  const std::uint32_t slot = walls.slot[surface];
-  if (!walls.is_straight(surface)) return curve_side(point, walls.curve(surface));
-  return orientation(walls.segments[slot].a, walls.segments[slot].b, point);
+Sign side_of_wall(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  return walls.visit(surface, [&](const auto& wall) { return side_of(wall, point); });
 }
 
 }  // namespace
@@ -46,14 +43,14 @@ Room::Room(const Scene& scene)
 std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
   const SurfaceOwner& owner = world_.owner(surface);
   const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
-  const bool curved = !walls().is_straight(surface);
+  const Sign inside = walls().visit(surface, [](const auto& wall) { return inside_of(wall); });
   const ShapeId shape = chamber ? scene_.chambers[owner.index].shape
                         : owner.kind == SurfaceOwner::Kind::pillar
                             ? scene_.chambers[owner.index].pillars[owner.pillar].shape
                             : state_.entities[owner.index].shape;
   const Shape& whole = scene_.shapes[shape];
   if (!has_area(whole)) return std::nullopt;
-  return chamber != curved ? Sign::positive : Sign::negative;
+  return chamber ? inside : -inside;
 }
 
 bool Room::has_start(const Vec2& point) const {
@@ -89,15 +86,14 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
     const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
     const Vec2 place = wall_point(walls(), surface, second ? within - length : within);
     const auto origin = nearest_double(
-        place, [&](const Vec2& point) { return side_of(walls(), surface, point) != -side; });
+        place, [&](const Vec2& point) { return side_of_wall(walls(), surface, point) != -side; });
     if (!origin) continue;
     const Vec2 normal = static_cast<double>(side) * wall_normal(walls(), surface, *origin);
     const Vec2 direction =
         std::sqrt((1 - sine) * (1 + sine)) * normal + sine * Vec2(-normal.y(), normal.x());
     if (!leads_away(walls(), surface, side, *origin, direction)) continue;
-    const Root root = walls().is_straight(surface) ? Root::none
-                      : side == Sign::negative     ? Root::first
-                                                   : Root::second;
+    const Root root =
+        walls().visit(surface, [&](const auto& wall) { return root_left(wall, side); });
     return {{*origin, direction}, {surface, root}};
   }
 }

@@ -10,16 +10,31 @@ namespace {
 
 constexpr double kTurn = 0x1.921fb54442d18p+2;
 
-const Segment& segment(const Surfaces& walls, std::uint32_t surface) {
-  return walls.segments[walls.slot[surface]];
-}
 double length(const Vec2& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); }
+
+// A straight wall by the length from its first end.
+class LineWay {
+ public:
+  explicit LineWay(const Segment& wall) : wall_(wall), sweep_(length(wall.b - wall.a)) {}
+  double sweep() const { return sweep_; }
+  Vec2 at(double past) const { return wall_.a + past / sweep_ * (wall_.b - wall_.a); }
+  Vec2 normal_at(const Vec2& point) const { return normal_near(wall_, point) / sweep_; }
+  double curvature_at(const Vec2&) const { return 0; }
+  double parameter(const Vec2& point) const { return length(point - wall_.a); }
+  double length_to(double past) const { return std::min(past, sweep_); }
+  double parameter_at(double position) const { return position; }
+  std::vector<Vec2> outline() const { return {wall_.a, wall_.b}; }
+
+ private:
+  const Segment& wall_;
+  double sweep_;
+};
 
 // A curved wall by its parameter: centre + cos a u + sin a v, from `from` over `sweep`, which is
 // negative where u, v turn clockwise.
-class Way {
+class ArcWay {
  public:
-  explicit Way(const Arc& arc) : curve_(arc.curve) {
+  explicit ArcWay(const Arc& arc) : curve_(arc.curve) {
     const double turn = cross(curve_.u, curve_.v) < 0 ? -kTurn : kTurn;
     sweep_ = turn;
     if (arc.extent == Arc::Extent::whole) return;
@@ -38,6 +53,25 @@ class Way {
   Vec2 tangent(double past) const {
     const double a = from_ + past;
     return portable::cos(a) * curve_.v - portable::sin(a) * curve_.u;
+  }
+  Vec2 normal_at(const Vec2& point) const {
+    if (curve_.is_circle()) {
+      const Vec2 out = point - curve_.centre;
+      return out / flatray::length(out);
+    }
+    const Vec2 along = tangent(parameter(point)), across(along.y(), -along.x());
+    return (cross(curve_.u, curve_.v) < 0 ? -1 : 1) * across / flatray::length(across);
+  }
+  double curvature_at(const Vec2& point) const {
+    if (curve_.is_circle()) return 1 / curve_.u.x();
+    const double fast = speed(parameter(point));
+    return std::fabs(cross(curve_.u, curve_.v)) / (fast * fast * fast);
+  }
+  std::vector<Vec2> outline() const {
+    constexpr int kParts = 96;
+    std::vector<Vec2> points;
+    for (int i = 0; i <= kParts; ++i) points.push_back(at(sweep_ * i / kParts));
+    return points;
   }
   // The parameter past the beginning of a point near the wall.
   double parameter(const Vec2& point) const {
@@ -77,71 +111,44 @@ class Way {
   double from_ = 0, sweep_;
 };
 
-Way way_along(const Surfaces& walls, std::uint32_t surface) { return Way(walls.arc(surface)); }
+LineWay way_along(const Segment& wall) { return LineWay(wall); }
+ArcWay way_along(const Arc& wall) { return ArcWay(wall); }
+
+// What `use` makes of the way along a wall.
+template <class Use>
+auto along(const Surfaces& walls, std::uint32_t surface, const Use& use) {
+  return walls.visit(surface, [&](const auto& wall) { return use(way_along(wall)); });
+}
 
 }  // namespace
 
 double wall_length(const Surfaces& walls, std::uint32_t surface) {
-  if (!walls.is_straight(surface)) {
-    const Way way = way_along(walls, surface);
-    return way.length_to(way.sweep());
-  }
-  const Segment& wall = segment(walls, surface);
-  return length(wall.b - wall.a);
+  return along(walls, surface, [](const auto& way) { return way.length_to(way.sweep()); });
 }
 
 Vec2 wall_point(const Surfaces& walls, std::uint32_t surface, double position) {
-  if (!walls.is_straight(surface)) {
-    const Way way = way_along(walls, surface);
-    return way.at(way.parameter_at(position));
-  }
-  const Segment& wall = segment(walls, surface);
-  return wall.a + position / wall_length(walls, surface) * (wall.b - wall.a);
+  return along(walls, surface,
+               [&](const auto& way) { return way.at(way.parameter_at(position)); });
 }
 
 double wall_position(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  if (!walls.is_straight(surface)) {
-    const Way way = way_along(walls, surface);
-    return way.length_to(way.parameter(point));
-  }
-  return std::min(length(point - segment(walls, surface).a), wall_length(walls, surface));
+  return along(walls, surface,
+               [&](const auto& way) { return way.length_to(way.parameter(point)); });
 }
 
 Vec2 wall_normal(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  if (!walls.is_straight(surface)) {
-    const Ellipse curve = walls.curve(surface);
-    if (curve.is_circle()) {
-      const Vec2 out = point - curve.centre;
-      return out / length(out);
-    }
-    const Way way = way_along(walls, surface);
-    const Vec2 along = way.tangent(way.parameter(point));
-    const Vec2 across(along.y(), -along.x());
-    return (cross(curve.u, curve.v) < 0 ? -1 : 1) * across / length(across);
-  }
-  const Segment& wall = segment(walls, surface);
-  const Vec2 edge = wall.b - wall.a;
-  return Vec2(-edge.y(), edge.x()) / length(edge);
+  return along(walls, surface, [&](const auto& way) { return way.normal_at(point); });
 }
 
 double curvature(const Surfaces& walls, std::uint32_t surface, const Vec2& point,
                  const Vec2& normal) {
-  if (walls.is_straight(surface)) return 0;
-  const Ellipse curve = walls.curve(surface);
-  const int sign = wall_normal(walls, surface, point).dot(normal) > 0 ? 1 : -1;
-  if (curve.is_circle()) return sign / curve.u.x();
-  const Way way = way_along(walls, surface);
-  const double speed = length(way.tangent(way.parameter(point)));
-  return sign * std::fabs(cross(curve.u, curve.v)) / (speed * speed * speed);
+  return along(walls, surface, [&](const auto& way) {
+    return (way.normal_at(point).dot(normal) > 0 ? 1 : -1) * way.curvature_at(point);
+  });
 }
 
 std::vector<Vec2> wall_outline(const Surfaces& walls, std::uint32_t surface) {
-  if (walls.is_straight(surface)) return {segment(walls, surface).a, segment(walls, surface).b};
-  constexpr int kParts = 96;
-  const Way way = way_along(walls, surface);
-  std::vector<Vec2> points;
-  for (int i = 0; i <= kParts; ++i) points.push_back(way.at(way.sweep() * i / kParts));
-  return points;
+  return along(walls, surface, [](const auto& way) { return way.outline(); });
 }
 
 }  // namespace flatray

@@ -43,8 +43,7 @@ bool Accelerator::any_of_one(const Ray& ray, double up_to, const Left& left, boo
 std::vector<NearestHit> Accelerator::all_of_one(const Ray& ray, const Left& left,
                                                 bool tangents) const {
   ExactHits every(walls_, ray, left, tangents);
-  every.offers().offer_segments();
-  every.offers().offer_curves();
+  every.offers().offer_all();
   return every.hits();
 }
 

@@ -56,7 +56,7 @@ class Rivals {
   bool settled(double t) const { return high_ < t; }
 
   CurveCells::Rivals curved(const Ray& ray, const CurveCells& curves) const {
-    return walls_.any_curves() ? curves.rivals(ray, left_, high_) : CurveCells::Rivals{};
+    return curves.rivals(ray, left_, high_);
   }
   std::size_t tested() const { return tested_; }
 
@@ -71,8 +71,8 @@ class Rivals {
     if (curved.sure && open_.empty())
       return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
     ExactNearest search(walls_, ray, left_, tangents);
-    for (const Rival& rival : open_) search.offer_segment(rival.slot);
-    for (const std::uint32_t surface : curved.surfaces) search.offer_curve(surface);
+    for (const Rival& rival : open_) search.offer(walls_.segment_numbers[rival.slot]);
+    for (const std::uint32_t surface : curved.surfaces) search.offer(surface);
     return search.hit();
   }
 
@@ -128,7 +128,7 @@ void gather(const Surfaces& walls, const CellGrid* listed, const CellGrid* grid,
 std::vector<std::uint32_t> CellSearch::segments_near(const Ray& ray) const {
   std::vector<std::uint32_t> slots;
   std::optional<CellWalk> walk;
-  if (grid_ != nullptr && ray.direction != Vec2(0, 0)) walk.emplace(*grid_, ray);
+  if (grid_ != nullptr) walk.emplace(*grid_, ray);
   if (!walk || walk->start() == CellWalk::Start::uncertain) {
     slots.resize(walls_.segments.size());
     std::iota(slots.begin(), slots.end(), 0U);
@@ -148,22 +148,22 @@ std::vector<std::uint32_t> CellSearch::segments_near(const Ray& ray) const {
 
 std::vector<NearestHit> CellSearch::all(const Ray& ray, const Left& left, bool tangents) const {
   ExactHits every(walls_, ray, left, tangents);
+  if (ray.direction == Vec2(0, 0)) {
+    every.offers().offer_all();
+    return every.hits();
+  }
   const SegmentFilter filter(ray);
   for (const std::uint32_t slot : segments_near(ray))
     if (filter(walls_.segments[slot]).verdict != FilteredHit::Verdict::missed)
-      every.offers().offer_segment(slot);
-  if (ray.direction == Vec2(0, 0))
-    every.offers().offer_curves();
-  else
-    for (const std::uint32_t surface : curves_.near(ray)) every.offers().offer_curve(surface);
+      every.offers().offer(walls_.segment_numbers[slot]);
+  for (const std::uint32_t surface : curves_.near(ray)) every.offers().offer(surface);
   return every.hits();
 }
 
 NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) const {
   if (ray.direction == Vec2(0, 0)) {
     ExactNearest search(walls_, ray, left, tangents);
-    search.offer_segments();
-    search.offer_curves();
+    search.offer_all();
     return search.hit();
   }
   if (whole_.hold(ray)) {

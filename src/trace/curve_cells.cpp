@@ -19,16 +19,6 @@ constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-2
 constexpr double kSlack = 0x1p-12;   // cells, by which a walk may be off
 constexpr double kLeast = 0x1p-400, kMost = 0x1p400;
 
-// Box of all that belongs to an arc.
-Bounds box_of(const Arc& arc) {
-  Bounds box = curve_bounds(arc.curve);
-  if (arc.extent == Arc::Extent::between) {
-    box.add(arc.from);
-    box.add(arc.to);
-  }
-  return box;
-}
-
 // A vector in the form in which the curve is a circle, and the largest it may be in a box about it.
 struct Form {
   double length, most;
@@ -58,25 +48,23 @@ bool ends_on_curve(const Arc& arc) {
 }  // namespace
 
 CurveCells::CurveCells(const Surfaces& walls) : walls_(walls) {
-  for (std::uint32_t i = 0; i < walls.size(); ++i)
-    if (!walls.is_straight(i)) curves_.push_back(i);
-  if (curves_.size() > kFew) divide();
+  if (curves().size() > kFew) divide();
 }
 
 // Cells of one size, as many as the curves need, and one more all round.
 void CurveCells::divide() {
   Bounds box;
   double extents = 0;
-  for (const std::uint32_t i : curves_) {
-    const Bounds own = box_of(walls_.arc(i));
+  for (const std::uint32_t i : curves()) {
+    const Bounds own = bounds_of(walls_.arc(i));
     box.add(own);
-    extents += own.size().sum() / static_cast<double>(curves_.size());
+    extents += own.size().sum() / static_cast<double>(curves().size());
   }
   const Vec2 size = box.size();
   const double larger = size.maxCoeff(),
                magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   if (!(larger > kLeast && magnitude < kMost)) return;
-  const double wanted = std::min(kCellsACurve * static_cast<double>(curves_.size()), kMostCells);
+  const double wanted = std::min(kCellsACurve * static_cast<double>(curves().size()), kMostCells);
   const double narrow = std::max(size.minCoeff(), larger / wanted);
   side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
   side_ = std::max(side_, extents / kCellsAcross);
@@ -88,12 +76,12 @@ void CurveCells::divide() {
   const Rect all{0, 0, columns_, rows_};
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begin_.assign(cells + 1, 0);
-  for (const std::uint32_t i : curves_)
+  for (const std::uint32_t i : curves())
     visit_cells(walls_.arc(i), all, [&](std::size_t cell) { ++begin_[cell + 1]; });
   for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
   surfaces_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (const std::uint32_t i : curves_)
+  for (const std::uint32_t i : curves())
     visit_cells(walls_.arc(i), all, [&](std::size_t cell) { surfaces_[next[cell]++] = i; });
 }
 
@@ -101,7 +89,7 @@ void CurveCells::divide() {
 bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
   const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
   const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
-  const Bounds box = box_of(arc);
+  const Bounds box = bounds_of(arc);
   const Vec2 below = box.low - low_ - middle, above = box.high - low_ - middle;
   if (below.x() > half.x() || below.y() > half.y() || above.x() < -half.x() ||
       above.y() < -half.y())
@@ -140,7 +128,7 @@ class CurveCells::Search {
                      [&](const Rival& other) { return other.surface == surface; }) != open_.end())
       return;
     ++tested_;
-    const Arc arc = walls_.arc(surface);
+    const Arc& arc = walls_.arc(surface);
     FilteredCurve hit = filter_curve(ray_, arc.curve);
     const bool joined = arc.extent == Arc::Extent::between;
     if (hit.verdict == FilteredCurve::Verdict::missed && !joined) return;
@@ -188,7 +176,7 @@ void CurveCells::walk(const Ray& ray, Offers& offers) const {
   const Vec2 all(columns_, rows_);
   if (begin_.empty() || !(speed > kLeast && speed < kMost) ||
       !(origin.cwiseAbs().maxCoeff() < kFar)) {
-    for (const std::uint32_t surface : curves_) offers.offer(surface);
+    for (const std::uint32_t surface : curves()) offers.offer(surface);
     return;
   }
   // t of what is to come on each axis: the side of the grid, then of each cell.
@@ -226,6 +214,7 @@ void CurveCells::walk(const Ray& ray, Offers& offers) const {
 }
 
 CurveCells::Rivals CurveCells::rivals(const Ray& ray, const Left& left, double limit) const {
+  if (curves().empty()) return {};
   Search search(walls_, ray, left, limit);
   walk(ray, search);
   return search.rivals();
@@ -241,7 +230,7 @@ std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
   std::sort(all.surfaces.begin(), all.surfaces.end());
   all.surfaces.erase(std::unique(all.surfaces.begin(), all.surfaces.end()), all.surfaces.end());
   std::erase_if(all.surfaces, [&](std::uint32_t surface) {
-    const Arc arc = walls_.arc(surface);  // what joins an arc to its ends is no part of its curve
+    const Arc& arc = walls_.arc(surface);  // what joins an arc to its ends is no part of its curve
     return arc.extent == Arc::Extent::whole &&
            filter_curve(ray, arc.curve).verdict == FilteredCurve::Verdict::missed;
   });
@@ -249,8 +238,8 @@ std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
 }
 
 std::string CurveCells::structure() const {
-  if (curves_.empty()) return {};
-  return counted(curves_.size(), "curve") + " in " +
+  if (curves().empty()) return {};
+  return counted(curves().size(), "curve") + " in " +
          (begin_.empty() ? "one list"
                          : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");
 }

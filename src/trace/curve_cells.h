@@ -39,7 +39,7 @@ class CurveCells {
   template <class Visit>
   void visit_near(const Vec2& point, const Visit& visit) const {
     if (begin_.empty()) {
-      for (const std::uint32_t surface : curves_) visit(surface);
+      for (const std::uint32_t surface : curves()) visit(surface);
       return;
     }
     // Where there are cells, 4 ulps of a place in them and its own rounding are under 2^-9 each.
@@ -63,6 +63,7 @@ class CurveCells {
   std::size_t bytes() const { return 4 * (begin_.size() + surfaces_.size()); }
 
  private:
+  const std::vector<std::uint32_t>& curves() const { return walls_.curve_numbers; }
   class Search;
   struct Rect {
     int left, bottom, width, height;  // in cells
@@ -76,7 +77,6 @@ class CurveCells {
   bool may_pass(const Arc& arc, const Rect& rect) const;
 
   const Surfaces& walls_;
-  std::vector<std::uint32_t> curves_;            // all of them
   std::vector<std::uint32_t> begin_, surfaces_;  // of each cell, row by row
   int columns_ = 0, rows_ = 0;
   Vec2 low_{0, 0};

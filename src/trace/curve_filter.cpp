@@ -13,31 +13,18 @@ constexpr double kLeast = 0x1p-400, kMost = 0x1p400;
 struct Near {
   double value, error;
 };
+Near exactly(double x) { return {x, 0}; }
 
-Near product(const Near& a, const Near& b) {
+Near operator*(const Near& a, const Near& b) {
   const double value = a.value * b.value;
   return {value, std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error +
                      kRounding * std::fabs(value)};
 }
-Near sum(const Near& a, const Near& b) {
+Near operator+(const Near& a, const Near& b) {
   return {a.value + b.value, (a.error + b.error) * (1 + kRounding) +
                                  kRounding * (std::fabs(a.value) + std::fabs(b.value))};
 }
-Near difference(const Near& a, const Near& b) { return sum(a, {-b.value, b.error}); }
-
-struct NearPair {
-  Near x, y;
-};
-Near dot(const NearPair& a, const NearPair& b) { return sum(product(a.x, b.x), product(a.y, b.y)); }
-Near cross(const NearPair& a, const NearPair& b) {
-  return difference(product(a.x, b.y), product(a.y, b.x));
-}
-NearPair exactly(const Vec2& v) { return {{v.x(), 0}, {v.y(), 0}}; }
-
-NearPair form(const Ellipse& curve, const NearPair& w) {
-  if (curve.is_circle()) return w;
-  return {cross(w, exactly(curve.v)), cross(exactly(curve.u), w)};
-}
+Near operator-(const Near& a, const Near& b) { return a + Near{-b.value, b.error}; }
 
 // Below and above value / a.
 double below(double value, const Near& a) {
@@ -53,17 +40,17 @@ FilteredCurve filter_curve(const Ray& ray, const Ellipse& curve) {
   using Verdict = FilteredCurve::Verdict;
   constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
   const Vec2 to = curve.centre - ray.origin;
-  const NearPair d = form(curve, exactly(ray.direction));
-  const NearPair w = form(
-      curve, {{to.x(), kRounding * std::fabs(to.x())}, {to.y(), kRounding * std::fabs(to.y())}});
-  const Near r =
-      curve.is_circle() ? Near{curve.u.x(), 0} : cross(exactly(curve.u), exactly(curve.v));
-  const Near a = dot(d, d), b = dot(d, w), k = cross(d, w), r2 = product(r, r);
+  const Pair<Near> d = curve_form(exactly, curve, pair_of(exactly, ray.direction));
+  const Pair<Near> w = curve_form(exactly, curve,
+                                  Pair<Near>{{to.x(), kRounding * std::fabs(to.x())},
+                                             {to.y(), kRounding * std::fabs(to.y())}});
+  const Near r = form_size(exactly, curve);
+  const Near a = dot(d, d), b = dot(d, w), k = cross(d, w), r2 = r * r;
   const double far = std::fabs(w.x.value) + std::fabs(w.y.value);
   if (!(a.value > kLeast && a.value < kMost && r2.value > kLeast && r2.value < kMost &&
         (far == 0 || (far > kLeast && far < kMost)) && a.error < 0.25 * a.value))
     return kOpen;
-  const Near q = difference(product(r2, a), product(k, k));
+  const Near q = r2 * a - k * k;
   if (q.value < -q.error) return {Verdict::missed, 0, 0, Root::none};
   const double most = std::sqrt(q.value + q.error) * (1 + kRounding);
   if (b.value + b.error + most < 0) return {Verdict::missed, 0, 0, Root::none};

@@ -1,5 +1,5 @@
 #pragma once
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 #include "trace/rays.h"
 
 namespace flatray {

@@ -14,15 +14,9 @@ class ExactNearest {
   /// Needs   `walls` and what `left` names to outlive it.
   ExactNearest(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
 
-  /// Offers the segment in a slot; what the ray does not meet, or has just left, changes
-  /// nothing.
-  void offer_segment(std::size_t slot);
-  void offer_segments();
-  /// The same for a curved wall by its number, and for all of them.
-  void offer_curve(std::uint32_t number);
-  void offer_curves();
-  /// Offers the wall of a number.
+  /// Offers a wall; what the ray does not meet, or has just left, changes nothing.
   void offer(std::uint32_t surface);
+  void offer_all();
 
   NearestHit hit() const;
   /// Its exact t; none where there is no hit, or the direction is zero.
@@ -31,9 +25,7 @@ class ExactNearest {
  private:
   friend class ExactHits;
   void offer(const NearestHit& hit, const HitTime& time);
-  void offer_point_test(std::uint32_t number, bool on_it, bool at_end);
-  void offer_along(const Segment& segment, std::uint32_t number);
-  void offer_root(std::uint32_t number, const Arc& arc, const CurveHit& met);
+  void offer_point_test(std::uint32_t number, PlaceOn place);
 
   const Surfaces& walls_;
   Ray ray_;
@@ -41,6 +33,7 @@ class ExactNearest {
   bool tangents_, point_test_;
   NearestHit best_;
   std::optional<HitTime> best_time_;
+  std::vector<WallMeeting> met_;  // of the wall offered
   struct Timed {
     NearestHit hit;
     std::optional<HitTime> time;

@@ -37,17 +37,15 @@ struct Verdict {
 bool mark_left(const Surfaces& walls, const CellGrid& grid, const Left& left,
                const lanes::Walking& to, std::size_t i, int& fate) {
   CellGrid::Mark mark{NAN, NAN, NAN};
-  const bool segment =
-      left.surface != kNoSurface && walls.kinds[left.surface] == SurfaceKind::segment;
-  if (segment) {
-    const std::uint32_t slot = walls.slot[left.surface];
+  const std::uint32_t slot = walls.segment_slot(left.surface);
+  if (slot != kNoSurface) {
     mark = grid.mark(walls.segments[slot]);
     if (grid.is_twin(slot) || grid.next_copy(slot) != CellGrid::kNoSlot) fate = lanes::kDoubt;
   }
   to.left_ax[i] = mark.ax;
   to.left_ay[i] = mark.ay;
   to.left_bx[i] = mark.bx;
-  return segment;
+  return slot != kNoSurface;
 }
 
 // Columns of some rays one after the other, `room` floats each.
@@ -204,13 +202,12 @@ class LaneTracer : public Accelerator {
     return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
-    const bool segment = left.surface != kNoSurface && walls_.is_straight(left.surface);
-    if (segment && cells_.next_copy(walls_.slot[left.surface]) != CellGrid::kNoSlot)
+    const std::uint32_t slot = walls_.segment_slot(left.surface);
+    if (slot != kNoSurface && cells_.next_copy(slot) != CellGrid::kNoSlot)
       return search_.nearest(ray, left, tangents);
     const lanes::AloneHit found =
         kernels_.alone(view_, walls_.segments.front().a.data(),
-                       {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(),
-                        segment ? walls_.slot[left.surface] : kNoSurface});
+                       {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(), slot});
     return decide({found.found, found.slot, found.t}, ray, left, tangents);
   }
   std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
@@ -241,7 +238,7 @@ class LaneTracer : public Accelerator {
     return rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList);
   }
   bool may_meet_curve(const RayBatch& rays, std::size_t i, double up_to) const {
-    return walls_.any_curves() && up_to >= 0 &&
+    return up_to >= 0 &&
            !curves_.rivals(rays.ray(i), rays.left[i], up_to * (1 + 0x1p-50) + kUnderflowError)
                 .surfaces.empty();
   }
@@ -277,7 +274,7 @@ class LaneTracer : public Accelerator {
 
   // The usual case: sure of one segment, and of its t. (Without curves slots are numbers.)
   bool decided(const Verdict& verdict, NearestHit& hit) const {
-    if (walls_.any_curves() || !verdict.is_certain()) return false;
+    if (!walls_.arcs.empty() || !verdict.is_certain()) return false;
     if (verdict.is_hit() && std::isnan(verdict.t)) return false;
     hit = verdict.is_hit() ? crossed(verdict.slot, verdict.t) : NearestHit{};
     return true;
@@ -292,9 +289,8 @@ class LaneTracer : public Accelerator {
     // What t is known of is within an ulp, and what is not decides nothing.
     const bool timed = verdict.is_hit() && !std::isnan(verdict.t);
     const double t = timed ? verdict.t : verdict.is_hit() ? 0 : kInfinity;
-    CurveCells::Rivals curved;
-    if (walls_.any_curves())
-      curved = curves_.rivals(ray, left, timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
+    const CurveCells::Rivals curved =
+        curves_.rivals(ray, left, timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
     if (curved.surfaces.empty()) {
       if (timed) return crossed(walls_.segment_numbers[verdict.slot], verdict.t);
       return verdict.is_hit() ? crossing_hit(walls_, ray, verdict.slot) : NearestHit{};
@@ -302,8 +298,8 @@ class LaneTracer : public Accelerator {
     if (curved.sure && curved.high < t * (1 - 0x1p-50))
       return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
     ExactNearest search(walls_, ray, left, tangents);
-    if (verdict.is_hit()) search.offer_segment(verdict.slot);
-    for (const std::uint32_t surface : curved.surfaces) search.offer_curve(surface);
+    if (verdict.is_hit()) search.offer(walls_.segment_numbers[verdict.slot]);
+    for (const std::uint32_t surface : curved.surfaces) search.offer(surface);
     return search.hit();
   }
 
@@ -333,7 +329,7 @@ class OneByOne : public Accelerator {
   }
   std::size_t bytes() const override { return curves_.bytes(); }
   std::string structure() const override {
-    const bool curves_alone = walls_.segments.empty() && walls_.any_curves();
+    const bool curves_alone = walls_.segments.empty() && walls_.size() > 0;
     return curves_alone ? curves_.structure() : both("one list", curves_.structure());
   }
   std::size_t cells() const override { return curves_.cells(); }

@@ -44,17 +44,15 @@ bool is_on(const Arc& arc, const Pair<Number>& w) {
            const Vec2 from = p - arc.curve.centre, way = b - a;
            return sign_of(static_cast<double>(number(way.x()) * (w.y - number(from.y())) -
                                               number(way.y()) * (w.x - number(from.x()))));
-         }) != ArcPlace::outside;
+         }) != PlaceOn::outside;
 }
 
 /// Puts the curved walls into competition with the best hit so far, whose t is `best.t`.
 template <class Number>
 void offer_curves(const Surfaces& walls, const Ray& ray, const Left& left, NearestHit& best) {
-  if (!walls.any_curves()) return;
   const auto number_of = [](double x) { return static_cast<Number>(x); };
-  for (std::uint32_t number = 0; number < walls.size(); ++number) {
-    if (walls.is_straight(number)) continue;
-    const Arc arc = walls.arc(number);
+  for (const std::uint32_t number : walls.curve_numbers) {
+    const Arc& arc = walls.arc(number);
     const auto d = pair_of(number_of, ray.direction);
     const auto w = pair_of(number_of, ray.origin) - pair_of(number_of, arc.curve.centre);
     const auto form_d = curve_form(number_of, arc.curve, d),

@@ -7,9 +7,6 @@
 
 namespace flatray {
 
-/// Where the line of a ray meets a circle: it enters by the first root and leaves by the second.
-enum class Root : std::uint8_t { none, first, second, both };
-
 /// What a ray has just left and so does not meet again: a segment by its number, a circle by its
 /// number and in the root stood on. No distance is involved.
 struct Left {

@@ -1,46 +1,25 @@
 #include "trace/surfaces.h"
 
 namespace flatray {
-namespace {
 
-std::uint32_t append(Surfaces& walls, SurfaceKind kind, std::size_t slot,
-                     std::vector<std::uint32_t>& numbers) {
-  const auto number = static_cast<std::uint32_t>(walls.size());
-  walls.kinds.push_back(kind);
-  walls.slot.push_back(static_cast<std::uint32_t>(slot));
-  numbers.push_back(number);
-  return number;
+std::uint32_t Surfaces::add(const Segment& wall) {
+  segment_numbers.push_back(static_cast<std::uint32_t>(size()));
+  slots_.push_back(static_cast<std::uint32_t>(segments.size()));
+  segments.push_back(wall);
+  return segment_numbers.back();
 }
 
-}  // namespace
-
-std::uint32_t Surfaces::add(const Segment& segment) {
-  segments.push_back(segment);
-  return append(*this, SurfaceKind::segment, segments.size() - 1, segment_numbers);
-}
-
-std::uint32_t Surfaces::add(const Circle& circle) {
-  circles.push_back(circle);
-  return append(*this, SurfaceKind::circle, circles.size() - 1, circle_numbers);
-}
-
-std::uint32_t Surfaces::add(const Arc& arc) {
-  arcs.push_back(arc);
-  return append(*this, SurfaceKind::arc, arcs.size() - 1, arc_numbers);
+std::uint32_t Surfaces::add(const Arc& wall) {
+  curve_numbers.push_back(static_cast<std::uint32_t>(size()));
+  slots_.push_back(kCurved + static_cast<std::uint32_t>(arcs.size()));
+  arcs.push_back(wall);
+  return curve_numbers.back();
 }
 
 Bounds bounds_of(const Surfaces& walls) {
   Bounds box;
-  for (const Segment& wall : walls.segments) {
-    box.add(wall.a);
-    box.add(wall.b);
-  }
-  const auto hold = [&](const Bounds& curve) {
-    box.add(curve.low);
-    box.add(curve.high);
-  };
-  for (const Circle& wall : walls.circles) hold(curve_bounds(wall));
-  for (const Arc& wall : walls.arcs) hold(curve_bounds(wall.curve));
+  for (const Segment& wall : walls.segments) box.add(bounds_of(wall));
+  for (const Arc& wall : walls.arcs) box.add(bounds_of(wall));
   return box;
 }
 

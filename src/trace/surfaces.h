@@ -2,48 +2,46 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/arc.h"
-#include "geom/bounds.h"
+#include "geom/primitives/wall.h"
 
 namespace flatray {
-
-enum class SurfaceKind : std::uint8_t { segment, circle, arc };
 
 /// No surface: a ray that hits nothing, or has left none.
 inline constexpr std::uint32_t kNoSurface = 0xffffffffU;
 
-/// Walls as flat arrays. Surface i is `kinds[i]`, stored at `slot[i]` of its kind's array; the
-/// numbers lead back.
+/// Walls as flat arrays of each kind of primitive (geom/primitives/wall.h); the numbers lead back.
 struct Surfaces {
-  std::vector<SurfaceKind> kinds;
-  std::vector<std::uint32_t> slot;
   std::vector<Segment> segments;
-  std::vector<Circle> circles;
-  std::vector<Arc> arcs;  ///< of ellipses and circles, and whole ellipses
-  std::vector<std::uint32_t> segment_numbers, circle_numbers,
-      arc_numbers;  ///< surface by slot, ascending
+  std::vector<Arc> arcs;  ///< circles and ellipses, whole or parts of them
+  std::vector<std::uint32_t> segment_numbers, curve_numbers;  ///< surface by slot, ascending
 
-  std::size_t size() const { return kinds.size(); }
+  std::size_t size() const { return slots_.size(); }
   /// Puts a wall at the end and gives its number. Needs finite coordinates, radius >= 0, and
   /// what Arc needs.
-  std::uint32_t add(const Segment& segment);
-  std::uint32_t add(const Circle& circle);
-  std::uint32_t add(const Arc& arc);
+  std::uint32_t add(const Segment& wall);
+  std::uint32_t add(const Arc& wall);
+  std::uint32_t add(const Circle& wall) {
+    return add(Arc{wall, Arc::Extent::whole, {0, 0}, {0, 0}});
+  }
 
-  bool is_straight(std::uint32_t surface) const { return kinds[surface] == SurfaceKind::segment; }
-  /// Whether there is any other kind.
-  bool any_curves() const { return !circles.empty() || !arcs.empty(); }
-  /// A curved wall as an arc: of a circle, the whole.
-  Arc arc(std::uint32_t surface) const {
-    return kinds[surface] == SurfaceKind::circle
-               ? Arc{circles[slot[surface]], Arc::Extent::whole, {0, 0}, {0, 0}}
-               : arcs[slot[surface]];
+  /// What `use` makes of a wall, as the primitive that it is.
+  template <class Use>
+  decltype(auto) visit(std::uint32_t surface, const Use& use) const {
+    const std::uint32_t slot = slots_[surface];
+    return slot < kCurved ? use(segments[slot]) : use(arcs[slot - kCurved]);
   }
-  /// The whole curve of a curved wall.
-  Ellipse curve(std::uint32_t surface) const {
-    return kinds[surface] == SurfaceKind::circle ? Ellipse(circles[slot[surface]])
-                                                 : arcs[slot[surface]].curve;
+  /// Where among the segments a wall is; kNoSurface for what is none.
+  std::uint32_t segment_slot(std::uint32_t surface) const {
+    return surface != kNoSurface && slots_[surface] < kCurved ? slots_[surface] : kNoSurface;
   }
+  /// A wall known to be a segment.
+  const Segment& segment(std::uint32_t surface) const { return segments[slots_[surface]]; }
+  /// A wall known to be curved.
+  const Arc& arc(std::uint32_t surface) const { return arcs[slots_[surface] - kCurved]; }
+
+ private:
+  static constexpr std::uint32_t kCurved = 0x80000000U;
+  std::vector<std::uint32_t> slots_;  // in the array of its kind, and which array
 };
 
 /// A box that holds all walls.

@@ -37,7 +37,7 @@ std::strong_ordering order(const DoubleDouble& a, const DoubleDouble& b) {
 }  // namespace
 
 WholeWalls::WholeWalls(const Surfaces& walls) {
-  if (walls.any_curves() || walls.segments.empty()) return;
+  if (!walls.arcs.empty() || walls.segments.empty()) return;
   Bounds box;
   for (const Segment& wall : walls.segments) {
     box.add(wall.a);

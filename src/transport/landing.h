@@ -44,8 +44,7 @@ class Lander {
   Landing land_at(const Vec2& end, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                  const std::vector<Fence>& fences) const;
-  bool keeps_to_cone(std::uint32_t surface, const Vec2& point, ArcPlace cone) const;
-  bool passes_near(std::uint32_t surface, const Vec2& point, const Vec2& reach) const;
+  bool keeps_to_cone(std::uint32_t surface, const Vec2& point, PlaceOn cone) const;
   Fence fence(std::uint32_t surface, const ExactHit& hit) const;
   Sign side(std::uint32_t surface, const Vec2& point) const;
   bool stands_on(std::uint32_t surface, const Vec2& point) const;

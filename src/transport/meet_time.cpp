@@ -128,10 +128,10 @@ MeetTime MeetTime::at_end(const Mover& mover, const Leg& leg, const Segment& wal
 }
 
 MeetTime MeetTime::on_circle(const Mover& mover, const Leg& leg, const Circle& wall,
-                             HitTime::Root root) {
+                             Root root) {
   MeetTime made(Kind::circle, mover, &leg);
   made.circle_ = wall;
-  made.root_ = static_cast<int>(root);
+  made.root_ = root_sign(root);
   made.approximate();
   return made;
 }

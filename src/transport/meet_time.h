@@ -74,7 +74,7 @@ class MeetTime {
   static MeetTime at_end(const Mover& mover, const Leg& leg, const Segment& wall, bool at_b);
   /// Needs   crosses().
   static MeetTime on_circle(const Mover& mover, const Leg& leg, const Circle& wall,
-                            HitTime::Root root);
+                            Root root);
 
   friend std::strong_ordering compare(const MeetTime& a, const MeetTime& b);
   Sign sign() const;

@@ -5,16 +5,9 @@
 namespace flatray {
 namespace {
 
-using Root = HitTime::Root;
-
-const Segment& segment_of(const MovingWalls& walls, std::uint32_t surface) {
-  const Surfaces& all = walls.world.surfaces;
-  return all.segments[all.slot[surface]];
-}
-const Circle& circle_of(const MovingWalls& walls, std::uint32_t surface) {
-  const Surfaces& all = walls.world.surfaces;
-  return all.circles[all.slot[surface]];
-}
+// As meet_time.h takes it: curved walls that move are circles.
+const Segment& moved(const Segment& wall) { return wall; }
+Circle moved(const Arc& wall) { return circle_of(wall.curve); }
 
 bool is_after(double time, const DoubleDouble& other) {
   return time > other.hi || (time == other.hi && 0 > other.lo);
@@ -29,14 +22,14 @@ class Search {
   void look_at(std::uint32_t surface) {
     const std::vector<Leg>& legs = walls_.legs(surface);
     const double gone = walls_.gone_from[walls_.motion_of[surface]];
-    const bool straight = walls_.world.surfaces.is_straight(surface);
     for (const Leg& leg : legs) {
       if (is_after_end(leg) || leg.begin >= gone) continue;
       if (!found_.empty() && is_after(leg.begin, mover_.since) &&
           compare(MeetTime::at(mover_, leg.begin), found_.front().time) > 0)
         return;
       const Window window{leg.begin, std::min(leg.end, gone), gone < kInfinity};
-      if (straight ? meets_segment(surface, leg, window) : meets_circle(surface, leg, window))
+      if (walls_.world.surfaces.visit(
+              surface, [&](const auto& wall) { return meets(moved(wall), surface, leg, window); }))
         return;
     }
   }
@@ -74,10 +67,9 @@ class Search {
     return true;
   }
 
-  bool meets_segment(std::uint32_t surface, const Leg& leg, const Window& window) {
-    const Segment& wall = segment_of(walls_, surface);
+  bool meets(const Segment& wall, std::uint32_t surface, const Leg& leg, const Window& window) {
     const Sign to = heading(mover_, leg, wall);
-    if (to == Sign::zero) return meets_end(surface, leg, window);
+    if (to == Sign::zero) return meets_end(wall, surface, leg, window);
     if (surface == left_.surface && to == left_.side) return false;
     const CrossingPlace place = crossing_place(mover_, leg, wall);
     if (place == CrossingPlace::before || place == CrossingPlace::beyond) return false;
@@ -87,8 +79,8 @@ class Search {
   }
 
   // It moves along the line of the wall, or with the wall.
-  bool meets_end(std::uint32_t surface, const Leg& leg, const Window& window) {
-    const Segment& wall = segment_of(walls_, surface);
+  bool meets_end(const Segment& wall, std::uint32_t surface, const Leg& leg,
+                 const Window& window) {
     if (surface == left_.surface || side_of(mover_, leg, wall) != Sign::zero) return false;
     const Sign ahead = decide([&](const auto& number) {
       return dot(pair_of(number, wall.b) - pair_of(number, wall.a),
@@ -102,8 +94,7 @@ class Search {
     return false;
   }
 
-  bool meets_circle(std::uint32_t surface, const Leg& leg, const Window& window) {
-    const Circle& wall = circle_of(walls_, surface);
+  bool meets(const Circle& wall, std::uint32_t surface, const Leg& leg, const Window& window) {
     if (!crosses(mover_, leg, wall)) return false;
     const bool stands = surface == left_.surface;
     for (const Root root : {Root::first, Root::second}) {
@@ -120,6 +111,18 @@ class Search {
   const StoodOn& left_;
   std::vector<MovingHit> found_;  // all at one time
 };
+
+Sign side_at(const Segment& wall, const Leg& leg, const Mover& mover, const MeetTime& time) {
+  const Sign to = heading(mover, leg, wall);
+  if (to == Sign::zero) return side_of(mover, leg, wall);
+  return to * sign_of(compare(time, MeetTime::on_line(mover, leg, wall)));
+}
+Sign side_at(const Circle& wall, const Leg& leg, const Mover& mover, const MeetTime& time) {
+  if (!crosses(mover, leg, wall)) return Sign::positive;
+  const auto in = compare(time, MeetTime::on_circle(mover, leg, wall, Root::first));
+  const auto out = compare(time, MeetTime::on_circle(mover, leg, wall, Root::second));
+  return in == 0 || out == 0 ? Sign::zero : (in > 0 && out < 0 ? Sign::negative : Sign::positive);
+}
 
 }  // namespace
 
@@ -138,27 +141,18 @@ std::vector<MovingHit> first_hits(const MovingWalls& walls, const Mover& mover,
 
 Sign side_at(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover,
              const MeetTime& time) {
-  if (walls.world.surfaces.is_straight(surface)) {
-    const Segment& wall = segment_of(walls, surface);
-    const Sign to = heading(mover, leg, wall);
-    if (to == Sign::zero) return side_of(mover, leg, wall);
-    return to * sign_of(compare(time, MeetTime::on_line(mover, leg, wall)));
-  }
-  const Circle& wall = circle_of(walls, surface);
-  if (!crosses(mover, leg, wall)) return Sign::positive;
-  const auto in = compare(time, MeetTime::on_circle(mover, leg, wall, Root::first));
-  const auto out = compare(time, MeetTime::on_circle(mover, leg, wall, Root::second));
-  return in == 0 || out == 0 ? Sign::zero : (in > 0 && out < 0 ? Sign::negative : Sign::positive);
+  return walls.world.surfaces.visit(
+      surface, [&](const auto& wall) { return side_at(moved(wall), leg, mover, time); });
 }
 
 Sign side_of(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover) {
-  return walls.world.surfaces.is_straight(surface) ? side_of(mover, leg, segment_of(walls, surface))
-                                                   : side_of(mover, leg, circle_of(walls, surface));
+  return walls.world.surfaces.visit(
+      surface, [&](const auto& wall) { return side_of(mover, leg, moved(wall)); });
 }
 
 Sign heading(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover) {
-  return walls.world.surfaces.is_straight(surface) ? heading(mover, leg, segment_of(walls, surface))
-                                                   : heading(mover, leg, circle_of(walls, surface));
+  return walls.world.surfaces.visit(
+      surface, [&](const auto& wall) { return heading(mover, leg, moved(wall)); });
 }
 
 }  // namespace flatray

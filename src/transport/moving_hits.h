@@ -19,7 +19,7 @@ struct MovingHit {
   const Leg* leg;      ///< of its wall
   Sign side;           ///< it comes from
   bool at_end;         ///< exactly at an end of a segment
-  HitTime::Root root;  ///< of a circle
+  Root root;  ///< of a circle
 };
 
 /// The leg at a time; at a change the later one.

@@ -56,7 +56,7 @@ class Flight {
     if (stood_on.size() == 1) {
       left_.surface = stood_on.front();
       left_.side = heading(walls_, left_.surface, leg_now(left_.surface), mover_);
-      if (left_.side == Sign::zero && surfaces().is_straight(left_.surface))
+      if (left_.side == Sign::zero && surfaces().segment_slot(left_.surface) != kNoSurface)
         return stop(OrbitEnd::along, std::move(stood_on));
     }
     return limits_.bounces > 0 || stop(OrbitEnd::limit, {});
@@ -66,8 +66,11 @@ class Flight {
     const Leg& leg = leg_now(surface);
     if (mover_.since.hi >= walls_.gone_from[walls_.motion_of[surface]]) return false;
     if (side_of(walls_, surface, leg, mover_) != Sign::zero) return false;
-    if (!surfaces().is_straight(surface)) return true;
-    const Segment& wall = surfaces().segments[surfaces().slot[surface]];
+    return surfaces().visit(
+        surface, [&](const auto& wall) { return stands_between_ends(wall, leg, at_end); });
+  }
+  static bool stands_between_ends(const Arc&, const Leg&, const bool&) { return true; }
+  bool stands_between_ends(const Segment& wall, const Leg& leg, bool& at_end) const {
     const auto beyond = [&](const Vec2& end, const Vec2& other) {
       return decide([&](const auto& number) {
         return dot(pair_of(number, other) - pair_of(number, end),
@@ -148,19 +151,21 @@ class Flight {
     const Vec2 moved = leg.from + elapsed * Vec2(u.x, u.y);
     const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() + kSmall +
                          std::fabs(there.since.hi) * (std::fabs(u.x) + std::fabs(u.y) + kSmall);
-    const std::size_t slot = surfaces().slot[surface];
-    if (surfaces().is_straight(surface)) {
-      const Segment& wall = surfaces().segments[slot];
-      const double near = kNear * (sizes + wall.a.lpNorm<1>() + wall.b.lpNorm<1>());
-      const Vec2 at = there.at - moved, edge = wall.b - wall.a;
-      const Vec2 low = wall.a.cwiseMin(wall.b), high = wall.a.cwiseMax(wall.b);
-      for (int axis = 0; axis < 2; ++axis)
-        if (at[axis] < low[axis] - near || at[axis] > high[axis] + near) return false;
-      return !(std::fabs(cross(edge / edge.lpNorm<1>(), at - wall.a)) > near);
-    }
-    const Circle& wall = surfaces().circles[slot];
-    const double near = kNear * (sizes + wall.centre.lpNorm<1>() + wall.radius);
-    return !(std::fabs((there.at - moved - wall.centre).stableNorm() - wall.radius) > near);
+    return surfaces().visit(
+        surface, [&](const auto& wall) { return passes_near(wall, there.at - moved, sizes); });
+  }
+  static bool passes_near(const Segment& wall, const Vec2& at, double sizes) {
+    const double near = kNear * (sizes + wall.a.lpNorm<1>() + wall.b.lpNorm<1>());
+    const Vec2 edge = wall.b - wall.a;
+    const Bounds box = bounds_of(wall);
+    for (int axis = 0; axis < 2; ++axis)
+      if (at[axis] < box.low[axis] - near || at[axis] > box.high[axis] + near) return false;
+    return !(std::fabs(cross(edge / edge.lpNorm<1>(), at - wall.a)) > near);
+  }
+  static bool passes_near(const Arc& wall, const Vec2& at, double sizes) {
+    const auto [centre, radius] = circle_of(wall.curve);
+    const double near = kNear * (sizes + centre.lpNorm<1>() + radius);
+    return !(std::fabs((at - centre).stableNorm() - radius) > near);
   }
 
   bool may_stand(const Mover& there, const MovingHit& hit, const std::vector<Fence>& fences) const {
@@ -173,14 +178,15 @@ class Flight {
 
   // In the frame of the wall the speed stays; here it does not.
   bool bounces(const MovingHit& hit, const Mover& there) {
-    const bool straight = surfaces().is_straight(hit.surface);
-    const auto out =
-        nearest_double(straight ? off_segment(hit) : off_circle(hit), [&](const Vec2& velocity) {
-          return heading(walls_, hit.surface, *hit.leg, {there.at, velocity, there.since}) ==
-                 hit.side;
-        });
+    const Vec2 off =
+        surfaces().visit(hit.surface, [&](const auto& wall) { return reflected(wall, hit); });
+    const auto out = nearest_double(off, [&](const Vec2& velocity) {
+      return heading(walls_, hit.surface, *hit.leg, {there.at, velocity, there.since}) == hit.side;
+    });
     const Vec2 in = mover_.velocity;
-    const Vec2 towards = static_cast<double>(hit.side) * unit(normal(hit)) + Vec2(0, 0);
+    const Vec2 normal =
+        surfaces().visit(hit.surface, [&](const auto& wall) { return normal_of(wall, hit); });
+    const Vec2 towards = static_cast<double>(hit.side) * unit(normal) + Vec2(0, 0);
     const double t = goes_to(hit.time, there);
     left_ = {hit.surface, hit.side};
     if (!out) return stop(OrbitEnd::along, {hit.surface});
@@ -207,15 +213,13 @@ class Flight {
   }
 
   // To the left of a segment, outward of a circle.
-  Vec2 normal(const MovingHit& hit) const {
-    const std::size_t slot = surfaces().slot[hit.surface];
-    if (surfaces().is_straight(hit.surface)) {
-      const Segment& wall = surfaces().segments[slot];
-      return {wall.a.y() - wall.b.y(), wall.b.x() - wall.a.x()};
-    }
+  static Vec2 normal_of(const Segment& wall, const MovingHit&) {
+    return {wall.a.y() - wall.b.y(), wall.b.x() - wall.a.x()};
+  }
+  Vec2 normal_of(const Arc& wall, const MovingHit& hit) const {
     const auto component = [&](int axis) {
       return hit.time.round([&](const auto& number, const auto& t) {
-        const auto n = from_centre(number, t, hit);
+        const auto n = from_centre(number, t, wall, hit);
         return axis == 0 ? n.x : n.y;
       });
     };
@@ -224,15 +228,14 @@ class Flight {
 
   // Of the circle of a hit, at a time.
   template <class Make, class Number>
-  Pair<Number> from_centre(const Make& number, const Number& t, const MovingHit& hit) const {
-    const Circle& wall = surfaces().circles[surfaces().slot[hit.surface]];
-    const auto seen = relative(number, mover_, *hit.leg, wall.centre);
+  Pair<Number> from_centre(const Make& number, const Number& t, const Arc& wall,
+                           const MovingHit& hit) const {
+    const auto seen = relative(number, mover_, *hit.leg, wall.curve.centre);
     return seen.at + t * seen.velocity;
   }
 
   // Nearest doubles.
-  Vec2 off_segment(const MovingHit& hit) const {
-    const Segment& wall = surfaces().segments[surfaces().slot[hit.surface]];
+  Vec2 reflected(const Segment& wall, const MovingHit& hit) const {
     const auto component = [&](int axis) {
       return round_once([&](const auto& number) {
         const auto v = pair_of(number, mover_.velocity);
@@ -246,12 +249,12 @@ class Flight {
   }
 
   // Nearest doubles.
-  Vec2 off_circle(const MovingHit& hit) const {
-    const double radius = surfaces().circles[surfaces().slot[hit.surface]].radius;
+  Vec2 reflected(const Arc& wall, const MovingHit& hit) const {
+    const double radius = circle_of(wall.curve).radius;
     const auto component = [&](int axis) {
       return hit.time.round([&](const auto& number, const auto& t) {
         const auto v = pair_of(number, mover_.velocity);
-        const auto n = from_centre(number, t, hit);
+        const auto n = from_centre(number, t, wall, hit);
         const auto push = number(2.0) * dot(velocity_of(number, *hit.leg) - v, n) /
                           (number(radius) * number(radius));
         return axis == 0 ? v.x + push * n.x : v.y + push * n.y;

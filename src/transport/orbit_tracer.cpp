@@ -109,11 +109,8 @@ class OrbitTracer::Wave {
 
   // An inexact tracer may name a wall that the ray runs along, or misses: there is no place to land.
   bool is_crossed(const Ray& ray, const NearestHit& hit) const {
-    if (walls_.is_straight(hit.surface)) {
-      const Segment& wall = walls_.segments[walls_.slot[hit.surface]];
-      return turn_from_edge(wall.a, wall.b, ray.direction) != Sign::zero;
-    }
-    return clip_ellipse(ray, walls_.curve(hit.surface), kLine).kind == HitClass::through;
+    return walls_.visit(hit.surface,
+                        [&](const auto& wall) { return flatray::is_crossed(wall, ray); });
   }
 
   bool arrive(Flight& flight, const NearestHit& hit) {
@@ -126,7 +123,7 @@ class OrbitTracer::Wave {
       if (is_mirror(hit.surface)) {
         auto reflection = reflect_off(walls_, flight.ray, hit, landing, flight.speed);
         const Left wall{hit.surface, root_left_by(hit.root)};
-        if (reflection && wall.root != Root::none && walls_.curve(wall.surface).is_circle())
+        if (reflection && wall.root != Root::none && walls_.arc(wall.surface).curve.is_circle())
           keep_moment(flight, wall, landing.point, reflection->direction);
         return bounce(flight, wall, landing.point, hit.t, reflection);
       }
@@ -160,7 +157,7 @@ class OrbitTracer::Wave {
   // From one bounce inside a circle to the next the moment stays, without drift.
   void keep_moment(Flight& flight, const Left& wall, const Vec2& point, Vec2& direction) const {
     if (flight.bounces == 0 || flight.left.surface != wall.surface)
-      flight.moment = moment_about(walls_.curve(wall.surface).centre, flight.ray);
+      flight.moment = moment_about(walls_.arc(wall.surface).curve.centre, flight.ray);
     direction = with_moment(walls_, wall, point, direction, flight.moment);
   }
 

@@ -11,13 +11,12 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
   Bounds box;
   for (std::uint32_t i = 0; i < walls.size(); ++i) {
     if (materials[i] != Material::periodic) continue;
-    FLATRAY_CHECK(walls.is_straight(i));
-    box.add(walls.segments[walls.slot[i]].a);
-    box.add(walls.segments[walls.slot[i]].b);
+    FLATRAY_CHECK(walls.segment_slot(i) != kNoSurface);
+    box.add(bounds_of(walls.segment(i)));
     sides_.push_back({i, i, 0, 0, 0, 0});
   }
   for (Side& side : sides_) {
-    const Segment& wall = walls.segments[walls.slot[side.surface]];
+    const Segment& wall = walls.segment(side.surface);
     side.axis = wall.a.x() == wall.b.x() ? 0 : 1;
     const double place = wall.a[side.axis];
     const bool low = place == box.low[side.axis];

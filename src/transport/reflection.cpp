@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/decide.h"
 #include "geom/reflect.h"
 #include "transport/landing.h"
 #include "transport/near_doubles.h"
@@ -28,19 +27,6 @@ struct Met {
   Sign side;
   Vec2 normal;
 };
-
-Vec2 left_of(const Segment& wall) {
-  const Vec2 edge = wall.b - wall.a;
-  return {-edge.y(), edge.x()};
-}
-
-// Outward at a point near the curve.
-Vec2 normal_at(const Ellipse& curve, const Vec2& point) {
-  const auto number = [](double x) { return x; };
-  const auto form = curve_form(number, curve, pair_of(number, Vec2(point - curve.centre)));
-  const auto normal = curve_normal(number, curve, form);
-  return {normal.x, normal.y};
-}
 
 std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const Vec2& direction,
                                     const Vec2& point, const Speed& speed) {
@@ -83,28 +69,21 @@ double Speed::length() const { return std::ldexp(std::sqrt(square_.hi), exponent
 
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction) {
-  const std::uint32_t slot = walls.slot[surface];
-  if (walls.is_straight(surface))
-    return turn_from_edge(walls.segments[slot].a, walls.segments[slot].b, direction) != -side;
-  const Ellipse curve = walls.curve(surface);
-  return side == decide([&](const auto& number) {
-           const auto from = pair_of(number, point) - pair_of(number, curve.centre);
-           return dot(curve_form(number, curve, from),
-                      curve_form(number, curve, pair_of(number, direction)));
-         });
+  return walls.visit(
+      surface, [&](const auto& wall) { return leads_away(wall, side, {point, direction}); });
 }
 
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
-  if (walls.is_straight(surface)) return Root::none;
-  return leads_away(walls, surface, Sign::negative, ray.origin, ray.direction)   ? Root::first
-         : leads_away(walls, surface, Sign::positive, ray.origin, ray.direction) ? Root::second
-                                                                                 : Root::both;
+  return walls.visit(surface, [&](const auto& wall) {
+    for (const Sign side : {Sign::negative, Sign::positive})
+      if (leads_away(wall, side, ray)) return root_left(wall, side);
+    return Root::both;  // along a tangent
+  });
 }
 
 bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  if (!walls.is_straight(left.surface)) return false;
-  const Segment& wall = walls.segments[walls.slot[left.surface]];
-  return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
+  return walls.visit(left.surface,
+                     [&](const auto& wall) { return runs_along(wall, direction); });
 }
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
@@ -115,16 +94,11 @@ std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, con
 
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
                                         const Vec2& direction, const Speed& speed) {
-  if (walls.is_straight(left.surface)) {
-    const Segment& wall = walls.segments[walls.slot[left.surface]];
-    return reflected(walls,
-                     {left.surface, -turn_from_edge(wall.a, wall.b, direction), left_of(wall)},
-                     direction, point, speed);
-  }
-  // Inside a curve a ray has left the first root.
-  const Sign side = left.root == Root::first ? Sign::negative : Sign::positive;
-  return reflected(walls, {left.surface, side, normal_at(walls.curve(left.surface), point)},
-                   direction, point, speed);
+  return walls.visit(left.surface, [&](const auto& wall) {
+    const Sign side = -side_met(wall, {point, -direction}, left.root);  // to which it had left
+    return reflected(walls, {left.surface, side, normal_near(wall, point)}, direction, point,
+                     speed);
+  });
 }
 
 double moment_about(const Vec2& centre, const Ray& ray) {
@@ -138,7 +112,7 @@ double moment_about(const Vec2& centre, const Ray& ray) {
 Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, const Vec2& direction,
                  double moment) {
   constexpr double kGrazing = 0x1p-12, kRounding = 0x1p-36;
-  const Vec2 centre = walls.curve(left.surface).centre;
+  const Vec2 centre = walls.arc(left.surface).curve.centre;
   const Vec2 from = point - centre;
   const double along = from.dot(direction);
   const double sizes = std::sqrt(from.dot(from)) * std::sqrt(direction.dot(direction));

@@ -10,8 +10,6 @@ constexpr std::size_t kFewWalls = 16;
 constexpr double kMostSide = 2048, kCellsAWall = 4;
 constexpr double kLeast = 0x1p-900, kMost = 0x1p900;
 
-Bounds box_of(const Segment& wall) { return {wall.a.cwiseMin(wall.b), wall.a.cwiseMax(wall.b)}; }
-
 }  // namespace
 
 WallCells::WallCells(const Surfaces& walls) : walls_(walls), curves_(walls) {
@@ -34,13 +32,13 @@ void WallCells::fill() {
 // average. Whether there is room for them.
 bool WallCells::divide() {
   Bounds all;
-  for (const Segment& wall : walls_.segments) all.add(box_of(wall));
+  for (const Segment& wall : walls_.segments) all.add(bounds_of(wall));
   const double largest = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
   const Vec2 size = all.size();
   if (!(largest < kMost && size.minCoeff() > kLeast)) return false;
   double crossed = 0;  // borders, a cell's side being that of all
   for (const Segment& wall : walls_.segments)
-    crossed += box_of(wall).size().cwiseQuotient(size).sum();
+    crossed += bounds_of(wall).size().cwiseQuotient(size).sum();
   const auto count = static_cast<double>(walls_.segments.size());
   side_ = static_cast<std::size_t>(
               std::min({kMostSide, std::sqrt(count), kCellsAWall * count / crossed})) +
@@ -61,7 +59,7 @@ std::string WallCells::structure() const {
 
 // In parts about as long as a cell, so that a slanted wall is not in all cells of its box.
 std::vector<std::size_t> WallCells::cells_of(const Segment& wall) const {
-  const Bounds box = box_of(wall);
+  const Bounds box = bounds_of(wall);
   const auto columns = [&](int axis) {
     return column(axis, box.high[axis]) - column(axis, box.low[axis]);
   };
@@ -73,7 +71,7 @@ std::vector<std::size_t> WallCells::cells_of(const Segment& wall) const {
     return Vec2(wall.a + static_cast<double>(k) / static_cast<double>(parts) * way);
   };
   for (std::size_t i = 0; i < parts; ++i) {
-    const Bounds part = box_of({at(i), at(i + 1)});
+    const Bounds part = bounds_of(Segment{at(i), at(i + 1)});
     visit_cells({part.low - slack, part.high + slack},
                 [&](std::size_t cell) { met.push_back(cell); });
   }

@@ -164,8 +164,8 @@ TEST(Camera, MovingTheFrameOriginEqualsMovingEveryObjectBitForBit) {
         EXPECT_EQ(s.a - moved.window.low, t.a - displaced.window.low);
         EXPECT_EQ(s.b - moved.window.low, t.b - displaced.window.low);
       }
-      EXPECT_EQ(here.surfaces.circles[0].centre - moved.window.low,
-                there.surfaces.circles[0].centre - displaced.window.low);
+      EXPECT_EQ(here.surfaces.arcs[0].curve.centre - moved.window.low,
+                there.surfaces.arcs[0].curve.centre - displaced.window.low);
     }
   }
 }

@@ -98,9 +98,9 @@ TEST(Groups, ScaleWhatTheyHoldAboutTheirOrigin) {
   EXPECT_EQ(state.entities[0].at, Vec2(10 + 2 * (1 + 1.5 * 2), 2 * (5 + 1.5 * 2)));
   const World world = build_world(scene, state);
   ASSERT_EQ(world.surfaces.segments.size(), 4u);
-  ASSERT_EQ(world.surfaces.circles.size(), 1u);
-  EXPECT_EQ(world.surfaces.circles[0].centre, Vec2(18 + 3, 16 + 3));
-  EXPECT_EQ(world.surfaces.circles[0].radius, 1.5);
+  ASSERT_EQ(world.surfaces.arcs.size(), 1u);
+  EXPECT_EQ(world.surfaces.arcs[0].curve.centre, Vec2(18 + 3, 16 + 3));
+  EXPECT_EQ(world.surfaces.arcs[0].curve.u.x(), 1.5);
   EXPECT_EQ(timeline.content().high, Vec2(10 + 2 * (1 + 1.5) + 4.5, 2 * (4 + 3) + 4.5));
 }
 

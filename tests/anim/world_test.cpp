@@ -98,8 +98,8 @@ TEST(World, SegmentsAndCirclesAreTracedAndCrossingRingsAreNot) {
   ASSERT_EQ(world.surfaces.size(), 3U);
   EXPECT_EQ(world.owners[1].edge, 1);
   EXPECT_EQ(world.owners[2].edge, kNoEdge);
-  EXPECT_EQ(world.surfaces.circles[0].centre, Vec2(5, 5));
-  EXPECT_EQ(world.surfaces.circles[0].radius, 2);
+  EXPECT_EQ(world.surfaces.arcs[0].curve.centre, Vec2(5, 5));
+  EXPECT_EQ(world.surfaces.arcs[0].curve.u.x(), 2);
 }
 
 TEST(World, ChambersAndPillarsFollowTheEntities) {
@@ -181,7 +181,7 @@ TEST(World, ACapsuleIsTwoArcsAndTwoSides) {
     ASSERT_EQ(walls.size(), 4U);
     ASSERT_EQ(walls.arcs.size(), 2U);
     for (std::uint32_t i = 0; i < 4; ++i) {
-      EXPECT_EQ(walls.is_straight(i), i % 2 == 1);
+      EXPECT_EQ(walls.segment_slot(i) != kNoSurface, i % 2 == 1);
       EXPECT_EQ(world.owners[i].edge, static_cast<std::int32_t>(i));
     }
     EXPECT_EQ(walls.arcs[0].to, walls.segments[0].a);

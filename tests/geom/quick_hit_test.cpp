@@ -1,4 +1,5 @@
 #include "geom/quick_hit.h"
+#include "geom/primitives/wall.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@ Vec2 place(Draw& draw, double offset, double size) {
   return {x, y};
 }
 
-Sign side_of(const Segment& wall, const Vec2& point) { return orientation(wall.a, wall.b, point); }
 Sign side_of(const Ellipse& wall, const Vec2& point) { return curve_side(point, wall); }
 
 struct Count {
@@ -82,7 +82,7 @@ TEST(QuickHit, OfACurveIsTheExactPointAndSideOrSaysThatItIsInDoubt) {
     const Ray ray{place(draw, family.offset, family.size), place(draw, 0, 1)};
     const auto met = hit_curve(ray, wall);
     if (!met || met->tangent || cross_sign(wall.u, wall.v) == Sign::zero) continue;
-    for (const auto root : {HitTime::Root::first, HitTime::Root::second}) {
+    for (const auto root : {Root::first, Root::second}) {
       const QuickHit quick = quick_hit(ray, wall, root);
       const ExactHit exact(ray, wall, root);
       count.see(quick, exact, wall);
@@ -121,7 +121,7 @@ TEST(QuickHit, OfNoSoundNumberIsInDoubt) {
   EXPECT_FALSE(quick_hit({{0, 0}, {1, 0}}, Segment{{1, -1}, {2, -1}}).is_certain);  // parallel
   EXPECT_FALSE(
       quick_hit({{0, 0}, {1e308, 1e308}}, Segment{{1e308, -1e308}, {1e307, 1e308}}).is_certain);
-  EXPECT_FALSE(quick_hit({{0, 2}, {1, 0}}, Circle{{0, 0}, 1}, HitTime::Root::first).is_certain);
+  EXPECT_FALSE(quick_hit({{0, 2}, {1, 0}}, Circle{{0, 0}, 1}, Root::first).is_certain);
   EXPECT_TRUE(std::isnan(quick_reflection({1e300, 1}, {1e200, 1e180}).x()));
 }
 

@@ -118,13 +118,13 @@ TEST(RoundFamilies, MeetEveryKindOfHitAndNoneIsLostToBounds) {
         std::optional<Surd> first;
         std::int64_t number = -1;
         for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-          if (surfaces.is_straight(i)) continue;
+          if (surfaces.segment_slot(i) != kNoSurface) continue;
           const auto met = first_meeting(ray, surfaces.arc(i));
           if (!met || (first && !(met->t < *first))) continue;
           first = met->t;
           number = i;
         }
-        const bool straight = found && surfaces.is_straight(static_cast<std::uint32_t>(found.wall));
+        const bool straight = found && surfaces.segment_slot(static_cast<std::uint32_t>(found.wall)) != kNoSurface;
         if (!straight) {
           EXPECT_EQ(found.wall, number) << family.name;
           EXPECT_EQ(found.t, first ? first->nearest() : 0) << family.name;

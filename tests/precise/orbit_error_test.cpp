@@ -26,9 +26,10 @@ double gap(const Surfaces& walls, const Vec2& from, const Vec2& to) {
   for (const Segment& wall : walls.segments)
     for (const Vec2& end : {wall.a, wall.b})
       least = std::min(least, std::fabs(cross(way, Vec2(end - from))));
-  for (const Circle& wall : walls.circles)
-    least =
-        std::min(least, std::fabs(std::fabs(cross(way, Vec2(wall.centre - from))) - wall.radius));
+  for (const Arc& wall : walls.arcs) {
+    const auto [centre, radius] = circle_of(wall.curve);
+    least = std::min(least, std::fabs(std::fabs(cross(way, Vec2(centre - from))) - radius));
+  }
   return least;
 }
 

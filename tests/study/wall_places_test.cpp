@@ -46,8 +46,8 @@ TEST(WallPlaces, APointByItsPositionHasThatPosition) {
     for (const double share : {0.0, 0.01, 0.2, 0.5, 0.77, 0.99}) {
       const Vec2 point = wall_point(walls, wall, share * length);
       EXPECT_NEAR(wall_position(walls, wall, point), share * length, 1e-7) << wall << " " << share;
-      if (walls.is_straight(wall)) continue;
-      const Ellipse curve = walls.curve(wall);  // (u, v)-coordinates on the unit circle
+      if (walls.segment_slot(wall) != kNoSurface) continue;
+      const Ellipse curve = walls.arc(wall).curve;  // (u, v)-coordinates on the unit circle
       const double area = cross(curve.u, curve.v);
       const Vec2 from = point - curve.centre;
       EXPECT_NEAR(std::hypot(cross(from, curve.v) / area, cross(curve.u, from) / area), 1, 1e-13);
@@ -69,7 +69,7 @@ TEST(WallPlaces, NormalsAndCurvatureAreThoseOfNeighbours) {
       const Vec2 normal = wall_normal(walls, wall, point);
       EXPECT_NEAR(normal.norm(), 1, 1e-15);
       EXPECT_NEAR(normal.dot(way), 0, 1e-7);
-      EXPECT_GT(normal.dot(point - walls.curve(wall).centre), 0) << wall;
+      EXPECT_GT(normal.dot(point - walls.arc(wall).curve.centre), 0) << wall;
       const Vec2 turned = wall_normal(walls, wall, after) - wall_normal(walls, wall, before);
       const double bend = turned.norm() / (2 * kStep);
       EXPECT_NEAR(curvature(walls, wall, point, normal), bend, 1e-4 * bend) << wall;

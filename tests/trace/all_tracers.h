@@ -22,8 +22,7 @@ struct Case {
 
 inline NearestHit exact_hit_of(const Case& c, std::size_t ray) {
   ExactNearest search(c.walls, c.rays.ray(ray), c.rays.left[ray], c.rays.tangents);
-  search.offer_segments();
-  search.offer_curves();
+  search.offer_all();
   return search.hit();
 }
 

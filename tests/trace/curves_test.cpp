@@ -65,7 +65,7 @@ TEST(Curves, EllipsesAreMetAsTheCirclesTheyAreImagesOf) {
       const bool tangents = k % 2 == 0;
       const NearestHit hit = nearest_curve(circles, ray, {}, tangents);
       ASSERT_EQ(nearest_curve(ellipses, there, {}, tangents), hit) << scene << " " << k;
-      const bool curved = hit && !circles.is_straight(hit.surface);
+      const bool curved = hit && circles.segment_slot(hit.surface) == kNoSurface;
       hits += curved ? 1 : 0;
       ends += curved && hit.at_end ? 1 : 0;
       joints += curved && hit.at_end && hit.root == Root::none ? 1 : 0;

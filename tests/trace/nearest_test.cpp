@@ -150,13 +150,14 @@ TEST(Nearest, AgreesWithRationalsOnCircles) {
         walls.add(Circle{{0, 100}, 5});
         continue;
       }
-      walls.add(Circle{{static_cast<double>(draw.whole(-9, 9)), ray.origin.y() + rise}, 5});
-      truth.meet(i, walls.circles.back(), half_chord[static_cast<std::size_t>(rise)]);
+      const Circle circle{{static_cast<double>(draw.whole(-9, 9)), ray.origin.y() + rise}, 5};
+      walls.add(circle);
+      truth.meet(i, circle, half_chord[static_cast<std::size_t>(rise)]);
     }
     const NearestHit hit = nearest(walls, ray);
     expect_answer(truth.answer, hit);
-    if (hit && walls.kinds[hit.surface] == SurfaceKind::circle) {
-      const bool tangent = walls.circles[walls.slot[hit.surface]].centre.y() - ray.origin.y() == 5;
+    if (hit && walls.segment_slot(hit.surface) == kNoSurface) {
+      const bool tangent = walls.arc(hit.surface).curve.centre.y() - ray.origin.y() == 5;
       EXPECT_EQ(hit.root == Root::both, tangent);
       EXPECT_EQ(hit.kind, tangent ? HitClass::touch : HitClass::through);
     }

@@ -185,8 +185,8 @@ TEST(StiffCases, C25NestedTangentHalves) {
   for (const Orbit& orbit : trace_orbits(walls, all_mirrors(walls), rays, 100)) {
     ASSERT_NE(orbit.end, OrbitEnd::escape);
     for (const Bounce& bounce : orbit.bounces) {
-      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive);
-      ASSERT_NE(curve_side(bounce.point, walls.arcs[0].curve), Sign::negative);
+      ASSERT_NE(side_of(walls.arcs[0], bounce.point), Sign::positive);
+      ASSERT_NE(curve_side(bounce.point, walls.arcs[1].curve), Sign::negative);
     }
   }
 }

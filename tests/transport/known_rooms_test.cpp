@@ -54,8 +54,8 @@ TEST(Penrose, ALampInTheMiddleLeavesAllAlcovesDark) {
   const Surfaces walls = walls_of("penrose = { size = 1 }");
   ASSERT_EQ(walls.size(), 14U);
   const auto in_alcove = [&](std::uint32_t wall) {
-    if (!walls.is_straight(wall)) return false;
-    const Segment& line = walls.segments[walls.slot[wall]];
+    if (walls.segment_slot(wall) == kNoSurface) return false;
+    const Segment& line = walls.segment(wall);
     return std::fabs(line.a.x() + line.b.x()) > 8;
   };
   std::size_t alcoves = 0;

@@ -46,11 +46,10 @@ MovingRoom scaled(const MovingRoom& room, double size, double time) {
       leg = {leg.begin * time, leg.end * time, leg.from * size, leg.to * size,
              leg.velocity * size / time};
     const Surfaces& all = room.world.surfaces;
-    const std::size_t slot = all.slot[i];
-    if (all.is_straight(i))
-      made.add(Segment{all.segments[slot].a * size, all.segments[slot].b * size}, legs);
+    if (all.segment_slot(i) != kNoSurface)
+      made.add(Segment{all.segment(i).a * size, all.segment(i).b * size}, legs);
     else
-      made.add(Circle{all.circles[slot].centre * size, all.circles[slot].radius * size}, legs);
+      made.add(Circle{all.arc(i).curve.centre * size, all.arc(i).curve.u.x() * size}, legs);
   }
   return made;
 }

@@ -41,8 +41,8 @@ Surfaces crowd(Draws& draws, double size) {
 
 double distance(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
   const auto size = [](double x, double y) { return std::sqrt(x * x + y * y); };
-  if (walls.kinds[surface] == SurfaceKind::segment) {
-    const Segment& wall = walls.segments[walls.slot[surface]];
+  if (walls.segment_slot(surface) != kNoSurface) {
+    const Segment& wall = walls.segment(surface);
     const double ex = wall.b.x() - wall.a.x();
     const double ey = wall.b.y() - wall.a.y();
     const double px = point.x() - wall.a.x();
@@ -50,7 +50,7 @@ double distance(const Surfaces& walls, std::uint32_t surface, const Vec2& point)
     const double share = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
     return size(px - share * ex, py - share * ey);
   }
-  const Ellipse curve = walls.curve(surface);
+  const Ellipse curve = walls.arc(surface).curve;
   const double x = point.x() - curve.centre.x();
   const double y = point.y() - curve.centre.y();
   if (curve.is_circle()) return std::fabs(size(x, y) - curve.u.x());
@@ -62,9 +62,7 @@ double distance(const Surfaces& walls, std::uint32_t surface, const Vec2& point)
 }
 
 Sign side(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  if (!walls.is_straight(surface)) return curve_side(point, walls.curve(surface));
-  const Segment& wall = walls.segments[walls.slot[surface]];
-  return orientation(wall.a, wall.b, point);
+  return walls.visit(surface, [&](const auto& wall) { return side_of(wall, point); });
 }
 
 // Between a hit and what is beside it no wall can be: it is much nearer than any.

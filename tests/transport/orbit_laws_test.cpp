@@ -4,7 +4,6 @@
 #include "base/philox.h"
 #include "full_counts.h"
 #include "geom/exact.h"
-#include "trace/on_surface.h"
 #include "transport/chambers.h"
 
 namespace flatray {
@@ -126,7 +125,7 @@ TEST(StiffCases, C26NoLeakBetweenCircleAndWall) {
     for (const Orbit& orbit : trace_orbits(walls, mirrors, rays, 100)) {
       ASSERT_NE(orbit.end, OrbitEnd::escape);
       for (const Bounce& bounce : orbit.bounces) {
-        ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::negative);
+        ASSERT_NE(side_of(walls.arcs[0], bounce.point), Sign::negative);
         ASSERT_GE(bounce.point.y(), -1);
       }
     }

@@ -45,7 +45,7 @@ TEST(PeriodicWalls, MakeTheOrbitOfThePlaneUnfolded) {
     const Orbit there = in_mirrors(plane, start, 4), here = torus.orbit(start, 4);
     ASSERT_EQ(there.bounces.size(), here.bounces.size());
     for (std::size_t k = 0; k < here.bounces.size(); ++k) {
-      const Vec2 cell = plane.circles[there.bounces[k].surface].centre - Vec2(0.5, 0.5);
+      const Vec2 cell = plane.arcs[there.bounces[k].surface].curve.centre - Vec2(0.5, 0.5);
       EXPECT_LT((there.bounces[k].point - cell - here.bounces[k].point).norm(), 1e-9);
       EXPECT_NEAR(there.bounces[k].path_length, here.bounces[k].path_length, 1e-9);
     }

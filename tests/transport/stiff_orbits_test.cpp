@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "full_counts.h"
-#include "trace/on_surface.h"
 #include "transport/chambers.h"
 
 namespace flatray {
@@ -61,7 +60,7 @@ TEST(StiffCases, C12CircleCaustic) {
   Vec2 last(0, 0);
   std::uint64_t hit = 0;
   watch(walls, {{0.5, 0.25}, {-1, 2}}, hits, [&](const Bounce& bounce) {
-    ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
+    ASSERT_NE(side_of(walls.arcs[0], bounce.point), Sign::positive) << hit;
     ASSERT_NEAR(std::fabs(cross(bounce.point, bounce.out.normalized())), caustic, tolerance);
     if (hit++ > 0) {
       const double angle = std::atan2(cross(last, bounce.point), last.dot(bounce.point));
@@ -94,7 +93,7 @@ TEST(StiffCases, C14WhisperingGallery) {
   std::uint64_t hit = 0;
   double off = 0, chord_off = 0;
   watch(walls, {{0, caustic}, {1, 0}}, 1'000'000, [&](const Bounce& bounce) {
-    ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive) << hit;
+    ASSERT_NE(side_of(walls.arcs[0], bounce.point), Sign::positive) << hit;
     off = std::max(
         off, std::fabs(std::fabs(cross(bounce.point, bounce.out)) / bounce.out.norm() - caustic));
     if (hit++ > 0)
@@ -228,8 +227,8 @@ TEST(StiffCases, C25NestedTangentCircles) {
     ASSERT_NE(orbit.end, OrbitEnd::escape);
     corners += orbit.end == OrbitEnd::corner ? 1 : 0;
     for (const Bounce& bounce : orbit.bounces) {
-      ASSERT_NE(curve_side(bounce.point, walls.circles[0]), Sign::positive);
-      ASSERT_NE(curve_side(bounce.point, walls.circles[1]), Sign::negative);
+      ASSERT_NE(side_of(walls.arcs[0], bounce.point), Sign::positive);
+      ASSERT_NE(side_of(walls.arcs[1], bounce.point), Sign::negative);
     }
   }
   EXPECT_LE(corners, 1U);

@@ -41,11 +41,11 @@ TEST(WallCells, KnowEveryWallThatComesNearAPoint) {
     for (std::uint32_t i = 0; i < walls.size(); ++i) {
       Vec2 on;
       const double part = draw.unit();
-      if (walls.is_straight(i)) {
-        const Segment& wall = walls.segments[walls.slot[i]];
+      if (walls.segment_slot(i) != kNoSurface) {
+        const Segment& wall = walls.segment(i);
         on = wall.a + part * (wall.b - wall.a);
       } else {
-        const Circle& circle = walls.circles[walls.slot[i]];
+        const Circle circle = circle_of(walls.arc(i).curve);
         on = circle.centre + circle.radius * Vec2(std::cos(6.28 * part), std::sin(6.28 * part));
       }
       const std::vector<std::uint32_t> found = near(cells, on);
@@ -83,10 +83,7 @@ TEST(Landings, AtTheEndsOfManyWallsAreThoseOfEachWallAskedAlone) {
     std::vector<std::uint32_t> met;
     for (std::uint32_t wall = 0; wall < walls.size(); ++wall) {
       Surfaces alone;
-      if (walls.is_straight(wall))
-        alone.add(walls.segments[walls.slot[wall]]);
-      else
-        alone.add(walls.circles[walls.slot[wall]]);
+      walls.visit(wall, [&](const auto& each) { alone.add(each); });
       if (!Lander(alone).walls_at(end).empty()) met.push_back(wall);
     }
     EXPECT_EQ(lander.walls_at(end), met);

@@ -4,7 +4,6 @@
 #include "geom/exact_hit.h"
 #include "geom/hit_time.h"
 #include "render/view.h"
-#include "trace/on_surface.h"
 
 namespace flatray::views_of {
 namespace {
@@ -16,27 +15,22 @@ bool leaves_before_tip(const Ray& ray, const Arc& rim) {
   const auto hit = hit_curve(ray, rim.curve);
   return hit && hit->second.sign() == Sign::positive && hit->second.compare(1) < 0 &&
          (rim.extent == Arc::Extent::whole ||
-          ExactHit(ray, rim.curve, HitTime::Root::second).place_in(rim) != ArcPlace::outside);
+          ExactHit(ray, rim.curve, Root::second).place_in(rim) != PlaceOn::outside);
 }
+
+void keep_rim(const Segment&, const std::vector<Arc>&) {}
+void keep_rim(const Arc& wall, std::vector<Arc>& rims) { rims.push_back(wall); }
 
 // What is left of a world without the walls a point lies on.
 World without_walls_at(const Vec2& point, const World& all, std::vector<Arc>& rims) {
   World rest;
   for (std::uint32_t number = 0; number < all.surfaces.size(); ++number) {
-    const std::uint32_t slot = all.surfaces.slot[number];
-    if (all.surfaces.is_straight(number)) {
-      const Segment& wall = all.surfaces.segments[slot];
-      if (lies_on(point, wall)) continue;
-      rest.add(wall, all.owner(number));
-    } else if (const Arc wall = all.surfaces.arc(number);
-               place_on(wall, point) != ArcPlace::outside) {
-      rims.push_back(wall);
-      continue;
-    } else if (all.surfaces.kinds[number] == SurfaceKind::circle) {
-      rest.add(all.surfaces.circles[slot], all.owner(number));
-    } else {
-      rest.add(wall, all.owner(number));
-    }
+    all.surfaces.visit(number, [&](const auto& wall) {
+      if (place_on(wall, point) == PlaceOn::outside)
+        rest.add(wall, all.owner(number));
+      else
+        keep_rim(wall, rims);
+    });
   }
   return rest;
 }

@@ -28,7 +28,7 @@ struct Shots {
 
 // By arithmetic the tracers have no part in.
 std::int64_t first_wall(const Surfaces& walls, const Ray& ray) {
-  if (!walls.any_curves()) return oracle::nearest_wall(ray, walls.segments).wall;
+  if (walls.arcs.empty()) return oracle::nearest_wall(ray, walls.segments).wall;
   const oracle::LongOrbit orbit = oracle::long_orbit(walls, ray, 1, kBits);
   return orbit.bounces.empty() ? -1 : static_cast<std::int64_t>(orbit.bounces.front().surface);
 }
@@ -85,10 +85,10 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   all.reference = fmt::format(
       "{} among {} by {}", counted(made->truth.size(), "random ray"),
       counted(made->world.surfaces.size(), "wall"),
-      made->world.surfaces.any_curves()
-          ? fmt::format("Cramer's rule and the quadratic formula in {} bits (oracle/long_orbit)",
-                        kBits)
-          : "whole numbers of 128 bits, else rationals (oracle/nearest)");
+      made->world.surfaces.arcs.empty()
+          ? "whole numbers of 128 bits, else rationals (oracle/nearest)"
+          : fmt::format("Cramer's rule and the quadratic formula in {} bits (oracle/long_orbit)",
+                        kBits));
   if (made->truth.size() < kRays)
     all.cut =
         fmt::format("reference for {} instead of {}", counted(made->truth.size(), "ray"), kRays);

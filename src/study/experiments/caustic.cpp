@@ -97,13 +97,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const auto watched = orbits_to_watch(context, room, 1);
   if (!watched) return tl::unexpected(watched.error());
   const NamedOrbits& orbits = *watched;
-  const bool round = room.walls().size() == 1 && room.walls().circles.size() == 1;
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;
-  const Vec2 middle = round      ? room.walls().circles.front().centre
-                      : elliptic ? room.walls().arcs.front().curve.centre
-                                 : Vec2(room.state().window.centre());
-  const Foci foci = elliptic ? foci_of(room.walls().arcs.front().curve) : Foci{middle, middle};
+  const bool round = elliptic && room.walls().arcs.front().curve.is_circle();
+  const Vec2 middle = elliptic ? room.walls().arcs.front().curve.centre
+                               : Vec2(room.state().window.centre());
+  const Foci foci =
+      elliptic && !round ? foci_of(room.walls().arcs.front().curve) : Foci{middle, middle};
   const double extent = bounds_of(room.walls()).size().maxCoeff();
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   const double rounding = kRoundingByBounce * static_cast<double>(bounces) * extent;

@@ -55,9 +55,8 @@ class Embree : public Accelerator {
       const Ray asked = rays.ray(i);
       scale.push_back(unit_scale(asked.direction));
       const auto ray = plain::start_of<float>({asked.origin, scale[i] * asked.direction});
-      const std::uint32_t left = rays.left[i].surface;
-      const bool segment = left != kNoSurface && walls_.is_straight(left);
-      given.push_back({ray.x, ray.y, ray.dx, ray.dy, segment ? walls_.slot[left] : kNoSurface});
+      given.push_back(
+          {ray.x, ray.y, ray.dx, ray.dy, walls_.segment_slot(rays.left[i].surface)});
     }
     module_.nearest(scene_, given.data(), static_cast<unsigned>(given.size()), met.data());
     for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "base/portable_math.h"
-#include "geom/arc.h"
-#include "trace/on_surface.h"
 
 namespace flatray {
 
@@ -25,14 +23,9 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
     surfaces_.back().push_back(static_cast<std::uint32_t>(i));
   }
   for (std::uint32_t body = 0; body < surfaces_.size(); ++body) {
-    Surfaces walls;
-    for (const std::uint32_t surface : surfaces_[body]) {
-      if (walls_.is_straight(surface))
-        walls.add(walls_.segments[walls_.slot[surface]]);
-      else
-        walls.add(walls_.arc(surface));
-    }
-    bounds_.push_back(bounds_of(walls));
+    Bounds& box = bounds_.emplace_back();
+    for (const std::uint32_t surface : surfaces_[body])
+      box.add(walls_.visit(surface, [](const auto& wall) { return bounds_of(wall); }));
     outermost_first_.push_back(body);
   }
   const auto reach = [&](std::uint32_t body) { return bounds_[body].size().sum(); };
@@ -40,7 +33,7 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
                    [&](std::uint32_t a, std::uint32_t b) { return reach(a) > reach(b); });
 }
 
-// By the crossings of the half line to the right, each edge with its lower end and without its upper.
+// By the crossings of the half line to the right.
 bool Bodies::holds(std::uint32_t body, const Vec2& point) const {
   const Bounds& box = bounds_[body];
   if (!(box.low.x() <= point.x() && point.x() <= box.high.x() && box.low.y() <= point.y() &&
@@ -48,17 +41,11 @@ bool Bodies::holds(std::uint32_t body, const Vec2& point) const {
     return false;
   bool inside = false;
   for (const std::uint32_t surface : surfaces_[body]) {
-    if (!walls_.is_straight(surface)) {
-      const Sign side = curve_side(point, walls_.curve(surface));
-      if (side == Sign::zero) return false;
-      inside ^= side == Sign::negative;
-      continue;
-    }
-    const Segment& wall = walls_.segments[walls_.slot[surface]];
-    if (lies_on(point, wall)) return false;
-    const bool rises = wall.b.y() > wall.a.y();
-    if ((wall.a.y() > point.y()) == (wall.b.y() > point.y())) continue;
-    inside ^= orientation(wall.a, wall.b, point) == (rises ? Sign::positive : Sign::negative);
+    const bool on_it = walls_.visit(surface, [&](const auto& wall) {
+      inside ^= crosses_to_right(wall, point);
+      return place_on(wall, point) != PlaceOn::outside;
+    });
+    if (on_it) return false;
   }
   return inside;
 }
@@ -87,9 +74,9 @@ Fading fading(double absorption, double length) {
 }
 
 bool goes_inside(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  if (!walls.is_straight(left.surface)) return left.root == Root::first;
-  const Segment& wall = walls.segments[walls.slot[left.surface]];
-  return turn_from_edge(wall.a, wall.b, direction) == Sign::positive;
+  return walls.visit(left.surface, [&](const auto& wall) {
+    return -side_met(wall, {{0, 0}, direction}, left.root) == inside_of(wall);
+  });
 }
 
 }  // namespace flatray

@@ -43,12 +43,12 @@ void LitWalls::fly(std::span<const LightRay> rays, std::span<LightLanding> landi
 }
 
 LightLanding LitWalls::land(const Ray& ray, const NearestHit& hit) const {
-  const bool straight = walls_.is_straight(hit.surface);
+  const Sign inside = inside_at(hit.surface);
   if (const auto met = kind_.exact ? origins_.meet(ray, hit) : std::nullopt) {
     const bool back = met->normal.dot(ray.direction) < 0;  // to the side of the normal
     return {hit,
             false,
-            straight == back,
+            back == (inside == Sign::positive),
             met->point,
             back ? met->normal : Vec2(-met->normal),
             origins_.distance()};
@@ -56,26 +56,30 @@ LightLanding LitWalls::land(const Ray& ray, const NearestHit& hit) const {
   const Landing landing = lander_.land(ray, hit);
   if (!landing.corner.empty()) return {hit, true, false, landing.point};
   const Sign side = inner_side(walls_, ray, hit);
-  return {hit, false, straight == (side == Sign::positive), landing.point,
+  return {hit, false, side == inside, landing.point,
           static_cast<double>(side) * unit(landing.normal)};
 }
 
+Sign LitWalls::inside_at(std::uint32_t surface) const {
+  return walls_.visit(surface, [](const auto& wall) { return inside_of(wall); });
+}
+
 Sign LitWalls::side(const LightLanding& landed) const {
-  return walls_.is_straight(landed.hit.surface) == landed.from_inside ? Sign::positive
-                                                                      : Sign::negative;
+  const Sign inside = inside_at(landed.hit.surface);
+  return landed.from_inside ? inside : -inside;
 }
 
 Arrival LitWalls::arrival(const LightRay& ray, const LightLanding& landed) const {
   const auto nm = static_cast<double>(ray.nm);
   const std::uint32_t surface = landed.hit.surface;
   const bool placed = scatterers_[surface] != nullptr && scatterers_[surface]->depends_on_place() &&
-                      walls_.is_straight(surface);
+                      walls_.segment_slot(surface) != kNoSurface;
   return {ray.ray.direction,
           landed.normal,
           landed.from_inside,
           bodies_.index_around(ray.media, bodies_.of(surface), nm),
           nm,
-          placed ? share_along(walls_, surface, landed.point) : 0.0};
+          placed ? share_along(walls_.segment(surface), landed.point) : 0.0};
 }
 
 Departure LitWalls::depart(const LightLanding& landed, const Arrival& arrival, double u) const {
@@ -103,16 +107,15 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightLanding& landed, bool sta
   }
   const double cosine = landed.normal.dot(direction);
   constexpr double kLeast = OffsetOrigins::kLeastCosine * OffsetOrigins::kLeastCosine;
-  const bool straight = walls_.is_straight(surface);
+  const bool straight = walls_.segment_slot(surface) != kNoSurface;
   const bool grazes = !(cosine * cosine > kLeast * direction.squaredNorm());
   if (grazes && runs_along(walls_, {surface, Root::none}, direction)) return false;
   const bool back = grazes && straight
                         ? leads_away(walls_, surface, side(landed), landed.point, direction)
                         : cosine > 0;
   ray.ray.origin += (back ? landed.offset : -landed.offset) * landed.normal;
-  ray.left = {surface, straight                     ? Root::none
-                       : back == landed.from_inside ? Root::first
-                                                    : Root::second};
+  const Sign to = back ? side(landed) : -side(landed);
+  ray.left = {surface, walls_.visit(surface, [&](const auto& wall) { return root_left(wall, to); })};
   if (stays && !back) return false;
   // A ray beside a curve that it only seems to leave would meet it again.
   return !grazes || ray.left.root != Root::second ||

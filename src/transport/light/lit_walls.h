@@ -63,6 +63,7 @@ class LitWalls {
 
  private:
   LightLanding land(const Ray& ray, const NearestHit& hit) const;
+  Sign inside_at(std::uint32_t surface) const;
   Sign side(const LightLanding& landed) const;
   bool mirrors(Ray& ray, const LightLanding& landed) const;
   void change_media(LightRay& ray, const LightLanding& landed) const;

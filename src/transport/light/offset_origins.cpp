@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "geom/arc.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 namespace {
@@ -36,6 +36,14 @@ Axes axes(const Ellipse& curve) {
   return {cross_of(curve.u, curve.v) / most, most};
 }
 
+// What of a wall lies farthest to any side; its box, where it is curved.
+std::array<Vec2, 4> corners(const Segment& wall, const Bounds&) {
+  return {wall.a, wall.b, wall.a, wall.b};
+}
+std::array<Vec2, 4> corners(const Arc&, const Bounds& box) {
+  return {box.low, box.high, Vec2(box.low.x(), box.high.y()), Vec2(box.high.x(), box.low.y())};
+}
+
 Vec2 along(const Vec2& normal) { return {normal.y(), -normal.x()}; }
 
 }  // namespace
@@ -45,23 +53,23 @@ OffsetOrigins::OffsetOrigins(const Surfaces& walls) : walls_(walls), table_(wall
   const double size = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
   if (!(size > kLeastSize && size < kMostSize)) return;
   apart_ = kApart * size, distance_ = kDistance * size, farthest_ = kFarthest * size;
-  for (std::uint32_t i = 0; i < walls.size(); ++i) table_[i] = wall(i);
+  for (std::uint32_t i = 0; i < walls.size(); ++i) 
+    table_[i] = walls.visit(i, [&](const auto& each) { return wall(each); });
   find_neighbours();
 }
 
-OffsetOrigins::Wall OffsetOrigins::wall(std::uint32_t surface) const {
+OffsetOrigins::Wall OffsetOrigins::wall(const Segment& ends) const {
   Wall made;
-  if (walls_.is_straight(surface)) {
-    const Segment& ends = walls_.segments[walls_.slot[surface]];
-    const Vec2 edge = ends.b - ends.a;
-    made.at = ends.a;
-    made.length = std::sqrt(edge.squaredNorm());
-    made.is_straight = true;
-    made.is_plain = made.ready = made.length > apart_;
-    if (made.ready) made.normal = Vec2(-edge.y(), edge.x()) / made.length;
-    return made;
-  }
-  const Arc arc = walls_.arc(surface);
+  const Vec2 edge = ends.b - ends.a;
+  made.at = ends.a;
+  made.length = std::sqrt(edge.squaredNorm());
+  made.is_plain = made.ready = made.length > apart_;
+  if (made.ready) made.normal = Vec2(-edge.y(), edge.x()) / made.length;
+  return made;
+}
+
+OffsetOrigins::Wall OffsetOrigins::wall(const Arc& arc) const {
+  Wall made;
   const Axes half = axes(arc.curve);
   made.at = arc.curve.centre;
   made.length = half.least;
@@ -77,12 +85,7 @@ OffsetOrigins::Wall OffsetOrigins::wall(std::uint32_t surface) const {
 }
 
 Bounds OffsetOrigins::box(std::uint32_t surface) const {
-  Surfaces one;
-  if (walls_.is_straight(surface))
-    one.add(walls_.segments[walls_.slot[surface]]);
-  else
-    one.add(walls_.arc(surface));
-  Bounds made = bounds_of(one);
+  Bounds made = walls_.visit(surface, [](const auto& wall) { return bounds_of(wall); });
   const Vec2 around = Vec2::Constant(2 * apart_);
   made.low -= around, made.high += around;
   return made;
@@ -119,21 +122,28 @@ void OffsetOrigins::find_neighbours() {
     others.clear();
     for (std::size_t k = i; k < pairs.size() && pairs[k].first == pairs[i].first; ++k)
       others.push_back(pairs[k].second);
-    keep_neighbours(pairs[i].first, others);
+    walls_.visit(pairs[i].first, [&](const auto& wall) {
+      keep_neighbours(wall, table_[pairs[i].first], others);
+    });
   }
 }
 
-void OffsetOrigins::keep_neighbours(std::uint32_t surface, std::span<const std::uint32_t> others) {
-  Wall& wall = table_[surface];
-  if (!wall.is_straight) {
-    wall.begin = static_cast<std::uint32_t>(near_.size());
-    near_.insert(near_.end(), others.begin(), others.end());
-    wall.end = static_cast<std::uint32_t>(near_.size());
-    wall.ready = wall.ready && others.size() <= kMostNeighbours;
-    return;
-  }
+void OffsetOrigins::keep_neighbours(const Arc&, Wall& wall, std::span<const std::uint32_t> others) {
+  wall.begin = static_cast<std::uint32_t>(near_.size());
+  near_.insert(near_.end(), others.begin(), others.end());
+  wall.end = static_cast<std::uint32_t>(near_.size());
+  wall.ready = wall.ready && others.size() <= kMostNeighbours;
+}
+
+void OffsetOrigins::keep_neighbours(const Segment&, Wall& wall,
+                                    std::span<const std::uint32_t> others) {
   std::vector<Stretch> found;
-  for (const std::uint32_t other : others) add_near(wall, other, found);
+  for (const std::uint32_t i : others) {
+    if (table_[i].is_plain)
+      walls_.visit(i, [&](const auto& other) { add_near(wall, other, table_[i], found); });
+    else
+      found.push_back({-3 * apart_, wall.length + 3 * apart_});
+  }
   std::sort(found.begin(), found.end(),
             [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
   wall.begin = static_cast<std::uint32_t>(stretches_.size());
@@ -149,56 +159,55 @@ void OffsetOrigins::keep_neighbours(std::uint32_t surface, std::span<const std::
 // Where a segment is near the line of another and not beyond its ends, both linear along it, or near
 // a whole curve, on both sides of what lies inside. A quotient by less than kLeastSlope would not be
 // certain.
-void OffsetOrigins::add_near(const Wall& wall, std::uint32_t other,
+void OffsetOrigins::add_near(const Wall& wall, const Segment&, const Wall& second,
                              std::vector<Stretch>& found) const {
   constexpr double kLeastSlope = 0x1p-10;
   const double far = 3 * apart_;
   const Vec2 way = along(wall.normal);
-  const Wall& second = table_[other];
   Stretch near{-far, wall.length + far};
-  if (second.is_straight && second.is_plain) {
-    const auto within = [&](const Vec2& axis, double low, double high) {
-      const double start = axis.dot(wall.at - second.at), slope = axis.dot(way);
-      if (std::fabs(slope) < kLeastSlope) return;
-      const auto [from, to] = std::minmax({(low - start) / slope, (high - start) / slope});
-      near = {std::max(near.from, from), std::min(near.to, to)};
-    };
-    within(second.normal, -far, far);
-    within(along(second.normal), -far, second.length + far);
-  } else if (second.is_plain) {
-    const Ellipse curve = walls_.curve(other);
-    const auto form = [&](const Vec2& v) { return curve_form(kPlain, curve, pair_of(kPlain, v)); };
-    const auto start = form(wall.at - curve.centre), slope = form(way);
-    const double speed = std::sqrt(dot(slope, slope)), size = form_size(kPlain, curve);
-    const double middle = -dot(start, slope) / speed, off = std::fabs(cross(start, slope)) / speed;
-    const auto half = [&](double radius) {
-      return std::sqrt(std::max((radius - off) * (radius + off), 0.0));
-    };
-    const double margin = size * (far / second.length);
-    const double inner = half(size - margin), outer = half(size + margin);
-    found.push_back({(middle - outer) / speed, (middle - inner) / speed});
-    near = {(middle + inner) / speed, (middle + outer) / speed};
-  }
+  const auto within = [&](const Vec2& axis, double low, double high) {
+    const double start = axis.dot(wall.at - second.at), slope = axis.dot(way);
+    if (std::fabs(slope) < kLeastSlope) return;
+    const auto [from, to] = std::minmax({(low - start) / slope, (high - start) / slope});
+    near = {std::max(near.from, from), std::min(near.to, to)};
+  };
+  within(second.normal, -far, far);
+  within(along(second.normal), -far, second.length + far);
   found.push_back(near);
+}
+
+void OffsetOrigins::add_near(const Wall& wall, const Arc& other, const Wall& second,
+                             std::vector<Stretch>& found) const {
+  const Ellipse& curve = other.curve;
+  const auto form = [&](const Vec2& v) { return curve_form(kPlain, curve, pair_of(kPlain, v)); };
+  const auto start = form(wall.at - curve.centre), slope = form(along(wall.normal));
+  const double speed = std::sqrt(dot(slope, slope)), size = form_size(kPlain, curve);
+  const double middle = -dot(start, slope) / speed, off = std::fabs(cross(start, slope)) / speed;
+  const auto half = [&](double radius) {
+    return std::sqrt(std::max((radius - off) * (radius + off), 0.0));
+  };
+  const double margin = size * (3 * apart_ / second.length);
+  const double inner = half(size - margin), outer = half(size + margin);
+  found.push_back({(middle - outer) / speed, (middle - inner) / speed});
+  found.push_back({(middle + inner) / speed, (middle + outer) / speed});
 }
 
 // Whether all of wall b, or of its box, is on one side of segment a, or of its ends, or inside curve a.
 bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const {
-  const Wall& wall = table_[a];
-  if (!wall.is_plain) return false;
-  std::array<Vec2, 4> points{box.low, box.high, Vec2(box.low.x(), box.high.y()),
-                             Vec2(box.high.x(), box.low.y())};
-  if (walls_.is_straight(b)) {
-    const Segment& other = walls_.segments[walls_.slot[b]];
-    points = {other.a, other.b, other.a, other.b};
-  }
+  if (!table_[a].is_plain) return false;
+  const auto points = walls_.visit(b, [&](const auto& other) { return corners(other, box); });
+  return walls_.visit(a, [&](const auto& wall) { return are_far(wall, table_[a], points); });
+}
+
+bool OffsetOrigins::are_far(const Arc& arc, const Wall& wall,
+                            std::span<const Vec2> points) const {
+  return std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
+    return (1 - share_of_radius(arc.curve, point)) * wall.length > 4 * apart_;
+  });
+}
+
+bool OffsetOrigins::are_far(const Segment&, const Wall& wall, std::span<const Vec2> points) const {
   const double far = 4 * apart_;
-  if (!wall.is_straight) {
-    const Ellipse curve = walls_.curve(a);
-    return std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
-      return (1 - share_of_radius(curve, point)) * wall.length > far;
-    });
-  }
   const auto apart = [&](const Vec2& axis, double low, double high) {
     double least = kInfinity, most = -kInfinity;
     for (const Vec2& point : points) {
@@ -210,20 +219,18 @@ bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box)
   return apart(wall.normal, 0, 0) || apart(along(wall.normal), 0, wall.length);
 }
 
-bool OffsetOrigins::is_far(std::uint32_t surface, const Vec2& point) const {
-  const Wall& wall = table_[surface];
-  if (!wall.is_plain) return false;
+bool OffsetOrigins::is_far(const Arc& arc, const Wall& wall, const Vec2& point) const {
+  return std::fabs(share_of_radius(arc.curve, point) - 1) * wall.length > 2 * apart_;
+}
+
+bool OffsetOrigins::is_far(const Segment&, const Wall& wall, const Vec2& point) const {
   const double far = 2 * apart_;
-  if (!wall.is_straight)
-    return std::fabs(share_of_radius(walls_.curve(surface), point) - 1) * wall.length > far;
   const Vec2 from = point - wall.at;
   const double place = along(wall.normal).dot(from);
   return std::fabs(wall.normal.dot(from)) > far || place < -far || place > wall.length + far;
 }
 
-bool OffsetOrigins::ends_far(std::uint32_t surface, const Vec2& point) const {
-  if (walls_.kinds[surface] != SurfaceKind::arc) return true;
-  const Arc& arc = walls_.arcs[walls_.slot[surface]];
+bool OffsetOrigins::ends_far(const Arc& arc, const Vec2& point) const {
   const auto far = [&](const Vec2& end) {
     return (point - end).cwiseAbs().maxCoeff() > 2 * apart_;
   };
@@ -237,29 +244,29 @@ std::optional<OffsetOrigins::Meeting> OffsetOrigins::meet(const Ray& ray,
   if (!wall.ready || !crosses || !(ray.origin.cwiseAbs().maxCoeff() + hit.t < farthest_))
     return std::nullopt;
   Meeting met{ray.origin + hit.t * ray.direction, wall.normal};
-  if (!(wall.is_straight ? is_clear(wall, met.point) : is_clear(hit.surface, met)))
+  if (!walls_.visit(hit.surface, [&](const auto& each) { return is_clear(each, wall, met); }))
     return std::nullopt;
   if (!(std::fabs(met.normal.dot(ray.direction)) > kLeastCosine)) return std::nullopt;
   return met;
 }
 
-bool OffsetOrigins::is_clear(const Wall& wall, const Vec2& point) const {
-  const double place = along(wall.normal).dot(point - wall.at);
+bool OffsetOrigins::is_clear(const Segment&, const Wall& wall, const Meeting& met) const {
+  const double place = along(wall.normal).dot(met.point - wall.at);
   for (std::uint32_t i = wall.begin; i < wall.end; ++i)
     if (stretches_[i].from <= place && place <= stretches_[i].to) return false;
   return true;
 }
 
-// Of a curve, whose normal is set.
-bool OffsetOrigins::is_clear(std::uint32_t surface, Meeting& met) const {
-  const Ellipse curve = walls_.curve(surface);
-  const auto form = curve_form(kPlain, curve, pair_of(kPlain, Vec2(met.point - curve.centre)));
-  const auto normal = curve_normal(kPlain, curve, form);
-  met.normal = Vec2(normal.x, normal.y) / std::sqrt(dot(normal, normal));
-  const Wall& wall = table_[surface];
-  return ends_far(surface, met.point) &&
-         std::all_of(near_.begin() + wall.begin, near_.begin() + wall.end,
-                     [&](std::uint32_t other) { return is_far(other, met.point); });
+// It sets the normal.
+bool OffsetOrigins::is_clear(const Arc& arc, const Wall& wall, Meeting& met) const {
+  const Vec2 normal = normal_near(arc, met.point);
+  met.normal = normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
+  return ends_far(arc, met.point) &&
+         std::all_of(near_.begin() + wall.begin, near_.begin() + wall.end, [&](std::uint32_t i) {
+           return table_[i].is_plain && walls_.visit(i, [&](const auto& other) {
+             return is_far(other, table_[i], met.point);
+           });
+         });
 }
 
 }  // namespace flatray

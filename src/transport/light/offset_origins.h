@@ -49,22 +49,30 @@ class OffsetOrigins {
     std::uint32_t begin = 0, end = 0;  // in stretches_ of a segment, in near_ of a curve
     bool ready = false;                // its points have origins beside them
     bool is_plain = false;             // a segment, or a curve whose ends lie on it
-    bool is_straight = false;
   };
-  Wall wall(std::uint32_t surface) const;
+  Wall wall(const Segment& ends) const;
+  Wall wall(const Arc& arc) const;
   Bounds box(std::uint32_t surface) const;
   // Of a segment, from its end a, where others come near.
   struct Stretch {
     double from, to;
   };
   void find_neighbours();
-  void keep_neighbours(std::uint32_t surface, std::span<const std::uint32_t> others);
-  void add_near(const Wall& wall, std::uint32_t other, std::vector<Stretch>& found) const;
-  bool is_clear(const Wall& wall, const Vec2& point) const;
-  bool is_clear(std::uint32_t surface, Meeting& met) const;
-  bool is_far(std::uint32_t surface, const Vec2& point) const;
+  void keep_neighbours(const Segment&, Wall& wall, std::span<const std::uint32_t> others);
+  void keep_neighbours(const Arc&, Wall& wall, std::span<const std::uint32_t> others);
+  // Of `other`, which is plain.
+  void add_near(const Wall& wall, const Segment& other, const Wall& second,
+                std::vector<Stretch>& found) const;
+  void add_near(const Wall& wall, const Arc& other, const Wall& second,
+                std::vector<Stretch>& found) const;
+  bool is_clear(const Segment&, const Wall& wall, const Meeting& met) const;
+  bool is_clear(const Arc& arc, const Wall& wall, Meeting& met) const;
+  bool is_far(const Segment&, const Wall& wall, const Vec2& point) const;
+  bool is_far(const Arc& arc, const Wall& wall, const Vec2& point) const;
   bool are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const;
-  bool ends_far(std::uint32_t surface, const Vec2& point) const;
+  bool are_far(const Segment&, const Wall& wall, std::span<const Vec2> points) const;
+  bool are_far(const Arc& arc, const Wall& wall, std::span<const Vec2> points) const;
+  bool ends_far(const Arc& arc, const Vec2& point) const;
 
   const Surfaces& walls_;
   double apart_ = 0, distance_ = 0, farthest_ = 0;

@@ -13,18 +13,21 @@ double turn_share(const Vec2& v) {
   return v.x() < 0 ? (2 - part) / 4 : v.y() < 0 ? (4 + part) / 4 : part / 4;
 }
 
+double share_along(const Arc& wall, const Vec2& point) {
+  return turn_share(point - wall.curve.centre);
+}
+
 }  // namespace
 
-double share_along(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  const Segment& wall = walls.segments[walls.slot[surface]];
+double share_along(const Segment& wall, const Vec2& point) {
   const Vec2 along = wall.b - wall.a;
   const int axis = std::fabs(along.x()) >= std::fabs(along.y()) ? 0 : 1;
   return (point[axis] - wall.a[axis]) / along[axis];
 }
 
 WallPlace wall_place(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  const double share = walls.is_straight(surface) ? share_along(walls, surface, point)
-                                                  : turn_share(point - walls.curve(surface).centre);
+  const double share =
+      walls.visit(surface, [&](const auto& wall) { return share_along(wall, point); });
   const double held = share > 0 ? std::min(share, 1 - 0x1p-32) : 0;  // NaN: 0
   return (WallPlace{surface} << 32) | static_cast<std::uint32_t>(held * 0x1p32);
 }

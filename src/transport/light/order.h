@@ -13,7 +13,7 @@ using WallPlace = std::uint64_t;
 WallPlace wall_place(const Surfaces& walls, std::uint32_t surface, const Vec2& point);
 /// How far along a straight wall a point is, from 0 at its first end to 1 at the other, but for
 /// rounding.
-double share_along(const Surfaces& walls, std::uint32_t surface, const Vec2& point);
+double share_along(const Segment& wall, const Vec2& point);
 
 /// The numbers of `places` in ascending order, those of equal places in their own: by radix.
 /// Cost    some 2 ns a place and byte in which they differ.

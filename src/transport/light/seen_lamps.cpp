@@ -25,16 +25,6 @@ void add(Surfaces& lines, const LampLine& line, const Pose& pose) {
     lines.add(ends);
 }
 
-bool lies_along(const Surfaces& line, const Surfaces& walls, std::uint32_t wall) {
-  if (line.is_straight(0) != walls.is_straight(wall)) return false;
-  if (line.is_straight(0)) {
-    const Segment &a = line.segments.front(), &b = walls.segments[walls.slot[wall]];
-    return orientation(b.a, b.b, a.a) == Sign::zero && orientation(b.a, b.b, a.b) == Sign::zero;
-  }
-  const Ellipse a = line.curve(0), b = walls.curve(wall);
-  return a.centre == b.centre && a.is_circle() && b.is_circle() && a.u == b.u;
-}
-
 }  // namespace
 
 bool any_on_wall(std::span<const LampState> lamps, const Surfaces& walls) {
@@ -44,7 +34,10 @@ bool any_on_wall(std::span<const LampState> lamps, const Surfaces& walls) {
     Surfaces alone;
     add(alone, *line, lamp.pose);
     for (std::uint32_t wall = 0; wall < walls.size(); ++wall)
-      if (lies_along(alone, walls, wall)) return true;
+      if (walls.visit(wall, [&](const auto& other) {
+            return alone.visit(0, [&](const auto& own) { return lies_along(own, other); });
+          }))
+        return true;
   }
   return false;
 }
@@ -113,7 +106,8 @@ void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightL
         continue;  // seen as the path came there
       const Glow& glow = glows_[hit.surface];
       // From the left of a segment, or the inside of an arc.
-      const Sign left = lines_.is_straight(hit.surface) ? Sign::positive : Sign::negative;
+      const Sign left =
+          lines_.visit(hit.surface, [](const auto& line) { return inside_of(line); });
       if (!(inner_side(lines_, rays[i].ray, hit) == left ? glow.left : glow.right)) continue;
       const LightSum there = walls_.bodies().left_after(hit.t, rays[i].media);
       for (std::size_t c = 0; c < 3; ++c) radiance[i][c] += glow.radiance[c] * there[c];

@@ -36,8 +36,8 @@ struct Arc {
   Vec2 from{0, 0}, to{0, 0};
 };
 
-/// Where a point of its ellipse lies on an arc.
-enum class ArcPlace : std::uint8_t { outside, inner, at_end };
+/// Where a point lies on a wall.
+enum class PlaceOn : std::uint8_t { outside, inner, at_end };
 
 /// A vector in the coordinates in which a curve is the circle |w| = form_size about its centre,
 /// linear in it: twice the areas spanned with v and u; for a circle the vector itself.
@@ -50,6 +50,14 @@ template <class Make>
 auto form_size(const Make& number, const Ellipse& curve) {
   if (curve.is_circle()) return number(curve.u.x());
   return cross(pair_of(number, curve.u), pair_of(number, curve.v));
+}
+/// The vector that has a form.
+template <class Make, class Number>
+Pair<Number> curve_vector(const Make& number, const Ellipse& curve, const Pair<Number>& form) {
+  if (curve.is_circle()) return form;
+  const auto u = pair_of(number, curve.u), v = pair_of(number, curve.v);
+  const auto r = form_size(number, curve);
+  return {(form.x * u.x + form.y * v.x) / r, (form.x * u.y + form.y * v.y) / r};
 }
 /// Positive outside the curve, zero on it, for a point as seen from the centre.
 template <class Make, class Number>
@@ -66,46 +74,55 @@ Pair<Number> curve_normal(const Make& number, const Ellipse& curve, const Pair<N
   return {form.x * v.y - form.y * u.y, form.y * u.x - form.x * v.x};
 }
 
+/// The same by the size of the form, which keeps it among the doubles.
+template <class Make, class Number>
+Pair<Number> sized_normal(const Make& number, const Ellipse& curve, const Pair<Number>& form) {
+  if (curve.is_circle()) return form;
+  const Pair<Number> normal = curve_normal(number, curve, form);
+  const auto size = form_size(number, curve);
+  return {normal.x / size, normal.y / size};
+}
+
 /// Side of a curve `point` lies on: positive outside, zero on it, negative inside. Exact.
 Sign curve_side(const Vec2& point, const Ellipse& curve);
 
 /// The place in the cone of an arc of a point given by where it lies: `turn(p, a, b)` is the sign of
 /// (b - a) x (point - p).
 template <class Turn>
-ArcPlace place_in_cone(const Arc& arc, const Turn& turn) {
+PlaceOn place_in_cone(const Arc& arc, const Turn& turn) {
   const Vec2& centre = arc.curve.centre;
-  if (arc.extent == Arc::Extent::whole) return ArcPlace::inner;
+  if (arc.extent == Arc::Extent::whole) return PlaceOn::inner;
   if (arc.extent == Arc::Extent::half) {
     const Sign side = turn(centre, Vec2(0, 0), Vec2(arc.from.y(), -arc.from.x()));
-    return side == Sign::positive ? ArcPlace::inner
-           : side == Sign::zero   ? ArcPlace::at_end
-                                  : ArcPlace::outside;
+    return side == Sign::positive ? PlaceOn::inner
+           : side == Sign::zero   ? PlaceOn::at_end
+                                  : PlaceOn::outside;
   }
   const Sign from = turn(centre, centre, arc.from), to = -turn(centre, centre, arc.to);
   const Sign cone = orientation(centre, arc.from, arc.to);  // of less or more than a half turn
   const bool past_from = from != Sign::negative, before_to = to != Sign::negative;
   if (cone == Sign::negative) {
-    if (!past_from && !before_to) return ArcPlace::outside;
+    if (!past_from && !before_to) return PlaceOn::outside;
     // On the line of an end, but behind the centre, it is on the inner side of the other's.
     const bool at_end = (from == Sign::zero && !before_to) || (to == Sign::zero && !past_from);
-    return at_end ? ArcPlace::at_end : ArcPlace::inner;
+    return at_end ? PlaceOn::at_end : PlaceOn::inner;
   }
-  if (!past_from || (cone == Sign::positive && !before_to)) return ArcPlace::outside;
-  return from == Sign::zero || to == Sign::zero ? ArcPlace::at_end : ArcPlace::inner;
+  if (!past_from || (cone == Sign::positive && !before_to)) return PlaceOn::outside;
+  return from == Sign::zero || to == Sign::zero ? PlaceOn::at_end : PlaceOn::inner;
 }
 
-inline ArcPlace place_in_cone(const Arc& arc, const Vec2& point) {
+inline PlaceOn place_in_cone(const Arc& arc, const Vec2& point) {
   return place_in_cone(
       arc, [&](const Vec2& p, const Vec2& a, const Vec2& b) { return cross_sign(a, b, p, point); });
 }
 
-/// Whether a point lies on an arc, and where. Exact.
-ArcPlace place_on(const Arc& arc, const Vec2& point);
-
 /// Whether two curves have the same points, whichever half-diameters they are given by. Exact.
 bool is_same_curve(const Ellipse& a, const Ellipse& b);
 
-/// Box around the whole curve of an arc, rounded outward.
+/// The circle that an ellipse is.
+inline Circle circle_of(const Ellipse& curve) { return {curve.centre, curve.u.x()}; }
+
+/// Box around a whole curve, rounded outward.
 Bounds curve_bounds(const Ellipse& curve);
 
 }  // namespace flatray

@@ -1,0 +1,241 @@
+#include "geom/primitives/arc.h"
+
+#include "geom/decide.h"
+#include "geom/error_bounds.h"
+#include "geom/primitives/wall.h"
+
+namespace flatray {
+namespace {
+
+// Whether a ray surely misses all that is within `reach` of `centre`: its line passes at more than
+// that, or all of it lies behind. Products d x w and d.w, w = centre - origin, are known to
+// kDetFilter of their terms; 2^-48 covers the rounding of |d|, of the products with it and of the
+// comparison. Outside the guarded sizes nothing is sure.
+bool surely_missed(const Ray& ray, const Vec2& centre, double reach) {
+  const Vec2& d = ray.direction;
+  const Vec2 w = centre - ray.origin;
+  const double square = d.x() * d.x() + d.y() * d.y();
+  const double terms =
+      (std::fabs(d.x()) + std::fabs(d.y())) * (std::fabs(w.x()) + std::fabs(w.y()));
+  if (!(square > kDetFilterLeast && terms > kDetFilterLeast && terms < 1 / kDetFilterLeast))
+    return false;
+  const double bound = reach * std::sqrt(square) * (1 + 0x1p-48) + 2 * kDetFilter * terms;
+  return std::fabs(cross(d, w)) > bound || -d.dot(w) > bound;
+}
+
+// No point of the arc is farther from its centre, joints to its ends included.
+double reach_of(const Arc& arc) {
+  const Ellipse& curve = arc.curve;
+  const auto size = [](const Vec2& v) { return std::fabs(v.x()) + std::fabs(v.y()); };
+  double reach = curve.is_circle() ? curve.u.x() : size(curve.u) + size(curve.v);
+  if (arc.extent == Arc::Extent::between)
+    reach = std::max({reach, size(arc.from - curve.centre), size(arc.to - curve.centre)});
+  return reach * (1 + 0x1p-48);
+}
+
+// Whether a curve surely passes outside the box of half sides `reach` about `point`, by w = point - centre in the form in which it is a circle of radius r:
+// |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares of the reach. What w and r
+// are off by there is under kDetFilter of the terms, which `slack` counts as reach.
+bool curve_passes_far(const Ellipse& wall, const Vec2& point, const Vec2& reach) {
+  const auto plain = [](double x) { return x; };
+  const Vec2 from = point - wall.centre;
+  const auto w = curve_form(plain, wall, Pair<double>{from.x(), from.y()});
+  Vec2 within = reach;
+  double slack = 0;
+  if (!wall.is_circle()) {
+    const Vec2 u = wall.u.cwiseAbs(), v = wall.v.cwiseAbs(), far = from.cwiseAbs();
+    const Vec2 terms(far.x() * v.y() + far.y() * v.x(), u.x() * far.y() + u.y() * far.x());
+    within = Vec2(reach.x() * v.y() + reach.y() * v.x(), u.x() * reach.y() + u.y() * reach.x()) +
+             2 * kDetFilter * terms;
+    slack = 2 * kDetFilter * (u.x() * v.y() + u.y() * v.x());
+  }
+  const double r = std::fabs(form_size(plain, wall));
+  const double size = dot(w, w), square = r * r;
+  const double change = std::fabs(w.x) * within.x() + std::fabs(w.y) * within.y() + r * slack;
+  const double bound =
+      4 * (change + within.squaredNorm() + slack * slack) + 8 * kDetFilter * (size + square);
+  return std::fabs(size - square) > bound + kDetFilterLeast;
+}
+
+// Whether an arc surely ends before it comes into the box: on the outer side of one end's line and
+// far from it, where the arc is less than a half turn.
+bool ends_before(const Arc& arc, const Vec2& point, const Vec2& reach) {
+  const Vec2& centre = arc.curve.centre;
+  if (arc.extent == Arc::Extent::whole) return false;
+  if (arc.extent == Arc::Extent::half)
+    return line_passes_far({Vec2(0, 0), Vec2(arc.from.y(), -arc.from.x())}, point - centre,
+                           reach) &&
+           arc.from.dot(point - centre) < 0;
+  if (orientation(centre, arc.from, arc.to) == Sign::negative) return false;
+  const Segment from{centre, arc.from}, to{arc.to, centre};
+  for (const Segment& end : {from, to})
+    if (line_passes_far(end, point, reach) && orientation(end.a, end.b, point) == Sign::negative)
+      return true;
+  return false;
+}
+
+// Where a tangent touches: the middle between two roots that are one.
+Vec2 touched(const Ray& ray, const Ellipse& curve) {
+  const auto coordinate = [&](int axis) {
+    return round_once([&](const auto& number) {
+      const auto d = curve_form(number, curve, pair_of(number, ray.direction));
+      const auto w =
+          curve_form(number, curve, pair_of(number, curve.centre) - pair_of(number, ray.origin));
+      return number(ray.origin[axis]) + number(ray.direction[axis]) * (dot(w, d) / dot(d, d));
+    });
+  };
+  return {coordinate(0), coordinate(1)};
+}
+
+}  // namespace
+
+Sign curve_side(const Vec2& point, const Ellipse& curve) {
+  return decide([&](const auto& number) {
+    return curve_power(number, curve, pair_of(number, point) - pair_of(number, curve.centre));
+  });
+}
+
+// By their centres and by u u' + v v', which no change of conjugate half-diameters moves.
+bool is_same_curve(const Ellipse& a, const Ellipse& b) {
+  if (a.centre != b.centre) return false;
+  const auto is_same = [&](int i, int j) {
+    return decide([&](const auto& number) {
+             const auto form = [&](const Ellipse& curve) {
+               return number(curve.u[i]) * number(curve.u[j]) +
+                      number(curve.v[i]) * number(curve.v[j]);
+             };
+             return form(a) - form(b);
+           }) == Sign::zero;
+  };
+  return (a.u == b.u && a.v == b.v) || (is_same(0, 0) && is_same(0, 1) && is_same(1, 1));
+}
+
+PlaceOn place_on(const Arc& arc, const Vec2& point) {
+  const Vec2& centre = arc.curve.centre;
+  const Sign side = curve_side(point, arc.curve);
+  if (side == Sign::zero) return place_in_cone(arc, point);
+  if (arc.extent != Arc::Extent::between) return PlaceOn::outside;
+  // What joins an end e to the curve: from e on, towards the curve and no farther.
+  for (const Vec2& end : {arc.from, arc.to}) {
+    if (curve_side(end, arc.curve) != side || orientation(centre, end, point) != Sign::zero)
+      continue;
+    const Sign ahead = decide([&](const auto& number) {
+      const auto e = pair_of(number, end) - pair_of(number, centre);
+      return dot(pair_of(number, point) - pair_of(number, end), e);
+    });
+    const Sign before = decide([&](const auto& number) {
+      const auto e = pair_of(number, end) - pair_of(number, centre);
+      return dot(pair_of(number, point) - pair_of(number, centre), e);
+    });
+    if (before == Sign::positive && ahead != side) return PlaceOn::at_end;
+  }
+  return PlaceOn::outside;
+}
+
+// The reach along an axis is sqrt(u_i^2 + v_i^2), below |u_i| + |v_i|, neither of which overflows
+// before the other by more than a factor of 2; four roundings, and one of the sum with the centre.
+Bounds curve_bounds(const Ellipse& curve) {
+  constexpr double kUp = 1 + 0x1p-49;
+  Bounds box;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double a = std::fabs(curve.u[axis]), b = std::fabs(curve.v[axis]);
+    const double larger = std::max(a, b), ratio = larger == 0 ? 0 : std::min(a, b) / larger;
+    const double reach = larger * std::sqrt(1 + ratio * ratio) * kUp + 0x1p-1070;
+    const double most = std::numeric_limits<double>::max();
+    box.low[axis] = std::max(std::nextafter(curve.centre[axis] - reach, -kInfinity), -most);
+    box.high[axis] = std::min(std::nextafter(curve.centre[axis] + reach, kInfinity), most);
+  }
+  return box;
+}
+
+Bounds bounds_of(const Arc& wall) {
+  Bounds box = curve_bounds(wall.curve);
+  if (wall.extent == Arc::Extent::between) {
+    box.add(wall.from);
+    box.add(wall.to);
+  }
+  return box;
+}
+
+bool passes_near(const Arc& wall, const Vec2& point, const Vec2& reach) {
+  return !curve_passes_far(wall.curve, point, reach) && !ends_before(wall, point, reach);
+}
+
+void meet(const Arc& wall, const Ray& ray, const MeetingRules& rules,
+          std::vector<WallMeeting>& met) {
+  if (surely_missed(ray, wall.curve.centre, reach_of(wall))) return;
+  const bool whole = wall.extent == Arc::Extent::whole;
+  if (wall.extent == Arc::Extent::between)
+    for (const Vec2& end : {wall.from, wall.to})
+      if (const auto time = hit_joint(ray, wall.curve, end))
+        met.push_back({*time, HitClass::touch, Root::none, true});
+  const auto hit = hit_curve(ray, wall.curve);
+  if (!hit) return;
+  const auto add = [&](const HitTime& time, HitClass kind, Root root, bool inner) {
+    const PlaceOn place = whole ? PlaceOn::inner : ExactHit(ray, wall, root).place_in(wall);
+    const bool is_met = place == PlaceOn::at_end || (inner && place == PlaceOn::inner);
+    if (is_met) met.push_back({time, kind, root, place == PlaceOn::at_end});
+    return is_met;
+  };
+  if (hit->tangent) {
+    const bool passed_by = !rules.tangents && whole;
+    if (!passed_by && rules.stood_on == Root::none && hit->first.sign() != Sign::negative)
+      add(hit->first, HitClass::touch, Root::both, rules.tangents);
+    return;
+  }
+  for (const Root root : {Root::first, Root::second}) {
+    const HitTime& time = root == Root::first ? hit->first : hit->second;
+    if (rules.stood_on == root || time.sign() == Sign::negative) continue;
+    if (add(time, HitClass::through, root, true) && !rules.every) return;
+  }
+}
+
+bool is_crossed(const Arc& wall, const Ray& ray) {
+  const auto hit = hit_curve(ray, wall.curve);
+  return hit && !hit->tangent;
+}
+
+// The end of an arc that a ray arrives at; of two at the same time the first.
+Vec2 end_met(const Arc& arc, const Ray& ray, Root root) {
+  const Vec2& centre = arc.curve.centre;
+  if (root == Root::none) {
+    const auto from = hit_joint(ray, arc.curve, arc.from), to = hit_joint(ray, arc.curve, arc.to);
+    return from && (!to || compare(*from, *to) <= 0) ? arc.from : arc.to;
+  }
+  const ExactHit exact(ray, arc, root);
+  if (arc.extent == Arc::Extent::half) return exact.nearest();
+  const bool at_from = exact.turn(centre, centre, arc.from) == Sign::zero;
+  const bool at_to = exact.turn(centre, centre, arc.to) == Sign::zero;
+  if (at_from != at_to) return at_from ? arc.from : arc.to;
+  // Of a half turn: the ends lie opposite, and the arc is on the left of the line from `from`.
+  return exact.ahead(centre, centre, arc.from) == Sign::positive ? arc.from : arc.to;
+}
+
+Vec2 point_met(const Arc& wall, const Ray& ray, Root root) {
+  return root == Root::both ? touched(ray, wall.curve) : ExactHit(ray, wall, root).nearest();
+}
+
+bool leads_away(const Arc& wall, Sign side, const Ray& ray) {
+  const Ellipse& curve = wall.curve;
+  return side == decide([&](const auto& number) {
+           const auto from = pair_of(number, ray.origin) - pair_of(number, curve.centre);
+           return dot(curve_form(number, curve, from),
+                      curve_form(number, curve, pair_of(number, ray.direction)));
+         });
+}
+
+Vec2 normal_near(const Arc& wall, const Vec2& point) {
+  const auto number = [](double x) { return x; };
+  const auto form =
+      curve_form(number, wall.curve, pair_of(number, Vec2(point - wall.curve.centre)));
+  const auto normal = curve_normal(number, wall.curve, form);
+  const double out = form_size(number, wall.curve) < 0 ? -1 : 1;
+  return {out * normal.x, out * normal.y};
+}
+
+bool lies_along(const Arc& one, const Arc& other) {
+  const Ellipse &a = one.curve, &b = other.curve;
+  return a.centre == b.centre && a.is_circle() && b.is_circle() && a.u == b.u;
+}
+
+}  // namespace flatray

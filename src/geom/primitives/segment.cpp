@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+
+#include "geom/error_bounds.h"
+#include "geom/primitives/wall.h"
+
+namespace flatray {
+namespace {
+
+// The ray lies on the line of the segment: it meets the first end ahead, or is between both.
+void meet_along(const Segment& wall, const Ray& ray, std::vector<WallMeeting>& met) {
+  const HitTime a = HitTime::abreast(ray, wall.a), b = HitTime::abreast(ray, wall.b);
+  const auto [near, far] = compare(a, b) <= 0 ? std::pair(a, b) : std::pair(b, a);
+  if (far.sign() == Sign::negative) return;
+  const bool ends_here = far.sign() == Sign::zero;
+  const bool at_end = ends_here || near.sign() != Sign::negative;
+  const HitClass kind = ends_here || compare(near, far) == 0 ? HitClass::touch : HitClass::along;
+  met.push_back({at_end && !ends_here ? near : HitTime::abreast(ray, ray.origin), kind, Root::none,
+                 at_end});
+}
+
+}  // namespace
+
+Bounds bounds_of(const Segment& wall) { return {wall.a.cwiseMin(wall.b), wall.a.cwiseMax(wall.b)}; }
+
+PlaceOn place_on(const Segment& wall, const Vec2& point) {
+  if (point == wall.a || point == wall.b) return PlaceOn::at_end;
+  const Bounds box = bounds_of(wall);
+  const bool within = box.low.x() <= point.x() && point.x() <= box.high.x() &&
+                      box.low.y() <= point.y() && point.y() <= box.high.y();
+  return within && side_of(wall, point) == Sign::zero ? PlaceOn::inner : PlaceOn::outside;
+}
+
+// The determinant changes by |e_x| reach_y + |e_y| reach_x in the box; its own error is
+// kDetFilter's, doubled for the rest.
+bool line_passes_far(const Segment& wall, const Vec2& point, const Vec2& reach) {
+  const Vec2 edge = wall.b - wall.a, from = point - wall.a;
+  const double left = edge.x() * from.y(), right = edge.y() * from.x();
+  const double change = std::fabs(edge.x()) * reach.y() + std::fabs(edge.y()) * reach.x();
+  const double bound = 2 * kDetFilter * (std::fabs(left) + std::fabs(right)) + 2 * change;
+  return std::fabs(left - right) > bound + kDetFilterLeast;
+}
+
+bool passes_near(const Segment& wall, const Vec2& point, const Vec2& reach) {
+  const Bounds box = bounds_of(wall);
+  for (int axis = 0; axis < 2; ++axis)
+    if (box.high[axis] < point[axis] - reach[axis] || box.low[axis] > point[axis] + reach[axis])
+      return false;
+  return !line_passes_far(wall, point, reach);
+}
+
+void meet(const Segment& wall, const Ray& ray, const MeetingRules&, std::vector<WallMeeting>& met) {
+  if (const auto hit = hit_segment(ray, wall))
+    met.push_back({hit->t, HitClass::touch, Root::none, hit->place != SegmentHit::Place::inner});
+  else if (side_of_ray(ray, wall.a) == Sign::zero && side_of_ray(ray, wall.b) == Sign::zero)
+    meet_along(wall, ray, met);
+}
+
+bool is_crossed(const Segment& wall, const Ray& ray) {
+  return turn_from_edge(wall.a, wall.b, ray.direction) != Sign::zero;
+}
+
+Vec2 end_met(const Segment& wall, const Ray& ray, Root) {
+  if (side_of_ray(ray, wall.a) != Sign::zero) return wall.b;
+  if (side_of_ray(ray, wall.b) != Sign::zero) return wall.a;
+  const int axis = ray.direction.x() != 0 ? 0 : 1;
+  const auto before = [&](const Vec2& p, const Vec2& q) {
+    return ray.direction[axis] > 0 ? p[axis] < q[axis] : q[axis] < p[axis];
+  };
+  const auto [first, second] =
+      before(wall.b, wall.a) ? std::pair(wall.b, wall.a) : std::pair(wall.a, wall.b);
+  return before(first, ray.origin) ? second : first;
+}
+
+Sign side_met(const Segment& wall, const Ray& ray, Root) {
+  return -turn_from_edge(wall.a, wall.b, ray.direction);
+}
+
+bool leads_away(const Segment& wall, Sign side, const Ray& ray) {
+  return turn_from_edge(wall.a, wall.b, ray.direction) != -side;
+}
+
+bool runs_along(const Segment& wall, const Vec2& direction) {
+  return turn_from_edge(wall.a, wall.b, direction) == Sign::zero;
+}
+
+bool lies_along(const Segment& one, const Segment& other) {
+  return side_of(other, one.a) == Sign::zero && side_of(other, one.b) == Sign::zero;
+}
+
+// Each edge with its lower end and without its upper.
+bool crosses_to_right(const Segment& wall, const Vec2& point) {
+  if ((wall.a.y() > point.y()) == (wall.b.y() > point.y())) return false;
+  return side_of(wall, point) == (wall.b.y() > wall.a.y() ? Sign::positive : Sign::negative);
+}
+
+}  // namespace flatray
