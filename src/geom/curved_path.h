@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "geom/primitives/arc.h"
 #include "geom/hit_interval.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 

@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/primitives/arc.h"
 #include "geom/hit_interval.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 

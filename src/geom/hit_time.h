@@ -2,9 +2,9 @@
 #include <compare>
 #include <optional>
 
-#include "geom/primitives/arc.h"
 #include "geom/bounded.h"
 #include "geom/exact.h"
+#include "geom/primitives/arc.h"
 #include "geom/ray.h"
 
 namespace flatray {

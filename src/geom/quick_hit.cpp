@@ -53,7 +53,8 @@ void hit_curve(const Ray& ray, const Ellipse& wall, int s, QuickHit& hit) {
   const Quick r = form_size(kQuick, wall), size = dot(d, d), k = cross(d, w);
   const Quick along = square_root(r * r * size - k * k) * s;
   const Pair<Quick> form{(d.x * along - k * d.y) / size, (d.y * along + k * d.x) / size};
-  const Pair<Quick> from = curve_vector(kQuick, wall, form), normal = sized_normal(kQuick, wall, form);
+  const Pair<Quick> from = curve_vector(kQuick, wall, form),
+                    normal = sized_normal(kQuick, wall, form);
   hit.bend = wall.is_circle() ? 1 : (wall.u.squaredNorm() + wall.v.squaredNorm()) / r.size();
   const Quick x = from.x + wall.centre.x(), y = from.y + wall.centre.y();
   place(hit, x, y);

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "geom/primitives/arc.h"
 #include "geom/hit_time.h"
+#include "geom/primitives/arc.h"
 
 namespace flatray {
 

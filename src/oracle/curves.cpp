@@ -120,8 +120,7 @@ class Meetings {
   void offer_point() {
     if (frame_.side(from_) != Sign::zero) return;
     const PlaceOn there = place({});
-    if (there != PlaceOn::outside)
-      offer({}, HitClass::touch, Root::none, there == PlaceOn::at_end);
+    if (there != PlaceOn::outside) offer({}, HitClass::touch, Root::none, there == PlaceOn::at_end);
   }
 
   void offer_roots() {
@@ -138,8 +137,7 @@ class Meetings {
       const Surd t{foot, way, chord};
       const PlaceOn there = place(t);
       if (there != PlaceOn::outside)
-        offer(t, HitClass::through, way < 0 ? Root::first : Root::second,
-              there == PlaceOn::at_end);
+        offer(t, HitClass::through, way < 0 ? Root::first : Root::second, there == PlaceOn::at_end);
     }
   }
 

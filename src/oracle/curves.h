@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "geom/primitives/arc.h"
 #include "geom/hit_interval.h"
+#include "geom/primitives/arc.h"
 #include "oracle/surd.h"
 #include "trace/rays.h"
 

@@ -53,8 +53,7 @@ class Walker {
         }
     if (!first) return std::nullopt;
     point_ = point_ + *first * way_;
-    const Place normal = 
-        walls_.visit(met, [&](const auto& wall) { return normal_of(wall); });
+    const Place normal = walls_.visit(met, [&](const auto& wall) { return normal_of(wall); });
     const Long twice = 2 * inner(way_, normal) / inner(normal, normal);
     way_ = way_ - twice * normal;
     return LongOrbit::Bounce{met, {nearest(point_.x), nearest(point_.y)}};

@@ -126,7 +126,7 @@ void find_suspects(const Ray& ray, std::span<const Reach> curves, long double fi
     if (length > 0)
       found.low =
           std::max<Long>(0, (ahead.value - ahead.error - reach) / square * (1 - 64 * kRounding));
-    found.sure = disc.is_circle && ahead.positive() &&
+    found.sure = disc.is_border && ahead.positive() &&
                  std::fabs(beside.value) + beside.error < reach * (1 - 64 * kRounding);
     if (found.sure) {
       found.high = (ahead.value + ahead.error + reach) / square * (1 + 64 * kRounding);

@@ -29,7 +29,7 @@ void find_suspects(const Ray& ray, std::span<const Segment> walls, std::vector<S
 struct Reach {
   Vec2 centre;
   long double radius = 0;
-  bool is_circle = false;  ///< the wall is the whole border of the disc
+  bool is_border = false;  ///< the wall is the whole border of the disc
 };
 Reach reach_of(const Arc& arc);
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "geom/primitives/arc.h"
 #include "geom/pair.h"
+#include "geom/primitives/arc.h"
 #include "geom/ray.h"
 
 namespace flatray {

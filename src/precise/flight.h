@@ -158,7 +158,8 @@ class Flight {
 
   /// Where a wall is met that the ray is known to meet next, in a corner.
   std::optional<Pair<Number>> corner_at(std::uint32_t surface) const {
-    if (const auto end = walls_.visit(surface, [&](const auto& wall) { return end_of(wall, surface); }))
+    if (const auto end =
+            walls_.visit(surface, [&](const auto& wall) { return end_of(wall, surface); }))
       return end;
     Flight there(*this);
     if (there.bounce(surface)) return there.point_;
@@ -206,9 +207,8 @@ class Flight {
   }
 
   std::vector<Meeting<Number>> meetings(std::uint32_t surface) const {
-    std::vector<Meeting<Number>> met = walls_.visit(surface, [&](const auto& wall) {
-      return course_.meet(wall, stands_on(wall, surface));
-    });
+    std::vector<Meeting<Number>> met = walls_.visit(
+        surface, [&](const auto& wall) { return course_.meet(wall, stands_on(wall, surface)); });
     for (Meeting<Number>& meeting : met) meeting.surface = surface;
     return met;
   }
@@ -216,9 +216,8 @@ class Flight {
   // Of its own curve, whichever part of it was left.
   bool stands_on(const Segment&, std::uint32_t surface) const { return surface == left_; }
   bool stands_on(const Arc& arc, std::uint32_t surface) const {
-    return surface == left_ ||
-           (left_ != kNoSurface && walls_.segment_slot(left_) == kNoSurface &&
-            is_same_curve(arc.curve, walls_.arc(left_).curve));
+    return surface == left_ || (left_ != kNoSurface && walls_.segment_slot(left_) == kNoSurface &&
+                                is_same_curve(arc.curve, walls_.arc(left_).curve));
   }
 
   // Of places that are known: positive where b comes first.

@@ -18,17 +18,17 @@ constexpr std::size_t kCertified = 16;
 constexpr std::uint64_t kCertifiedBounces = 50;  // or as many as are in order
 constexpr std::size_t kLegs = 1000;  // of which the oracle tells the t: some 30 us each on a curve
 
-// Outside the room, or on another side of a circle than the start.
+// Outside the room, or on another side of a whole curve than the start.
 bool is_out(const oracle::StiffOrbits& orbits, const Vec2& start, const Vec2& point) {
   for (std::size_t i = 0; i < orbits.room; ++i) {
     const Segment& wall = orbits.walls.segments[i];
     if (orientation(wall.a, wall.b, point) == Sign::negative) return true;
   }
-  return std::any_of(
-      orbits.walls.arcs.begin(), orbits.walls.arcs.end(), [&](const Arc& arc) {
-        const Sign before = side_of(arc, start), now = side_of(arc, point);
-        return now != Sign::zero && before != Sign::zero && now != before;
-      });
+  return std::any_of(orbits.walls.arcs.begin(), orbits.walls.arcs.end(), [&](const Arc& arc) {
+    if (arc.extent != Arc::Extent::whole) return false;
+    const Sign before = side_of(arc, start), now = side_of(arc, point);
+    return now != Sign::zero && before != Sign::zero && now != before;
+  });
 }
 
 bool ends_as(OrbitEnd end, oracle::StiffOrbits::End expected) {

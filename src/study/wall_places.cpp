@@ -127,8 +127,7 @@ double wall_length(const Surfaces& walls, std::uint32_t surface) {
 }
 
 Vec2 wall_point(const Surfaces& walls, std::uint32_t surface, double position) {
-  return along(walls, surface,
-               [&](const auto& way) { return way.at(way.parameter_at(position)); });
+  return along(walls, surface, [&](const auto& way) { return way.at(way.parameter_at(position)); });
 }
 
 double wall_position(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {

@@ -41,9 +41,9 @@ FilteredCurve filter_curve(const Ray& ray, const Ellipse& curve) {
   constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
   const Vec2 to = curve.centre - ray.origin;
   const Pair<Near> d = curve_form(exactly, curve, pair_of(exactly, ray.direction));
-  const Pair<Near> w = curve_form(exactly, curve,
-                                  Pair<Near>{{to.x(), kRounding * std::fabs(to.x())},
-                                             {to.y(), kRounding * std::fabs(to.y())}});
+  const Pair<Near> w = curve_form(
+      exactly, curve,
+      Pair<Near>{{to.x(), kRounding * std::fabs(to.x())}, {to.y(), kRounding * std::fabs(to.y())}});
   const Near r = form_size(exactly, curve);
   const Near a = dot(d, d), b = dot(d, w), k = cross(d, w), r2 = r * r;
   const double far = std::fabs(w.x.value) + std::fabs(w.y.value);

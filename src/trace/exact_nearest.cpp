@@ -84,9 +84,7 @@ NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot)
 }
 
 NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::uint32_t surface, Root root) {
-  const HitTime time =
-      HitTime::on_curve(ray, walls.arc(surface).curve,
-                        root);
+  const HitTime time = HitTime::on_curve(ray, walls.arc(surface).curve, root);
   return {surface, HitClass::through, root, false, time.nearest().t};
 }
 

@@ -5,13 +5,11 @@
 namespace flatray {
 
 ExactHit exact_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  return walls.visit(hit.surface,
-                     [&](const auto& wall) { return ExactHit(ray, wall, hit.root); });
+  return walls.visit(hit.surface, [&](const auto& wall) { return ExactHit(ray, wall, hit.root); });
 }
 
 QuickHit quick_hit(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {
-  return walls.visit(hit.surface,
-                     [&](const auto& wall) { return quick_hit(ray, wall, hit.root); });
+  return walls.visit(hit.surface, [&](const auto& wall) { return quick_hit(ray, wall, hit.root); });
 }
 
 Vec2 hit_point(const Surfaces& walls, const Ray& ray, const NearestHit& hit) {

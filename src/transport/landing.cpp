@@ -38,8 +38,7 @@ std::vector<std::uint32_t> Lander::walls_near(const Vec2& point, std::uint32_t h
 
 Lander::Fence Lander::fence(std::uint32_t surface, const ExactHit& hit) const {
   return walls_.visit(surface, [&](const auto& wall) -> Fence {
-    return {surface, hit.side_of(wall), hit.place_on(wall) != PlaceOn::outside,
-            hit.place_in(wall)};
+    return {surface, hit.side_of(wall), hit.place_on(wall) != PlaceOn::outside, hit.place_in(wall)};
   });
 }
 

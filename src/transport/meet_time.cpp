@@ -127,8 +127,7 @@ MeetTime MeetTime::at_end(const Mover& mover, const Leg& leg, const Segment& wal
   return made;
 }
 
-MeetTime MeetTime::on_circle(const Mover& mover, const Leg& leg, const Circle& wall,
-                             Root root) {
+MeetTime MeetTime::on_circle(const Mover& mover, const Leg& leg, const Circle& wall, Root root) {
   MeetTime made(Kind::circle, mover, &leg);
   made.circle_ = wall;
   made.root_ = root_sign(root);

@@ -73,8 +73,7 @@ class MeetTime {
   /// The line across a segment through one of its ends. Needs   a mover that moves along it.
   static MeetTime at_end(const Mover& mover, const Leg& leg, const Segment& wall, bool at_b);
   /// Needs   crosses().
-  static MeetTime on_circle(const Mover& mover, const Leg& leg, const Circle& wall,
-                            Root root);
+  static MeetTime on_circle(const Mover& mover, const Leg& leg, const Circle& wall, Root root);
 
   friend std::strong_ordering compare(const MeetTime& a, const MeetTime& b);
   Sign sign() const;

@@ -79,8 +79,7 @@ class Search {
   }
 
   // It moves along the line of the wall, or with the wall.
-  bool meets_end(const Segment& wall, std::uint32_t surface, const Leg& leg,
-                 const Window& window) {
+  bool meets_end(const Segment& wall, std::uint32_t surface, const Leg& leg, const Window& window) {
     if (surface == left_.surface || side_of(mover_, leg, wall) != Sign::zero) return false;
     const Sign ahead = decide([&](const auto& number) {
       return dot(pair_of(number, wall.b) - pair_of(number, wall.a),

@@ -16,10 +16,10 @@ struct StoodOn {
 struct MovingHit {
   MeetTime time;
   std::uint32_t surface;
-  const Leg* leg;      ///< of its wall
-  Sign side;           ///< it comes from
-  bool at_end;         ///< exactly at an end of a segment
-  Root root;  ///< of a circle
+  const Leg* leg;  ///< of its wall
+  Sign side;       ///< it comes from
+  bool at_end;     ///< exactly at an end of a segment
+  Root root;       ///< of a circle
 };
 
 /// The leg at a time; at a change the later one.

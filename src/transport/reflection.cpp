@@ -69,8 +69,9 @@ double Speed::length() const { return std::ldexp(std::sqrt(square_.hi), exponent
 
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction) {
-  return walls.visit(
-      surface, [&](const auto& wall) { return leads_away(wall, side, {point, direction}); });
+  return walls.visit(surface, [&](const auto& wall) {
+    return leads_away(wall, side, {point, direction});
+  });
 }
 
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray) {
@@ -82,8 +83,7 @@ Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray)
 }
 
 bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) {
-  return walls.visit(left.surface,
-                     [&](const auto& wall) { return runs_along(wall, direction); });
+  return walls.visit(left.surface, [&](const auto& wall) { return runs_along(wall, direction); });
 }
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,

@@ -1,11 +1,11 @@
 #include "geom/quick_hit.h"
-#include "geom/primitives/wall.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "geom/clip_cases.h"
 #include "geom/exact_hit.h"
+#include "geom/primitives/wall.h"
 #include "geom/quick.h"
 
 namespace flatray {

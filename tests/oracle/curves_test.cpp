@@ -124,7 +124,8 @@ TEST(RoundFamilies, MeetEveryKindOfHitAndNoneIsLostToBounds) {
           first = met->t;
           number = i;
         }
-        const bool straight = found && surfaces.segment_slot(static_cast<std::uint32_t>(found.wall)) != kNoSurface;
+        const bool straight =
+            found && surfaces.segment_slot(static_cast<std::uint32_t>(found.wall)) != kNoSurface;
         if (!straight) {
           EXPECT_EQ(found.wall, number) << family.name;
           EXPECT_EQ(found.t, first ? first->nearest() : 0) << family.name;

@@ -15,8 +15,8 @@ void meet_along(const Segment& wall, const Ray& ray, std::vector<WallMeeting>& m
   const bool ends_here = far.sign() == Sign::zero;
   const bool at_end = ends_here || near.sign() != Sign::negative;
   const HitClass kind = ends_here || compare(near, far) == 0 ? HitClass::touch : HitClass::along;
-  met.push_back({at_end && !ends_here ? near : HitTime::abreast(ray, ray.origin), kind, Root::none,
-                 at_end});
+  met.push_back(
+      {at_end && !ends_here ? near : HitTime::abreast(ray, ray.origin), kind, Root::none, at_end});
 }
 
 }  // namespace

@@ -100,8 +100,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;
   const bool round = elliptic && room.walls().arcs.front().curve.is_circle();
-  const Vec2 middle = elliptic ? room.walls().arcs.front().curve.centre
-                               : Vec2(room.state().window.centre());
+  const Vec2 middle =
+      elliptic ? room.walls().arcs.front().curve.centre : Vec2(room.state().window.centre());
   const Foci foci =
       elliptic && !round ? foci_of(room.walls().arcs.front().curve) : Foci{middle, middle};
   const double extent = bounds_of(room.walls()).size().maxCoeff();

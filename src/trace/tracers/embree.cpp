@@ -55,8 +55,7 @@ class Embree : public Accelerator {
       const Ray asked = rays.ray(i);
       scale.push_back(unit_scale(asked.direction));
       const auto ray = plain::start_of<float>({asked.origin, scale[i] * asked.direction});
-      given.push_back(
-          {ray.x, ray.y, ray.dx, ray.dy, walls_.segment_slot(rays.left[i].surface)});
+      given.push_back({ray.x, ray.y, ray.dx, ray.dy, walls_.segment_slot(rays.left[i].surface)});
     }
     module_.nearest(scene_, given.data(), static_cast<unsigned>(given.size()), met.data());
     for (std::size_t i = 0; i < rays.size(); ++i) {

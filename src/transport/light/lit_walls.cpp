@@ -115,7 +115,8 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightLanding& landed, bool sta
                         : cosine > 0;
   ray.ray.origin += (back ? landed.offset : -landed.offset) * landed.normal;
   const Sign to = back ? side(landed) : -side(landed);
-  ray.left = {surface, walls_.visit(surface, [&](const auto& wall) { return root_left(wall, to); })};
+  ray.left = {surface,
+              walls_.visit(surface, [&](const auto& wall) { return root_left(wall, to); })};
   if (stays && !back) return false;
   // A ray beside a curve that it only seems to leave would meet it again.
   return !grazes || ray.left.root != Root::second ||

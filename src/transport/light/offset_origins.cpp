@@ -53,7 +53,7 @@ OffsetOrigins::OffsetOrigins(const Surfaces& walls) : walls_(walls), table_(wall
   const double size = std::max(all.low.cwiseAbs().maxCoeff(), all.high.cwiseAbs().maxCoeff());
   if (!(size > kLeastSize && size < kMostSize)) return;
   apart_ = kApart * size, distance_ = kDistance * size, farthest_ = kFarthest * size;
-  for (std::uint32_t i = 0; i < walls.size(); ++i) 
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
     table_[i] = walls.visit(i, [&](const auto& each) { return wall(each); });
   find_neighbours();
 }
@@ -122,9 +122,8 @@ void OffsetOrigins::find_neighbours() {
     others.clear();
     for (std::size_t k = i; k < pairs.size() && pairs[k].first == pairs[i].first; ++k)
       others.push_back(pairs[k].second);
-    walls_.visit(pairs[i].first, [&](const auto& wall) {
-      keep_neighbours(wall, table_[pairs[i].first], others);
-    });
+    walls_.visit(pairs[i].first,
+                 [&](const auto& wall) { keep_neighbours(wall, table_[pairs[i].first], others); });
   }
 }
 
@@ -199,8 +198,7 @@ bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box)
   return walls_.visit(a, [&](const auto& wall) { return are_far(wall, table_[a], points); });
 }
 
-bool OffsetOrigins::are_far(const Arc& arc, const Wall& wall,
-                            std::span<const Vec2> points) const {
+bool OffsetOrigins::are_far(const Arc& arc, const Wall& wall, std::span<const Vec2> points) const {
   return std::all_of(points.begin(), points.end(), [&](const Vec2& point) {
     return (1 - share_of_radius(arc.curve, point)) * wall.length > 4 * apart_;
   });

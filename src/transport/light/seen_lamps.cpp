@@ -106,8 +106,7 @@ void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightL
         continue;  // seen as the path came there
       const Glow& glow = glows_[hit.surface];
       // From the left of a segment, or the inside of an arc.
-      const Sign left =
-          lines_.visit(hit.surface, [](const auto& line) { return inside_of(line); });
+      const Sign left = lines_.visit(hit.surface, [](const auto& line) { return inside_of(line); });
       if (!(inner_side(lines_, rays[i].ray, hit) == left ? glow.left : glow.right)) continue;
       const LightSum there = walls_.bodies().left_after(hit.t, rays[i].media);
       for (std::size_t c = 0; c < 3; ++c) radiance[i][c] += glow.radiance[c] * there[c];
