@@ -39,7 +39,7 @@ cp -r "$copy/text/." "$copy/code"
 find "$copy/code" \( -name '*.h' -o -name '*.cpp' \) -exec sed -i 's,//.*,,' {} +
 find "$copy/code" -type f -not -name '*.h' -not -name '*.cpp' -exec sed -i -E 's,(^|[[:space:]])#.*,,' {} +
 
-sources='^(src|tests|benchmarks)/.*\.(h|cpp)$'
+sources='^(src|tests|benchmarks|examples)/.*\.(h|cpp)$'
 library='^src/(base|geom|trace|image|scene|anim|collide|transport|precise|render|oracle|study)/.*\.(h|cpp)$'
 build='(^|/)(CMakeLists\.txt|CMakePresets\.json)$|\.cmake$'
 none='^$'

@@ -1,14 +1,16 @@
-# cmake --install: libraries, headers, the program, and what find_package(flatray) needs.
-# The targets are flatray::geom, flatray::trace and so on, one for each module.
+# cmake --install: the program, and for programs of others the headers of plain arrays, <flatray/trace.h> and so on, the
+# libraries behind them, and what find_package(flatray) needs. The targets are flatray::trace, flatray::collide,
+# flatray::transport and flatray::render; the other modules are there for them to link.
 include(CMakePackageConfigHelpers)
 
-foreach(module base geom trace image scene anim collide transport precise render oracle study app)
+foreach(module base geom trace image scene anim collide transport render)
   if(NOT TARGET flatray_${module})
     continue()
   endif()
   install(TARGETS flatray_${module} EXPORT flatray ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${module} DESTINATION include/flatray
-    FILES_MATCHING PATTERN "*.h")
+  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/src/${module}/include)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${module}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  endif()
 endforeach()
 if(TARGET flatray)
   set_property(TARGET flatray PROPERTY RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})  # build/release/flatray

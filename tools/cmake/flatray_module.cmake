@@ -1,14 +1,22 @@
-# A module is one static library; its CMakeLists.txt lists its sources, its modules and its outside libraries:
-#   flatray_module(geom SOURCES ray.cpp USES base LIBRARIES Eigen3::Eigen)
+# A module is one static library; its CMakeLists.txt lists its sources, its modules and its outside libraries. What programs
+# of others include lies in its folder include/, and takes nothing outside the standard library: they link what LIBRARIES
+# names, and do without HEADERS.
+#   flatray_module(geom SOURCES ray.cpp USES base HEADERS Eigen3::Eigen)
 function(flatray_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;USES;HEADERS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   add_library(flatray_${name} STATIC ${arg_SOURCES})
   add_library(flatray::${name} ALIAS flatray_${name})
   target_include_directories(flatray_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include/flatray>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    target_include_directories(flatray_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
+  endif()
   list(TRANSFORM arg_USES PREPEND flatray_ OUTPUT_VARIABLE uses)
+  list(TRANSFORM arg_HEADERS REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>" OUTPUT_VARIABLE headers)
+  list(TRANSFORM arg_LIBRARIES REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>;$<INSTALL_INTERFACE:$<LINK_ONLY:\\1>>"
+    OUTPUT_VARIABLE libraries)
   target_link_libraries(flatray_${name}
-    PUBLIC ${uses} ${arg_LIBRARIES}
+    PUBLIC ${uses} ${headers} ${libraries}
     PRIVATE $<BUILD_INTERFACE:flatray_options> ${arg_PRIVATE_LIBRARIES})
   target_compile_features(flatray_${name} PUBLIC cxx_std_20)
   target_precompile_headers(flatray_${name} REUSE_FROM flatray_pch)

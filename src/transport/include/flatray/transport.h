@@ -1,0 +1,83 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "flatray/trace.h"
+
+/// Orbits: rays followed from mirror to mirror. Every decision is exact for the doubles the ray then
+/// has, and the same on every machine.
+namespace flatray::api {
+
+/// One reflection.
+struct Bounce {
+  std::uint32_t wall;
+  double x, y;  ///< on the inner side of the wall, within 1 ulp of the exact point and 2 more
+  double t;     ///< since the last bounce, in lengths of the direction then
+  double path_length;               ///< from the start, world units
+  double normal_x, normal_y;        ///< unit, towards the side the ray came from
+  double direction_x, direction_y;  ///< after it, as long as that of the start
+
+  bool operator==(const Bounce&) const = default;
+};
+
+/// Why an orbit ended.
+enum class OrbitEnd : std::uint8_t {
+  limit,     ///< all bounces asked for were made
+  escape,    ///< nothing lies ahead
+  absorbed,  ///< arrived at a wall that absorbs
+  corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
+  along      ///< starts on a straight wall and runs along it
+};
+
+/// One orbit: its bounces are [begin, end) of those of all.
+struct Orbit {
+  std::size_t begin = 0, end = 0;
+  OrbitEnd reason = OrbitEnd::escape;
+  double x = 0, y = 0;          ///< where it was absorbed, met the corner or last bounced
+  double out_x = 0, out_y = 0;  ///< unit direction after the last bounce
+
+  bool operator==(const Orbit&) const = default;
+};
+
+/// What becomes of a ray that arrives exactly at an end of a wall, or where two meet.
+enum class CornerRule : std::uint8_t {
+  stop,  ///< the orbit ends there
+  back   ///< it returns the way it came, listed as a bounce off the lowest wall of the corner
+};
+
+/// Walls made ready for orbits: mirrors, on both sides, but for those said to absorb.
+///
+/// Owns    its walls. Moved from, it has none: every ray escapes.
+/// Threads any number may ask one room at once, unless absorb() is at work. A call starts none of its
+///         own.
+class Room {
+ public:
+  /// Takes the walls: move them in, or pass a copy. Cost    linear in them.
+  explicit Room(Walls walls, CornerRule corners = CornerRule::stop);
+  Room(Room&&) noexcept;
+  Room& operator=(Room&&) noexcept;
+  ~Room();
+
+  std::size_t walls() const;
+  /// From now on these walls end the orbits that arrive there. Error   `no_such`.
+  Status absorb(std::span<const std::uint32_t> walls);
+
+  /// Follows each ray for at most so many bounces; with 0 only the start is looked at.
+  ///
+  /// Needs   directions that are not zero. What rays have left plays no part: a start on a wall counts
+  ///         as having just left it. A curve touched in one point is passed by.
+  /// Gives   one orbit a ray, in order, and their bounces, those of one orbit in a row. What each ray
+  ///         does depends on no other.
+  /// Error   `sizes`, `not_finite`, `direction`: the entry is the ray.
+  /// Cost    0.3 to 1.2 us and 80 bytes a bounce, and while it is at work twice those bytes.
+  Status orbits(const Rays& starts, std::uint64_t bounces, std::vector<Orbit>& orbits,
+                std::vector<Bounce>& all_bounces) const;
+
+ private:
+  struct Data;
+  Owned<Data> data_;
+};
+
+}  // namespace flatray::api
