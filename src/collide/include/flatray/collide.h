@@ -32,8 +32,9 @@ struct Contact {
   Meeting kind = Meeting::none;
   Place start = Place::outside;  ///< at t = 0: apart, touching or overlapping
   bool first_overflows = false,
-       last_overflows = false;       ///< that t lies beyond the doubles, given as the largest
-  ContactFeature at_first, at_last;  ///< of bodies without radius, where those lie within the range
+       last_overflows = false;  ///< that t lies beyond the doubles, given as the largest
+  ContactFeature at_first{},
+      at_last{};  ///< of bodies without radius, where those lie within the range
 
   bool operator==(const Contact&) const = default;
 };
