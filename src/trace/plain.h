@@ -47,28 +47,33 @@ bool is_on(const Arc& arc, const Pair<Number>& w) {
          }) != PlaceOn::outside;
 }
 
-/// Puts the curved walls into competition with the best hit so far, whose t is `best.t`.
+/// Puts curved wall `number` into competition with the best hit so far, whose t is `best.t`.
+template <class Number>
+void offer_curve(const Surfaces& walls, std::uint32_t number, const Ray& ray, const Left& left,
+                 NearestHit& best) {
+  const Arc& arc = walls.arc(number);
+  const auto number_of = [](double x) { return static_cast<Number>(x); };
+  const auto d = pair_of(number_of, ray.direction);
+  const auto w = pair_of(number_of, ray.origin) - pair_of(number_of, arc.curve.centre);
+  const auto form_d = curve_form(number_of, arc.curve, d),
+             form_w = curve_form(number_of, arc.curve, w);
+  const Number size = form_size(number_of, arc.curve);
+  const Number a = dot(form_d, form_d), b = dot(form_d, form_w);
+  const Number root = std::sqrt(b * b - a * (dot(form_w, form_w) - size * size));
+  for (const Root which : {Root::first, Root::second}) {
+    const Number time = (which == Root::first ? -b - root : -b + root) / a;
+    const double t = static_cast<double>(time);
+    const bool stood_on = number == left.surface && (left.root == which || left.root == Root::both);
+    if (stood_on || !(t >= 0 && t < best.t) || !is_on(arc, w + time * d)) continue;
+    best = {number, HitClass::through, which, false, t};
+  }
+}
+
+/// The same of all curved walls.
 template <class Number>
 void offer_curves(const Surfaces& walls, const Ray& ray, const Left& left, NearestHit& best) {
-  const auto number_of = [](double x) { return static_cast<Number>(x); };
-  for (const std::uint32_t number : walls.curve_numbers) {
-    const Arc& arc = walls.arc(number);
-    const auto d = pair_of(number_of, ray.direction);
-    const auto w = pair_of(number_of, ray.origin) - pair_of(number_of, arc.curve.centre);
-    const auto form_d = curve_form(number_of, arc.curve, d),
-               form_w = curve_form(number_of, arc.curve, w);
-    const Number size = form_size(number_of, arc.curve);
-    const Number a = dot(form_d, form_d), b = dot(form_d, form_w);
-    const Number root = std::sqrt(b * b - a * (dot(form_w, form_w) - size * size));
-    for (const Root which : {Root::first, Root::second}) {
-      const Number time = (which == Root::first ? -b - root : -b + root) / a;
-      const double t = static_cast<double>(time);
-      const bool stood_on =
-          number == left.surface && (left.root == which || left.root == Root::both);
-      if (stood_on || !(t >= 0 && t < best.t) || !is_on(arc, w + time * d)) continue;
-      best = {number, HitClass::through, which, false, t};
-    }
-  }
+  for (const std::uint32_t number : walls.curve_numbers)
+    offer_curve<Number>(walls, number, ray, left, best);
 }
 
 }  // namespace flatray::plain

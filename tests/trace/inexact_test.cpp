@@ -100,6 +100,40 @@ INSTANTIATE_TEST_SUITE_P(Tracers, Inexact,
 INSTANTIATE_TEST_SUITE_P(Tracers, InSinglePrecision,
                          testing::Values("cyrus-beck-float", "float", "embree"), tracer_name);
 
+// Curves are user geometry of Embree, whose formulas are those of the tracer `float`: where there are
+// curves alone, and segments that the lines of rays are far from, both say the same.
+TEST(EmbreeCurves, AreMetAsTheTracerFloatMeetsThem) {
+  const Tracer* embree = find_tracer("embree");
+  if (embree->missing && !embree->missing().empty()) GTEST_SKIP() << embree->missing();
+  Draws draw(91);
+  Case c;
+  c.walls.add(Segment{{1000, 1000}, {1001, 1001}});
+  for (int i = 0; i < 60; ++i) {
+    const Circle circle{{draw.spread(-2, 4), draw.spread(-2, 4)}, 0.1 + draw.unit()};
+    const Vec2 from = circle.centre + draw.point(), to = circle.centre - draw.point();
+    if (i % 3 == 0) c.walls.add(circle);
+    if (i % 3 == 1) c.walls.add(Arc{circle, Arc::Extent::between, from, to});
+    if (i % 3 == 2)
+      c.walls.add(Arc{Ellipse(circle.centre, {2, 1}, {-0.5, 0.25}), Arc::Extent::half, {1, 2}, {}});
+  }
+  for (std::uint32_t i = 0; i < 5000; ++i) {
+    const Left left = i % 4 == 0 ? Left{1 + i % 60, Root::both} : Left{};
+    c.rays.add(
+        {{draw.spread(-2, 4), draw.spread(-2, 4)}, {draw.spread(-30, 30), draw.spread(-30, 30)}},
+        left);
+  }
+  std::vector<NearestHit> wanted(c.rays.size()), hits(c.rays.size());
+  find_tracer("float")->build(c.walls)->nearest(c.rays, wanted);
+  embree->build(c.walls)->nearest(c.rays, hits);
+  std::size_t met = 0, differ = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    met += hits[i].surface > 0 && hits[i] ? 1 : 0;
+    differ += hits[i] == wanted[i] ? 0 : 1;
+  }
+  EXPECT_GT(met, 1000U);
+  EXPECT_EQ(differ, 0U);
+}
+
 std::vector<plain::Edge<double>> edges_of(const std::vector<Vec2>& ring) {
   std::vector<plain::Edge<double>> edges;
   for (std::uint32_t i = 0; i < ring.size(); ++i) {

@@ -1,5 +1,6 @@
 // The module: Embree 3 or 4, as configure found it. A segment is a quad across z = 0, in which rays
-// lie; the wall just left is left out by a filter, so that no distance is involved.
+// lie; the wall just left is left out by a filter, so that no distance is involved. Curves are user
+// geometry: Embree finds whose boxes a ray passes, the tracer says whether it meets them.
 #include "trace/embree/module.h"
 
 #if FLATRAY_EMBREE_MAJOR == 4
@@ -26,9 +27,13 @@ using Context = RTCRayQueryContext;
 using Context = RTCIntersectContext;
 #endif
 
+constexpr unsigned kNone = 0xffffffffU;
+enum GeometryId : unsigned { kSegments, kCurves };
+
 struct Query {
-  Context context;  // first: what the filter is given
+  Context context;  // first: what the callbacks are given
   unsigned left;
+  const FlatrayEmbreeAsker* asker;
 };
 
 void leave_out(const RTCFilterFunctionNArguments* arguments) {
@@ -64,8 +69,36 @@ bool fill(RTCGeometry quads, const double* ends, unsigned count) {
   return true;
 }
 
+void bound(const RTCBoundsFunctionArguments* arguments) {
+  const auto& walls = *static_cast<const FlatrayEmbreeWalls*>(arguments->geometryUserPtr);
+  const FlatrayEmbreeBox& box = walls.curves[arguments->primID];
+  const float depth = std::max(1.0F, std::max(box.high_x - box.low_x, box.high_y - box.low_y));
+  RTCBounds& bounds = *arguments->bounds_o;
+  bounds.lower_x = box.low_x, bounds.lower_y = box.low_y, bounds.lower_z = -depth;
+  bounds.upper_x = box.high_x, bounds.upper_y = box.high_y, bounds.upper_z = depth;
+}
+
+void meet(const RTCIntersectFunctionNArguments* arguments) {
+  const FlatrayEmbreeAsker& asker = *reinterpret_cast<const Query*>(arguments->context)->asker;
+  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, arguments->N);
+  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, arguments->N);
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    const unsigned ray = RTCRayN_id(rays, arguments->N, i);
+    if (arguments->valid[i] == 0 ||
+        !asker.meets(asker.asker, ray, arguments->primID, &RTCRayN_tfar(rays, arguments->N, i)))
+      continue;
+    RTCHitN_primID(hits, arguments->N, i) = arguments->primID;
+    RTCHitN_geomID(hits, arguments->N, i) = arguments->geomID;
+  }
+}
+
+void attach(RTCScene scene, RTCGeometry geometry, GeometryId id) {
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, id);
+}
+
 // Null where Embree fails; the device then says why.
-RTCScene make_scene(RTCDevice device, const double* ends, unsigned count) {
+RTCScene make_scene(RTCDevice device, const FlatrayEmbreeWalls& walls) {
   RTCScene scene = rtcNewScene(device);
   if (scene == nullptr) return nullptr;
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST
@@ -73,22 +106,32 @@ RTCScene make_scene(RTCDevice device, const double* ends, unsigned count) {
                               | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
 #endif
   );
-  if (count > 0) {
+  if (walls.segments > 0) {
     RTCGeometry quads = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
-    if (quads != nullptr && fill(quads, ends, count)) {
+    if (quads != nullptr && fill(quads, walls.ends, walls.segments)) {
       rtcSetGeometryIntersectFilterFunction(quads, &leave_out);
-      rtcCommitGeometry(quads);
-      rtcAttachGeometry(scene, quads);
+      attach(scene, quads, kSegments);
     }
     if (quads != nullptr) rtcReleaseGeometry(quads);
   }
-  rtcCommitScene(scene);
+  if (walls.curve_count > 0) {
+    RTCGeometry curves = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    if (curves != nullptr) {
+      rtcSetGeometryUserPrimitiveCount(curves, walls.curve_count);
+      rtcSetGeometryUserData(curves, const_cast<FlatrayEmbreeWalls*>(&walls));
+      rtcSetGeometryBoundsFunction(curves, &bound, nullptr);
+      rtcSetGeometryIntersectFunction(curves, &meet);
+      attach(scene, curves, kCurves);
+      rtcReleaseGeometry(curves);
+    }
+  }
+  rtcCommitScene(scene);  // asks for the boxes, now and no more
   return scene;
 }
 
-FlatrayEmbreeScene* build(const double* ends, unsigned count, bool* out_of_memory) {
+FlatrayEmbreeScene* build(const FlatrayEmbreeWalls* walls, bool* out_of_memory) {
   RTCDevice device = rtcNewDevice("threads=1");
-  RTCScene scene = device == nullptr ? nullptr : make_scene(device, ends, count);
+  RTCScene scene = device == nullptr ? nullptr : make_scene(device, *walls);
   const RTCError error = rtcGetDeviceError(device);  // of no device: of this thread
   auto* made =
       error == RTC_ERROR_NONE ? new (std::nothrow) FlatrayEmbreeScene{device, scene} : nullptr;
@@ -115,9 +158,10 @@ bool is_valid(const FlatrayEmbreeRay& ray) {
 }
 
 void nearest(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsigned count,
-             FlatrayEmbreeHit* hits) {
+             const FlatrayEmbreeAsker* asker, FlatrayEmbreeHit* hits) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   Query query{};
+  query.asker = asker;
 #if FLATRAY_EMBREE_MAJOR == 4
   rtcInitRayQueryContext(&query.context);
   RTCIntersectArguments arguments;
@@ -129,11 +173,11 @@ void nearest(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsi
   for (unsigned i = 0; i < count; ++i) {
     const FlatrayEmbreeRay& ray = rays[i];
     if (!is_valid(ray)) {
-      hits[i] = {kNever, 0xffffffffU};
+      hits[i] = {kNever, kNone, false};
       continue;
     }
     RTCRayHit r{};
-    r.ray = {ray.ox, ray.oy, 0, 0, ray.dx, ray.dy, 0, 0, kNever, ~0U, 0, 0};
+    r.ray = {ray.ox, ray.oy, 0, 0, ray.dx, ray.dy, 0, 0, kNever, ~0U, i, 0};
     r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     r.hit.primID = RTC_INVALID_GEOMETRY_ID;
     query.left = ray.left;
@@ -143,7 +187,7 @@ void nearest(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsi
     rtcIntersect1(scene->scene, &query.context, &r);
 #endif
     const bool met = r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    hits[i] = {r.ray.tfar, met ? r.hit.primID : 0xffffffffU};
+    hits[i] = {r.ray.tfar, met ? r.hit.primID : kNone, r.hit.geomID == kCurves};
   }
 }
 

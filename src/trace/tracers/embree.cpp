@@ -35,13 +35,28 @@ double unit_scale(const Vec2& direction) {
   return most > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(most), -1000, 1000)) : 1;
 }
 
+// A box in single precision that holds a curve and what rounding its numbers to floats makes of it.
+FlatrayEmbreeBox box_of(const Arc& arc) {
+  const Bounds box = curve_bounds(arc.curve);
+  const double reach = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  const double more = 0x1p-20 * reach;
+  const auto number = [](double x) { return static_cast<float>(x); };
+  return {number(box.low.x() - more), number(box.low.y() - more), number(box.high.x() + more),
+          number(box.high.y() + more)};
+}
+
 class Embree : public Accelerator {
  public:
   Embree(const Surfaces& walls, const FlatrayEmbreeModule& module)
       : Accelerator(walls), module_(module) {
+    std::vector<FlatrayEmbreeBox> boxes;
+    for (const Arc& arc : walls.arcs) boxes.push_back(box_of(arc));
+    const FlatrayEmbreeWalls given = {
+        walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
+        static_cast<unsigned>(walls.segments.size()), boxes.data(),
+        static_cast<unsigned>(boxes.size())};
     bool out_of_memory = false;
-    scene_ = module.build(walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
-                          static_cast<unsigned>(walls.segments.size()), &out_of_memory);
+    scene_ = module.build(&given, &out_of_memory);
     if (out_of_memory) throw std::bad_alloc();
     FLATRAY_CHECK(scene_ != nullptr, "Embree makes no device");
   }
@@ -49,26 +64,50 @@ class Embree : public Accelerator {
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     std::vector<FlatrayEmbreeRay> given;
-    std::vector<double> scale;
+    Asked asked{*this, rays, hits, {}};
     std::vector<FlatrayEmbreeHit> met(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Ray asked = rays.ray(i);
-      scale.push_back(unit_scale(asked.direction));
-      const auto ray = plain::start_of<float>({asked.origin, scale[i] * asked.direction});
-      given.push_back({ray.x, ray.y, ray.dx, ray.dy, walls_.segment_slot(rays.left[i].surface)});
-    }
-    module_.nearest(scene_, given.data(), static_cast<unsigned>(given.size()), met.data());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Ray ray = rays.ray(i);
+      asked.scale.push_back(unit_scale(ray.direction));
+      const auto start = plain::start_of<float>({ray.origin, asked.scale[i] * ray.direction});
+      given.push_back(
+          {start.x, start.y, start.dx, start.dy, walls_.segment_slot(rays.left[i].surface)});
       hits[i] = {};
-      if (met[i].segment != kNoSurface)
-        hits[i] = {walls_.segment_numbers[met[i].segment], HitClass::touch, Root::none, false,
-                   scale[i] * static_cast<double>(met[i].t)};
-      plain::offer_curves<float>(walls_, rays.ray(i), rays.left[i], hits[i]);
     }
+    const FlatrayEmbreeAsker asker = {&meets, &asked};
+    module_.nearest(scene_, given.data(), static_cast<unsigned>(given.size()), &asker, met.data());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      if (met[i].wall == kNoSurface)
+        hits[i] = {};
+      else if (!met[i].curve)  // of curves meets() has left it there
+        hits[i] = {walls_.segment_numbers[met[i].wall], HitClass::touch, Root::none, false,
+                   asked.scale[i] * static_cast<double>(met[i].t)};
   }
   std::size_t bytes() const override { return 0; }  // Embree does not say
 
  private:
+  // What a call is about, and what it has found of curves.
+  struct Asked {
+    const Embree& tracer;
+    const RayBatch& rays;
+    std::span<NearestHit> hits;
+    std::vector<double> scale;
+  };
+
+  // The formulas of the tracer `float`.
+  static bool meets(void* asker, unsigned ray, unsigned curve, float* t) {
+    const Asked& asked = *static_cast<const Asked*>(asker);
+    NearestHit best;
+    best.t = asked.scale[ray] * static_cast<double>(*t);
+    const Surfaces& walls = asked.tracer.walls_;
+    plain::offer_curve<float>(walls, walls.curve_numbers[curve], asked.rays.ray(ray),
+                              asked.rays.left[ray], best);
+    if (!best) return false;
+    asked.hits[ray] = best;
+    *t = plain::single(best.t / asked.scale[ray]);
+    return true;
+  }
+
   const FlatrayEmbreeModule& module_;
   FlatrayEmbreeScene* scene_ = nullptr;
 };
