@@ -11,7 +11,8 @@ namespace bench {
 /// A tracer of this project.
 class Flatray : public Tracing {
  public:
-  Flatray(const flatray::Tracer& tracer, const flatray::Surfaces& walls) : name_(tracer.name) {
+  Flatray(const flatray::Tracer& tracer, const flatray::Surfaces& walls)
+      : name_(tracer.name), exact_(tracer.exact) {
     const double start = seconds(CLOCK_THREAD_CPUTIME_ID);
     walls_ = tracer.build(walls);
     const double spent = seconds(CLOCK_THREAD_CPUTIME_ID) - start;
@@ -21,6 +22,9 @@ class Flatray : public Tracing {
   }
   std::string name() const override { return "flatray, " + name_; }
   std::string remark() const override { return remark_; }
+  std::string arithmetic() const override {
+    return exact_ ? "exact" : name_.ends_with("float") ? "floats" : "doubles";
+  }
   void take(const flatray::RayBatch& rays) override {
     rays_ = rays;
     hits_.resize(rays.size());
@@ -34,6 +38,7 @@ class Flatray : public Tracing {
 
  protected:
   std::string name_, remark_;
+  bool exact_;
   std::unique_ptr<flatray::Accelerator> walls_;
   flatray::RayBatch rays_;
   std::vector<flatray::NearestHit> hits_;

@@ -56,6 +56,7 @@ class PlainLanes : public Tracing {
     std::iota(numbers_.begin(), numbers_.end(), 0.0F);
   }
   std::string name() const override { return "plain double lanes"; }
+  std::string arithmetic() const override { return "doubles"; }
   bool for_chambers() const override { return false; }
   void take(const flatray::RayBatch& rays) override {
     rays_ = rays;

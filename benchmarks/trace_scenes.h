@@ -27,9 +27,10 @@ class Draws {
 struct Layout {
   std::string name;
   double radius, power;
+  bool discs = false;  ///< circles, where else polygons are
 };
 inline const Layout kUniform{"uniform", 0.2, 1}, kSparse{"sparse", 0.03, 1},
-    kPower2{"power 2", 0.2, 2}, kPower6{"power 6", 0.2, 6};
+    kPower2{"power 2", 0.2, 2}, kPower6{"power 6", 0.2, 6}, kDiscs{"discs", 0.2, 1, true};
 
 /// Walls in a square room [0, side]^2.
 struct Room {
@@ -43,7 +44,7 @@ inline void add_ring(flatray::Surfaces& walls, const std::vector<flatray::Vec2>&
 }
 
 /// `count` segments, but for at most two: the four walls of the room, and convex polygons of 3 to 8
-/// edges, one in each cell of a jittered grid.
+/// edges, one in each cell of a jittered grid; of discs a circle in each such cell.
 inline Room room(std::size_t count, const Layout& layout, std::uint64_t seed = 1) {
   Draws draw(seed);
   const auto cells =
@@ -60,6 +61,10 @@ inline Room room(std::size_t count, const Layout& layout, std::uint64_t seed = 1
                            cell / cells + draw.between(keep, 1 - keep));
     const flatray::Vec2 centre(moved(at.x()), moved(at.y()));
     const double radius = layout.radius * std::min(shrink(at.x()), shrink(at.y()));
+    if (layout.discs) {
+      made.walls.add(flatray::Circle{centre, radius});
+      continue;
+    }
     const auto left = static_cast<int>(count - made.walls.size());
     const int edges = std::min(3 + static_cast<int>(draw.between(0, 6)), left);
     const double turn = draw.between(0, 2 * std::numbers::pi);

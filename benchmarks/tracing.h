@@ -14,11 +14,13 @@ struct Met {
   double t;
 };
 
-/// One way to find what many rays meet first among the segments of a scene.
+/// One way to find what many rays meet first among the walls of a scene.
 class Tracing {
  public:
   virtual ~Tracing() = default;
   virtual std::string name() const = 0;
+  /// Whose formulas, in which numbers, decide what a ray meets; in a few letters.
+  virtual std::string arithmetic() const = 0;
   /// Of what it was built from the walls, in words; may be empty.
   virtual std::string remark() const { return {}; }
   /// Whether it is worth trying in a chamber: rays there have nothing in common.

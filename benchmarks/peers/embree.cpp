@@ -1,7 +1,14 @@
-// Embree 3: a segment is a quad through z in [-depth, depth], rays lie in z = 0.
+// Embree 4 or 3, single rays and packets of 8 and 16. A segment is a quad through z in [-depth, depth], rays
+// lie in z = 0. Embree has no formula for a circle in a plane: circles are user geometry, found by its tree
+// and met by the textbook's formula in floats.
+#if FLATRAY_EMBREE_MAJOR == 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tracing.h"
@@ -10,18 +17,78 @@ namespace bench {
 namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
+enum GeometryId : unsigned { kSegments, kCircles };
+
+struct Disc {
+  float x, y, radius;
+};
+
+void bound(const RTCBoundsFunctionArguments* arguments) {
+  const Disc& disc = static_cast<const Disc*>(arguments->geometryUserPtr)[arguments->primID];
+  const float reach = disc.radius + 1e-6F * (std::fabs(disc.x) + std::fabs(disc.y) + disc.radius);
+  RTCBounds& box = *arguments->bounds_o;
+  box.lower_x = disc.x - reach, box.lower_y = disc.y - reach, box.lower_z = -reach;
+  box.upper_x = disc.x + reach, box.upper_y = disc.y + reach, box.upper_z = reach;
+}
+
+// Rays are of unit length.
+void meet(const RTCIntersectFunctionNArguments* arguments) {
+  const Disc& disc = static_cast<const Disc*>(arguments->geometryUserPtr)[arguments->primID];
+  const unsigned count = arguments->N;
+  RTCRayN* rays = RTCRayHitN_RayN(arguments->rayhit, count);
+  RTCHitN* hits = RTCRayHitN_HitN(arguments->rayhit, count);
+  for (unsigned i = 0; i < count; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    const float wx = RTCRayN_org_x(rays, count, i) - disc.x;
+    const float wy = RTCRayN_org_y(rays, count, i) - disc.y;
+    const float b = RTCRayN_dir_x(rays, count, i) * wx + RTCRayN_dir_y(rays, count, i) * wy;
+    const float root = std::sqrt(b * b - (wx * wx + wy * wy - disc.radius * disc.radius));
+    const float near = RTCRayN_tnear(rays, count, i);
+    const float t = -b - root >= near ? -b - root : -b + root;
+    if (!(t >= near && t < RTCRayN_tfar(rays, count, i))) continue;
+    RTCRayN_tfar(rays, count, i) = t;
+    RTCHitN_primID(hits, count, i) = arguments->primID;
+    RTCHitN_geomID(hits, count, i) = arguments->geomID;
+  }
+}
 
 class Scene {
  public:
   Scene(const flatray::Surfaces& walls, double depth)
-      : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-    RTCGeometry quads = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_QUAD);
+      : device_(rtcNewDevice("threads=1")),
+        scene_(rtcNewScene(device_)),
+        segment_numbers_(walls.segment_numbers),
+        circle_numbers_(walls.circle_numbers) {
+    if (!walls.segments.empty()) attach(quads(walls, static_cast<float>(depth)), kSegments);
+    for (const flatray::Circle& circle : walls.circles)
+      discs_.push_back({static_cast<float>(circle.centre.x()),
+                        static_cast<float>(circle.centre.y()), static_cast<float>(circle.radius)});
+    if (!discs_.empty()) attach(circles(), kCircles);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitScene(scene_);
+  }
+  ~Scene() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  RTCScene get() const { return scene_; }
+  bool has_circles() const { return !discs_.empty(); }
+  std::uint32_t surface(unsigned geometry, unsigned primitive) const {
+    return geometry == RTC_INVALID_GEOMETRY_ID ? flatray::kNoSurface
+           : geometry == kSegments             ? segment_numbers_[primitive]
+                                               : circle_numbers_[primitive];
+  }
+
+ private:
+  RTCGeometry quads(const flatray::Surfaces& walls, float z) const {
+    RTCGeometry made = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_QUAD);
     const std::size_t count = walls.segments.size();
     auto* corner = static_cast<float*>(rtcSetNewGeometryBuffer(
-        quads, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4 * count));
+        made, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4 * count));
     auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        quads, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(std::uint32_t), count));
-    const auto z = static_cast<float>(depth);
+        made, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(std::uint32_t), count));
     for (std::size_t i = 0; i < count; ++i) {
       const flatray::Segment& s = walls.segments[i];
       const auto put = [&](const flatray::Vec2& p, float height) {
@@ -36,66 +103,100 @@ class Scene {
       for (std::uint32_t k = 0; k < 4; ++k)
         index[4 * i + k] = static_cast<std::uint32_t>(4 * i) + k;
     }
-    rtcSetGeometryBuildQuality(quads, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitGeometry(quads);
-    rtcAttachGeometry(scene_, quads);
-    rtcReleaseGeometry(quads);
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitScene(scene_);
+    return made;
   }
-  ~Scene() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
+  RTCGeometry circles() {
+    RTCGeometry made = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(made, static_cast<unsigned>(discs_.size()));
+    rtcSetGeometryUserData(made, discs_.data());
+    rtcSetGeometryBoundsFunction(made, &bound, nullptr);
+    rtcSetGeometryIntersectFunction(made, &meet);
+    return made;
   }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-  RTCScene get() const { return scene_; }
+  void attach(RTCGeometry geometry, GeometryId id) {
+    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene_, geometry, id);
+    rtcReleaseGeometry(geometry);
+  }
 
- private:
   RTCDevice device_;
   RTCScene scene_;
+  std::vector<std::uint32_t> segment_numbers_, circle_numbers_;
+  std::vector<Disc> discs_;
 };
 
 struct Columns {
   std::vector<float> ox, oy, dx, dy, near, t;
-  std::vector<std::uint32_t> surface;
+  std::vector<unsigned> geometry, primitive;
   void resize(std::size_t count) {
     for (std::vector<float>* column : {&ox, &oy, &dx, &dy, &near, &t}) column->resize(count);
-    surface.resize(count);
+    geometry.resize(count);
+    primitive.resize(count);
   }
 };
 
-void load(const Columns& rays, std::size_t i, RTCRayHit& r) {
-  r.ray = {rays.ox[i], rays.oy[i], 0,      rays.near[i], rays.dx[i], rays.dy[i],
-           0,          0,          kNever, ~0U,          0,          0};
-  r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  r.hit.primID = RTC_INVALID_GEOMETRY_ID;
-  r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-}
+// What differs between the versions: how a call is told of its rays.
+#if FLATRAY_EMBREE_MAJOR == 4
+struct Call {
+  RTCIntersectArguments arguments;
+  explicit Call(bool coherent) {
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  }
+  void operator()(const int*, RTCScene scene, RTCRayHit& r) {
+    rtcIntersect1(scene, &r, &arguments);
+  }
+  void operator()(const int* valid, RTCScene scene, RTCRayHit8& r) {
+    rtcIntersect8(valid, scene, &r, &arguments);
+  }
+  void operator()(const int* valid, RTCScene scene, RTCRayHit16& r) {
+    rtcIntersect16(valid, scene, &r, &arguments);
+  }
+};
+#else
+struct Call {
+  RTCIntersectContext context;
+  explicit Call(bool coherent) {
+    rtcInitIntersectContext(&context);
+    context.flags =
+        coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  }
+  void operator()(const int*, RTCScene scene, RTCRayHit& r) { rtcIntersect1(scene, &context, &r); }
+  void operator()(const int* valid, RTCScene scene, RTCRayHit8& r) {
+    rtcIntersect8(valid, scene, &context, &r);
+  }
+  void operator()(const int* valid, RTCScene scene, RTCRayHit16& r) {
+    rtcIntersect16(valid, scene, &context, &r);
+  }
+};
+#endif
 
 void trace_1(RTCScene scene, Columns& rays) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  Call intersect(false);
   for (std::size_t i = 0; i < rays.ox.size(); ++i) {
     RTCRayHit r;
-    load(rays, i, r);
-    rtcIntersect1(scene, &context, &r);
+    r.ray = {rays.ox[i], rays.oy[i], 0,      rays.near[i], rays.dx[i], rays.dy[i],
+             0,          0,          kNever, ~0U,          0,          0};
+    r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    r.hit.primID = RTC_INVALID_GEOMETRY_ID;
+    r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    intersect(nullptr, scene, r);
     rays.t[i] = r.ray.tfar;
-    rays.surface[i] = r.hit.primID;
+    rays.geometry[i] = r.hit.geomID;
+    rays.primitive[i] = r.hit.primID;
   }
 }
 
-template <RTCIntersectContextFlags flags>
-void trace_16(RTCScene scene, Columns& rays) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = flags;
-  alignas(64) RTCRayHit16 r{};
-  alignas(64) int valid[16];
+template <class Packet, std::size_t width, bool coherent>
+void trace_packets(RTCScene scene, Columns& rays) {
+  Call intersect(coherent);
+  alignas(64) Packet r{};
+  alignas(64) int valid[width];
   std::fill(std::begin(r.ray.mask), std::end(r.ray.mask), ~0U);
-  for (std::size_t i = 0; i < rays.ox.size(); i += 16) {
-    const std::size_t count = std::min<std::size_t>(16, rays.ox.size() - i);
-    for (std::size_t k = 0; k < 16; ++k) valid[k] = k < count ? -1 : 0;
+  for (std::size_t i = 0; i < rays.ox.size(); i += width) {
+    const std::size_t count = std::min(width, rays.ox.size() - i);
+    for (std::size_t k = 0; k < width; ++k) valid[k] = k < count ? -1 : 0;
     const auto copy = [&](const std::vector<float>& from, float* to) {
       std::copy_n(from.data() + i, count, to);
     };
@@ -107,9 +208,10 @@ void trace_16(RTCScene scene, Columns& rays) {
     std::fill(std::begin(r.ray.tfar), std::end(r.ray.tfar), kNever);
     std::fill(std::begin(r.hit.geomID), std::end(r.hit.geomID), RTC_INVALID_GEOMETRY_ID);
     std::fill(std::begin(r.hit.primID), std::end(r.hit.primID), RTC_INVALID_GEOMETRY_ID);
-    rtcIntersect16(valid, scene, &context, &r);
+    intersect(valid, scene, r);
     std::copy_n(r.ray.tfar, count, rays.t.data() + i);
-    std::copy_n(r.hit.primID, count, rays.surface.data() + i);
+    std::copy_n(r.hit.geomID, count, rays.geometry.data() + i);
+    std::copy_n(r.hit.primID, count, rays.primitive.data() + i);
   }
 }
 
@@ -119,6 +221,9 @@ class Embree : public Tracing {
          void (*run)(RTCScene, Columns&))
       : name_(std::move(name)), for_chambers_(for_chambers), scene_(std::move(scene)), run_(run) {}
   std::string name() const override { return name_; }
+  std::string arithmetic() const override {
+    return scene_->has_circles() ? "Embree, ours" : "Embree";
+  }
   bool for_chambers() const override { return for_chambers_; }
   void take(const flatray::RayBatch& rays) override {
     rays_.resize(rays.size());
@@ -129,7 +234,8 @@ class Embree : public Tracing {
   }
   void trace() override { run_(scene_->get(), rays_); }
   Met met(std::size_t ray) const override {
-    return {rays_.surface[ray], static_cast<double>(rays_.t[ray])};
+    return {scene_->surface(rays_.geometry[ray], rays_.primitive[ray]),
+            static_cast<double>(rays_.t[ray])};
   }
   void turn(std::size_t ray, const flatray::Vec2& origin, const flatray::Vec2& direction,
             std::uint32_t) override {
@@ -159,8 +265,10 @@ void add_embree(const flatray::Surfaces& walls, double depth, Tracings& all) {
     all.push_back(std::make_unique<Embree>(name, for_chambers, scene, run));
   };
   add("Embree, 1", true, &trace_1);
-  add("Embree, 16", true, &trace_16<RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT>);
-  add("Embree, 16 coherent", false, &trace_16<RTC_INTERSECT_CONTEXT_FLAG_COHERENT>);
+  add("Embree, 8", true, &trace_packets<RTCRayHit8, 8, false>);
+  add("Embree, 16", true, &trace_packets<RTCRayHit16, 16, false>);
+  add("Embree, 8 coherent", false, &trace_packets<RTCRayHit8, 8, true>);
+  add("Embree, 16 coherent", false, &trace_packets<RTCRayHit16, 16, true>);
 }
 
 }  // namespace bench
