@@ -72,7 +72,8 @@ class RayTracer {
   /// The first wall of each ray; of several at the same t that of the lowest number.
   ///
   /// Needs   as many hits as rays.
-  /// Cost    some 50 to 300 ns a ray: more rays in a call, less for each.
+  /// Cost    among 16 to 65 536 segments 25 to 50 ns a ray in calls of thousands, 150 to 250 ns in a
+  ///         call of its own; among circles some 400 ns.
   Status nearest(const Rays& rays, std::span<Hit> hits) const;
   /// Whether each ray meets a wall at `up_to` or before, which may be infinite: 1 or 0.
   ///
@@ -83,7 +84,8 @@ class RayTracer {
   /// are hits[ends[i - 1]] to hits[ends[i]], of ray 0 from hits[0] on.
   ///
   /// Gives   a segment that the ray runs along once, a curve that it crosses twice.
-  /// Cost    some us a ray, and 1 us a hit.
+  /// Cost    a ray crosses all cells on its way, and 1 us a hit: 6 us among 4096 segments, 50 us among
+  ///         65 536.
   Status all(const Rays& rays, std::vector<Hit>& hits, std::vector<std::size_t>& ends) const;
 
  private:
@@ -125,7 +127,8 @@ struct Interval {
 /// Needs   vertices in either orientation, which may repeat or lie on one line; as many intervals as
 ///         rays. Rays::left and Rays::tangents play no part.
 /// Error   `sizes`, `not_finite`, `empty`, `not_convex`: the entry is the ray or the vertex.
-/// Cost    under 1 ns an edge and ray; of many edges the logarithm of their number.
+/// Cost    some 70 ns a ray that meets it and less of one that does not, under 1 ns an edge; of many
+///         edges the logarithm of their number.
 /// Threads any number.
 Status clip_convex(const Rays& rays, std::span<const double> x, std::span<const double> y,
                    Range within, std::span<Interval> intervals);
