@@ -229,8 +229,7 @@ Vec2 normal_near(const Arc& wall, const Vec2& point) {
   const auto form =
       curve_form(number, wall.curve, pair_of(number, Vec2(point - wall.curve.centre)));
   const auto normal = curve_normal(number, wall.curve, form);
-  const double out = form_size(number, wall.curve) < 0 ? -1 : 1;
-  return {out * normal.x, out * normal.y};
+  return {normal.x, normal.y};
 }
 
 bool lies_along(const Arc& one, const Arc& other) {

@@ -42,10 +42,10 @@ bool line_passes_far(const Segment& wall, const Vec2& point, const Vec2& reach) 
 }
 
 bool passes_near(const Segment& wall, const Vec2& point, const Vec2& reach) {
-  const Bounds box = bounds_of(wall);
-  for (int axis = 0; axis < 2; ++axis)
-    if (box.high[axis] < point[axis] - reach[axis] || box.low[axis] > point[axis] + reach[axis])
-      return false;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto [low, high] = std::minmax(wall.a[axis], wall.b[axis]);
+    if (high < point[axis] - reach[axis] || low > point[axis] + reach[axis]) return false;
+  }
   return !line_passes_far(wall, point, reach);
 }
 

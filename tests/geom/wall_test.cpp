@@ -1,0 +1,71 @@
+#include "geom/primitives/wall.h"
+
+#include <gtest/gtest.h>
+
+namespace flatray {
+namespace {
+
+// One ellipse, its half-diameters turning either way.
+Arc oval(bool clockwise) {
+  const Vec2 u(2, 0), v(0, clockwise ? -1 : 1);
+  return {Ellipse{{1, 1}, u, v}, Arc::Extent::whole, {0, 0}, {0, 0}};
+}
+
+TEST(Walls, NormalsOfAnEllipsePointOutwardWhicheverWayItsHalfDiametersTurn) {
+  for (const bool clockwise : {false, true})
+    for (const Vec2& out : {Vec2(2, 0), Vec2(-2, 0), Vec2(0, 1), Vec2(0, -1)})
+      EXPECT_GT(normal_near(oval(clockwise), Vec2(1, 1) + out).dot(out), 0) << out;
+}
+
+TEST(Walls, LeadAwayToTheSideOnWhichTheirNormalIs) {
+  const Segment floor{{0, 0}, {4, 0}};
+  const Ray up{{1, 0}, {3, 1}}, level{{1, 0}, {1, 0}};
+  EXPECT_TRUE(leads_away(floor, Sign::positive, up));
+  EXPECT_FALSE(leads_away(floor, Sign::negative, up));
+  EXPECT_TRUE(leads_away(floor, Sign::positive, level) && leads_away(floor, Sign::negative, level));
+  const Arc disc{Circle{{0, 0}, 5}};
+  const Ray out{{3, 4}, {1, 1}}, tangent{{3, 4}, {-4, 3}};
+  EXPECT_TRUE(leads_away(disc, Sign::positive, out));
+  EXPECT_FALSE(leads_away(disc, Sign::positive, tangent) ||
+               leads_away(disc, Sign::negative, tangent));
+}
+
+TEST(Walls, HoldTheirPointsAndEndsWithoutError) {
+  const Segment slope{{0, 0}, {3, 1}};
+  EXPECT_EQ(place_on(slope, Vec2(3, 1)), PlaceOn::at_end);
+  EXPECT_EQ(place_on(slope, Vec2(1.5, 0.5)), PlaceOn::inner);
+  EXPECT_EQ(place_on(slope, Vec2(6, 2)), PlaceOn::outside);
+  EXPECT_EQ(place_on(slope, Vec2(1, 1.0 / 3)), PlaceOn::outside);  // a third is no double
+  const Arc quarter{Circle{{0, 0}, 5}, Arc::Extent::between, {5, 0}, {0, 5}};
+  EXPECT_EQ(place_on(quarter, Vec2(3, 4)), PlaceOn::inner);
+  EXPECT_EQ(place_on(quarter, Vec2(0, 5)), PlaceOn::at_end);
+  EXPECT_EQ(place_on(quarter, Vec2(3, -4)), PlaceOn::outside);
+}
+
+TEST(Walls, BoundsOfAnArcHoldEndsBesideItsCurve) {
+  const Arc wall{Circle{{0, 0}, 1}, Arc::Extent::between, {2, 0}, {0, 3}};
+  const Bounds box = bounds_of(wall);
+  EXPECT_EQ(box.high, Vec2(2, 3));
+  EXPECT_LE(box.low.maxCoeff(), -1);
+}
+
+TEST(Walls, AreMetInTheRootsAheadThatWereNotLeft) {
+  const Arc disc{Circle{{0, 0}, 1}};
+  const auto roots = [&](const Ray& ray, const MeetingRules& rules) {
+    std::vector<WallMeeting> met;
+    meet(disc, ray, rules, met);
+    std::vector<Root> found;
+    for (const WallMeeting& each : met) found.push_back(each.root);
+    return found;
+  };
+  const Ray across{{-2, 0}, {1, 0}};
+  EXPECT_EQ(roots(across, {}), std::vector{Root::first});
+  EXPECT_EQ(roots(across, {.every = true}), (std::vector{Root::first, Root::second}));
+  EXPECT_EQ(roots({{-1, 0}, {1, 0}}, {.stood_on = Root::first}), std::vector{Root::second});
+  EXPECT_EQ(roots({{-2, 1}, {1, 0}}, {}), std::vector{Root::both});
+  EXPECT_TRUE(roots({{-2, 1}, {1, 0}}, {.tangents = false}).empty());
+  EXPECT_TRUE(roots({{2, 0}, {1, 0}}, {}).empty());
+}
+
+}  // namespace
+}  // namespace flatray
