@@ -62,7 +62,7 @@ std::vector<std::unique_ptr<bench::Tracing>> contenders(const bench::Room& room,
                              std::strncmp(tracer->name, "cyrus-beck", 10) == 0)))
       all.push_back(std::make_unique<Flatray>(*tracer, room.walls));
   all.push_back(std::make_unique<OneByOne>(*flatray::choose_tracer(room.walls).tracer, room.walls));
-  if (!room.walls.any_curves()) bench::add_plain_lanes(room.walls, all);
+  if (room.walls.arcs.empty()) bench::add_plain_lanes(room.walls, all);
 #ifdef BENCH_EMBREE
   bench::add_embree(room.walls, 0.5, all);
 #endif
