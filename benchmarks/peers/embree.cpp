@@ -58,11 +58,12 @@ class Scene {
       : device_(rtcNewDevice("threads=1")),
         scene_(rtcNewScene(device_)),
         segment_numbers_(walls.segment_numbers),
-        circle_numbers_(walls.circle_numbers) {
+        circle_numbers_(walls.curve_numbers) {
     if (!walls.segments.empty()) attach(quads(walls, static_cast<float>(depth)), kSegments);
-    for (const flatray::Circle& circle : walls.circles)
-      discs_.push_back({static_cast<float>(circle.centre.x()),
-                        static_cast<float>(circle.centre.y()), static_cast<float>(circle.radius)});
+    for (const flatray::Arc& arc : walls.arcs)  // in these scenes whole circles
+      discs_.push_back({static_cast<float>(arc.curve.centre.x()),
+                        static_cast<float>(arc.curve.centre.y()),
+                        static_cast<float>(arc.curve.u.x())});
     if (!discs_.empty()) attach(circles(), kCircles);
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
     rtcCommitScene(scene_);
