@@ -19,6 +19,12 @@ constexpr double kGrace = 0.6;
 // The globals of the program: a signal handler has no other way to hear or say anything.
 std::atomic<int> stop{0};  // the signal that asked for it
 std::atomic<const char*> what_is_kept{nullptr};
+std::atomic<bool> told{false};  // somebody has said it, or is about to
+
+const char* word_of_stop() {
+  if (stop == SIGALRM) return "the time of --max-seconds is over";
+  return stop == SIGTERM ? "terminated" : "interrupted";
+}
 
 void say(const char* text) {
   if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody listens
@@ -26,9 +32,10 @@ void say(const char* text) {
 
 [[noreturn]] void end() {
   remove_in_flight();
+  if (told.exchange(true)) ::_exit(interrupted_code());
   const char* kept = what_is_kept;
   say(::isatty(STDERR_FILENO) == 1 ? "\nflatray: " : "flatray: ");  // below a bar of progress
-  say(interruption());
+  say(word_of_stop());
   say("; ");
   say(kept != nullptr ? kept : "files written are whole");
   say("\n");
@@ -93,8 +100,8 @@ bool interrupted() { return stop != 0; }
 int interrupted_code() { return stop == SIGALRM ? kOverLimit : 128 + stop; }
 
 const char* interruption() {
-  if (stop == SIGALRM) return "the time of --max-seconds is over";
-  return stop == SIGTERM ? "terminated" : "interrupted";
+  told = true;
+  return word_of_stop();
 }
 
 }  // namespace flatray

@@ -29,9 +29,10 @@ bool interrupted();
 /// Exit code where --max-seconds or --max-memory ended the program, as that of timeout(1).
 inline constexpr int kOverLimit = 124;
 
-/// Then: 130 after SIGINT, 143 after SIGTERM, kOverLimit when time was over; and the
-/// word for it, "interrupted".
+/// Then: 130 after SIGINT, 143 after SIGTERM, kOverLimit when time was over.
 int interrupted_code();
+
+/// The word for it, "interrupted". Who asks says it: an end by force after that says nothing more.
 const char* interruption();
 
 }  // namespace flatray
