@@ -18,7 +18,9 @@ class Flatray : public bench::Filler {
  public:
   explicit Flatray(flatray::Coverage coverage) : coverage_(coverage) {}
   std::string name() const override {
-    return coverage_ == flatray::Coverage::area ? "flatray, exact area" : "flatray, centres";
+    return coverage_ == flatray::Coverage::area   ? "flatray, exact area"
+           : coverage_ == flatray::Coverage::rows ? "flatray, 4 rays a row"
+                                                  : "flatray, centres";
   }
   void fill(const std::vector<Polygon>& polygons) override {
     if (list_.items.size() != polygons.size())
@@ -67,12 +69,12 @@ void compare(int count, std::size_t column, bench::Fillers& all) {
   for (const auto& contender : contenders) contender.run();
   const std::vector<double> times = bench::compare(contenders, 9, 0.03);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool own = i < 2;
+    const bool own = i < 3;
     const auto pixel = [&](int x, int y) { return all[i]->pixel(x, y); };
     const double difference =
         own ? light.mean_difference(pixel, &srgb_of_light) : srgb.mean_difference(pixel, &same);
     const std::string& name = contenders[i].name;
-    fmt::print("| {:6} | {:19} | {:7.2f} | {:6.3f} |", count, name, 1e3 * times[i], difference);
+    fmt::print("| {:6} | {:21} | {:7.2f} | {:6.3f} |", count, name, 1e3 * times[i], difference);
     if (own) {
       fmt::print("       |      |     |\n");
       continue;
@@ -85,10 +87,11 @@ void compare(int count, std::size_t column, bench::Fillers& all) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
   bench::Fillers all;
   all.push_back(std::make_unique<Flatray>(flatray::Coverage::centre));
   all.push_back(std::make_unique<Flatray>(flatray::Coverage::area));
+  all.push_back(std::make_unique<Flatray>(flatray::Coverage::rows));
 #ifdef BENCH_CAIRO
   bench::add_cairo(all);
 #endif
@@ -105,6 +108,7 @@ int main() {
       "|      K | who                 |      ms | differ | ratio | must | aim |\n"
       "|---|---|---|---|---|---|---|\n",
       kWidth, kHeight);
+  if (argc > 1) return compare(std::atoi(argv[1]), 1, all), 0;
   compare(10, 0, all);
   compare(1000, 1, all);
   compare(100'000, 2, all);

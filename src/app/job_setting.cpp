@@ -17,9 +17,8 @@ namespace {
 // Frames are drawn side by side as long as their pictures together stay under this.
 constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
-// What one picture takes at its peak, for pixels that do not compress, and what lies still below
-// moving things, kept from frame to frame. Not what the scene and its outlines take.
-std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
+// What one picture takes at its peak, for pixels that do not compress. Not what the scene and its outlines take.
+std::uint64_t bytes_of_frame(const RenderJob& job) {
   const std::uint64_t channels = job.scene.film.background.a == 255 ? 3 : 4;
   const std::uint64_t png_bytes = 3 * channels;  // picture, its bands packed, joined
   constexpr std::uint64_t kHdrBytes =
@@ -34,8 +33,7 @@ std::uint64_t bytes_of_frame(const RenderJob& job, std::size_t frame_count) {
                                                                                        : kHdrBytes);
   const std::uint64_t light =
       job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene, hardware_threads());
-  if (frame_count < 2 || job.keep_all || job.renderer || job.view) return picture + light;
-  return picture + light + std::min(StillLayer::kMostBytes, StillLayer::kPixelBytes * pixels);
+  return picture + light;
 }
 
 }  // namespace
@@ -88,7 +86,7 @@ bool RenderJob::makes(const FrameRecord& record) const {
 
 Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
   const std::uint64_t memory = std::min(kMemoryAtOnce, memory_limit() / 2);
-  const std::uint64_t fit = std::max<std::uint64_t>(memory / bytes_of_frame(job, frame_count), 1);
+  const std::uint64_t fit = std::max<std::uint64_t>(memory / bytes_of_frame(job), 1);
   const std::uint64_t at_once =
       std::min({std::uint64_t{threads}, fit, std::max<std::uint64_t>(frame_count, 1)});
   return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
@@ -96,7 +94,7 @@ Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
 
 std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_count,
                                     unsigned threads) {
-  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job, frame_count);
+  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job);
 }
 
 }  // namespace flatray

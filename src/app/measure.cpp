@@ -138,9 +138,9 @@ std::vector<Saving> counts_of(const Drawn& some, std::size_t frames) {
           {"measured: bands of PNGs carried", share(some.kept, packed),
            part_of(some.kept, packed, "band", "bands") +
                " of the frames encoded with the bytes of before"},
-          {"measured: items still", share(counts.still_items, counts.items),
-           part_of(counts.still_items, counts.items, "piece", "pieces") +
-               " in the bands drawn below all that moves there"},
+          {"measured: pixels carried", share(counts.kept_pixels, counts.pixels),
+           part_of(counts.kept_pixels, counts.pixels, "pixel", "pixels") +
+               " of the bands drawn, beside what changed there"},
           {"measured: items hidden", share(counts.hidden_items, counts.items),
            part_of(counts.hidden_items, counts.items, "piece", "pieces") +
                " in the bands drawn below one that hides them"}};

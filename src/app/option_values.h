@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 #include "geom/ray.h"
-#include "render/coverage.h"
+#include "render/pixel_box.h"
 #include "scene/load.h"
 
 namespace flatray {

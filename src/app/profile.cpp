@@ -46,7 +46,8 @@ bool may_choose(const std::string& name, const std::string& value) {
     const std::vector<std::string> known = backend_names();
     return std::find(known.begin(), known.end(), value) != known.end();
   }
-  return name == "samples" || (name == "define" && value.starts_with("film.coverage="));
+  return name == "samples" || (name == "define" && (value.starts_with("film.coverage=") ||
+                                                    value.starts_with("film.rows=")));
 }
 
 // nullopt where it is none.

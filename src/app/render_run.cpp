@@ -41,10 +41,14 @@ std::string dry_text(const Work& work, unsigned threads) {
 // What it took: counts, the same whenever it is done again by as many threads.
 JsonValue work_value(const JobResult& result) {
   const DrawCounts& drawn = result.drawn;
-  return Fields{{"pictures_encoded", result.encoded}, {"bands_drawn", drawn.bands},
-                {"bands_kept", drawn.kept_bands},     {"pieces", drawn.items},
-                {"pieces_still", drawn.still_items},  {"pieces_hidden", drawn.hidden_items},
-                {"pieces_scanned", drawn.scans}};
+  return Fields{{"pictures_encoded", result.encoded},
+                {"bands_drawn", drawn.bands},
+                {"bands_kept", drawn.kept_bands},
+                {"pieces", drawn.items},
+                {"pieces_hidden", drawn.hidden_items},
+                {"pieces_scanned", drawn.scans},
+                {"pixels", drawn.pixels},
+                {"pixels_kept", drawn.kept_pixels}};
 }
 
 // Records of the job's frames, kept and written, as --json shows them.

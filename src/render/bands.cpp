@@ -12,12 +12,6 @@ namespace {
 constexpr std::size_t kFewEdges =
     48;  // looking at all of them costs less than sorting them by band
 
-Bounds ring_bounds(MonotoneRing ring) {
-  Bounds bounds;
-  for (const Corner& corner : ring) bounds.add(Vec2(corner.x, corner.y));
-  return bounds;
-}
-
 Bounds region_bounds(const FillPath& path) {
   Bounds bounds;
   for (const Segment& edge : path.edges) bounds.add(edge.a), bounds.add(edge.b);
@@ -91,6 +85,14 @@ bool same(const DrawItem& a, const DrawItem& b) {
       a.region);
 }
 
+BandChange columns_of(const Bounds& bounds, const PixelBox& box) {
+  if (bounds.empty()) return {};
+  const auto within = [&](double x) {
+    return static_cast<int>(std::clamp<double>(x, box.x, box.right()));
+  };
+  return {within(std::floor(bounds.low.x())), within(std::ceil(bounds.high.x()))};
+}
+
 // Compares items of two lists; an item that lies in many bands is compared once.
 class ItemComparison {
  public:
@@ -122,7 +124,7 @@ bool BandItem::may_cover(const PixelBox& box) const {
 
 std::span<const std::uint32_t> Band::edges(const BandItem& item) const {
   const auto begin = std::lower_bound(edges_.begin(), edges_.end(), item.first);
-  const auto end = std::lower_bound(begin, edges_.end(), item.first + item.count);
+  const auto end = std::lower_bound(begin, edges_.end(), item.first + item.edges);
   return {begin, end};
 }
 
@@ -142,45 +144,24 @@ PixelBox Bands::box(std::size_t band) const {
 
 void Bands::list(std::size_t band, Band& out) const {
   out.all_ = items_.data();
-  out.corners_ = corners_;
   items_of_.list(band, out.items_);
   edges_of_.list(band, out.edges_);
-  out.flat_from_ = out.opaque_from_ = 0;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (out[i].blended) out.flat_from_ = i + 1;
-    if (out[i].colour.a != 1) out.opaque_from_ = i + 1;
-  }
 }
 
 void Bands::add(std::size_t index, const DrawItem& item) {
-  const std::size_t corner = corners_.size();
   const FillPath* path = std::get_if<FillPath>(&item.region);
-  const bool ring = path != nullptr && append_monotone_ring(*path, kFewEdges, corners_);
-  const auto own = MonotoneRing(corners_).subspan(corner);
   const Bounds bounds =
-      ring ? ring_bounds(own)
-           : std::visit([](const auto& region) { return region_bounds(region); }, item.region);
+      std::visit([](const auto& region) { return region_bounds(region); }, item.region);
   if (item.colour.a == 0 || bounds.empty() || bounds.high.x() <= crop_.x ||
-      bounds.low.x() >= crop_.x + crop_.width || bounds.high.y() <= crop_.y ||
-      bounds.low.y() >= crop_.y + crop_.height) {
-    corners_.resize(corner);
+      bounds.low.x() >= crop_.right() || bounds.high.y() <= crop_.y ||
+      bounds.low.y() >= crop_.bottom())
     return;
-  }
-  const bool edges = path != nullptr && path->edges.size() > kFewEdges;
   BandItem entry;
   entry.item = static_cast<std::uint32_t>(index);
-  entry.colour = item.colour;
   entry.bounds = bounds;
-  entry.blended = item.gradient || item.light || item.layer != 0;
-  if (ring) {
-    entry.part = BandItem::Part::ring;
-    entry.first = static_cast<std::uint32_t>(corner);
-    entry.count = static_cast<std::uint32_t>(own.size());
-  }
-  if (edges) {
-    entry.part = BandItem::Part::edges;
+  if (path != nullptr && path->edges.size() > kFewEdges) {
     entry.first = edges_;
-    entry.count = static_cast<std::uint32_t>(path->edges.size());
+    entry.edges = static_cast<std::uint32_t>(path->edges.size());
     add_edges(*path);
   }
   items_of_.add(static_cast<std::uint32_t>(items_.size()), band_of(bounds.low.y()),
@@ -202,24 +183,19 @@ std::size_t Bands::band_of(double y) const {
   return static_cast<std::size_t>(row) / static_cast<std::size_t>(rows_);
 }
 
-namespace {
-
-// Layers are painted whole.
-std::size_t without_part_of_layer(const DrawList& list, const Band& band, std::size_t items) {
-  const auto layer = [&](std::size_t i) { return list.items[band[i].item].layer; };
-  while (items > 0 && items < band.size() && layer(items - 1) != 0 &&
-         layer(items - 1) == layer(items))
-    --items;
-  return items;
+std::vector<BandChange> whole_bands(const Bands& bands) {
+  const PixelBox box = bands.box(0);
+  return std::vector<BandChange>(bands.count(), BandChange{box.x, box.right()});
 }
 
-}  // namespace
-
+// Of the items that stand between those that both lists have from the lowest up and from the
+// uppermost down.
 std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_bands,
                                       const DrawList& before, const Bands& before_bands) {
-  std::vector<BandChange> changes(now_bands.count());
+  std::vector<BandChange> changes = whole_bands(now_bands);
   if (now.width != before.width || now.height != before.height || now.coverage != before.coverage ||
-      !same(now.background, before.background) || now_bands.count() != before_bands.count())
+      now.rows != before.rows || !same(now.background, before.background) ||
+      now_bands.count() != before_bands.count())
     return changes;
   ItemComparison items(now, before);
   Band shown, kept;
@@ -227,10 +203,17 @@ std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_band
     now_bands.list(band, shown);
     before_bands.list(band, kept);
     const std::size_t both = std::min(shown.size(), kept.size());
-    std::size_t still = 0;
-    while (still < both && items.same(shown[still].item, kept[still].item)) ++still;
-    changes[band].unchanged = still == shown.size() && still == kept.size();
-    changes[band].still = without_part_of_layer(now, shown, still);
+    const auto alike = [&](std::size_t i, std::size_t k) {
+      return items.same(shown[i].item, kept[k].item);
+    };
+    std::size_t below = 0, above = 0;
+    while (below < both && alike(below, below)) ++below;
+    while (above < both - below && alike(shown.size() - 1 - above, kept.size() - 1 - above))
+      ++above;
+    Bounds changed;
+    for (std::size_t i = below; i < shown.size() - above; ++i) changed.add(shown[i].bounds);
+    for (std::size_t i = below; i < kept.size() - above; ++i) changed.add(kept[i].bounds);
+    changes[band] = columns_of(changed, now_bands.box(band));
   }
   return changes;
 }

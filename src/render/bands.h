@@ -3,22 +3,17 @@
 #include <span>
 #include <vector>
 
-#include "render/coverage.h"
-#include "render/monotone_ring.h"
+#include "render/draw_list.h"
+#include "render/pixel_box.h"
 #include "render/row_lists.h"
 
 namespace flatray {
 
 /// What is drawn of an item, once for all bands it lies in.
 struct BandItem {
-  enum class Part : std::uint8_t { whole, edges, ring };
-
   std::uint32_t item = 0;
-  Part part = Part::whole;
-  bool blended = false;                ///< has a gradient or is on a layer
-  std::uint32_t first = 0, count = 0;  ///< edges of a long path among those of all; or corners
-  LinearColour colour;
-  Bounds bounds;  ///< nothing of it lies outside
+  std::uint32_t first = 0, edges = 0;  ///< of a long path, among those of all
+  Bounds bounds;                       ///< nothing of it lies outside
 
   /// Whether by these the item may hold the centres of all pixels of a box.
   bool may_cover(const PixelBox& box) const;
@@ -30,11 +25,7 @@ class Band {
  public:
   std::size_t size() const { return items_.size(); }
   const BandItem& operator[](std::size_t i) const { return all_[items_[i]]; }
-  std::size_t flat_from() const { return flat_from_; }  ///< from here up no gradients, no layers
-  std::size_t opaque_from() const { return opaque_from_; }  ///< from here up all colours are
 
-  /// Of an item that is a ring.
-  MonotoneRing ring(const BandItem& item) const { return corners_.subspan(item.first, item.count); }
   /// Of an item that is a long path, those of its edges that meet the band: `item.first` is its
   /// first.
   std::span<const std::uint32_t> edges(const BandItem& item) const;
@@ -42,14 +33,12 @@ class Band {
  private:
   friend class Bands;
   const BandItem* all_ = nullptr;
-  MonotoneRing corners_;
   std::vector<std::uint32_t> items_, edges_;
-  std::size_t flat_from_ = 0, opaque_from_ = 0;
 };
 
 /// Rows of a crop of the film, cut into bands by its width alone, and what lies in each.
 ///
-/// Cost    64 bytes an item, 16 a corner of a short ring, and for every item and every edge of a
+/// Cost    48 bytes an item, and for every item and every edge of a
 ///         long path at most 8 log2(bands), 4 where it lies in one band or in all.
 class Bands {
  public:
@@ -70,16 +59,18 @@ class Bands {
   int rows_ = 1;
   std::size_t count_ = 0;
   std::vector<BandItem> items_;
-  std::vector<Corner> corners_;
   std::uint32_t edges_ = 0;  ///< of long paths
   RowLists items_of_, edges_of_;
 };
 
-/// What of a band is as it was before.
+/// What of a band is not as it was before: nothing outside of these columns.
 struct BandChange {
-  bool unchanged = false;  ///< all: its pixels may be kept
-  std::size_t still = 0;   ///< how many of its items, from the lowest up, and no layer in part
+  int x_begin = 0, x_end = 0;
+  bool unchanged() const { return x_begin >= x_end; }
 };
+
+/// As of bands that were not drawn before.
+std::vector<BandChange> whole_bands(const Bands& bands);
 
 /// By band of `now`.
 /// Needs   bands of the same crop.

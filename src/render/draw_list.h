@@ -80,6 +80,7 @@ struct DrawList {
   LinearColour background;
   Coverage coverage = Coverage::area;
   std::vector<DrawItem> items;
+  int rows = 4;  ///< as of Film
 };
 
 }  // namespace flatray

@@ -20,7 +20,8 @@ Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, uns
                   {linear_from_srgb(background.r), linear_from_srgb(background.g),
                    linear_from_srgb(background.b), static_cast<float>(background.a) / 255.0F},
                   film.coverage,
-                  std::move(*items)};
+                  std::move(*items),
+                  film.rows};
 }
 
 }  // namespace flatray

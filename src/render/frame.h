@@ -4,7 +4,6 @@
 #include "image/image.h"
 #include "render/bands.h"
 #include "render/plan.h"
-#include "render/still_layer.h"
 
 namespace flatray {
 
@@ -30,15 +29,17 @@ struct DrawCounts {
   std::uint64_t bands = 0;          ///< drawn
   std::uint64_t kept_bands = 0;     ///< not drawn: they show what they showed in the frame before
   std::uint64_t items = 0;          ///< items of the bands drawn
-  std::uint64_t still_items = 0;    ///< of these, as they lay still below all that moved: not drawn
   std::uint64_t hidden_items = 0;   ///< of these, left out: one above covers the whole band, opaque
+  std::uint64_t pixels = 0;         ///< of the bands drawn
+  std::uint64_t kept_pixels = 0;    ///< of these, as they were in the frame before: not drawn
   std::uint64_t stopped_bands = 0;  ///< not drawn: FrameOptions::stop said so
   std::uint64_t scans = 0;          ///< of an item in a band, to find its pixels
 
   DrawCounts& operator+=(const DrawCounts& more) {
     bands += more.bands, kept_bands += more.kept_bands;
-    items += more.items, still_items += more.still_items;
+    items += more.items;
     hidden_items += more.hidden_items;
+    pixels += more.pixels, kept_pixels += more.kept_pixels;
     stopped_bands += more.stopped_bands, scans += more.scans;
     return *this;
   }
@@ -50,10 +51,10 @@ Result<DrawList> draw_list(const RenderPlan& plan, const Timeline& timeline, uns
                            const FrameOptions& options = {});
 
 /// The software back end for frames drawn one after another: bands in which nothing changed keep
-/// their pixels, and in others what lies still below all that moves is drawn once. Same pixels
-/// whatever was drawn before.
+/// their pixels, and others those left and right of what changed. Same pixels whatever was drawn
+/// before.
 ///
-/// Cost    room for the picture, and StillLayer's.
+/// Cost    room for the picture.
 template <class Picture>  // Image or LinearImage
 class FrameDrawer {
  public:
@@ -75,7 +76,6 @@ class FrameDrawer {
   DrawList list_;
   Bands bands_;
   std::vector<BandChange> changes_;
-  StillLayer still_;
   Picture picture_;
   DrawCounts counts_;
 };

@@ -71,18 +71,4 @@ std::array<float, 4> GradientPainter::at(const Vec2& point) const {
   return colour;
 }
 
-void GradientPainter::blend_runs(const kernels::Target& target,
-                                 std::span<const kernels::Run> runs) const {
-  for (const kernels::Run& run : runs) {
-    const auto row = static_cast<std::ptrdiff_t>(run.y - target.y) * target.width;
-    float* pixel = target.rgba + 4 * (row + (run.x_begin - target.x));
-    const float part = kernels::share(run.steps);
-    for (int x = run.x_begin; x < run.x_end; ++x, pixel += 4) {
-      const std::array<float, 4> colour = at({x + 0.5, run.y + 0.5});
-      const float keep = 1 - colour[3] * part;
-      for (std::size_t i = 0; i < 4; ++i) pixel[i] = colour[i] * part + pixel[i] * keep;
-    }
-  }
-}
-
 }  // namespace flatray

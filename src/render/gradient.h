@@ -1,8 +1,6 @@
 #pragma once
-#include "image/tile.h"
 #include "render/draw_list.h"
 #include "render/film_transform.h"
-#include "render/kernels/span_kernels.h"
 
 namespace flatray {
 
@@ -17,7 +15,7 @@ FilmGradient film_gradient(const Gradient& gradient, const Pose& world_from_shap
 /// The colour of an item that has this gradient.
 LinearColour summary(const FilmGradient& gradient);
 
-/// A gradient's colours, for the runs of a region.
+/// A gradient's colours.
 ///
 /// Error   t in doubles, colours in floats, rounded step by step: the same bits on every machine.
 class GradientPainter {
@@ -26,8 +24,6 @@ class GradientPainter {
 
   /// Premultiplied, at a point of the film.
   std::array<float, 4> at(const Vec2& point) const;
-  /// new = colour * share + old * (1 - alpha * share), as of one colour.
-  void blend_runs(const kernels::Target& target, std::span<const kernels::Run> runs) const;
 
  private:
   const FilmGradient& gradient_;

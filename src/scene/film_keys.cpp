@@ -5,11 +5,16 @@
 namespace flatray {
 namespace {
 
-constexpr Word<Coverage> kCoverages[] = {{"area", Coverage::area}, {"centre", Coverage::centre}};
+constexpr Word<Coverage> kCoverages[] = {
+    {"area", Coverage::area}, {"rows", Coverage::rows}, {"centre", Coverage::centre}};
 constexpr Word<CameraMotion> kMotions[] = {{"frame-origin", CameraMotion::frame_origin},
                                            {"objects", CameraMotion::objects}};
 constexpr Word<bool> kWindows[] = {{"pixels", true}};
 constexpr std::int64_t kMaxSide = 2147483647;
+
+void read_rows(Builder& builder, const Field& field, Film& film) {
+  if (const auto rows = builder.in.integer(field, 1, 64)) film.rows = static_cast<int>(*rows);
+}
 
 void read_size(Builder& builder, const Field& field, Film& film) {
   if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
@@ -43,7 +48,9 @@ constexpr Key<Film> kFilmKeys[] = {
     {{"world", R"([[x0, y0], [x1, y1]] or "pixels")", "what the scene holds, and 5 %"},
      &read_world},
     {{"background", "\"#rrggbb\"", "\"#ffffff\""}, &set<&Film::background>},
-    {{"coverage", R"("area" or "centre")", "\"area\""}, &set_word<&Film::coverage, kCoverages>},
+    {{"coverage", R"("area", "rows" or "centre")", "\"area\""},
+     &set_word<&Film::coverage, kCoverages>},
+    {{"rows", "whole number", "4"}, &read_rows},
 };
 
 void read_camera_at(Builder& builder, const Field& field, Camera& camera) {

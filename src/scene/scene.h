@@ -11,7 +11,8 @@
 
 namespace flatray {
 
-enum class Coverage { area, centre };
+/// How a pixel is made of what it shows: its mean over the area, along some rays, or at its centre.
+enum class Coverage { area, rows, centre };
 enum class FillRule { nonzero, even_odd };
 
 /// Largest coordinate of a scene, an import or a frame: products and differences of any two stay
@@ -357,6 +358,7 @@ struct Film {
   std::optional<Bounds> world;  ///< window wanted; grown to the film's aspect
   Colour background{255, 255, 255, 255};
   Coverage coverage = Coverage::area;
+  int rows = 4;  ///< rays of each row of pixels, of Coverage::rows
 };
 
 /// A validated scene: finite, convex pieces counter-clockwise, chains summing to 1. Never changed

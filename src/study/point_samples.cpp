@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "image/tile.h"
-#include "render/coverage.h"
+#include "render/band_scan.h"
 #include "render/frame.h"
 
 namespace flatray {
@@ -145,18 +145,40 @@ PointSampled point_sampled(const DrawList& list, std::span<const SamplePlace> pl
   return out;
 }
 
+namespace {
+
+// Marks the pixels that a scan finds an edge in.
+class EdgeSink final : public PixelSink {
+ public:
+  EdgeSink(std::vector<bool>& edges, int width) : edges_(edges), width_(width) {}
+  void run(int, int, int, const Light&) override {}
+  void pixel(int y, int x, const Light&) override {
+    edges_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x)] = true;
+  }
+
+ private:
+  std::vector<bool>& edges_;
+  int width_;
+};
+
+}  // namespace
+
 std::vector<bool> edge_pixels(const DrawList& list) {
-  const PixelBox box{0, 0, list.width, list.height};
   std::vector<bool> edges(static_cast<std::size_t>(list.width) *
                           static_cast<std::size_t>(list.height));
-  const RunSink sink = [&](int y, int x_begin, int x_end, std::uint32_t steps) {
-    if (steps == kFullCoverage) return;
-    for (int x = x_begin; x < x_end; ++x)
-      edges[static_cast<std::size_t>(y) * static_cast<std::size_t>(list.width) +
-            static_cast<std::size_t>(x)] = true;
-  };
-  for (const DrawItem& item : list.items)
-    std::visit([&](const auto& region) { scan(region, Coverage::area, box, sink); }, item.region);
+  DrawList plain = list;
+  plain.coverage = Coverage::area;
+  for (DrawItem& item : plain.items)
+    item.gradient.reset(), item.light = nullptr, item.colour.a = 0.5F;
+  const Bands bands(plain, {0, 0, list.width, list.height});
+  BandScan scan(plain, false, nullptr);
+  EdgeSink sink(edges, list.width);
+  Band items;
+  for (std::size_t band = 0; band < bands.count(); ++band) {
+    bands.list(band, items);
+    scan.scan(bands.box(band), items, sink);
+  }
   return edges;
 }
 

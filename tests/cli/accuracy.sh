@@ -12,7 +12,7 @@ run 0 accuracy box.toml -o json --choice coverage --budget 5 --json
 says out '"files":'
 run 0 accuracy box.toml -o cut --choice coverage --budget 0.000001s
 says out "not within the budget: reference of 16 samples"
-says out "exact area, 4 samples a pixel"
+says out "exact area, 4 rays a row"
 run 2 accuracy box.toml --choice covrage
 says err "did you mean 'coverage'?"
 run 2 accuracy box.toml --budget soon

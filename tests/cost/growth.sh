@@ -22,7 +22,7 @@ check 1000 comb
 check 500 spiral
 check 1000 saw
 render 100 same_faces
-render 30 near_faces
+render 100 near_faces
 render 120 edge_rays
 collide 400 zigzags
 render 200 circles
@@ -112,7 +112,7 @@ scene() {
 instructions() {
   local more=()
   [[ $1 != collide ]] || more=(--method edge-rays --last 1)
-  [[ $1 != render ]] || more=(--size 64x64 -j 1 --quiet -o "$2.png")
+  [[ $1 != render ]] || more=(--size 256x256 -j 1 --quiet -o "$2.png")
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$flatray" "$1" "$2" "${more[@]}" 2>&1 |
     sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
 }

@@ -55,9 +55,10 @@ TEST(PointSampled, NearIsWithinAnHundredAndTwentyEighth) {
   }
 }
 
-TEST(EdgePixels, AreThosePartlyCovered) {
+// A border between columns belongs to the pixel right of it.
+TEST(EdgePixels, AreThoseInWhichAnOutlineLies) {
   const std::vector<bool> edges = edge_pixels(box_list(1, 0.5, 3, 2));
-  const std::vector<bool> expected = {false, true,  true,  false, false, false,
+  const std::vector<bool> expected = {false, true,  true,  true,  false, false,
                                       false, false, false, false, false, false};
   EXPECT_EQ(edges, expected);
 }

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "base/parallel.h"
 #include "render/backend.h"
-#include "render/band_painter.h"
-#include "render/flat_painter.h"
+#include "render/band_scan.h"
+#include "render/frame.h"
 
 namespace flatray {
 namespace {
@@ -22,102 +24,114 @@ void shape_picture(const PixelBox& crop, const DrawList&, LinearImage& image) {
                       static_cast<std::size_t>(crop.height));
 }
 
-int channels_of(const Image& image) { return image.channels; }
-int channels_of(const LinearImage&) { return 0; }
-
-// A band to draw into the rows of a picture from `y` on.
-struct BandTask {
-  const PixelBox box;
-  const Band& band;
-  const StillBand* still;  // its lowest items, or null
-  int y;
-
-  std::size_t first() const { return still == nullptr ? 0 : still->items(); }
-};
-
-// The two ways to draw give the same pixels. Light, all that shall be drawn even if hidden, and
-// bands with gradients or layers go by blending every item in order.
-class BandsOfTask {
+// Of the rows of a band. Neighbours of one light are written together; what is of one pixel waits
+// for the end of the band, when all are developed one after another.
+class ImageSink final : public PixelSink {
  public:
-  BandsOfTask(const DrawList& list, const FrameOptions& options, DrawCounts& counts)
-      : flat_(list, options.stop),
-        blended_(list, !options.keep_all, options.stop),
-        plain_(!options.keep_all),
-        counts_(counts) {}
-  BandsOfTask(const BandsOfTask&) = delete;
-  BandsOfTask& operator=(const BandsOfTask&) = delete;
-  ~BandsOfTask() { counts_.scans += flat_.scans() + blended_.scans(); }
+  ImageSink(Image& out, const PixelBox& crop)
+      : out_(out), crop_(crop), channels_(static_cast<std::size_t>(out.channels)) {}
 
-  template <class Picture>
-  void draw(const BandTask& task, Picture& out) {
-    const std::size_t hidden = paint(task, out);
-    ++counts_.bands;
-    counts_.items += task.band.size();
-    counts_.hidden_items += hidden;
-    if (hidden < task.first()) counts_.still_items += task.first() - hidden;
+  void begin(const PixelBox& band) { first_ = out_.at(0, band.y - crop_.y), top_ = band.y; }
+  void run(int y, int begin, int end, const Light& light) override {
+    put_run(shown(light), channels_ * static_cast<std::size_t>(end - begin),
+            first_ + channels_ * place(y, begin));
   }
-
-  void keep(const PixelBox& box, const Band& band, std::size_t items, int channels,
-            StillBand& out) {
-    out.keep(items, blended_.paint(box, band, items, nullptr, 0), channels);
+  void pixel(int y, int x, const Light& light) override {
+    lights_.push_back(light);
+    places_.push_back(place(y, x));
+  }
+  void end() {
+    put_pixels(lights_, places_, out_.channels, first_);
+    lights_.clear(), places_.clear();
   }
 
  private:
-  std::size_t paint(const BandTask& task, Image& out) {
-    if (plain_ && task.band.flat_from() <= task.first())
-      if (const auto hidden = flat_.paint(task.box, task.band, task.still, task.y, out))
-        return *hidden;
-    return blend(task, out);
-  }
-  std::size_t paint(const BandTask& task, LinearImage& out) { return blend(task, out); }
-
-  template <class Picture>
-  std::size_t blend(const BandTask& task, Picture& out) {
-    develop(blended_.paint(task.box, task.band, task.band.size(), task.still, task.y), out);
-    return blended_.hidden();
+  // Few lights take turns.
+  const ShownColour& shown(const Light& light) {
+    const auto bits = std::bit_cast<std::array<std::uint32_t, 4>>(light);
+    auto& [of, colour] = shown_[((bits[0] ^ bits[1] * 3 ^ bits[2] * 5) * 0x9e3779b9U) >> 26];
+    if (of != light) colour = shown_colour(of = light, out_.channels);
+    return colour;
   }
 
-  FlatPainter flat_;
-  BandPainter blended_;
-  const bool plain_;
-  DrawCounts& counts_;
+  std::uint32_t place(int y, int x) const {
+    return static_cast<std::uint32_t>((y - top_) * crop_.width + (x - crop_.x));
+  }
+
+  Image& out_;
+  const PixelBox crop_;
+  const std::size_t channels_;
+  std::uint8_t* first_ = nullptr;
+  int top_ = 0;
+  struct Shown {
+    Light of{-1, -1, -1, -1};
+    ShownColour colour{};
+  };
+  std::array<Shown, 64> shown_;
+  std::vector<Light> lights_;
+  std::vector<std::uint32_t> places_;
 };
 
-// `still` may be null; its bands are made and used.
+class LinearSink final : public PixelSink {
+ public:
+  LinearSink(LinearImage& out, const PixelBox& crop) : out_(out), crop_(crop) {}
+
+  void begin(const PixelBox&) {}
+  void run(int y, int begin, int end, const Light& light) override {
+    for (int x = begin; x < end; ++x) pixel(y, x, light);
+  }
+  void pixel(int y, int x, const Light& light) override {
+    const auto row = static_cast<std::size_t>(y - crop_.y) * static_cast<std::size_t>(crop_.width);
+    std::copy_n(light.data(), 3,
+                out_.pixels.data() + 3 * (row + static_cast<std::size_t>(x - crop_.x)));
+  }
+  void end() {}
+
+ private:
+  LinearImage& out_;
+  const PixelBox crop_;
+};
+
+ImageSink sink_of(Image& out, const PixelBox& crop) { return {out, crop}; }
+LinearSink sink_of(LinearImage& out, const PixelBox& crop) { return {out, crop}; }
+
 template <class Picture>
 DrawCounts draw_bands(const DrawList& list, const Bands& bands,
-                      const std::vector<BandChange>& changes, StillLayer* still,
-                      const FrameOptions& options, Picture& out) {
+                      const std::vector<BandChange>& changes, const FrameOptions& options,
+                      Picture& out) {
   const std::size_t each =
       options.threads == 1 ? std::max<std::size_t>(bands.count(), 1) : kBandsATask;
   const std::size_t tasks = (bands.count() + each - 1) / each;
   std::vector<DrawCounts> counts(tasks);
-  const int top = crop_of(list, options).y;
   parallel_for(tasks, options.threads, [&](std::size_t task) {
-    BandsOfTask painter(list, options, counts[task]);
+    BandScan scan(list, !options.keep_all, options.stop);
+    auto sink = sink_of(out, crop_of(list, options));
+    DrawCounts& count = counts[task];
     Band items;
     const std::size_t end = std::min(bands.count(), (task + 1) * each);
     for (std::size_t band = task * each; band < end; ++band) {
-      if (options.stopped()) {
-        counts[task].stopped_bands += end - band;
-        return;
-      }
-      if (changes[band].unchanged) {
-        ++counts[task].kept_bands;
+      if (changes[band].unchanged()) {
+        ++count.kept_bands;
         continue;
       }
-      const PixelBox box = bands.box(band);
+      const PixelBox all = bands.box(band);
+      const auto [from, to] = changes[band];
       bands.list(band, items);
-      StillBand* const below = still == nullptr ? nullptr : &(*still)[band];
-      if (below != nullptr && still->wanted(band) > 0)
-        painter.keep(box, items, still->wanted(band), channels_of(out), *below);
-      const bool kept = below != nullptr && below->items() > 0;
-      painter.draw({box, items, kept ? below : nullptr, box.y - top}, out);
+      sink.begin(all);
+      scan.scan({from, all.y, to - from, all.height}, items, sink);
+      sink.end();
       if (options.stopped()) {  // perhaps within the band
-        counts[task].stopped_bands += end - band;
-        return;
+        count.stopped_bands += end - band;
+        break;
       }
+      const auto height = static_cast<std::uint64_t>(all.height);
+      ++count.bands;
+      count.items += items.size();
+      count.hidden_items += scan.hidden();
+      count.pixels += height * static_cast<std::uint64_t>(all.width);
+      count.kept_pixels += height * static_cast<std::uint64_t>(all.width - (to - from));
     }
+    count.scans = scan.scans();
   });
   DrawCounts sum;
   for (const DrawCounts& one : counts) sum += one;
@@ -131,14 +145,13 @@ const Picture& FrameDrawer<Picture>::draw(DrawList list) {
   const PixelBox crop = crop_of(list, options_);
   Bands bands(list, crop);
   if (options_.keep_all)
-    changes_.assign(bands.count(), {});
+    changes_ = whole_bands(bands);
   else
     changes_ = compare_bands(list, bands, list_, bands_);
   list_ = std::move(list);
   bands_ = std::move(bands);
-  still_.follow(bands_, changes_);
   shape_picture(crop, list_, picture_);
-  counts_ += draw_bands(list_, bands_, changes_, &still_, options_, picture_);
+  counts_ += draw_bands(list_, bands_, changes_, options_, picture_);
   changed_ = changed(0, crop.height);
   return picture_;
 }
@@ -148,7 +161,7 @@ bool FrameDrawer<Picture>::changed(int begin, int end) const {
   const int top = crop_of(list_, options_).y;
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     const PixelBox box = bands_.box(i);
-    if (!changes_[i].unchanged && box.y - top < end && box.y - top + box.height > begin)
+    if (!changes_[i].unchanged() && box.y - top < end && box.y - top + box.height > begin)
       return true;
   }
   return false;
@@ -162,7 +175,7 @@ void render_into(const DrawList& list, const FrameOptions& options, Picture& pic
   const PixelBox crop = crop_of(list, options);
   const Bands bands(list, crop);
   shape_picture(crop, list, picture);
-  draw_bands(list, bands, std::vector<BandChange>(bands.count()), nullptr, options, picture);
+  draw_bands(list, bands, whole_bands(bands), options, picture);
 }
 template void render_into(const DrawList&, const FrameOptions&, Image&);
 template void render_into(const DrawList&, const FrameOptions&, LinearImage&);

@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "render/coverage.h"
+#include "render/draw_list.h"
 #include "render/gl/module.h"
+#include "render/pixel_box.h"
 
 namespace flatray::gl {
 

@@ -58,8 +58,10 @@ void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
   for (const unsigned count : {4U, 16U}) {
     const std::string words = fmt::format("--backend gl --samples {}", count);
     auto opened = (*found)->open({film->threads, count});
-    auto drawn = opened ? (*opened)->draw(film->list, {std::nullopt, film->threads}, film->drawn)
-                        : Result<void>(fail(std::move(opened)));
+    const auto drawn = [&]() -> Result<void> {
+      if (!opened) return tl::unexpected(opened.error());
+      return (*opened)->draw(film->list, {std::nullopt, film->threads}, film->drawn);
+    }();
     if (!drawn) {
       made.missing.push_back({words, drawn.error().front().message});
       continue;
@@ -71,6 +73,19 @@ void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
     made.settings.push_back({words, 0, work, judged(film),
                              RenderOptions{{"backend", "gl"}, {"samples", std::to_string(count)}}});
   }
+}
+
+Setting rays(const std::shared_ptr<Film>& film, int rows) {
+  const auto list = std::make_shared<DrawList>(film->list);
+  list->coverage = Coverage::rows;
+  list->rows = rows;
+  Setting made;
+  made.words = fmt::format("{} rays a row", rows);
+  made.work = [film, list] { film->drawn = render_linear(*list, {std::nullopt, film->threads}); };
+  made.judge = judged(film);
+  made.options = RenderOptions{{"define", "film.coverage=\"rows\""},
+                               {"define", fmt::format("film.rows={}", rows)}};
+  return made;
 }
 
 // The mean of side * side samples, as many as there is time for; doubt is by how much a quarter of
@@ -93,8 +108,6 @@ std::string left_out(const Scene& scene) {
   return scene.film.coverage == Coverage::centre ? "the scene asks for pixel centres" : "";
 }
 
-// Exact areas are exact for each thing alone: where two things meet or lie on each other in a pixel,
-// blending them as if they had nothing to do with each other is an error, which samples do not make.
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const unsigned frame = (context.scene.frames + 1) / 2;
   const auto timeline = make_timeline(context.scene, context.seed, frame);
@@ -107,10 +120,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const auto [side, doubt] = find_truth(*film, reference_budget(context));
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
-  made.reference = fmt::format(
-      "frame {} by {} samples a pixel, from which {} differ by {:.2g}; blended after areas, things "
-      "that share a pixel are taken as independent",
-      frame, side * side, side * side / 4, doubt);
+  made.reference = fmt::format("frame {} by {} samples a pixel, from which {} differ by {:.2g}",
+                               frame, side * side, side * side / 4, doubt);
   if (side < kTruthSides.front())
     made.cut = fmt::format("reference of {} samples a pixel instead of {}", side * side,
                            kTruthSides.front() * kTruthSides.front());
@@ -121,7 +132,9 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                     [film] {
                       film->drawn = render_linear(film->list, {std::nullopt, film->threads});
                     },
-                    judged(film), RenderOptions{}}};
+                    judged(film), RenderOptions{}},
+                   rays(film, 4),
+                   rays(film, 16)};
   made.settings.front().options = RenderOptions{{"define", "film.coverage=\"centre\""}};
   for (const int n : {2, 4, 8})
     if (2 * n <= side)

@@ -1,0 +1,74 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "image/pixel_runs.h"
+#include "render/gradient.h"
+
+namespace flatray {
+
+/// How an item of a band looks.
+struct ItemLook {
+  Light light;  ///< premultiplied; of one colour
+  bool opaque;  ///< hides what lies below it
+  bool adds;    ///< a film of light, which hides nothing
+  bool varies;  ///< from pixel to pixel
+  bool simple;  ///< its winding number is nowhere but one number and 0
+  FillRule rule;
+  std::uint32_t layer;
+  const DrawItem* item;
+  std::optional<GradientPainter> gradient;
+
+  explicit ItemLook(const DrawItem& item);
+  bool covers(int winding) const {
+    return rule == FillRule::nonzero ? winding != 0 : (winding & 1) != 0;
+  }
+  /// In one pixel.
+  Light at(int x, int y, int film_width) const;
+};
+
+/// An item of which a pixel may show something.
+struct Seen {
+  const ItemLook* look;
+  std::uint32_t item;
+  int winding;
+  Light light;  ///< in this pixel
+
+  bool covered() const { return look->covers(winding); }
+};
+
+/// What a pixel may show, from the lowest item up, and which of the items are where one looks.
+class SeenItems {
+ public:
+  std::vector<Seen> items;
+
+  /// After `items` are changed.
+  void place_all();
+  void set(std::size_t i, bool inside) {
+    const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+    inside_[i / 64] = inside ? inside_[i / 64] | bit : inside_[i / 64] & ~bit;
+  }
+  /// Adds to a winding number; whether what composed() gave may have changed.
+  bool change(std::size_t i, int by) {
+    const bool was = items[i].covered();
+    items[i].winding += by;
+    const bool is = items[i].covered();
+    if (is == was) return false;
+    set(i, is);
+    return i >= lowest_;
+  }
+  /// The light of all that are inside, over a background. Those of one layer are first laid on
+  /// nothing, and then faded as one.
+  Light composed(const Light& background);
+
+ private:
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  std::size_t next_inside(std::size_t from) const;
+  std::size_t uppermost_opaque() const;
+
+  std::vector<std::uint64_t> inside_, opaque_;
+  std::size_t lowest_ = 0;  ///< that showed when composed() looked
+};
+
+}  // namespace flatray
