@@ -82,7 +82,7 @@ Sign HitTime::sign() const { return sign_of(compare(0)); }
 std::strong_ordering HitTime::compare(double other) const {
   if (std::isinf(other)) return 0 <=> (other > 0 ? 1 : -1);
   if (root_ == 0) {
-    const Sign denom = cross_sign(velocity_, ray_.direction, from_, to_);
+    const Sign denom = denominator();
     if (other == 0) return order(cross_sign(ray_.origin, p_, from_, to_) * denom);
     const auto ahead = [&](const auto& number) {
       const auto time = line_time(number, ray_, p_, from_, to_, velocity_);
@@ -142,7 +142,20 @@ RoundedTime HitTime::nearest() const {
   return {t, false};
 }
 
+Sign HitTime::denominator() const { return cross_sign(velocity_, ray_.direction, from_, to_); }
+
+// Of two lines without a division: times that are equal are then known to be where no digit is lost.
 std::strong_ordering compare(const HitTime& a, const HitTime& b) {
+  if (a.root_ == 0 && b.root_ == 0) {
+    const auto time = [](const auto& number, const HitTime& of) {
+      return line_time(number, of.ray_, of.p_, of.from_, of.to_, of.velocity_);
+    };
+    const Sign difference = decide([&](const auto& number) {
+      const auto first = time(number, a), second = time(number, b);
+      return first.numer * second.denom - second.numer * first.denom;
+    });
+    return order(difference * a.denominator() * b.denominator());
+  }
   if (const auto sign = (a.approximate() - b.approximate()).sign()) return order(*sign);
   return compare(a.exact(), b.exact());
 }

@@ -60,6 +60,7 @@ class HitTime {
  private:
   friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
   Bounded approximate() const;
+  Sign denominator() const;  // of a line
 
   Ray ray_;
   Ellipse curve() const { return {p_, from_, to_}; }

@@ -21,6 +21,18 @@ std::optional<Sign> sign_of_huge(const Vec2& a, const Vec2& b, const Vec2& c, co
   return sign_of(difference);
 }
 
+// Where no difference is rounded and no product loses its tail: that of points of few digits, and
+// the one way to tell a zero without more of them. Rounding keeps order, so that tails are asked only
+// where the products round to one double.
+std::optional<Sign> sign_of_few_digits(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const DoubleDouble x = two_sum(b.x(), -a.x()), y = two_sum(b.y(), -a.y());
+  const DoubleDouble u = two_sum(d.x(), -c.x()), v = two_sum(d.y(), -c.y());
+  const bool given = x.lo == 0 && y.lo == 0 && u.lo == 0 && v.lo == 0;
+  if (!given || !is_exact_product(x.hi, v.hi) || !is_exact_product(y.hi, u.hi)) return std::nullopt;
+  const DoubleDouble left = two_product(x.hi, v.hi), right = two_product(y.hi, u.hi);
+  return sign_of(left.hi != right.hi ? left.hi - right.hi : left.lo - right.lo);
+}
+
 }  // namespace
 
 Sign uncertain_cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -29,6 +41,7 @@ Sign uncertain_cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
   const Sign left = sign_of(b.x() - a.x()) * sign_of(d.y() - c.y());
   const Sign right = sign_of(b.y() - a.y()) * sign_of(d.x() - c.x());
   if (left != right || left == Sign::zero) return sign_of(left <=> right);
+  if (const std::optional<Sign> sign = sign_of_few_digits(a, b, c, d)) return *sign;
   if (const std::optional<Sign> sign = sign_of_huge(a, b, c, d)) return *sign;
   if (a == c) {  // of a triangle, seen from its other corners: two may be near, the third far
     if (const std::optional<Sign> sign = sign_of_huge(b, d, b, a)) return *sign;
