@@ -34,7 +34,8 @@ Tally tally_of(const ChunkLog::Row& row, const std::array<std::uint64_t Tally::*
   return tally;
 }
 
-// Those that are members, those of far off values of t, and what is counted since.
+// Those that are members, those of far off values of t, and what rows of before alone have: rays
+// that were decided in whole numbers.
 constexpr std::array kStabilityNames = {
     "rays",       "hits",       "wrong",      "t_not_nearest", "t_off",      "by_rationals",
     "missed",     "invented",   "other_wall", "watched",       "one_by_one", "worst_ulps",
@@ -190,7 +191,7 @@ Result<void> ChunkLog::add(const Key& key, const Row& row, double seconds) {
     if (i < row.counts.size()) line += fmt::format(",{}", row.counts[i]);
   }
   if (format_.note != nullptr) line += "," + row.note;
-  return journal_->add(line + "\n");
+  return journal_->add(padded(line) + "\n");
 }
 
 const ChunkLog::Format StabilityRows::kFormat = {
@@ -199,7 +200,6 @@ const ChunkLog::Format StabilityRows::kFormat = {
 ChunkLog::Row StabilityRows::row(const StabilityTally& tally) {
   ChunkLog::Row row = row_of(tally, kStabilityCounts);
   row.counts.insert(row.counts.end(), tally.off_by_far.begin(), tally.off_by_far.end());
-  row.counts.push_back(tally.whole);
   row.note = tally.first_wrong;
   return row;
 }
@@ -209,10 +209,6 @@ StabilityTally StabilityRows::tally(const ChunkLog::Row& row) {
   constexpr std::size_t kFar = kStabilityCounts.size();
   for (std::size_t i = kFar; i < std::min(row.counts.size(), kFar + tally.off_by_far.size()); ++i)
     tally.off_by_far[i - kFar] = row.counts[i];
-  if (row.counts.size() == kStabilityNames.size()) {
-    tally.whole = row.counts.back();
-    tally.whole_watched = tally.watched;
-  }
   tally.first_wrong = row.note;
   return tally;
 }

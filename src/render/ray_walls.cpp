@@ -1,11 +1,6 @@
 #include "render/ray_walls.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-
-#include "trace/whole_nearest.h"
-
 namespace flatray {
 
 Need need_of_ray_walls(const Scene& scene) {
@@ -23,13 +18,7 @@ RayWalls::RayWalls(const Scene& scene, const FrameState& state, const Tracer* as
 
 std::vector<RenderPlan::Choice> RayWalls::choices() const {
   const TracerChoice& choice = orbits_.choice();
-  std::string reason = choice.reason + "; " + orbits_.walls().structure();
-  if (const WholeWalls whole(world_.surfaces); whole.any())
-    reason += fmt::format(
-        "; walls on multiples of {}: for rays nearby that start and point in such multiples only t "
-        "is rounded",
-        whole.unit());
-  return {{"tracer", choice.tracer->name, std::move(reason)},
+  return {{"tracer", choice.tracer->name, choice.reason + "; " + orbits_.walls().structure()},
           {"landing", orbits_.near_landings().structure(), "walls near a bounce are looked at"}};
 }
 

@@ -87,7 +87,7 @@ std::vector<NearestHit> measured_hits(const Accelerator& walls, const RayBatch& 
   tally.seconds += least_seconds_of(
       kTimesOfACase, [&] { walls.nearest(rays, hits); }, &thread_seconds, kTold);
   tally.in_batches += rays.size();
-  tally.one_by_one += walls.left_by_lanes(rays).rays;
+  tally.one_by_one += walls.left_by_lanes(rays);
   tally.objects += objects;
   tally.bytes += walls.bytes();
   return hits;

@@ -71,10 +71,7 @@ void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScen
     tally.objects += walls.size();
     tally.bytes += accelerator->bytes();
     tally.watched += rays.size();
-    const LeftByLanes left = accelerator->left_by_lanes(rays);
-    tally.one_by_one += left.rays;
-    tally.whole += left.whole;
-    tally.whole_watched += rays.size();
+    tally.one_by_one += accelerator->left_by_lanes(rays);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const std::uint64_t before = tally.wrong;
       compare(hits[i], truth[i], tally);
@@ -98,8 +95,6 @@ void StabilityTally::add(const StabilityTally& other) {
   by_rationals += other.by_rationals;
   watched += other.watched;
   one_by_one += other.one_by_one;
-  whole += other.whole;
-  whole_watched += other.whole_watched;
   worst_ulps = std::max(worst_ulps, other.worst_ulps);
   for (std::size_t i = 0; i < off_by_far.size(); ++i) off_by_far[i] += other.off_by_far[i];
   timed += other.timed;

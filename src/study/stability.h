@@ -24,9 +24,7 @@ struct StabilityTally {
       0;  ///< rays for which the oracle needed more than 128 bits, or had a curve to ask
   std::uint64_t watched = 0;     ///< rays of which it is known whether they were decided one by one
   std::uint64_t one_by_one = 0;  ///< rays that no lanes were certain of
-  std::uint64_t whole = 0;       ///< of those, decided in whole numbers
-  std::uint64_t whole_watched = 0;  ///< rays of which that is known
-  std::uint64_t worst_ulps = 0;     ///< by which a t is off, rounded up
+  std::uint64_t worst_ulps = 0;  ///< by which a t is off, rounded up
   /// Hits whose t is more than 2^8, 2^16, ... 2^48 ulps off.
   std::array<std::uint64_t, 6> off_by_far{};
   std::uint64_t timed = 0;        ///< rays that were timed

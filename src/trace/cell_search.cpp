@@ -17,19 +17,6 @@ std::uint32_t not_left(const Surfaces& walls, const CellGrid* listed, const Left
   return listed == nullptr ? CellGrid::kNoSlot : listed->next_copy(slot);
 }
 
-struct WholeOffers {
-  const Surfaces& walls;
-  const CellGrid* listed;
-  const Left& left;
-  WholeNearest nearest;
-
-  void offer(std::uint32_t slot, double = kInfinity) {
-    slot = not_left(walls, listed, left, slot);
-    if (slot != CellGrid::kNoSlot) nearest.offer(slot);
-  }
-  bool settled(double t) const { return nearest.settled(t); }
-};
-
 // The nearest segment as far as bounds can say, and all that may come before it.
 class Rivals {
  public:
@@ -103,9 +90,8 @@ class Rivals {
 };
 
 // Offers all segments in the cells a ray comes through until nothing nearer can come.
-template <class Offers>
 void gather(const Surfaces& walls, const CellGrid* listed, const CellGrid* grid, const Ray& ray,
-            Offers& offers) {
+            Rivals& offers) {
   std::optional<CellWalk> walk;
   if (grid != nullptr) walk.emplace(*grid, ray);
   if (!walk || walk->start() == CellWalk::Start::uncertain) {
@@ -165,11 +151,6 @@ NearestHit CellSearch::nearest(const Ray& ray, const Left& left, bool tangents) 
     ExactNearest search(walls_, ray, left, tangents);
     search.offer_all();
     return search.hit();
-  }
-  if (whole_.hold(ray)) {
-    WholeOffers offers{walls_, listed_, left, WholeNearest(walls_, ray)};
-    gather(walls_, listed_, grid_, ray, offers);
-    return offers.nearest.hit();
   }
   Rivals rivals(walls_, listed_, ray, left);
   gather(walls_, listed_, grid_, ray, rivals);

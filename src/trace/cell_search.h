@@ -3,15 +3,13 @@
 #include "trace/curve_cells.h"
 #include "trace/hits.h"
 #include "trace/rays.h"
-#include "trace/whole_nearest.h"
 
 namespace flatray {
 
 /// The nearest hit of one ray at a time, by the cells of a grid in double precision, or by all walls
 /// where there are no cells: what certain bounds leave open is decided exactly.
 ///
-/// Cost    about 1 us, some more where bounds do not decide, 0.3 where walls and ray are whole; 15 ns
-///         a wall without cells.
+/// Cost    about 1 us, some more where bounds do not decide; 15 ns a wall without cells.
 class CellSearch {
  public:
   /// Needs   `walls`, `curves` and `grid`, which may be null, to outlive it.
@@ -19,12 +17,8 @@ class CellSearch {
       : walls_(walls),
         curves_(curves),
         listed_(grid),
-        grid_(grid != nullptr && grid->has_cells() ? grid : nullptr),
-        whole_(walls) {}
+        grid_(grid != nullptr && grid->has_cells() ? grid : nullptr) {}
   NearestHit nearest(const Ray& ray, const Left& left, bool tangents) const;
-  /// Whether that is found in whole numbers.
-  bool is_whole(const Ray& ray) const { return whole_.hold(ray); }
-  const WholeWalls& whole() const { return whole_; }
   /// Walls that it looks at for that, those in several cells once for each.
   std::size_t tested(const Ray& ray, const Left& left) const;
   /// Every hit, in order (Accelerator::all_of_one).
@@ -37,7 +31,6 @@ class CellSearch {
   const CurveCells& curves_;
   const CellGrid* listed_;  // what knows copies
   const CellGrid* grid_;
-  const WholeWalls whole_;
 };
 
 }  // namespace flatray

@@ -10,7 +10,6 @@
 #include "trace/kernels/tiers.h"
 #include "trace/many_rays.h"
 #include "trace/rescaled.h"
-#include "trace/whole_lanes.h"
 
 namespace flatray {
 namespace {
@@ -159,8 +158,7 @@ class LaneTracer : public Accelerator {
         view_(cells_.view()),
         curves_(walls),
         search_(walls, &cells_, curves_),
-        kernels_(lane_kernels(isa).walk),
-        whole_(walls, search_.whole(), lane_kernels(isa).whole) {}
+        kernels_(lane_kernels(isa).walk) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     if (are_few(rays)) {
@@ -168,7 +166,7 @@ class LaneTracer : public Accelerator {
         hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
       return;
     }
-    in_lanes(rays, hits, [&](std::size_t i, const Verdict& verdict) {
+    in_blocks(rays, [&](std::size_t i, const Verdict& verdict) {
       if (!decided(verdict, hits[i]))
         hits[i] = decide_exactly(verdict, rays.ray(i), rays.left[i], rays.tangents);
     });
@@ -190,15 +188,11 @@ class LaneTracer : public Accelerator {
       }
     }
   }
-  LeftByLanes left_by_lanes(const RayBatch& rays) const override {
-    LeftByLanes left;
+  std::size_t left_by_lanes(const RayBatch& rays) const override {
+    std::size_t left = 0;
     NearestHit hit;
-    std::vector<NearestHit> hits(rays.size());
-    in_lanes(rays, hits, [&](std::size_t i, const Verdict& verdict) {
-      if (decided(verdict, hit)) return;
-      ++left.rays;
-      if (!verdict.is_certain() && search_.is_whole(rays.ray(i))) ++left.whole;
-    });
+    in_blocks(rays,
+              [&](std::size_t, const Verdict& verdict) { left += decided(verdict, hit) ? 0 : 1; });
     return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
@@ -243,17 +237,6 @@ class LaneTracer : public Accelerator {
                 .surfaces.empty();
   }
 
-  // The hits of rays that are whole with the walls of one list; `each(ray, verdict)` of all others.
-  template <class Each>
-  void in_lanes(const RayBatch& rays, std::span<NearestHit> hits, const Each& each) const {
-    std::vector<std::size_t> others;
-    const bool may_be_whole = !cells_.has_cells() && search_.whole().any();
-    if (!may_be_whole || !whole_.nearest(rays, hits, others)) return in_blocks(rays, each);
-    if (others.empty()) return;
-    RayBatch rest;
-    for (const std::size_t i : others) rest.add(rays.ray(i), rays.left[i]);
-    in_blocks(rest, [&](std::size_t i, const Verdict& verdict) { each(others[i], verdict); });
-  }
   template <class Each>
   void in_blocks(const RayBatch& rays, const Each& each) const {
     Block block(std::min(kBlock, rays.size()));
@@ -308,7 +291,6 @@ class LaneTracer : public Accelerator {
   const CurveCells curves_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;
-  const WholeLanes whole_;
 };
 
 // Where coordinates leave no room for lanes.

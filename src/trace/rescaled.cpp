@@ -69,13 +69,11 @@ class Rescaled : public Accelerator {
     inner_->nearest(scaled, found);
     for (std::size_t k = 0; k < numbers.size(); ++k) hits[numbers[k]] = found[k];
   }
-  LeftByLanes left_by_lanes(const RayBatch& rays) const override {
+  std::size_t left_by_lanes(const RayBatch& rays) const override {
     RayBatch scaled;
     for (std::size_t i = 0; i < rays.size(); ++i)
       if (Ray ray = rays.ray(i); factor_.scale(ray)) scaled.add(ray, rays.left[i]);
-    LeftByLanes left = inner_->left_by_lanes(scaled);
-    left.rays += rays.size() - scaled.size();
-    return left;
+    return inner_->left_by_lanes(scaled) + rays.size() - scaled.size();
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     Ray scaled = ray;

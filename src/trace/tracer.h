@@ -12,11 +12,6 @@
 
 namespace flatray {
 
-/// How many rays are decided one by one, and of them in whole numbers (trace/whole_nearest.h).
-struct LeftByLanes {
-  std::size_t rays = 0, whole = 0;
-};
-
 /// Walls made ready for one tracer, once for any number of rays and threads.
 class Accelerator {
  public:
@@ -39,7 +34,7 @@ class Accelerator {
   virtual std::size_t tested_of_one(const Ray& ray, const Left& left = {}) const;
   /// Rays that are decided one by one, after lanes that could not be certain: all, where there are no
   /// lanes. For statistics; costs what the lanes do.
-  virtual LeftByLanes left_by_lanes(const RayBatch& rays) const { return {rays.size(), 0}; }
+  virtual std::size_t left_by_lanes(const RayBatch& rays) const { return rays.size(); }
   /// Whether each ray meets a wall at `up_to` or before: 1 or 0.
   ///
   /// Needs   as many of both as rays.

@@ -77,9 +77,8 @@ TEST_F(ChunkLogRows, SumsAreOfAllChunksOfTheirKey) {
        {&StabilityTally::rays, &StabilityTally::hits, &StabilityTally::wrong,
         &StabilityTally::missed, &StabilityTally::invented, &StabilityTally::other_wall,
         &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
-        &StabilityTally::watched, &StabilityTally::one_by_one, &StabilityTally::whole,
-        &StabilityTally::timed, &StabilityTally::nanoseconds, &StabilityTally::objects,
-        &StabilityTally::bytes})
+        &StabilityTally::watched, &StabilityTally::one_by_one, &StabilityTally::timed,
+        &StabilityTally::nanoseconds, &StabilityTally::objects, &StabilityTally::bytes})
     one.*count = n++;
   one.rays = one.watched = 4000;
   for (std::uint64_t& far : one.off_by_far) far = n++;
@@ -100,7 +99,6 @@ TEST_F(ChunkLogRows, SumsAreOfAllChunksOfTheirKey) {
   EXPECT_EQ(sum.rays, 12000U);
   EXPECT_EQ(sum.nanoseconds, 3 * one.nanoseconds);
   EXPECT_EQ(sum.other_wall, 3 * one.other_wall);
-  EXPECT_EQ(sum.whole, 3 * one.whole);
   EXPECT_EQ(sum.off_by_far[5], 3 * one.off_by_far[5]);
   EXPECT_EQ(sum.worst_ulps, 900U) << "the worst is no sum";
   EXPECT_EQ(sum.first_wrong, "item 3 ray 1");

@@ -75,22 +75,4 @@ cmp brute.png grid.png && cmp brute.png exact.png || fail "a tracer draws anothe
 run 2 render room.toml --tracer none
 run 0 hit "$root/scenes/paper/case_one.toml" --ray 1,2,22,10 --json
 says out '"primitives":[{"ray":"ray","tested":'
-
-# Walls on whole numbers, by the largest unit they are multiples of.
-cat > room.toml <<'TOML'
-flatray = 1
-film    = { size = [20, 20], world = [[0, 0], [20, 20]] }
-
-[[chamber]]
-shape = { box = { min = [4, 4], max = [20, 12.5] } }
-
-[[ray]]
-at        = [6, 6]
-direction = [1, 1]
-bounces   = 2
-TOML
-run 0 explain room.toml
-says out 'walls on multiples of 0.5: for rays nearby that start and point in such multiples only t is rounded'
-run 0 explain room.toml -D 'chamber.0.shape.box.max=[20, 12.1]'
-[[ $(cat "$work/out.txt") != *multiples* ]] || fail 'walls of tenths are on no multiples'
 finish

@@ -261,7 +261,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!log) return fail(std::move(log));
   ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
                      "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
-                     "whole", "ns_a_query", "ns_of_chunks", "bytes_an_object", "first_wrong"},
+                     "ns_a_query", "ns_of_chunks", "bytes_an_object", "first_wrong"},
                     {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
@@ -273,8 +273,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
       table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
                             sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
                             known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
-                            share(sum.one_by_one, sum.watched), share(sum.whole, sum.whole_watched),
-                            share(sum.nanoseconds, sum.timed),
+                            share(sum.one_by_one, sum.watched), share(sum.nanoseconds, sum.timed),
                             range_of_times(*log, key, plan->chunks), share(sum.bytes, sum.objects),
                             sum.first_wrong});
     }

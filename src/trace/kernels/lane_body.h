@@ -64,10 +64,6 @@ void clip(const Polygon& polygon, const Rays& rays, const Clip& result) {
 
 #include "trace/kernels/grid_body.h"
 
-namespace whole {
-#include "trace/kernels/whole_body.h"
-}  // namespace whole
-
 namespace single {
 // Each over the former.
 // clang-format off
@@ -99,7 +95,6 @@ namespace alone {
 
 extern const Kernels kKernels;
 const Kernels kKernels = {&clip,
-                          {&prepare, &single::walk, &single::scan, &finish, &alone::nearest},
-                          {&whole::hold, &whole::scan}};
+                          {&prepare, &single::walk, &single::scan, &finish, &alone::nearest}};
 
 }  // namespace flatray::lanes::FLATRAY_TIER

@@ -1,5 +1,5 @@
 #pragma once
-#include "trace/kernels/whole.h"
+#include "trace/kernels/walk.h"
 
 // What the kernels take and give: plain data only, so that nothing compiled for one instruction-set
 // tier can be picked by the linker for another.
@@ -34,7 +34,6 @@ inline constexpr double kMissed = -1, kUnsure = -2;
 struct Kernels {
   void (*clip)(const Polygon&, const Rays&, const Clip&);
   WalkKernels walk;
-  WholeKernels whole;
 };
 
 namespace portable {
