@@ -1,4 +1,5 @@
 #pragma once
+#include "trace/candidates.h"
 #include "trace/cells.h"
 #include "trace/curve_cells.h"
 #include "trace/hits.h"
@@ -25,6 +26,7 @@ class CellSearch {
   std::vector<NearestHit> all(const Ray& ray, const Left& left, bool tangents) const;
 
  private:
+  Candidates candidates(const Ray& ray, const Left& left) const;
   std::vector<std::uint32_t> segments_near(const Ray& ray) const;
 
   const Surfaces& walls_;

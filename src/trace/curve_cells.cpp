@@ -116,59 +116,6 @@ void CurveCells::visit_cells(const Arc& arc, const Rect& rect, const Visit& visi
               visit);
 }
 
-// The curves in question as far as bounds can say.
-class CurveCells::Search {
- public:
-  Search(const Surfaces& walls, const Ray& ray, const Left& left, double limit)
-      : walls_(walls), ray_(ray), left_(left), high_(limit) {}
-
-  void offer(std::uint32_t surface) {
-    if (surface == left_.surface && left_.root == Root::both) return;
-    if (std::find_if(open_.begin(), open_.end(),
-                     [&](const Rival& other) { return other.surface == surface; }) != open_.end())
-      return;
-    ++tested_;
-    const Arc& arc = walls_.arc(surface);
-    FilteredCurve hit = filter_curve(ray_, arc.curve);
-    const bool joined = arc.extent == Arc::Extent::between;
-    if (hit.verdict == FilteredCurve::Verdict::missed && !joined) return;
-    // What joins an arc to its ends is met at other times than its curve.
-    if (joined || surface == left_.surface) hit.low = -kInfinity;
-    if (hit.low > high_) return;
-    const bool sure = hit.verdict == FilteredCurve::Verdict::sure &&
-                      arc.extent == Arc::Extent::whole && surface != left_.surface;
-    open_.push_back({surface, hit.low, sure, hit.root});
-    if (!sure || hit.high >= high_) return;
-    high_ = hit.high;
-    std::erase_if(open_, [&](const Rival& other) { return other.low > high_; });
-  }
-  bool settled(double t) const { return high_ < t; }
-
-  Rivals rivals() const {
-    Rivals found;
-    for (const Rival& rival : open_) found.surfaces.push_back(rival.surface);
-    found.sure = open_.size() == 1 && open_.front().sure;
-    if (found.sure) found.root = open_.front().root;
-    found.high = high_;
-    found.tested = tested_;
-    return found;
-  }
-
- private:
-  struct Rival {
-    std::uint32_t surface;
-    double low;
-    bool sure;
-    Root root;
-  };
-  const Surfaces& walls_;
-  const Ray& ray_;
-  const Left& left_;
-  double high_;
-  std::size_t tested_ = 0;
-  std::vector<Rival> open_;
-};
-
 template <class Offers>
 void CurveCells::walk(const Ray& ray, Offers& offers) const {
   const Vec2 origin = (ray.origin - low_) / side_, way = ray.direction / side_;
@@ -176,7 +123,7 @@ void CurveCells::walk(const Ray& ray, Offers& offers) const {
   const Vec2 all(columns_, rows_);
   if (begin_.empty() || !(speed > kLeast && speed < kMost) ||
       !(origin.cwiseAbs().maxCoeff() < kFar)) {
-    for (const std::uint32_t surface : curves()) offers.offer(surface);
+    for (const std::uint32_t surface : curves()) offers.offer_curve(surface);
     return;
   }
   // t of what is to come on each axis: the side of the grid, then of each cell.
@@ -204,7 +151,8 @@ void CurveCells::walk(const Ray& ray, Offers& offers) const {
     const std::size_t here =
         static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(columns_) +
         static_cast<std::size_t>(cell[0]);
-    for (std::uint32_t i = begin_[here]; i < begin_[here + 1]; ++i) offers.offer(surfaces_[i]);
+    for (std::uint32_t i = begin_[here]; i < begin_[here + 1]; ++i)
+      offers.offer_curve(surfaces_[i]);
     const double x = next(0), y = next(1);
     if (offers.settled(std::min(x, y) - slack)) break;
     const int axis = x < y ? 0 : 1;
@@ -213,17 +161,14 @@ void CurveCells::walk(const Ray& ray, Offers& offers) const {
   }
 }
 
-CurveCells::Rivals CurveCells::rivals(const Ray& ray, const Left& left, double limit) const {
-  if (curves().empty()) return {};
-  Search search(walls_, ray, left, limit);
-  walk(ray, search);
-  return search.rivals();
+void CurveCells::offer_to(Candidates& found, const Ray& ray) const {
+  if (!curves().empty()) walk(ray, found);
 }
 
 std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
   struct All {
     std::vector<std::uint32_t> surfaces{};
-    void offer(std::uint32_t surface) { surfaces.push_back(surface); }
+    void offer_curve(std::uint32_t surface) { surfaces.push_back(surface); }
     bool settled(double) const { return false; }
   } all;
   walk(ray, all);

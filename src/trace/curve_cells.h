@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/bounds.h"
+#include "trace/candidates.h"
 #include "trace/rays.h"
 #include "trace/surfaces.h"
 
@@ -23,16 +24,8 @@ class CurveCells {
   /// Needs   `walls` to outlive it.
   explicit CurveCells(const Surfaces& walls);
 
-  /// All curves that may be the first wall, if one is met at t <= `limit`.
-  struct Rivals {
-    std::vector<std::uint32_t> surfaces;
-    bool sure = false;  ///< it is one, and surely crossed, at `high` at the latest
-    Root root = Root::none;
-    double high = kInfinity;
-    std::size_t tested = 0;  ///< curves looked at
-  };
-  /// Needs   a direction that is not zero.
-  Rivals rivals(const Ray& ray, const Left& left, double limit) const;
+  /// Offers all curves that may be the first wall of the ray they are candidates of.
+  void offer_to(Candidates& found, const Ray& ray) const;
   /// All curves that a ray may meet, ascending.
   std::vector<std::uint32_t> near(const Ray& ray) const;
   /// Shows every curve that comes within 4 ulps of a point, and others near it; some twice.
@@ -64,7 +57,6 @@ class CurveCells {
 
  private:
   const std::vector<std::uint32_t>& curves() const { return walls_.curve_numbers; }
-  class Search;
   struct Rect {
     int left, bottom, width, height;  // in cells
   };

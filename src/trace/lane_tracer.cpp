@@ -6,7 +6,6 @@
 
 #include "geom/error_bounds.h"
 #include "trace/cell_search.h"
-#include "trace/exact_nearest.h"
 #include "trace/kernels/tiers.h"
 #include "trace/many_rays.h"
 #include "trace/rescaled.h"
@@ -232,9 +231,11 @@ class LaneTracer : public Accelerator {
     return rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList);
   }
   bool may_meet_curve(const RayBatch& rays, std::size_t i, double up_to) const {
-    return up_to >= 0 &&
-           !curves_.rivals(rays.ray(i), rays.left[i], up_to * (1 + 0x1p-50) + kUnderflowError)
-                .surfaces.empty();
+    if (up_to < 0) return false;
+    const Ray ray = rays.ray(i);
+    Candidates found(walls_, ray, rays.left[i], up_to * (1 + 0x1p-50) + kUnderflowError);
+    curves_.offer_to(found, ray);
+    return !found.empty();
   }
 
   template <class Each>
@@ -269,21 +270,10 @@ class LaneTracer : public Accelerator {
   NearestHit decide_exactly(const Verdict& verdict, const Ray& ray, const Left& left,
                             bool tangents) const {
     if (!verdict.is_certain()) return search_.nearest(ray, left, tangents);
-    // What t is known of is within an ulp, and what is not decides nothing.
-    const bool timed = verdict.is_hit() && !std::isnan(verdict.t);
-    const double t = timed ? verdict.t : verdict.is_hit() ? 0 : kInfinity;
-    const CurveCells::Rivals curved =
-        curves_.rivals(ray, left, timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
-    if (curved.surfaces.empty()) {
-      if (timed) return crossed(walls_.segment_numbers[verdict.slot], verdict.t);
-      return verdict.is_hit() ? crossing_hit(walls_, ray, verdict.slot) : NearestHit{};
-    }
-    if (curved.sure && curved.high < t * (1 - 0x1p-50))
-      return crossing_hit(walls_, ray, curved.surfaces.front(), curved.root);
-    ExactNearest search(walls_, ray, left, tangents);
-    if (verdict.is_hit()) search.offer(walls_.segment_numbers[verdict.slot]);
-    for (const std::uint32_t surface : curved.surfaces) search.offer(surface);
-    return search.hit();
+    Candidates found(walls_, ray, left);
+    if (verdict.is_hit()) found.take_segment(verdict.slot, verdict.t);
+    curves_.offer_to(found, ray);
+    return found.first(tangents);
   }
 
   const CellGrid cells_;

@@ -1,0 +1,80 @@
+#include "trace/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trace/curve_filter.h"
+#include "trace/exact_nearest.h"
+
+namespace flatray {
+
+// Cells that list a wall again mostly follow each other; among more, to look for it at once would
+// take the square of their number.
+bool Candidates::is_known(std::uint32_t surface) const {
+  constexpr std::ptrdiff_t kRecent = 16;
+  const auto recent = open_.end() - std::min(std::ssize(open_), kRecent);
+  return std::any_of(recent, open_.end(),
+                     [&](const Candidate& other) { return other.surface == surface; });
+}
+
+void Candidates::take(const Candidate& candidate, double high) {
+  open_.push_back(candidate);
+  if (!candidate.sure || !(high < high_)) return;
+  high_ = high;
+  std::erase_if(open_, [&](const Candidate& other) { return other.low > high_; });
+}
+
+void Candidates::offer_segment(std::uint32_t slot, double limit) {
+  ++tested_;
+  const FilteredHit hit = filter_(walls_.segments[slot]);
+  if (hit.verdict == FilteredHit::Verdict::missed || hit.low > limit || hit.low > high_) return;
+  const std::uint32_t surface = walls_.segment_numbers[slot];
+  if (is_known(surface)) return;
+  take({surface, hit.low, hit.verdict == FilteredHit::Verdict::sure, Root::none}, hit.high);
+}
+
+void Candidates::offer_curve(std::uint32_t surface) {
+  const bool left = surface == left_.surface;
+  if ((left && left_.root == Root::both) || is_known(surface)) return;
+  ++tested_;
+  const Arc& arc = walls_.arc(surface);
+  const FilteredCurve hit = filter_curve(ray_, arc.curve);
+  const bool joined = arc.extent == Arc::Extent::between;
+  if (hit.verdict == FilteredCurve::Verdict::missed && !joined) return;
+  // What joins an arc to its ends is met at other times than its curve.
+  const double low = joined || left ? -kInfinity : hit.low;
+  if (low > high_) return;
+  const bool sure =
+      hit.verdict == FilteredCurve::Verdict::sure && arc.extent == Arc::Extent::whole && !left;
+  take({surface, low, sure, hit.root}, hit.high);
+}
+
+void Candidates::take_segment(std::uint32_t slot, double t) {
+  const bool timed = !std::isnan(t);
+  take({walls_.segment_numbers[slot], timed ? t * (1 - 0x1p-50) : 0, true, Root::none, t},
+       timed ? t * (1 + 0x1p-50) + kUnderflowError : kInfinity);
+}
+
+NearestHit Candidates::crossed(const Candidate& candidate) const {
+  if (candidate.root != Root::none)
+    return crossing_hit(walls_, ray_, candidate.surface, candidate.root);
+  if (std::isnan(candidate.t))
+    return crossing_hit(walls_, ray_, walls_.segment_slot(candidate.surface));
+  return {candidate.surface, HitClass::touch, Root::none, false, candidate.t};
+}
+
+NearestHit Candidates::first(bool tangents) {
+  if (open_.empty()) return {};
+  std::sort(open_.begin(), open_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.surface < b.surface; });
+  open_.erase(
+      std::unique(open_.begin(), open_.end(),
+                  [](const Candidate& a, const Candidate& b) { return a.surface == b.surface; }),
+      open_.end());
+  if (open_.size() == 1 && open_.front().sure) return crossed(open_.front());
+  ExactNearest search(walls_, ray_, left_, tangents);
+  for (const Candidate& candidate : open_) search.offer(candidate.surface);
+  return search.hit();
+}
+
+}  // namespace flatray

@@ -1,0 +1,58 @@
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "trace/hits.h"
+#include "trace/segment_filter.h"
+
+namespace flatray {
+
+/// The walls that may be the first of one ray, as far as bounds can say, and the exact choice among
+/// them. Walkers of cells and lanes yield candidates; whatever they offer, the answer is that of
+/// ExactNearest for all of it.
+class Candidates {
+ public:
+  /// Needs   `walls`, `ray` and `left` to outlive it; a direction that is not zero. What is surely
+  ///         met later than `limit` is no candidate.
+  Candidates(const Surfaces& walls, const Ray& ray, const Left& left, double limit = kInfinity)
+      : walls_(walls), ray_(ray), left_(left), filter_(ray), high_(limit) {}
+
+  /// A segment that the ray has not left; it need not be counted where it is surely met later than
+  /// `limit`.
+  void offer_segment(std::uint32_t slot, double limit = kInfinity);
+  void offer_curve(std::uint32_t surface);
+  /// A segment that is surely crossed between its ends, at `t` within an ulp; NaN where t is not known.
+  void take_segment(std::uint32_t slot, double t);
+
+  /// Whether nothing met later than t can be the first.
+  bool settled(double t) const { return high_ < t; }
+  bool empty() const { return open_.empty(); }
+  /// Walls offered, those in several cells once for each.
+  std::size_t tested() const { return tested_; }
+
+  /// The first of them.
+  NearestHit first(bool tangents);
+
+ private:
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  struct Candidate {
+    std::uint32_t surface;
+    double low;           // t is not surely less
+    bool sure;            // surely met
+    Root root;            // then, of a curve
+    double t = kUnknown;  // exact to half an ulp, where known
+  };
+  bool is_known(std::uint32_t surface) const;
+  void take(const Candidate& candidate, double high);
+  NearestHit crossed(const Candidate& candidate) const;
+
+  const Surfaces& walls_;
+  const Ray& ray_;
+  const Left& left_;
+  const SegmentFilter filter_;
+  std::vector<Candidate> open_;
+  double high_;
+  std::size_t tested_ = 0;
+};
+
+}  // namespace flatray
