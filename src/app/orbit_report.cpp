@@ -13,7 +13,7 @@
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 #include "study/wall_places.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 
 namespace flatray {
 namespace {
@@ -54,7 +54,7 @@ std::string walls_text(const Scene& scene, const World& world,
 
 void tell_start(const OrbitRoom& room, OrbitReport& report) {
   const Vec2& start = report.orbit.start;
-  const auto walls = Lander(room.world.surfaces).walls_at(start);
+  const auto walls = ExactOrigins(room.world.surfaces).walls_at(start);
   const auto holder = room.solids.holder(start);
   report.starts_badly = walls.empty() && (holder || !room.solids.in_chamber(start));
   report.start = !walls.empty()        ? "on " + walls_text(room.scene, room.world, walls)

@@ -113,12 +113,12 @@ class Search {
 
 Point<Rational> exact(const Vec2& v) { return {v.x(), v.y()}; }
 
-// The first of the walls that are suspected.
+// The first wall of the candidates.
 template <class Kind, class Make>
-NearestWall search(const Make& point, std::span<const Suspect> suspects) {
+NearestWall search(const Make& point, std::span<const Candidate> candidates) {
   Search<Kind> found(point(0), point(1));
-  for (std::size_t i = 0; i < suspects.size(); ++i)
-    found.offer(suspects[i].wall, point(2 + 2 * i), point(3 + 2 * i));
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    found.offer(candidates[i].wall, point(2 + 2 * i), point(3 + 2 * i));
   NearestWall nearest;
   nearest.by = Kind::kName;
   if (found.wall < 0) return nearest;
@@ -130,11 +130,11 @@ NearestWall search(const Make& point, std::span<const Suspect> suspects) {
 }
 
 NearestWall exact_search(const Ray& ray, std::span<const Segment> walls,
-                         std::span<const Suspect> suspects) {
+                         std::span<const Candidate> candidates) {
   std::vector<double> xs{ray.origin.x(), ray.direction.x()};
   std::vector<double> ys{ray.origin.y(), ray.direction.y()};
-  for (const Suspect& suspect : suspects) {
-    const Segment& wall = walls[static_cast<std::size_t>(suspect.wall)];
+  for (const Candidate& candidate : candidates) {
+    const Segment& wall = walls[static_cast<std::size_t>(candidate.wall)];
     xs.insert(xs.end(), {wall.a.x(), wall.b.x()});
     ys.insert(ys.end(), {wall.a.y(), wall.b.y()});
   }
@@ -144,16 +144,16 @@ NearestWall exact_search(const Ray& ray, std::span<const Segment> walls,
     const auto point = [&](std::size_t i) {
       return Point<Int128>{whole_x->numbers[i], whole_y->numbers[i]};
     };
-    return search<WholeNumbers>(point, suspects);
+    return search<WholeNumbers>(point, candidates);
   }
   const auto point = [&](std::size_t i) { return Point<Rational>{xs[i], ys[i]}; };
-  return search<Rationals>(point, suspects);
+  return search<Rationals>(point, candidates);
 }
 
 }  // namespace
 
 NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
-  std::vector<Suspect> all(walls.size());
+  std::vector<Candidate> all(walls.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i].wall = static_cast<std::int64_t>(i);
   return exact_search(ray, walls, all);
 }
@@ -177,13 +177,13 @@ NearestWalls::NearestWalls(const Surfaces& walls) : walls_(walls) {
 }
 
 NearestWall NearestWalls::of(const Ray& ray) {
-  find_suspects(ray, walls_.segments, straight_);
+  find_candidates(ray, walls_.segments, straight_);
   long double first = std::numeric_limits<long double>::infinity();
-  for (const Suspect& each : straight_) first = std::min(first, each.sure ? each.high : first);
-  find_suspects(ray, reaches_, first, round_);
+  for (const Candidate& each : straight_) first = std::min(first, each.sure ? each.high : first);
+  find_candidates(ray, reaches_, first, round_);
   if (!round_.empty()) return among_curves(ray);
   if (straight_.empty()) return {};
-  const Suspect& only = straight_.front();
+  const Candidate& only = straight_.front();
   const double t = static_cast<double>(only.low);
   const bool settled = straight_.size() == 1 && only.sure && t == static_cast<double>(only.high);
   NearestWall nearest = settled ? NearestWall{only.wall, HitClass::touch, false, t}
@@ -194,7 +194,7 @@ NearestWall NearestWalls::of(const Ray& ray) {
 
 NearestWall NearestWalls::among_curves(const Ray& ray) const {
   Search<Rationals> straight(exact(ray.origin), exact(ray.direction));
-  for (const Suspect& each : straight_) {
+  for (const Candidate& each : straight_) {
     const Segment& wall = walls_.segments[static_cast<std::size_t>(each.wall)];
     straight.offer(each.wall, exact(wall.a), exact(wall.b));
   }
@@ -205,7 +205,7 @@ NearestWall NearestWalls::among_curves(const Ray& ray) const {
     nearest = {walls_.segment_numbers[static_cast<std::size_t>(straight.wall)], straight.kind,
                straight.at_end};
   }
-  for (const Suspect& each : round_) {
+  for (const Candidate& each : round_) {
     const std::uint32_t number = walls_.curve_numbers[static_cast<std::size_t>(each.wall)];
     auto met = first_meeting(ray, walls_.arcs[static_cast<std::size_t>(each.wall)]);
     if (!met) continue;

@@ -5,7 +5,7 @@
 
 #include "geom/hit_interval.h"
 #include "geom/ray.h"
-#include "oracle/suspects.h"
+#include "oracle/candidates.h"
 #include "trace/rays.h"
 #include "trace/surfaces.h"
 
@@ -55,7 +55,7 @@ class NearestWalls {
 
   const Surfaces& walls_;
   std::vector<Reach> reaches_;  // of each curve
-  std::vector<Suspect> straight_, round_;
+  std::vector<Candidate> straight_, round_;
 };
 
 }  // namespace flatray::oracle

@@ -8,7 +8,7 @@
 #include "geom/pair.h"
 #include "precise/course.h"
 #include "trace/surfaces.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 #include "transport/periodic_walls.h"
 
 namespace flatray {
@@ -41,7 +41,7 @@ class Flight {
         course_(start, make),
         point_(pair(start.origin)),
         first_entry_(point_) {
-    for (const std::uint32_t surface : Lander(walls).walls_at(start.origin)) left_ = surface;
+    for (const std::uint32_t surface : ExactOrigins(walls).walls_at(start.origin)) left_ = surface;
   }
 
   Prospect next() const {

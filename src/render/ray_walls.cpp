@@ -19,14 +19,14 @@ RayWalls::RayWalls(const Scene& scene, const FrameState& state, const Tracer* as
 std::vector<RenderPlan::Choice> RayWalls::choices() const {
   const TracerChoice& choice = orbits_.choice();
   return {{"tracer", choice.tracer->name, choice.reason + "; " + orbits_.walls().structure()},
-          {"landing", orbits_.near_landings().structure(), "walls near a bounce are looked at"}};
+          {"origins", orbits_.origin_cells().structure(), "walls near a bounce are looked at"}};
 }
 
 std::vector<RenderPlan::Choice> ray_wall_choices(const Scene& scene, const FrameState& state,
                                                  const Tracer* asked) {
   const Need need = need_of_ray_walls(scene);
   if (need.needed) return RayWalls(scene, state, asked).choices();
-  return {{"tracer", "left out", need.reason}, {"landing", "left out", need.reason}};
+  return {{"tracer", "left out", need.reason}, {"origins", "left out", need.reason}};
 }
 
 }  // namespace flatray

@@ -11,7 +11,7 @@
 #include "geom/predicates.h"
 #include "study/starts.h"
 #include "study/wall_places.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 #include "transport/near_doubles.h"
 #include "transport/reflection.h"
 
@@ -54,7 +54,7 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
 }
 
 bool Room::has_start(const Vec2& point) const {
-  if (!Lander(walls()).walls_at(point).empty()) return true;
+  if (!ExactOrigins(walls()).walls_at(point).empty()) return true;
   const Shape* chamber =
       scene_.chambers.empty() ? nullptr : &scene_.shapes[scene_.chambers.front().shape];
   const bool inside = chamber == nullptr || !has_area(*chamber) || solids_.in_chamber(point);

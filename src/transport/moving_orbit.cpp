@@ -100,12 +100,12 @@ class Flight {
     for (const MovingHit& one : hits) met.push_back(one.surface);
     if (hits.size() > 1 || hit.at_end) return arrives(hit, there, std::move(met));
     if (material(hit.surface) != Material::mirror) return arrives(hit, there, std::move(met));
-    const std::vector<Fence> fences = fences_near(hit, there);
+    const std::vector<NearWall> near = near_walls(hit, there);
     const auto stands = nearest_double(there.at, [&](const Vec2& at) {
-      return may_stand({at, there.velocity, there.since}, hit, fences);
+      return may_stand({at, there.velocity, there.since}, hit, near);
     });
     if (!stands) {
-      for (const Fence& fence : fences) met.push_back(fence.surface);
+      for (const NearWall& near_wall : near) met.push_back(near_wall.surface);
       std::sort(met.begin(), met.end());
       return arrives(hit, there, std::move(met));
     }
@@ -126,20 +126,20 @@ class Flight {
   }
 
   // A wall that passes so near that rounding might put the particle on its other side.
-  struct Fence {
+  struct NearWall {
     std::uint32_t surface;
     const Leg* leg;
     Sign side;
   };
-  std::vector<Fence> fences_near(const MovingHit& hit, const Mover& there) const {
-    std::vector<Fence> fences;
+  std::vector<NearWall> near_walls(const MovingHit& hit, const Mover& there) const {
+    std::vector<NearWall> near;
     for (std::uint32_t i = 0; i < surfaces().size(); ++i) {
       if (i == hit.surface || !passes_near(i, there)) continue;
       const Leg& leg = leg_at(walls_.legs(i), there.since);
       const Sign side = side_at(walls_, i, leg, mover_, hit.time);
-      if (side != Sign::zero) fences.push_back({i, &leg, side});
+      if (side != Sign::zero) near.push_back({i, &leg, side});
     }
-    return fences;
+    return near;
   }
 
   // In doubles, generously.
@@ -168,11 +168,12 @@ class Flight {
     return !(std::fabs((at - centre).stableNorm() - radius) > near);
   }
 
-  bool may_stand(const Mover& there, const MovingHit& hit, const std::vector<Fence>& fences) const {
+  bool may_stand(const Mover& there, const MovingHit& hit,
+                 const std::vector<NearWall>& near) const {
     const Leg& own = leg_at(walls_.legs(hit.surface), there.since);
     if (side_of(walls_, hit.surface, own, there) == -hit.side) return false;
-    return std::all_of(fences.begin(), fences.end(), [&](const Fence& fence) {
-      return side_of(walls_, fence.surface, *fence.leg, there) == fence.side;
+    return std::all_of(near.begin(), near.end(), [&](const NearWall& near_wall) {
+      return side_of(walls_, near_wall.surface, *near_wall.leg, there) == near_wall.side;
     });
   }
 

@@ -39,7 +39,7 @@ struct MovingLimits {
 /// Error   which wall is next, and whether there is one, is exact for the doubles of the last bounce
 ///         (place, velocity, time as a sum of two doubles) and the motion of the walls: nothing
 ///         tunnels, whatever the speed of walls and of the particle. Rounded are times (to 2^-80 of
-///         them), places (the nearest double on the inner side, as Lander) and velocities (nearest
+///         them), places (the nearest double on the inner side, as ExactOrigins) and velocities (nearest
 ///         doubles; moved by at most 2 more where that would lead back into the wall): at every
 ///         scale the same.
 /// Cost    all walls are looked at for each bounce, some 0.3 us each.

@@ -76,7 +76,7 @@ class OrbitTracer::Wave {
   bool start(Flight& flight) {
     if (flight.left.surface == kNoSurface) {
       const Vec2& origin = flight.ray.origin;
-      const std::vector<std::uint32_t> stood_on = orbits_.lander_.walls_at(origin);
+      const std::vector<std::uint32_t> stood_on = orbits_.origins_.walls_at(origin);
       const bool corner =
           stood_on.size() > 1 || (stood_on.size() == 1 && is_end(walls_, stood_on.front(), origin));
       if (corner) return stop(flight, OrbitEnd::corner, stood_on);
@@ -107,7 +107,7 @@ class OrbitTracer::Wave {
     return {};
   }
 
-  // An inexact tracer may name a wall that the ray runs along, or misses: there is no place to land.
+  // An inexact tracer may name a wall that the ray runs along, or misses: no origin is beside it.
   bool is_crossed(const Ray& ray, const NearestHit& hit) const {
     return walls_.visit(hit.surface,
                         [&](const auto& wall) { return flatray::is_crossed(wall, ray); });
@@ -117,28 +117,27 @@ class OrbitTracer::Wave {
     if (!hit) return stop(flight, OrbitEnd::escape, {});
     if (!orbits_.choice_.tracer->exact && !is_crossed(flight.ray, hit))
       return stop(flight, OrbitEnd::corner, {hit.surface});
-    Landing landing = orbits_.lander_.land(flight.ray, hit);
+    ExactOrigin origin = orbits_.origins_.after(flight.ray, hit);
     add(flight.time, hit.t);
-    if (landing.corner.empty()) {
+    if (origin.corner.empty()) {
       if (is_mirror(hit.surface)) {
-        auto reflection = reflect_off(walls_, flight.ray, hit, landing, flight.speed);
+        auto reflection = reflect_off(walls_, flight.ray, hit, origin, flight.speed);
         const Left wall{hit.surface, root_left_by(hit.root)};
         if (reflection && wall.root != Root::none && walls_.arc(wall.surface).curve.is_circle())
-          keep_moment(flight, wall, landing.point, reflection->direction);
-        return bounce(flight, wall, landing.point, hit.t, reflection);
+          keep_moment(flight, wall, origin.point, reflection->direction);
+        return bounce(flight, wall, origin.point, hit.t, reflection);
       }
-      landing.corner = {hit.surface};
+      origin.corner = {hit.surface};
     }
-    if (is_all(landing.corner, Material::periodic) &&
-        cross(flight, landing.point, landing.corner, hit.t))
+    if (is_all(origin.corner, Material::periodic) &&
+        cross(flight, origin.point, origin.corner, hit.t))
       return !(flight.circles || flight.crossings == kMostCrossings) ||
              stop(flight, OrbitEnd::escape, {});
-    const bool absorbed = is_all(landing.corner, Material::absorb);
+    const bool absorbed = is_all(origin.corner, Material::absorb);
     if (!absorbed && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any())
-      return turn_back(flight, landing, hit.t);
-    flight.ray.origin = landing.point;
-    return stop(flight, absorbed ? OrbitEnd::absorbed : OrbitEnd::corner,
-                std::move(landing.corner));
+      return turn_back(flight, origin, hit.t);
+    flight.ray.origin = origin.point;
+    return stop(flight, absorbed ? OrbitEnd::absorbed : OrbitEnd::corner, std::move(origin.corner));
   }
 
   // Goes on from the opposite walls; false where none of these leads out.
@@ -176,7 +175,7 @@ class OrbitTracer::Wave {
 
   // From a corner the ray flies back to where it last was: a wall, off which it goes again, or its
   // start.
-  bool turn_back(Flight& flight, const Landing& corner, double t) {
+  bool turn_back(Flight& flight, const ExactOrigin& corner, double t) {
     const Vec2 back = -flight.ray.direction;
     report(flight, {corner.corner.front(), corner.point, flight.before + t, flight.path_length(),
                     unit(back), -back, back});
@@ -232,7 +231,7 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
       materials_(materials),
       corners_(rules.corners),
       choice_(choose_tracer(walls, rules.tracer)),
-      lander_(walls),
+      origins_(walls),
       tracer_(choice_.tracer->build(walls)),
       periodic_(walls, materials) {}
 

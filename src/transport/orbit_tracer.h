@@ -2,7 +2,7 @@
 #include <memory>
 #include <span>
 
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 #include "transport/orbit.h"
 #include "transport/periodic_walls.h"
 
@@ -47,10 +47,10 @@ class OrbitTracer {
   /// Needs   directions that are not zero.
   void follow(std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink) const;
 
-  /// What was built: what finds the walls, and why it; what knows the walls near a landing.
+  /// What was built: what finds the walls, and why it; what knows the walls near an origin.
   const TracerChoice& choice() const { return choice_; }
   const Accelerator& walls() const { return *tracer_; }
-  const WallCells& near_landings() const { return lander_.cells(); }
+  const WallCells& origin_cells() const { return origins_.cells(); }
 
  private:
   struct Flight;
@@ -60,7 +60,7 @@ class OrbitTracer {
   std::span<const Material> materials_;
   CornerRule corners_;
   TracerChoice choice_;  ///< of one that is not exact what it finds may not be there
-  Lander lander_;
+  ExactOrigins origins_;
   std::unique_ptr<Accelerator> tracer_;
   PeriodicWalls periodic_;
 };

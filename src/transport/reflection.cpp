@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geom/reflect.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 #include "transport/near_doubles.h"
 
 namespace flatray {
@@ -87,9 +87,9 @@ bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction) 
 }
 
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
-                                      const Landing& landing, const Speed& speed) {
-  return reflected(walls, {hit.surface, inner_side(walls, ray, hit), landing.normal}, ray.direction,
-                   landing.point, speed);
+                                      const ExactOrigin& origin, const Speed& speed) {
+  return reflected(walls, {hit.surface, inner_side(walls, ray, hit), origin.normal}, ray.direction,
+                   origin.point, speed);
 }
 
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,

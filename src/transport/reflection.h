@@ -5,7 +5,7 @@
 #include "geom/predicates.h"
 #include "trace/hits.h"
 #include "trace/surfaces.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 
 namespace flatray {
 
@@ -72,7 +72,7 @@ Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, con
 ///         enough (then the ray runs along the wall).
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
-                                      const Landing& landing, const Speed& speed);
+                                      const ExactOrigin& origin, const Speed& speed);
 /// The same of a ray that comes back along `direction` to a wall it has left at `point`.
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
                                         const Vec2& direction, const Speed& speed);

@@ -92,17 +92,17 @@ TEST(NearestWalls, AnswerAsIfEveryWallWereDecidedExactly) {
 // A ray that passes an end of a wall by an ulp, far from it, and one that does not.
 TEST(Suspects, AreSureOnlyOfWhatTheBoundsTell) {
   const std::vector<Segment> wall = {{{4, 0}, {4, 4}}};
-  std::vector<Suspect> suspects;
-  find_suspects({{0, 2}, {1, 0}}, wall, suspects);
-  ASSERT_EQ(suspects.size(), 1U);
-  EXPECT_TRUE(suspects[0].sure);
-  EXPECT_LE(suspects[0].low, 4);
-  EXPECT_GE(suspects[0].high, 4);
-  find_suspects({{0, 4}, {1, 0}}, wall, suspects);
-  ASSERT_EQ(suspects.size(), 1U);
-  EXPECT_FALSE(suspects[0].sure);
-  find_suspects({{0, 4}, {1, 0x1p-50}}, wall, suspects);
-  EXPECT_TRUE(suspects.empty());
+  std::vector<Candidate> candidates;
+  find_candidates({{0, 2}, {1, 0}}, wall, candidates);
+  ASSERT_EQ(candidates.size(), 1U);
+  EXPECT_TRUE(candidates[0].sure);
+  EXPECT_LE(candidates[0].low, 4);
+  EXPECT_GE(candidates[0].high, 4);
+  find_candidates({{0, 4}, {1, 0}}, wall, candidates);
+  ASSERT_EQ(candidates.size(), 1U);
+  EXPECT_FALSE(candidates[0].sure);
+  find_candidates({{0, 4}, {1, 0x1p-50}}, wall, candidates);
+  EXPECT_TRUE(candidates.empty());
 }
 
 TEST(WholeNumbers, HoldDoublesWithinSixtyBits) {

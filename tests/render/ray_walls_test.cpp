@@ -29,7 +29,7 @@ void expect_told_as_built(const Scene& scene, const std::string& name) {
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].decision, built.orbits().choice().tracer->name) << name;
   EXPECT_EQ(cells_in(told[0].reason), built.orbits().walls().cells()) << name;
-  EXPECT_EQ(cells_in(told[1].decision), built.orbits().near_landings().cells()) << name;
+  EXPECT_EQ(cells_in(told[1].decision), built.orbits().origin_cells().cells()) << name;
   for (const std::string& words : {told[0].reason, told[1].decision})
     EXPECT_TRUE(cells_in(words) > 0 || words.find("one list") != std::string::npos) << words;
 }
@@ -68,8 +68,8 @@ TEST(RayWalls, OfTheHallAreInListsAlone) {
   const Timeline timeline(scene, scene.seed, 1);
   const RayWalls built(scene, at(timeline, 1), nullptr);
   EXPECT_EQ(built.orbits().walls().cells(), 0U);
-  EXPECT_EQ(built.orbits().near_landings().cells(), 0U);
-  EXPECT_EQ(built.orbits().near_landings().entries(), 0U);
+  EXPECT_EQ(built.orbits().origin_cells().cells(), 0U);
+  EXPECT_EQ(built.orbits().origin_cells().entries(), 0U);
 }
 
 std::size_t builds_of(const std::string& text, bool keep_all = false) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "trace/all_tracers.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 
 namespace flatray {
 namespace {
@@ -74,19 +74,19 @@ TEST(WallCells, OfAFlatSceneAreOneCell) {
   EXPECT_EQ(near(WallCells(walls), Vec2(3, 0)).size(), 100U);
 }
 
-TEST(Landings, AtTheEndsOfManyWallsAreThoseOfEachWallAskedAlone) {
+TEST(ExactOrigins, AtTheEndsOfManyWallsAreThoseOfEachWallAskedAlone) {
   Draws draw(3);
   const Surfaces walls = crowd(draw, 2000, Vec2(0, 0));
-  const Lander lander(walls);
+  const ExactOrigins origins(walls);
   for (int i = 0; i < 200; ++i) {
     const Vec2 end = walls.segments[draw.bits() % walls.segments.size()].a;
     std::vector<std::uint32_t> met;
     for (std::uint32_t wall = 0; wall < walls.size(); ++wall) {
       Surfaces alone;
       walls.visit(wall, [&](const auto& each) { alone.add(each); });
-      if (!Lander(alone).walls_at(end).empty()) met.push_back(wall);
+      if (!ExactOrigins(alone).walls_at(end).empty()) met.push_back(wall);
     }
-    EXPECT_EQ(lander.walls_at(end), met);
+    EXPECT_EQ(origins.walls_at(end), met);
   }
 }
 

@@ -123,9 +123,9 @@ class Backward {
                          path + kNetNumbers * kParts);
     }
 
-    // A matt wall where a path has landed.
+    // A matt wall that a path has met.
     struct Matt {
-      const LightLanding& landed;
+      const LightHit& met;
       bool both_sides;
     };
     // Notes the lamps that a point sees from one direction; `share` is what of their fluence, times the
@@ -140,9 +140,9 @@ class Backward {
         if (towards.ray.direction.isZero(0)) continue;
         double part = share;
         if (wall != nullptr) {
-          const double cosine = wall->landed.normal.dot(unit(towards.ray.direction));
+          const double cosine = wall->met.normal.dot(unit(towards.ray.direction));
           part *= wall->both_sides ? std::abs(cosine) : cosine;
-          if (!(part > 0) || !of_.walls_.sets_off_from(towards, wall->landed, !wall->both_sides))
+          if (!(part > 0) || !of_.walls_.sets_off_from(towards, wall->met, !wall->both_sides))
             continue;
         }
         Look one{path.pixel * kParts + path.part, bounces, sight->from, {}};
@@ -170,11 +170,11 @@ class Backward {
     }
 
     void fly() {
-      landings_.resize(rays_.size());
-      of_.walls_.fly(rays_, landings_);
+      met_.resize(rays_.size());
+      of_.walls_.fly(rays_, met_);
       if (!of_.lamps_.any_lines()) return;
       std::vector<LightSum> radiance(rays_.size(), LightSum{0, 0, 0});
-      of_.lamps_.add_lines(rays_, landings_, radiance);
+      of_.lamps_.add_lines(rays_, met_, radiance);
       for (std::size_t i = 0; i < rays_.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c)
           sums_[paths_[i].pixel * kParts + paths_[i].part][c] +=
@@ -187,22 +187,22 @@ class Backward {
     }
 
     bool goes_on(std::size_t i, std::uint32_t bounces) {
-      const LightLanding& landed = landings_[i];
-      if (!landed.hit || landed.in_corner) return false;
+      const LightHit& met = met_[i];
+      if (!met.hit || met.in_corner) return false;
       if (bounces == of_.rules_.light.bounces) return false;
       const auto number = [&](std::uint32_t draw) {
         return unit_double(random_bits(paths_[i].key, Stream::bounce, bounces, 0, draw));
       };
-      const Arrival arrival = of_.walls_.arrival(rays_[i], landed);
-      Departure departure = of_.walls_.depart(landed, arrival, number(0));
+      const Arrival arrival = of_.walls_.arrival(rays_[i], met);
+      Departure departure = of_.walls_.depart(met, arrival, number(0));
       Path& path = paths_[i];
-      const LightSum left = of_.walls_.bodies().left_after(landed.hit.t, rays_[i].media);
+      const LightSum left = of_.walls_.bodies().left_after(met.hit.t, rays_[i].media);
       for (std::size_t c = 0; c < 3; ++c) path.weight[c] *= left[c];
       for (std::size_t c = 0; c < 3; ++c) path.weight[c] *= static_cast<double>(departure.tint[c]);
       if (departure.way == Departure::Way::scattered &&
           !turned_round(i, of_.rules_.light.bounces - bounces - 1, arrival, departure, number(1)))
         return false;
-      return of_.walls_.leaves(rays_[i], landed, departure) && gamble(path, number(2));
+      return of_.walls_.leaves(rays_[i], met, departure) && gamble(path, number(2));
     }
 
     // Scattering the other way: of what comes, not of what leaves.
@@ -210,8 +210,8 @@ class Backward {
                       Departure& departure, double u) {
       Path& path = paths_[i];
       const double cosine = -arrival.direction.dot(arrival.normal);
-      const LightLanding& landed = landings_[i];
-      const std::uint32_t surface = landed.hit.surface;
+      const LightHit& met = met_[i];
+      const std::uint32_t surface = met.hit.surface;
       if (of_.walls_.shares(surface) == nullptr) {  // refracted: radiance goes with the index
         const Bodies& bodies = of_.walls_.bodies();
         const double ratio = bodies.index_in(bodies.of(surface), 0) / arrival.outer_index;
@@ -219,8 +219,8 @@ class Backward {
         return true;
       }
       LightRay at = rays_[i];
-      at.ray.origin = landed.point;
-      const Matt wall{landed, !departure.stays};
+      at.ray.origin = met.point;
+      const Matt wall{met, !departure.stays};
       if (departure.stays) {
         look(path, at, 0.5, bounces_left, &wall);
         return true;
@@ -260,7 +260,7 @@ class Backward {
     std::vector<LightSum> sums_;  // by pixel and part
     std::vector<Path> paths_;
     std::vector<LightRay> rays_;  // of the paths
-    std::vector<LightLanding> landings_;
+    std::vector<LightHit> met_;
     std::vector<Look> looks_;
     RayBatch looking_;
   };

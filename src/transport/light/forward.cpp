@@ -273,7 +273,7 @@ class Forward {
   }
 
   WallPlace place_of(std::size_t i) const {
-    const LightLanding& arrival = arrivals_[i];
+    const LightHit& arrival = arrivals_[i];
     if (!arrival.hit) return ~WallPlace{0};
     return wall_place(worlds_[world_of_[i]]->walls(), arrival.hit.surface, arrival.point);
   }
@@ -283,7 +283,7 @@ class Forward {
   LightRay scattered(std::size_t i, std::uint32_t bounces, const Number& number,
                      LightCounts& counts) const {
     const LightRay& ray = rays_[i];
-    const LightLanding& arrival = arrivals_[i];
+    const LightHit& arrival = arrivals_[i];
     const LitWalls& walls = *worlds_[world_of_[i]];
     const auto ends = [&](std::int64_t& where, std::int64_t with) {
       where += with;
@@ -363,7 +363,7 @@ class Forward {
   const Scramble* now_ = nullptr;  // the one that is traced, and its film
   LightFilm* film_ = nullptr;
   std::vector<LightRay> rays_, next_;  // under way, and after a bounce
-  std::vector<LightLanding> arrivals_;
+  std::vector<LightHit> arrivals_;
   std::vector<LightLine> lines_;
   std::vector<WallPlace> places_;
   std::vector<std::uint32_t> world_of_;  // by ray

@@ -13,13 +13,13 @@ LitWalls::LitWalls(const World& world, std::span<const Scatterer* const> scatter
       materials_(world.materials()),
       scatterers_(scatterers),
       bodies_(world, scatterers),
-      lander_(walls_),
-      origins_(walls_),
+      exact_origins_(walls_),
+      offset_origins_(walls_),
       kind_(*choose_tracer(walls_, tracer).tracer),
       tracer_(kind_.build(walls_)) {}
 
 bool LitWalls::sets_off(LightRay& ray) const {
-  const std::vector<std::uint32_t> stood_on = lander_.walls_at(ray.ray.origin);
+  const std::vector<std::uint32_t> stood_on = exact_origins_.walls_at(ray.ray.origin);
   if (bodies_.any()) ray.media = bodies_.around(ray.ray.origin);
   if (stood_on.empty()) return true;
   if (stood_on.size() > 1 || is_end(walls_, stood_on.front(), ray.ray.origin)) return false;
@@ -31,7 +31,7 @@ bool LitWalls::sets_off(LightRay& ray) const {
   return true;
 }
 
-void LitWalls::fly(std::span<const LightRay> rays, std::span<LightLanding> landings) const {
+void LitWalls::fly(std::span<const LightRay> rays, std::span<LightHit> met) const {
   RayBatch batch;
   batch.tangents = false;
   batch.resize(rays.size());
@@ -39,82 +39,82 @@ void LitWalls::fly(std::span<const LightRay> rays, std::span<LightLanding> landi
   std::vector<NearestHit> hits(rays.size());
   tracer_->nearest(batch, hits);
   for (std::size_t i = 0; i < rays.size(); ++i)
-    landings[i] = hits[i] ? land(rays[i].ray, hits[i]) : LightLanding{};
+    met[i] = hits[i] ? light_hit(rays[i].ray, hits[i]) : LightHit{};
 }
 
-LightLanding LitWalls::land(const Ray& ray, const NearestHit& hit) const {
+LightHit LitWalls::light_hit(const Ray& ray, const NearestHit& hit) const {
   const Sign inside = inside_at(hit.surface);
-  if (const auto met = kind_.exact ? origins_.meet(ray, hit) : std::nullopt) {
+  if (const auto met = kind_.exact ? offset_origins_.meet(ray, hit) : std::nullopt) {
     const bool back = met->normal.dot(ray.direction) < 0;  // to the side of the normal
     return {hit,
             false,
             back == (inside == Sign::positive),
             met->point,
             back ? met->normal : Vec2(-met->normal),
-            origins_.distance()};
+            offset_origins_.distance()};
   }
-  const Landing landing = lander_.land(ray, hit);
-  if (!landing.corner.empty()) return {hit, true, false, landing.point};
+  const ExactOrigin origin = exact_origins_.after(ray, hit);
+  if (!origin.corner.empty()) return {hit, true, false, origin.point};
   const Sign side = inner_side(walls_, ray, hit);
-  return {hit, false, side == inside, landing.point,
-          static_cast<double>(side) * unit(landing.normal)};
+  return {hit, false, side == inside, origin.point,
+          static_cast<double>(side) * unit(origin.normal)};
 }
 
 Sign LitWalls::inside_at(std::uint32_t surface) const {
   return walls_.visit(surface, [](const auto& wall) { return inside_of(wall); });
 }
 
-Sign LitWalls::side(const LightLanding& landed) const {
-  const Sign inside = inside_at(landed.hit.surface);
-  return landed.from_inside ? inside : -inside;
+Sign LitWalls::side(const LightHit& met) const {
+  const Sign inside = inside_at(met.hit.surface);
+  return met.from_inside ? inside : -inside;
 }
 
-Arrival LitWalls::arrival(const LightRay& ray, const LightLanding& landed) const {
+Arrival LitWalls::arrival(const LightRay& ray, const LightHit& met) const {
   const auto nm = static_cast<double>(ray.nm);
-  const std::uint32_t surface = landed.hit.surface;
+  const std::uint32_t surface = met.hit.surface;
   const bool placed = scatterers_[surface] != nullptr && scatterers_[surface]->depends_on_place() &&
                       walls_.segment_slot(surface) != kNoSurface;
   return {ray.ray.direction,
-          landed.normal,
-          landed.from_inside,
+          met.normal,
+          met.from_inside,
           bodies_.index_around(ray.media, bodies_.of(surface), nm),
           nm,
-          placed ? share_along(walls_.segment(surface), landed.point) : 0.0};
+          placed ? share_along(walls_.segment(surface), met.point) : 0.0};
 }
 
-Departure LitWalls::depart(const LightLanding& landed, const Arrival& arrival, double u) const {
-  const std::uint32_t surface = landed.hit.surface;
+Departure LitWalls::depart(const LightHit& met, const Arrival& arrival, double u) const {
+  const std::uint32_t surface = met.hit.surface;
   if (scatterers_[surface] != nullptr) return scatterers_[surface]->scatter(arrival, u);
   return {materials_[surface] == Material::mirror ? Departure::Way::mirrored
                                                   : Departure::Way::absorbed};
 }
 
-bool LitWalls::all_absorb(const LightRay& ray, const LightLanding& landed) const {
-  const std::vector<std::uint32_t> corner = lander_.land(ray.ray, landed.hit).corner;
+bool LitWalls::all_absorb(const LightRay& ray, const LightHit& met) const {
+  const std::vector<std::uint32_t> corner = exact_origins_.after(ray.ray, met.hit).corner;
   return std::all_of(corner.begin(), corner.end(), [&](std::uint32_t i) {
     return scatterers_[i] == nullptr && materials_[i] == Material::absorb;
   });
 }
 
-bool LitWalls::sets_off_from(LightRay& ray, const LightLanding& landed, bool stays) const {
-  const std::uint32_t surface = landed.hit.surface;
+bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) const {
+  const std::uint32_t surface = met.hit.surface;
   const Vec2& direction = ray.ray.direction;
-  ray.ray.origin = landed.point;
-  if (landed.offset == 0) {
+  ray.ray.origin = met.point;
+  if (met.offset == 0) {
     ray.left = {surface, root_stood_on(walls_, surface, ray.ray)};
     return !runs_along(walls_, ray.left, direction) &&
-           (!stays || leads_away(walls_, surface, side(landed), ray.ray.origin, direction));
+           (!stays || leads_away(walls_, surface, side(met), ray.ray.origin, direction));
   }
-  const double cosine = landed.normal.dot(direction);
+  const double cosine = met.normal.dot(direction);
   constexpr double kLeast = OffsetOrigins::kLeastCosine * OffsetOrigins::kLeastCosine;
   const bool straight = walls_.segment_slot(surface) != kNoSurface;
   const bool grazes = !(cosine * cosine > kLeast * direction.squaredNorm());
   if (grazes && runs_along(walls_, {surface, Root::none}, direction)) return false;
   const bool back = grazes && straight
-                        ? leads_away(walls_, surface, side(landed), landed.point, direction)
+                        ? leads_away(walls_, surface, side(met), met.point, direction)
                         : cosine > 0;
-  ray.ray.origin += (back ? landed.offset : -landed.offset) * landed.normal;
-  const Sign to = back ? side(landed) : -side(landed);
+  ray.ray.origin += (back ? met.offset : -met.offset) * met.normal;
+  const Sign to = back ? side(met) : -side(met);
   ray.left = {surface,
               walls_.visit(surface, [&](const auto& wall) { return root_left(wall, to); })};
   if (stays && !back) return false;
@@ -123,47 +123,47 @@ bool LitWalls::sets_off_from(LightRay& ray, const LightLanding& landed, bool sta
          leads_away(walls_, surface, Sign::positive, ray.ray.origin, direction);
 }
 
-bool LitWalls::leaves(LightRay& ray, const LightLanding& landed, const Departure& departure) const {
-  const std::uint32_t surface = landed.hit.surface;
+bool LitWalls::leaves(LightRay& ray, const LightHit& met, const Departure& departure) const {
+  const std::uint32_t surface = met.hit.surface;
   switch (departure.way) {
     case Departure::Way::absorbed:
       return false;
     case Departure::Way::through:
-      ray.ray.origin = landed.point - landed.offset * landed.normal;
-      ray.left = {surface, landed.hit.root};
+      ray.ray.origin = met.point - met.offset * met.normal;
+      ray.left = {surface, met.hit.root};
       return true;
     case Departure::Way::mirrored:
-      ray.left = {surface, root_left_by(landed.hit.root)};
-      return mirrors(ray.ray, landed);
+      ray.left = {surface, root_left_by(met.hit.root)};
+      return mirrors(ray.ray, met);
     case Departure::Way::scattered:
       ray.ray.direction = departure.direction;
-      if (!sets_off_from(ray, landed, departure.stays)) return false;
-      change_media(ray, landed);
+      if (!sets_off_from(ray, met, departure.stays)) return false;
+      change_media(ray, met);
       return true;
   }
   unreachable();
 }
 
-bool LitWalls::mirrors(Ray& ray, const LightLanding& landed) const {
-  const Vec2& normal = landed.normal;
+bool LitWalls::mirrors(Ray& ray, const LightHit& met) const {
+  const Vec2& normal = met.normal;
   const Ray came = ray;
-  ray.origin = landed.point + landed.offset * normal;
-  if (landed.offset > 0) {
+  ray.origin = met.point + met.offset * normal;
+  if (met.offset > 0) {
     ray.direction -= 2 * normal.dot(came.direction) * normal;
     return true;
   }
-  const Landing landing{landed.point, {}, static_cast<double>(side(landed)) * normal};
-  const auto reflection = reflect_off(walls_, came, landed.hit, landing, speed_);
+  const ExactOrigin origin{met.point, {}, static_cast<double>(side(met)) * normal};
+  const auto reflection = reflect_off(walls_, came, met.hit, origin, speed_);
   if (reflection) ray.direction = reflection->direction;
   return reflection.has_value();
 }
 
-void LitWalls::change_media(LightRay& ray, const LightLanding& landed) const {
-  const std::uint32_t body = bodies_.of(landed.hit.surface);
+void LitWalls::change_media(LightRay& ray, const LightHit& met) const {
+  const std::uint32_t body = bodies_.of(met.hit.surface);
   if (body == Media::kNone) return;
   const bool is_inside = goes_inside(walls_, ray.left, ray.ray.direction);
-  if (landed.from_inside && !is_inside) ray.media.leave(body);
-  if (!landed.from_inside && is_inside) ray.media.enter(body);
+  if (met.from_inside && !is_inside) ray.media.leave(body);
+  if (!met.from_inside && is_inside) ray.media.enter(body);
 }
 
 }  // namespace flatray

@@ -6,7 +6,7 @@
 #include "anim/world.h"
 #include "scene/scatterer.h"
 #include "trace/tracer.h"
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 #include "transport/light/bodies.h"
 #include "transport/light/light_ray.h"
 #include "transport/light/offset_origins.h"
@@ -15,7 +15,7 @@
 namespace flatray {
 
 /// Where a ray of light comes to a wall.
-struct LightLanding {
+struct LightHit {
   NearestHit hit;
   bool in_corner = false;    ///< of walls, where it ends
   bool from_inside = false;  ///< to the wall of a closed shape: outlines run counter-clockwise
@@ -26,7 +26,7 @@ struct LightLanding {
 
 /// The walls of a frame as light meets them, whichever way it is followed: none gets through a closed
 /// wall. Rays go on from points beside their walls, or where these are not certain as orbits do
-/// (transport/landing.h).
+/// (transport/exact_origin.h).
 class LitWalls {
  public:
   /// Needs   scatterers by surface, nullptr where its owner's material says all; they and `world`
@@ -35,45 +35,45 @@ class LitWalls {
 
   const Surfaces& walls() const { return walls_; }
   /// The walls on which a point stands, ascending. Exact.
-  std::vector<std::uint32_t> walls_at(const Vec2& point) const { return lander_.walls_at(point); }
+  std::vector<std::uint32_t> walls_at(const Vec2& point) const { return exact_origins_.walls_at(point); }
   const Accelerator& tracer() const { return *tracer_; }
   const Bodies& bodies() const { return bodies_; }
 
   /// Makes a ray one that has left the wall it stands on, in the bodies it is then in; false where
   /// it cannot set off, from a corner or along a wall.
   bool sets_off(LightRay& ray) const;
-  /// The next wall of each ray. Needs   as many landings as rays.
-  void fly(std::span<const LightRay> rays, std::span<LightLanding> landings) const;
-  /// Of a landing in a corner: whether all walls there absorb all light.
-  bool all_absorb(const LightRay& ray, const LightLanding& landed) const;
-  /// What a wall is told of light that lands on it, not in a corner.
-  Arrival arrival(const LightRay& ray, const LightLanding& landed) const;
+  /// The next wall of each ray. Needs   `met` as long as `rays`.
+  void fly(std::span<const LightRay> rays, std::span<LightHit> met) const;
+  /// Of a hit in a corner: whether all walls there absorb all light.
+  bool all_absorb(const LightRay& ray, const LightHit& met) const;
+  /// What a wall is told of light that meets it, not in a corner.
+  Arrival arrival(const LightRay& ray, const LightHit& met) const;
   /// What chance, uniform in [0, 1), makes of it.
-  Departure depart(const LightLanding& landed, const Arrival& arrival, double u) const;
+  Departure depart(const LightHit& met, const Arrival& arrival, double u) const;
   /// Of its scatterer: Scatterer::shares; null where it has none.
   const LightShares* shares(std::uint32_t surface) const {
     return scatterers_[surface] == nullptr ? nullptr : scatterers_[surface]->shares();
   }
-  /// Makes `ray`, whose direction is set, one that sets off from where light landed; false where it
+  /// Makes `ray`, whose direction is set, one that sets off from where light met a wall; false where it
   /// would run along the wall, or, where it `stays`, to the other side.
-  bool sets_off_from(LightRay& ray, const LightLanding& landed, bool stays) const;
-  /// Makes `ray` the one that goes on from where it landed; false where it is absorbed, or would run
+  bool sets_off_from(LightRay& ray, const LightHit& met, bool stays) const;
+  /// Makes `ray` the one that goes on from where it met a wall; false where it is absorbed, or would run
   /// along the wall.
-  bool leaves(LightRay& ray, const LightLanding& landed, const Departure& departure) const;
+  bool leaves(LightRay& ray, const LightHit& met, const Departure& departure) const;
 
  private:
-  LightLanding land(const Ray& ray, const NearestHit& hit) const;
+  LightHit light_hit(const Ray& ray, const NearestHit& hit) const;
   Sign inside_at(std::uint32_t surface) const;
-  Sign side(const LightLanding& landed) const;
-  bool mirrors(Ray& ray, const LightLanding& landed) const;
-  void change_media(LightRay& ray, const LightLanding& landed) const;
+  Sign side(const LightHit& met) const;
+  bool mirrors(Ray& ray, const LightHit& met) const;
+  void change_media(LightRay& ray, const LightHit& met) const;
 
   const Surfaces& walls_;
   const std::vector<Material> materials_;
   std::span<const Scatterer* const> scatterers_;
   const Bodies bodies_;
-  const Lander lander_;
-  const OffsetOrigins origins_;
+  const ExactOrigins exact_origins_;
+  const OffsetOrigins offset_origins_;
   const Tracer& kind_;
   const std::unique_ptr<Accelerator> tracer_;
   const Speed speed_{Vec2(1, 0)};

@@ -13,7 +13,7 @@ namespace flatray {
 /// move them, and far nearer to the hit than any other wall is, so that no wall lies between the two.
 ///
 /// The double nearest to a hit lies on either side of its wall by chance, and to find one that is on
-/// the right side of all walls near it is the Lander's work (transport/landing.h). Light needs no
+/// the right side of all walls near it is the work of ExactOrigins (transport/exact_origin.h). Light needs no
 /// nearest double, and nearly all of its hits are far from corners.
 ///
 /// Units   S is the largest coordinate of all walls, of arcs' whole curves too.

@@ -91,7 +91,7 @@ std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const L
   return passed;
 }
 
-void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightLanding> landings,
+void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightHit> met,
                           std::span<LightSum> radiance) const {
   RayBatch batch;
   batch.tangents = false;
@@ -99,9 +99,9 @@ void SeenLamps::add_lines(std::span<const LightRay> rays, std::span<const LightL
   std::vector<NearestHit> nearest(rays.size());
   tracer_->nearest(batch, nearest);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (!nearest[i] || nearest[i].t > landings[i].hit.t) continue;
+    if (!nearest[i] || nearest[i].t > met[i].hit.t) continue;
     for (const NearestHit& hit : tracer_->all_of_one(rays[i].ray, {}, false)) {
-      if (hit.t > landings[i].hit.t) break;
+      if (hit.t > met[i].hit.t) break;
       if (hit.t == 0 && rays[i].left.surface != kNoSurface)
         continue;  // seen as the path came there
       const Glow& glow = glows_[hit.surface];

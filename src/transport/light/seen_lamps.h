@@ -36,7 +36,7 @@ class SeenLamps {
   bool any_lines() const { return lines_.size() != 0; }
   /// Adds the light of lines that each ray crosses up to its wall: radiance, power per length and
   /// radian.
-  void add_lines(std::span<const LightRay> rays, std::span<const LightLanding> landings,
+  void add_lines(std::span<const LightRay> rays, std::span<const LightHit> met,
                  std::span<LightSum> radiance) const;
 
  private:

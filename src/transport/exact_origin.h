@@ -9,8 +9,8 @@
 
 namespace flatray {
 
-/// The point of a wall as a rounded hit refers to it, and where it may stand.
-struct Landing {
+/// Where a ray goes on from after a hit: the rounded point of its wall.
+struct ExactOrigin {
   Vec2 point;  ///< where the ray goes on from; at a corner the nearest double
   std::vector<std::uint32_t>
       corner;  ///< the walls that meet there, ascending; empty where it can be reflected
@@ -22,30 +22,30 @@ struct Landing {
 /// the closed inner side of the wall hit (the one the ray comes from), on no other wall, and on the
 /// same side as the exact hit of every wall that passes there. A hit with no such double, at an end
 /// of its wall, or on another wall is a corner.
-class Lander {
+class ExactOrigins {
  public:
   /// Needs   `walls` to outlive it.
-  explicit Lander(const Surfaces& walls);
+  explicit ExactOrigins(const Surfaces& walls);
 
   /// Needs   a hit by `ray` that is not a tangent of a curve.
   /// Cost    a look at the walls of a cell; some 100 us for each wall within a few ulps of the point.
-  Landing land(const Ray& ray, const NearestHit& hit) const;
+  ExactOrigin after(const Ray& ray, const NearestHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.
   std::vector<std::uint32_t> walls_at(const Vec2& point) const;
   /// How the walls are kept.
   const WallCells& cells() const { return cells_; }
 
  private:
-  struct Fence;
-  std::optional<Landing> land_quickly(const Ray& ray, const NearestHit& hit,
-                                      const QuickHit& quick) const;
+  struct NearWall;
+  std::optional<ExactOrigin> quick_after(const Ray& ray, const NearestHit& hit,
+                                         const QuickHit& quick) const;
   Vec2 normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const;
   std::vector<std::uint32_t> walls_near(const Vec2& point, std::uint32_t hit) const;
-  Landing land_at(const Vec2& end, std::uint32_t surface) const;
+  ExactOrigin at_end(const Vec2& end, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
-                 const std::vector<Fence>& fences) const;
+                 const std::vector<NearWall>& near) const;
   bool keeps_to_cone(std::uint32_t surface, const Vec2& point, PlaceOn cone) const;
-  Fence fence(std::uint32_t surface, const ExactHit& hit) const;
+  NearWall near_wall(std::uint32_t surface, const ExactHit& hit) const;
   Sign side(std::uint32_t surface, const Vec2& point) const;
   bool stands_on(std::uint32_t surface, const Vec2& point) const;
 

@@ -1,4 +1,4 @@
-#include "oracle/suspects.h"
+#include "oracle/candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ bool is_behind(double origin, double direction, double a, double b) {
 }
 
 // When a wall is met whose ends lie on different sides of the ray's line.
-Suspect crossing(std::int64_t wall, Known time, const Known& from, const Known& to) {
+Candidate crossing(std::int64_t wall, Known time, const Known& from, const Known& to) {
   Known across{to.value - from.value, from.error + to.error};
   across.error += kRounding * std::fabs(across.value);
   if (across.value < 0) {
@@ -60,20 +60,21 @@ Suspect crossing(std::int64_t wall, Known time, const Known& from, const Known& 
   return {wall, true, low * (1 - 8 * kRounding), high * (1 + 8 * kRounding)};
 }
 
-Suspect suspect(const Ray& ray, const Segment& segment, std::int64_t wall) {
+Candidate candidate(const Ray& ray, const Segment& segment, std::int64_t wall) {
   const Point o = wide(ray.origin), d = wide(ray.direction);
   const Point p = wide(segment.a), q = wide(segment.b);
   const Long ax = p.x - o.x, ay = p.y - o.y, bx = q.x - o.x, by = q.y - o.y;
   const Known a = area(d.x, d.y, ax, ay), b = area(d.x, d.y, bx, by);
   if ((a.positive() && b.positive()) || (a.negative() && b.negative())) return {};
   const bool apart = (a.positive() && b.negative()) || (a.negative() && b.positive());
-  return apart ? crossing(wall, area(ax, ay, bx, by), a, b) : Suspect{wall};
+  return apart ? crossing(wall, area(ax, ay, bx, by), a, b) : Candidate{wall};
 }
 
 }  // namespace
 
-void find_suspects(const Ray& ray, std::span<const Segment> walls, std::vector<Suspect>& suspects) {
-  suspects.clear();
+void find_candidates(const Ray& ray, std::span<const Segment> walls,
+                     std::vector<Candidate>& candidates) {
+  candidates.clear();
   const Vec2 &o = ray.origin, &d = ray.direction;
   Long first = std::numeric_limits<Long>::infinity();
   for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -81,12 +82,12 @@ void find_suspects(const Ray& ray, std::span<const Segment> walls, std::vector<S
     if (is_behind(o.x(), d.x(), wall.a.x(), wall.b.x()) ||
         is_behind(o.y(), d.y(), wall.a.y(), wall.b.y()))
       continue;
-    const Suspect found = suspect(ray, wall, static_cast<std::int64_t>(i));
+    const Candidate found = candidate(ray, wall, static_cast<std::int64_t>(i));
     if (found.wall < 0 || found.low > first) continue;
     if (found.sure) first = std::min(first, found.high);
-    suspects.push_back(found);
+    candidates.push_back(found);
   }
-  std::erase_if(suspects, [&](const Suspect& each) { return each.low > first; });
+  std::erase_if(candidates, [&](const Candidate& each) { return each.low > first; });
 }
 
 Reach reach_of(const Arc& arc) {
@@ -108,9 +109,9 @@ Reach reach_of(const Arc& arc) {
 
 // With w from the start to the centre, all of a disc lies where t d.d is between d.w - r |d| and
 // d.w + r |d|, and nowhere if |d x w| is more than r |d|.
-void find_suspects(const Ray& ray, std::span<const Reach> curves, long double first,
-                   std::vector<Suspect>& suspects) {
-  suspects.clear();
+void find_candidates(const Ray& ray, std::span<const Reach> curves, long double first,
+                     std::vector<Candidate>& candidates) {
+  candidates.clear();
   const Point o = wide(ray.origin), d = wide(ray.direction);
   const Long length = length_above(d.x, d.y), square = length * length;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -122,7 +123,7 @@ void find_suspects(const Ray& ray, std::span<const Reach> curves, long double fi
     const Long reach = margin * length;
     if (std::fabs(beside.value) - beside.error > reach) continue;
     if (-ahead.value - ahead.error > reach) continue;
-    Suspect found{static_cast<std::int64_t>(i)};
+    Candidate found{static_cast<std::int64_t>(i)};
     if (length > 0)
       found.low =
           std::max<Long>(0, (ahead.value - ahead.error - reach) / square * (1 - 64 * kRounding));
@@ -132,9 +133,9 @@ void find_suspects(const Ray& ray, std::span<const Reach> curves, long double fi
       found.high = (ahead.value + ahead.error + reach) / square * (1 + 64 * kRounding);
       first = std::min(first, found.high);
     }
-    suspects.push_back(found);
+    candidates.push_back(found);
   }
-  std::erase_if(suspects, [&](const Suspect& each) { return each.low > first; });
+  std::erase_if(candidates, [&](const Candidate& each) { return each.low > first; });
 }
 
 }  // namespace flatray::oracle

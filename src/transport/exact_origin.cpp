@@ -1,4 +1,4 @@
-#include "transport/landing.h"
+#include "transport/exact_origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +19,16 @@ double reach(double x) { return step_ulps(std::fabs(x), kReachUlps) - std::fabs(
 
 // A wall that passes by the hit: the point must not lie on it, nor beyond it as seen from the exact
 // hit, nor, where it is an arc that goes on into another wall, on the other side of its end.
-struct Lander::Fence {
+struct ExactOrigins::NearWall {
   std::uint32_t surface;
   Sign side;  // of the exact hit; zero where it is on the line of a segment, beyond its ends
   bool hit;   // the exact hit lies on the wall itself
   PlaceOn cone = PlaceOn::at_end;  // in which the exact hit lies
 };
 
-Lander::Lander(const Surfaces& walls) : walls_(walls), cells_(walls) {}
+ExactOrigins::ExactOrigins(const Surfaces& walls) : walls_(walls), cells_(walls) {}
 
-std::vector<std::uint32_t> Lander::walls_near(const Vec2& point, std::uint32_t hit) const {
+std::vector<std::uint32_t> ExactOrigins::walls_near(const Vec2& point, std::uint32_t hit) const {
   const Vec2 within(reach(point.x()), reach(point.y()));
   return cells_.near(point, within, [&](std::uint32_t i) {
     return i != hit &&
@@ -36,54 +36,54 @@ std::vector<std::uint32_t> Lander::walls_near(const Vec2& point, std::uint32_t h
   });
 }
 
-Lander::Fence Lander::fence(std::uint32_t surface, const ExactHit& hit) const {
-  return walls_.visit(surface, [&](const auto& wall) -> Fence {
+ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const ExactHit& hit) const {
+  return walls_.visit(surface, [&](const auto& wall) -> NearWall {
     return {surface, hit.side_of(wall), hit.place_on(wall) != PlaceOn::outside, hit.place_in(wall)};
   });
 }
 
-Sign Lander::side(std::uint32_t surface, const Vec2& point) const {
+Sign ExactOrigins::side(std::uint32_t surface, const Vec2& point) const {
   return walls_.visit(surface, [&](const auto& wall) { return side_of(wall, point); });
 }
 
-bool Lander::stands_on(std::uint32_t surface, const Vec2& point) const {
+bool ExactOrigins::stands_on(std::uint32_t surface, const Vec2& point) const {
   return walls_.visit(surface, [&](const auto& wall) { return place_on(wall, point); }) !=
          PlaceOn::outside;
 }
 
 // The end of a wall need not be a double, and is not on its own wall then.
-Landing Lander::land_at(const Vec2& end, std::uint32_t surface) const {
-  Landing landing{end, walls_at(end)};
-  std::vector<std::uint32_t>& corner = landing.corner;
+ExactOrigin ExactOrigins::at_end(const Vec2& end, std::uint32_t surface) const {
+  ExactOrigin origin{end, walls_at(end)};
+  std::vector<std::uint32_t>& corner = origin.corner;
   const auto place = std::lower_bound(corner.begin(), corner.end(), surface);
   if (place == corner.end() || *place != surface) corner.insert(place, surface);
-  return landing;
+  return origin;
 }
 
-std::vector<std::uint32_t> Lander::walls_at(const Vec2& point) const {
+std::vector<std::uint32_t> ExactOrigins::walls_at(const Vec2& point) const {
   return cells_.near(point, Vec2(0, 0), [&](std::uint32_t i) { return stands_on(i, point); });
 }
 
-bool Lander::keeps_to_cone(std::uint32_t surface, const Vec2& point, PlaceOn cone) const {
+bool ExactOrigins::keeps_to_cone(std::uint32_t surface, const Vec2& point, PlaceOn cone) const {
   if (cone == PlaceOn::at_end) return true;
   const PlaceOn place =
       walls_.visit(surface, [&](const auto& wall) { return place_in_cone(wall, point); });
   return place == PlaceOn::at_end || place == cone;
 }
 
-bool Lander::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
-                       const std::vector<Fence>& fences) const {
+bool ExactOrigins::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
+                             const std::vector<NearWall>& near) const {
   return side(hit, point) != outer && keeps_to_cone(hit, point, PlaceOn::inner) &&
-         std::all_of(fences.begin(), fences.end(), [&](const Fence& other) {
+         std::all_of(near.begin(), near.end(), [&](const NearWall& other) {
            return (other.side == Sign::zero || side(other.surface, point) == other.side) &&
                   !stands_on(other.surface, point) &&
                   keeps_to_cone(other.surface, point, other.cone);
          });
 }
 
-// The same point as land() finds, where doubles can tell and no other wall passes.
-std::optional<Landing> Lander::land_quickly(const Ray& ray, const NearestHit& hit,
-                                            const QuickHit& quick) const {
+// The same point as after() finds, where doubles can tell and no other wall passes.
+std::optional<ExactOrigin> ExactOrigins::quick_after(const Ray& ray, const NearestHit& hit,
+                                                     const QuickHit& quick) const {
   if (!quick.is_certain || !walls_near(quick.nearest, hit.surface).empty()) return std::nullopt;
   const Sign outer = -inner_side(walls_, ray, hit);
   bool doubt = false;
@@ -93,32 +93,32 @@ std::optional<Landing> Lander::land_quickly(const Ray& ray, const NearestHit& hi
     return doubt || (*side != outer && keeps_to_cone(hit.surface, candidate, PlaceOn::inner));
   });
   if (doubt || !point) return std::nullopt;
-  return Landing{*point, {}, normal_at(ray, hit, quick)};
+  return ExactOrigin{*point, {}, normal_at(ray, hit, quick)};
 }
 
-Vec2 Lander::normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const {
+Vec2 ExactOrigins::normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const {
   return quick.is_normal_certain ? quick.normal : exact_hit(walls_, ray, hit).normal();
 }
 
-Landing Lander::land(const Ray& ray, const NearestHit& hit) const {
+ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit) const {
   if (hit.at_end || hit.kind == HitClass::along)
-    return land_at(hit_point(walls_, ray, hit), hit.surface);
+    return at_end(hit_point(walls_, ray, hit), hit.surface);
   const QuickHit quick = quick_hit(walls_, ray, hit);
-  if (const auto landing = land_quickly(ray, hit, quick)) return *landing;
+  if (const auto origin = quick_after(ray, hit, quick)) return *origin;
   const ExactHit exact = exact_hit(walls_, ray, hit);
   const Vec2 nearest = exact.nearest();
-  std::vector<Fence> fences;
+  std::vector<NearWall> near;
   std::vector<std::uint32_t> met{hit.surface}, passing{hit.surface};
   for (const std::uint32_t surface : walls_near(nearest, hit.surface)) {
-    fences.push_back(fence(surface, exact));
+    near.push_back(near_wall(surface, exact));
     passing.push_back(surface);
-    if (fences.back().hit) met.push_back(surface);
+    if (near.back().hit) met.push_back(surface);
   }
   std::sort(met.begin(), met.end());
   if (met.size() > 1) return {nearest, std::move(met)};
   const Sign outer = -inner_side(walls_, ray, hit);
   const auto point = nearest_double(nearest, [&](const Vec2& candidate) {
-    return may_stand(candidate, hit.surface, outer, fences);
+    return may_stand(candidate, hit.surface, outer, near);
   });
   if (point) return {*point, {}, normal_at(ray, hit, quick)};
   std::sort(passing.begin(), passing.end());
