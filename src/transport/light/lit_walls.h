@@ -35,7 +35,9 @@ class LitWalls {
 
   const Surfaces& walls() const { return walls_; }
   /// The walls on which a point stands, ascending. Exact.
-  std::vector<std::uint32_t> walls_at(const Vec2& point) const { return exact_origins_.walls_at(point); }
+  std::vector<std::uint32_t> walls_at(const Vec2& point) const {
+    return exact_origins_.walls_at(point);
+  }
   const Accelerator& tracer() const { return *tracer_; }
   const Bodies& bodies() const { return bodies_; }
 
