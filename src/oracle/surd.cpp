@@ -1,10 +1,5 @@
 #include "oracle/surd.h"
 
-#include <cmath>
-#include <limits>
-
-#include "base/check.h"
-
 namespace flatray::oracle {
 namespace {
 
@@ -15,14 +10,6 @@ int sign_of(const Rational& p, int s, const Rational& q) {
   const int left = number_of(p.sign()), right = s * number_of(q.sign());
   if (left == 0 || right == 0 || left == right) return left != 0 ? left : right;
   return left * number_of((p * p - q).sign());
-}
-
-// The middle between a double and the next one down or up; those beyond the largest as if the
-// exponents went on.
-Rational middle(double x, double way) {
-  const double next = std::nextafter(x, way);
-  if (std::isfinite(next)) return (Rational(x) + next) / 2;
-  return Rational(x) + (Rational(x) - std::nextafter(x, 0)) / 2;
 }
 
 }  // namespace
@@ -46,16 +33,14 @@ std::strong_ordering Surd::operator<=>(const Surd& b) const {
 
 double Surd::nearest() const {
   const double t = Rational::root_sum(p, s, q);
-  if (!std::isfinite(t)) {
-    const double most = std::copysign(std::numeric_limits<double>::max(), t);
-    const auto order = *this <=> Surd{middle(most, t), 0, 0};
-    FLATRAY_CHECK(order == 0 || (order < 0) == (t < 0), "a root is not beyond the doubles");
-    return t;
-  }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Surd low{middle(t, -infinity), 0, 0}, high{middle(t, infinity), 0, 0};
-  FLATRAY_CHECK(low <= *this && *this <= high, "a double is not the nearest to a root");
+  check_nearest(t, [this](const Rational& x) { return *this <=> Surd{x, 0, 0}; });
   return t;
+}
+
+Rational middle_to(double x, double way) {
+  const double next = std::nextafter(x, way);
+  if (std::isfinite(next)) return (Rational(x) + next) / 2;
+  return Rational(x) + (Rational(x) - std::nextafter(x, 0)) / 2;
 }
 
 }  // namespace flatray::oracle

@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/hit_interval.h"
+#include "geom/ray.h"
+#include "oracle/algebraic.h"
+
+namespace flatray::oracle {
+
+/// A point that a ray and a Bezier curve share, at parameter s of the curve.
+struct BezierMeeting {
+  Algebraic t, s;
+  int multiplicity;  ///< of the root: 1 where the ray crosses, 2 on a tangent, 3 on one that crosses
+
+  bool at_end() const { return s.sign() == Sign::zero || s.sign_of({-1, 1}) == Sign::zero; }
+};
+
+/// All of them at t >= 0, in the order of t, and at one t in that of s. A ray without direction asks
+/// where on the curve its origin lies: t and the multiplicity are 0 there.
+///
+/// Needs   two control points or more, not all of them on the line of the ray.
+/// Source  the curve by powers of s, from differences of its control points; roots of what lies beside
+///         the ray as a polynomial in s, and t as what lies ahead at them. In rationals.
+/// Cost    some 100 us.
+std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const Vec2> points);
+
+/// The first of them, where the curve is met at several s at once all together: at an end if one of
+/// them is, a touch if none of them crosses the ray.
+struct FirstOfBezier {
+  Algebraic t;
+  HitClass kind;
+  bool at_end;
+};
+std::optional<FirstOfBezier> first_meeting(const Ray& ray, std::span<const Vec2> points);
+
+}  // namespace flatray::oracle
