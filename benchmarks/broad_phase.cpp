@@ -91,7 +91,7 @@ class World {
   }
 
  private:
-  PolygonSet shapes_;
+  BodySet shapes_;
   std::vector<Bounds> boxes_;
   std::vector<Vec2> velocities_;
 };

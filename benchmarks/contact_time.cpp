@@ -98,7 +98,7 @@ class Batch {
   }
 
  private:
-  PolygonSet shapes_;
+  BodySet shapes_;
   std::vector<MovingPair> pairs_;
   mutable std::vector<Contact> contacts_;
 };

@@ -58,11 +58,11 @@ Vec2 BodyPairs::place(std::uint32_t body, double time) const {
   return place_at(std::span(stages_[body]).last(1), time);
 }
 
-RoundBody BodyPairs::part(std::uint32_t body, const ShapePart& part, const Vec2& at,
-                          std::vector<Vec2>& ring) const {
+MovingBody BodyPairs::part(std::uint32_t body, const ShapePart& part, const Vec2& at,
+                           std::vector<Vec2>& ring) const {
   ring.clear();
   for (const Vec2& p : part.ring) ring.push_back(at + p);
-  return {{ring, stages_[body].back().velocity}, part.radius};
+  return {ring, stages_[body].back().velocity, part.radius};
 }
 
 // The parts of both, one after the other.
@@ -74,15 +74,15 @@ void BodyPairs::each_contact(const BodyPair& pair, double time, Range within,
   std::vector<Vec2> ring_a, ring_b;
   for (std::uint32_t p = 0; p < parts_a.size(); ++p)
     for (std::uint32_t q = 0; q < parts_b.size(); ++q) {
-      const RoundBody a = part(pair.first, parts_a[p], at_a, ring_a);
-      const RoundBody b = part(pair.second, parts_b[q], at_b, ring_b);
-      look(round_contact(a, b, within), a, b, p, q);
+      const MovingBody a = part(pair.first, parts_a[p], at_a, ring_a);
+      const MovingBody b = part(pair.second, parts_b[q], at_b, ring_b);
+      look(contact(a, b, within), a, b, p, q);
     }
 }
 
 bool BodyPairs::overlap(const BodyPair& pair, double time) const {
   bool found = false;
-  each_contact(pair, time, {0, 0}, [&](const RoundContact& met, const auto&...) {
+  each_contact(pair, time, {0, 0}, [&](const Contact& met, const auto&...) {
     found |= met.times.start == StartPlace::inside;
   });
   return found;
@@ -115,16 +115,16 @@ std::optional<Met> BodyPairs::meeting(const BodyPair& pair, double time, double 
   std::optional<Met> found;
   bool overlaps = false;
   each_contact(pair, time, kLine,
-               [&](const RoundContact& met, const RoundBody& a, const RoundBody& b, std::uint32_t p,
+               [&](const Contact& met, const MovingBody& a, const MovingBody& b, std::uint32_t p,
                    std::uint32_t q) {
                  if (met.times.kind != HitClass::through || !met.first || !met.last) return;
                  const double enter = met.times.t_enter, t = std::max(enter, 0.0);
                  if (met.times.t_exit <= 0 || enter > end - time) return;
                  overlaps |= enter < 0;
                  if (found && t > found->time) return;
-                 const RoundPlace at =
-                     enter < 0 ? resting_place(a, b, 0) : place_at(*met.first, a, b, t);
-                 if (enter >= 0 || approach(at.normal, a.core.velocity, b.core.velocity))
+                 const ContactPlace at =
+                     enter < 0 ? resting_place(a, b, 0) : contact_place(met.first, a, b, t);
+                 if (enter >= 0 || approach(at.normal, a.velocity, b.velocity))
                    add(found, t, {p, q, at});
                });
   if (overlaps && pass) return std::nullopt;
@@ -134,15 +134,15 @@ std::optional<Met> BodyPairs::meeting(const BodyPair& pair, double time, double 
 bool BodyPairs::face(const BodyPair& pair, const Touch& touch, double time) const {
   const auto [i, k] = pair;
   std::vector<Vec2> ring_a, ring_b;
-  RoundBody a = part(i, bodies_[i].parts[touch.part_a], place(i, time), ring_a);
-  RoundBody b = part(k, bodies_[k].parts[touch.part_b], place(k, time), ring_b);
-  a.core.velocity = {0, 0};
-  b.core.velocity = -touch.place.normal;
-  const RoundContact pressed = round_contact(a, b, kLine);
+  MovingBody a = part(i, bodies_[i].parts[touch.part_a], place(i, time), ring_a);
+  MovingBody b = part(k, bodies_[k].parts[touch.part_b], place(k, time), ring_b);
+  a.velocity = {0, 0};
+  b.velocity = -touch.place.normal;
+  const Contact pressed = contact(a, b, kLine);
   if (pressed.times.kind != HitClass::through || !pressed.first) return false;
   // What is round has then parted by half the square of that, which is less than kSlideLeaves.
   constexpr double kTurned = 0x1p-20;
-  const Vec2 normal = place_at(*pressed.first, a, b, 0).normal;
+  const Vec2 normal = contact_place(pressed.first, a, b, 0).normal;
   return (normal - touch.place.normal).cwiseAbs().maxCoeff() <= kTurned;
 }
 

@@ -15,7 +15,7 @@ using BodyPair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower number
 /// A part of each of two bodies, and where they touch.
 struct Touch {
   std::uint32_t part_a, part_b;
-  RoundPlace place;
+  ContactPlace place;
 };
 
 /// When two bodies meet, and all places where they do at that time, with different normals.
@@ -49,8 +49,8 @@ class BodyPairs {
   bool face(const BodyPair& pair, const Touch& touch, double time) const;
 
  private:
-  RoundBody part(std::uint32_t body, const ShapePart& part, const Vec2& at,
-                 std::vector<Vec2>& ring) const;
+  MovingBody part(std::uint32_t body, const ShapePart& part, const Vec2& at,
+                  std::vector<Vec2>& ring) const;
   template <class Look>
   void each_contact(const BodyPair& pair, double time, Range within, const Look& look) const;
 

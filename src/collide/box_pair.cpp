@@ -31,29 +31,21 @@ double BoxPair::apart_for(double) const {
   return best;
 }
 
-bool BoxPair::overlap() const {
-  return std::all_of(std::begin(kUpright), std::end(kUpright), [&](const Vec2& normal) {
-    return std::any_of(pairs_.begin(), pairs_.end(),
-                       [&](const TurningPair& pair) { return pair.overlap_along(normal); });
-  });
-}
-
 double BoxPair::overlap_for() const {
   double least = kInfinity;
   for (const Vec2& normal : kUpright) {
     double longest = 0;
-    for (const TurningPair& pair : pairs_)
-      longest = std::max(longest, pair.overlap_along_for(normal));
+    for (const TurningPair& pair : pairs_) longest = std::max(longest, pair.overlap_along(normal));
     least = std::min(least, longest);
   }
   return least;
 }
 
-RoundPlace BoxPair::touching_place() const {
+ContactPlace BoxPair::touching_place() const {
   Bounds a, b;
   for (const TurningPair& pair : pairs_) a.add(pair.box_a()), b.add(pair.box_b());
   const std::vector<Vec2> one = corners(a), other = corners(b);
-  return resting_place({{one, {0, 0}}, 0}, {{other, {0, 0}}, 0}, 0);
+  return resting_place({one, {0, 0}}, {other, {0, 0}}, 0);
 }
 
 }  // namespace flatray

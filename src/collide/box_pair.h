@@ -15,9 +15,8 @@ class BoxPair {
     for (TurningPair& pair : pairs_) pair.place(now);
   }
   double apart_for(double enough) const;
-  bool overlap() const;
   double overlap_for() const;
-  RoundPlace touching_place() const;
+  ContactPlace touching_place() const;
   double scale() const { return 1; }
 
  private:

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "collide/carried_curves.h"
+#include "collide/curved_contact.h"
 #include "collide/turning_contact.h"
 
 namespace flatray {
@@ -13,14 +13,6 @@ struct CarriedParts {
   std::vector<ShapePart> parts;
   RigidMotion motion;
 
-  explicit CarriedParts(const MovingShape& moving)
-      : motion(even_motion(moving.place.at, moving.velocity, moving.spin == 0 ? 0 : moving.angle,
-                           moving.spin)) {
-    const Pose& place = moving.place;
-    parts =
-        parts_of(*moving.shape, moving.spin == 0 ? Pose{{0, 0}, place.cos, place.sin, place.scale}
-                                                 : Pose{{0, 0}, 1, 0, place.scale});
-  }
   explicit CarriedParts(const CarriedShape& carried) : motion(carried.way.motion) {
     const bool turns = !motion.angle.is_constant();
     parts =
@@ -43,13 +35,8 @@ std::optional<double> add_carried_part(const FirstOrLast& contact, const Parting
   const double met = first.first.high;
   const std::optional<double> parted = certain && met < length ? parting(met) : std::nullopt;
   const double last = parted ? *parted : certain ? contact(true, 0.0).first.high : met;
-  parts.push_back({{first.first.low, std::max(met, last)},
-                   certain ? HitClass::through : HitClass::touch,
-                   first.start,
-                   first.place.point,
-                   first.place.normal,
-                   met - first.first.low,
-                   certain});
+  parts.push_back(proven_part({first.first.low, std::max(met, last)}, first.start, first.place,
+                              met - first.first.low, certain));
   return parted;
 }
 
@@ -117,26 +104,17 @@ bool is_tame(const CarriedShape& carried) {
 }  // namespace
 
 MovingShape CarriedShape::as_moving() const {
-  const auto& [at, angle, swings, doubt, angle_doubt] = way.motion;
-  return {shape, pose(at.c[0], angle.c[0], way.scale), at.c[1], angle.c[0], angle.c[1]};
+  const RigidMotion& motion = way.motion;
+  return {shape, pose(motion.at.c[0], motion.angle.c[0], way.scale), motion.at.c[1]};
 }
 
 std::vector<MeetingPart> carried_shapes_meet(const CarriedShape& a, const CarriedShape& b,
                                              Outline outline) {
-  const RigidMotion &one = a.way.motion, &other = b.way.motion;
-  const bool even = one.is_even() && other.is_even();
-  const bool upright = one.angle.is_constant() && other.angle.is_constant();
-  if (even && outline == Outline::own) return shapes_meet(a.as_moving(), b.as_moving(), {0, 1});
-  if (even && upright) return boxes_meet(a.as_moving(), b.as_moving(), {0, 1});
-  if (!is_tame(a) || !is_tame(b))
-    return {{{0, 1}, HitClass::touch, StartPlace::boundary, {0, 0}, {0, 0}, 1, false}};
+  const auto meet = outline == Outline::own ? shapes_meet : boxes_meet;
+  if (a.is_straight() && b.is_straight()) return meet(a.as_moving(), b.as_moving(), {0, 1});
+  if (!is_tame(a) || !is_tame(b)) return {undecided_part({0, 1})};
   return outline == Outline::own ? carried_parts_meet(CarriedParts(a), CarriedParts(b), 1)
                                  : carried_boxes_meet(a, b);
-}
-
-std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingShape& b,
-                                             double length) {
-  return carried_parts_meet(CarriedParts(a), CarriedParts(b), length);
 }
 
 }  // namespace flatray

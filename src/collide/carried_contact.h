@@ -14,20 +14,19 @@ struct CarriedShape {
   const Shape* shape;
   Carried way;
 
-  /// Needs   a way that is even.
+  bool is_straight() const { return way.motion.is_even() && way.motion.angle.is_constant(); }
+  /// Needs   a straight way.
   MovingShape as_moving() const;
 };
 
 /// Every time in which two such shapes meet, or the boxes around them, ascending and apart.
 ///
-/// Error   where both go straight and turn evenly as shapes_meet(), else as turning_contact(). Of what
-///         is carried beyond kTamest it is not told whether it meets.
+/// Error   where both go straight as shapes_meet(), else as turning_contact(): what overlaps on a cut
+///         alone touches, and what parts for less than kTurningWidth, or after more than
+///         kMostPartingSteps steps, has not parted. Of what is carried beyond kTamest it is not told
+///         whether it meets.
 std::vector<MeetingPart> carried_shapes_meet(const CarriedShape& a, const CarriedShape& b,
                                              Outline outline = Outline::own);
 inline constexpr double kTamest = 1e150;
-
-/// What shapes_meet() tells of shapes of which one turns, for t from 0 to `length`.
-std::vector<MeetingPart> turning_shapes_meet(const MovingShape& a, const MovingShape& b,
-                                             double length);
 
 }  // namespace flatray

@@ -8,8 +8,8 @@
 namespace flatray {
 namespace {
 
-using Ready = PolygonSet::Ready;
-using Box = PolygonSet::Box;
+using Ready = BodySet::Ready;
+using Box = BodySet::Box;
 
 // An edge beside the one looked for is put right by as many steps.
 constexpr int kRounds = 4;
@@ -31,13 +31,13 @@ Shadow shadow(const Ready& shape, float x, float y) {
 }
 
 // Whether the one surely passes the other without ever touching it.
-bool passes_beside(const PolygonSet& shapes, const MovingPair& pair) {
-  const Box &a = shapes.boxes()[pair.a], &b = shapes.boxes()[pair.b];
+bool passes_beside(const BodySet& bodies, const MovingPair& pair) {
+  const Box &a = bodies.boxes()[pair.a], &b = bodies.boxes()[pair.b];
   const Vec2 way = pair.velocity_b - pair.velocity_a, between = b.centre - a.centre;
   const double speed = std::fabs(way.x()) + std::fabs(way.y());
   const double size = (a.half + b.half + between.cwiseAbs()).sum();
   const auto x = static_cast<float>(way.x() / speed), y = static_cast<float>(way.y() / speed);
-  const Shadow of_a = shadow(shapes.ready(pair.a), x, y), of_b = shadow(shapes.ready(pair.b), x, y);
+  const Shadow of_a = shadow(bodies.ready(pair.a), x, y), of_b = shadow(bodies.ready(pair.b), x, y);
   const double left = static_cast<double>(x) * between.y() - static_cast<double>(y) * between.x();
   // A handful of roundings to floats, each of 2^-24 of what the terms add up to.
   const double error = 0x1p-19 * size + 0x1p-120;
@@ -56,8 +56,9 @@ int wrapped(int k, int count) { return k < 0 ? k + count : k < count ? k : k - c
 
 }  // namespace
 
-void CertainContacts::add(const MovingPair& pair, const sweep::Guess& guess, Contact& contact) {
-  if (guess.enter > -guess.leave && passes_beside(shapes_, pair)) return;
+void CertainContacts::add(const MovingPair& pair, const pairs::Candidates& guess,
+                          Contact& contact) {
+  if (guess.enter > -guess.leave && passes_beside(bodies_, pair)) return;
   // One edge properly crossed at a time in the range, or an overlap, and there is one from the
   // former to the latter.
   contact.times = {0, length_, kNoEdge, kNoEdge, HitClass::through, StartPlace::inside};
@@ -69,20 +70,20 @@ void CertainContacts::add(const MovingPair& pair, const sweep::Guess& guess, Con
 
 void CertainContacts::ask(int item, float guess, bool comes_in) {
   const MovingPair& pair = *items_[static_cast<std::size_t>(item)].pair;
-  const unsigned bits = std::bit_cast<unsigned>(guess) & sweep::kGuessBits;
-  const bool of_a = (bits & sweep::kEdgeBits) < sweep::kCorners;
-  const int edge = static_cast<int>(bits % sweep::kCorners);
-  const int vertex = static_cast<int>(bits / sweep::kCornerUnit);
+  const unsigned bits = std::bit_cast<unsigned>(guess) & pairs::kCandidateBits;
+  const bool of_a = (bits & pairs::kEdgeBits) < pairs::kCorners;
+  const int edge = static_cast<int>(bits % pairs::kCorners);
+  const int vertex = static_cast<int>(bits / pairs::kCornerUnit);
   const int a = of_a ? edge : vertex, b = of_a ? vertex : edge;
   // Lanes left over repeat the first corner.
-  asks_[static_cast<std::size_t>(ask_count_++)] = {item, a < shapes_.ready(pair.a).count ? a : 0,
-                                                   b < shapes_.ready(pair.b).count ? b : 0, of_a,
+  asks_[static_cast<std::size_t>(ask_count_++)] = {item, a < bodies_.ready(pair.a).count ? a : 0,
+                                                   b < bodies_.ready(pair.b).count ? b : 0, of_a,
                                                    comes_in};
 }
 
 void CertainContacts::put(const Ask& ask, std::size_t at) {
   const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
-  const Ready &a = shapes_.ready(pair.a), &b = shapes_.ready(pair.b);
+  const Ready &a = bodies_.ready(pair.a), &b = bodies_.ready(pair.b);
   proofs_.edge[at] = (ask.of_a ? a.corner(ask.a) : b.corner(ask.b)).data();
   proofs_.vertex[at] = (ask.of_a ? b.corner(ask.b - 1) : a.corner(ask.a - 1)).data();
   proofs_.moves[at] = pair.velocity_a.data();
@@ -93,7 +94,7 @@ void CertainContacts::prove() {
   for (int round = 0; round < kRounds && ask_count_ > 0; ++round) {
     const auto count = static_cast<std::size_t>(ask_count_);
     for (std::size_t at = 0; at < count; ++at) put(asks_[at], at);
-    for (std::size_t at = count; at % proof::kLanes != 0; ++at) put(asks_[count - 1], at);
+    for (std::size_t at = count; at % pairs::kLanes != 0; ++at) put(asks_[count - 1], at);
     kernel_(proofs_, ask_count_);
     ask_count_ = 0;
     for (std::size_t at = 0; at < count; ++at) {
@@ -108,18 +109,18 @@ void CertainContacts::prove() {
 // Whether nothing is left to ask; else `ask` is an edge to try next.
 bool CertainContacts::settle(Ask& ask, std::size_t at) {
   const int found = static_cast<int>(proofs_.found[at]);
-  const bool from_left = (found & proof::kFromLeft) != 0, to_left = (found & proof::kToLeft) != 0;
-  const int wrong = proof::kUnsure | proof::kRatherBefore | proof::kRatherAfter;
+  const bool from_left = (found & pairs::kFromLeft) != 0, to_left = (found & pairs::kToLeft) != 0;
+  const int wrong = pairs::kUnsure | pairs::kRatherBefore | pairs::kRatherAfter;
   if ((found & wrong) == 0 && from_left == ask.comes_in && to_left != ask.comes_in) {
     accept(ask, found, proofs_.time[at]);
     return true;
   }
-  if ((found & proof::kUnsure) != 0 || ((found & wrong) == 0 && from_left != to_left)) {
+  if ((found & pairs::kUnsure) != 0 || ((found & wrong) == 0 && from_left != to_left)) {
     items_[static_cast<std::size_t>(ask.item)].unsure = true;
     return true;
   }
   if ((found & wrong) != 0)
-    move_vertex(ask, (found & proof::kRatherAfter) != 0 ? 1 : -1);
+    move_vertex(ask, (found & pairs::kRatherAfter) != 0 ? 1 : -1);
   else
     move_edge(ask, from_left == ask.comes_in);
   return false;
@@ -128,7 +129,7 @@ bool CertainContacts::settle(Ask& ask, std::size_t at) {
 // An edge that the origin surely crosses.
 void CertainContacts::accept(const Ask& ask, int found, double time) {
   Item& item = items_[static_cast<std::size_t>(ask.item)];
-  const bool before = (found & proof::kPast) != 0;
+  const bool before = (found & pairs::kPast) != 0;
   if (before || time > length_) {
     item.apart |= before != ask.comes_in;
     return;
@@ -137,7 +138,7 @@ void CertainContacts::accept(const Ask& ask, int found, double time) {
     item.unsure = true;
     return;
   }
-  const Ready &a = shapes_.ready(item.pair->a), &b = shapes_.ready(item.pair->b);
+  const Ready &a = bodies_.ready(item.pair->a), &b = bodies_.ready(item.pair->b);
   const auto of_a = static_cast<std::size_t>(ask.a), of_b = static_cast<std::size_t>(ask.b);
   const ContactFeature feature = ask.of_a ? ContactFeature{true, a.edges[of_a], b.numbers[of_b]}
                                           : ContactFeature{false, b.edges[of_b], a.numbers[of_a]};
@@ -150,13 +151,13 @@ void CertainContacts::accept(const Ask& ask, int found, double time) {
 void CertainContacts::move_vertex(Ask& ask, int by) const {
   const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
   int& vertex = ask.of_a ? ask.b : ask.a;
-  vertex = wrapped(vertex + by, shapes_.ready(ask.of_a ? pair.b : pair.a).count);
+  vertex = wrapped(vertex + by, bodies_.ready(ask.of_a ? pair.b : pair.a).count);
 }
 
 // To the next edge of the outline, or to the one before.
 void CertainContacts::move_edge(Ask& ask, bool on) const {
   const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
-  const Ready &a = shapes_.ready(pair.a), &b = shapes_.ready(pair.b);
+  const Ready &a = bodies_.ready(pair.a), &b = bodies_.ready(pair.b);
   int& along = ask.of_a ? ask.a : ask.b;
   if (on) along = wrapped(along + 1, ask.of_a ? a.count : b.count);
   const int i = on ? ask.a : ask.a - 1, k = on ? ask.b : ask.b - 1;

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "collide/contact_batch.h"
-#include "collide/kernels/proof.h"
+#include "collide/kernels/pairs.h"
 
 namespace flatray {
 
@@ -18,13 +18,13 @@ namespace flatray {
 ///         from an edge beside it along the outline.
 class CertainContacts {
  public:
-  static constexpr int kMost = proof::kMost / 2;
+  static constexpr int kMost = pairs::kMostEdges / 2;
 
-  CertainContacts(const PolygonSet& shapes, double length, proof::Kernel kernel)
-      : shapes_(shapes), length_(length), kernel_(kernel) {}
+  CertainContacts(const BodySet& bodies, double length, decltype(pairs::Kernels::certify) kernel)
+      : bodies_(bodies), length_(length), kernel_(kernel) {}
 
   /// Needs   a contact that is a miss; pair and contact outlive run().
-  void add(const MovingPair& pair, const sweep::Guess& guess, Contact& contact);
+  void add(const MovingPair& pair, const pairs::Candidates& guess, Contact& contact);
   /// Proves all that was added, and forgets it; undecided(pair, contact) for what is left.
   template <class Undecided>
   void run(const Undecided& undecided) {
@@ -61,13 +61,13 @@ class CertainContacts {
   void move_vertex(Ask& ask, int by) const;
   void move_edge(Ask& ask, bool on) const;
 
-  const PolygonSet& shapes_;
+  const BodySet& bodies_;
   const double length_;
-  const proof::Kernel kernel_;
+  const decltype(pairs::Kernels::certify) kernel_;
   int item_count_ = 0, ask_count_ = 0;
   std::array<Item, kMost> items_;
-  std::array<Ask, proof::kMost> asks_;
-  proof::Proofs proofs_;
+  std::array<Ask, pairs::kMostEdges> asks_;
+  pairs::Edges proofs_;
 };
 
 }  // namespace flatray

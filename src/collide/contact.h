@@ -6,22 +6,27 @@
 
 namespace flatray {
 
-/// A convex polygon, segment or point that moves: vertex + t * velocity.
-struct MovingPolygon {
-  std::span<const Vec2> vertices;  ///< as clip_convex needs them
+/// All points within `radius` of a convex polygon, segment or point that moves: vertex + t *
+/// velocity. A disc is a point with a radius, a capsule a segment with one.
+struct MovingBody {
+  std::span<const Vec2> vertices;  ///< of the core, as clip_convex needs them
   Vec2 velocity;
+  double radius = 0;  ///< not negative
 };
 
-/// What of two polygons meets: an edge of one, a vertex of the other.
+/// What of two bodies meets, as their cores: an edge of one and a vertex of the other, or a vertex of
+/// each, one of them with a radius.
 struct ContactFeature {
   bool edge_of_a = true;
-  int edge = kNoEdge;    ///< as the polygon is given; kNoEdge where none of them matters
+  int edge = kNoEdge;    ///< as the core is given; kNoEdge where none of them matters
   int vertex = kNoEdge;  ///< of the other
+  int corner = kNoEdge;  ///< the vertex of a that stands for an edge
 
+  explicit operator bool() const { return edge != kNoEdge || corner != kNoEdge; }
   bool operator==(const ContactFeature&) const = default;
 };
 
-/// When two closed polygons have a point in common.
+/// When two closed bodies have a point in common.
 struct Contact {
   /// Units   t as velocities count it.
   /// Gives   touch for one instant, along where they touch for a while without a common inner
@@ -36,14 +41,16 @@ struct Contact {
 /// "apart", "touching" or "overlapping".
 const char* contact_name(StartPlace start);
 
-/// First and last instant within a range at which two polygons meet, in linear motion.
+/// First and last instant within a range at which two bodies meet, in linear motion.
 ///
-/// Needs   finite coordinates and velocities.
+/// Needs   finite coordinates, velocities and radii.
 /// Gives   the interior of the pair is that of A - B, also for shapes without area. Without relative
 ///         motion the verdict is that of the start, for the whole range.
 /// Error   verdict, class and start exact for the doubles given; t within 1 ulp.
-/// Cost    linear in the vertices: two predicates each, and a division for each end.
-/// Source  one clip of the relative velocity against the Minkowski difference (facts, section 7).
-Contact contact(const MovingPolygon& a, const MovingPolygon& b, Range within = kRay);
+/// Cost    linear in the vertices: two predicates each and a division for each end, about 1 us; some
+///         us where one has a radius.
+/// Source  one clip of the relative velocity against the Minkowski difference (facts, section 7) of
+///         the cores, grown by both radii.
+Contact contact(const MovingBody& a, const MovingBody& b, Range within = kRay);
 
 }  // namespace flatray

@@ -10,8 +10,8 @@
 namespace flatray {
 namespace {
 
-using Ready = PolygonSet::Ready;
-using Box = PolygonSet::Box;
+using Ready = BodySet::Ready;
+using Box = BodySet::Box;
 constexpr std::size_t kBlock = CertainContacts::kMost;
 
 const pairs::Kernels& kernels_of([[maybe_unused]] Isa isa) {
@@ -36,12 +36,13 @@ void fetch(const Ready& shape) {
 }
 
 // Whether lanes can tell anything of a pair.
-bool is_usual(const PolygonSet& shapes, const MovingPair& pair, sweep::Pair& made) {
-  const Box &a = shapes.boxes()[pair.a], &b = shapes.boxes()[pair.b];
+bool is_usual(const BodySet& bodies, const MovingPair& pair, pairs::Approach& made) {
+  if (!bodies.is_ready(pair.a) || !bodies.is_ready(pair.b)) return false;
+  const Box &a = bodies.boxes()[pair.a], &b = bodies.boxes()[pair.b];
   const Vec2 centre = b.centre - a.centre, way = pair.velocity_b - pair.velocity_a;
   const double size = centre.cwiseAbs().sum(), speed = way.cwiseAbs().sum();
-  if (!(size < sweep::kLargest && speed < sweep::kLargest && speed > 0)) return false;
-  const Ready &ready_a = shapes.ready(pair.a), &ready_b = shapes.ready(pair.b);
+  if (!(size < pairs::kLargest && speed < pairs::kLargest && speed > 0)) return false;
+  const Ready &ready_a = bodies.ready(pair.a), &ready_b = bodies.ready(pair.b);
   fetch(ready_a);
   fetch(ready_b);
   // A handful of roundings to floats, each of 2^-24 of what the terms add up to, and the number of a
@@ -60,11 +61,11 @@ bool is_usual(const PolygonSet& shapes, const MovingPair& pair, sweep::Pair& mad
 
 class Block {
  public:
-  Block(const PolygonSet& shapes, Range within, const pairs::Kernels& kernels)
-      : shapes_(shapes),
+  Block(const BodySet& bodies, Range within, const pairs::Kernels& kernels)
+      : bodies_(bodies),
         within_(within),
         kernels_(kernels),
-        certain_(shapes, within.high, kernels.prove) {}
+        certain_(bodies, within.high, kernels.certify) {}
 
   void run(std::span<const MovingPair> pairs, std::span<Contact> contacts) {
     static constexpr std::array<Contact, kBlock> kMisses = {};
@@ -74,22 +75,22 @@ class Block {
     for (std::size_t k = 0; k < near_count_; ++k) {
       const std::size_t i = near_[k];
       near_[count] = i;
-      if (is_usual(shapes_, pairs[i], guessed_[count]))
+      if (is_usual(bodies_, pairs[i], guessed_[count]))
         ++count;
       else
         contacts[i] = decide(pairs[i]);
     }
-    kernels_.guess(guessed_.data(), static_cast<int>(count), static_cast<float>(within_.high),
-                   guesses_.data());
+    kernels_.find_candidates(guessed_.data(), static_cast<int>(count),
+                             static_cast<float>(within_.high), guesses_.data());
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = near_[k];
-      if (guesses_[k].enter < sweep::kApart) certain_.add(pairs[i], guesses_[k], contacts[i]);
+      if (guesses_[k].enter < pairs::kApart) certain_.add(pairs[i], guesses_[k], contacts[i]);
     }
     certain_.run([&](const MovingPair& pair, Contact& contact) { contact = decide(pair); });
   }
 
   Contact decide(const MovingPair& pair) const {
-    return contact({shapes_.ring(pair.a), pair.velocity_a}, {shapes_.ring(pair.b), pair.velocity_b},
+    return contact(bodies_.body(pair.a, pair.velocity_a), bodies_.body(pair.b, pair.velocity_b),
                    within_);
   }
 
@@ -97,9 +98,9 @@ class Block {
   // Notes the pairs whose boxes may meet.
   void look(std::span<const MovingPair> pairs) {
     static_assert(sizeof(Box) == 4 * sizeof(double));
-    const sight::Pairs asked = {&pairs[0].a, pairs[0].velocity_a.data(), sizeof(MovingPair)};
-    kernels_.look(shapes_.boxes().data()->centre.data(), within_.high, asked,
-                  static_cast<int>(pairs.size()), seen_.data());
+    const pairs::Moves asked = {&pairs[0].a, pairs[0].velocity_a.data(), sizeof(MovingPair)};
+    kernels_.cull_boxes(bodies_.boxes().data()->centre.data(), within_.high, asked,
+                        static_cast<int>(pairs.size()), seen_.data());
     near_count_ = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       near_[near_count_] = i;
@@ -107,22 +108,22 @@ class Block {
     }
   }
 
-  const PolygonSet& shapes_;
+  const BodySet& bodies_;
   const Range within_;
   const pairs::Kernels& kernels_;
   CertainContacts certain_;
   std::array<double, kBlock> seen_;
   std::size_t near_count_ = 0;
   std::array<std::size_t, kBlock + 1> near_;
-  std::array<sweep::Pair, kBlock> guessed_;
-  std::array<sweep::Guess, kBlock> guesses_;
+  std::array<pairs::Approach, kBlock> guessed_;
+  std::array<pairs::Candidates, kBlock> guesses_;
 };
 
 }  // namespace
 
-void contacts(const PolygonSet& shapes, std::span<const MovingPair> pairs, Range within,
+void contacts(const BodySet& bodies, std::span<const MovingPair> pairs, Range within,
               std::span<Contact> contacts, Isa isa) {
-  Block block(shapes, within, kernels_of(isa));
+  Block block(bodies, within, kernels_of(isa));
   const bool usual = within.low == 0 && within.high > 0;
   for (std::size_t i = 0; i < pairs.size(); i += kBlock) {
     const std::size_t count = std::min(kBlock, pairs.size() - i);

@@ -50,12 +50,12 @@ FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned fra
       now_(now) {
   for (std::uint32_t i = 0; i < now.size(); ++i) {
     const double scale = now[i].scale;
-    is_even_.push_back(motion_.knots(i, std::nullopt, from_, to_).empty());
-    RigidMotion motion;
-    if (is_even_[i]) motion = motion_.between(i, std::nullopt, frame_, from_, to_).motion;
-    is_even_[i] = is_even_[i] && motion.is_even();
-    const double angle = motion.angle.c[0], spin = is_even_[i] ? motion.angle.c[1] : 0;
-    even_.push_back({shape(i), pose(now[i].at, angle, scale), next[i].at - now[i].at, angle, spin});
+    is_straight_.push_back(motion_.knots(i, std::nullopt, from_, to_).empty());
+    CarriedShape carried{shape(i), {}};
+    if (is_straight_[i]) carried.way = motion_.between(i, std::nullopt, frame_, from_, to_);
+    is_straight_[i] = is_straight_[i] && carried.is_straight();
+    straight_.push_back(
+        {shape(i), pose(now[i].at, carried.way.motion.angle.c[0], scale), next[i].at - now[i].at});
   }
 }
 
@@ -63,20 +63,12 @@ const Shape* FrameBodies::shape(std::uint32_t entity) const {
   return &shape_of(scene_, now_[entity]);
 }
 
-bool FrameBodies::are_even(const Pair& pair) const {
-  const auto& [a, b] = pair;
-  const bool turn = even_[a].spin != 0 && even_[b].spin != 0;
-  return outline_ == Outline::own && is_even_[a] && is_even_[b] &&
-         !(turn && moving_group_of_both(scene_, a, b));
-}
-
 std::vector<Bounds> FrameBodies::boxes() const {
   std::vector<Bounds> boxes;
-  for (std::uint32_t i = 0; i < even_.size(); ++i) {
-    const MovingShape& body = even_[i];
-    boxes.push_back(
-        is_even_[i] ? swept(still_box(*body.shape, body.place, body.spin != 0), body.velocity, 1)
-                    : box_of(i));
+  for (std::uint32_t i = 0; i < straight_.size(); ++i) {
+    const MovingShape& body = straight_[i];
+    boxes.push_back(is_straight_[i] ? swept(shape_bounds(*body.shape, body.place), body.velocity, 1)
+                                    : box_of(i));
   }
   return boxes;
 }

@@ -17,10 +17,12 @@ class FrameBodies {
   FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
               std::span<const EntityState> now, std::span<const EntityState> next);
 
-  /// Bodies of those that go straight and turn evenly, if at all, from frame to frame: t counts frames.
-  std::span<const MovingShape> even() const { return even_; }
-  /// Whether both do and it is their own outlines that meet, and what carries both turns neither.
-  bool are_even(const Pair& pair) const;
+  /// Bodies of those that go straight from frame to frame: t counts frames.
+  std::span<const MovingShape> straight() const { return straight_; }
+  /// Whether both do, and it is their own outlines that meet.
+  bool are_straight(const Pair& pair) const {
+    return outline_ == Outline::own && is_straight_[pair.first] && is_straight_[pair.second];
+  }
   /// A box around each on its way.
   std::vector<Bounds> boxes() const;
 
@@ -41,8 +43,8 @@ class FrameBodies {
   const unsigned frame_;
   const double from_, to_;  // seconds
   const std::span<const EntityState> now_;
-  std::vector<MovingShape> even_;
-  std::vector<bool> is_even_;
+  std::vector<MovingShape> straight_;
+  std::vector<bool> is_straight_;
 };
 
 }  // namespace flatray

@@ -10,6 +10,11 @@ namespace flatray {
 struct MovingParts {
   std::span<const ShapePart> parts;
   Vec2 velocity;
+
+  /// Of a part that is no ellipse.
+  MovingBody body(std::size_t part) const {
+    return {parts[part].ring, velocity, parts[part].radius};
+  }
 };
 
 /// Cuts between the convex pieces of an outline are inside it: what has no area and only ever lies

@@ -107,10 +107,11 @@ class Search {
     const FrameBodies bodies(timeline_, outline_, frame, now, next);
     each_batch(bodies.boxes(), straight_, [&](const std::vector<Pair>& pairs) {
       std::vector<Pair> together, others;
-      for (const Pair& pair : pairs) (bodies.are_even(pair) ? together : others).push_back(pair);
-      auto even = pairs_meet(bodies.even(), together, {0, 1}, threads_);
-      for (std::vector<MeetingPart>& parts : even) parts = bodies.in_seconds(std::move(parts));
-      add(together, even);
+      for (const Pair& pair : pairs)
+        (bodies.are_straight(pair) ? together : others).push_back(pair);
+      auto straight = pairs_meet(bodies.straight(), together, {0, 1}, threads_);
+      for (std::vector<MeetingPart>& parts : straight) parts = bodies.in_seconds(std::move(parts));
+      add(together, straight);
       std::vector<std::vector<MeetingPart>> met(others.size());
       parallel_for(others.size(), threads_,
                    [&](std::size_t i) { met[i] = bodies.meet(others[i]); });

@@ -4,25 +4,18 @@
 
 #include "anim/world.h"
 #include "base/parallel.h"
-#include "collide/carried_contact.h"
 #include "collide/contact_batch.h"
-#include "collide/ellipse_contact.h"
+#include "collide/curved_contact.h"
 #include "collide/inner_cuts.h"
 #include "scene/rounded.h"
 
 namespace flatray {
 namespace {
 
-using Ring = std::vector<Vec2>;
-
-MeetingPart meeting_part(const RoundContact& met, const RoundBody& a, const RoundBody& b) {
+MeetingPart meeting_part(const Contact& met, const MovingBody& a, const MovingBody& b) {
   const HitInterval& times = met.times;
-  MeetingPart part{{times.t_enter, times.t_exit}, times.kind, times.start, {0, 0}, {0, 0}};
-  const RoundPlace place =
-      met.first ? place_at(*met.first, a, b, times.t_enter) : resting_place(a, b, part.times.low);
-  part.point = place.point;
-  part.normal = place.normal;
-  return part;
+  const ContactPlace place = first_place(met, a, b);
+  return {{times.t_enter, times.t_exit}, times.kind, times.start, place.point, place.normal};
 }
 
 // An ellipse without area is a segment.
@@ -32,109 +25,81 @@ ShapePart ellipse_part(const Ellipse& curve) {
   return {{curve.centre - reach, curve.centre + reach}};
 }
 
-void add_curved_part(const CurvedBody& a, const CurvedBody& b, Range within,
-                     std::vector<MeetingPart>& parts) {
-  const CurvedContact met = curved_contact(a, b, within);
-  if (met.verdict == CurvedContact::Verdict::apart) return;
-  const bool certain = met.verdict == CurvedContact::Verdict::meets;
-  parts.push_back({{met.enter.low, met.exit.high},
-                   certain ? HitClass::through : HitClass::touch,
-                   met.start,
-                   met.place.point,
-                   met.place.normal,
-                   met.enter.high - met.enter.low,
-                   certain});
-}
-
-std::vector<MeetingPart> parts_meet(const std::vector<ShapePart>& parts_a, const Vec2& velocity_a,
-                                    const std::vector<ShapePart>& parts_b, const Vec2& velocity_b,
-                                    Range within) {
-  std::vector<MeetingPart> parts;
-  for (const ShapePart& p : parts_a)
-    for (const ShapePart& q : parts_b) {
-      const RoundBody one{{p.ring, velocity_a}, p.radius}, other{{q.ring, velocity_b}, q.radius};
+// Meetings of all parts of two bodies; `contact_of(p, q)`: of two that are no ellipses, by number.
+template <class ContactOf>
+std::vector<MeetingPart> parts_meet(const MovingParts& a, const MovingParts& b, Range within,
+                                    const ContactOf& contact_of) {
+  std::vector<MeetingPart> met;
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    for (std::size_t k = 0; k < b.parts.size(); ++k) {
+      const ShapePart &p = a.parts[i], &q = b.parts[k];
       if (p.curve || q.curve) {
-        add_curved_part({p.curve, one}, {q.curve, other}, within, parts);
+        if (const auto part = curved_parts_meet(p, a.velocity, q, b.velocity, within))
+          met.push_back(*part);
         continue;
       }
-      const RoundContact met = round_contact(one, other, within);
-      if (met.times) parts.push_back(meeting_part(met, one, other));
+      const Contact contact = contact_of(i, k);
+      if (contact.times) met.push_back(meeting_part(contact, a.body(i), b.body(k)));
     }
-  join(parts);
-  count_cuts_as_inside({parts_a, velocity_a}, {parts_b, velocity_b}, within, parts);
-  return parts;
+  join(met);
+  count_cuts_as_inside(a, b, within, met);
+  return met;
+}
+std::vector<MeetingPart> parts_meet(const MovingParts& a, const MovingParts& b, Range within) {
+  return parts_meet(a, b, within, [&](std::size_t i, std::size_t k) {
+    return contact(a.body(i), b.body(k), within);
+  });
 }
 
-// Polygons of many bodies, asked together.
-class PolygonPairs {
+// Parts of many bodies, made ready once and asked together.
+class ReadyBodies {
  public:
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  explicit ReadyBodies(std::span<const MovingShape> bodies)
+      : bodies_(bodies), parts_(bodies.size()), first_(bodies.size()) {}
 
-  PolygonPairs(std::span<const MovingShape> bodies, std::span<const Pair> pairs, Range within)
-      : bodies_(bodies), pairs_(pairs), within_(within) {
-    parts_.resize(bodies.size());
-    shapes_of_.resize(bodies.size());
-    for (const Pair& pair : pairs) {
-      begin_.push_back(asks_.size());
-      if (!takes(pair)) continue;
-      make_ready(pair.first);
-      make_ready(pair.second);
-      for (std::uint32_t p = 0; p < parts_[pair.first].size(); ++p)
-        for (std::uint32_t q = 0; q < parts_[pair.second].size(); ++q)
-          asks_.push_back({shapes_of_[pair.first] + p, shapes_of_[pair.second] + q,
-                           bodies[pair.first].velocity, bodies[pair.second].velocity});
-    }
+  // Notes what is to be asked of one more pair.
+  void add(std::uint32_t a, std::uint32_t b) {
     begin_.push_back(asks_.size());
+    for (const std::uint32_t body : {a, b}) make_ready(body);
+    for (std::uint32_t p = 0; p < parts_[a].size(); ++p)
+      for (std::uint32_t q = 0; q < parts_[b].size(); ++q)
+        asks_.push_back({first_[a] + p, first_[b] + q, bodies_[a].velocity, bodies_[b].velocity});
   }
 
-  // Whether all there is to two bodies are polygons that do not turn.
-  bool takes(const Pair& pair) const {
-    const auto plain = [](const MovingShape& body) {
-      return body.spin == 0 && body.shape->circles.empty() && body.shape->arc_paths.empty();
-    };
-    return plain(bodies_[pair.first]) && plain(bodies_[pair.second]);
-  }
-
-  void ask(unsigned threads) {
+  void ask(Range within, unsigned threads) {
     found_.resize(asks_.size());
     constexpr std::size_t kBlock = 2048;
     parallel_for((asks_.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
       const std::size_t from = block * kBlock, count = std::min(kBlock, asks_.size() - from);
-      contacts(shapes_, std::span(asks_).subspan(from, count), within_,
+      contacts(set_, std::span(asks_).subspan(from, count), within,
                std::span(found_).subspan(from, count));
     });
   }
 
-  std::vector<MeetingPart> meetings(std::size_t pair) const {
-    std::vector<MeetingPart> parts;
-    for (std::size_t i = begin_[pair]; i < begin_[pair + 1]; ++i) {
-      if (!found_[i].times) continue;
-      const MovingPair& ask = asks_[i];
-      const RoundBody a{{shapes_.ring(ask.a), ask.velocity_a}},
-          b{{shapes_.ring(ask.b), ask.velocity_b}};
-      parts.push_back(meeting_part(round_contact(found_[i], a, b), a, b));
-    }
-    join(parts);
-    const auto& [a, b] = pairs_[pair];
-    count_cuts_as_inside({parts_[a], bodies_[a].velocity}, {parts_[b], bodies_[b].velocity},
-                         within_, parts);
-    return parts;
+  // Of the pair that was noted as number `k`.
+  std::vector<MeetingPart> meetings(std::size_t k, std::uint32_t a, std::uint32_t b,
+                                    Range within) const {
+    return parts_meet(
+        {parts_[a], bodies_[a].velocity}, {parts_[b], bodies_[b].velocity}, within,
+        [&](std::size_t p, std::size_t q) { return found_[begin_[k] + p * parts_[b].size() + q]; });
   }
 
  private:
   void make_ready(std::uint32_t body) {
     if (!parts_[body].empty()) return;
     parts_[body] = parts_of(*bodies_[body].shape, bodies_[body].place);
-    shapes_of_[body] = static_cast<std::uint32_t>(shapes_.size());
-    for (const ShapePart& part : parts_[body]) shapes_.add(part.ring);
+    first_[body] = static_cast<std::uint32_t>(set_.size());
+    for (const ShapePart& part : parts_[body]) set_.add(core_of(part), part.radius);
+  }
+  // Of an ellipse its centre: it is asked something else.
+  static std::span<const Vec2> core_of(const ShapePart& part) {
+    return part.curve ? std::span(&part.curve->centre, 1) : std::span(part.ring);
   }
 
   const std::span<const MovingShape> bodies_;
-  const std::span<const Pair> pairs_;
-  const Range within_;
   std::vector<std::vector<ShapePart>> parts_;  // by body, as far as asked
-  std::vector<std::uint32_t> shapes_of_;       // the first shape of each
-  PolygonSet shapes_;
+  std::vector<std::uint32_t> first_;           // the number of the first part of each
+  BodySet set_;
   std::vector<MovingPair> asks_;
   std::vector<std::size_t> begin_;  // of the asks of each pair
   std::vector<Contact> found_;
@@ -190,6 +155,12 @@ std::vector<ShapePart> box_part(const MovingShape& moving) {
   return {{{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}}};
 }
 
+MeetingPart proven_part(Range times, StartPlace start, const ContactPlace& place, double width,
+                        bool certain) {
+  const HitClass kind = certain ? HitClass::through : HitClass::touch;
+  return {times, kind, start, place.point, place.normal, width, certain};
+}
+
 void extend(MeetingPart& last, const MeetingPart& next) {
   if (!last.certain) {
     last.width = std::max(last.width, next.times.low + next.width - last.times.low);
@@ -201,33 +172,28 @@ void extend(MeetingPart& last, const MeetingPart& next) {
 }
 
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within) {
-  if (a.spin != 0 || b.spin != 0) return turning_shapes_meet(a, b, within.high);
-  return parts_meet(parts_of(*a.shape, a.place), a.velocity, parts_of(*b.shape, b.place),
-                    b.velocity, within);
+  const std::vector<ShapePart> one = parts_of(*a.shape, a.place),
+                               other = parts_of(*b.shape, b.place);
+  return parts_meet({one, a.velocity}, {other, b.velocity}, within);
 }
 
 std::vector<std::vector<MeetingPart>> pairs_meet(
     std::span<const MovingShape> bodies,
     std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within,
     unsigned threads) {
-  // Making shapes ready pays for those that are asked about more than once.
-  std::vector<bool> asked(bodies.size());
-  for (const auto& [a, b] : pairs) asked[a] = asked[b] = true;
-  const auto shapes = std::count(asked.begin(), asked.end(), true);
-  const bool together = pairs.size() > static_cast<std::size_t>(shapes);
-  PolygonPairs polygons(bodies, together ? pairs : pairs.first(0), within);
-  polygons.ask(threads);
+  ReadyBodies ready(bodies);
+  for (const auto& [a, b] : pairs) ready.add(a, b);
+  ready.ask(within, threads);
   std::vector<std::vector<MeetingPart>> met(pairs.size());
   parallel_for(pairs.size(), threads, [&](std::size_t i) {
-    const auto& [a, b] = pairs[i];
-    met[i] = together && polygons.takes(pairs[i]) ? polygons.meetings(i)
-                                                  : shapes_meet(bodies[a], bodies[b], within);
+    met[i] = ready.meetings(i, pairs[i].first, pairs[i].second, within);
   });
   return met;
 }
 
 std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within) {
-  return parts_meet(box_part(a), a.velocity, box_part(b), b.velocity, within);
+  const std::vector<ShapePart> one = box_part(a), other = box_part(b);
+  return parts_meet({one, a.velocity}, {other, b.velocity}, within);
 }
 
 }  // namespace flatray

@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "anim/frame_state.h"
-#include "collide/round_contact.h"
+#include "collide/contact_place.h"
 #include "geom/primitives/arc.h"
 
 namespace flatray {
 
-/// A shape that moves along a straight line, and may turn evenly.
+/// A shape that moves along a straight line.
 struct MovingShape {
   const Shape* shape;
   Pose place;  ///< at t = 0
   Vec2 velocity;
-  double angle = 0, spin = 0;  ///< radians: that of `place`, and what t adds
 };
 
 /// The convex parts of a shape as placed: pieces, segments, discs, capsules, ellipses.
@@ -40,6 +39,13 @@ struct MeetingPart {
   bool certain = true;  ///< false: they come too close to tell whether they touch
 };
 
+/// A part of which it is proven when it begins, within `width`, and that it meets, if it is `certain`.
+MeetingPart proven_part(Range times, StartPlace start, const ContactPlace& place, double width,
+                        bool certain);
+/// One of which nothing is known.
+inline MeetingPart undecided_part(Range times) {
+  return proven_part(times, StartPlace::boundary, {{0, 0}, {0, 0}}, times.high - times.low, false);
+}
 /// Adds a part that begins before `last` ends.
 void extend(MeetingPart& last, const MeetingPart& next);
 /// Sorts parts by time, and makes one of those that overlap.
@@ -47,24 +53,18 @@ void join(std::vector<MeetingPart>& parts);
 /// The upright box around a shape; nothing of an empty one.
 std::vector<ShapePart> box_part(const MovingShape& moving);
 
-/// Width asked for the times of turning shapes, in units of t.
-inline constexpr double kTurningWidth = 0x1p-40;
-
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their
 /// convex pieces, segments and discs together.
 ///
-/// Gives   kind: through where any pieces overlap, also only on a cut between them (inner_cuts.h; what
-///         turns then touches), else along where any touch for a while.
-/// Error   as round_contact(); where one turns as turning_contact(), within a range from 0; what
-///         parts for less than kTurningWidth, or after more than kMostPartingSteps steps, has not
-///         parted. Of ellipses as
-///         curved_contact(), or as carried_curves_meet(); other arcs are left out.
+/// Gives   kind: through where any pieces overlap, also only on a cut between them (inner_cuts.h), else
+///         along where any touch for a while.
+/// Error   as contact(); of ellipses as curved_contact.h; other arcs are left out.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
 
 /// What shapes_meet tells of each of many pairs of bodies, bit for bit.
 ///
 /// Needs   pairs of numbers of bodies.
-/// Cost    polygons that do not turn are made ready once and asked together, contact_batch.h.
+/// Cost    each body is made ready once, and all are asked together, contact_batch.h.
 std::vector<std::vector<MeetingPart>> pairs_meet(
     std::span<const MovingShape> bodies,
     std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads);

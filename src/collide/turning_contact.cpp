@@ -18,7 +18,7 @@ class Search {
 
   TurningContact run(double from) {
     pair_.place(from);
-    if (pair_.overlap()) {
+    if (overlap()) {
       found_.verdict = Verdict::meets;
       found_.start = StartPlace::inside;
       found_.place = pair_.touching_place();
@@ -49,18 +49,31 @@ class Search {
         now = (now + ahead) * (1 - 0x1p-51);
         continue;
       }
-      double after = width_;
-      for (; now + after < length_; after *= 2) {
-        pair_.place(now + after);
-        if (pair_.apart_for(width_) >= width_ / 16) return now + after;
-        if (pair_.overlap()) break;
-      }
-      now += after;
+      const std::optional<Certain> next = certain_after(now);
+      if (!next) return std::nullopt;
+      if (!next->overlap) return next->time;
+      now = next->time;
     }
     return std::nullopt;
   }
 
  private:
+  // A time at which they certainly overlap, or else are certainly apart.
+  struct Certain {
+    double time;
+    bool overlap;
+  };
+
+  bool overlap() const { return pair_.overlap_for() > 0; }
+  // The first found 1, 2, 4.. widths after a time.
+  std::optional<Certain> certain_after(double now) {
+    for (double after = width_; now + after < length_; after *= 2) {
+      pair_.place(now + after);
+      if (overlap()) return Certain{now + after, true};
+      if (pair_.apart_for(width_) >= width_ / 16) return Certain{now + after, false};
+    }
+    return std::nullopt;
+  }
   void begin_doubt(double now, double ahead) {
     found_.verdict = Verdict::undecided;
     found_.first.low = now;
@@ -70,17 +83,10 @@ class Search {
   // When they certainly overlap, are certainly apart again, or the end.
   double end_of_doubt(double now) {
     if (steps_ >= kMostTurningSteps) return length_;
-    for (double after = width_; now + after < length_; after *= 2) {
-      pair_.place(now + after);
-      if (pair_.overlap()) {
-        found_.verdict = Verdict::meets;
-        return now + after;
-      }
-      if (pair_.apart_for(width_) >= width_ / 16) return now + after;
-    }
-    pair_.place(length_);
-    if (pair_.overlap()) found_.verdict = Verdict::meets;
-    return length_;
+    const std::optional<Certain> next = certain_after(now);
+    if (!next) pair_.place(length_);
+    if (next ? next->overlap : overlap()) found_.verdict = Verdict::meets;
+    return next ? next->time : length_;
   }
 
   Pair pair_;

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "anim/rigid_motion.h"
-#include "collide/round_contact.h"
+#include "collide/contact_place.h"
 
 namespace flatray {
 
@@ -28,7 +28,7 @@ struct TurningContact {
   StartPlace start = StartPlace::outside;  ///< boundary: too close to tell
   /// Where they touch, or come closest, at first.low, and the unit normal there, out of the first;
   /// about. Of those that overlap from the start, of the shortest way apart.
-  RoundPlace place{{0, 0}, {0, 0}};
+  ContactPlace place{{0, 0}, {0, 0}};
 };
 
 /// The first touch for t in [from, length], or of the time run backwards from `length`: then the last.
@@ -65,6 +65,8 @@ TurningContact box_contact(std::span<const TurningBody> a, std::span<const Turni
 std::optional<double> box_parting(std::span<const TurningBody> a, std::span<const TurningBody> b,
                                   double from, double length, double width);
 
+/// Width asked for the times of shapes that turn.
+inline constexpr double kTurningWidth = 0x1p-40;
 inline constexpr int kMostTurningSteps = 1 << 16;
 inline constexpr int kMostPartingSteps = 1 << 12;
 

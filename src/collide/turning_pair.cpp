@@ -53,21 +53,23 @@ TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double leng
   const double size = farthest + a_.reach + b_.reach + radii_;
   given_ = kUp * (scale_ * (a.motion.doubt + b.motion.doubt) + a.motion.angle_doubt * a_.reach +
                   b.motion.angle_doubt * b_.reach);
-  gap_error_ = kRoundings * turns * size + given_ + kLeast;
-  slope_error_ = kRoundings * turns * (speed_ + (a_.most_spin + b_.most_spin) * size) + kLeast;
+  const double gap_error = kRoundings * turns * size + given_ + kLeast;
+  const double slope_error =
+      kRoundings * turns * (speed_ + (a_.most_spin + b_.most_spin) * size) + kLeast;
   const Cubic<double> turn = b_.angle - a_.angle;
   const double relative = turn.most_slope(length), turning = turn.most_bend(length);
-  const auto curve = [&](const TurnedBody& frame, const TurnedBody& other) {
-    return carried_curve(frame, farthest) + kUp * (relative * relative + turning) * other.reach;
+  const auto seen_by = [&](const TurnedBody& frame, const TurnedBody& other) -> Errors {
+    return {gap_error, slope_error,
+            carried_curve(frame, farthest) + kUp * (relative * relative + turning) * other.reach};
   };
-  curve_a_ = curve(a_, b_);
-  curve_b_ = curve(b_, a_);
+  by_a_ = seen_by(a_, b_);
+  by_b_ = seen_by(b_, a_);
   const auto own = [](const TurnedBody& body) {
     return (body.most_spin * body.most_spin + body.most_turn) * body.reach;
   };
-  curve_still_ = kUp * (own(a_) + own(b_)) + bend_;
-  disc_of_b_ = disc_errors(a_, size, farthest);
-  disc_of_a_ = disc_errors(b_, size, farthest);
+  still_ = {gap_error, slope_error, kUp * (own(a_) + own(b_)) + bend_};
+  disc_by_a_ = disc_errors(a_, size, farthest);
+  disc_by_b_ = disc_errors(b_, size, farthest);
 }
 
 // How the slope of a gap to the other's centre may change, seen by who turns with `frame`.
@@ -80,7 +82,7 @@ double TurningPair::carried_curve(const TurnedBody& frame, double farthest) cons
 TurningPair::Errors TurningPair::disc_errors(const TurnedBody& frame, double size,
                                              double farthest) const {
   const bool swings = a_.swung > 0 || b_.swung > 0;
-  if (swings) return {gap_error_, slope_error_, carried_curve(frame, farthest)};
+  if (swings) return {still_.gap_error, still_.slope_error, carried_curve(frame, farthest)};
   const double turns = 1 + frame.widest_angle;
   return {kRoundings * turns * size + given_ + kLeast,
           kRoundings * turns * (speed_ + frame.most_spin * size) + kLeast,
@@ -103,42 +105,27 @@ double TurningPair::apart_by_centres() const {
   const double distance = length_of(from);
   if (!(distance > 0)) return 0;
   return positive_for(distance - kUp * (a_.reach + b_.reach + radii_),
-                      dot(from, b_.velocity - a_.velocity) / distance, bend_);
+                      dot(from, b_.velocity - a_.velocity) / distance,
+                      {still_.gap_error, still_.slope_error, bend_});
 }
 
-// The gap between an edge of `frame` and the disc in which the other turns.
-double TurningPair::apart_by_disc(const TurnedBody& frame, const TurnedBody& other,
-                                  const Errors& errors) const {
-  double best = 0;
+// The gaps between edges of `frame` and the other body, or the disc in which it turns, as seen by who
+// turns with `frame`. More than `at_least`, or that.
+double TurningPair::apart_by_edges(const TurnedBody& frame, const TurnedBody& other, bool as_disc,
+                                   const Errors& errors, double at_least) const {
+  const std::size_t count = as_disc ? 1 : other.points.size();
+  const double radii = radii_ + (as_disc ? kUp * other.reach : 0);
+  double best = at_least;
   for (std::size_t i = 0; i < frame.normals.size(); ++i) {
     const Vec2& normal = frame.normals[i];
-    const double gap = dot(normal, other.centre - frame.points[i]) - (radii_ + kUp * other.reach);
-    if (gap > errors.gap_error)
-      best = std::max(
-          best,
-          positive_for(gap, dot(normal, other.velocity - frame.carries(other.centre)), errors));
-  }
-  return best;
-}
-
-// The gaps between edges of `frame` and the other body, as seen by who turns with `frame`. More than
-// `at_least`, or 0.
-double TurningPair::apart_by_edges(const TurnedBody& frame, const TurnedBody& other, double curve,
-                                   double at_least) const {
-  double best = 0;
-  for (std::size_t i = 0; i < frame.normals.size(); ++i) {
-    const Vec2 &normal = frame.normals[i], &on_edge = frame.points[i];
     double least = kInfinity;
-    for (std::size_t k = 0; k < other.points.size() && least > at_least; ++k) {
-      const Vec2& p = other.points[k];
-      const double gap = dot(normal, p - on_edge) - radii_;
-      if (gap <= gap_error_)
-        least = 0;
-      else
-        least = std::min(least,
-                         positive_for(gap, dot(normal, other.moves(k) - frame.carries(p)), curve));
+    for (std::size_t k = 0; k < count && least > best; ++k) {
+      const Vec2& p = as_disc ? other.centre : other.points[k];
+      const Vec2 moves = as_disc ? other.velocity : other.moves(k);
+      least = std::min(least, positive_for(dot(normal, p - frame.points[i]) - radii,
+                                           dot(normal, moves - frame.carries(p)), errors));
     }
-    if (least > at_least) best = at_least = least;
+    best = std::max(best, least);
   }
   return best;
 }
@@ -162,31 +149,23 @@ double TurningPair::apart_along(const Vec2& normal) const {
   for (std::size_t i = 0; i < a_.points.size(); ++i)
     for (std::size_t k = 0; k < b_.points.size() && least > 0; ++k)
       least = std::min(least, positive_for(dot(normal, b_.points[k] - a_.points[i]) - radii_,
-                                           dot(normal, b_.moves(k) - a_.moves(i)), curve_still_));
+                                           dot(normal, b_.moves(k) - a_.moves(i)), still_));
   return least;
 }
 
 double TurningPair::apart_for(double enough) const {
   double best = apart_by_centres();
-  if (best < enough && b_.most_spin * length_ > kManyTurns)
-    best = std::max(best, apart_by_disc(a_, b_, disc_of_b_));
-  if (best < enough && a_.most_spin * length_ > kManyTurns)
-    best = std::max(best, apart_by_disc(b_, a_, disc_of_a_));
-  if (best < enough) best = std::max(best, apart_by_edges(a_, b_, curve_a_, best));
-  if (best < enough) best = std::max(best, apart_by_edges(b_, a_, curve_b_, best));
+  const auto look = [&](const TurnedBody& frame, const TurnedBody& other, bool as_disc,
+                        const Errors& errors) {
+    if (best < enough) best = apart_by_edges(frame, other, as_disc, errors, best);
+  };
+  if (b_.most_spin * length_ > kManyTurns) look(a_, b_, true, disc_by_a_);
+  if (a_.most_spin * length_ > kManyTurns) look(b_, a_, true, disc_by_b_);
+  look(a_, b_, false, by_a_);
+  look(b_, a_, false, by_b_);
   const bool edges_tell = radii_ == 0 && std::max(a_.points.size(), b_.points.size()) > 2;
   if (best < enough && !edges_tell) best = std::max(best, apart_by_vertices());
   return best;
-}
-
-// Whether some vertex of the other is certainly behind each edge.
-bool TurningPair::across_all_edges(const TurnedBody& frame, const TurnedBody& other) const {
-  for (std::size_t i = 0; i < frame.normals.size(); ++i)
-    if (std::none_of(other.points.begin(), other.points.end(), [&](const Vec2& p) {
-          return dot(frame.normals[i], p - frame.points[i]) < -gap_error_;
-        }))
-      return false;
-  return true;
 }
 
 double TurningPair::vertex_distance(const TurnedBody& vertices, const TurnedBody& edges) const {
@@ -203,17 +182,9 @@ double TurningPair::vertex_distance(const TurnedBody& vertices, const TurnedBody
   return least;
 }
 
-// Separating axes of two convex cores are across their edges.
-bool TurningPair::overlap() const {
-  const bool have_edges = !a_.normals.empty() || !b_.normals.empty();
-  if (have_edges && across_all_edges(a_, b_) && across_all_edges(b_, a_)) return true;
-  if (radii_ == 0) return false;
-  return std::min(vertex_distance(a_, b_), vertex_distance(b_, a_)) < radii_ - gap_error_;
-}
-
 // How long for each edge some vertex of the other stays behind it.
 double TurningPair::across_for(const TurnedBody& frame, const TurnedBody& other,
-                               double curve) const {
+                               const Errors& errors) const {
   double least = kInfinity;
   for (std::size_t i = 0; i < frame.normals.size() && least > 0; ++i) {
     double longest = 0;
@@ -221,38 +192,31 @@ double TurningPair::across_for(const TurnedBody& frame, const TurnedBody& other,
       const Vec2& p = other.points[k];
       const double gap = dot(frame.normals[i], p - frame.points[i]);
       const double slope = dot(frame.normals[i], other.moves(k) - frame.carries(p));
-      longest = std::max(longest, positive_for(-gap, -slope, curve));
+      longest = std::max(longest, positive_for(-gap, -slope, errors));
     }
     least = std::min(least, longest);
   }
   return least;
 }
 
+// Separating axes of two convex cores are across their edges.
 double TurningPair::overlap_for() const {
   double longest = 0;
   if (!a_.normals.empty() || !b_.normals.empty())
-    longest = std::min(across_for(a_, b_, curve_a_), across_for(b_, a_, curve_b_));
+    longest = std::min(across_for(a_, b_, by_a_), across_for(b_, a_, by_b_));
   if (radii_ == 0) return longest;
   const double distance = std::min(vertex_distance(a_, b_), vertex_distance(b_, a_));
   const double speed =
-      kUp * (speed_ + a_.most_spin * a_.reach + b_.most_spin * b_.reach) + slope_error_;
-  return std::max(longest, kDown * (radii_ - distance - gap_error_) / speed);
+      kUp * (speed_ + a_.most_spin * a_.reach + b_.most_spin * b_.reach) + still_.slope_error;
+  return std::max(longest, kDown * (radii_ - distance - still_.gap_error) / speed);
 }
 
-bool TurningPair::overlap_along(const Vec2& normal) const {
-  for (const Vec2& p : a_.points)
-    for (const Vec2& q : b_.points)
-      if (dot(normal, q - p) - radii_ < -gap_error_) return true;
-  return false;
-}
-
-double TurningPair::overlap_along_for(const Vec2& normal) const {
+double TurningPair::overlap_along(const Vec2& normal) const {
   double longest = 0;
   for (std::size_t i = 0; i < a_.points.size(); ++i)
     for (std::size_t k = 0; k < b_.points.size(); ++k)
-      longest =
-          std::max(longest, positive_for(radii_ - dot(normal, b_.points[k] - a_.points[i]),
-                                         -dot(normal, b_.moves(k) - a_.moves(i)), curve_still_));
+      longest = std::max(longest, positive_for(radii_ - dot(normal, b_.points[k] - a_.points[i]),
+                                               -dot(normal, b_.moves(k) - a_.moves(i)), still_));
   return longest;
 }
 
@@ -263,8 +227,8 @@ Bounds TurningPair::box_of(const TurnedBody& body) const {
   return box;
 }
 
-RoundPlace TurningPair::touching_place() const {
-  return resting_place({{a_.points, {0, 0}}, a_.radius}, {{b_.points, {0, 0}}, b_.radius}, 0);
+ContactPlace TurningPair::touching_place() const {
+  return resting_place({a_.points, {0, 0}, a_.radius}, {b_.points, {0, 0}, b_.radius}, 0);
 }
 
 }  // namespace flatray

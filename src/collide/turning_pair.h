@@ -16,16 +16,14 @@ class TurningPair {
   }
   // For how long from then on they are apart; `enough` ends the search.
   double apart_for(double enough) const;
-  bool overlap() const;
   // For how long from then on they overlap.
   double overlap_for() const;
-  RoundPlace touching_place() const;
+  ContactPlace touching_place() const;
   double scale() const { return scale_; }
 
   // The same along one direction of the world alone.
   double apart_along(const Vec2& normal) const;
-  bool overlap_along(const Vec2& normal) const;
-  double overlap_along_for(const Vec2& normal) const;
+  double overlap_along(const Vec2& normal) const;
   // About, as the world has them but for where the first would be without its swings.
   Bounds box_a() const { return box_of(a_); }
   Bounds box_b() const { return box_of(b_); }
@@ -39,17 +37,11 @@ class TurningPair {
   double carried_curve(const TurnedBody& frame, double farthest) const;
   Errors disc_errors(const TurnedBody& frame, double size, double farthest) const;
   double positive_for(double gap, double slope, const Errors& errors) const;
-  double positive_for(double gap, double slope, double curve) const {
-    return positive_for(gap, slope, {gap_error_, slope_error_, curve});
-  }
   double apart_by_centres() const;
-  double apart_by_disc(const TurnedBody& frame, const TurnedBody& other,
-                       const Errors& errors) const;
-  double apart_by_edges(const TurnedBody& frame, const TurnedBody& other, double curve,
-                        double at_least) const;
+  double apart_by_edges(const TurnedBody& frame, const TurnedBody& other, bool as_disc,
+                        const Errors& errors, double at_least) const;
   double apart_by_vertices() const;
-  bool across_all_edges(const TurnedBody& frame, const TurnedBody& other) const;
-  double across_for(const TurnedBody& frame, const TurnedBody& other, double curve) const;
+  double across_for(const TurnedBody& frame, const TurnedBody& other, const Errors& errors) const;
   double vertex_distance(const TurnedBody& vertices, const TurnedBody& edges) const;
 
   const double length_;
@@ -58,9 +50,10 @@ class TurningPair {
   TurnedBody a_, b_;
   const Cubic<Vec2> way_;  // from the first to the second
   const double radii_;
-  const double speed_, bend_;  // at most, of the centres; how the speed changes
-  double given_, gap_error_, slope_error_, curve_a_, curve_b_, curve_still_;
-  Errors disc_of_b_, disc_of_a_;  ///< seen from the other
+  const double speed_, bend_;     // at most, of the centres; how the speed changes
+  double given_;                  // by how much they may be elsewhere
+  Errors still_, by_a_, by_b_;    // as seen by the world, and by those who turn with a and b
+  Errors disc_by_a_, disc_by_b_;  // of the disc in which the other turns
 };
 
 }  // namespace flatray

@@ -30,7 +30,7 @@ CatalogueTally check_contacts(const oracle::StiffCase& stiff) {
   for (const oracle::StiffContact& asked : stiff.contacts) {
     const Contact alone =
         contact({asked.a, asked.velocity_a}, {asked.b, asked.velocity_b}, asked.within);
-    PolygonSet shapes;
+    BodySet shapes;
     const std::uint32_t a = shapes.add(asked.a), b = shapes.add(asked.b);
     const std::vector<MovingPair> pairs(kTogether, {a, b, asked.velocity_a, asked.velocity_b});
     std::vector<Contact> among(kTogether);

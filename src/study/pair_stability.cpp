@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "collide/contact_batch.h"
-#include "collide/round_contact.h"
 #include "collide/turning_contact.h"
 #include "oracle/contact.h"
 #include "oracle/moving_pairs.h"
@@ -60,7 +59,7 @@ void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
 std::vector<StabilityTally> check_straight(const oracle::StraightFamily& family, std::uint64_t seed,
                                            std::uint64_t first, std::uint64_t count) {
   std::vector<oracle::StraightPair> pairs;
-  PolygonSet shapes;
+  BodySet shapes;
   std::vector<MovingPair> asks;
   for (std::uint64_t item = first; item < first + count; ++item) {
     pairs.push_back(oracle::make_pair(family, seed, item));
@@ -82,7 +81,7 @@ std::vector<StabilityTally> check_straight(const oracle::StraightFamily& family,
   return tallies;
 }
 
-RoundBody body(const oracle::RoundCore& core) { return {{core.ring, core.velocity}, core.radius}; }
+MovingBody body(const oracle::RoundCore& core) { return {core.ring, core.velocity, core.radius}; }
 
 // Of bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they are not apart,
 // where it lasts as long.
@@ -101,7 +100,7 @@ void check_while(StabilityTally& tally, const oracle::RoundPair& pair, const Hit
 }
 
 void compare(StabilityTally& tally, std::uint64_t item, const oracle::RoundPair& pair) {
-  const HitInterval met = round_contact(body(pair.a()), body(pair.b()), kRay).times;
+  const HitInterval met = contact(body(pair.a()), body(pair.b()), kRay).times;
   const oracle::RoundTruth truth = oracle::round_truth(pair.a(), pair.b(), kRay);
   if (!count_verdict(tally, item, met, truth) || !met) return;
   check_time(tally, met.t_enter, truth.first);

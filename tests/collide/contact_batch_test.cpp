@@ -21,13 +21,16 @@ using oracle::Draw;
 using Ring = std::vector<Vec2>;
 
 struct Question {
-  PolygonSet shapes;
+  BodySet shapes;
   std::vector<MovingPair> pairs;
 
-  void add(const Ring& a, const Vec2& va, const Ring& b, const Vec2& vb) {
-    const std::uint32_t first = shapes.add(a), second = shapes.add(b);
+  void add(const Ring& a, const Vec2& va, const Ring& b, const Vec2& vb, double radius_a = 0,
+           double radius_b = 0) {
+    const std::uint32_t first = shapes.add(a, radius_a), second = shapes.add(b, radius_b);
     pairs.push_back({first, second, va, vb});
   }
+  MovingBody a(const MovingPair& pair) const { return shapes.body(pair.a, pair.velocity_a); }
+  MovingBody b(const MovingPair& pair) const { return shapes.body(pair.b, pair.velocity_b); }
 };
 
 void expect_same_as_one_by_one(const Question& asked, Range within, Isa isa) {
@@ -35,8 +38,7 @@ void expect_same_as_one_by_one(const Question& asked, Range within, Isa isa) {
   contacts(asked.shapes, asked.pairs, within, together, isa);
   for (std::size_t i = 0; i < together.size(); ++i) {
     const MovingPair& pair = asked.pairs[i];
-    const Contact alone = contact({asked.shapes.ring(pair.a), pair.velocity_a},
-                                  {asked.shapes.ring(pair.b), pair.velocity_b}, within);
+    const Contact alone = contact(asked.a(pair), asked.b(pair), within);
     ASSERT_EQ(together[i], alone) << "pair " << i << ", " << isa_name(isa);
   }
 }
@@ -112,6 +114,29 @@ TEST(ContactBatch, TakesWhatTheLanesDoNot) {
     expect_same_as_one_by_one(asked, within, active_isa());
 }
 
+// Boxes rule out what no lane takes, and nothing that touches.
+TEST(ContactBatch, TakesWhatIsRoundAtEveryScaleAndFarAway) {
+  for (const double scale : {1e-300, 1.0, 1e150})
+    for (const Vec2& far : {Vec2(0, 0), Vec2(0x1p40, -0x1p39)}) {
+      Question asked;
+      for (std::uint64_t item = 0; item < 500; ++item) {
+        Draw draw(31, 46, item);
+        const auto ring = [&]() -> Ring {
+          const double x = draw.below(9), y = draw.below(9);
+          const Vec2 at = scale * (Vec2(x, y) + far);
+          if (draw.below(2) == 0) return {at};
+          return {at, at + scale * Vec2(1, 0)};
+        };
+        const double r = scale * draw.below(3), s = scale * draw.below(2);
+        const double vx = draw.below(7) - 3, vy = draw.below(7) - 3;
+        const Ring one = ring(), other = ring();
+        asked.add(one, {0, 0}, other, scale * Vec2(vx, vy), r, s);
+      }
+      for (const Range within : {kSegment, kRay})
+        expect_same_as_one_by_one(asked, within, active_isa());
+    }
+}
+
 // A corner within rounding of a slanted side at t = 0: the high part of what tells its side has no sign of
 // its own.
 TEST(ContactBatch, TellsCornersThatStartNextToASlantedSide) {
@@ -138,9 +163,8 @@ TEST(ContactBatch, AgreesWithSeparatingAxes) {
   int hits = 0;
   for (std::size_t i = 0; i < met.size(); ++i) {
     const MovingPair& pair = asked.pairs[i];
-    const oracle::ContactTruth truth =
-        oracle::contact_truth(asked.shapes.ring(pair.a), pair.velocity_a, asked.shapes.ring(pair.b),
-                              pair.velocity_b, kSegment);
+    const oracle::ContactTruth truth = oracle::contact_truth(
+        asked.a(pair).vertices, pair.velocity_a, asked.b(pair).vertices, pair.velocity_b, kSegment);
     ASSERT_EQ(met[i].times.kind, truth.kind) << i;
     ASSERT_EQ(met[i].times.start, truth.start) << i;
     if (!met[i].times) continue;
@@ -161,7 +185,7 @@ TEST(ContactBatch, AxisParallelBoxesMeetAtTheClosedForm) {
   std::vector<Contact> met(asked.pairs.size());
   contacts(asked.shapes, asked.pairs, kRay, met);
   for (std::size_t i = 0; i < met.size(); ++i) {
-    const double x = asked.shapes.ring(asked.pairs[i].b)[0].x();
+    const double x = asked.b(asked.pairs[i]).vertices[0].x();
     EXPECT_EQ(met[i].times.kind, HitClass::through) << i;
     EXPECT_EQ(met[i].times.t_enter, (x < 0 ? -2 - x : x - 1) / 3) << i;
     EXPECT_EQ(met[i].times.t_exit, (x < 0 ? 1 - x : x + 2) / 3) << i;
@@ -201,16 +225,15 @@ TEST(ContactBatch, FacingEdgesGiveTheBitsOfOnePairACallOnEveryTier) {
 int decided(const Question& asked, std::size_t i) {
   const MovingPair& pair = asked.pairs[i];
   for (const std::uint32_t shape : {pair.a, pair.b})
-    if (std::isnan(asked.shapes.boxes()[shape].half.x())) return -1;  // not ready
-  const MovingPolygon a = {asked.shapes.ring(pair.a), pair.velocity_a},
-                      b = {asked.shapes.ring(pair.b), pair.velocity_b};
+    if (!asked.shapes.is_ready(shape)) return -1;
+  const MovingBody a = asked.a(pair), b = asked.b(pair);
   const HitInterval all = contact(a, b).times;
   if (all.kind != HitClass::through || all.start != StartPlace::outside) return -1;
   const double length = 0.5 * all.t_enter + 0.5 * all.t_exit;
   const Contact alone = contact(a, b, {0, length});
-  CertainContacts certain(asked.shapes, length, pairs::portable::kKernels.prove);
+  CertainContacts certain(asked.shapes, length, pairs::portable::kKernels.certify);
   int count = 0;
-  for (unsigned guess = 0; guess <= sweep::kGuessBits; ++guess) {
+  for (unsigned guess = 0; guess <= pairs::kCandidateBits; ++guess) {
     const float named = std::bit_cast<float>(std::bit_cast<unsigned>(1.0F) | guess);
     Contact met;
     bool left = false;

@@ -92,7 +92,7 @@ void expect_same(const std::vector<MeetingPart>& some, const std::vector<Meeting
   }
 }
 
-// Among all pairs of some polygons, discs and turning ones.
+// Among all pairs of some polygons, discs and ellipses.
 TEST(Meetings, ManyPairsTogetherTellWhatEachTellsAlone) {
   const Scene scene = scene_of(
       "flatray = 1\nframes = 2\nseed = 3\n"
@@ -102,14 +102,15 @@ TEST(Meetings, ManyPairsTogetherTellWhatEachTellsAlone) {
       "[[entity]]\nname = \"s\"\nshape = { star = { points = 4, outer = 0.8, inner = 0.3 } }\n"
       "repeat = { scatter = { count = 10, in = [[0, 0], [8, 8]] } }\n"
       "[[entity]]\nname = \"d\"\nshape = { circle = { radius = 0.5 } }\n"
-      "repeat = { scatter = { count = 10, in = [[0, 0], [8, 8]] } }\n");
+      "repeat = { scatter = { count = 10, in = [[0, 0], [8, 8]] } }\n"
+      "[[entity]]\nname = \"e\"\nshape = { ellipse = { radii = [0.5, 0.25] } }\n"
+      "repeat = { scatter = { count = 3, in = [[0, 0], [8, 8]] } }\n");
   std::vector<MovingShape> bodies;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
     oracle::Draw draw(5, 42, i);
     const double x = 4 * draw.unit() - 2, y = 4 * draw.unit() - 2, angle = draw.unit();
     const Entity& entity = scene.entities[i];
-    bodies.push_back(
-        {&scene.shapes[entity.shape], pose(entity.at, angle), {x, y}, angle, i % 7 == 0 ? 1.5 : 0});
+    bodies.push_back({&scene.shapes[entity.shape], pose(entity.at, angle), {x, y}});
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < bodies.size(); ++i)

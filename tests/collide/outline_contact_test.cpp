@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "anim/scenes.h"
+#include "collide/carried_contact.h"
+#include "collide/turning_contact.h"
 #include "oracle/families.h"
 
 namespace flatray {
@@ -14,9 +16,9 @@ using oracle::Draw;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-MovingShape turning(const Shape& shape, const Vec2& at, const Vec2& velocity, double angle,
-                    double spin) {
-  return {&shape, pose(at, angle), velocity, angle, spin};
+CarriedShape turning(const Shape& shape, const Vec2& at, const Vec2& velocity, double angle,
+                     double spin) {
+  return {&shape, {even_motion(at, velocity, angle, spin)}};
 }
 
 // A bar that goes round once meets a disc beside its axle with one arm, then with the other.
@@ -24,9 +26,9 @@ TEST(OutlineContact, EachArmOfWhatTurnsInOneFrameIsAMeetingOfItsOwn) {
   const Shape bar = testing::box({-3, -0.05}, {3, 0.05});
   Shape disc;
   disc.circles = {{{0, 0}, 0.1}};
-  const MovingShape propeller = turning(bar, {0, 0}, {0, 0}, kTurn / 4, kTurn);
-  const MovingShape post = turning(disc, {2, 0}, {0, 0}, 0, 0);
-  const std::vector<MeetingPart> met = shapes_meet(propeller, post, {0, 1});
+  const CarriedShape propeller = turning(bar, {0, 0}, {0, 0}, kTurn / 4, kTurn);
+  const CarriedShape post = turning(disc, {2, 0}, {0, 0}, 0, 0);
+  const std::vector<MeetingPart> met = carried_shapes_meet(propeller, post);
   ASSERT_EQ(met.size(), 2U);
   const double half = std::asin(0.15 / 2) / kTurn;
   for (int i = 0; i < 2; ++i) {
@@ -44,7 +46,7 @@ TEST(OutlineContact, EachArmOfWhatTurnsInOneFrameIsAMeetingOfItsOwn) {
   cross.vertices.insert(cross.vertices.end(), upright.vertices.begin(), upright.vertices.end());
   cross.edges.insert(cross.edges.end(), upright.edges.begin(), upright.edges.end());
   cross.begin.push_back(8);
-  EXPECT_EQ(shapes_meet(turning(cross, {0, 0}, {0, 0}, kTurn / 8, 3 * kTurn), post, {0, 1}).size(),
+  EXPECT_EQ(carried_shapes_meet(turning(cross, {0, 0}, {0, 0}, kTurn / 8, 3 * kTurn), post).size(),
             12U);
 }
 
@@ -62,12 +64,12 @@ TEST(OutlineContact, MeetingsOfWhatTurnsAreThoseOfAllItsInstants) {
     const double angle_a = 6 * draw.unit(), spin_a = 30 * draw.unit() - 15,
                  angle_b = 6 * draw.unit(), spin_b = 30 * draw.unit() - 15;
     const auto at = [&](double t) {
-      return std::pair(turning(a, {0, 0}, {0, 0}, angle_a + t * spin_a, 0),
-                       turning(b, Vec2(x, y) + t * Vec2(vx, vy), {0, 0}, angle_b + t * spin_b, 0));
+      return std::pair(
+          MovingShape{&a, pose({0, 0}, angle_a + t * spin_a), {0, 0}},
+          MovingShape{&b, pose(Vec2(x, y) + t * Vec2(vx, vy), angle_b + t * spin_b), {0, 0}});
     };
-    const std::vector<MeetingPart> met =
-        shapes_meet(turning(a, {0, 0}, {0, 0}, angle_a, spin_a),
-                    turning(b, {x, y}, {vx, vy}, angle_b, spin_b), {0, 1});
+    const std::vector<MeetingPart> met = carried_shapes_meet(
+        turning(a, {0, 0}, {0, 0}, angle_a, spin_a), turning(b, {x, y}, {vx, vy}, angle_b, spin_b));
     several += met.size() > 1 ? 1 : 0;
     for (int i = 0; i <= kInstants; ++i) {
       const double t = static_cast<double>(i) / kInstants;
@@ -101,7 +103,7 @@ Shape segment(const Vec2& a, const Vec2& b) {
 // Asked alone and, of several, together.
 std::vector<MeetingPart> both_ways(const Shape& a, const Shape& b, const Vec2& at,
                                    const Vec2& velocity, Range within) {
-  const MovingShape bodies[] = {turning(a, {0, 0}, {0, 0}, 0, 0), turning(b, at, velocity, 0, 0)};
+  const MovingShape bodies[] = {{&a, pose({0, 0}, 0), {0, 0}}, {&b, pose(at, 0), velocity}};
   const std::vector<MeetingPart> alone = shapes_meet(bodies[0], bodies[1], within);
   const std::pair<std::uint32_t, std::uint32_t> pairs[] = {{0, 1}, {1, 0}, {0, 1}};
   for (const auto& met : pairs_meet(bodies, pairs, within, 1)) {

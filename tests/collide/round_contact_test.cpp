@@ -1,12 +1,12 @@
-#include "collide/round_contact.h"
+#include "oracle/round_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "collide/contact_place.h"
 #include "geom/polygon.h"
 #include "oracle/families.h"
-#include "oracle/round_contact.h"
 
 namespace flatray {
 namespace {
@@ -19,7 +19,7 @@ struct Body {
   Vec2 velocity;
   double radius;
 
-  operator RoundBody() const { return {{ring, velocity}, radius}; }
+  operator MovingBody() const { return {ring, velocity, radius}; }
   operator oracle::RoundCore() const { return {ring, velocity, radius}; }
 };
 const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -29,7 +29,7 @@ Body round_body(const Vec2& at, double radius, const Vec2& velocity) {
 }
 
 HitInterval meet(const Body& a, const Body& b, Range within = kRay) {
-  return round_contact(a, b, within).times;
+  return contact(a, b, within).times;
 }
 
 TEST(RoundContact, DiscsMeetWhereTheirCentresAreBothRadiiApart) {
@@ -67,10 +67,10 @@ TEST(RoundContact, ADiscMeetsASideOfASquareAndItsCorner) {
   // Round the corner (0, 1) by 3-4-5.
   const Body high = round_body({-10, 4}, 5, {1, 0});
   EXPECT_EQ(meet(high, square).t_enter, 6);
-  const RoundContact met = round_contact(high, square);
+  const Contact met = contact(high, square);
   ASSERT_TRUE(met.first);
-  EXPECT_FALSE(met.first->on_edge);
-  const RoundPlace place = place_at(*met.first, high, square, met.times.t_enter);
+  EXPECT_EQ(met.first, (ContactFeature{true, kNoEdge, 3, 0}));
+  const ContactPlace place = contact_place(met.first, high, square, met.times.t_enter);
   EXPECT_NEAR((place.point - Vec2(0, 1)).norm(), 0, 1e-15);
   EXPECT_NEAR((place.normal - Vec2(0.8, -0.6)).norm(), 0, 1e-15);
 }
@@ -86,9 +86,9 @@ TEST(RoundContact, ADiscThatSlidesAlongASideIsAlong) {
 TEST(RoundContact, TheNormalOfDiscsDoesNotSufferFromTheWay) {
   for (const double far : {1e3, 1e16, 1e200, 1e300}) {
     const Body a = round_body({-far, 0}, 1, {far, 0}), b = round_body({0, 1.2}, 1, {0, 0});
-    const RoundContact met = round_contact(a, b);
+    const Contact met = contact(a, b);
     ASSERT_TRUE(met.first);
-    const RoundPlace place = place_at(*met.first, a, b, met.times.t_enter);
+    const ContactPlace place = contact_place(met.first, a, b, met.times.t_enter);
     EXPECT_NEAR((place.normal - Vec2(0.8, 0.6)).norm(), 0, 1e-15) << far;
   }
 }
@@ -99,7 +99,7 @@ TEST(RoundContact, WhatLiesInEachOtherTellsTheShortestWayApart) {
   EXPECT_EQ(resting_place(square, right, 0).normal, Vec2(1, 0));
   EXPECT_EQ(resting_place(right, square, 0).normal, Vec2(-1, 0));
   EXPECT_EQ(resting_place(square, round_body({0.5, 1.5}, 1, {0, 0}), 0).normal, Vec2(0, 1));
-  const RoundPlace corner = resting_place(round_body({4, 5}, 6, {0, 0}), square, 0);
+  const ContactPlace corner = resting_place(round_body({4, 5}, 6, {0, 0}), square, 0);
   EXPECT_NEAR((corner.normal - Vec2(-0.6, -0.8)).norm(), 0, 1e-15);
   EXPECT_NEAR((corner.point - Vec2(0.4, 0.2)).norm(), 0, 1e-15);
   // Touching exactly, at rest: the side it lies on.

@@ -42,9 +42,9 @@ Fields answer(Question& question) {
     question.mistake("domain", "where something turns it must be \"unit\"");
   if (!question.sound()) return {};
   if (turning) return turning_answer(a, b);
-  const HitInterval times = round_contact({{a.polygon, a.velocity}, a.radius},
-                                          {{b.polygon, b.velocity}, b.radius}, within)
-                                .times;
+  const HitInterval times =
+      flatray::contact({a.polygon, a.velocity, a.radius}, {b.polygon, b.velocity, b.radius}, within)
+          .times;
   Fields fields = {{"class", name(times.kind)},
                    {"t_first", interval_end(times, times.t_enter)},
                    {"t_last", interval_end(times, times.t_exit)},

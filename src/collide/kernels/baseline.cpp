@@ -1,12 +1,5 @@
 #include <immintrin.h>
 
 #define FLATRAY_TIER baseline
-#define FLATRAY_LANES 4
-#include "collide/kernels/sweep_body.h"
-
-#undef FLATRAY_LANES
 #define FLATRAY_LANES 2
-#include "collide/kernels/proof_body.h"
-#include "collide/kernels/sight_body.h"
-// After them.
 #include "collide/kernels/pairs_body.h"

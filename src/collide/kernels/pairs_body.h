@@ -1,10 +1,21 @@
-// What a tier has for pairs, after its kernels.
+// The kernels of the contact of many pairs, written once. Each tier's file includes this with
+// FLATRAY_TIER and FLATRAY_LANES set, after what the intrinsics need. Meaning of what goes in and out:
+// pairs.h.
 #include "collide/kernels/pairs.h"
+#include "geom/error_bounds.h"
 
-namespace flatray::pairs::FLATRAY_TIER {
+namespace flatray::pairs {
+namespace FLATRAY_TIER {
+namespace {
+#include "trace/kernels/vector.h"
+// After it.
+#include "collide/kernels/box_cull_body.h"
+#include "collide/kernels/candidates_body.h"
+#include "collide/kernels/certify_body.h"
+}  // namespace
 
 extern const Kernels kKernels;
-const Kernels kKernels = {&sight::FLATRAY_TIER::look_at_all, &sweep::FLATRAY_TIER::guess_all,
-                          &proof::FLATRAY_TIER::prove_all};
+const Kernels kKernels = {&cull_boxes, &find_candidates, &certify};
 
-}  // namespace flatray::pairs::FLATRAY_TIER
+}  // namespace FLATRAY_TIER
+}  // namespace flatray::pairs

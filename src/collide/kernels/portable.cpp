@@ -1,10 +1,3 @@
 #define FLATRAY_TIER portable
-#define FLATRAY_LANES 4
-#include "collide/kernels/sweep_body.h"
-
-#undef FLATRAY_LANES
 #define FLATRAY_LANES 1
-#include "collide/kernels/proof_body.h"
-#include "collide/kernels/sight_body.h"
-// After them.
 #include "collide/kernels/pairs_body.h"

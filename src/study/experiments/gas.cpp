@@ -82,9 +82,9 @@ double depth(const SimulatedBody& a, const Stage& now_a, const SimulatedBody& b,
   for (const ShapePart& p : a.parts)
     for (const ShapePart& q : b.parts) {
       const std::vector<Vec2> ring_a = placed(p, now_a.at), ring_b = placed(q, now_b.at);
-      const HitInterval met = round_contact({{ring_a, now_a.velocity}, p.radius},
-                                            {{ring_b, now_b.velocity}, q.radius}, kLine)
-                                  .times;
+      const HitInterval met =
+          contact({ring_a, now_a.velocity, p.radius}, {ring_b, now_b.velocity, q.radius}, kLine)
+              .times;
       if (met.kind == HitClass::through && met.t_enter < 0 && met.t_exit > 0)
         most = std::max(most, speed * std::min(-met.t_enter, met.t_exit));
     }

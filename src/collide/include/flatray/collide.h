@@ -15,7 +15,7 @@ struct MovingPair {
   double velocity_ax, velocity_ay, velocity_bx, velocity_by;
 };
 
-/// What of two polygons meets: an edge of one, a vertex of the other.
+/// What of two bodies meets: an edge of one, a vertex of the other.
 struct ContactFeature {
   bool edge_of_a = true;
   std::int32_t edge = kNoEdge;    ///< from this vertex to the next; kNoEdge: none, or not told
@@ -34,7 +34,7 @@ struct Contact {
   bool first_overflows = false,
        last_overflows = false;  ///< that t lies beyond the doubles, given as the largest
   ContactFeature at_first{},
-      at_last{};  ///< of bodies without radius, where those lie within the range
+      at_last{};  ///< where those lie within the range, but for two vertices that are rounded
 
   bool operator==(const Contact&) const = default;
 };
@@ -68,8 +68,8 @@ class Bodies {
   /// Needs   as many contacts as pairs.
   /// Gives   pairs without relative motion are the whole range what they are at the start.
   /// Error   `sizes`, `no_such`, `not_finite`: the entry is the pair.
-  /// Cost    without radii, of up to eight vertices and in a range from 0 on, some 30 ns a pair that stays
-  ///         apart and 200 ns of one that meets; else some us.
+  /// Cost    in a range from 0 on some 30 ns a pair that stays apart and, without radii, of up to eight
+  ///         vertices, 200 ns of one that meets; else some us.
   Status contacts(std::span<const MovingPair> pairs, Range within,
                   std::span<Contact> contacts) const;
 

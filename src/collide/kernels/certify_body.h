@@ -1,12 +1,5 @@
-// The kernel that proves edges, written once. Each tier's file includes this with FLATRAY_TIER and
-// FLATRAY_LANES set, after what the intrinsics need. Meaning of what goes in and out: proof.h.
-#include "collide/kernels/proof.h"
-#include "geom/error_bounds.h"
-
-namespace flatray::proof {
-namespace FLATRAY_TIER {
-namespace {
-#include "trace/kernels/vector.h"
+// Certifies edges of Minkowski differences. Lanes are edges. It works in doubles, and says so where those
+// leave a doubt.
 
 struct Point {
   Real x, y;
@@ -67,10 +60,10 @@ inline Beyond beyond(const WidePoint& edge, const WidePoint& neighbour) {
   return {but_not(turn.is_positive, level), level, either(turn.is_certain, level)};
 }
 
-inline void prove(Proofs& proofs, int i) {
-  const Ends ends = fetch_ends(proofs.edge + i, 0), two = fetch_ends(proofs.vertex + i, 0);
-  const Ends next = fetch_ends(proofs.vertex + i, 2), moves = fetch_ends(proofs.moves + i, 0);
-  const Real turned = load(proofs.of_first + i);
+inline void certify_at(Edges& edges, int i) {
+  const Ends ends = fetch_ends(edges.edge + i, 0), two = fetch_ends(edges.vertex + i, 0);
+  const Ends next = fetch_ends(edges.vertex + i, 2), moves = fetch_ends(edges.moves + i, 0);
+  const Real turned = load(edges.of_first + i);
   const Mask of_first = less(all(0), turned);
   const Point from = {ends.ax, ends.ay}, to = {ends.bx, ends.by}, vertex = {two.bx, two.by};
   const WidePoint edge = step(from, to), gap = step(vertex, from);
@@ -95,15 +88,10 @@ inline void prove(Proofs& proofs, int i) {
       told(past, kPast) + told(start.is_positive, kFromLeft) + told(end.is_positive, kToLeft) +
       told(either(before.is_nearer, both(before.is_level, of_first)), kRatherBefore) +
       told(either(after.is_nearer, but_not(after.is_level, of_first)), kRatherAfter);
-  store(proofs.time + i, time);
-  store(proofs.found + i, found);
+  store(edges.time + i, time);
+  store(edges.found + i, found);
 }
 
-void prove_all(Proofs& proofs, int count) {
-  for (int i = 0; i < count; i += FLATRAY_LANES) prove(proofs, i);
+void certify(Edges& edges, int count) {
+  for (int i = 0; i < count; i += FLATRAY_LANES) certify_at(edges, i);
 }
-
-}  // namespace
-
-}  // namespace FLATRAY_TIER
-}  // namespace flatray::proof

@@ -1,4 +1,4 @@
-#include "collide/polygon_set.h"
+#include "collide/body_set.h"
 
 #include <cmath>
 
@@ -9,8 +9,7 @@
 namespace flatray {
 namespace {
 
-using Ready = PolygonSet::Ready;
-using Box = PolygonSet::Box;
+using Ready = BodySet::Ready;
 constexpr double kUp = 1 + 0x1p-40;
 
 void set_corners(std::span<const Vec2> ring, std::span<const std::uint32_t> numbers,
@@ -27,13 +26,13 @@ void set_corners(std::span<const Vec2> ring, std::span<const std::uint32_t> numb
 
 void set_lanes(const Vec2& centre, Ready& ready) {
   const std::span<const Vec2> corners(&ready.corner(0), static_cast<std::size_t>(ready.count));
-  for (std::size_t lane = 0; lane < sweep::kCorners; ++lane) {
+  for (std::size_t lane = 0; lane < pairs::kCorners; ++lane) {
     const std::size_t k = lane < corners.size() ? lane : 0;
     const Vec2 from = corners[k] - centre, along = (&corners[k])[1] - corners[k];
     const double length = std::sqrt(along.squaredNorm());
     const auto x = static_cast<float>(along.y() / length);
     const auto y = static_cast<float>(-along.x() / length);
-    double reach = -sweep::kLargest;
+    double reach = -pairs::kLargest;
     for (const Vec2& corner : corners) {
       const Vec2 p = corner - centre;
       reach = std::max(reach, static_cast<double>(x) * p.x() + static_cast<double>(y) * p.y());
@@ -46,38 +45,40 @@ void set_lanes(const Vec2& centre, Ready& ready) {
   }
 }
 
-bool are_usual(const sweep::Shape& lanes) {
-  for (int lane = 0; lane < sweep::kCorners; ++lane)
+bool are_usual(const pairs::Outline& lanes) {
+  for (int lane = 0; lane < pairs::kCorners; ++lane)
     if (!(std::fabs(lanes.normal_x[lane]) <= 1 && std::fabs(lanes.normal_y[lane]) <= 1))
       return false;
   return true;
 }
 
-// A box of NaN where it is no shape for the lanes.
-Box made_ready(std::span<const Vec2> ring, Ready& ready) {
-  const Vec2 nowhere(std::nan(""), std::nan(""));
-  Box none = {nowhere, nowhere};
+// Whether it is a polygon for the lanes, and then made ready.
+bool make_ready(std::span<const Vec2> ring, const BodySet::Box& box, Ready& ready) {
+  const double half = box.half.maxCoeff();
+  if (!(half > 1 / pairs::kLargest && half < pairs::kLargest)) return false;
   const Sign sense = ring_orientation(ring);
-  if (sense == Sign::zero) return none;
+  if (sense == Sign::zero) return false;
   const std::vector<std::uint32_t> numbers = turned_ring(ring, sense);
-  if (numbers.size() > sweep::kCorners) return none;
-  Bounds around;
-  for (const Vec2& p : ring) around.add(p);
-  const Vec2 centre = 0.5 * around.low + 0.5 * around.high;
-  const Vec2 half = kUp * (centre - around.low).cwiseMax(around.high - centre);
-  if (!(half.maxCoeff() > 1 / sweep::kLargest && half.maxCoeff() < sweep::kLargest)) return none;
+  if (numbers.size() > pairs::kCorners) return false;
   set_corners(ring, numbers, sense == Sign::negative, ready);
-  set_lanes(centre, ready);
-  return are_usual(ready.lanes) ? Box{centre, half} : none;
+  set_lanes(box.centre, ready);
+  return are_usual(ready.lanes);
 }
 
 }  // namespace
 
-std::uint32_t PolygonSet::add(std::span<const Vec2> ring) {
+std::uint32_t BodySet::add(std::span<const Vec2> core, double radius) {
   const auto number = static_cast<std::uint32_t>(size());
-  vertices_.insert(vertices_.end(), ring.begin(), ring.end());
+  Bounds around;
+  for (const Vec2& p : core) around.add(p);
+  const Vec2 centre = 0.5 * around.low + 0.5 * around.high;
+  const Vec2 half = kUp * ((centre - around.low).cwiseMax(around.high - centre).array() + radius);
+  vertices_.insert(vertices_.end(), core.begin(), core.end());
   begin_.push_back(vertices_.size());
-  boxes_.push_back(made_ready(ring, ready_.emplace_back()));
+  boxes_.push_back({centre, half});
+  Ready& ready = ready_.emplace_back();
+  is_ready_.push_back(radius == 0 && make_ready(core, boxes_.back(), ready));
+  radii_.push_back(radius);
   return number;
 }
 

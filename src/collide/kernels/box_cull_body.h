@@ -1,10 +1,4 @@
-// The kernel that looks at many pairs first, written once, as proof_body.h is. Lanes are pairs.
-#include "collide/kernels/sight.h"
-
-namespace flatray::sight {
-namespace FLATRAY_TIER {
-namespace {
-#include "trace/kernels/vector.h"
+// Culls pairs by the boxes around them. Lanes are pairs.
 
 constexpr double kInfinite = __builtin_inf();
 
@@ -33,27 +27,27 @@ inline Mask passes(Real cx, Real cy, Real wx, Real wy, Real half_x, Real half_y)
 }
 
 struct Rows {
-  const double *a[FLATRAY_LANES], *b[FLATRAY_LANES], *moves[FLATRAY_LANES];
+  const double *a[FLATRAY_LANES], *b[FLATRAY_LANES], *velocities[FLATRAY_LANES];
 };
-inline Rows rows(const double* boxes, const Pairs& pairs, int from, int count) {
+inline Rows rows(const double* boxes, const Moves& moves, int from, int count) {
   Rows rows;
   for (int lane = 0; lane < FLATRAY_LANES; ++lane) {
-    const long by = pairs.stride * (from + lane < count ? from + lane : count - 1);
-    const auto* shapes =
-        reinterpret_cast<const unsigned*>(reinterpret_cast<const char*>(pairs.shapes) + by);
-    rows.a[lane] = boxes + 4L * shapes[0];
-    rows.b[lane] = boxes + 4L * shapes[1];
-    rows.moves[lane] =
-        reinterpret_cast<const double*>(reinterpret_cast<const char*>(pairs.moves) + by);
+    const long by = moves.stride * (from + lane < count ? from + lane : count - 1);
+    const auto* bodies =
+        reinterpret_cast<const unsigned*>(reinterpret_cast<const char*>(moves.bodies) + by);
+    rows.a[lane] = boxes + 4L * bodies[0];
+    rows.b[lane] = boxes + 4L * bodies[1];
+    rows.velocities[lane] =
+        reinterpret_cast<const double*>(reinterpret_cast<const char*>(moves.velocities) + by);
   }
   return rows;
 }
 
-void look_at_all(const double* boxes, double length, const Pairs& pairs, int count, double* near) {
+void cull_boxes(const double* boxes, double length, const Moves& moves, int count, double* near) {
   for (int i = 0; i < count; i += FLATRAY_LANES) {
-    const Rows at = rows(boxes, pairs, i, count);
-    const Ends a = fetch_ends(at.a, 0), b = fetch_ends(at.b, 0), moves = fetch_ends(at.moves, 0);
-    const Real wx = moves.bx - moves.ax, wy = moves.by - moves.ay;
+    const Rows at = rows(boxes, moves, i, count);
+    const Ends a = fetch_ends(at.a, 0), b = fetch_ends(at.b, 0), v = fetch_ends(at.velocities, 0);
+    const Real wx = v.bx - v.ax, wy = v.by - v.ay;
     const Real cx = b.ax - a.ax, cy = b.ay - a.ay, half_x = a.bx + b.bx, half_y = a.by + b.by;
     const Mask apart =
         either(either(stay_apart(cx, wx, half_x, length), stay_apart(cy, wy, half_y, length)),
@@ -62,8 +56,3 @@ void look_at_all(const double* boxes, double length, const Pairs& pairs, int cou
     store(near + i, choose(both(apart, pass), all(0), all(1)));
   }
 }
-
-}  // namespace
-
-}  // namespace FLATRAY_TIER
-}  // namespace flatray::sight

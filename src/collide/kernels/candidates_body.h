@@ -1,24 +1,22 @@
-// The kernel itself, written once. Each tier's file includes this with FLATRAY_TIER and
-// FLATRAY_LANES set. Meaning of what goes in and out: sweep.h.
-//
-// Lanes are edges: first the eight of a against all corners of b, then the eight of b against all
-// corners of a. Of an edge with normal n, gap(t) = g + d t is how far the other shape is beyond it.
-// A gap that is positive at both ends of a stretch of time is so all along, and proves a miss: any n
-// gives a gap that is true for that n. An overlap is proven by the gaps of all true normals; their
-// rounding, 2^-24 of the sizes, is part of the gap's allowance of 2^-19.
-#include "collide/kernels/sweep.h"
+// Culls pairs by the edges of both, and finds the candidates of the others. Lanes are edges: first the
+// eight of a against all corners of b, then the eight of b against all corners of a. Of an edge with
+// normal n, gap(t) = g + d t is how far the other outline is beyond it. A gap that is positive at both
+// ends of a stretch of time is so all along, and proves a miss: any n gives a gap that is true for that
+// n. An overlap is proven by the gaps of all true normals; their rounding, 2^-24 of the sizes, is part
+// of the gap's allowance of 2^-19.
 
-namespace flatray::sweep {
-namespace FLATRAY_TIER {
-namespace {
-
-typedef float Lanes __attribute__((vector_size(FLATRAY_LANES * 4)));
+#if FLATRAY_LANES >= 4
+#define FLATRAY_FLOATS 8
+#else
+#define FLATRAY_FLOATS 4
+#endif
+typedef float Lanes __attribute__((vector_size(FLATRAY_FLOATS * 4)));
 typedef float Four __attribute__((vector_size(16)));
-typedef int Ints __attribute__((vector_size(FLATRAY_LANES * 4)));
-constexpr int kParts = 2 * kCorners / FLATRAY_LANES;
+typedef int Ints __attribute__((vector_size(FLATRAY_FLOATS * 4)));
+constexpr int kParts = 2 * kCorners / FLATRAY_FLOATS;
 
 constexpr float kFar = 0x1p126F;
-#if FLATRAY_LANES == 8
+#if FLATRAY_FLOATS == 8
 constexpr Ints kFirstLanes = {0, 1, 2, 3, 4, 5, 6, 7};
 #else
 constexpr Ints kFirstLanes = {0, 1, 2, 3};
@@ -60,21 +58,21 @@ FLATRAY_INLINE void fill(Lanes& lanes, float value) { lanes = value - Lanes{}; }
 // A part of the lanes of a and b: `of_a` where they are edges of a, else `of_b`.
 template <int kPart>
 FLATRAY_INLINE void fill(Lanes& lanes, float of_a, float of_b) {
-  fill(lanes, kPart * FLATRAY_LANES < kCorners ? of_a : of_b);
+  fill(lanes, kPart * FLATRAY_FLOATS < kCorners ? of_a : of_b);
 }
 template <int kPart>
 FLATRAY_INLINE void load(Lanes& lanes, const float* of_a, const float* of_b) {
-  constexpr int kFrom = kPart * FLATRAY_LANES;
+  constexpr int kFrom = kPart * FLATRAY_FLOATS;
   __builtin_memcpy(&lanes, kFrom < kCorners ? of_a + kFrom : of_b + (kFrom - kCorners),
                    sizeof lanes);
 }
 
 // The largest lane of each of four.
 FLATRAY_INLINE void fold(const Lanes& lanes, Four& four) {
-  float all[FLATRAY_LANES];
+  float all[FLATRAY_FLOATS];
   __builtin_memcpy(all, &lanes, sizeof all);
   __builtin_memcpy(&four, all, sizeof four);
-  for (int part = 1; part < FLATRAY_LANES / 4; ++part) {
+  for (int part = 1; part < FLATRAY_FLOATS / 4; ++part) {
     Four next;
     __builtin_memcpy(&next, all + 4 * part, sizeof next);
     four = next > four ? next : four;
@@ -86,14 +84,14 @@ FLATRAY_INLINE void transpose_fold(const Four& a, const Four& b, Four& both) {
   both = low > high ? low : high;
 }
 
-// What has been found so far, by lane, as in Guess.
-struct Found {
+// What has been found so far, by lane, as in Candidates.
+struct Best {
   Lanes enter, leave, first_gap, last_gap;
 };
 
 template <int kPart>
-FLATRAY_INLINE void guess_part(const Pair& pair, float length, Found& found) {
-  const Shape &a = *pair.a, &b = *pair.b;
+FLATRAY_INLINE void look_at_part(const Approach& pair, float length, Best& best) {
+  const Outline &a = *pair.a, &b = *pair.b;
   Lanes far, nx, ny, reach, cx, cy, wx, wy;
   fill(far, kFar);
   load<kPart>(nx, a.normal_x, b.normal_x);
@@ -120,44 +118,39 @@ FLATRAY_INLINE void guess_part(const Pair& pair, float length, Found& found) {
   Lanes time = -gap / change;
   keep_smaller(time, far);
   keep_larger(time, -far);
-  const Ints edge = (kFirstLanes + kPart * FLATRAY_LANES) |
+  const Ints edge = (kFirstLanes + kPart * FLATRAY_FLOATS) |
                     ((Ints)least & (kCorners - 1)) * static_cast<int>(kCornerUnit);
-  constexpr int kBits = static_cast<int>(kGuessBits);
-  keep_larger(found.enter, change < 0.0F ? (Lanes)(((Ints)time & ~kBits) | edge) : -far);
-  keep_larger(found.leave, change > 0.0F ? (Lanes)(((Ints)-time & ~kBits) | edge) : -far);
-  keep_larger(found.first_gap, gap + pair.gap_error);
-  keep_larger(found.last_gap, gap + pair.gap_error + length * (change + pair.way_error));
-  found.enter = ((now > 0.0F) & (later > 0.0F)) ? 2 * far : found.enter;
+  constexpr int kBits = static_cast<int>(kCandidateBits);
+  keep_larger(best.enter, change < 0.0F ? (Lanes)(((Ints)time & ~kBits) | edge) : -far);
+  keep_larger(best.leave, change > 0.0F ? (Lanes)(((Ints)-time & ~kBits) | edge) : -far);
+  keep_larger(best.first_gap, gap + pair.gap_error);
+  keep_larger(best.last_gap, gap + pair.gap_error + length * (change + pair.way_error));
+  best.enter = ((now > 0.0F) & (later > 0.0F)) ? 2 * far : best.enter;
 }
 
-FLATRAY_INLINE void guess_pair(const Pair& pair, float length, Guess& guess) {
-  Found found;
-  fill(found.enter, -kFar);
-  found.leave = found.first_gap = found.last_gap = found.enter;
-  guess_part<0>(pair, length, found);
-  guess_part<1>(pair, length, found);
+FLATRAY_INLINE void look_at_pair(const Approach& pair, float length, Candidates& found) {
+  Best best;
+  fill(best.enter, -kFar);
+  best.leave = best.first_gap = best.last_gap = best.enter;
+  look_at_part<0>(pair, length, best);
+  look_at_part<1>(pair, length, best);
   if constexpr (kParts > 2) {
-    guess_part<2>(pair, length, found);
-    guess_part<3>(pair, length, found);
+    look_at_part<2>(pair, length, best);
+    look_at_part<3>(pair, length, best);
   }
   Four enter, leave, first, last, times, gaps;
-  fold(found.enter, enter);
-  fold(found.leave, leave);
-  fold(found.first_gap, first);
-  fold(found.last_gap, last);
+  fold(best.enter, enter);
+  fold(best.leave, leave);
+  fold(best.first_gap, first);
+  fold(best.last_gap, last);
   transpose_fold(enter, leave, times);
   transpose_fold(first, last, gaps);
   const Four low = __builtin_shufflevector(times, gaps, 0, 1, 4, 5);
   const Four high = __builtin_shufflevector(times, gaps, 2, 3, 6, 7);
   const Four all = low > high ? low : high;
-  __builtin_memcpy(&guess, &all, sizeof guess);
+  __builtin_memcpy(&found, &all, sizeof found);
 }
 
-void guess_all(const Pair* pairs, int count, float length, Guess* guesses) {
-  for (int i = 0; i < count; ++i) guess_pair(pairs[i], length, guesses[i]);
+void find_candidates(const Approach* pairs, int count, float length, Candidates* found) {
+  for (int i = 0; i < count; ++i) look_at_pair(pairs[i], length, found[i]);
 }
-
-}  // namespace
-
-}  // namespace FLATRAY_TIER
-}  // namespace flatray::sweep
