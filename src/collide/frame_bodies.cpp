@@ -17,7 +17,7 @@ double reach_of(const Shape& shape, double scale) {
 
 // Of what turns a box around all its angles; empty without a shape.
 Bounds still_box(const Shape& shape, const Pose& place, bool turns) {
-  const Bounds lies = shape_bounds(shape, place);
+  Bounds lies = shape_bounds(shape, place);
   if (lies.empty() || !turns) return lies;
   const double reach = reach_of(shape, place.scale);
   return {place.at - Vec2(reach, reach), place.at + Vec2(reach, reach)};
@@ -80,8 +80,8 @@ Bounds FrameBodies::box_of(std::uint32_t entity) const {
   for (double from = from_; const double to : times) {
     const auto [motion, scale] = motion_.between(entity, std::nullopt, frame_, from, to);
     const bool turns = !motion.angle.is_constant();
-    const Bounds around = box_around(motion),
-                 still = still_box(*shape(entity), pose({0, 0}, motion.angle.c[0], scale), turns);
+    const Bounds around = box_around(motion);
+    Bounds still = still_box(*shape(entity), pose({0, 0}, motion.angle.c[0], scale), turns);
     if (still.empty()) return still;
     const Vec2 low = around.low + still.low, high = around.high + still.high;
     const bool tame = low.cwiseAbs().maxCoeff() < kTamest && high.cwiseAbs().maxCoeff() < kTamest;
