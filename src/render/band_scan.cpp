@@ -11,6 +11,12 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
+// Rows that are cut before they are drawn: the pieces of edges stay in the caches.
+int rows_at_once(std::size_t items) {
+  constexpr std::size_t kItemRows = std::size_t{1} << 15;
+  return static_cast<int>(std::max<std::size_t>(kItemRows / (items + 1), 4));
+}
+
 int rays_of(const DrawList& list) {
   return list.coverage == Coverage::area ? 0 : list.coverage == Coverage::rows ? list.rows : 1;
 }
@@ -73,30 +79,34 @@ BandScan::BandScan(const DrawList& list, bool hide, bool (*stop)())
       stacks_(static_cast<std::size_t>(std::max(rays_, 1))) {}
 
 void BandScan::scan(const PixelBox& box, const Band& band, PixelSink& sink) {
-  box_ = box;
   sink_ = &sink;
-  cut(band);
-  for (int row = box.y; row < box.bottom(); ++row) {
-    if (stop_ != nullptr && stop_()) return;
-    scan_row(row);
-  }
-}
-
-void BandScan::cut(const Band& band) {
   looks_.clear();
   for (std::size_t i = 0; i < band.size(); ++i) looks_.emplace_back(list_.items[band[i].item]);
   slots_.resize(band.size());
+  hidden_ = band.size();
+  const int at_once = rows_at_once(band.size());
+  for (int top = box.y; top < box.bottom(); top += at_once) {
+    box_ = {box.x, top, box.width, std::min(at_once, box.bottom() - top)};
+    hidden_ = std::min(hidden_, cut(band));
+    for (int row = top; row < box_.bottom(); ++row) {
+      if (stop_ != nullptr && stop_()) return;
+      scan_row(row);
+    }
+  }
+}
+
+std::size_t BandScan::cut(const Band& band) {
   edges_.clear();
   cutter_.begin(box_, list_.coverage, rays_);
-  hidden_ = 0;
   for (std::size_t i = band.size(); i-- > 0;) {
+    const Bounds& bounds = band[i].bounds;
+    if (bounds.low.y() >= box_.bottom() || bounds.high.y() <= box_.y) continue;
     const std::size_t before = cutter_.pieces();
     cut_item(band, i);
     const bool whole = looks_[i].opaque && cutter_.pieces() == before && band[i].may_cover(box_);
-    if (!hide_ || !whole || !hides_all(static_cast<std::uint32_t>(i))) continue;
-    hidden_ = i;
-    return;
+    if (hide_ && whole && hides_all(static_cast<std::uint32_t>(i))) return i;
   }
+  return 0;
 }
 
 void BandScan::cut_item(const Band& band, std::size_t i) {

@@ -63,7 +63,8 @@ class BandScan {
     std::uint32_t shown_from_ = 0;
   };
 
-  void cut(const Band& band);
+  /// Gives the number of the items that are hidden by one above in all of the box.
+  std::size_t cut(const Band& band);
   void cut_item(const Band& band, std::size_t i);
   bool hides_all(std::uint32_t item);
   void scan_row(int row);
@@ -84,7 +85,7 @@ class BandScan {
   bool (*const stop_)();
   const int rays_;
   const Light background_;
-  PixelBox box_;
+  PixelBox box_;  ///< of the rows that are cut
   PixelSink* sink_ = nullptr;
   int run_ = 0;  ///< column from which the row is still to be drawn
   std::size_t hidden_ = 0;

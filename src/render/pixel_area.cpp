@@ -19,9 +19,10 @@ double x_at(const PieceOf& of, double y, int row) {
 
 // Mean of x between two heights.
 double mean_x(const PieceOf& of, double top, double bottom, int row) {
-  if (of.piece->curve == nullptr) return x_at(of, 0.5 * (top + bottom), row);
+  const Piece& p = *of.piece;
+  if (p.curve == nullptr) return p.x_top + of.slope * (0.5 * (top + bottom) - p.y_top);
   const double upper = x_at(of, top, row), lower = x_at(of, bottom, row);
-  return 0.5 * (upper + lower) - of.piece->curve->bow(lower - upper, bottom - top) / (bottom - top);
+  return 0.5 * (upper + lower) - p.curve->bow(lower - upper, bottom - top) / (bottom - top);
 }
 
 // Where two pieces cross one another, to some 2^-27: what is wrong beside a crossing is its square.
@@ -31,7 +32,7 @@ class Crossings {
       : a_(a), b_(b), row_(row), cuts_(cuts) {
     const double top = std::max(a.piece->y_top, b.piece->y_top);
     const double bottom = std::min(a.piece->y_bottom, b.piece->y_bottom);
-    if (!(top < bottom)) return;
+    if (!(top < bottom) || a.right <= b.left || b.right <= a.left) return;
     const double first = gap(top), last = gap(bottom);
     if (a.piece->curve == nullptr && b.piece->curve == nullptr) {
       if (first * last < 0) cuts_.push_back(top + (bottom - top) * (first / (first - last)));
@@ -79,14 +80,6 @@ class Crossings {
   std::vector<double>& cuts_;
 };
 
-// The winding number along the left border changes where an edge crosses it.
-int left_change(const PieceOf& of, double from, double to) {
-  const Piece& p = *of.piece;
-  if (p.left_top && from <= p.y_top && p.y_top < to) return -of.direction;
-  if (p.left_bottom && from <= p.y_bottom && p.y_bottom < to) return of.direction;
-  return 0;
-}
-
 // Pieces that lie on one another become one of all their directions.
 void join_equal(std::vector<PieceOf>& pieces) {
   const auto place = [](const PieceOf& of) {
@@ -108,10 +101,11 @@ void join_equal(std::vector<PieceOf>& pieces) {
 
 // Whether more pieces pass by one another than kCrowd do among themselves. Sorts them.
 bool is_crowd(std::vector<PieceOf>& pieces) {
-  if (pieces.size() <= kCrowd) return false;
-  join_equal(pieces);
+  const bool many = pieces.size() > kCrowd;
+  if (many) join_equal(pieces);
   std::sort(pieces.begin(), pieces.end(),
             [](const PieceOf& a, const PieceOf& b) { return a.piece->y_top < b.piece->y_top; });
+  if (!many) return false;
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t k = i + 1;
@@ -120,13 +114,13 @@ bool is_crowd(std::vector<PieceOf>& pieces) {
   return pieces.size() > kCrowd * kCrowd / 2;
 }
 
-double place_before(double x) { return std::floor(x * kPlaces) / kPlaces; }
-
 }  // namespace
 
 PieceOf::PieceOf(const Piece& of, std::uint32_t item)
     : piece(&of), seen(item), direction(of.direction) {
   const double width = of.x_bottom - of.x_top, height = of.y_bottom - of.y_top;
+  left = std::min(of.x_top, of.x_bottom);
+  right = std::max(of.x_top, of.x_bottom);
   if (height < 0x1p-900) return;  // without area, too
   slope = width / height;
   if (of.curve != nullptr) bend = 2 * std::abs(of.curve->bow(width, height)) / height;
@@ -138,6 +132,17 @@ double area_right_of(const Piece& p) {
   if (p.left_top) area -= 1 - p.y_top;
   if (p.left_bottom) area += 1 - p.y_bottom;
   return p.direction * area;
+}
+
+// Where the winding number along the left border changes: where an edge crosses it.
+void PixelArea::find_lefts(std::span<const PieceOf> pieces) {
+  lefts_.clear();
+  for (const PieceOf& of : pieces) {
+    if (of.piece->left_top) lefts_.push_back({of.piece->y_top, of.seen, -of.direction});
+    if (of.piece->left_bottom) lefts_.push_back({of.piece->y_bottom, of.seen, of.direction});
+  }
+  std::sort(lefts_.begin(), lefts_.end(),
+            [](const LeftChange& a, const LeftChange& b) { return a.y < b.y; });
 }
 
 // Between which the light is summed.
@@ -158,56 +163,105 @@ void PixelArea::find_cuts(std::span<const PieceOf> pieces, int row) {
   std::sort(cuts_.begin(), cuts_.end());
 }
 
-// The pieces that pass through a slab; in a crowd along its middle.
+// The pieces that pass through a slab, from left to right; in a crowd along its middle. Most of them
+// are those of the slab above, in their order.
 void PixelArea::find_strands(std::span<const PieceOf> pieces, double top, double bottom, int row) {
   const double middle = 0.5 * (top + bottom);
-  strands_.clear();
-  for (const PieceOf& of : pieces) {
-    const bool spans = crowded_ ? of.piece->y_top <= middle && middle < of.piece->y_bottom
-                                : of.piece->y_top <= top && bottom <= of.piece->y_bottom;
-    if (!spans) continue;
-    const double x = crowded_ ? x_at(of, middle, row) : mean_x(of, top, bottom, row);
-    strands_.push_back({clamp_to(x, 0, 1), of.seen, of.direction});
+  const double begun = crowded_ ? middle : top;
+  std::erase_if(strands_, [&](const Strand& strand) {
+    const double end = strand.of->piece->y_bottom;
+    return crowded_ ? end <= middle : end < bottom;
+  });
+  for (; next_ < pieces.size() && pieces[next_].piece->y_top <= begun; ++next_) {
+    const double end = pieces[next_].piece->y_bottom;
+    if (crowded_ ? middle < end : bottom <= end) strands_.push_back({0, &pieces[next_]});
   }
+  for (auto& [x, of] : strands_)
+    x = clamp_to(crowded_ ? x_at(*of, middle, row) : mean_x(*of, top, bottom, row), 0, 1);
   std::sort(strands_.begin(), strands_.end(),
             [](const Strand& a, const Strand& b) { return a.x < b.x; });
 }
 
-void PixelArea::add_slab(SeenItems& seen, double height, const Light& background) {
-  Light light = seen.composed(background);
+// Moves strands to the left, so that few lights are asked for.
+void PixelArea::gather_strands() {
+  for (Strand& strand : strands_) strand.x = std::floor(strand.x * kPlaces) / kPlaces;
+}
+
+// The strands whose lights are not those of the slab above: most often two changed their places.
+PixelArea::Stretch PixelArea::strands_to_light() const {
+  const std::size_t count = strands_.size(), known = lit_.size();
+  const auto same = [this](std::size_t i, std::size_t k) {
+    return strands_[i].of->seen == lit_[k].seen && strands_[i].of->direction == lit_[k].direction;
+  };
+  std::size_t begin = 0;
+  while (begin < std::min(count, known) && same(begin, begin)) ++begin;
+  if (count != known || begin == count) return {begin, count};
+  if (begin + 1 == count || !same(begin, begin + 1) || !same(begin + 1, begin))
+    return {begin, count};
+  std::size_t end = count;
+  while (end > begin + 2 && same(end - 1, end - 1)) --end;
+  return {begin, end == begin + 2 ? end : count};
+}
+
+// Where several strands lie in one place, what is between them has no area.
+void PixelArea::light_strands(SeenItems& seen, const Stretch& stretch, const Light& background) {
+  lit_.resize(strands_.size());
+  Light light = left_;
+  bool changed = true;
+  for (std::size_t i = 0; i < stretch.end; ++i) {
+    const auto& [x, of] = strands_[i];
+    changed = seen.change(of->seen, of->direction) || changed;
+    if (i < stretch.begin) continue;
+    if (changed && !(crowded_ && i + 1 < stretch.end && strands_[i + 1].x == x)) {
+      light = seen.composed(background);
+      changed = false;
+    }
+    lit_[i] = {light, of->seen, of->direction};
+  }
+  for (std::size_t i = 0; i < stretch.end; ++i)
+    seen.change(strands_[i].of->seen, -strands_[i].of->direction);
+}
+
+void PixelArea::add_slab(double height) {
   double from = 0;
-  const bool few = strands_.size() * seen.items.size() <= kPlaces * kPlaces;
-  const auto add = [&](double to) {
+  const auto add = [&](double to, const Light& light) {
     const double area = height * (to - from);
     for (std::size_t c = 0; c < 4; ++c) sum_[c] += area * static_cast<double>(light[c]);
     from = to;
   };
-  for (const Strand& strand : strands_) {
-    if (!seen.change(strand.seen, strand.direction)) continue;
-    add(few ? strand.x : place_before(strand.x));
-    if (few || &strand == &strands_.back() || place_before((&strand + 1)->x) > from)
-      light = seen.composed(background);
-  }
-  add(1);
-  for (const Strand& strand : strands_) seen.change(strand.seen, -strand.direction);
+  add(strands_.empty() ? 1 : strands_.front().x, left_);
+  for (std::size_t i = 0; i < strands_.size(); ++i)
+    add(i + 1 < strands_.size() ? strands_[i + 1].x : 1, lit_[i].light);
 }
 
 Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
                       const Light& background) {
   crowded_ = is_crowd(pieces);
+  find_lefts(pieces);
   find_cuts(pieces, row);
+  strands_.clear();
+  next_ = 0;
   sum_ = {};
-  double past = -1;  // left changes up to here are in the winding numbers
+  bool afresh = true;          // nothing of the slab above holds
+  auto left = lefts_.begin();  // the first that is not in the winding numbers
   for (std::size_t i = 1; i < cuts_.size(); ++i) {
     const double top = cuts_[i - 1], bottom = cuts_[i];
     if (!(bottom > top)) continue;
     const double reached = crowded_ ? 0.5 * (top + bottom) : bottom;
-    for (const PieceOf& of : pieces)
-      if (const int change = left_change(of, past, reached); change != 0)
-        seen.change(of.seen, change);
-    past = reached;
+    afresh = afresh || crowded_;
+    for (; left != lefts_.end() && left->y < reached; ++left) {
+      seen.change(left->seen, left->direction);
+      afresh = true;
+    }
     find_strands(pieces, top, bottom, row);
-    add_slab(seen, bottom - top, background);
+    if (crowded_ && strands_.size() * seen.items.size() > kPlaces * kPlaces) gather_strands();
+    if (afresh) {
+      left_ = seen.composed(background);
+      lit_.clear();
+      afresh = false;
+    }
+    light_strands(seen, strands_to_light(), background);
+    add_slab(bottom - top);
   }
   Light mean;
   for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum_[c]);

@@ -20,8 +20,9 @@ inline constexpr std::size_t kPlaces = 64;
 struct PieceOf {
   const Piece* piece;
   std::uint32_t seen;
-  int direction;     ///< of all
-  double slope = 0;  ///< x by y
+  int direction;       ///< of all
+  double left, right;  ///< the least and the largest x
+  double slope = 0;    ///< x by y
   /// At least how far it is beside its chord: the triangle of both is no larger than what lies
   /// between.
   double bend = 0;
@@ -48,15 +49,36 @@ class PixelArea {
  private:
   struct Strand {
     double x;
+    const PieceOf* of;
+  };
+  /// A strand and the light right of it.
+  struct Lit {
+    Light light;
     std::uint32_t seen;
     int direction;
   };
+  struct Stretch {
+    std::size_t begin, end;
+  };
+  struct LeftChange {
+    double y;
+    std::uint32_t seen;
+    int direction;
+  };
+  void find_lefts(std::span<const PieceOf> pieces);
   void find_cuts(std::span<const PieceOf> pieces, int row);
   void find_strands(std::span<const PieceOf> pieces, double top, double bottom, int row);
-  void add_slab(SeenItems& seen, double height, const Light& background);
+  void gather_strands();
+  Stretch strands_to_light() const;
+  void light_strands(SeenItems& seen, const Stretch& stretch, const Light& background);
+  void add_slab(double height);
 
   std::vector<double> cuts_;
+  std::vector<LeftChange> lefts_;
   std::vector<Strand> strands_;
+  std::size_t next_ = 0;  ///< of the pieces, the first that lies below
+  std::vector<Lit> lit_;  ///< the strands of the slab before
+  Light left_{};          ///< of them all
   std::array<double, 4> sum_{};
   bool crowded_ = false;
 };
