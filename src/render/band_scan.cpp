@@ -182,18 +182,21 @@ void BandScan::gather_columns(std::span<const Piece> pieces) {
 // change what is in it, but cut nothing.
 void BandScan::take_column(std::vector<const Piece*>& pieces, int row) {
   const int column = pieces.front()->column;
-  if (std::none_of(pieces.begin(), pieces.end(), [this](const Piece* piece) {
-        return piece->item >= stacks_[static_cast<std::size_t>(piece->ray)].shown_from();
-      }))
-    return enter(pieces);
-  put_run(row, column);
   const auto cuts = [this](const Piece* p) {
     return p->x_top != 0 || (rays_ == 0 && (p->x_bottom != 0 || p->y_top != 0 || p->y_bottom != 1));
   };
-  if (std::none_of(pieces.begin(), pieces.end(), cuts)) return enter(pieces);
+  bool shown = false;
+  std::size_t cut = 0;
+  for (const Piece* piece : pieces) {
+    shown = shown || piece->item >= stacks_[static_cast<std::size_t>(piece->ray)].shown_from();
+    cut += cuts(piece) ? 1 : 0;
+  }
+  if (!shown) return enter(pieces);
+  put_run(row, column);
+  if (cut == 0) return enter(pieces);
   run_ = column + 1;
   if (rays_ > 0) return sink_->pixel(row, column, mean_of_rays(pieces, row));
-  if (!std::all_of(pieces.begin(), pieces.end(), cuts)) {
+  if (cut < pieces.size()) {
     std::vector<const Piece*> borders;
     std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(borders), std::not_fn(cuts));
     std::erase_if(pieces, std::not_fn(cuts));
