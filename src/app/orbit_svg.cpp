@@ -23,17 +23,23 @@ class OrbitDrawing {
 
   void draw_walls() {
     const Surfaces& walls = room_.world.surfaces;
-    const auto is_disc = [](const Arc& wall) {
-      return wall.curve.is_circle() && wall.extent == Arc::Extent::whole;
-    };
     for (const std::uint32_t number : walls.segment_numbers) draw_wall(walls, number);
     for (const std::uint32_t number : walls.curve_numbers)
-      if (!is_disc(walls.arc(number))) draw_wall(walls, number);
+      if (!walls.visit(number, [](const auto& wall) { return is_disc(wall); }))
+        draw_wall(walls, number);
     for (const Arc& wall : walls.arcs)
       if (is_disc(wall))
         world_ += fmt::format("<circle class=\"wall\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
                               number_text(wall.curve.centre.x()),
                               number_text(wall.curve.centre.y()), number_text(wall.curve.u.x()));
+  }
+
+  static bool is_disc(const Arc& wall) {
+    return wall.curve.is_circle() && wall.extent == Arc::Extent::whole;
+  }
+  template <class Wall>
+  static bool is_disc(const Wall&) {
+    return false;
   }
 
   void draw_wall(const Surfaces& walls, std::uint32_t surface) {

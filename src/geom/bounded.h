@@ -17,6 +17,8 @@ namespace flatray {
 class Bounded {
  public:
   Bounded(double exact) : value_{exact, 0}, error_(0) {}
+  /// A number known to be no farther than `error` from `about`.
+  static Bounded within(double about, double error) { return {{about, 0}, error}; }
 
   friend Bounded operator+(const Bounded& a, const Bounded& b);
   friend Bounded operator*(const Bounded& a, const Bounded& b);

@@ -1,6 +1,7 @@
 #include "geom/exact_hit.h"
 
 #include "geom/decide.h"
+#include "geom/primitives/wall.h"
 
 namespace flatray {
 namespace {
@@ -43,8 +44,20 @@ ExactHit::ExactHit(const Ray& ray, const Ellipse& wall, Root root)
   from_ = curve_vector(kBounded, wall, form_);
 }
 
+ExactHit::ExactHit(const Ray& ray, const Bezier& wall, Root root)
+    : ray_(ray), form_{0, 0}, from_{0, 0}, bezier_(wall) {
+  const BezierRoot met = root_of(wall, ray, root);
+  root_ = met;
+  time_ = HitTime::on_curve(ray, wall, met);
+  from_ = {bernstein_value(coordinates_of(kBounded, wall, 0), met.s),
+           bernstein_value(coordinates_of(kBounded, wall, 1), met.s)};
+  form_ = {bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, 0)), met.s),
+           bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, 1)), met.s)};
+}
+
 // constant + slope t by t = (p + s sqrt(q)) / a.
 double ExactHit::rounded(const LinearForm& form) const {
+  if (bezier_) return time_.algebraic().value_of({form.constant, form.slope}).nearest();
   const HitTime::Exact t = time_.exact();
   const Rational speed = form.slope / t.a;
   return Rational::root_sum(form.constant + speed * t.p, t.s * static_cast<int>(speed.sign()),
@@ -60,6 +73,15 @@ Vec2 ExactHit::nearest() const {
 }
 
 Vec2 ExactHit::normal() const {
+  if (bezier_) {
+    const auto rate = [&](int axis, const Bounded& near) {
+      if (const auto value = near.nearest()) return *value;
+      return exact_parameter(*bezier_, ray_, *root_)
+          .value_of(derivative(powers_of(coordinates_of(kRational, *bezier_, axis))))
+          .nearest();
+    };
+    return {-rate(1, form_.y), rate(0, form_.x)};
+  }
   const auto near = sized_normal(kBounded, curve_, form_);
   const auto x = near.x.nearest(), y = near.y.nearest();
   if (x && y) return {*x, *y};
@@ -73,6 +95,7 @@ Vec2 ExactHit::normal() const {
 }
 
 Sign ExactHit::sign(const LinearForm& form) const {
+  if (bezier_) return time_.algebraic().sign_of({form.constant, form.slope});
   const HitTime::Exact t = time_.exact();
   return Rational::root_sign(form.constant * t.a + form.slope * t.p,
                              t.s * static_cast<int>(form.slope.sign()),
@@ -102,10 +125,43 @@ Sign ExactHit::side_of(const Arc& wall) const {
   const auto d = curve_form(kRational, curve, pair_of(kRational, ray_.direction));
   const Rational size = form_size(kRational, curve);
   const Rational c = dot(w, w) - size * size, b = dot(w, d), a = dot(d, d);
+  if (bezier_) return time_.algebraic().sign_of({c, Rational(2) * b, a});
   const HitTime::Exact t = time_.exact();
   const Rational slope = Rational(2) * (b * t.a + a * t.p);
   return Rational::root_sign(c * t.a * t.a + Rational(2) * b * t.a * t.p + a * (t.p * t.p + t.q),
                              t.s * static_cast<int>(slope.sign()), slope * slope * t.q);
+}
+
+// By what the ray meets of the wall next before or after it, or beside the wall's tangent.
+Sign ExactHit::side_of(const Bezier& wall) const {
+  if (place_on(wall) != PlaceOn::outside) return Sign::zero;
+  const double s = parameter_near(wall, nearest());
+  const auto beside = [&](int axis) {
+    return Bounded(curve_.centre[axis]) + (axis == 0 ? from_.x : from_.y) -
+           bernstein_value(coordinates_of(kBounded, wall, axis), Bounded(s));
+  };
+  const auto along = [&](int axis) {
+    return bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, axis)), Bounded(s));
+  };
+  if (const auto sign = (along(0) * beside(1) - along(1) * beside(0)).sign()) return *sign;
+  std::vector<WallMeeting> met;
+  meet(wall, {nearest() - ray_.direction, ray_.direction}, {Root::none, false, true}, met);
+  Sign side = Sign::zero;
+  double least = kInfinity;
+  for (const WallMeeting& one : met)
+    if (const double away = one.time.nearest().t - 1; std::fabs(away) < least) {
+      least = std::fabs(away);
+      side = enters(one.root) == (away > 0) ? Sign::positive : Sign::negative;
+    }
+  return side;
+}
+
+PlaceOn ExactHit::place_on(const Bezier& wall) const {
+  std::vector<WallMeeting> met;
+  meet(wall, ray_, {Root::none, true, true}, met);
+  for (const WallMeeting& one : met)
+    if (compare(one.time, time_) == 0) return one.at_end ? PlaceOn::at_end : PlaceOn::inner;
+  return PlaceOn::outside;
 }
 
 PlaceOn ExactHit::place_on(const Segment& segment) const {

@@ -14,11 +14,12 @@ class ExactHit {
   ExactHit(const Ray& ray, const Segment& wall, Root = Root::none);
   ExactHit(const Ray& ray, const Ellipse& wall, Root root);
   ExactHit(const Ray& ray, const Arc& wall, Root root) : ExactHit(ray, wall.curve, root) {}
+  ExactHit(const Ray& ray, const Bezier& wall, Root root);
 
   /// Nearest double of each coordinate.
   Vec2 nearest() const;
-  /// A normal of the curve at the point, outward, nearest doubles: for a circle the point as seen
-  /// from its centre. Needs a hit of a curve.
+  /// A normal of the curve at the point, outward or to the left, nearest doubles: for a circle the
+  /// point as seen from its centre. Needs a hit of a curve.
   Vec2 normal() const;
 
   /// Sign of (b - a) x (point - p). Exact.
@@ -29,12 +30,16 @@ class ExactHit {
   Sign side_of(const Segment& segment) const { return turn(segment.a, segment.a, segment.b); }
   /// Positive outside the curve, zero on it. Exact.
   Sign side_of(const Arc& wall) const;
+  /// Positive to the left of the curve. Exact where it is near; 0 where no line tells.
+  Sign side_of(const Bezier& wall) const;
   /// Whether it lies on the wall, and where. Exact.
   PlaceOn place_on(const Segment& segment) const;
   PlaceOn place_on(const Arc& arc) const;
+  PlaceOn place_on(const Bezier& wall) const;
   /// Its place in the cone of an arc: on the arc itself, if that is of the curve it hits. Exact.
   PlaceOn place_in(const Arc& arc) const;
   PlaceOn place_in(const Segment&) const { return PlaceOn::at_end; }
+  PlaceOn place_in(const Bezier&) const { return PlaceOn::at_end; }
 
  private:
   struct LinearForm;
@@ -46,6 +51,8 @@ class ExactHit {
   Ellipse curve_;       // its centre 0 for a segment
   Pair<Bounded> form_;  // of the point, as curve_form has it; 0 for a segment
   Pair<Bounded> from_;  // the point as seen from the centre
+  std::optional<Bezier> bezier_;
+  std::optional<BezierRoot> root_;
 };
 
 }  // namespace flatray

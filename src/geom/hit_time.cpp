@@ -77,10 +77,32 @@ HitTime HitTime::on_curve(const Ray& ray, const Ellipse& curve, Root root) {
   return time;
 }
 
+struct HitTime::OnBezier {
+  Bezier curve;
+  BezierRoot root;
+  Bounded time;
+};
+
+HitTime HitTime::on_curve(const Ray& ray, const Bezier& curve, const BezierRoot& root) {
+  const auto d = pair_of(kBounded, ray.direction);
+  const Bounded t = bernstein_value(ahead_of_ray(kBounded, curve, ray), root.s) / dot(d, d);
+  HitTime time;
+  time.ray_ = ray;
+  time.bezier_ = std::make_shared<const OnBezier>(OnBezier{curve, root, t});
+  return time;
+}
+
 Sign HitTime::sign() const { return sign_of(compare(0)); }
 
 std::strong_ordering HitTime::compare(double other) const {
   if (std::isinf(other)) return 0 <=> (other > 0 ? 1 : -1);
+  if (bezier_) {
+    if (const auto sign = (bezier_->time - Bounded(other)).sign()) return order(*sign);
+    const auto d = pair_of(kRational, ray_.direction);
+    Polynomial ahead = powers_of(ahead_of_ray(kRational, bezier_->curve, ray_));
+    ahead[0] -= other * dot(d, d);
+    return order(exact_parameter(bezier_->curve, ray_, bezier_->root).sign_of(ahead));
+  }
   if (root_ == 0) {
     const Sign denom = denominator();
     if (other == 0) return order(cross_sign(ray_.origin, p_, from_, to_) * denom);
@@ -108,6 +130,7 @@ std::strong_ordering HitTime::compare(double other) const {
 }
 
 Bounded HitTime::approximate() const {
+  if (bezier_) return bezier_->time;
   if (root_ != 0) return root_time(kBounded, ray_, curve(), root_);
   const auto time = line_time(kBounded, ray_, p_, from_, to_, velocity_);
   return time.numer / time.denom;
@@ -124,29 +147,46 @@ HitTime::Exact HitTime::exact() const {
   return {std::move(time.b), s, std::move(time.q), std::move(time.a)};
 }
 
+RealRoot HitTime::algebraic() const {
+  if (bezier_) {
+    const auto d = pair_of(kRational, ray_.direction);
+    Polynomial ahead = powers_of(ahead_of_ray(kRational, bezier_->curve, ray_));
+    for (Rational& c : ahead) c /= dot(d, d);
+    return exact_parameter(bezier_->curve, ray_, bezier_->root).value_of(ahead);
+  }
+  const Exact time = exact();
+  const Rational middle = time.p / time.a, square = time.q / (time.a * time.a);
+  if (time.s == 0) return RealRoot(middle);
+  const Rational far = square + Rational(1);  // beyond the root of the square
+  const Polynomial p{middle * middle - square, Rational(-2) * middle, 1};
+  return RealRoot::all(p, time.s < 0 ? middle - far : middle,
+                       time.s < 0 ? middle : middle + far)[0];
+}
+
 RoundedTime HitTime::nearest() const {
-  if (root_ == 0) {
+  if (root_ == 0 && !bezier_) {
     const double t = quick_quotient(ray_.origin, p_, velocity_, ray_.direction, from_, to_);
     if (!std::isnan(t)) return {t, false};
-  } else {
+  } else if (root_ != 0) {
     std::optional<double> t;
     with_fused([&] { t = root_time(kQuick, ray_, curve(), root_).nearest(); });
     if (t) return {*t, false};
   }
   const auto rounded = approximate().nearest();
   if (rounded && std::fabs(*rounded) < kLargest) return {*rounded, false};
-  const Exact time = exact();
-  const double t = Rational::root_sum(time.p / time.a, time.s, time.q / (time.a * time.a));
   if (compare(kLargest) > 0) return {kLargest, true};
   if (compare(-kLargest) < 0) return {-kLargest, true};
-  return {t, false};
+  if (bezier_) return {algebraic().nearest(), false};
+  const Exact time = exact();
+  return {Rational::root_sum(time.p / time.a, time.s, time.q / (time.a * time.a)), false};
 }
 
 Sign HitTime::denominator() const { return cross_sign(velocity_, ray_.direction, from_, to_); }
 
 // Of two lines without a division: times that are equal are then known to be where no digit is lost.
 std::strong_ordering compare(const HitTime& a, const HitTime& b) {
-  if (a.root_ == 0 && b.root_ == 0) {
+  const bool by_polynomials = a.bezier_ || b.bezier_;
+  if (a.root_ == 0 && b.root_ == 0 && !by_polynomials) {
     const auto time = [](const auto& number, const HitTime& of) {
       return line_time(number, of.ray_, of.p_, of.from_, of.to_, of.velocity_);
     };
@@ -157,6 +197,7 @@ std::strong_ordering compare(const HitTime& a, const HitTime& b) {
     return order(difference * a.denominator() * b.denominator());
   }
   if (const auto sign = (a.approximate() - b.approximate()).sign()) return order(*sign);
+  if (by_polynomials) return compare(a.algebraic(), b.algebraic());
   return compare(a.exact(), b.exact());
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 #include <compare>
+#include <memory>
 #include <optional>
 
 #include "geom/bounded.h"
 #include "geom/exact.h"
 #include "geom/primitives/arc.h"
+#include "geom/primitives/bezier.h"
 #include "geom/ray.h"
 
 namespace flatray {
@@ -40,6 +42,8 @@ class HitTime {
   }
   /// Where `ray` crosses a curve, in the second root or else the first. Needs a line that meets it, and a direction that is not zero.
   static HitTime on_curve(const Ray& ray, const Ellipse& curve, Root root);
+  /// Where `ray` meets a Bezier curve, by one of its roots.
+  static HitTime on_curve(const Ray& ray, const Bezier& curve, const BezierRoot& root);
 
   /// t against `other`, which may be infinite. Exact.
   std::strong_ordering compare(double other) const;
@@ -55,7 +59,9 @@ class HitTime {
     int s;
     Rational q, a;
   };
-  Exact exact() const;
+  Exact exact() const;  ///< Needs a line or an ellipse.
+  /// As a root of a polynomial: of any curve.
+  RealRoot algebraic() const;
 
  private:
   friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
@@ -68,6 +74,8 @@ class HitTime {
   Vec2 p_, from_, to_;   // the line; or centre and half-diameters of a curve
   Vec2 velocity_{0, 0};  // of the line
   int root_ = 0;         // 0 for a line
+  struct OnBezier;
+  std::shared_ptr<const OnBezier> bezier_;  // instead of all but the ray
 };
 
 /// Which of two hits comes first. Exact.

@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "geom/hit_time.h"
-#include "geom/primitives/arc.h"
 
 namespace flatray {
 
@@ -45,6 +44,8 @@ QuickHit quick_hit(const Ray& ray, const Ellipse& wall, Root root);
 inline QuickHit quick_hit(const Ray& ray, const Arc& wall, Root root) {
   return quick_hit(ray, wall.curve, root);
 }
+/// All in doubt: ExactHit is to tell.
+inline QuickHit quick_hit(const Ray&, const Bezier&, Root) { return {}; }
 
 /// geom/reflect.h's `reflect`, or NaN in doubt. Cost   some 30 ns.
 Vec2 quick_reflection(const Vec2& direction, const Vec2& along);

@@ -26,10 +26,22 @@ Polynomial along(const Rational& a, const Rational& b, const Vec2& from,
   return powers;
 }
 
-int multiplicity_of(const Algebraic& root, Polynomial p) {
-  int count = 0;
-  for (; root.sign_of(p) == Sign::zero; p = derivative(p)) ++count;
-  return count;
+struct Order {
+  int multiplicity = 0;
+  Sign slope = Sign::zero;  // of the first derivative that is not 0
+};
+Order order_of(const Algebraic& root, Polynomial p) {
+  Order order;
+  for (; order.slope == Sign::zero; ++order.multiplicity) {
+    p = derivative(p);
+    order.slope = root.sign_of(p);
+  }
+  return order;
+}
+
+bool is_cusp(const Algebraic& s, std::span<const Vec2> points) {
+  return s.sign_of(derivative(along(1, 0, points[0], points))) == Sign::zero &&
+         s.sign_of(derivative(along(0, 1, points[0], points))) == Sign::zero;
 }
 
 std::vector<BezierMeeting> meetings_with_point(const Vec2& point, std::span<const Vec2> points) {
@@ -37,7 +49,7 @@ std::vector<BezierMeeting> meetings_with_point(const Vec2& point, std::span<cons
   FLATRAY_CHECK(!both.empty(), "a curve is a point");
   std::vector<BezierMeeting> found;
   for (const Algebraic& s : Algebraic::roots(both, 0, 1))
-    found.push_back({Algebraic(Surd{}), s, 0});
+    found.push_back({Algebraic(Surd{}), s, 0, Root::none, is_cusp(s, points)});
   return found;
 }
 
@@ -51,9 +63,17 @@ std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const 
   FLATRAY_CHECK(std::any_of(beside.begin(), beside.end(), [](const auto& c) { return c != 0; }),
                 "a curve lies along a ray");
   std::vector<BezierMeeting> found;
-  for (const Algebraic& s : Algebraic::roots(beside, 0, 1))
+  int entries = 0, exits = 0;
+  for (const Algebraic& s : Algebraic::roots(beside, 0, 1)) {
+    const Order order = order_of(s, beside);
+    Root root = Root::both;
+    if (order.multiplicity % 2 == 1 && order.slope == Sign::positive)
+      root = entries++ == 0 ? Root::first : Root::third;
+    else if (order.multiplicity % 2 == 1)
+      root = exits++ == 0 ? Root::second : Root::fourth;
     if (s.sign_of(ahead) != Sign::negative)
-      found.push_back({s.value_of(ahead), s, multiplicity_of(s, beside)});
+      found.push_back({s.value_of(ahead), s, order.multiplicity, root, is_cusp(s, points)});
+  }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.t < b.t; });
   return found;
@@ -62,11 +82,11 @@ std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const 
 std::optional<FirstOfBezier> first_meeting(const Ray& ray, std::span<const Vec2> points) {
   const std::vector<BezierMeeting> all = meetings_with_bezier(ray, points);
   if (all.empty()) return std::nullopt;
-  FirstOfBezier first{all[0].t, HitClass::touch, false};
+  FirstOfBezier first{all[0].t, HitClass::touch, false, all[0].root};
   for (const BezierMeeting& met : all) {
     if (met.t != first.t) break;
-    if (met.multiplicity % 2 == 1) first.kind = HitClass::through;
-    first.at_end = first.at_end || met.at_end();
+    if (met.multiplicity % 2 == 1) first.kind = HitClass::through, first.root = met.root;
+    first.at_end = first.at_end || met.at_end() || &met != all.data();
   }
   return first;
 }

@@ -13,8 +13,12 @@ namespace flatray::oracle {
 struct BezierMeeting {
   Algebraic t, s;
   int multiplicity;  ///< of the root: 1 where the ray crosses, 2 on a tangent, 3 on one that crosses
+  Root root;         ///< as geom/ray.h names it, among all of the line of the ray
+  bool at_cusp;
 
-  bool at_end() const { return s.sign() == Sign::zero || s.sign_of({-1, 1}) == Sign::zero; }
+  bool at_end() const {
+    return at_cusp || s.sign() == Sign::zero || s.sign_of({-1, 1}) == Sign::zero;
+  }
 };
 
 /// All of them at t >= 0, in the order of t, and at one t in that of s. A ray without direction asks
@@ -26,12 +30,13 @@ struct BezierMeeting {
 /// Cost    some 100 us.
 std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const Vec2> points);
 
-/// The first of them, where the curve is met at several s at once all together: at an end if one of
-/// them is, a touch if none of them crosses the ray.
+/// The first of them, where the curve is met at several s at once all together: at an end, as in a
+/// cusp or at an end of the curve, and a touch if none of them crosses the ray.
 struct FirstOfBezier {
   Algebraic t;
   HitClass kind;
   bool at_end;
+  Root root;  ///< of several the last that crosses the ray
 };
 std::optional<FirstOfBezier> first_meeting(const Ray& ray, std::span<const Vec2> points);
 

@@ -1,6 +1,7 @@
 #include "oracle/candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace flatray::oracle {
@@ -106,6 +107,19 @@ Reach reach_of(const Arc& arc) {
       reach.radius = std::max(reach.radius, length(end, curve.centre));
   return reach;
 }
+
+static Reach reach_around(std::span<const Vec2> points) {
+  Reach reach{points.front(), 0, false};
+  for (const Vec2& p : points) {
+    const Point to = wide(p), from = wide(reach.centre);
+    reach.radius = std::max(reach.radius, length_above(to.x - from.x, to.y - from.y));
+  }
+  return reach;
+}
+Reach reach_of(const Bezier& curve) {
+  return reach_around({curve.points.data(), static_cast<std::size_t>(curve.degree) + 1});
+}
+Reach reach_of(const Segment& wall) { return reach_around(std::array{wall.a, wall.b}); }
 
 // With w from the start to the centre, all of a disc lies where t d.d is between d.w - r |d| and
 // d.w + r |d|, and nowhere if |d x w| is more than r |d|.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/primitives/arc.h"
+#include "geom/primitives/bezier.h"
 #include "geom/ray.h"
 
 namespace flatray::oracle {
@@ -33,6 +34,8 @@ struct Reach {
   bool is_border = false;  ///< the wall is the whole border of the disc
 };
 Reach reach_of(const Arc& arc);
+Reach reach_of(const Bezier& curve);
+Reach reach_of(const Segment& wall);
 
 /// The same for curved walls, each by its disc: those that may be met at `first` or before.
 void find_candidates(const Ray& ray, std::span<const Reach> curves, long double first,

@@ -1,7 +1,9 @@
 #include "oracle/families.h"
 
 #include <limits>
+#include <utility>
 
+#include "oracle/bezier_families.h"
 #include "oracle/round_families.h"
 
 namespace flatray::oracle {
@@ -208,6 +210,12 @@ AimedScene many_gon(Draw& draw) {
   });
 }
 
+template <BezierScene (*make)(Draw&)>
+AimedScene aimed_at(Draw& draw) {
+  BezierScene made = make(draw);
+  return {{}, std::move(made.rays), {}, std::move(made.curves)};
+}
+
 constexpr Family kFamilies[] = {
     {"grid", "everything on whole numbers: ends, ties and overlaps abound", &grid},
     {"vertex", "rays at ends of walls", &vertex},
@@ -234,6 +242,12 @@ constexpr Family kFamilies[] = {
     {"round-scaled", "circles and arcs in units of 2^-900 to 2^899", &round_scaled},
     {"round-offset", "circles and arcs moved by 2^30 to 2^49", &round_offset},
     {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49", &round_magnitudes},
+    {"beziers", "loops, cusps and inflections that doubles hold, and tangents there",
+     &aimed_at<beziers>},
+    {"bezier-scaled", "Bezier curves in units of 2^-900 to 2^899", &aimed_at<bezier_scaled>},
+    {"bezier-offset", "Bezier curves moved by 2^10 to 2^29", &aimed_at<bezier_offset>},
+    {"bezier-sliver", "Bezier curves flattened by up to 2^-299", &aimed_at<bezier_sliver>},
+    {"bezier-random", "Bezier curves of random doubles", &aimed_at<bezier_random>},
 };
 
 }  // namespace
@@ -255,6 +269,8 @@ Surfaces AimedScene::surfaces() const {
   if (curves_first) add_curves();
   for (const Segment& wall : walls) all.add(wall);
   if (!curves_first) add_curves();
+  for (const std::vector<Vec2>& p : beziers)
+    all.add(p.size() == 3 ? Bezier(p[0], p[1], p[2]) : Bezier(p[0], p[1], p[2], p[3]));
   return all;
 }
 

@@ -36,6 +36,7 @@ struct AimedScene {
   std::vector<Segment> walls;
   std::vector<Ray> rays;
   std::vector<Arc> curves;
+  std::vector<std::vector<Vec2>> beziers{};  ///< control points; numbered last
   bool curves_first = false;  ///< numbered before the straight walls, else after them
 
   /// Whole circles as circles and, every second one, as arcs.

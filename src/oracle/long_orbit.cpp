@@ -2,6 +2,7 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -85,6 +86,41 @@ class Walker {
     return times;
   }
 
+  // Of the line of the way with a curve: its time and the parameter of the curve, between places where
+  // what is beside the way changes its sign.
+  struct OnCurve {
+    Long t, s;
+  };
+  std::vector<OnCurve> meetings(const Bezier& wall) const {
+    constexpr int kParts = 256;
+    const auto beside = [&](const Long& s) { return area(way_, point_at(wall, s) - point_); };
+    std::vector<OnCurve> found;
+    for (int i = 0; i < kParts; ++i) {
+      Long low = number(i) / kParts, high = number(i + 1) / kParts;
+      const int from = sgn(beside(low));
+      if (from == 0 || from == sgn(beside(high))) continue;
+      for (mp_bitcnt_t halvings = 0; halvings < bits_; ++halvings) {
+        const Long middle = (low + high) / 2;
+        (sgn(beside(middle)) == from ? low : high) = middle;
+      }
+      found.push_back({inner(way_, point_at(wall, high) - point_) / inner(way_, way_), high});
+    }
+    return found;
+  }
+  Place point_at(const Bezier& wall, const Long& s) const {
+    std::vector<Place> points;
+    for (int k = 0; k <= wall.degree; ++k) points.push_back(place(wall.point(k)));
+    for (; points.size() > 1; points.pop_back())
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        points[k] = points[k] + s * (points[k + 1] - points[k]);
+    return points[0];
+  }
+  std::vector<Long> times(const Bezier& wall) const {
+    std::vector<Long> times;
+    for (const OnCurve& met : meetings(wall)) times.push_back(met.t);
+    return times;
+  }
+
   // Parts of the half-diameters that a vector is the sum of, by Cramer's rule.
   Place in_circle(const Ellipse& curve, const Place& w) const {
     const Place u = place(curve.u), v = place(curve.v);
@@ -110,6 +146,20 @@ class Walker {
     const Place at = in_circle(curve, point_ - place(curve.centre));
     const Place tangent = at.x * place(curve.v) - at.y * place(curve.u);
     return {tangent.y, -tangent.x};
+  }
+
+  Place normal_of(const Bezier& wall) const {
+    const std::vector<OnCurve> all = meetings(wall);
+    const auto here =
+        std::min_element(all.begin(), all.end(),
+                         [](const OnCurve& a, const OnCurve& b) { return abs(a.t) < abs(b.t); });
+    std::vector<Place> ways;
+    for (int k = 0; k < wall.degree; ++k)
+      ways.push_back(place(wall.point(k + 1)) - place(wall.point(k)));
+    for (; ways.size() > 1; ways.pop_back())
+      for (std::size_t k = 0; k + 1 < ways.size(); ++k)
+        ways[k] = ways[k] + here->s * (ways[k + 1] - ways[k]);
+    return {-ways[0].y, ways[0].x};
   }
 
   const Surfaces& walls_;

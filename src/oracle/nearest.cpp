@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "geom/exact.h"
+#include "oracle/bezier.h"
 #include "oracle/curves.h"
 #include "oracle/whole.h"
 
@@ -158,6 +161,41 @@ NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls) {
   return exact_search(ray, walls, all);
 }
 
+namespace {
+
+// Of a Bezier curve it takes more than a square root.
+using Time = std::variant<Surd, Algebraic>;
+std::strong_ordering compare(const Time& a, const Time& b) {
+  if (a.index() == 0 && b.index() == 0) return std::get<Surd>(a) <=> std::get<Surd>(b);
+  const auto algebraic = [](const auto& t) { return Algebraic(t); };
+  return std::visit(algebraic, a) <=> std::visit(algebraic, b);
+}
+
+struct FirstOfWall {
+  Time t;
+  HitClass kind;
+  bool at_end;
+  Root root;
+};
+template <class Met>
+std::optional<FirstOfWall> first_of(Met met) {
+  if (!met) return std::nullopt;
+  return FirstOfWall{std::move(met->t), met->kind, met->at_end, met->root};
+}
+std::vector<Vec2> points_of(const Bezier& wall) {
+  return {wall.points.begin(), wall.points.begin() + wall.degree + 1};
+}
+std::optional<FirstOfWall> meeting_of(const Ray& ray, const Arc& wall) {
+  return first_of(first_meeting(ray, wall));
+}
+std::optional<FirstOfWall> meeting_of(const Ray& ray, const Bezier& wall) {
+  return first_of(first_meeting(ray, points_of(wall)));
+}
+// Curves are asked alone.
+std::optional<FirstOfWall> meeting_of(const Ray&, const Segment&) { return std::nullopt; }
+
+}  // namespace
+
 static std::optional<double> time_of(const Ray& ray, const Segment& wall, Root) {
   const NearestWall met = nearest_wall(ray, {&wall, 1});
   return met ? std::optional(met.t) : std::nullopt;
@@ -167,13 +205,20 @@ static std::optional<double> time_of(const Ray& ray, const Arc& wall, Root root)
   return met ? std::optional(met->nearest()) : std::nullopt;
 }
 
+static std::optional<double> time_of(const Ray& ray, const Bezier& wall, Root root) {
+  for (const BezierMeeting& met : meetings_with_bezier(ray, points_of(wall)))
+    if (met.root == root) return met.t.nearest();
+  return std::nullopt;
+}
+
 std::optional<double> time_of(const Ray& ray, const Surfaces& walls, std::uint32_t wall,
                               Root root) {
   return walls.visit(wall, [&](const auto& met) { return time_of(ray, met, root); });
 }
 
 NearestWalls::NearestWalls(const Surfaces& walls) : walls_(walls) {
-  for (const Arc& arc : walls.arcs) reaches_.push_back(reach_of(arc));
+  for (const std::uint32_t number : walls.curve_numbers)
+    reaches_.push_back(walls.visit(number, [](const auto& wall) { return reach_of(wall); }));
 }
 
 NearestWall NearestWalls::of(const Ray& ray) {
@@ -199,7 +244,7 @@ NearestWall NearestWalls::among_curves(const Ray& ray) const {
     straight.offer(each.wall, exact(wall.a), exact(wall.b));
   }
   NearestWall nearest;
-  std::optional<Surd> best;
+  std::optional<Time> best;
   if (straight.best) {
     best = Surd{*straight.best, 0, 0};
     nearest = {walls_.segment_numbers[static_cast<std::size_t>(straight.wall)], straight.kind,
@@ -207,16 +252,18 @@ NearestWall NearestWalls::among_curves(const Ray& ray) const {
   }
   for (const Candidate& each : round_) {
     const std::uint32_t number = walls_.curve_numbers[static_cast<std::size_t>(each.wall)];
-    auto met = first_meeting(ray, walls_.arcs[static_cast<std::size_t>(each.wall)]);
-    if (!met) continue;
-    const auto order = best ? met->t <=> *best : std::strong_ordering::less;
-    if (order > 0 || (order == 0 && number > nearest.wall)) continue;
-    best = std::move(met->t);
-    nearest = {number, met->kind, met->at_end};
-    nearest.root = met->root;
+    walls_.visit(number, [&](const auto& wall) {
+      auto met = meeting_of(ray, wall);
+      if (!met) return;
+      const auto order = best ? compare(met->t, *best) : std::strong_ordering::less;
+      if (order > 0 || (order == 0 && number > nearest.wall)) return;
+      best = std::move(met->t);
+      nearest = {number, met->kind, met->at_end};
+      nearest.root = met->root;
+    });
   }
   nearest.by = NearestWall::By::rationals;
-  if (best) nearest.t = best->nearest();
+  if (best) nearest.t = std::visit([](const auto& t) { return t.nearest(); }, *best);
   return nearest;
 }
 

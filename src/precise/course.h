@@ -5,6 +5,7 @@
 
 #include "geom/pair.h"
 #include "geom/primitives/arc.h"
+#include "geom/primitives/bezier_roots.h"
 #include "geom/ray.h"
 
 namespace flatray {
@@ -20,8 +21,9 @@ struct Meeting {
   Met met;
   std::optional<Number> place{};  ///< nullopt where it is open and may be anywhere
   WallPart part = WallPart::other;
-  std::optional<Vec2> end{};  ///< of an arc, where it is met there
-  std::uint32_t surface{};    ///< of the wall, for who knows it
+  std::optional<Vec2> end{};          ///< of an arc, where it is met there
+  std::uint32_t surface{};            ///< of the wall, for who knows it
+  std::optional<Number> parameter{};  ///< of the point of a Bezier curve
 };
 
 /// A line x: (x - about) cross d = m, on which places count by (x - about).d, and one of them is where
@@ -44,7 +46,8 @@ struct Course {
   Vec2 about;
   Pair<Number> direction;
   Number moment, here;
-  Number size;  ///< d.d, which no mirror changes
+  Number size;                       ///< d.d, which no mirror changes
+  std::optional<Number> stood_at{};  ///< the parameter of the Bezier curve just left
 
   Pair<Number> pair(const Vec2& v) const { return pair_of(make, v); }
 
@@ -76,6 +79,56 @@ struct Course {
   Pair<Number> normal(const Arc& wall, const Pair<Number>& point) const {
     const Ellipse& curve = wall.curve;
     return curve_normal(make, curve, curve_form(make, curve, point - pair(curve.centre)));
+  }
+
+  Pair<Number> normal(const Bezier& wall, const Pair<Number>&) const {
+    const Pair<Number> rate = rate_at(wall, *stood_at);
+    return {-rate.y, rate.x};
+  }
+
+  // A point of a curve, and how it goes on there.
+  Pair<Number> point_at(const Bezier& wall, const Number& s) const {
+    return {bernstein_value(coordinates_of(make, wall, 0), s),
+            bernstein_value(coordinates_of(make, wall, 1), s)};
+  }
+  Pair<Number> rate_at(const Bezier& wall, const Number& s) const {
+    return {bernstein_value(bernstein_derivative(coordinates_of(make, wall, 0)), s),
+            bernstein_value(bernstein_derivative(coordinates_of(make, wall, 1)), s)};
+  }
+
+  // Where it has left the curve is a root that is known, by which the others are those of a quotient.
+  std::vector<Meeting<Number>> meet(const Bezier& wall, bool stood_on) const {
+    constexpr int kSteps = 10;
+    if (stood_on && !stood_at) return {{Met::open}};
+    Bernstein<Number> beside = bernstein_of(wall, [&](const Vec2& p) { return side_of(p); });
+    if (stood_on) beside = divided_by(beside, *stood_at);
+    const auto plain = [](const Number& x) { return x.nearest().value_or(0.0); };
+    const auto roots = bernstein_roots(make, plain, std::move(beside), kSteps);
+    if (!roots) return {{Met::open}};
+    const auto ahead = bernstein_of(wall, [&](const Vec2& p) { return place_of(p); });
+    std::vector<Meeting<Number>> met;
+    for (const auto& root : *roots) {
+      met.push_back(ahead_at(bernstein_value(ahead, root.s)));
+      met.back().parameter = root.s;
+      const bool at_end = root.s.sign() == Sign::zero || (root.s - make(1)).sign() == Sign::zero;
+      if (met.back().met == Met::between && (at_end || root.multiplicity > 1))
+        met.back().met = Met::end;
+    }
+    return met;
+  }
+
+  // Without the rest, which is 0 at a root.
+  Bernstein<Number> divided_by(const Bernstein<Number>& c, const Number& root) const {
+    const Number two = make(2), three = make(3), half = make(0.5);
+    if (c.size() == 3) {
+      const Number square = c[0] - two * c[1] + c[2], linear = two * (c[1] - c[0]);
+      const Number constant = linear + root * square;
+      return {constant, constant + square};
+    }
+    const Number cube = c[3] - c[0] + three * (c[1] - c[2]);
+    const Number square = three * (c[0] - two * c[1] + c[2]), linear = three * (c[1] - c[0]);
+    const Number middle = square + root * cube, constant = linear + root * middle;
+    return {constant, constant + half * middle, constant + middle + cube};
   }
 
   // A straight wall between two points.

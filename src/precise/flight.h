@@ -172,6 +172,7 @@ class Flight {
     for (Number* x : {&d.x, &d.y, &course_.moment, &course_.here, &point_.x, &point_.y,
                       &first_entry_.x, &first_entry_.y})
       *x = x->blurred();
+    if (course_.stood_at) course_.stood_at = course_.stood_at->blurred();
     d = {d.x + d.y.rest(), d.y + d.x.rest()};  // see turn
   }
 
@@ -192,13 +193,17 @@ class Flight {
 
   // The end at which a wall is known to be met.
   std::optional<Pair<Number>> end_of(const Segment&, std::uint32_t) const { return std::nullopt; }
+  std::optional<Pair<Number>> end_of(const Bezier&, std::uint32_t) const { return std::nullopt; }
   std::optional<Pair<Number>> end_of(const Arc&, std::uint32_t surface) const {
     const auto meeting = first_of(surface);
     return meeting && meeting->end ? std::optional(pair(*meeting->end)) : std::nullopt;
   }
 
   // Of a wall on the line of the ray.
-  std::optional<Pair<Number>> first_end(const Arc&) const { return std::nullopt; }
+  template <class Curve>
+  std::optional<Pair<Number>> first_end(const Curve&) const {
+    return std::nullopt;
+  }
   std::optional<Pair<Number>> first_end(const Segment& wall) const {
     const auto order =
         (dot(pair(wall.a), course_.direction) - dot(pair(wall.b), course_.direction)).sign();
@@ -215,9 +220,18 @@ class Flight {
 
   // Of its own curve, whichever part of it was left.
   bool stands_on(const Segment&, std::uint32_t surface) const { return surface == left_; }
+  bool stands_on(const Bezier&, std::uint32_t surface) const { return surface == left_; }
   bool stands_on(const Arc& arc, std::uint32_t surface) const {
-    return surface == left_ || (left_ != kNoSurface && walls_.segment_slot(left_) == kNoSurface &&
-                                is_same_curve(arc.curve, walls_.arc(left_).curve));
+    return surface == left_ || (left_ != kNoSurface && walls_.visit(left_, [&](const auto& left) {
+             return is_part_of(left, arc.curve);
+           }));
+  }
+  static bool is_part_of(const Arc& arc, const Ellipse& curve) {
+    return is_same_curve(arc.curve, curve);
+  }
+  template <class Wall>
+  static bool is_part_of(const Wall&, const Ellipse&) {
+    return false;
   }
 
   // Of places that are known: positive where b comes first.
@@ -324,6 +338,16 @@ class Flight {
     return curve.is_circle() ? bounce_off_circle(curve, q) : bounce_off_ellipse(curve, q);
   }
 
+  bool bounce_off(const Bezier& wall, std::uint32_t surface) {
+    auto meeting = first_of(surface);
+    if (!meeting || !meeting->parameter) return false;
+    const Number s = std::move(*meeting->parameter);
+    const Pair<Number> point = course_.point_at(wall, s), rate = course_.rate_at(wall, s);
+    bounce_off_curve(wall.start(), point - pair(wall.start()), {-rate.y, rate.x});
+    course_.stood_at = s;
+    return true;
+  }
+
   // With q = w.d and k = w cross d at the point met, d' = (2 k^2 / r^2 d.d - 1) d + 2 q k / r^2 d.d
   // times d turned by a quarter; q changes its sign and k stays.
   bool bounce_off_circle(const Ellipse& wall, const Number& q) {
@@ -340,19 +364,23 @@ class Flight {
     return true;
   }
 
-  // d' = d - 2 (d.n) n / n.n with the normal n.
   bool bounce_off_ellipse(const Ellipse& wall, const Number& q) {
     const auto from = course_.from_centre(q, course_.side_of(wall.centre));
-    const auto normal = curve_normal(course_.make, wall, curve_form(course_.make, wall, from));
+    bounce_off_curve(wall.centre, from,
+                     curve_normal(course_.make, wall, curve_form(course_.make, wall, from)));
+    return true;
+  }
+
+  // d' = d - 2 (d.n) n / n.n with the normal n, at a point as seen from `about`.
+  void bounce_off_curve(const Vec2& about, const Pair<Number>& from, const Pair<Number>& normal) {
     const Number size = dot(normal, normal);
-    point_ = pair(wall.centre) + from;
+    point_ = pair(about) + from;
     turn([&](const Pair<Number>& d) {
       return d - course_.make(2) * dot(d, normal) / size * normal;
     });
-    course_.about = wall.centre;
+    course_.about = about;
     course_.moment = cross(from, course_.direction);
     course_.here = dot(from, course_.direction);
-    return true;
   }
 
   const Surfaces& walls_;

@@ -35,7 +35,7 @@ RayGroup group_of(std::span<const oracle::StiffRay> rays) {
     group.rays.add(asked.ray);
     group.wall.emplace_back();
     group.t.push_back(asked.t);
-    if (!walls.arcs.empty()) continue;
+    if (!walls.curve_numbers.empty()) continue;
     const oracle::NearestWall truth = oracle::nearest_wall(asked.ray, walls.segments);
     if (truth) group.wall.back() = static_cast<std::uint32_t>(truth.wall);
     if (asked.t == kInfinity) group.t.back() = truth.t;

@@ -89,7 +89,7 @@ bool is_outside(const Surfaces& walls, const Vec2& start, const Vec2& point) {
     const Sign side = side_of(walls.arcs[i], point), before = side_of(walls.arcs[i], start);
     if (side != Sign::zero && side == -(i == 0 ? Sign::negative : before)) return true;
   }
-  if (!walls.arcs.empty()) return false;
+  if (!walls.curve_numbers.empty()) return false;
   for (int i = 0; i < kCorners; ++i) {
     const Segment& wall = walls.segments[static_cast<std::size_t>(i)];
     if (orientation(wall.a, wall.b, point) == Sign::negative) return true;

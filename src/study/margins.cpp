@@ -36,6 +36,8 @@ class Measure {
       grow(curve.centre + curve.u), grow(curve.centre - curve.u);
       grow(curve.centre + curve.v), grow(curve.centre - curve.v);
     }
+    for (const Bezier& wall : world.surfaces.beziers)
+      for (int k = 0; k <= wall.degree; ++k) grow(wall.point(k));
   }
 
   Margin nearest(std::string ray, std::uint64_t number, const Leg& leg) const {
@@ -75,6 +77,11 @@ class Measure {
     const Vec2 way = leg.to - leg.from;
     const Leg longer{leg.from, leg.to + (radius / way.norm()) * way};
     see(centre, std::fabs(beside(longer, centre) - radius));
+  }
+  template <class See>
+  static void see_wall(const Bezier& wall, const Leg& leg, const See& see) {
+    see(wall.start(), beside(leg, wall.start()));
+    see(wall.end(), beside(leg, wall.end()));
   }
   void grow(const Vec2& p) { largest_ = std::max({largest_, std::fabs(p.x()), std::fabs(p.y())}); }
 

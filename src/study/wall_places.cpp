@@ -111,8 +111,58 @@ class ArcWay {
   double from_ = 0, sweep_;
 };
 
+// A Bezier curve by its parameter.
+class BezierWay {
+ public:
+  explicit BezierWay(const Bezier& wall) : wall_(wall) {}
+  double sweep() const { return 1; }
+  Vec2 at(double past) const { return point_at(wall_, past); }
+  Vec2 normal_at(const Vec2& point) const {
+    const Vec2 normal = normal_near(wall_, point);
+    return normal / length(normal);
+  }
+  double curvature_at(const Vec2& point) const {
+    const double s = parameter(point);
+    const auto plain = [](double x) { return x; };
+    const auto bend = [&](int axis) {
+      const auto rates = bernstein_derivative(coordinates_of(plain, wall_, axis));
+      return bernstein_value(bernstein_derivative(rates), s);
+    };
+    const Vec2 rate = tangent_at(wall_, s);
+    const double speed = length(rate);
+    return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed);
+  }
+  double parameter(const Vec2& point) const { return parameter_near(wall_, point); }
+  // Simpson's rule.
+  double length_to(double past) const {
+    constexpr int kParts = 256;
+    const auto speed = [&](double s) { return length(tangent_at(wall_, s)); };
+    double sum = speed(0) + speed(past);
+    for (int i = 1; i < kParts; ++i) sum += (i % 2 == 1 ? 4 : 2) * speed(past * i / kParts);
+    return sum * past / (3 * kParts);
+  }
+  double parameter_at(double position) const {
+    double low = 0, high = 1;
+    for (int i = 0; i < 52; ++i) {
+      const double middle = 0.5 * (low + high);
+      (length_to(middle) < position ? low : high) = middle;
+    }
+    return low;
+  }
+  std::vector<Vec2> outline() const {
+    constexpr int kParts = 64;
+    std::vector<Vec2> points;
+    for (int i = 0; i <= kParts; ++i) points.push_back(at(static_cast<double>(i) / kParts));
+    return points;
+  }
+
+ private:
+  const Bezier& wall_;
+};
+
 LineWay way_along(const Segment& wall) { return LineWay(wall); }
 ArcWay way_along(const Arc& wall) { return ArcWay(wall); }
+BezierWay way_along(const Bezier& wall) { return BezierWay(wall); }
 
 // What `use` makes of the way along a wall.
 template <class Use>

@@ -35,18 +35,12 @@ void Candidates::offer_segment(std::uint32_t slot, double limit) {
 
 void Candidates::offer_curve(std::uint32_t surface) {
   const bool left = surface == left_.surface;
-  if ((left && left_.root == Root::both) || is_known(surface)) return;
+  if (is_known(surface)) return;
   ++tested_;
-  const Arc& arc = walls_.arc(surface);
-  const FilteredCurve hit = filter_curve(ray_, arc.curve);
-  const bool joined = arc.extent == Arc::Extent::between;
-  if (hit.verdict == FilteredCurve::Verdict::missed && !joined) return;
-  // What joins an arc to its ends is met at other times than its curve.
-  const double low = joined || left ? -kInfinity : hit.low;
-  if (low > high_) return;
-  const bool sure =
-      hit.verdict == FilteredCurve::Verdict::sure && arc.extent == Arc::Extent::whole && !left;
-  take({surface, low, sure, hit.root}, hit.high);
+  const FilteredCurve hit =
+      walls_.visit(surface, [&](const auto& wall) { return filter_curve(ray_, wall, left); });
+  if (hit.verdict == FilteredCurve::Verdict::missed || hit.low > high_) return;
+  take({surface, hit.low, hit.verdict == FilteredCurve::Verdict::sure, hit.root}, hit.high);
 }
 
 void Candidates::take_segment(std::uint32_t slot, double t) {
@@ -56,10 +50,7 @@ void Candidates::take_segment(std::uint32_t slot, double t) {
 }
 
 NearestHit Candidates::crossed(const Candidate& candidate) const {
-  if (candidate.root != Root::none)
-    return crossing_hit(walls_, ray_, candidate.surface, candidate.root);
-  if (std::isnan(candidate.t))
-    return crossing_hit(walls_, ray_, walls_.segment_slot(candidate.surface));
+  if (std::isnan(candidate.t)) return crossing_hit(walls_, ray_, candidate.surface, candidate.root);
   return {candidate.surface, HitClass::touch, Root::none, false, candidate.t};
 }
 

@@ -56,7 +56,7 @@ void CurveCells::divide() {
   Bounds box;
   double extents = 0;
   for (const std::uint32_t i : curves()) {
-    const Bounds own = bounds_of(walls_.arc(i));
+    const Bounds own = walls_.visit(i, [](const auto& wall) { return bounds_of(wall); });
     box.add(own);
     extents += own.size().sum() / static_cast<double>(curves().size());
   }
@@ -76,16 +76,27 @@ void CurveCells::divide() {
   const Rect all{0, 0, columns_, rows_};
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begin_.assign(cells + 1, 0);
-  for (const std::uint32_t i : curves())
-    visit_cells(walls_.arc(i), all, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  const auto visit_all = [&](const auto& visit) {
+    for (const std::uint32_t i : curves())
+      walls_.visit(i, [&](const auto& wall) {
+        visit_cells(wall, all, [&](std::size_t cell) { visit(i, cell); });
+      });
+  };
+  visit_all([&](std::uint32_t, std::size_t cell) { ++begin_[cell + 1]; });
   for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
   surfaces_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (const std::uint32_t i : curves())
-    visit_cells(walls_.arc(i), all, [&](std::size_t cell) { surfaces_[next[cell]++] = i; });
+  visit_all([&](std::uint32_t i, std::size_t cell) { surfaces_[next[cell]++] = i; });
 }
 
-// Whether a part of the curve may lie in the cells, or within kMargin of them.
+// Whether a part of a curve may lie in the cells, or within kMargin of them.
+template <class Wall>
+bool CurveCells::may_pass(const Wall& wall, const Rect& rect) const {
+  const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
+  const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
+  return passes_near(wall, low_ + middle, half);
+}
+
 bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
   const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
   const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
@@ -101,16 +112,16 @@ bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
          form.length + form.most >= r * (1 - 0x1p-40);
 }
 
-template <class Visit>
-void CurveCells::visit_cells(const Arc& arc, const Rect& rect, const Visit& visit) const {
-  if (!may_pass(arc, rect)) return;
+template <class Wall, class Visit>
+void CurveCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const {
+  if (!may_pass(wall, rect)) return;
   const auto [left, bottom, width, height] = rect;
   if (width == 1 && height == 1)
     return visit(static_cast<std::size_t>(bottom) * static_cast<std::size_t>(columns_) +
                  static_cast<std::size_t>(left));
   const int w = width >= height ? width / 2 : width, h = width >= height ? height : height / 2;
-  visit_cells(arc, {left, bottom, w, h}, visit);
-  visit_cells(arc,
+  visit_cells(wall, {left, bottom, w, h}, visit);
+  visit_cells(wall,
               width >= height ? Rect{left + w, bottom, width - w, height}
                               : Rect{left, bottom + h, width, height - h},
               visit);
@@ -175,9 +186,8 @@ std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
   std::sort(all.surfaces.begin(), all.surfaces.end());
   all.surfaces.erase(std::unique(all.surfaces.begin(), all.surfaces.end()), all.surfaces.end());
   std::erase_if(all.surfaces, [&](std::uint32_t surface) {
-    const Arc& arc = walls_.arc(surface);  // what joins an arc to its ends is no part of its curve
-    return arc.extent == Arc::Extent::whole &&
-           filter_curve(ray, arc.curve).verdict == FilteredCurve::Verdict::missed;
+    const auto filter = [&](const auto& wall) { return filter_curve(ray, wall, false).verdict; };
+    return walls_.visit(surface, filter) == FilteredCurve::Verdict::missed;
   });
   return all.surfaces;
 }

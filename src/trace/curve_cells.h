@@ -64,9 +64,11 @@ class CurveCells {
   // Offers the curves of every cell a ray comes through, some twice, until these are settled.
   template <class Offers>
   void walk(const Ray& ray, Offers& offers) const;
-  template <class Visit>
-  void visit_cells(const Arc& arc, const Rect& rect, const Visit& visit) const;
+  template <class Wall, class Visit>
+  void visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const;
   bool may_pass(const Arc& arc, const Rect& rect) const;
+  template <class Wall>
+  bool may_pass(const Wall& wall, const Rect& rect) const;
 
   const Surfaces& walls_;
   std::vector<std::uint32_t> begin_, surfaces_;  // of each cell, row by row

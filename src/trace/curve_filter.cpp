@@ -1,6 +1,8 @@
 #include "trace/curve_filter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace flatray {
 namespace {
@@ -33,12 +35,17 @@ double below(double value, const Near& a) {
 }
 double above(double value, const Near& a) { return -below(-value, a); }
 
-}  // namespace
+std::optional<Sign> sign_of(const Near& x) {
+  if (x.value > x.error) return Sign::positive;
+  if (x.value < -x.error) return Sign::negative;
+  return std::nullopt;
+}
+
+using Verdict = FilteredCurve::Verdict;
+constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
 
 // t = (b -+ sqrt(r^2 a - k^2)) / a, as geom/hit_time.cpp has it.
-FilteredCurve filter_curve(const Ray& ray, const Ellipse& curve) {
-  using Verdict = FilteredCurve::Verdict;
-  constexpr FilteredCurve kOpen{Verdict::open, -kInfinity, kInfinity, Root::none};
+FilteredCurve filter_whole(const Ray& ray, const Ellipse& curve) {
   const Vec2 to = curve.centre - ray.origin;
   const Pair<Near> d = curve_form(exactly, curve, pair_of(exactly, ray.direction));
   const Pair<Near> w = curve_form(
@@ -63,5 +70,50 @@ FilteredCurve filter_curve(const Ray& ray, const Ellipse& curve) {
             Root::second};
   return {Verdict::open, low, kInfinity, Root::none};
 }
+
+}  // namespace
+
+// What joins an arc to its ends is met at other times than its curve.
+FilteredCurve filter_curve(const Ray& ray, const Arc& wall, bool is_left) {
+  const FilteredCurve hit = filter_whole(ray, wall.curve);
+  const bool joined = wall.extent == Arc::Extent::between;
+  if (joined) return kOpen;
+  if (hit.verdict == Verdict::missed) return hit;
+  if (is_left) return kOpen;
+  if (wall.extent == Arc::Extent::whole) return hit;
+  return {Verdict::open, hit.low, kInfinity, Root::none};
+}
+
+// By its control points: a polynomial has no more roots than its coefficients change signs, and no
+// value beyond them.
+FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, bool is_left) {
+  const Pair<Near> d = pair_of(exactly, ray.direction);
+  const Near speed = dot(d, d);
+  if (!(speed.value > kLeast && speed.value < kMost)) return kOpen;
+  double low = kInfinity, high = -kInfinity;
+  int changes = 0;
+  Sign last = Sign::zero;
+  for (int k = 0; k <= wall.degree; ++k) {
+    const Vec2 to = wall.point(k) - ray.origin;
+    const double far = std::fabs(to.x()) + std::fabs(to.y());
+    if (!(far == 0 || (far > kLeast && far < kMost))) return kOpen;
+    const Pair<Near> w{{to.x(), kRounding * std::fabs(to.x())},
+                       {to.y(), kRounding * std::fabs(to.y())}};
+    const Near ahead = dot(d, w);
+    low = std::min(low, ahead.value - ahead.error);
+    high = std::max(high, ahead.value + ahead.error);
+    const Sign side = sign_of(cross(d, w)).value_or(Sign::zero);
+    if (side == Sign::zero) changes = 4;  // unknown
+    if (last != Sign::zero && side == -last) ++changes;
+    last = side;
+  }
+  if (high < 0 || changes == 0) return {Verdict::missed, 0, 0, Root::none};
+  if (is_left) return kOpen;
+  if (changes > 1 || !(low > 0)) return {Verdict::open, below(low, speed), kInfinity, Root::none};
+  return {Verdict::sure, below(low, speed), above(high, speed),
+          last == Sign::positive ? Root::first : Root::second};
+}
+
+FilteredCurve filter_curve(const Ray&, const Segment&, bool) { return kOpen; }
 
 }  // namespace flatray

@@ -1,5 +1,6 @@
 #pragma once
 #include "geom/primitives/arc.h"
+#include "geom/primitives/bezier.h"
 #include "trace/rays.h"
 
 namespace flatray {
@@ -15,9 +16,12 @@ struct FilteredCurve {
   Root root;         ///< where sure
 };
 
-/// Of the whole curve of an arc. Nothing is sure outside guarded sizes.
+/// Nothing is sure outside guarded sizes, and of a wall that the ray has left.
 ///
 /// Cost    20 ns.
-FilteredCurve filter_curve(const Ray& ray, const Ellipse& curve);
+FilteredCurve filter_curve(const Ray& ray, const Arc& wall, bool is_left);
+FilteredCurve filter_curve(const Ray& ray, const Bezier& wall, bool is_left);
+/// For who visits walls that may be straight.
+FilteredCurve filter_curve(const Ray& ray, const Segment& wall, bool is_left);
 
 }  // namespace flatray

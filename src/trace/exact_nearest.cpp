@@ -78,14 +78,11 @@ std::vector<NearestHit> ExactHits::hits() {
   return hits;
 }
 
-NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot) {
-  const double t = HitTime::on_line(ray, walls.segments[slot]).nearest().t;
-  return {walls.segment_numbers[slot], HitClass::touch, Root::none, false, t};
-}
-
 NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::uint32_t surface, Root root) {
-  const HitTime time = HitTime::on_curve(ray, walls.arc(surface).curve, root);
-  return {surface, HitClass::through, root, false, time.nearest().t};
+  const HitTime time =
+      walls.visit(surface, [&](const auto& wall) { return time_met(wall, ray, root); });
+  const HitClass kind = root == Root::none ? HitClass::touch : HitClass::through;
+  return {surface, kind, root, false, time.nearest().t};
 }
 
 }  // namespace flatray

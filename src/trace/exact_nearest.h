@@ -54,9 +54,7 @@ class ExactHits {
   std::vector<ExactNearest::Timed> every_;
 };
 
-/// The hit of a segment known to be the nearest wall, met ahead and between its ends.
-NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::size_t slot);
-/// The hit of a curve without ends that is known to be the nearest wall, crossed in a root.
+/// The hit of a wall known to be the nearest, crossed ahead and between its ends, in a root of a curve.
 NearestHit crossing_hit(const Surfaces& walls, const Ray& ray, std::uint32_t surface, Root root);
 
 }  // namespace flatray

@@ -258,7 +258,7 @@ class LaneTracer : public Accelerator {
 
   // The usual case: sure of one segment, and of its t. (Without curves slots are numbers.)
   bool decided(const Verdict& verdict, NearestHit& hit) const {
-    if (!walls_.arcs.empty() || !verdict.is_certain()) return false;
+    if (!walls_.curve_numbers.empty() || !verdict.is_certain()) return false;
     if (verdict.is_hit() && std::isnan(verdict.t)) return false;
     hit = verdict.is_hit() ? crossed(verdict.slot, verdict.t) : NearestHit{};
     return true;

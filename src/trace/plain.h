@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -47,11 +48,10 @@ bool is_on(const Arc& arc, const Pair<Number>& w) {
          }) != PlaceOn::outside;
 }
 
-/// Puts curved wall `number` into competition with the best hit so far, whose t is `best.t`.
+/// Puts arc `number` into competition with the best hit so far, whose t is `best.t`.
 template <class Number>
-void offer_curve(const Surfaces& walls, std::uint32_t number, const Ray& ray, const Left& left,
-                 NearestHit& best) {
-  const Arc& arc = walls.arc(number);
+void offer(const Arc& arc, std::uint32_t number, const Ray& ray, const Left& left,
+           NearestHit& best) {
   const auto number_of = [](double x) { return static_cast<Number>(x); };
   const auto d = pair_of(number_of, ray.direction);
   const auto w = pair_of(number_of, ray.origin) - pair_of(number_of, arc.curve.centre);
@@ -67,6 +67,46 @@ void offer_curve(const Surfaces& walls, std::uint32_t number, const Ray& ray, co
     if (stood_on || !(t >= 0 && t < best.t) || !is_on(arc, w + time * d)) continue;
     best = {number, HitClass::through, which, false, t};
   }
+}
+
+/// Of a Bezier curve, by bisection between places where what is beside the ray changes its sign. What
+/// the ray has left is the root nearest to its origin.
+template <class Number>
+void offer(const Bezier& wall, std::uint32_t number, const Ray& ray, const Left& left,
+           NearestHit& best) {
+  constexpr int kParts = 16, kHalvings = 50;
+  const auto number_of = [](double x) { return static_cast<Number>(x); };
+  const auto beside = beside_ray(number_of, wall, ray), ahead = ahead_of_ray(number_of, wall, ray);
+  const auto d = pair_of(number_of, ray.direction);
+  std::vector<NearestHit> met;
+  for (int i = 0; i < kParts; ++i) {
+    Number low = static_cast<Number>(i) / kParts, high = static_cast<Number>(i + 1) / kParts;
+    const bool from = bernstein_value(beside, low) > 0, to = bernstein_value(beside, high) > 0;
+    if (from == to) continue;
+    for (int step = 0; step < kHalvings; ++step) {
+      const Number middle = (low + high) / 2;
+      ((bernstein_value(beside, middle) > 0) == from ? low : high) = middle;
+    }
+    const auto t = static_cast<double>(bernstein_value(ahead, high) / dot(d, d));
+    met.push_back({number, HitClass::through, to ? Root::first : Root::second, false, t});
+  }
+  if (number == left.surface && left.root != Root::none && !met.empty())
+    met.erase(std::min_element(met.begin(), met.end(), [](const auto& a, const auto& b) {
+      return std::fabs(a.t) < std::fabs(b.t);
+    }));
+  for (const NearestHit& hit : met)
+    if (hit.t >= 0 && hit.t < best.t) best = hit;
+}
+
+/// For who visits walls that may be straight.
+template <class Number>
+void offer(const Segment&, std::uint32_t, const Ray&, const Left&, NearestHit&) {}
+
+/// The same of curved wall `number`.
+template <class Number>
+void offer_curve(const Surfaces& walls, std::uint32_t number, const Ray& ray, const Left& left,
+                 NearestHit& best) {
+  walls.visit(number, [&](const auto& wall) { offer<Number>(wall, number, ray, left, best); });
 }
 
 /// The same of all curved walls.

@@ -110,7 +110,7 @@ bool is_unusual(const Surfaces& walls) { return std::abs(factor_of(walls).expone
 std::unique_ptr<Accelerator> trace_rescaled(
     const Surfaces& walls, std::unique_ptr<Accelerator>& as_given,
     const std::function<std::unique_ptr<Accelerator>(const Surfaces&)>& build) {
-  if (!walls.arcs.empty()) return nullptr;
+  if (!walls.curve_numbers.empty()) return nullptr;
   const Factor factor = factor_of(walls);
   if (factor.exponent == 0) return nullptr;
   auto scaled = std::make_unique<Surfaces>(walls);

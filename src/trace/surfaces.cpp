@@ -16,10 +16,18 @@ std::uint32_t Surfaces::add(const Arc& wall) {
   return curve_numbers.back();
 }
 
+std::uint32_t Surfaces::add(const Bezier& wall) {
+  curve_numbers.push_back(static_cast<std::uint32_t>(size()));
+  slots_.push_back(kBezier + static_cast<std::uint32_t>(beziers.size()));
+  beziers.push_back(wall);
+  return curve_numbers.back();
+}
+
 Bounds bounds_of(const Surfaces& walls) {
   Bounds box;
   for (const Segment& wall : walls.segments) box.add(bounds_of(wall));
   for (const Arc& wall : walls.arcs) box.add(bounds_of(wall));
+  for (const Bezier& wall : walls.beziers) box.add(bounds_of(wall));
   return box;
 }
 

@@ -13,13 +13,16 @@ inline constexpr std::uint32_t kNoSurface = 0xffffffffU;
 struct Surfaces {
   std::vector<Segment> segments;
   std::vector<Arc> arcs;  ///< circles and ellipses, whole or parts of them
-  std::vector<std::uint32_t> segment_numbers, curve_numbers;  ///< surface by slot, ascending
+  std::vector<Bezier> beziers;
+  std::vector<std::uint32_t> segment_numbers;  ///< surface by slot, ascending
+  std::vector<std::uint32_t> curve_numbers;    ///< of all that is no segment, ascending
 
   std::size_t size() const { return slots_.size(); }
   /// Puts a wall at the end and gives its number. Needs finite coordinates, radius >= 0, and
-  /// what Arc needs.
+  /// what Arc and Bezier need.
   std::uint32_t add(const Segment& wall);
   std::uint32_t add(const Arc& wall);
+  std::uint32_t add(const Bezier& wall);
   std::uint32_t add(const Circle& wall) {
     return add(Arc{wall, Arc::Extent::whole, {0, 0}, {0, 0}});
   }
@@ -27,6 +30,13 @@ struct Surfaces {
   /// What `use` makes of a wall, as the primitive that it is.
   template <class Use>
   decltype(auto) visit(std::uint32_t surface, const Use& use) const {
+    const std::uint32_t slot = slots_[surface];
+    if (slot < kCurved) return use(segments[slot]);
+    return slot < kBezier ? use(arcs[slot - kCurved]) : use(beziers[slot - kBezier]);
+  }
+  /// The same of a wall known to be no Bezier curve.
+  template <class Use>
+  decltype(auto) visit_line_or_arc(std::uint32_t surface, const Use& use) const {
     const std::uint32_t slot = slots_[surface];
     return slot < kCurved ? use(segments[slot]) : use(arcs[slot - kCurved]);
   }
@@ -36,11 +46,11 @@ struct Surfaces {
   }
   /// A wall known to be a segment.
   const Segment& segment(std::uint32_t surface) const { return segments[slots_[surface]]; }
-  /// A wall known to be curved.
+  /// A wall known to be an arc.
   const Arc& arc(std::uint32_t surface) const { return arcs[slots_[surface] - kCurved]; }
 
  private:
-  static constexpr std::uint32_t kCurved = 0x80000000U;
+  static constexpr std::uint32_t kCurved = 0x80000000U, kBezier = 0xc0000000U;
   std::vector<std::uint32_t> slots_;  // in the array of its kind, and which array
 };
 

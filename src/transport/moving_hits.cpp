@@ -5,7 +5,7 @@
 namespace flatray {
 namespace {
 
-// As meet_time.h takes it: curved walls that move are circles.
+// As meet_time.h takes it: curved walls that move are circles; scenes refuse others.
 const Segment& moved(const Segment& wall) { return wall; }
 Circle moved(const Arc& wall) { return circle_of(wall.curve); }
 
@@ -28,7 +28,7 @@ class Search {
           compare(MeetTime::at(mover_, leg.begin), found_.front().time) > 0)
         return;
       const Window window{leg.begin, std::min(leg.end, gone), gone < kInfinity};
-      if (walls_.world.surfaces.visit(
+      if (walls_.world.surfaces.visit_line_or_arc(
               surface, [&](const auto& wall) { return meets(moved(wall), surface, leg, window); }))
         return;
     }
@@ -140,17 +140,17 @@ std::vector<MovingHit> first_hits(const MovingWalls& walls, const Mover& mover,
 
 Sign side_at(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover,
              const MeetTime& time) {
-  return walls.world.surfaces.visit(
+  return walls.world.surfaces.visit_line_or_arc(
       surface, [&](const auto& wall) { return side_at(moved(wall), leg, mover, time); });
 }
 
 Sign side_of(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover) {
-  return walls.world.surfaces.visit(
+  return walls.world.surfaces.visit_line_or_arc(
       surface, [&](const auto& wall) { return side_of(mover, leg, moved(wall)); });
 }
 
 Sign heading(const MovingWalls& walls, std::uint32_t surface, const Leg& leg, const Mover& mover) {
-  return walls.world.surfaces.visit(
+  return walls.world.surfaces.visit_line_or_arc(
       surface, [&](const auto& wall) { return heading(mover, leg, moved(wall)); });
 }
 

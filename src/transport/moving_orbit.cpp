@@ -66,7 +66,7 @@ class Flight {
     const Leg& leg = leg_now(surface);
     if (mover_.since.hi >= walls_.gone_from[walls_.motion_of[surface]]) return false;
     if (side_of(walls_, surface, leg, mover_) != Sign::zero) return false;
-    return surfaces().visit(
+    return surfaces().visit_line_or_arc(
         surface, [&](const auto& wall) { return stands_between_ends(wall, leg, at_end); });
   }
   static bool stands_between_ends(const Arc&, const Leg&, const bool&) { return true; }
@@ -151,7 +151,7 @@ class Flight {
     const Vec2 moved = leg.from + elapsed * Vec2(u.x, u.y);
     const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() + kSmall +
                          std::fabs(there.since.hi) * (std::fabs(u.x) + std::fabs(u.y) + kSmall);
-    return surfaces().visit(
+    return surfaces().visit_line_or_arc(
         surface, [&](const auto& wall) { return passes_near(wall, there.at - moved, sizes); });
   }
   static bool passes_near(const Segment& wall, const Vec2& at, double sizes) {
@@ -179,14 +179,14 @@ class Flight {
 
   // In the frame of the wall the speed stays; here it does not.
   bool bounces(const MovingHit& hit, const Mover& there) {
-    const Vec2 off =
-        surfaces().visit(hit.surface, [&](const auto& wall) { return reflected(wall, hit); });
+    const Vec2 off = surfaces().visit_line_or_arc(
+        hit.surface, [&](const auto& wall) { return reflected(wall, hit); });
     const auto out = nearest_double(off, [&](const Vec2& velocity) {
       return heading(walls_, hit.surface, *hit.leg, {there.at, velocity, there.since}) == hit.side;
     });
     const Vec2 in = mover_.velocity;
-    const Vec2 normal =
-        surfaces().visit(hit.surface, [&](const auto& wall) { return normal_of(wall, hit); });
+    const Vec2 normal = surfaces().visit_line_or_arc(
+        hit.surface, [&](const auto& wall) { return normal_of(wall, hit); });
     const Vec2 towards = static_cast<double>(hit.side) * unit(normal) + Vec2(0, 0);
     const double t = goes_to(hit.time, there);
     left_ = {hit.surface, hit.side};

@@ -113,6 +113,11 @@ class OrbitTracer::Wave {
                         [&](const auto& wall) { return flatray::is_crossed(wall, ray); });
   }
 
+  // The centre of the circle that a wall is on.
+  std::optional<Vec2> circle_at(std::uint32_t surface) const {
+    return walls_.visit(surface, [](const auto& wall) { return centre_of_circle(wall); });
+  }
+
   bool arrive(Flight& flight, const NearestHit& hit) {
     if (!hit) return stop(flight, OrbitEnd::escape, {});
     if (!orbits_.choice_.tracer->exact && !is_crossed(flight.ray, hit))
@@ -123,7 +128,7 @@ class OrbitTracer::Wave {
       if (is_mirror(hit.surface)) {
         auto reflection = reflect_off(walls_, flight.ray, hit, origin, flight.speed);
         const Left wall{hit.surface, root_left_by(hit.root)};
-        if (reflection && wall.root != Root::none && walls_.arc(wall.surface).curve.is_circle())
+        if (reflection && circle_at(wall.surface))
           keep_moment(flight, wall, origin.point, reflection->direction);
         return bounce(flight, wall, origin.point, hit.t, reflection);
       }
@@ -156,7 +161,7 @@ class OrbitTracer::Wave {
   // From one bounce inside a circle to the next the moment stays, without drift.
   void keep_moment(Flight& flight, const Left& wall, const Vec2& point, Vec2& direction) const {
     if (flight.bounces == 0 || flight.left.surface != wall.surface)
-      flight.moment = moment_about(walls_.arc(wall.surface).curve.centre, flight.ray);
+      flight.moment = moment_about(*circle_at(wall.surface), flight.ray);
     direction = with_moment(walls_, wall, point, direction, flight.moment);
   }
 

@@ -49,7 +49,9 @@ bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const V
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray);
 /// What a reflected ray has left: inside a curve the root it would have entered by, outside the other.
 inline Root root_left_by(Root met) {
-  return met == Root::none ? Root::none : met == Root::second ? Root::first : Root::second;
+  return met == Root::none                  ? Root::none
+         : enters(met) || met == Root::both ? Root::second
+                                            : Root::first;
 }
 /// Whether a direction runs along the straight wall just left. Exact.
 bool runs_along(const Surfaces& walls, const Left& left, const Vec2& direction);

@@ -19,6 +19,7 @@ TEST(Families, AreTheSameForEveryCompiler) {
   for (const Family& family : families())
     for (std::uint64_t item = 0; item < 8; ++item) {
       const AimedScene scene = make_scene(family, 1, item);
+      if (!scene.beziers.empty()) continue;  // see bezier_test.cpp
       Hash& hash = scene.curves.empty() ? straight : curved;
       for (const Segment& wall : scene.walls) add(hash, wall.a), add(hash, wall.b);
       for (const Ray& ray : scene.rays) add(hash, ray.origin), add(hash, ray.direction);

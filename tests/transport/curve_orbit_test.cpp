@@ -3,6 +3,7 @@
 #include "anim/timeline.h"
 #include "anim/world.h"
 #include "base/portable_math.h"
+#include "oracle/long_orbit.h"
 #include "scene/scene_text.h"
 #include "trace/random_rays.h"
 #include "transport/chambers.h"
@@ -187,6 +188,61 @@ TEST(StiffCases, C25NestedTangentHalves) {
     for (const Bounce& bounce : orbit.bounces) {
       ASSERT_NE(side_of(walls.arcs[0], bounce.point), Sign::positive);
       ASSERT_NE(curve_side(bounce.point, walls.arcs[1].curve), Sign::negative);
+    }
+  }
+}
+
+// Parabolas with the focus (0, 0), y = (x^2 - 4) / 4 and y = (4 - x^2) / 4, that meet in (-2, 0) and
+// (2, 0): counter-clockwise.
+Surfaces lens() {
+  Surfaces walls;
+  walls.add(Bezier({-2, 0}, {0, -2}, {2, 0}));
+  walls.add(Bezier({2, 0}, {0, 2}, {-2, 0}));
+  return walls;
+}
+
+// From the focus light goes along the axis, meets the other mirror and comes back to the focus.
+TEST(BezierOrbit, LightOfTheFocusComesBackToIt) {
+  const Orbit orbit = in_mirrors(lens(), {{0, 0}, {0.3, -1}}, 2);
+  ASSERT_EQ(orbit.bounces.size(), 2U);
+  const Vec2 axis = orbit.bounces[1].point - orbit.bounces[0].point;
+  EXPECT_NEAR(axis.x(), 0, 1e-15);
+  const Vec2 out = orbit.bounces[1].out;
+  EXPECT_NEAR(cross(out, Vec2(0, 0) - orbit.bounces[1].point) / out.norm(), 0, 1e-14);
+}
+
+TEST(BezierOrbit, StaysInClosedRoomsAndKeepsItsSpeed) {
+  Draws draw(3);
+  const Surfaces walls = lens();
+  std::size_t bounces = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double x = draw.unit() - 0.5, y = draw.unit() - 0.5, angle = draw.unit();
+    const Orbit orbit = in_mirrors(walls, {{x, y}, {angle - 0.5, draw.unit() - 0.5}}, 200);
+    ASSERT_NE(orbit.end, OrbitEnd::escape) << i;
+    const double speed = orbit.direction.norm();
+    for (const Bounce& bounce : orbit.bounces) {
+      for (const Bezier& wall : walls.beziers)
+        ASSERT_NE(side_of(wall, bounce.point), Sign::negative) << i;
+      ASSERT_NEAR(bounce.out.norm() / speed, 1, 1e-15);
+    }
+    bounces += orbit.bounces.size();
+  }
+  EXPECT_GT(bounces, 7000U);
+}
+
+// Each wall as the oracle's long numbers have it, until chaos takes the digits.
+TEST(BezierOrbit, FirstBouncesAreThoseOfLongNumbers) {
+  Surfaces walls = lens();
+  walls.add(Bezier({-0.5, -0.25}, {-0.25, 0.5}, {0.25, -0.5}, {0.5, 0.25}));
+  Draws draw(5);
+  for (int i = 0; i < 20; ++i) {
+    const Ray start{{0.1 + draw.unit(), 0.3 * draw.unit()}, {draw.unit() - 0.5, 1}};
+    const Orbit orbit = in_mirrors(walls, start, 8);
+    const oracle::LongOrbit truth = oracle::long_orbit(walls, start, 8, 512);
+    ASSERT_EQ(orbit.bounces.size(), truth.bounces.size());
+    for (std::size_t k = 0; k < truth.bounces.size(); ++k) {
+      ASSERT_EQ(orbit.bounces[k].surface, truth.bounces[k].surface) << i;
+      ASSERT_NEAR((orbit.bounces[k].point - truth.bounces[k].point).norm(), 0, 1e-9) << i;
     }
   }
 }

@@ -1,35 +1,32 @@
 #include <algorithm>
 
 #include "geom/clip_range.h"
-#include "geom/exact_hit.h"
-#include "geom/hit_time.h"
 #include "render/view.h"
 
 namespace flatray::views_of {
 namespace {
 
-// Whether a curve the point lies on stands between it and the tip of the ray: the ray goes in and
-// leaves by it before.
-bool leaves_before_tip(const Ray& ray, const Arc& rim) {
+// Whether a curve the point lies on stands between it and the tip of the ray, which crosses it again.
+bool crosses_before_tip(const Ray& ray, const Surfaces& rims) {
   if (is_zero(ray.direction)) return false;
-  const auto hit = hit_curve(ray, rim.curve);
-  return hit && hit->second.sign() == Sign::positive && hit->second.compare(1) < 0 &&
-         (rim.extent == Arc::Extent::whole ||
-          ExactHit(ray, rim.curve, Root::second).place_in(rim) != PlaceOn::outside);
+  std::vector<WallMeeting> met;
+  for (std::uint32_t i = 0; i < rims.size(); ++i)
+    rims.visit(i, [&](const auto& rim) { meet(rim, ray, {Root::none, false, true}, met); });
+  return std::any_of(met.begin(), met.end(), [](const WallMeeting& one) {
+    return one.kind == HitClass::through && one.time.sign() == Sign::positive &&
+           one.time.compare(1) < 0;
+  });
 }
 
-void keep_rim(const Segment&, const std::vector<Arc>&) {}
-void keep_rim(const Arc& wall, std::vector<Arc>& rims) { rims.push_back(wall); }
-
 // What is left of a world without the walls a point lies on.
-World without_walls_at(const Vec2& point, const World& all, std::vector<Arc>& rims) {
+World without_walls_at(const Vec2& point, const World& all, Surfaces& rims) {
   World rest;
   for (std::uint32_t number = 0; number < all.surfaces.size(); ++number) {
     all.surfaces.visit(number, [&](const auto& wall) {
       if (place_on(wall, point) == PlaceOn::outside)
         rest.add(wall, all.owner(number));
       else
-        keep_rim(wall, rims);
+        rims.add(wall);
     });
   }
   return rest;
@@ -52,17 +49,14 @@ class Visibility : public ViewRows {
     const std::vector<NearestHit> hits = seen_.nearest(rays);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       constexpr std::uint8_t kShadow = 64, kLit = 255;
-      const bool shadow = (hits[i] && hits[i].t < 1) ||
-                          std::any_of(rims_.begin(), rims_.end(), [&](const Arc& rim) {
-                            return leaves_before_tip(rays.ray(i), rim);
-                          });
+      const bool shadow = (hits[i] && hits[i].t < 1) || crosses_before_tip(rays.ray(i), rims_);
       pixels = std::fill_n(pixels, 3, shadow ? kShadow : kLit);
     }
   }
 
  private:
   const ViewFrame frame_;
-  std::vector<Arc> rims_;  // circles that the point lies on; its segments are nowhere
+  Surfaces rims_;  // the walls that the point lies on
   const SeenWalls seen_;
 };
 

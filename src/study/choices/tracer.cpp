@@ -28,7 +28,7 @@ struct Shots {
 
 // By arithmetic the tracers have no part in.
 std::int64_t first_wall(const Surfaces& walls, const Ray& ray) {
-  if (walls.arcs.empty()) return oracle::nearest_wall(ray, walls.segments).wall;
+  if (walls.curve_numbers.empty()) return oracle::nearest_wall(ray, walls.segments).wall;
   const oracle::LongOrbit orbit = oracle::long_orbit(walls, ray, 1, kBits);
   return orbit.bounces.empty() ? -1 : static_cast<std::int64_t>(orbit.bounces.front().surface);
 }
@@ -85,7 +85,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   all.reference = fmt::format(
       "{} among {} by {}", counted(made->truth.size(), "random ray"),
       counted(made->world.surfaces.size(), "wall"),
-      made->world.surfaces.arcs.empty()
+      made->world.surfaces.curve_numbers.empty()
           ? "whole numbers of 128 bits, else rationals (oracle/nearest)"
           : fmt::format("Cramer's rule and the quadratic formula in {} bits (oracle/long_orbit)",
                         kBits));

@@ -154,7 +154,7 @@ class Study {
   const ExperimentContext& context_;
   const Room& room_;
   double size_;
-  bool straight_ = room_.walls().arcs.empty();
+  bool straight_ = room_.walls().curve_numbers.empty();
   std::vector<std::pair<double, double>> rate_points_;
   RatioSums growth_;
   std::vector<Measure> measures_;

@@ -143,7 +143,7 @@ enum class Law { straight, exponential, power, undecided };
 // grows like a power as much: where the quotient lies, by more than chance, is the law. Nearer to 2
 // and not 2 is neither yet. Where orbits of both kinds are mixed those that part exponentially win.
 Law law_of(const Surfaces& walls, const RatioSums& doubling) {
-  if (walls.arcs.empty()) return Law::straight;
+  if (walls.curve_numbers.empty()) return Law::straight;
   if (doubling.samples < 3) return Law::undecided;
   const double quotient = doubling.ratio();
   const double chance = kAllowedErrors / student_95(kInfinity) * student_95(doubling.samples - 1) *

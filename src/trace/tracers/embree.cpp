@@ -36,8 +36,7 @@ double unit_scale(const Vec2& direction) {
 }
 
 // A box in single precision that holds a curve and what rounding its numbers to floats makes of it.
-FlatrayEmbreeBox box_of(const Arc& arc) {
-  const Bounds box = curve_bounds(arc.curve);
+FlatrayEmbreeBox box_around(const Bounds& box) {
   const double reach = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
   const double more = 0x1p-20 * reach;
   const auto number = [](double x) { return static_cast<float>(x); };
@@ -50,7 +49,8 @@ class Embree : public Accelerator {
   Embree(const Surfaces& walls, const FlatrayEmbreeModule& module)
       : Accelerator(walls), module_(module) {
     std::vector<FlatrayEmbreeBox> boxes;
-    for (const Arc& arc : walls.arcs) boxes.push_back(box_of(arc));
+    for (const std::uint32_t i : walls.curve_numbers)
+      boxes.push_back(box_around(walls.visit(i, [](const auto& wall) { return bounds_of(wall); })));
     const FlatrayEmbreeWalls given = {
         walls.segments.empty() ? nullptr : walls.segments.front().a.data(),
         static_cast<unsigned>(walls.segments.size()), boxes.data(),

@@ -40,7 +40,8 @@ Axes axes(const Ellipse& curve) {
 std::array<Vec2, 4> corners(const Segment& wall, const Bounds&) {
   return {wall.a, wall.b, wall.a, wall.b};
 }
-std::array<Vec2, 4> corners(const Arc&, const Bounds& box) {
+template <class Curve>
+std::array<Vec2, 4> corners(const Curve&, const Bounds& box) {
   return {box.low, box.high, Vec2(box.low.x(), box.high.y()), Vec2(box.high.x(), box.low.y())};
 }
 
@@ -139,7 +140,8 @@ void OffsetOrigins::keep_neighbours(const Segment&, Wall& wall,
   std::vector<Stretch> found;
   for (const std::uint32_t i : others) {
     if (table_[i].is_plain)
-      walls_.visit(i, [&](const auto& other) { add_near(wall, other, table_[i], found); });
+      walls_.visit_line_or_arc(i,
+                               [&](const auto& other) { add_near(wall, other, table_[i], found); });
     else
       found.push_back({-3 * apart_, wall.length + 3 * apart_});
   }
@@ -195,7 +197,8 @@ void OffsetOrigins::add_near(const Wall& wall, const Arc& other, const Wall& sec
 bool OffsetOrigins::are_far(std::uint32_t a, std::uint32_t b, const Bounds& box) const {
   if (!table_[a].is_plain) return false;
   const auto points = walls_.visit(b, [&](const auto& other) { return corners(other, box); });
-  return walls_.visit(a, [&](const auto& wall) { return are_far(wall, table_[a], points); });
+  return walls_.visit_line_or_arc(
+      a, [&](const auto& wall) { return are_far(wall, table_[a], points); });
 }
 
 bool OffsetOrigins::are_far(const Arc& arc, const Wall& wall, std::span<const Vec2> points) const {
@@ -242,7 +245,8 @@ std::optional<OffsetOrigins::Meeting> OffsetOrigins::meet(const Ray& ray,
   if (!wall.ready || !crosses || !(ray.origin.cwiseAbs().maxCoeff() + hit.t < farthest_))
     return std::nullopt;
   Meeting met{ray.origin + hit.t * ray.direction, wall.normal};
-  if (!walls_.visit(hit.surface, [&](const auto& each) { return is_clear(each, wall, met); }))
+  if (!walls_.visit_line_or_arc(hit.surface,
+                                [&](const auto& each) { return is_clear(each, wall, met); }))
     return std::nullopt;
   if (!(std::fabs(met.normal.dot(ray.direction)) > kLeastCosine)) return std::nullopt;
   return met;
@@ -261,7 +265,7 @@ bool OffsetOrigins::is_clear(const Arc& arc, const Wall& wall, Meeting& met) con
   met.normal = normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
   return ends_far(arc, met.point) &&
          std::all_of(near_.begin() + wall.begin, near_.begin() + wall.end, [&](std::uint32_t i) {
-           return table_[i].is_plain && walls_.visit(i, [&](const auto& other) {
+           return table_[i].is_plain && walls_.visit_line_or_arc(i, [&](const auto& other) {
              return is_far(other, table_[i], met.point);
            });
          });

@@ -48,10 +48,11 @@ class OffsetOrigins {
     double length = 0;                 // of a curve the least distance from its centre
     std::uint32_t begin = 0, end = 0;  // in stretches_ of a segment, in near_ of a curve
     bool ready = false;                // its points have origins beside them
-    bool is_plain = false;             // a segment, or a curve whose ends lie on it
+    bool is_plain = false;             // a segment, or an arc whose ends lie on it
   };
   Wall wall(const Segment& ends) const;
   Wall wall(const Arc& arc) const;
+  Wall wall(const Bezier&) const { return {}; }
   Bounds box(std::uint32_t surface) const;
   // Of a segment, from its end a, where others come near.
   struct Stretch {
@@ -60,6 +61,7 @@ class OffsetOrigins {
   void find_neighbours();
   void keep_neighbours(const Segment&, Wall& wall, std::span<const std::uint32_t> others);
   void keep_neighbours(const Arc&, Wall& wall, std::span<const std::uint32_t> others);
+  void keep_neighbours(const Bezier&, Wall&, std::span<const std::uint32_t>) {}
   // Of `other`, which is plain.
   void add_near(const Wall& wall, const Segment& other, const Wall& second,
                 std::vector<Stretch>& found) const;

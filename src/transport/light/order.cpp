@@ -17,6 +17,8 @@ double share_along(const Arc& wall, const Vec2& point) {
   return turn_share(point - wall.curve.centre);
 }
 
+double share_along(const Bezier& wall, const Vec2& point) { return parameter_near(wall, point); }
+
 }  // namespace
 
 double share_along(const Segment& wall, const Vec2& point) {

@@ -1,0 +1,316 @@
+#include "geom/primitives/bezier.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+#include "geom/decide.h"
+#include "geom/primitives/bezier_roots.h"
+#include "geom/primitives/wall.h"
+
+namespace flatray {
+namespace {
+
+const auto kPlain = [](double x) { return x; };
+const auto kBounded = [](double x) { return Bounded(x); };
+const auto kRational = [](double x) { return Rational(x); };
+
+std::optional<std::vector<BezierRoot>> quick_roots(const Bezier& curve, const Ray& ray) {
+  const auto plain = [](const Bounded& x) { return x.hi(); };
+  const auto roots = bernstein_roots(kBounded, plain, beside_ray(kBounded, curve, ray), 2);
+  if (!roots) return std::nullopt;
+  std::vector<BezierRoot> found;
+  for (const auto& [s, multiplicity, slope] : *roots)
+    found.push_back({Root::none, static_cast<int>(found.size()), multiplicity, slope, s, false});
+  return found;
+}
+
+// With its nearest double, and that of what is left.
+Bounded enclosure_of(const RealRoot& s) {
+  const double near = s.nearest();
+  if (s.sign_of({-Rational(near), 1}) == Sign::zero) return near;
+  const double rest = s.value_of({-Rational(near), 1}).nearest();
+  return Bounded(near) + Bounded::within(rest, 0x1p-52 * std::fabs(rest));
+}
+
+std::vector<BezierRoot> rational_roots(const Bezier& curve, const Ray& ray) {
+  const Polynomial beside = powers_of(beside_ray(kRational, curve, ray));
+  FLATRAY_CHECK(std::any_of(beside.begin(), beside.end(),
+                            [](const Rational& c) { return c.sign() != Sign::zero; }),
+                "a Bezier curve lies along a ray");
+  const Polynomial along[] = {derivative(powers_of(coordinates_of(kRational, curve, 0))),
+                              derivative(powers_of(coordinates_of(kRational, curve, 1)))};
+  std::vector<BezierRoot> found;
+  for (const RealRoot& s : RealRoot::all(beside, 0, 1)) {
+    BezierRoot root{Root::none, static_cast<int>(found.size()),     0, Sign::zero, enclosure_of(s),
+                    false,      std::make_shared<const RealRoot>(s)};
+    for (Polynomial p = beside; root.slope == Sign::zero; ++root.multiplicity) {
+      p = derivative(p);
+      root.slope = s.sign_of(p);
+    }
+    root.at_cusp = root.multiplicity > 1 && s.sign_of(along[0]) == Sign::zero &&
+                   s.sign_of(along[1]) == Sign::zero;
+    found.push_back(root);
+  }
+  return found;
+}
+
+// Whether a part of the hull of the curve may lie in a box about 0, by halves of it.
+bool hull_passes(const Bernstein<double>& x, const Bernstein<double>& y, const Vec2& half,
+                 int halvings) {
+  const auto is_past = [](const Bernstein<double>& c, double side) {
+    return std::all_of(c.begin(), c.end(), [&](double value) { return value > side; }) ||
+           std::all_of(c.begin(), c.end(), [&](double value) { return value < -side; });
+  };
+  if (is_past(x, half.x()) || is_past(y, half.y())) return false;
+  if (halvings == 0) return true;
+  const auto halves = [](Bernstein<double> c) {
+    std::array<Bernstein<double>, 2> parts;
+    for (; !c.empty(); c.pop_back()) {
+      parts[0].push_back(c.front());
+      parts[1].push_back(c.back());
+      for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = 0.5 * c[k] + 0.5 * c[k + 1];
+    }
+    std::reverse(parts[1].begin(), parts[1].end());
+    return parts;
+  };
+  const auto xs = halves(x), ys = halves(y);
+  return hull_passes(xs[0], ys[0], half, halvings - 1) ||
+         hull_passes(xs[1], ys[1], half, halvings - 1);
+}
+
+HitTime time_of(const Bezier& wall, const Ray& ray, const BezierRoot& root) {
+  if (root.is_end()) return HitTime::abreast(ray, root.s.hi() == 0 ? wall.start() : wall.end());
+  return HitTime::on_curve(ray, wall, root);
+}
+
+// The polynomial by powers of s whose roots are the parameters at which a cubic crosses itself; constant
+// where it does nowhere. With the powers a s^3 + b s^2 + c s + d of the curve the sum of both is
+// c x a / a x b, and its square less their product b x c / a x b.
+template <class Make>
+auto self_crossings(const Make& number, const Bezier& wall) {
+  const auto p = [&](int k) { return pair_of(number, wall.point(k)); };
+  const auto three = number(3);
+  const auto c = three * (p(1) - p(0)), b = three * (p(2) - p(1)) - c, a = p(3) - p(0) - c - b;
+  const auto ab = cross(a, b), ca = cross(c, a);
+  return std::array{ca * ca - ab * cross(b, c), -(ab * ca), ab * ab};
+}
+
+bool is_crossing_of_itself(const Bezier& wall, const Ray& ray, const BezierRoot& root) {
+  if (wall.degree < 3) return false;
+  const auto near = self_crossings(kBounded, wall);
+  const auto sign = (near[0] + root.s * (near[1] + root.s * near[2])).sign();
+  if (sign && *sign != Sign::zero) return false;
+  const auto exact = self_crossings(kRational, wall);
+  if (exact[2].sign() == Sign::zero) return false;
+  return exact_parameter(wall, ray, root).sign_of({exact.begin(), exact.end()}) == Sign::zero;
+}
+
+// On which side of the curve a point lies that is near it: by where the line along an axis through it,
+// the one more upright on the curve, meets the curve nearest to it.
+struct Level {
+  Sign side;  // zero where it is on the curve
+  PlaceOn place;
+};
+Level level_of(const Bezier& wall, const Vec2& point) {
+  const Vec2 tangent = tangent_at(wall, parameter_near(wall, point));
+  const bool is_upright = std::fabs(tangent.y()) > std::fabs(tangent.x());
+  const Ray ray{point, is_upright ? Vec2(1, 0) : Vec2(0, 1)};
+  Level level{Sign::zero, PlaceOn::outside};
+  double nearest = kInfinity;
+  for (const BezierRoot& root : roots_of(wall, ray)) {
+    const HitTime time = time_of(wall, ray, root);
+    const Sign ahead = time.sign();
+    if (ahead == Sign::zero) {
+      const bool again = level.place != PlaceOn::outside;
+      level.place = root.is_corner() || again ? PlaceOn::at_end : PlaceOn::inner;
+      continue;
+    }
+    const double distance = std::fabs(time.nearest().t);
+    if (root.root == Root::both || distance >= nearest) continue;
+    nearest = distance;
+    level.side = enters(root.root) ? ahead : -ahead;
+  }
+  if (level.place != PlaceOn::outside) level.side = Sign::zero;
+  return level;
+}
+
+}  // namespace
+
+Polynomial powers_of(Bernstein<Rational> c) {
+  Polynomial powers;
+  const std::size_t n = c.size() - 1;
+  for (Rational choices = 1; !c.empty(); c.pop_back()) {
+    powers.push_back(choices * c.front());
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = c[k + 1] - c[k];
+    choices *= static_cast<double>(c.size() - 1);
+    choices /= static_cast<double>(n + 2 - c.size());
+  }
+  return powers;
+}
+
+std::vector<BezierRoot> roots_of(const Bezier& curve, const Ray& ray) {
+  auto quick = quick_roots(curve, ray);
+  std::vector<BezierRoot> found = quick ? std::move(*quick) : rational_roots(curve, ray);
+  bool entered = false, left = false;
+  for (BezierRoot& root : found) {
+    if (root.multiplicity % 2 == 0)
+      root.root = Root::both;
+    else if (root.slope == Sign::positive)
+      root.root = std::exchange(entered, true) ? Root::third : Root::first;
+    else
+      root.root = std::exchange(left, true) ? Root::fourth : Root::second;
+  }
+  return found;
+}
+
+BezierRoot root_of(const Bezier& curve, const Ray& ray, Root root) {
+  const std::vector<BezierRoot> all = roots_of(curve, ray);
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const BezierRoot& one) { return one.root == root; });
+  FLATRAY_CHECK(found != all.end(), "a ray does not meet a curve in the root asked for");
+  return *found;
+}
+
+RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& root) {
+  if (root.exact) return *root.exact;
+  return RealRoot::all(powers_of(beside_ray(kRational, curve, ray)), 0,
+                       1)[static_cast<std::size_t>(root.index)];
+}
+
+Vec2 point_at(const Bezier& curve, double s) {
+  return {bernstein_value(coordinates_of(kPlain, curve, 0), s),
+          bernstein_value(coordinates_of(kPlain, curve, 1), s)};
+}
+
+Vec2 tangent_at(const Bezier& curve, double s) {
+  return {bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 0)), s),
+          bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 1)), s)};
+}
+
+// The nearest of some, then bisection of the angle to the tangent around it.
+double parameter_near(const Bezier& curve, const Vec2& point) {
+  constexpr int kParts = 32;
+  double best = 0, least = kInfinity;
+  for (int i = 0; i <= kParts; ++i) {
+    const double s = static_cast<double>(i) / kParts;
+    const double distance = (point_at(curve, s) - point).stableNorm();
+    if (distance < least) best = s, least = distance;
+  }
+  double low = std::max(best - 1.0 / kParts, 0.0), high = std::min(best + 1.0 / kParts, 1.0);
+  for (int i = 0; i < 56; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool is_past = tangent_at(curve, middle).dot(point - point_at(curve, middle)) < 0;
+    (is_past ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// It lies in the hull of its control points.
+Bounds bounds_of(const Bezier& wall) {
+  Bounds box;
+  for (int k = 0; k <= wall.degree; ++k) box.add(wall.point(k));
+  return box;
+}
+
+// Halves of a polygon of control points round each of them by at most an ulp of the largest a time.
+bool passes_near(const Bezier& wall, const Vec2& point, const Vec2& reach) {
+  constexpr int kHalvings = 6;
+  const Bounds box = bounds_of(wall);
+  const Vec2 largest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs());
+  const Vec2 half = reach + 0x1p-46 * largest + Vec2::Constant(kUnderflowError);
+  const auto from = [&](int axis) {
+    return bernstein_of(wall, [&](const Vec2& p) { return p[axis] - point[axis]; });
+  };
+  return hull_passes(from(0), from(1), half, kHalvings);
+}
+
+Sign side_of(const Bezier& wall, const Vec2& point) { return level_of(wall, point).side; }
+
+PlaceOn place_on(const Bezier& wall, const Vec2& point) {
+  const Bounds box = bounds_of(wall);
+  const bool within = box.low.x() <= point.x() && point.x() <= box.high.x() &&
+                      box.low.y() <= point.y() && point.y() <= box.high.y();
+  if (!within) return PlaceOn::outside;
+  return level_of(wall, point).place;
+}
+
+HitTime time_met(const Bezier& wall, const Ray& ray, Root root) {
+  return time_of(wall, ray, root_of(wall, ray, root));
+}
+
+// Where the curve crosses itself both roots are one meeting in a corner.
+void meet(const Bezier& wall, const Ray& ray, const MeetingRules& rules,
+          std::vector<WallMeeting>& met) {
+  const std::vector<BezierRoot> roots = roots_of(wall, ray);
+  std::optional<std::size_t> corner;
+  for (const BezierRoot& root : roots) {
+    const bool crosses = root.root != Root::both;
+    if (!crosses && !rules.tangents && !root.is_corner()) continue;
+    const HitTime time = time_of(wall, ray, root);
+    const Sign ahead = time.sign();
+    if (ahead == Sign::negative || (ahead == Sign::zero && rules.stood_on != Root::none)) continue;
+    const HitClass kind = crosses ? HitClass::through : HitClass::touch;
+    const bool is_double = roots.size() > 1 && is_crossing_of_itself(wall, ray, root);
+    if (!is_double || !corner) {
+      if (is_double) corner = met.size();
+      met.push_back({time, kind, root.root, root.is_corner()});
+      continue;
+    }
+    WallMeeting& both = met[*corner];
+    both.at_end = true;
+    if (crosses) both.kind = kind, both.root = root.root;
+  }
+}
+
+bool is_crossed(const Bezier& wall, const Ray& ray) {
+  const std::vector<BezierRoot> all = roots_of(wall, ray);
+  return std::any_of(all.begin(), all.end(),
+                     [](const BezierRoot& one) { return one.root != Root::both; });
+}
+
+Vec2 end_met(const Bezier& wall, const Ray& ray, Root root) {
+  const BezierRoot met = root_of(wall, ray, root);
+  if (met.is_end()) return met.s.hi() == 0 ? wall.start() : wall.end();
+  return point_met(wall, ray, root);
+}
+
+Vec2 point_met(const Bezier& wall, const Ray& ray, Root root) {
+  return ExactHit(ray, wall, root).nearest();
+}
+
+bool leads_away(const Bezier& wall, Sign side, const Ray& ray) {
+  const double s = parameter_near(wall, ray.origin);
+  return side == decide([&](const auto& number) {
+           const auto along = [&](int axis) {
+             return bernstein_value(bernstein_derivative(coordinates_of(number, wall, axis)),
+                                    number(s));
+           };
+           return along(0) * number(ray.direction.y()) - along(1) * number(ray.direction.x());
+         });
+}
+
+Vec2 normal_near(const Bezier& wall, const Vec2& point) {
+  const Vec2 tangent = tangent_at(wall, parameter_near(wall, point));
+  return {-tangent.y(), tangent.x()};
+}
+
+bool lies_along(const Bezier& one, const Bezier& other) {
+  return one.degree == other.degree &&
+         std::equal(one.points.begin(), one.points.begin() + one.degree + 1, other.points.begin());
+}
+
+// Each end counts where the wall rises from it.
+bool crosses_to_right(const Bezier& wall, const Vec2& point) {
+  const Ray ray{point, {1, 0}};
+  bool crosses = false;
+  for (const BezierRoot& root : roots_of(wall, ray)) {
+    if (time_of(wall, ray, root).sign() != Sign::positive) continue;
+    const bool falls_to_end = root.s.hi() == 1 && root.multiplicity % 2 == 1;
+    const Sign beside = falls_to_end ? -root.slope : root.slope;
+    crosses ^= root.is_end() ? beside == Sign::positive : root.multiplicity % 2 == 1;
+  }
+  return crosses;
+}
+
+}  // namespace flatray

@@ -1,0 +1,111 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geom/bounded.h"
+#include "geom/bounds.h"
+#include "geom/pair.h"
+#include "geom/polynomial.h"
+#include "geom/ray.h"
+
+namespace flatray {
+
+/// A wall along a Bezier curve: a quadratic, which is an arc of a parabola, or a cubic.
+///
+/// Needs   control points that are not all on one line. The curve is the one of these doubles, by
+///         its parameter s from 0 at the first point to 1 at the last.
+struct Bezier {
+  std::array<Vec2, 4> points;
+  int degree;  ///< 2 or 3; of 2 the last point plays no part
+
+  Bezier(const Vec2& a, const Vec2& b, const Vec2& c) : points{a, b, c, Vec2(0, 0)}, degree(2) {}
+  Bezier(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+      : points{a, b, c, d}, degree(3) {}
+
+  const Vec2& point(int k) const { return points[static_cast<std::size_t>(k)]; }
+  const Vec2& start() const { return points[0]; }
+  const Vec2& end() const { return point(degree); }
+};
+
+/// A polynomial over [0, 1] by its Bernstein coefficients: what a linear form of the points of a Bezier
+/// curve is of the control points.
+template <class Number>
+using Bernstein = std::vector<Number>;
+
+/// The values of a form, a function of points, at the control points.
+template <class Form>
+auto bernstein_of(const Bezier& curve, const Form& form) {
+  Bernstein<decltype(form(curve.start()))> values;
+  for (int k = 0; k <= curve.degree; ++k) values.push_back(form(curve.point(k)));
+  return values;
+}
+
+/// What lies beside a ray, to its left, times the length of its direction; and ahead of its origin.
+template <class Make>
+auto beside_ray(const Make& number, const Bezier& curve, const Ray& ray) {
+  return bernstein_of(curve, [&](const Vec2& p) {
+    return cross(pair_of(number, ray.direction), pair_of(number, p) - pair_of(number, ray.origin));
+  });
+}
+template <class Make>
+auto ahead_of_ray(const Make& number, const Bezier& curve, const Ray& ray) {
+  return bernstein_of(curve, [&](const Vec2& p) {
+    return dot(pair_of(number, ray.direction), pair_of(number, p) - pair_of(number, ray.origin));
+  });
+}
+/// One coordinate.
+template <class Make>
+auto coordinates_of(const Make& number, const Bezier& curve, int axis) {
+  return bernstein_of(curve, [&](const Vec2& p) { return number(p[axis]); });
+}
+
+/// The value at s, by the algorithm of de Casteljau.
+template <class Number>
+Number bernstein_value(Bernstein<Number> c, const Number& s) {
+  for (; c.size() > 1; c.pop_back())
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = c[k] + s * (c[k + 1] - c[k]);
+  return c[0];
+}
+/// The derivative by s, whose coefficients are sums of differences: numbers that need no others.
+template <class Number>
+Bernstein<Number> bernstein_derivative(const Bernstein<Number>& c) {
+  Bernstein<Number> slope;
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+    const Number rise = c[k + 1] - c[k];
+    slope.push_back(c.size() == 2 ? rise : c.size() == 3 ? rise + rise : rise + rise + rise);
+  }
+  return slope;
+}
+/// The same polynomial by powers of s.
+Polynomial powers_of(Bernstein<Rational> c);
+
+/// Where the line of a ray meets a Bezier curve.
+struct BezierRoot {
+  Root root;         ///< it enters from the left of the curve; `both` where it stays on its side
+  int index;         ///< among all roots, in the order of s
+  int multiplicity;  ///< 1 where it crosses, 2 on a tangent, 3 on one that crosses
+  Sign slope;        ///< of the first derivative of what is beside the ray that is not 0
+  Bounded s;         ///< 0 and 1 without error
+  bool at_cusp;      ///< the curve turns back there
+  std::shared_ptr<const RealRoot> exact{};  ///< s, where rationals were asked
+
+  bool is_end() const { return s.error() == 0 && s.lo() == 0 && (s.hi() == 0 || s.hi() == 1); }
+  bool is_corner() const { return at_cusp || is_end(); }
+};
+/// All of them, in the order of s. Exact. Needs a direction that is not zero.
+std::vector<BezierRoot> roots_of(const Bezier& curve, const Ray& ray);
+/// One by its name, which the ray is known to have.
+BezierRoot root_of(const Bezier& curve, const Ray& ray, Root root);
+/// s without error.
+RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& root);
+
+/// s of a point of the curve about as near to a point as any, in plain doubles.
+double parameter_near(const Bezier& curve, const Vec2& point);
+/// The tangent there, of any length, in plain doubles: towards greater s.
+Vec2 tangent_at(const Bezier& curve, double s);
+Vec2 point_at(const Bezier& curve, double s);
+
+}  // namespace flatray

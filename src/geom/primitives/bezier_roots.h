@@ -1,0 +1,153 @@
+#pragma once
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geom/primitives/bezier.h"
+
+namespace flatray {
+
+/// The roots in [0, 1] of a polynomial by its Bernstein coefficients, in any arithmetic with bounds.
+///
+/// Needs   Number as geom/bounded.h has it; make(double) gives one without error, plain(Number) a double
+///         near it.
+/// Gives   all of them, ascending, or a doubt: where a sign is open, and at double roots between 0
+///         and 1, on which halving never ends.
+/// Source  halves of [0, 1] until the signs of the coefficients change once at most (the rule of
+///         Descartes); Newton's method for intervals, which proves a root where it leads into itself.
+template <class Number, class Make, class Plain>
+class BernsteinRoots {
+ public:
+  struct Found {
+    Number s;
+    int multiplicity;
+    Sign slope;  ///< of the first derivative that is not 0
+  };
+
+  /// `steps` of Newton's method: each doubles the digits, from 9 on.
+  BernsteinRoots(const Make& make, const Plain& plain, int steps)
+      : make_(make), plain_(plain), steps_(steps) {}
+
+  std::optional<std::vector<Found>> of(Bernstein<Number> c) && {
+    if (!look_at({std::move(c), 0, 1}, 0)) return std::nullopt;
+    return std::move(found_);
+  }
+
+ private:
+  struct Stretch {
+    Bernstein<Number> c;
+    double low, high;
+  };
+  static constexpr int kMostHalvings = 48;
+
+  bool look_at(Stretch part, int halvings) {
+    int at_low = 0, at_high = 0;
+    if (!divide_ends(part, at_low, at_high)) return false;
+    if (at_low > 0 && !add(part.low, at_low, *part.c.front().sign())) return false;
+    if (part.c.size() > 1 && !look_between(part, halvings)) return false;
+    if (part.high != 1 || at_high == 0) return true;  // of others the next part tells
+    const Sign before = *part.c.back().sign();
+    return add(part.high, at_high, at_high % 2 == 1 ? -before : before);
+  }
+
+  // Divides by s - low and high - s as often as they go into the polynomial.
+  bool divide_ends(Stretch& part, int& at_low, int& at_high) const {
+    Bernstein<Number>& c = part.c;
+    for (;;) {
+      const auto first = c.front().sign(), last = c.back().sign();
+      if (!first || !last) return false;
+      if (c.size() == 1) return *first != Sign::zero;
+      const auto n = static_cast<double>(c.size() - 1);
+      if (*first == Sign::zero) {
+        ++at_low;
+        c.erase(c.begin());
+        for (std::size_t k = 0; k < c.size(); ++k)
+          c[k] = c[k] * make_(n / static_cast<double>(k + 1));
+      } else if (*last == Sign::zero) {
+        ++at_high;
+        c.pop_back();
+        for (std::size_t k = 0; k < c.size(); ++k)
+          c[k] = c[k] * make_(n / (n - static_cast<double>(k)));
+      } else {
+        return true;
+      }
+    }
+  }
+
+  bool look_between(const Stretch& part, int halvings) {
+    int changes = 0;
+    bool doubt = false;
+    Sign last = *part.c.front().sign();
+    for (const Number& c : part.c) {
+      const auto sign = c.sign();
+      doubt = doubt || !sign;
+      if (!sign || *sign == Sign::zero) continue;
+      changes += *sign == -last ? 1 : 0;
+      last = *sign;
+    }
+    if (!doubt && changes == 0) return true;
+    if (!doubt && changes == 1) return add(part, last);
+    if (halvings == kMostHalvings) return false;
+    Stretch left{{}, part.low, 0.5 * (part.low + part.high)};
+    Stretch right{{}, left.high, part.high};
+    const Number half = make_(0.5);
+    for (Bernstein<Number> c = part.c; !c.empty(); c.pop_back()) {
+      left.c.push_back(c.front());
+      right.c.push_back(c.back());
+      for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = (c[k] + c[k + 1]) * half;
+    }
+    std::reverse(right.c.begin(), right.c.end());
+    return look_at(std::move(left), halvings + 1) && look_at(std::move(right), halvings + 1);
+  }
+
+  bool add(double s, int multiplicity, Sign slope) {
+    if (multiplicity > 1 && s != 0 && s != 1) return false;
+    found_.push_back({make_(s), multiplicity, slope});
+    return true;
+  }
+  bool add(const Stretch& part, Sign slope) {
+    auto within = root_within(part.c);
+    if (!within) return false;
+    found_.push_back({make_(part.low) + make_(part.high - part.low) * *within, 1, slope});
+    return true;
+  }
+
+  // The only root between 0 and 1.
+  std::optional<Number> root_within(const Bernstein<Number>& c) const {
+    Bernstein<double> plain;
+    for (const Number& each : c) plain.push_back(plain_(each));
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((bernstein_value(plain, middle) > 0) == (plain.back() > 0) ? high : low) = middle;
+    }
+    const Bernstein<Number> slope = bernstein_derivative(c);
+    for (double reach = 0x1p-30; reach > 0x1p-52; reach *= 0x1p-7) {
+      if (!(low > reach && high < 1 - reach)) continue;
+      const Number middle = make_(high), around = either_root(make_(reach * reach));
+      Number root = newton(c, slope, middle, middle + around);
+      if ((root - make_(high - reach)).sign() != Sign::positive ||
+          (make_(high + reach) - root).sign() != Sign::positive)
+        continue;
+      for (int step = 1; step < steps_; ++step) root = newton(c, slope, root.middle(), root);
+      return root;
+    }
+    return std::nullopt;
+  }
+  Number newton(const Bernstein<Number>& c, const Bernstein<Number>& slope, const Number& middle,
+                const Number& around) const {
+    return middle - bernstein_value(c, middle) / bernstein_value(slope, around);
+  }
+  const Make& make_;
+  const Plain& plain_;
+  int steps_;
+  std::vector<Found> found_;
+};
+
+template <class Number, class Make, class Plain>
+auto bernstein_roots(const Make& make, const Plain& plain, Bernstein<Number> c, int steps) {
+  return BernsteinRoots<Number, Make, Plain>(make, plain, steps).of(std::move(c));
+}
+
+}  // namespace flatray

@@ -1,0 +1,211 @@
+#include "geom/primitives/bezier.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geom/primitives/wall.h"
+#include "geom/quick_hit.h"
+
+namespace flatray {
+namespace {
+
+const Bezier kParabola({-2, 4}, {0, -4}, {2, 4});  // y = x^2
+const Bezier kLoop({-18, 12}, {26, -4}, {-26, -4},
+                   {18, 12});  // 3 (u^3 - u), 3 u^2: u = +-1 at (0, 3)
+const Bezier kCusp({-24, 12}, {24, -4}, {-24, -4}, {24, 12});      // 3 u^3, 3 u^2
+const Bezier kInflection({-6, -24}, {-2, 24}, {2, -24}, {6, 24});  // 3 u, 3 u^3
+
+std::vector<WallMeeting> meetings(const Bezier& wall, const Ray& ray,
+                                  const MeetingRules& rules = {Root::none, true, true}) {
+  std::vector<WallMeeting> met;
+  meet(wall, ray, rules, met);
+  std::sort(met.begin(), met.end(),
+            [](const WallMeeting& a, const WallMeeting& b) { return compare(a.time, b.time) < 0; });
+  return met;
+}
+
+TEST(RealRoot, IsTheSquareRootOfTwo) {
+  const Polynomial p{-2, 0, 1};
+  const std::vector<RealRoot> both = RealRoot::all(p, -2, 2);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[1].nearest(), std::sqrt(2.0));
+  EXPECT_EQ(both[0].nearest(), -std::sqrt(2.0));
+  EXPECT_EQ(both[1].sign_of({-4, 0, 2}), Sign::zero);
+  EXPECT_EQ(both[1].sign_of({-1.4142135623730951, 1}), Sign::negative);  // that double is above it
+  EXPECT_EQ(compare(both[1].value_of({0, 0, 1}), RealRoot(2)), std::strong_ordering::equal);
+  EXPECT_EQ(compare(both[0].value_of({0, -1}), both[1]), std::strong_ordering::equal);
+  EXPECT_EQ(compare(both[0], both[1]), std::strong_ordering::less);
+}
+
+TEST(RealRoot, TellsEachRootOnceWhateverItsMultiplicity) {
+  // x (x - 1)^2 (x^2 - 3) has the roots 0, 1, sqrt(3) in [0, 2].
+  const std::vector<RealRoot> all = RealRoot::all({0, -3, 6, -2, -2, 1}, 0, 2);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].nearest(), 0);
+  EXPECT_EQ(all[1].nearest(), 1);
+  EXPECT_EQ(all[2].nearest(), std::sqrt(3.0));
+}
+
+// A root of x^3 - 2 by the powers of which 2^(1/3) x 2^(2/3) = 2, where doubles are far from enough.
+TEST(RealRoot, ValuesAreAlgebraicToo) {
+  const RealRoot root = RealRoot::all({-2, 0, 0, 1}, 1, 2)[0];
+  EXPECT_EQ(root.nearest(), std::cbrt(2.0));
+  EXPECT_EQ(root.value_of({0, 0, 1}).sign_of({-4, 0, 0, 1}), Sign::zero);
+  EXPECT_EQ(root.value_of({1, 1, 1}).nearest(), 1 + std::cbrt(2.0) + std::cbrt(4.0));
+}
+
+TEST(Bezier, IsMetAsTheParabolaItIs) {
+  const auto level = meetings(kParabola, {{-5, 2}, {1, 0}});
+  ASSERT_EQ(level.size(), 2U);
+  EXPECT_EQ(level[0].time.nearest().t, 5 - std::sqrt(2.0));
+  EXPECT_EQ(level[1].time.nearest().t, 5 + std::sqrt(2.0));
+  EXPECT_EQ(level[0].kind, HitClass::through);
+  EXPECT_EQ(level[0].root, Root::second);  // x falls on the way there: its left is outside
+  EXPECT_EQ(level[1].root, Root::first);
+  EXPECT_EQ(point_met(kParabola, {{-5, 2}, {1, 0}}, Root::first), Vec2(std::sqrt(2.0), 2));
+  EXPECT_TRUE(meetings(kParabola, {{-5, 5}, {1, 0}}).empty());
+  EXPECT_TRUE(meetings(kParabola, {{3, 2}, {1, 0}}).empty());  // behind
+}
+
+TEST(Bezier, TangentsTouchAndAnUlpDecides) {
+  const auto touched = meetings(kParabola, {{-1, -3}, {1, 2}});  // y = 2 x - 1 at (1, 1)
+  ASSERT_EQ(touched.size(), 1U);
+  EXPECT_EQ(touched[0].kind, HitClass::touch);
+  EXPECT_EQ(touched[0].root, Root::both);
+  EXPECT_EQ(touched[0].time.nearest().t, 2);
+  EXPECT_FALSE(touched[0].at_end);
+  EXPECT_TRUE(meetings(kParabola, {{-1, -3}, {1, 2}}, {Root::none, false, true}).empty());
+  EXPECT_TRUE(meetings(kParabola, {{-1, std::nextafter(-3.0, -4.0)}, {1, 2}}).empty());
+  EXPECT_EQ(meetings(kParabola, {{-1, std::nextafter(-3.0, 0.0)}, {1, 2}}).size(), 2U);
+}
+
+TEST(Bezier, EndsBelongToIt) {
+  const auto both = meetings(kParabola, {{-5, 4}, {1, 0}});
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_TRUE(both[0].at_end && both[1].at_end);
+  EXPECT_EQ(both[0].time.nearest().t, 3);
+  EXPECT_EQ(end_met(kParabola, {{-5, 4}, {1, 0}}, both[0].root), Vec2(-2, 4));
+  EXPECT_EQ(end_met(kParabola, {{-5, 4}, {1, 0}}, both[1].root), Vec2(2, 4));
+  EXPECT_TRUE(meetings(kParabola, {{-5, std::nextafter(4.0, 5.0)}, {1, 0}}).empty());
+}
+
+// Where it crosses itself, in a cusp and on the tangent of an inflection.
+TEST(Bezier, SpecialPointsAreTold) {
+  const auto node = meetings(kLoop, {{0, -5}, {0, 1}});
+  ASSERT_EQ(node.size(), 2U);  // at u = 0, and at u = 1 and -1 together
+  EXPECT_EQ(node[0].time.nearest().t, 5);
+  EXPECT_FALSE(node[0].at_end);
+  EXPECT_EQ(node[1].time.nearest().t, 8);
+  EXPECT_TRUE(node[1].at_end);
+  const auto beside = meetings(kLoop, {{std::nextafter(0.0, 1.0), -5}, {0, 1}});
+  EXPECT_EQ(beside.size(), 3U);
+  const auto cusp = meetings(kCusp, {{-7, 0}, {1, 0}});
+  ASSERT_EQ(cusp.size(), 1U);
+  EXPECT_TRUE(cusp[0].at_end);
+  EXPECT_EQ(cusp[0].kind, HitClass::touch);
+  const auto along = meetings(kInflection, {{-9, 0}, {3, 0}});
+  ASSERT_EQ(along.size(), 1U);
+  EXPECT_EQ(along[0].kind, HitClass::through);
+  EXPECT_EQ(along[0].time.nearest().t, 3);
+}
+
+// x = 3 u, y = 3 u^3 on y = x / 4: u^3 = u / 4, so that u = -1/2, 0, 1/2.
+TEST(Bezier, RootsAreNamedByTheirDirectionAndTheirNumber) {
+  const Ray ray{{-6, -1.5}, {4, 1}};
+  const auto met = meetings(kInflection, ray);
+  ASSERT_EQ(met.size(), 3U);
+  EXPECT_EQ(met[0].root, Root::first);  // the curve comes from below and turns less than the ray
+  EXPECT_EQ(met[1].root, Root::second);
+  EXPECT_EQ(met[2].root, Root::third);
+  EXPECT_EQ(point_met(kInflection, ray, Root::first), Vec2(-1.5, -0.375));
+  EXPECT_EQ(point_met(kInflection, ray, Root::second), Vec2(0, 0));
+  EXPECT_EQ(point_met(kInflection, ray, Root::third), Vec2(1.5, 0.375));
+  EXPECT_EQ(time_met(kInflection, ray, Root::third).nearest().t, 1.875);
+}
+
+TEST(Bezier, SidesAndPlacesAreExact) {
+  for (const double x : {-1.5, -0.3, 0.0, 0.7, 1.9}) {
+    const double y = x * x;
+    const Vec2 above(x, std::nextafter(y, 9.0)), below(x, std::nextafter(y, -9.0));
+    EXPECT_EQ(side_of(kParabola, above), Sign::positive) << x;
+    EXPECT_EQ(side_of(kParabola, below), Sign::negative) << x;
+    EXPECT_EQ(place_on(kParabola, above), PlaceOn::outside) << x;
+  }
+  EXPECT_EQ(side_of(kParabola, {1.5, 2.25}), Sign::zero);
+  EXPECT_EQ(place_on(kParabola, {1.5, 2.25}), PlaceOn::inner);
+  EXPECT_EQ(place_on(kParabola, {2, 4}), PlaceOn::at_end);
+  EXPECT_EQ(place_on(kParabola, {3, 9}), PlaceOn::outside);  // of the parabola, beyond its end
+  EXPECT_EQ(place_on(kLoop, {0, 3}), PlaceOn::at_end);
+  EXPECT_EQ(place_on(kCusp, {0, 0}), PlaceOn::at_end);
+  EXPECT_TRUE(leads_away(kParabola, Sign::positive, {{1, 1}, {1, 2.0000000000000004}}));
+  EXPECT_FALSE(leads_away(kParabola, Sign::positive, {{1, 1}, {1, 2}}));
+  EXPECT_TRUE(leads_away(kParabola, Sign::negative, {{1, 1}, {1, 1.9999999999999998}}));
+}
+
+// Light along the axis of a parabola goes through its focus.
+TEST(Bezier, NormalsAreThoseOfTheCurve) {
+  for (const double x : {-1.75, -0.3, 0.6, 1.1}) {
+    const Ray ray{{x, 10}, {0, -1}};
+    const ExactHit hit(ray, kParabola, Root::first);
+    const Vec2 point = hit.nearest(), normal = hit.normal().normalized();
+    EXPECT_EQ(point.x(), x);
+    EXPECT_NEAR(point.y(), x * x, 1e-15);
+    const Vec2 out = ray.direction - 2 * ray.direction.dot(normal) * normal;
+    EXPECT_NEAR(cross(out, Vec2(0, 0.25) - point), 0, 1e-15);
+  }
+}
+
+TEST(ExactHit, KnowsSidesOfABezierCurve) {
+  const ExactHit on({{-5, 2}, {1, 0}}, Segment{{-1, 0}, {-1, 5}});  // (-1, 2), above the parabola
+  EXPECT_EQ(on.side_of(kParabola), Sign::positive);
+  EXPECT_EQ(on.place_on(kParabola), PlaceOn::outside);
+  const ExactHit there({{-5, 1}, {1, 0}}, Segment{{-1, 0}, {-1, 5}});  // (-1, 1), on it
+  EXPECT_EQ(there.side_of(kParabola), Sign::zero);
+  EXPECT_EQ(there.place_on(kParabola), PlaceOn::inner);
+  const ExactHit curved({{-5, 2}, {1, 0}}, kParabola, Root::second);  // (-sqrt 2, 2)
+  EXPECT_EQ(curved.side_of(Segment{{-2, 2}, {0, 2}}), Sign::zero);
+  EXPECT_EQ(curved.side_of(Segment{{-1.4142135623730951, 0}, {-1.4142135623730951, 4}}),
+            Sign::negative);  // that double is beyond
+  EXPECT_EQ(curved.side_of(Arc{Circle{{0, 2}, 1}, Arc::Extent::whole, {0, 0}, {0, 0}}),
+            Sign::positive);
+}
+
+// A cap of a parabola, closed by its chord: the parity of what a half line crosses.
+TEST(Bezier, CrossingsToTheRightTellTheInside) {
+  const Segment chord{{2, 4}, {-2, 4}};
+  int inside = 0;
+  for (double x = -2.5; x <= 2.5; x += 0.25)
+    for (double y = -1; y <= 5; y += 0.125) {
+      const Vec2 point(x, y);
+      if (place_on(kParabola, point) != PlaceOn::outside || y == 4) continue;
+      const bool odd = crosses_to_right(kParabola, point) != crosses_to_right(chord, point);
+      ASSERT_EQ(odd, y > x * x && y < 4) << x << ' ' << y;
+      inside += odd ? 1 : 0;
+    }
+  EXPECT_GT(inside, 200);
+}
+
+// A box is told far only where the curve passes none of it.
+TEST(Bezier, IsNearWhereItIs) {
+  for (double x = -2; x <= 2; x += 0.0625) {
+    EXPECT_TRUE(passes_near(kParabola, {x, x * x}, {1e-9, 1e-9})) << x;
+    EXPECT_FALSE(passes_near(kParabola, {x, x * x + 0.25}, {1e-3, 1e-3})) << x;
+  }
+}
+
+// What lies on a curve by an unscaled decision does so in any unit, also where no double-double holds it.
+TEST(Bezier, IsTheSameInAnyUnit) {
+  for (const double unit : {0x1p-900, 0x1p-300, 0x1p300, 0x1p700}) {
+    const Bezier small({-2 * unit, 4 * unit}, {0, -4 * unit}, {2 * unit, 4 * unit});
+    const auto met = meetings(small, {{-5 * unit, 2 * unit}, {unit, 0}});
+    ASSERT_EQ(met.size(), 2U) << unit;
+    EXPECT_EQ(met[0].time.nearest().t, 5 - std::sqrt(2.0));
+    const auto touched = meetings(small, {{-unit, -3 * unit}, {unit, 2 * unit}});
+    ASSERT_EQ(touched.size(), 1U) << unit;
+    EXPECT_EQ(touched[0].root, Root::both);
+  }
+}
+
+}  // namespace
+}  // namespace flatray
