@@ -170,6 +170,8 @@ Bounds shape_bounds(const Shape& shape, const Pose& place) {
     box.add(Bounds{there.centre - reach, there.centre + reach});
   }
   for (const ArcPath& path : shape.arc_paths) box.add(path_bounds(posed(path, place)));
+  for (const Bezier& curve : shape.beziers)
+    for (int k = 0; k <= curve.degree; ++k) box.add(place(curve.point(k)));
   return box;
 }
 

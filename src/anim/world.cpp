@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "geom/hit_interval.h"
+#include "scene/beziers.h"
 #include "scene/outline.h"
 #include "scene/rounded.h"
 
@@ -54,6 +55,14 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
   owner.edge = 0;
   for (const Segment& segment : shape.segments) {
     add_segment(world, place(segment.a), place(segment.b), owner);
+    ++owner.edge;
+  }
+  for (const Bezier& curve : shape.beziers) {
+    const Bezier there = mapped(curve, place);
+    if (is_on_one_line(there))  // so small and so far away
+      add_segment(world, there.start(), there.end(), owner);
+    else
+      world.add(there, owner);
     ++owner.edge;
   }
   owner.edge = kNoEdge;

@@ -7,6 +7,7 @@
 #include "anim/world.h"
 #include "geom/cyrus_beck.h"
 #include "geom/exact.h"
+#include "scene/beziers.h"
 #include "scene/outline.h"
 
 namespace flatray {
@@ -119,6 +120,41 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
   return rays;
 }
 
+namespace {
+
+// Each point in which a ray meets a curve, which has no inside, forward and backward from its origin.
+std::vector<HitInterval> clip_bezier(const Ray& ray, const Bezier& curve, Range within) {
+  std::vector<HitInterval> hits;
+  const auto add = [&](double t) {
+    HitInterval& hit = hits.emplace_back();
+    hit.kind = HitClass::touch;
+    hit.t_enter = hit.t_exit = t;
+    hit.start = t == 0 ? StartPlace::boundary : StartPlace::outside;
+  };
+  if (ray.direction == Vec2(0, 0)) {
+    if (place_on(curve, ray.origin) != PlaceOn::outside && within.low <= 0 && within.high >= 0)
+      add(0);
+    return hits;
+  }
+  for (const double way : {-1.0, 1.0}) {
+    std::vector<WallMeeting> met;
+    meet(curve, {ray.origin, way * ray.direction}, {Root::none, true, true}, met);
+    std::sort(met.begin(), met.end(), [&](const WallMeeting& a, const WallMeeting& b) {
+      const auto order = compare(a.time, b.time);
+      return way > 0 ? order < 0 : order > 0;
+    });
+    const double least = way > 0 ? within.low : -within.high,
+                 most = way > 0 ? within.high : -within.low;
+    for (const WallMeeting& one : met)
+      if (one.time.compare(least) >= 0 && one.time.compare(most) <= 0 &&
+          (way > 0 || one.time.sign() != Sign::zero))
+        add(way * one.time.nearest().t);
+  }
+  return hits;
+}
+
+}  // namespace
+
 std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
                                    std::uint32_t entity, Range within) {
   if (state.entities[entity].gone) return {};
@@ -144,6 +180,11 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
     std::vector<HitInterval> hits = clip_path(ray.ray, path_in_world(path, place), within);
     if (hits.empty()) hits.emplace_back();
     for (const HitInterval& hit : hits) add("part", parts++, hit);
+  }
+  for (std::size_t i = 0; i < shape.beziers.size(); ++i) {
+    std::vector<HitInterval> hits = clip_bezier(ray.ray, mapped(shape.beziers[i], place), within);
+    if (hits.empty()) hits.emplace_back();
+    for (const HitInterval& hit : hits) add("curve", i, hit);
   }
   for (std::size_t i = 0; i < shape.segments.size(); ++i)
     add("segment", i,

@@ -232,7 +232,7 @@ bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
 
 bool is_left_out(const Scene& scene, std::uint32_t entity) {
   return any_look(scene, entity, [](const Shape& shape) {
-    return !shape.crossing_rings.empty() ||
+    return !shape.crossing_rings.empty() || !shape.beziers.empty() ||
            !std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
                         [](const ArcPath& path) { return path.is_ellipse() || rounded_by(path); });
   });

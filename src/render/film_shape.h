@@ -14,6 +14,7 @@ struct FilmShape {
   std::vector<Circle> circles;
   std::vector<Segment> segments;
   std::vector<ArcPath> arc_paths;
+  std::vector<std::vector<Vec2>> curves;  ///< Bezier curves that follow one another, as chords
 };
 FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
                      const FilmTransform& film_from_world);

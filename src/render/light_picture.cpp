@@ -123,7 +123,8 @@ namespace {
 std::uint64_t most_walls(const Scene& scene) {
   const auto walls = [&](ShapeId id) {
     const Shape& shape = scene.shapes[id];
-    std::uint64_t count = shape.vertices.size() + shape.circles.size() + shape.segments.size();
+    std::uint64_t count =
+        shape.vertices.size() + shape.circles.size() + shape.segments.size() + shape.beziers.size();
     for (const ArcPath& path : shape.arc_paths) count += 2 * path.arcs.size();
     return count;
   };

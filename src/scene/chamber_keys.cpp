@@ -40,7 +40,7 @@ void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
 bool is_upright_box(const Shape& shape) {
   const std::vector<Vec2>& at = shape.vertices;
   if (at.size() != 4 || shape.piece_count() != 1 || !shape.segments.empty() ||
-      !shape.circles.empty() || !shape.arc_paths.empty())
+      !shape.circles.empty() || !shape.arc_paths.empty() || !shape.beziers.empty())
     return false;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 edge = at[(i + 1) % 4] - at[i];

@@ -31,6 +31,7 @@ std::uint64_t corner_count(const Shape& shape) {
       kEmptyShape + shape.vertices.size() + shape.circles.size() + shape.segments.size();
   for (const std::vector<Vec2>& ring : shape.crossing_rings) count += ring.size();
   for (const ArcPath& path : shape.arc_paths) count += 4 * path.arcs.size();
+  count += 4 * shape.beziers.size();
   return count;
 }
 

@@ -47,7 +47,8 @@ bool is_one_segment(const Scene& scene, ShapeId id) {
   if (id >= scene.shapes.size()) return true;  // told
   const Shape& shape = scene.shapes[id];
   return shape.segments.size() == 1 && shape.changes == kNoEntry && shape.piece_count() == 0 &&
-         shape.circles.empty() && shape.arc_paths.empty() && shape.crossing_rings.empty();
+         shape.circles.empty() && shape.arc_paths.empty() && shape.beziers.empty() &&
+         shape.crossing_rings.empty();
 }
 
 void read_alternatives(Builder& builder, const Field& field, Entity& entity) {

@@ -22,7 +22,8 @@ const char* why_not_straight(const Scene& scene, const Thing& thing) {
 }
 
 bool has_arcs(const Scene& scene, ShapeId shape) {
-  return shape < scene.shapes.size() && !scene.shapes[shape].arc_paths.empty();
+  return shape < scene.shapes.size() &&
+         !(scene.shapes[shape].arc_paths.empty() && scene.shapes[shape].beziers.empty());
 }
 
 std::string why_not(const Scene& scene, const Entity& entity) {

@@ -55,7 +55,7 @@ bool changes_outline_or_velocity(const MarkovUse& markov) {
 }
 
 bool has_parts_left_out(const Shape& shape) {
-  return !shape.crossing_rings.empty() ||
+  return !shape.crossing_rings.empty() || !shape.beziers.empty() ||
          std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
                      [](const ArcPath& path) { return !rounded_by(path); });
 }

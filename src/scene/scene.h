@@ -7,6 +7,7 @@
 
 #include "base/source_text.h"
 #include "geom/ellipse.h"
+#include "geom/primitives/bezier.h"
 #include "scene/paint.h"
 
 namespace flatray {
@@ -33,6 +34,7 @@ struct Shape {
   std::vector<Segment> segments;
   std::vector<std::vector<Vec2>> crossing_rings;  ///< drawn by even-odd, never traced
   std::vector<ArcPath> arc_paths;                 ///< closed ones do not cross themselves
+  std::vector<Bezier> beziers;                    ///< lines, as segments are
   /// Index into Scene::changing_shapes: this is then what it is at one of its times.
   std::uint32_t changes = kNoEntry;
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: shapes/arc shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/ngon shapes/penrose formats/obj
+# needs: shapes/arc shapes/bezier shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/mushroom shapes/ngon shapes/parabola shapes/penrose formats/obj
 # README's limits: `hit`, `edge_rays` and the view `intervals` clip rays to every shape that there is.
 source "$(dirname "$0")/lib.sh"
 
@@ -7,6 +7,7 @@ printf 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n' > outline.obj
 # Each shape so that the ray from (-50, 0.3) along x meets it.
 declare -A shapes=(
   [arc]='radius = 2, from = 0, to = 90'
+  [bezier]='points = [[-2, 1], [-1, -2], [1, 2], [2, -1]]'
   [box]='min = [-1, -1], max = [1, 1]'
   [capsule]='from = [-1, 0], to = [1, 0], radius = 1'
   [circle]='radius = 2'
@@ -15,6 +16,7 @@ declare -A shapes=(
   [import]='file = "outline.obj"'
   [mushroom]='radius = 2, width = 1, height = 2'
   [ngon]='sides = 5, radius = 2'
+  [parabola]='vertex = [0, 0], focus = [1, 0], width = 4'
   [penrose]='size = 5'
   [polygon]='points = [[-1, -1], [1, -1], [0, 1], [0, 0]]'
   [polyline]='points = [[-1, -1], [1, 1]]'

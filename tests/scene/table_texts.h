@@ -79,6 +79,13 @@ inline constexpr TableText kTables[] = {
     {"sector", "flatray = 1\n[[entity]]\nshape = { sector = { radius = 1, from = 0, to = 9, @ } }"},
     {"mushroom",
      "flatray = 1\n[[entity]]\nshape = { mushroom = { radius = 2, width = 1, height = 1, @ } }"},
+    {"bezier",
+     "flatray = 1\n[[entity]]\nshape = { bezier = { points = [[0, 0], [1, 0], [2, 1], [3, 3]], @ } "
+     "}"},
+    {"parabola",
+     "flatray = 1\n[[entity]]\nshape = { parabola = { vertex = [0, 0], focus = [0, 1], width = 2, "
+     "@ "
+     "} }"},
     {"penrose", "flatray = 1\n[[entity]]\nshape = { penrose = { size = 1, @ } }"},
     {"tokarsky", "flatray = 1\n[[entity]]\nshape = { tokarsky = { size = 1, @ } }"},
     {"text", "flatray = 1\n[[entity]]\nshape = { text = { string = \"a\", size = 1, @ } }"},
