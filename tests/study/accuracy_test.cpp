@@ -263,6 +263,15 @@ TEST(Accuracy, OfCoverageIsNothingWhereOutlinesLieBetweenPixels) {
   EXPECT_EQ(error_of(report, "64 samples a pixel"), 0);
 }
 
+// Samples on grids of 8 and 16 a side see the sides of this box in the same places.
+TEST(Accuracy, NoSamplesAreNearerToABoxThanItsExactArea) {
+  const ChoiceReport report =
+      coverage_of("[[entity]]\nshape = { box = { min = [3.49, 2.49], max = [9.49, 7.49] } }\n");
+  const double area = error_of(report, "exact area");
+  EXPECT_GT(area, 0.005) << "the reference is off, too";
+  for (const AccuracyPoint& one : report.points) EXPECT_GE(one.outcome.error, area) << one.setting;
+}
+
 TEST(Accuracy, ExactAreaIsNearerThanFewSamplesToADisc) {
   const ChoiceReport report =
       coverage_of("[[entity]]\nshape = { circle = { centre = [11.3, 7.9], radius = 5.1 } }\n");

@@ -88,12 +88,13 @@ Setting rays(const std::shared_ptr<Film>& film, int rows) {
   return made;
 }
 
-// The mean of side * side samples, as many as there is time for; doubt is by how much a quarter of
-// them is off.
+// The mean of side * side samples, as many as there is time for; doubt is by how much a coarser grid
+// is off. One of half the side would see level and upright edges where the finer one does.
 struct Truth {
   int side;
   double doubt;
 };
+int coarser(int side) { return side / 2 - 1; }
 Truth find_truth(Film& film, double seconds) {
   const double start = processor_seconds();
   film.truth = mean_light(film.list, grid(1), film.threads);
@@ -101,7 +102,8 @@ Truth find_truth(Film& film, double seconds) {
   const auto* side = kTruthSides.begin();
   while (side + 1 != kTruthSides.end() && 1.25 * *side * *side * one > seconds) ++side;
   film.truth = mean_light(film.list, grid(*side), film.threads);
-  return {*side, rms_difference(film.truth, mean_light(film.list, grid(*side / 2), film.threads))};
+  return {*side,
+          rms_difference(film.truth, mean_light(film.list, grid(coarser(*side)), film.threads))};
 }
 
 std::string left_out(const Scene& scene) {
@@ -121,7 +123,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
   made.reference = fmt::format("frame {} by {} samples a pixel, from which {} differ by {:.2g}",
-                               frame, side * side, side * side / 4, doubt);
+                               frame, side * side, coarser(side) * coarser(side), doubt);
   if (side < kTruthSides.front())
     made.cut = fmt::format("reference of {} samples a pixel instead of {}", side * side,
                            kTruthSides.front() * kTruthSides.front());
