@@ -46,6 +46,17 @@ TEST(Develop, EachPixelIsDevelopedAsIfAlone) {
     }
 }
 
+TEST(Develop, NeighboursThatDifferInOneChannelAreDevelopedEach) {
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    Tile tile = tile_of(0, 0, 2, 1);
+    fill(tile, {0.25F, 0.25F, 0.25F, 0.75F});
+    tile.rgba[4 + channel] = 0.5F;
+    Image image(2, 1, 4);
+    develop(tile, image);
+    EXPECT_FALSE(std::equal(image.at(0, 0), image.at(0, 0) + 4, image.at(1, 0))) << channel;
+  }
+}
+
 TEST(Develop, WritesItsPlaceAndNothingElse) {
   for (const int channels : {3, 4}) {
     Image image = flat(5, 4, channels, 9);

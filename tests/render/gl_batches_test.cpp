@@ -41,6 +41,20 @@ TEST(GlBatches, ConvexItemsAreOneBatchInTheirOrder) {
     EXPECT_EQ(made.vertices[i].paint[0], static_cast<float>(i / 6));
 }
 
+TEST(GlBatches, TrianglesWithoutAreaAreLeftOut) {
+  for (FillPath path : {square_path(0, 0, 20), frame_path(0, 0, 20)}) {
+    const auto count = [&] {
+      return batches({200, 100, {}, Coverage::area, {{path, {}}}}, kTile).vertices.size();
+    };
+    const std::size_t plain = count();
+    const Segment first = path.edges.front();
+    const Vec2 middle = 0.5 * (first.a + first.b);
+    path.edges.front() = {first.a, middle};
+    path.edges.insert(path.edges.begin() + 1, {middle, first.b});
+    EXPECT_EQ(count(), plain) << path.edges.size();
+  }
+}
+
 TEST(GlBatches, ItemsFarApartShareBatchesAndNeighboursDoNot) {
   const LinearColour half{0, 0, 0, 0.5F};
   const std::vector<int> marked = {FLATRAY_GL_COUNT, FLATRAY_GL_COVER};
