@@ -41,6 +41,12 @@ TEST_P(ExactCoverage, EveryPixelOfEveryFamilyEqualsTheOracle) {
 INSTANTIATE_TEST_SUITE_P(Families, ExactCoverage, testing::ValuesIn(kFamilies),
                          [](const auto& family) { return coverage_check::name(family.param); });
 
+TEST(Coverage, ABoxOfWhichNothingIsSaidHasNoPixels) {
+  const PixelBox box;
+  EXPECT_EQ(box.right(), 0);
+  EXPECT_EQ(box.bottom(), 0);
+}
+
 TEST(Coverage, HalfPixelsAndDiagonalsAreExact) {
   const Steps box =
       steps_of(ring_path({{0.5, 0.5}, {2.5, 0.5}, {2.5, 2.5}, {0.5, 2.5}}), {0, 0, 3, 3});
