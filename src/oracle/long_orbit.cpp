@@ -154,6 +154,7 @@ class Walker {
         std::min_element(all.begin(), all.end(),
                          [](const OnCurve& a, const OnCurve& b) { return abs(a.t) < abs(b.t); });
     std::vector<Place> ways;
+    ways.reserve(static_cast<std::size_t>(wall.degree));
     for (int k = 0; k < wall.degree; ++k)
       ways.push_back(place(wall.point(k + 1)) - place(wall.point(k)));
     for (; ways.size() > 1; ways.pop_back())

@@ -27,7 +27,7 @@ bool has_arcs(const Scene& scene, ShapeId shape) {
 }
 
 std::string why_not(const Scene& scene, const Entity& entity) {
-  if (const std::string why = why_not_straight(scene, entity); !why.empty()) return why;
+  if (std::string why = why_not_straight(scene, entity); !why.empty()) return why;
   if (entity.markov && changes_outline_or_velocity(*entity.markov))
     return "changes its shape or velocity by its states";
   if (has_arcs(scene, entity.shape)) return "has curves other than circles";
@@ -35,8 +35,8 @@ std::string why_not(const Scene& scene, const Entity& entity) {
     return "changes its size";
   for (auto at = entity.group; at; at = scene.groups[*at].group) {
     const Group& group = scene.groups[*at];
-    const std::string why = why_not_straight(scene, group);
-    if (!why.empty()) return fmt::format("is in a group that {}", why);
+    if (const std::string why = why_not_straight(scene, group); !why.empty())
+      return fmt::format("is in a group that {}", why);
     if (group.scale_curve) return "is in a group that changes its size";
   }
   return {};

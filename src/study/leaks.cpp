@@ -65,7 +65,8 @@ Vec2 aimed(Draw& draw, const Surfaces& walls, const RoomPlace& place, const Vec2
   if (!place.round) return walls.segments[draw.bits() % walls.segments.size()].a - from;
   const std::uint64_t bits = draw.bits();
   const Circle circle = circle_of(walls.arcs[(bits >> 1) % walls.arcs.size()].curve);
-  const Vec2 to = circle.centre - from, left(-to.y(), to.x());
+  Vec2 to = circle.centre - from;
+  const Vec2 left(-to.y(), to.x());
   const double square = to.squaredNorm() - circle.radius * circle.radius;
   if (!(square > 0)) return to;
   return std::sqrt(square) * to + (bits % 2 == 0 ? 1 : -1) * circle.radius * left;

@@ -123,7 +123,7 @@ class BernsteinRoots {
       ((bernstein_value(plain, middle) > 0) == (plain.back() > 0) ? high : low) = middle;
     }
     const Bernstein<Number> slope = bernstein_derivative(c);
-    for (double reach = 0x1p-30; reach > 0x1p-52; reach *= 0x1p-7) {
+    for (const double reach : {0x1p-30, 0x1p-37, 0x1p-44, 0x1p-51}) {
       if (!(low > reach && high < 1 - reach)) continue;
       const Number middle = make_(high), around = either_root(make_(reach * reach));
       Number root = newton(c, slope, middle, middle + around);
