@@ -35,7 +35,7 @@ class OrbitDrawing {
   }
 
   static bool is_disc(const Arc& wall) {
-    return wall.curve.is_circle() && wall.extent == Arc::Extent::whole;
+    return centre_of_circle(wall) && wall.extent == Arc::Extent::whole;
   }
   template <class Wall>
   static bool is_disc(const Wall&) {

@@ -111,7 +111,7 @@ MovingShape CarriedShape::as_moving() const {
 std::vector<MeetingPart> carried_shapes_meet(const CarriedShape& a, const CarriedShape& b,
                                              Outline outline) {
   const auto meet = outline == Outline::own ? shapes_meet : boxes_meet;
-  if (a.is_straight() && b.is_straight()) return meet(a.as_moving(), b.as_moving(), {0, 1});
+  if (a.goes_straight() && b.goes_straight()) return meet(a.as_moving(), b.as_moving(), {0, 1});
   if (!is_tame(a) || !is_tame(b)) return {undecided_part({0, 1})};
   return outline == Outline::own ? carried_parts_meet(CarriedParts(a), CarriedParts(b), 1)
                                  : carried_boxes_meet(a, b);

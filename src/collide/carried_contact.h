@@ -14,7 +14,7 @@ struct CarriedShape {
   const Shape* shape;
   Carried way;
 
-  bool is_straight() const { return way.motion.is_even() && way.motion.angle.is_constant(); }
+  bool goes_straight() const { return way.motion.is_even() && way.motion.angle.is_constant(); }
   /// Needs   a straight way.
   MovingShape as_moving() const;
 };

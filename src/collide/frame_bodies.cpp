@@ -50,10 +50,10 @@ FrameBodies::FrameBodies(const Timeline& timeline, Outline outline, unsigned fra
       now_(now) {
   for (std::uint32_t i = 0; i < now.size(); ++i) {
     const double scale = now[i].scale;
-    is_straight_.push_back(motion_.knots(i, std::nullopt, from_, to_).empty());
+    goes_straight_.push_back(motion_.knots(i, std::nullopt, from_, to_).empty());
     CarriedShape carried{shape(i), {}};
-    if (is_straight_[i]) carried.way = motion_.between(i, std::nullopt, frame_, from_, to_);
-    is_straight_[i] = is_straight_[i] && carried.is_straight();
+    if (goes_straight_[i]) carried.way = motion_.between(i, std::nullopt, frame_, from_, to_);
+    goes_straight_[i] = goes_straight_[i] && carried.goes_straight();
     straight_.push_back(
         {shape(i), pose(now[i].at, carried.way.motion.angle.c[0], scale), next[i].at - now[i].at});
   }
@@ -67,8 +67,9 @@ std::vector<Bounds> FrameBodies::boxes() const {
   std::vector<Bounds> boxes;
   for (std::uint32_t i = 0; i < straight_.size(); ++i) {
     const MovingShape& body = straight_[i];
-    boxes.push_back(is_straight_[i] ? swept(shape_bounds(*body.shape, body.place), body.velocity, 1)
-                                    : box_of(i));
+    boxes.push_back(goes_straight_[i]
+                        ? swept(shape_bounds(*body.shape, body.place), body.velocity, 1)
+                        : box_of(i));
   }
   return boxes;
 }

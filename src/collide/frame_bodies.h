@@ -21,7 +21,7 @@ class FrameBodies {
   std::span<const MovingShape> straight() const { return straight_; }
   /// Whether both do, and it is their own outlines that meet.
   bool are_straight(const Pair& pair) const {
-    return outline_ == Outline::own && is_straight_[pair.first] && is_straight_[pair.second];
+    return outline_ == Outline::own && goes_straight_[pair.first] && goes_straight_[pair.second];
   }
   /// A box around each on its way.
   std::vector<Bounds> boxes() const;
@@ -44,7 +44,7 @@ class FrameBodies {
   const double from_, to_;  // seconds
   const std::span<const EntityState> now_;
   std::vector<MovingShape> straight_;
-  std::vector<bool> is_straight_;
+  std::vector<bool> goes_straight_;
 };
 
 }  // namespace flatray

@@ -19,7 +19,7 @@ Vec2 any_point(Draw& draw) {
   return {x, draw.unit()};
 }
 
-bool is_straight(const Points& points) {
+bool lie_on_one_line(const Points& points) {
   const Vec2 way = *std::find_if(points.begin(), points.end() - 1, [&](const Vec2& p) {
     return p != points[0];
   }) - points[0];
@@ -81,7 +81,7 @@ Target whole_curve(Draw& draw) {
   do {
     target.points.clear();
     while (target.points.size() < count) target.points.push_back(corner + whole_point(draw, 0, 9));
-  } while (is_straight(target.points));
+  } while (lie_on_one_line(target.points));
   if (count == 3 && draw.sign() > 0) {  // the same parabola as a cubic
     const Points& p = target.points;
     target.points = {3 * p[0], p[0] + 2 * p[1], 2 * p[1] + p[2], 3 * p[2]};

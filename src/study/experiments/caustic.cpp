@@ -99,7 +99,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const NamedOrbits& orbits = *watched;
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;
-  const bool round = elliptic && room.walls().arcs.front().curve.is_circle();
+  const bool round = elliptic && centre_of_circle(room.walls().arcs.front());
   const Vec2 middle =
       elliptic ? room.walls().arcs.front().curve.centre : Vec2(room.state().window.centre());
   const Foci foci =
