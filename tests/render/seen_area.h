@@ -27,7 +27,8 @@ class SeenArea {
     shapes_.push_back(shape);
   }
   void add_disc(const Vec2& centre, double radius, std::size_t item) {
-    shapes_.push_back({item, centre.x(), centre.y(), radius, {}});
+    const Point at(centre);
+    shapes_.push_back({item, at.x(), at.y(), static_cast<Number>(radius), {}});
   }
 
   /// The area seen of each of `items` items in the pixel.
@@ -47,10 +48,19 @@ class SeenArea {
   }
 
  private:
+  class Point {
+   public:
+    Point(const Vec2& v) : x_(static_cast<Number>(v.x())), y_(static_cast<Number>(v.y())) {}
+    Number x() const { return x_; }
+    Number y() const { return y_; }
+
+   private:
+    Number x_, y_;
+  };
   struct Line {
-    Vec2 a, b;
+    Point a, b;
     Number x_at(Number y) const {
-      return a.x() + (y - a.y()) * ((Number(b.x()) - a.x()) / (Number(b.y()) - a.y()));
+      return a.x() + (y - a.y()) * ((b.x() - a.x()) / (b.y() - a.y()));
     }
   };
   struct Shape {
@@ -93,7 +103,7 @@ class SeenArea {
   }
   static void add_crossings(const Shape& shape, Number border, std::vector<Number>& heights) {
     for (const Line& l : shape.lines) {
-      const Number dx = Number(l.b.x()) - l.a.x(), dy = Number(l.b.y()) - l.a.y();
+      const Number dx = l.b.x() - l.a.x(), dy = l.b.y() - l.a.y();
       if (dx != 0) heights.push_back(l.a.y() + (border - l.a.x()) * (dy / dx));
     }
     const Number d = border - shape.x, square = (shape.radius - d) * (shape.radius + d);
@@ -110,15 +120,15 @@ class SeenArea {
     for (const Line& line : polygon.lines) add_crossing(line, disc, heights);
   }
   static void add_crossing(const Line& l, const Line& m, std::vector<Number>& heights) {
-    const Number lx = Number(l.b.x()) - l.a.x(), ly = Number(l.b.y()) - l.a.y();
-    const Number mx = Number(m.b.x()) - m.a.x(), my = Number(m.b.y()) - m.a.y();
+    const Number lx = l.b.x() - l.a.x(), ly = l.b.y() - l.a.y();
+    const Number mx = m.b.x() - m.a.x(), my = m.b.y() - m.a.y();
     const Number turn = lx * my - ly * mx;
     if (turn == 0) return;
-    const Number t = ((Number(m.a.x()) - l.a.x()) * my - (Number(m.a.y()) - l.a.y()) * mx) / turn;
+    const Number t = ((m.a.x() - l.a.x()) * my - (m.a.y() - l.a.y()) * mx) / turn;
     heights.push_back(l.a.y() + t * ly);
   }
   static void add_crossing(const Line& l, const Shape& disc, std::vector<Number>& heights) {
-    const Number dx = Number(l.b.x()) - l.a.x(), dy = Number(l.b.y()) - l.a.y();
+    const Number dx = l.b.x() - l.a.x(), dy = l.b.y() - l.a.y();
     const Number length = std::sqrt(dx * dx + dy * dy), ux = dx / length, uy = dy / length;
     const Number px = disc.x - l.a.x(), py = disc.y - l.a.y();
     const Number beside = ux * py - uy * px, along = ux * px + uy * py;
