@@ -151,7 +151,8 @@ RealRoot HitTime::algebraic() const {
   if (bezier_) {
     const auto d = pair_of(kRational, ray_.direction);
     Polynomial ahead = powers_of(ahead_of_ray(kRational, bezier_->curve, ray_));
-    for (Rational& c : ahead) c /= dot(d, d);
+    const Rational square = dot(d, d);
+    for (Rational& c : ahead) c /= square;
     return exact_parameter(bezier_->curve, ray_, bezier_->root).value_of(ahead);
   }
   const Exact time = exact();

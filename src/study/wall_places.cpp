@@ -30,6 +30,27 @@ class LineWay {
   double sweep_;
 };
 
+// The length of a way at a speed, up to a parameter. Simpson's rule: as exact as doubles for what is smooth and
+// periodic, near it elsewhere.
+template <class Speed>
+double length_at(const Speed& speed, double past) {
+  constexpr int kParts = 256;
+  double sum = speed(0.0) + speed(past);
+  for (int i = 1; i < kParts; ++i) sum += (i % 2 == 1 ? 4 : 2) * speed(past * i / kParts);
+  return sum * std::fabs(past) / (3 * kParts);
+}
+
+// Where on a way `position` is passed, by bisection.
+template <class Way>
+double passed_at(const Way& way, double position) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 52; ++i) {
+    const double middle = 0.5 * (low + high);
+    (way.length_to(middle * way.sweep()) < position ? low : high) = middle;
+  }
+  return low * way.sweep();
+}
+
 // A curved wall by its parameter: centre + cos a u + sin a v, from `from` over `sweep`, which is
 // negative where u, v turn clockwise.
 class ArcWay {
@@ -83,21 +104,11 @@ class ArcWay {
   }
   double length_to(double past) const {
     if (curve_.is_circle()) return curve_.u.x() * std::fabs(past);
-    // Simpson's rule: as exact as doubles for what is smooth and periodic, near it elsewhere.
-    constexpr int kParts = 256;
-    double sum = speed(0) + speed(past);
-    for (int i = 1; i < kParts; ++i) sum += (i % 2 == 1 ? 4 : 2) * speed(past * i / kParts);
-    return sum * std::fabs(past) / (3 * kParts);
+    return length_at([this](double at) { return speed(at); }, past);
   }
-  // Where on the way `position` is passed.
   double parameter_at(double position) const {
     if (curve_.is_circle()) return (sweep_ < 0 ? -position : position) / curve_.u.x();
-    double low = 0, high = 1;
-    for (int i = 0; i < 52; ++i) {
-      const double middle = 0.5 * (low + high);
-      (length_to(middle * sweep_) < position ? low : high) = middle;
-    }
-    return low * sweep_;
+    return passed_at(*this, position);
   }
 
  private:
@@ -133,22 +144,10 @@ class BezierWay {
     return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed);
   }
   double parameter(const Vec2& point) const { return parameter_near(wall_, point); }
-  // Simpson's rule.
   double length_to(double past) const {
-    constexpr int kParts = 256;
-    const auto speed = [&](double s) { return length(tangent_at(wall_, s)); };
-    double sum = speed(0) + speed(past);
-    for (int i = 1; i < kParts; ++i) sum += (i % 2 == 1 ? 4 : 2) * speed(past * i / kParts);
-    return sum * past / (3 * kParts);
+    return length_at([this](double s) { return length(tangent_at(wall_, s)); }, past);
   }
-  double parameter_at(double position) const {
-    double low = 0, high = 1;
-    for (int i = 0; i < 52; ++i) {
-      const double middle = 0.5 * (low + high);
-      (length_to(middle) < position ? low : high) = middle;
-    }
-    return low;
-  }
+  double parameter_at(double position) const { return passed_at(*this, position); }
   std::vector<Vec2> outline() const {
     constexpr int kParts = 64;
     std::vector<Vec2> points;
