@@ -17,13 +17,15 @@ template <class Type>
 std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
                                     const std::vector<const Type*>& types, const char* what) {
   if (!in.is(field, Value::Kind::table, what)) return std::nullopt;
-  std::vector<std::string> names;
-  names.reserve(types.size());
-  for (const Type* type : types) names.emplace_back(type->name);
+  const auto names = [&types] {
+    std::vector<std::string> all;
+    for (const Type* type : types) all.emplace_back(type->name);
+    return all;
+  };
   if (field.value.members.size() != 1) {
     in.problem(field.value.where,
                fmt::format("{} has {} kinds, not one", field.name, field.value.members.size()),
-               "write one of: " + joined(names));
+               "write one of: " + joined(names()));
     return std::nullopt;
   }
   const Member& kind = field.value.members.front();
@@ -34,7 +36,7 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
     return Kind<Type>{type, kind.value};
   }
   in.problems.push_back(
-      unknown_word(kind.where, std::string_view(what).substr(2), kind.key, names));
+      unknown_word(kind.where, std::string_view(what).substr(2), kind.key, names()));
   return std::nullopt;
 }
 
