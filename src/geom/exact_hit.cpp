@@ -145,13 +145,13 @@ Sign ExactHit::side_of(const Bezier& wall) const {
   };
   if (const auto sign = (along(0) * beside(1) - along(1) * beside(0)).sign()) return *sign;
   std::vector<WallMeeting> met;
-  meet(wall, {nearest() - ray_.direction, ray_.direction}, {Root::none, false, true}, met);
+  meet(wall, ray_, {Root::none, false, true}, met);
   Sign side = Sign::zero;
   double least = kInfinity;
   for (const WallMeeting& one : met)
-    if (const double away = one.time.nearest().t - 1; std::fabs(away) < least) {
-      least = std::fabs(away);
-      side = enters(one.root) == (away > 0) ? Sign::positive : Sign::negative;
+    if (const double away = std::fabs(one.time.nearest().t - time_.nearest().t); away < least) {
+      least = away;
+      side = enters(one.root) == (compare(one.time, time_) > 0) ? Sign::positive : Sign::negative;
     }
   return side;
 }

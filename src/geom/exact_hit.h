@@ -30,7 +30,8 @@ class ExactHit {
   Sign side_of(const Segment& segment) const { return turn(segment.a, segment.a, segment.b); }
   /// Positive outside the curve, zero on it. Exact.
   Sign side_of(const Arc& wall) const;
-  /// Positive to the left of the curve. Exact where it is near; 0 where no line tells.
+  /// Positive to the left of the curve, which must be near. Exact, unless the ray is about tangent to the
+  /// curve within some 1e-30 of it; 0 where nothing tells.
   Sign side_of(const Bezier& wall) const;
   /// Whether it lies on the wall, and where. Exact.
   PlaceOn place_on(const Segment& segment) const;

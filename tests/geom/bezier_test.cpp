@@ -175,6 +175,17 @@ TEST(ExactHit, KnowsSidesOfABezierCurve) {
             Sign::positive);
 }
 
+// By a chord from x = 1 to 1 + 2^-51 of the parabola, at x = 1 +- 2^-80: some 2^-131 away.
+TEST(ExactHit, KnowsSidesOfABezierCurveNearerThanBoundsTell) {
+  const Ray chord{{0, -1 - 0x1p-51}, {1, 2 + 0x1p-51}};
+  const auto side_at = [&](const Vec2& end) {
+    return ExactHit(chord, Segment{{1, 0}, end}).side_of(kParabola);
+  };
+  EXPECT_EQ(side_at({0, 0x1p80}), Sign::negative);
+  EXPECT_EQ(side_at({1, 5}), Sign::zero);
+  EXPECT_EQ(side_at({2, 0x1p80}), Sign::positive);
+}
+
 // A cap of a parabola, closed by its chord: the parity of what a half line crosses.
 TEST(Bezier, CrossingsToTheRightTellTheInside) {
   const Segment chord{{2, 4}, {-2, 4}};
