@@ -2,6 +2,7 @@
 // exact code's hits on every tier.
 #include <gtest/gtest.h>
 
+#include "geom/decide.h"
 #include "trace/all_tracers.h"
 
 namespace flatray {
@@ -54,6 +55,43 @@ TEST(Ties, AreMetExactly) {
     for (const double unit : {1.0, 0x1p-160, 0x1p140})
       for (const Vec2& corner : {Vec2(0, 0), Vec2(-unit, unit * 0x1p40)})
         expect_all_tiers_exact(crowd(span, unit, corner, seed++));
+}
+
+// Rays from as far left or right of (0, y) that t is nearly half way between two doubles: by some
+// 2^-105 of it, less than double-doubles are off by.
+RayBatch rays_to_halves(const Segment& wall, int count, Draws& draw) {
+  RayBatch rays;
+  const Rational ax = wall.a.x(), ay = wall.a.y(), ex = ax - wall.b.x(), ey = ay - wall.b.y();
+  for (int i = 0; i < count; ++i) {
+    const Vec2 from(0, draw.point().y());
+    const Vec2 way = (0.1 + 0.8 * draw.unit()) * (wall.a + draw.unit() * (wall.b - wall.a) - from);
+    const Rational size = way.x() * ey - way.y() * ex, wy = ay - from.y();
+    const double t = ((ax * ey - wy * ex) / size).nearest();
+    const Rational half = (Rational(t) + std::nextafter(t, 9.0)) / 2;
+    double x = (ax - (half * size + wy * ex) / ey).nearest();
+    for (int steps = i % 16; steps > 0; --steps) x = std::nextafter(x, i % 2 == 0 ? 1.0 : -1.0);
+    rays.add({{x, from.y()}, way});
+  }
+  return rays;
+}
+
+TEST(Ties, TimesHalfWayBetweenDoublesAreRoundedOnce) {
+  Draws draw(11);
+  const Segment wall{{1.25 + 0x1p-52, 1}, {1.5, 1.7 + 0x1p-51}};
+  Case c{{}, rays_to_halves(wall, 20000, draw)};
+  c.walls.add(wall);
+  const auto exact = [](double x) { return Rational(x); };
+  int below = 0;
+  for (std::size_t i = 0; i < c.rays.size(); ++i) {
+    const Ray ray = c.rays.ray(i);
+    const Rational t = determinant(exact, ray.origin, wall.a, wall.a, wall.b) /
+                       determinant(exact, {0, 0}, ray.direction, wall.a, wall.b);
+    ASSERT_EQ(exact_hit_of(c, i).t, t.nearest()) << i;
+    below += t > t.nearest() ? 1 : 0;
+  }
+  EXPECT_GT(below, 5000);
+  EXPECT_LT(below, 15000);
+  expect_all_tiers_exact(c);
 }
 
 // One ray in three has other numbers.
