@@ -7,6 +7,7 @@
 #include "base/philox.h"
 #include "base/portable_math.h"
 #include "geom/exact.h"
+#include "geom/outline.h"
 
 namespace flatray {
 namespace {
@@ -271,6 +272,33 @@ TEST(ConvexPieces, ASpiralOfTenThousandVerticesIsCut) {
   }
   ASSERT_FALSE(crossing_edges(ring));
   check_pieces(ring);
+}
+
+// Squares of a grid about 0 whose zeros have either sign: what is left of their 1600 edges is the border,
+// in the order of the squares.
+TEST(OutlineEdges, OfAGridAreItsBorderWhateverTheSignsOfZeros) {
+  constexpr int kHalf = 10;
+  std::vector<Vec2> points;
+  std::vector<std::uint32_t> to;
+  std::vector<bool> on_border;
+  const auto coordinate = [&](int at) {
+    return at == 0 && points.size() % 3 == 0 ? -0.0 : static_cast<double>(at);
+  };
+  for (int x = -kHalf; x < kHalf; ++x)
+    for (int y = -kHalf; y < kHalf; ++y)
+      for (int edge = 0; edge < 4; ++edge) {
+        const int from_x = x + (edge == 1 || edge == 2 ? 1 : 0), from_y = y + edge / 2;
+        const auto here = static_cast<std::uint32_t>(points.size());
+        points.push_back({coordinate(from_x), coordinate(from_y)});
+        to.push_back(edge == 3 ? here - 3 : here + 1);
+        const int outer[] = {y, x + 1, y + 1, x}, limit[] = {-kHalf, kHalf, kHalf, -kHalf};
+        on_border.push_back(outer[edge] == limit[edge]);
+      }
+  std::vector<std::uint32_t> border;
+  for (std::uint32_t i = 0; i < to.size(); ++i)
+    if (on_border[i]) border.push_back(i);
+  EXPECT_EQ(border.size(), 8U * kHalf);
+  EXPECT_EQ(outline_edges(points, to), border);
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/file.h"
 #include "base/parallel.h"
+#include "image/deflate.h"
 #include "image/tile.h"
 #include "pictures.h"
 
@@ -128,6 +130,24 @@ TEST(Png, RunsOfEveryLengthComeBackAsTheyWere) {
   for (std::size_t run = 1; at + run < image.pixels.size(); at += run, ++run)
     image.pixels[at] = static_cast<std::uint8_t>(run % 255 + 1);
   expect_round_trip(image);
+}
+
+// Deflate names bytes that stand up to 32768 before (RFC 1951, 3.2.5): between two equal words there
+// are zeros, so that each is looked at.
+TEST(MatchFinder, RepeatsNoBytesFartherBackThanDeflateCanName) {
+  const auto longest_distance = [](std::size_t apart) {
+    std::vector<std::uint8_t> bytes(apart + 100);
+    for (const std::size_t place : {std::size_t{40}, 40 + apart})
+      for (std::size_t i = 0; i < 12; ++i) bytes[place + i] = static_cast<std::uint8_t>(17 * i + 1);
+    MatchFinder finder;
+    std::uint32_t longest = 0;
+    for (const Sequence& each : finder.find(bytes, 3))
+      longest = std::max(longest, each.distance);
+    return longest;
+  };
+  EXPECT_EQ(longest_distance(32767), 32767U);
+  EXPECT_EQ(longest_distance(32768), 32768U);
+  EXPECT_LE(longest_distance(32769), 3U);
 }
 
 TEST(Png, NoiseThatCannotBePackedHardlyGrows) {
