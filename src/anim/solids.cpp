@@ -101,8 +101,11 @@ std::optional<SurfaceOwner> Solids::holder(const Vec2& point) const {
 }
 
 bool Solids::in_chamber(const Vec2& point) const {
-  return chambers_.empty() || std::any_of(chambers_.begin(), chambers_.end(),
-                                          [&](const Solid& solid) { return solid.holds(point); });
+  return chambers_.empty() ||
+         std::any_of(chambers_.begin(), chambers_.end(), [&](const Solid& solid) {
+           const bool lines = solid.pieces.empty() && solid.circles.empty() && solid.paths.empty();
+           return lines || solid.holds(point);
+         });
 }
 
 double Solids::free_area() const {

@@ -14,7 +14,8 @@ class Solids {
 
   /// The first entity or pillar that holds a point. Closed and exact for the doubles of the world.
   std::optional<SurfaceOwner> holder(const Vec2& point) const;
-  /// Whether a chamber holds it; true for scenes without one.
+  /// Whether a chamber holds it; true for scenes without one, and where one is lines alone, which has no
+  /// inside.
   bool in_chamber(const Vec2& point) const;
 
   bool has_chamber() const { return !chambers_.empty(); }

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "geom/hit_interval.h"
-#include "scene/beziers.h"
 #include "scene/outline.h"
 #include "scene/rounded.h"
 
@@ -59,10 +58,12 @@ void add_shape(World& world, const Shape& shape, const Pose& place, SurfaceOwner
   }
   for (const Bezier& curve : shape.beziers) {
     const Bezier there = mapped(curve, place);
-    if (is_on_one_line(there))  // so small and so far away
-      add_segment(world, there.start(), there.end(), owner);
-    else
+    if (is_on_one_line(there)) {  // so small and so far away
+      const Segment flat = stretch_of(there);
+      add_segment(world, flat.a, flat.b, owner);
+    } else {
       world.add(there, owner);
+    }
     ++owner.edge;
   }
   owner.edge = kNoEdge;

@@ -7,7 +7,6 @@
 #include "anim/world.h"
 #include "geom/cyrus_beck.h"
 #include "geom/exact.h"
-#include "scene/beziers.h"
 #include "scene/outline.h"
 
 namespace flatray {
@@ -24,7 +23,7 @@ std::string short_fraction(const Rational& value) {
 
 // t at which the line of a ray meets the line of an edge: n.(p - o) / n.d with n = (e.y, -e.x).
 // Needs   they are not parallel.
-Rational meeting(const Ray& ray, const Segment& edge) {
+Rational exact_time(const Ray& ray, const Segment& edge) {
   const Rational nx = Rational(edge.b.y()) - Rational(edge.a.y());
   const Rational ny = Rational(edge.a.x()) - Rational(edge.b.x());
   const Rational numerator = nx * (Rational(edge.a.x()) - Rational(ray.origin.x())) +
@@ -67,7 +66,7 @@ HitStep as_step(const ClipStep& step, const Ray& ray, const Piece& piece) {
               .empty = !step.candidate};
   if (step.kind == 0) return out;
   out.t = step.t;
-  out.exact_t = short_fraction(meeting(ray, piece.edge(static_cast<std::size_t>(step.edge))));
+  out.exact_t = short_fraction(exact_time(ray, piece.edge(static_cast<std::size_t>(step.edge))));
   return out;
 }
 
@@ -79,7 +78,7 @@ HitReport clip_piece(const NamedRay& ray, std::string against, const Piece& piec
   const auto exact = [&](int edge) {
     return edge == kNoEdge
                ? std::string()
-               : short_fraction(meeting(ray.ray, piece.edge(static_cast<std::size_t>(edge))));
+               : short_fraction(exact_time(ray.ray, piece.edge(static_cast<std::size_t>(edge))));
   };
   report.exact_enter = exact(report.hit.edge_enter);
   report.exact_exit = exact(report.hit.edge_exit);
@@ -120,41 +119,6 @@ std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std
   return rays;
 }
 
-namespace {
-
-// Each point in which a ray meets a curve, which has no inside, forward and backward from its origin.
-std::vector<HitInterval> clip_bezier(const Ray& ray, const Bezier& curve, Range within) {
-  std::vector<HitInterval> hits;
-  const auto add = [&](double t) {
-    HitInterval& hit = hits.emplace_back();
-    hit.kind = HitClass::touch;
-    hit.t_enter = hit.t_exit = t;
-    hit.start = t == 0 ? StartPlace::boundary : StartPlace::outside;
-  };
-  if (ray.direction == Vec2(0, 0)) {
-    if (place_on(curve, ray.origin) != PlaceOn::outside && within.low <= 0 && within.high >= 0)
-      add(0);
-    return hits;
-  }
-  for (const double way : {-1.0, 1.0}) {
-    std::vector<WallMeeting> met;
-    meet(curve, {ray.origin, way * ray.direction}, {Root::none, true, true}, met);
-    std::sort(met.begin(), met.end(), [&](const WallMeeting& a, const WallMeeting& b) {
-      const auto order = compare(a.time, b.time);
-      return way > 0 ? order < 0 : order > 0;
-    });
-    const double least = way > 0 ? within.low : -within.high,
-                 most = way > 0 ? within.high : -within.low;
-    for (const WallMeeting& one : met)
-      if (one.time.compare(least) >= 0 && one.time.compare(most) <= 0 &&
-          (way > 0 || one.time.sign() != Sign::zero))
-        add(way * one.time.nearest().t);
-  }
-  return hits;
-}
-
-}  // namespace
-
 std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
                                    std::uint32_t entity, Range within) {
   if (state.entities[entity].gone) return {};
@@ -182,7 +146,12 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
     for (const HitInterval& hit : hits) add("part", parts++, hit);
   }
   for (std::size_t i = 0; i < shape.beziers.size(); ++i) {
-    std::vector<HitInterval> hits = clip_bezier(ray.ray, mapped(shape.beziers[i], place), within);
+    const Bezier curve = mapped(shape.beziers[i], place);
+    std::vector<HitInterval> hits;
+    if (is_on_one_line(curve))
+      hits = {clip_segment(ray.ray, stretch_of(curve), within)};
+    else
+      hits = clip_curve(ray.ray, curve, within);
     if (hits.empty()) hits.emplace_back();
     for (const HitInterval& hit : hits) add("curve", i, hit);
   }

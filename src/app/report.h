@@ -8,7 +8,7 @@
 
 namespace flatray {
 
-/// Exit code of a failure: that of its first diagnostic (design, section 3).
+/// Exit code of a failure: that of its first diagnostic (docs/LIMITS.md).
 int exit_code(const Diagnostics& problems);
 
 /// Mistakes on standard error and the closing line "flatray: 2 errors, nothing rendered".

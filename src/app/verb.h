@@ -44,8 +44,8 @@ std::vector<const Verb*> all_verbs();
 const Verb* find_verb(const std::string& name);
 
 /// Runs the command line `words` (without the program's name): finds the verb, parses, runs, prints
-/// data to standard output and mistakes to standard error. Gives   the exit code (design, section
-/// 3).
+/// data to standard output and mistakes to standard error. Gives   the exit code
+/// (docs/LIMITS.md).
 int run_command_line(std::vector<std::string> words);
 
 }  // namespace flatray

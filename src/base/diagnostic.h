@@ -6,7 +6,7 @@
 
 namespace flatray {
 
-/// What went wrong decides the exit code (design, section 3); a library never exits by itself.
+/// What went wrong decides the exit code (docs/LIMITS.md); a library never exits by itself.
 enum class Trouble {
   usage,        ///< the command line is wrong: exit 2
   missing,      ///< an input is not there or cannot be read: exit 3

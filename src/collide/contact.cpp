@@ -13,10 +13,6 @@
 namespace flatray {
 namespace {
 
-const auto kQuick = [](double x) { return Quick(x); };
-const auto kBounded = [](double x) { return Bounded(x); };
-const auto kRational = [](double x) { return Rational(x); };
-
 // What double-doubles tell of `ask(number)`, if they leave no doubt.
 template <class Ask>
 auto tell(const Ask& ask) {

@@ -49,8 +49,7 @@ const char* contact_name(StartPlace start);
 /// Error   verdict, class and start exact for the doubles given; t within 1 ulp.
 /// Cost    linear in the vertices: two predicates each and a division for each end, about 1 us; some
 ///         us where one has a radius.
-/// Source  one clip of the relative velocity against the Minkowski difference (facts, section 7) of
-///         the cores, grown by both radii.
+/// Source  one clip of the relative velocity against the Minkowski difference of the cores, grown by both radii.
 Contact contact(const MovingBody& a, const MovingBody& b, Range within = kRay);
 
 }  // namespace flatray

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> turned_ring(std::span<const Vec2> ring, Sign sense);
 /// Needs   convex rings as clip_convex does, at least one vertex each.
 /// Gives   exactly the outline: directions are compared, not computed.
 /// Cost    linear.
-/// Source  the edges of both sorted by angle; facts, section 7.
+/// Source  the edges of both sorted by angle.
 Difference minkowski_difference(std::span<const Vec2> a, std::span<const Vec2> b);
 
 }  // namespace flatray

@@ -100,6 +100,4 @@ HitInterval clip_to_range(const LineHitOf<Time>& line, Range within) {
   return hit;
 }
 
-inline bool is_zero(const Vec2& v) { return v.x() == 0 && v.y() == 0; }
-
 }  // namespace flatray

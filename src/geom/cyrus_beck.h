@@ -14,8 +14,7 @@ namespace flatray {
 ///         passed over. A polygon without area is the segment or point it is.
 /// Gives   the closed interval clipped to `within`, the edges it enters and leaves by, its class,
 ///         and where the origin lies. A corner touched gives t_enter == t_exit; along an edge is
-///         inside. Edges that tie at a vertex: the lower number of the list as given (facts,
-///         section 7).
+///         inside. Edges that tie at a vertex: the lower number of the list as given.
 /// Error   verdict, edges and class exact for the doubles given; t_enter and t_exit within 1 ulp.
 /// Cost    two differences of products an edge; exact integers only where the error bound cannot
 ///         decide; one division for each end of the interval.

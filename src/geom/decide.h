@@ -8,6 +8,12 @@
 
 namespace flatray {
 
+/// What makes a double a number of each arithmetic.
+inline constexpr auto kPlain = [](double x) { return x; };
+inline constexpr auto kQuick = [](double x) { return Quick(x); };
+inline constexpr auto kBounded = [](double x) { return Bounded(x); };
+inline constexpr auto kRational = [](double x) { return Rational(x); };
+
 /// Sign of formula(number), where number turns a double into the arithmetic to use:
 /// double-doubles with simple bounds, with sharp bounds, the exact rationals, each where those
 /// before leave a doubt. Exact for all finite doubles.
@@ -16,10 +22,10 @@ namespace flatray {
 template <class Formula>
 Sign decide(const Formula& formula) {
   std::optional<Sign> quick;
-  with_fused([&] { quick = formula([](double x) { return Quick(x); }).sign(); });
+  with_fused([&] { quick = formula(kQuick).sign(); });
   if (quick) return *quick;
-  if (const auto sign = formula([](double x) { return Bounded(x); }).sign()) return *sign;
-  return formula([](double x) { return Rational(x); }).sign();
+  if (const auto sign = formula(kBounded).sign()) return *sign;
+  return formula(kRational).sign();
 }
 
 /// Nearest double to formula(number), rounded once, halves to even; the largest of its sign beyond
@@ -27,11 +33,11 @@ Sign decide(const Formula& formula) {
 template <class Formula>
 double round_once(const Formula& formula) {
   std::optional<double> quick;
-  with_fused([&] { quick = formula([](double x) { return Quick(x); }).nearest(); });
+  with_fused([&] { quick = formula(kQuick).nearest(); });
   if (quick) return *quick;
-  if (const auto value = formula([](double x) { return Bounded(x); }).nearest()) return *value;
+  if (const auto value = formula(kBounded).nearest()) return *value;
   constexpr double largest = std::numeric_limits<double>::max();
-  return std::clamp(formula([](double x) { return Rational(x); }).nearest(), -largest, largest);
+  return std::clamp(formula(kRational).nearest(), -largest, largest);
 }
 
 /// (b - a) x (d - c) in the arithmetic of `number`.

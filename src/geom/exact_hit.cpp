@@ -4,12 +4,7 @@
 #include "geom/primitives/wall.h"
 
 namespace flatray {
-namespace {
-
-const auto kBounded = [](double x) { return Bounded(x); };
-const auto kRational = [](double x) { return Rational(x); };
-
-}  // namespace
+namespace {}  // namespace
 
 // constant + slope * t
 struct ExactHit::LinearForm {

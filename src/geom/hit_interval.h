@@ -3,7 +3,7 @@
 
 namespace flatray {
 
-/// How a ray meets a closed shape (facts, section 7).
+/// How a ray meets a closed shape (docs/GLOSSARY.md, class of a hit).
 enum class HitClass : std::uint8_t {
   miss,
   touch,   ///< one point, or a point test on the boundary

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-const auto kQuick = [](double x) { return Quick(x); };
-const auto kBounded = [](double x) { return Bounded(x); };
-const auto kRational = [](double x) { return Rational(x); };
-
 // t = numer / denom on a line, as in eq. 3 of the paper; `Number` is Bounded or Rational.
 template <class Number>
 struct LineTime {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "geom/quick.h"
+#include "geom/decide.h"
 
 namespace flatray {
 namespace {
-
-const auto kQuick = [](double x) { return Quick(x); };
 
 constexpr double kGradientScale = 0x1p500, kLeastStep = 0x1p-1000;
 // Beyond these a gradient, or its product with a step, might not be sound.

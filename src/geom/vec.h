@@ -9,4 +9,6 @@ using Vec2 = Eigen::Vector2d;
 /// predicates.h.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+inline bool is_zero(const Vec2& v) { return v.x() == 0 && v.y() == 0; }
+
 }  // namespace flatray

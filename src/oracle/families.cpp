@@ -269,8 +269,7 @@ Surfaces AimedScene::surfaces() const {
   if (curves_first) add_curves();
   for (const Segment& wall : walls) all.add(wall);
   if (!curves_first) add_curves();
-  for (const std::vector<Vec2>& p : beziers)
-    all.add(p.size() == 3 ? Bezier(p[0], p[1], p[2]) : Bezier(p[0], p[1], p[2], p[3]));
+  for (const std::vector<Vec2>& p : beziers) all.add(Bezier(p));
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geom/decide.h"
 #include "geom/pair.h"
 #include "oracle/contact.h"
 
@@ -11,12 +12,11 @@ namespace flatray::oracle {
 namespace {
 
 using Point = Pair<Rational>;
-const auto kNumber = [](double x) { return Rational(x); };
 
 std::vector<Point> at_time(const RoundCore& body, const Rational& t) {
   std::vector<Point> ring;
   for (const Vec2& p : body.ring)
-    ring.push_back(pair_of(kNumber, p) + t * pair_of(kNumber, body.velocity));
+    ring.push_back(pair_of(kRational, p) + t * pair_of(kRational, body.velocity));
   return ring;
 }
 
@@ -61,11 +61,11 @@ StartPlace start_of(const RoundCore& a, const RoundCore& b, bool cores_meet) {
 
 // When vertices are nearest to each other, within the range.
 std::vector<Rational> nearest_times(const RoundCore& a, const RoundCore& b, Range within) {
-  const Point way = pair_of(kNumber, b.velocity) - pair_of(kNumber, a.velocity);
+  const Point way = pair_of(kRational, b.velocity) - pair_of(kRational, a.velocity);
   std::vector<Rational> times;
   for (const Vec2& p : a.ring)
     for (const Vec2& q : b.ring) {
-      const Point from = pair_of(kNumber, q) - pair_of(kNumber, p);
+      const Point from = pair_of(kRational, q) - pair_of(kRational, p);
       Rational t = -dot(from, way) / dot(way, way);
       if (within.low == 0 && t.sign() == Sign::negative) t = 0;
       times.push_back(std::move(t));

@@ -22,7 +22,7 @@ struct RoundCore {
 ///         quadratic in t.
 Sign apart_at(const RoundCore& a, const RoundCore& b, const Rational& t);
 
-/// When two such bodies meet, as round_contact() must answer.
+/// When two such bodies meet, as contact() must answer.
 struct RoundTruth {
   HitClass kind = HitClass::miss;
   StartPlace start = StartPlace::outside;

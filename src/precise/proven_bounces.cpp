@@ -1,6 +1,6 @@
 #include "precise/proven_bounces.h"
 
-#include "geom/bounded.h"
+#include "geom/decide.h"
 #include "precise/module.h"
 
 namespace flatray {
@@ -9,7 +9,7 @@ Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
                       std::span<const Material> materials) {
   if (orbit.bounces.empty() && orbit.crossings.empty()) return {0, true};  // without rounding
   const PeriodicWalls periodic(walls, materials);
-  Proof proof = prove<Bounded>(walls, periodic, orbit, [](double x) { return Bounded(x); });
+  Proof proof = prove<Bounded>(walls, periodic, orbit, kBounded);
   constexpr int kFirstBits = 256, kLastBits = 2048;
   const CertifiedModule* module = proof.ended ? nullptr : certified_module().module;
   for (int bits = kFirstBits; module != nullptr && !proof.ended && bits <= kLastBits; bits *= 2)

@@ -23,7 +23,8 @@ class PixelSink {
 /// Gives   Coverage::area: the mean of the light over each pixel, jointly over all items (PixelArea).
 ///         Coverage::rows: the mean along n rays of each row of pixels, exact along each.
 ///         Coverage::centre: the light at the pixel's centre; a centre on an outline belongs to the
-///         region right of or below it. Whether a centre is inside is exact.
+///         region right of or below it. Whether a centre is inside is exact for straight edges; curved
+///         ones are cut into pieces at doubles first.
 ///         A gradient or light film has in all of a pixel its colour there. The same light whatever
 ///         the box.
 /// Cost    O(edges in the rows + pixels with an edge), each as PixelArea says, and a run of pixels

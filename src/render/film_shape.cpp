@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "geom/polygon.h"
-#include "scene/beziers.h"
 #include "scene/outline.h"
 
 namespace flatray {

@@ -55,10 +55,7 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
 
 bool Room::has_start(const Vec2& point) const {
   if (!ExactOrigins(walls()).walls_at(point).empty()) return true;
-  const Shape* chamber =
-      scene_.chambers.empty() ? nullptr : &scene_.shapes[scene_.chambers.front().shape];
-  const bool inside = chamber == nullptr || !has_area(*chamber) || solids_.in_chamber(point);
-  return inside && !solids_.holder(point);
+  return solids_.in_chamber(point) && !solids_.holder(point);
 }
 
 double Room::place_of(const Bounce& bounce) const {
@@ -112,8 +109,9 @@ Result<void> expect_closed(const ExperimentContext& context) {
   const Chamber& chamber = scene.chambers.front();
   const Shape& shape = scene.shapes[chamber.shape];
   if (!has_area(shape))
-    return fail(chamber.where, "the chamber is open, and orbits leave it",
-                "close its shape: a polygon, a circle, a capsule");
+    return fail(
+        chamber.where, "the chamber is open, and orbits leave it",
+        "close its shape: a polygon, a circle, a capsule; lines and Bezier curves enclose nothing");
   const bool absorbs =
       chamber.material == Material::absorb ||
       std::any_of(chamber.pillars.begin(), chamber.pillars.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "geom/decide.h"
 
 namespace flatray {
 namespace {
@@ -134,9 +135,8 @@ class BezierWay {
   }
   double curvature_at(const Vec2& point) const {
     const double s = parameter(point);
-    const auto plain = [](double x) { return x; };
     const auto bend = [&](int axis) {
-      const auto rates = bernstein_derivative(coordinates_of(plain, wall_, axis));
+      const auto rates = bernstein_derivative(coordinates_of(kPlain, wall_, axis));
       return bernstein_value(bernstein_derivative(rates), s);
     };
     const Vec2 rate = tangent_at(wall_, s);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/counted.h"
+#include "geom/decide.h"
 #include "trace/curve_filter.h"
 
 namespace flatray {
@@ -24,8 +25,7 @@ struct Form {
   double length, most;
 };
 Form form_of(const Ellipse& curve, const Vec2& w, const Vec2& half) {
-  const auto plain = [](double x) { return x; };
-  const Pair<double> form = curve_form(plain, curve, Pair<double>{w.x(), w.y()});
+  const Pair<double> form = curve_form(kPlain, curve, Pair<double>{w.x(), w.y()});
   const double length = std::sqrt(dot(form, form));
   if (curve.is_circle()) return {length, half.norm()};
   const Vec2 u = curve.u.cwiseAbs(), v = curve.v.cwiseAbs(), far = w.cwiseAbs();
@@ -39,7 +39,7 @@ bool ends_on_curve(const Arc& arc) {
   if (arc.extent != Arc::Extent::between) return true;
   const auto near = [&](const Vec2& end) {
     const double length = form_of(arc.curve, end - arc.curve.centre, {0, 0}).length;
-    const double r = std::fabs(form_size([](double x) { return x; }, arc.curve));
+    const double r = std::fabs(form_size(kPlain, arc.curve));
     return std::fabs(length - r) < 0x1p-40 * r;
   };
   return near(arc.from) && near(arc.to);
@@ -107,7 +107,7 @@ bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
     return false;
   if (!ends_on_curve(arc)) return true;
   const Form form = form_of(arc.curve, low_ - arc.curve.centre + middle, half);
-  const double r = std::fabs(form_size([](double x) { return x; }, arc.curve));
+  const double r = std::fabs(form_size(kPlain, arc.curve));
   return form.length - form.most <= r * (1 + 0x1p-40) &&
          form.length + form.most >= r * (1 - 0x1p-40);
 }

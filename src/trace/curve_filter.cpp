@@ -75,9 +75,8 @@ FilteredCurve filter_whole(const Ray& ray, const Ellipse& curve) {
 
 // What joins an arc to its ends is met at other times than its curve.
 FilteredCurve filter_curve(const Ray& ray, const Arc& wall, bool is_left) {
+  if (wall.extent == Arc::Extent::between) return kOpen;
   const FilteredCurve hit = filter_whole(ray, wall.curve);
-  const bool joined = wall.extent == Arc::Extent::between;
-  if (joined) return kOpen;
   if (hit.verdict == Verdict::missed) return hit;
   if (is_left) return kOpen;
   if (wall.extent == Arc::Extent::whole) return hit;

@@ -8,7 +8,8 @@
 namespace flatray {
 
 /// The nearest of the walls offered to one ray, decided without rounding; equal times go to the
-/// lowest number, whatever the order of the offers.
+/// lowest number, whatever the order of the offers. The one place where hits of two walls at rest are
+/// compared: every exact tracer ends here where its bounds leave a doubt.
 class ExactNearest {
  public:
   /// Needs   `walls` and what `left` names to outlive it.
@@ -46,7 +47,7 @@ class ExactHits {
  public:
   ExactHits(const Surfaces& walls, const Ray& ray, const Left& left, bool tangents);
   ExactNearest& offers() { return search_; }
-  /// By t, equal t by number; a circle's first root before its second.
+  /// By t, equal t by number; of a curve the earlier root first.
   std::vector<NearestHit> hits();
 
  private:

@@ -11,7 +11,7 @@ namespace flatray {
 using CellBuilder = std::function<std::optional<CellGrid>(const Surfaces& walls)>;
 
 /// Nearest hits by the kernels of tier `isa`: through cells, or every segment where there are none.
-/// What the lanes are not certain of is decided one by one, circles after the segments. Where
+/// What the lanes are not certain of is decided one by one, curves after the segments. Where
 /// coordinates leave no room for lanes, walls are scaled by a power of two, or every ray is decided
 /// so.
 ///

@@ -34,7 +34,8 @@ struct Surfaces {
     if (slot < kCurved) return use(segments[slot]);
     return slot < kBezier ? use(arcs[slot - kCurved]) : use(beziers[slot - kBezier]);
   }
-  /// The same of a wall known to be no Bezier curve.
+  /// The same of a segment or an arc. Nothing checks that it is one: callers know, as
+  /// OffsetOrigins::Wall::is_plain and scene/moving_mirrors.cpp say.
   template <class Use>
   decltype(auto) visit_line_or_arc(std::uint32_t surface, const Use& use) const {
     const std::uint32_t slot = slots_[surface];

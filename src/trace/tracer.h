@@ -44,7 +44,7 @@ class Accelerator {
   bool any_of_one(const Ray& ray, double up_to, const Left& left = {}, bool tangents = true) const;
   /// Every wall a ray meets, in order of t, those met together by number.
   ///
-  /// Gives   a wall that the ray runs along once, a circle it crosses twice. A wall just left is not
+  /// Gives   a wall that the ray runs along once, a curve once for each point met. A wall just left is not
   ///         met, as in nearest(). Of every tracer the exact hits.
   /// Cost    some us, and 1 us a hit.
   virtual std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left = {},

@@ -1,10 +1,9 @@
 #include "transport/meet_time.h"
 
+#include "geom/decide.h"
+
 namespace flatray {
 namespace {
-
-const auto kBounded = [](double x) { return Bounded(x); };
-const auto kRational = [](double x) { return Rational(x); };
 
 // t = numer / denom.
 template <class Number>

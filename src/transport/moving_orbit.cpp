@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geom/decide.h"
 #include "transport/moving_hits.h"
 #include "transport/near_doubles.h"
 #include "transport/reflection.h"
@@ -145,8 +146,7 @@ class Flight {
   // In doubles, generously.
   bool passes_near(std::uint32_t surface, const Mover& there) const {
     const Leg& leg = leg_at(walls_.legs(surface), there.since);
-    const auto number = [](double x) { return x; };
-    const auto u = velocity_of(number, leg);
+    const auto u = velocity_of(kPlain, leg);
     const double elapsed = there.since.hi - leg.begin;
     const Vec2 moved = leg.from + elapsed * Vec2(u.x, u.y);
     const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() + kSmall +

@@ -75,8 +75,8 @@ struct OrbitRules {
   const Tracer* tracer = nullptr;
 };
 
-/// Follows a ray from mirror to mirror in exact decisions and double constructions (design,
-/// decision 4): a straight wall just left is excluded by its number, a circle only in the root
+/// Follows a ray from mirror to mirror in exact decisions and double constructions:
+/// a straight wall just left is excluded by its number, a circle only in the root
 /// stood on. No epsilon.
 ///
 /// Needs   `materials` by surface, periodic those of one upright box at most; a direction that is

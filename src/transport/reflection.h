@@ -39,13 +39,13 @@ struct Reflection {
 };
 
 /// Whether `direction` leads from `point` away from a wall, on the side given: left (positive) of a
-/// segment, where along it will do too, or strictly outward (positive) or inward of a circle.
+/// segment, where along it will do too, or strictly outward (positive) or inward of a curve.
 /// Exact.
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction);
 
-/// What a ray that sets off from a point of a wall has left: on a curve inward from the first root, or
-/// outward from the second; along its tangent from both, as one that has touched it. Exact.
+/// What a ray that sets off from a point of a wall has left: on a curve inward from a root by which rays
+/// enter, or outward from one by which they leave; along its tangent from both, as one that has touched it. Exact.
 Root root_stood_on(const Surfaces& walls, std::uint32_t surface, const Ray& ray);
 /// What a reflected ray has left: inside a curve the root it would have entered by, outside the other.
 inline Root root_left_by(Root met) {

@@ -1,4 +1,4 @@
-// needs: shapes/capsule shapes/ellipse shapes/sector shapes/box shapes/circle shapes/polygon
+// needs: shapes/bezier shapes/segment shapes/capsule shapes/ellipse shapes/sector shapes/box shapes/circle shapes/polygon
 #include "anim/solids.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +62,12 @@ TEST(Solids, CurvedRoomsHoldWhatIsBetweenTheirWalls) {
   EXPECT_TRUE(ring.in_chamber({1, 1}));
   EXPECT_FALSE(ring.in_chamber({0.5, 0.5}));
   EXPECT_NEAR(ring.free_area(), 0.75 * pi, 1e-14);
+}
+
+TEST(Solids, ARoomOfLinesHasNoOutside) {
+  EXPECT_TRUE(solids_of("{ segment = { from = [0, 0], to = [1, 0] } }").in_chamber({5, 5}));
+  EXPECT_TRUE(
+      solids_of("{ bezier = { points = [[0, 0], [2, 3], [-1, 3], [0, 0]] } }").in_chamber({5, 5}));
 }
 
 }  // namespace

@@ -186,6 +186,60 @@ TEST(ExactHit, KnowsSidesOfABezierCurveNearerThanBoundsTell) {
   EXPECT_EQ(side_at({2, 0x1p80}), Sign::positive);
 }
 
+// A needle whose two sides are nearer to each other than any fixed steps along it are long.
+TEST(Bezier, ThePlaceOfAPointIsOnItsOwnStrand) {
+  for (const double height : {1.0, 0.1, 0.01}) {
+    const Bezier needle({0, 0}, {8, 0.5 * height}, {1, height});
+    for (int i = 0; i <= 200; ++i) {
+      const double s = i / 200.0;
+      ASSERT_NEAR(parameter_near(needle, point_at(needle, s)), s, 1e-8) << height;
+    }
+  }
+  for (const double s : {0.1, 0.45, 0.78, 0.8})  // about the crossing of a loop with itself
+    EXPECT_NEAR(parameter_near(kLoop, point_at(kLoop, s)), s, 1e-12);
+}
+
+// s = 1e-30 / 2 is no end, and s below the least double neither.
+TEST(Bezier, RootsBesideAnEndAreNoEnds) {
+  const Bezier tall({0, 0}, {1e299, 1e299}, {2e299, 0});
+  const auto met = meetings(tall, {{-1, 1e-30}, {1, 0}});
+  ASSERT_EQ(met.size(), 2U);
+  EXPECT_FALSE(met[0].at_end);
+  EXPECT_EQ(met[0].time.nearest().t, 1);
+  const auto beside =
+      roots_of(Bezier({30, 19}, {23, 19}, {27, 26}), {{30, 19}, {-7.000000000000001, 5e-324}});
+  ASSERT_EQ(beside.size(), 2U);
+  EXPECT_TRUE(beside[0].is_end());
+  EXPECT_EQ(beside[0].root, Root::first);
+  EXPECT_FALSE(beside[1].is_end());
+  EXPECT_EQ(beside[1].root, Root::second);
+}
+
+// Where it crosses itself, also of a ray that is tangent to one of the two strands.
+TEST(Bezier, ACrossingIsACornerForTangentsToo) {
+  const Bezier loop({-18, 12}, {26, -4}, {-26, -4}, {18, 12});
+  const auto met = meetings(loop, {{0, 3}, {1, 1}}, {Root::none, false, true});
+  const auto corner = std::find_if(
+      met.begin(), met.end(), [](const WallMeeting& one) { return one.time.sign() == Sign::zero; });
+  ASSERT_NE(corner, met.end());
+  EXPECT_TRUE(corner->at_end);
+}
+
+TEST(Bezier, OnOneLineItIsTheStretchThatItCovers) {
+  const Bezier folded({0, 1}, {8, 1}, {1, 1});  // turns at s = 8/15
+  EXPECT_TRUE(is_on_one_line(folded));
+  const Segment stretch = stretch_of(folded);
+  EXPECT_EQ(stretch.a, Vec2(0, 1));
+  EXPECT_NEAR(stretch.b.x(), 64.0 / 15, 1e-14);
+  EXPECT_EQ(stretch.b.y(), 1);
+}
+
+TEST(Bezier, LiesAlongItselfFromEitherEnd) {
+  const Bezier back({18, 12}, {-26, -4}, {26, -4}, {-18, 12});
+  EXPECT_TRUE(lies_along(kLoop, back));
+  EXPECT_FALSE(lies_along(kLoop, kCusp));
+}
+
 // A cap of a parabola, closed by its chord: the parity of what a half line crosses.
 TEST(Bezier, CrossingsToTheRightTellTheInside) {
   const Segment chord{{2, 4}, {-2, 4}};

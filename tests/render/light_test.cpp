@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/circle shapes/ngon shapes/segment lamps/arc lamps/beam lamps/cone lamps/point materials/diffuse materials/glass materials/mix passes/light passes/entities formats/toml
+// needs: shapes/bezier shapes/box shapes/circle shapes/ngon shapes/segment lamps/arc lamps/beam lamps/cone lamps/point materials/diffuse materials/glass materials/mix materials/pass passes/light passes/entities formats/toml
 // Light against closed forms, and what becomes of all of it.
 #include <gtest/gtest.h>
 
@@ -221,6 +221,23 @@ TEST(Light, OfOneWavelengthIsNotTakenApart) {
   for (const int x : {50, 60})
     for (int y = 0; y < 64; ++y)
       EXPECT_NEAR(strong.at(x, y), plain.at(x, y), 0.15) << x << " " << y;
+}
+
+// A curve that lets all light pass is no wall: as many flights as of a segment, and all escape.
+TEST(Light, PassesThroughBezierCurves) {
+  const auto counts = [](const char* shape) {
+    return fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = [-3.5, 0]\n"
+                       "[[entity]]\nshape = " +
+                           std::string(shape) + "\nmaterial = { pass = {} }\n",
+                       "rays = 256\nbounces = 4"))
+        .counts;
+  };
+  const LightCounts straight = counts("{ segment = { from = [0, -3], to = [0, 3] } }"),
+                    curved =
+                        counts("{ bezier = { degree = 2, points = [[0, -3], [1, 0], [0, 3]] } }");
+  EXPECT_EQ(curved.legs, straight.legs);
+  EXPECT_EQ(curved.escaped, straight.escaped);
+  EXPECT_EQ(curved.cut_off, 0);
 }
 
 // By the bodies it stands in, whatever lies ahead.

@@ -227,7 +227,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
 
 extern const Verb hit = {"hit",
                          "SCENE",
-                         "show where rays lie inside polygons, edge by edge",
+                         "show which parts of rays lie inside each shape, edge by edge",
                          1,
                          1,
                          kOptions,

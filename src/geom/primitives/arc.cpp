@@ -37,9 +37,8 @@ double reach_of(const Arc& arc) {
 // |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares of the reach. What w and r
 // are off by there is under kDetFilter of the terms, which `slack` counts as reach.
 bool curve_passes_far(const Ellipse& wall, const Vec2& point, const Vec2& reach) {
-  const auto plain = [](double x) { return x; };
   const Vec2 from = point - wall.centre;
-  const auto w = curve_form(plain, wall, Pair<double>{from.x(), from.y()});
+  const auto w = curve_form(kPlain, wall, Pair<double>{from.x(), from.y()});
   Vec2 within = reach;
   double slack = 0;
   if (!wall.is_circle()) {
@@ -49,7 +48,7 @@ bool curve_passes_far(const Ellipse& wall, const Vec2& point, const Vec2& reach)
              2 * kDetFilter * terms;
     slack = 2 * kDetFilter * (u.x() * v.y() + u.y() * v.x());
   }
-  const double r = std::fabs(form_size(plain, wall));
+  const double r = std::fabs(form_size(kPlain, wall));
   const double size = dot(w, w), square = r * r;
   const double change = std::fabs(w.x) * within.x() + std::fabs(w.y) * within.y() + r * slack;
   const double bound =
@@ -225,10 +224,9 @@ bool leads_away(const Arc& wall, Sign side, const Ray& ray) {
 }
 
 Vec2 normal_near(const Arc& wall, const Vec2& point) {
-  const auto number = [](double x) { return x; };
   const auto form =
-      curve_form(number, wall.curve, pair_of(number, Vec2(point - wall.curve.centre)));
-  const auto normal = curve_normal(number, wall.curve, form);
+      curve_form(kPlain, wall.curve, pair_of(kPlain, Vec2(point - wall.curve.centre)));
+  const auto normal = curve_normal(kPlain, wall.curve, form);
   return {normal.x, normal.y};
 }
 

@@ -5,15 +5,12 @@
 
 #include "base/check.h"
 #include "geom/decide.h"
+#include "geom/predicates.h"
 #include "geom/primitives/bezier_roots.h"
 #include "geom/primitives/wall.h"
 
 namespace flatray {
 namespace {
-
-const auto kPlain = [](double x) { return x; };
-const auto kBounded = [](double x) { return Bounded(x); };
-const auto kRational = [](double x) { return Rational(x); };
 
 std::optional<std::vector<BezierRoot>> quick_roots(const Bezier& curve, const Ray& ray) {
   const auto plain = [](const Bounded& x) { return x.hi(); };
@@ -30,7 +27,7 @@ Bounded enclosure_of(const RealRoot& s) {
   const double near = s.nearest();
   if (s.sign_of({-Rational(near), 1}) == Sign::zero) return near;
   const double rest = s.value_of({-Rational(near), 1}).nearest();
-  return Bounded(near) + Bounded::within(rest, 0x1p-52 * std::fabs(rest));
+  return Bounded(near) + Bounded::within(rest, 0x1p-52 * std::fabs(rest) + kUnderflowError);
 }
 
 std::vector<BezierRoot> rational_roots(const Bezier& curve, const Ray& ray) {
@@ -64,17 +61,7 @@ bool hull_passes(const Bernstein<double>& x, const Bernstein<double>& y, const V
   };
   if (is_past(x, half.x()) || is_past(y, half.y())) return false;
   if (halvings == 0) return true;
-  const auto halves = [](Bernstein<double> c) {
-    std::array<Bernstein<double>, 2> parts;
-    for (; !c.empty(); c.pop_back()) {
-      parts[0].push_back(c.front());
-      parts[1].push_back(c.back());
-      for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = 0.5 * c[k] + 0.5 * c[k + 1];
-    }
-    std::reverse(parts[1].begin(), parts[1].end());
-    return parts;
-  };
-  const auto xs = halves(x), ys = halves(y);
+  const auto xs = halves(x, 0.5), ys = halves(y, 0.5);
   return hull_passes(xs[0], ys[0], half, halvings - 1) ||
          hull_passes(xs[1], ys[1], half, halvings - 1);
 }
@@ -104,6 +91,35 @@ bool is_crossing_of_itself(const Bezier& wall, const Ray& ray, const BezierRoot&
   const auto exact = self_crossings(kRational, wall);
   if (exact[2].sign() == Sign::zero) return false;
   return exact_parameter(wall, ray, root).sign_of({exact.begin(), exact.end()}) == Sign::zero;
+}
+
+// Where a polynomial in doubles changes its sign between `low` and `high`, about, and where it may be
+// twice 0.
+template <class Use>
+void visit_roots(const Bernstein<double>& c, double low, double high, const Use& use) {
+  int changes = 0;
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) changes += (c[k] < 0) != (c[k + 1] < 0) ? 1 : 0;
+  if (changes == 0) return;
+  const double middle = 0.5 * (low + high);
+  if (high - low < 0x1p-53) return use(middle);
+  const auto parts = halves(c, 0.5);
+  visit_roots(parts[0], low, middle, use);
+  visit_roots(parts[1], middle, high, use);
+}
+
+Bernstein<double> product(const Bernstein<double>& a, const Bernstein<double>& b) {
+  const auto choices = [](std::size_t n, std::size_t k) {
+    double all = 1;
+    for (std::size_t i = 0; i < k; ++i)
+      all *= static_cast<double>(n - i) / static_cast<double>(i + 1);
+    return all;
+  };
+  const std::size_t n = a.size() - 1, m = b.size() - 1;
+  Bernstein<double> c(n + m + 1);
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t k = 0; k <= m; ++k)
+      c[i + k] += choices(n, i) * choices(m, k) / choices(n + m, i + k) * a[i] * b[k];
+  return c;
 }
 
 // On which side of the curve a point lies that is near it: by where the line along an axis through it,
@@ -136,6 +152,14 @@ Level level_of(const Bezier& wall, const Vec2& point) {
 }
 
 }  // namespace
+
+bool is_on_one_line(const Bezier& curve) {
+  const Vec2& start = curve.start();
+  for (int i = 1; i < curve.degree; ++i)
+    for (int k = i + 1; k <= curve.degree; ++k)
+      if (orientation(start, curve.point(i), curve.point(k)) != Sign::zero) return false;
+  return true;
+}
 
 Polynomial powers_of(Bernstein<Rational> c) {
   Polynomial powers;
@@ -188,22 +212,43 @@ Vec2 tangent_at(const Bezier& curve, double s) {
           bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 1)), s)};
 }
 
-// The nearest of some, then bisection of the angle to the tangent around it.
+// An end, or where the way from the point stands upright on the curve.
 double parameter_near(const Bezier& curve, const Vec2& point) {
-  constexpr int kParts = 32;
+  const Bounds box = bounds_of(curve);
+  const double size =
+      box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs()).maxCoeff();
+  Bernstein<double> upright(static_cast<std::size_t>(2 * curve.degree));
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto from =
+        bernstein_of(curve, [&](const Vec2& p) { return p[axis] / size - point[axis] / size; });
+    const auto part = product(from, bernstein_derivative(from));
+    for (std::size_t k = 0; k < part.size(); ++k) upright[k] += part[k];
+  }
   double best = 0, least = kInfinity;
-  for (int i = 0; i <= kParts; ++i) {
-    const double s = static_cast<double>(i) / kParts;
+  const auto look = [&](double s) {
     const double distance = (point_at(curve, s) - point).stableNorm();
     if (distance < least) best = s, least = distance;
-  }
-  double low = std::max(best - 1.0 / kParts, 0.0), high = std::min(best + 1.0 / kParts, 1.0);
-  for (int i = 0; i < 56; ++i) {
-    const double middle = 0.5 * (low + high);
-    const bool is_past = tangent_at(curve, middle).dot(point - point_at(curve, middle)) < 0;
-    (is_past ? high : low) = middle;
-  }
-  return 0.5 * (low + high);
+  };
+  look(0);
+  visit_roots(upright, 0, 1, look);
+  look(1);
+  return best;
+}
+
+// Points of a curve on one line, from the first along it to the last.
+Segment stretch_of(const Bezier& curve) {
+  const Bounds box = bounds_of(curve);
+  const Vec2 extent = box.high - box.low;
+  const int axis = extent.x() < extent.y() ? 1 : 0;
+  Segment stretch{curve.start(), curve.start()};
+  const auto look = [&](const Vec2& point) {
+    if (point[axis] < stretch.a[axis]) stretch.a = point;
+    if (point[axis] > stretch.b[axis]) stretch.b = point;
+  };
+  visit_roots(bernstein_derivative(coordinates_of(kPlain, curve, axis)), 0, 1,
+              [&](double s) { look(point_at(curve, s)); });
+  look(curve.end());
+  return stretch;
 }
 
 // It lies in the hull of its control points.
@@ -246,12 +291,12 @@ void meet(const Bezier& wall, const Ray& ray, const MeetingRules& rules,
   std::optional<std::size_t> corner;
   for (const BezierRoot& root : roots) {
     const bool crosses = root.root != Root::both;
-    if (!crosses && !rules.tangents && !root.is_corner()) continue;
+    const bool is_double = roots.size() > 1 && is_crossing_of_itself(wall, ray, root);
+    if (!crosses && !rules.tangents && !root.is_corner() && !is_double) continue;
     const HitTime time = time_of(wall, ray, root);
     const Sign ahead = time.sign();
     if (ahead == Sign::negative || (ahead == Sign::zero && rules.stood_on != Root::none)) continue;
     const HitClass kind = crosses ? HitClass::through : HitClass::touch;
-    const bool is_double = roots.size() > 1 && is_crossing_of_itself(wall, ray, root);
     if (!is_double || !corner) {
       if (is_double) corner = met.size();
       met.push_back({time, kind, root.root, root.is_corner()});
@@ -261,6 +306,38 @@ void meet(const Bezier& wall, const Ray& ray, const MeetingRules& rules,
     both.at_end = true;
     if (crosses) both.kind = kind, both.root = root.root;
   }
+}
+
+std::vector<HitInterval> clip_curve(const Ray& ray, const Bezier& curve, Range within) {
+  std::vector<HitInterval> hits;
+  const auto add = [&](RoundedTime time, double way, bool at_origin) {
+    HitInterval& hit = hits.emplace_back();
+    hit.kind = HitClass::touch;
+    hit.t_enter = hit.t_exit = way * time.t;
+    hit.enter_overflows = hit.exit_overflows = time.overflows;
+    hit.start = at_origin ? StartPlace::boundary : StartPlace::outside;
+  };
+  if (ray.direction == Vec2(0, 0)) {
+    if (place_on(curve, ray.origin) != PlaceOn::outside && within.low <= 0 && within.high >= 0)
+      add({0, false}, 1, true);
+    return hits;
+  }
+  for (const double way : {-1.0, 1.0}) {
+    std::vector<WallMeeting> met;
+    meet(curve, {ray.origin, way * ray.direction}, {Root::none, true, true}, met);
+    std::sort(met.begin(), met.end(), [&](const WallMeeting& a, const WallMeeting& b) {
+      const auto order = compare(a.time, b.time);
+      return way > 0 ? order < 0 : order > 0;
+    });
+    const double least = way > 0 ? within.low : -within.high,
+                 most = way > 0 ? within.high : -within.low;
+    for (const WallMeeting& one : met) {
+      const bool at_origin = one.time.sign() == Sign::zero;
+      if (one.time.compare(least) >= 0 && one.time.compare(most) <= 0 && (way > 0 || !at_origin))
+        add(one.time.nearest(), way, at_origin);
+    }
+  }
+  return hits;
 }
 
 bool is_crossed(const Bezier& wall, const Ray& ray) {
@@ -296,8 +373,10 @@ Vec2 normal_near(const Bezier& wall, const Vec2& point) {
 }
 
 bool lies_along(const Bezier& one, const Bezier& other) {
-  return one.degree == other.degree &&
-         std::equal(one.points.begin(), one.points.begin() + one.degree + 1, other.points.begin());
+  if (one.degree != other.degree) return false;
+  const std::span points(one.points.data(), static_cast<std::size_t>(one.degree) + 1);
+  return std::equal(points.begin(), points.end(), other.points.begin()) ||
+         std::equal(points.rbegin(), points.rend(), other.points.begin());
 }
 
 // Each end counts where the wall rises from it.

@@ -1,12 +1,15 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geom/bounded.h"
 #include "geom/bounds.h"
+#include "geom/hit_interval.h"
 #include "geom/pair.h"
 #include "geom/polynomial.h"
 #include "geom/ray.h"
@@ -24,11 +27,27 @@ struct Bezier {
   Bezier(const Vec2& a, const Vec2& b, const Vec2& c) : points{a, b, c, Vec2(0, 0)}, degree(2) {}
   Bezier(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
       : points{a, b, c, d}, degree(3) {}
+  /// Of 3 or 4 control points.
+  explicit Bezier(std::span<const Vec2> p)
+      : points{p[0], p[1], p[2], p.back()}, degree(static_cast<int>(p.size()) - 1) {}
 
   const Vec2& point(int k) const { return points[static_cast<std::size_t>(k)]; }
   const Vec2& start() const { return points[0]; }
   const Vec2& end() const { return point(degree); }
 };
+
+/// Whether all control points lie on one line, as those of a wall must not. Exact.
+bool is_on_one_line(const Bezier& curve);
+
+/// Every control point put through `place`.
+template <class Place>
+Bezier mapped(Bezier curve, const Place& place) {
+  for (int k = 0; k <= curve.degree; ++k) {
+    Vec2& p = curve.points[static_cast<std::size_t>(k)];
+    p = place(p);
+  }
+  return curve;
+}
 
 /// A polynomial over [0, 1] by its Bernstein coefficients: what a linear form of the points of a Bezier
 /// curve is of the control points.
@@ -69,6 +88,18 @@ Number bernstein_value(Bernstein<Number> c, const Number& s) {
     for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = c[k] + s * (c[k + 1] - c[k]);
   return c[0];
 }
+/// The same polynomial over [0, 1/2] and over [1/2, 1].
+template <class Number>
+std::array<Bernstein<Number>, 2> halves(Bernstein<Number> c, const Number& half) {
+  std::array<Bernstein<Number>, 2> parts;
+  for (; !c.empty(); c.pop_back()) {
+    parts[0].push_back(c.front());
+    parts[1].push_back(c.back());
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = half * c[k] + half * c[k + 1];
+  }
+  std::reverse(parts[1].begin(), parts[1].end());
+  return parts;
+}
 /// The derivative by s, whose coefficients are sums of differences: numbers that need no others.
 template <class Number>
 Bernstein<Number> bernstein_derivative(const Bernstein<Number>& c) {
@@ -101,6 +132,13 @@ std::vector<BezierRoot> roots_of(const Bezier& curve, const Ray& ray);
 BezierRoot root_of(const Bezier& curve, const Ray& ray, Root root);
 /// s without error.
 RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& root);
+
+/// Each point in which a ray meets a curve, which has no inside, in the order of t, by times that are
+/// rounded once. Exact.
+std::vector<HitInterval> clip_curve(const Ray& ray, const Bezier& curve, Range within = kRay);
+
+/// What a curve covers whose control points are rounded on one line. In plain doubles.
+Segment stretch_of(const Bezier& curve);
 
 /// s of a point of the curve about as near to a point as any, in plain doubles.
 double parameter_near(const Bezier& curve, const Vec2& point);

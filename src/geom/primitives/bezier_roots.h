@@ -89,16 +89,10 @@ class BernsteinRoots {
     if (!doubt && changes == 0) return true;
     if (!doubt && changes == 1) return add(part, last);
     if (halvings == kMostHalvings) return false;
-    Stretch left{{}, part.low, 0.5 * (part.low + part.high)};
-    Stretch right{{}, left.high, part.high};
-    const Number half = make_(0.5);
-    for (Bernstein<Number> c = part.c; !c.empty(); c.pop_back()) {
-      left.c.push_back(c.front());
-      right.c.push_back(c.back());
-      for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = (c[k] + c[k + 1]) * half;
-    }
-    std::reverse(right.c.begin(), right.c.end());
-    return look_at(std::move(left), halvings + 1) && look_at(std::move(right), halvings + 1);
+    auto parts = halves(part.c, make_(0.5));
+    const double middle = 0.5 * (part.low + part.high);
+    return look_at({std::move(parts[0]), part.low, middle}, halvings + 1) &&
+           look_at({std::move(parts[1]), middle, part.high}, halvings + 1);
   }
 
   bool add(double s, int multiplicity, Sign slope) {

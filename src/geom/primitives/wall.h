@@ -98,25 +98,27 @@ Vec2 point_met(const Bezier& wall, const Ray& ray, Root root);
 
 /// The side from which a ray comes that crosses it in a root. Exact.
 Sign side_met(const Segment& wall, const Ray& ray, Root root);
-template <class Curve>
-constexpr Sign side_met(const Curve&, const Ray&, Root root) {
+constexpr Sign side_met(const Arc&, const Ray&, Root root) {
+  return enters(root) ? Sign::positive : Sign::negative;
+}
+inline Sign side_met(const Bezier&, const Ray&, Root root) {
   return enters(root) ? Sign::positive : Sign::negative;
 }
 /// Whether a ray leads from a point of the wall away on a side: of a segment along it will do too.
-/// Exact.
+/// Exact for segments and arcs; of a Bezier curve by its tangent at the double s nearest to the point.
 bool leads_away(const Segment& wall, Sign side, const Ray& ray);
 bool leads_away(const Arc& wall, Sign side, const Ray& ray);
 bool leads_away(const Bezier& wall, Sign side, const Ray& ray);
 /// Whether a direction runs along the wall everywhere. Exact.
 bool runs_along(const Segment& wall, const Vec2& direction);
-template <class Curve>
-constexpr bool runs_along(const Curve&, const Vec2&) {
-  return false;
-}
+constexpr bool runs_along(const Arc&, const Vec2&) { return false; }
+inline bool runs_along(const Bezier&, const Vec2&) { return false; }
 /// The root that a ray has left that sets off to a side, and does not meet again.
 constexpr Root root_left(const Segment&, Sign) { return Root::none; }
-template <class Curve>
-constexpr Root root_left(const Curve&, Sign side) {
+constexpr Root root_left(const Arc&, Sign side) {
+  return side == Sign::negative ? Root::first : Root::second;
+}
+inline Root root_left(const Bezier&, Sign side) {
   return side == Sign::negative ? Root::first : Root::second;
 }
 

@@ -1,4 +1,6 @@
-#include "scene/beziers.h"
+#include "geom/primitives/bezier.h"
+
+#include "scene/shape.h"
 
 namespace flatray::shapes {
 namespace {
@@ -18,7 +20,7 @@ Result<Shape> build(Args& args) {
                 degree == 2 ? "write 3 of them, and 2 more for each further curve"
                             : "write 4 of them, and 3 more for each further curve");
   for (std::size_t i = 0; i + 1 < points.size(); i += degree) {
-    const Bezier curve = bezier_of({points.begin() + static_cast<std::ptrdiff_t>(i), degree + 1});
+    const Bezier curve(std::span<const Vec2>(points).subspan(i, degree + 1));
     if (is_on_one_line(curve))
       return fail(args.place("points"), "the control points of a curve lie on one line",
                   "bend it, or draw it as a segment");

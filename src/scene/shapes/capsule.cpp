@@ -8,7 +8,8 @@ constexpr KeyInfo kKeys[] = {{"from", "[x, y] or a curve", kRequired},
                              {"to", "[x, y] or a curve", kRequired},
                              {"radius", "number or a curve", kRequired}};
 
-// Two half circles; the sides are the lines that join them.
+// Two half circles; the sides are the lines that join them. As walls: two arcs and two segments that
+// share their ends, which are corners (docs/adr/0014-curved-walls.md).
 Result<Shape> build(Args& args) {
   const Vec2 from = args.point("from"), to = args.point("to");
   const double radius = args.size("radius");

@@ -1,4 +1,5 @@
-#include "scene/beziers.h"
+#include "geom/primitives/bezier.h"
+#include "scene/shape.h"
 
 namespace flatray::shapes {
 namespace {

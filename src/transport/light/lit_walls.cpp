@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "transport/light/order.h"
+#include "transport/near_doubles.h"
 
 namespace flatray {
 
@@ -96,14 +97,26 @@ bool LitWalls::all_absorb(const LightRay& ray, const LightHit& met) const {
   });
 }
 
+Vec2 LitWalls::beyond(const LightHit& met) const {
+  if (met.offset != 0) return met.point - met.offset * met.normal;
+  const std::uint32_t surface = met.hit.surface;
+  const Sign from = side(met);
+  const auto across = nearest_double(met.point, [&](const Vec2& point) {
+    return walls_.visit(surface, [&](const auto& wall) { return side_of(wall, point); }) == -from;
+  });
+  return across.value_or(met.point);
+}
+
 bool LitWalls::sets_off_from(LightRay& ray, const LightHit& met, bool stays) const {
   const std::uint32_t surface = met.hit.surface;
   const Vec2& direction = ray.ray.direction;
   ray.ray.origin = met.point;
   if (met.offset == 0) {
+    const bool back = leads_away(walls_, surface, side(met), met.point, direction);
+    if (stays && !back) return false;
+    if (!back) ray.ray.origin = beyond(met);
     ray.left = {surface, root_stood_on(walls_, surface, ray.ray)};
-    return !runs_along(walls_, ray.left, direction) &&
-           (!stays || leads_away(walls_, surface, side(met), ray.ray.origin, direction));
+    return !runs_along(walls_, ray.left, direction);
   }
   const double cosine = met.normal.dot(direction);
   constexpr double kLeast = OffsetOrigins::kLeastCosine * OffsetOrigins::kLeastCosine;
@@ -129,7 +142,7 @@ bool LitWalls::leaves(LightRay& ray, const LightHit& met, const Departure& depar
     case Departure::Way::absorbed:
       return false;
     case Departure::Way::through:
-      ray.ray.origin = met.point - met.offset * met.normal;
+      ray.ray.origin = beyond(met);
       ray.left = {surface, met.hit.root};
       return true;
     case Departure::Way::mirrored:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geom/decide.h"
 #include "geom/primitives/arc.h"
 
 namespace flatray {
@@ -16,8 +17,6 @@ constexpr std::size_t kMostLooks = std::size_t{1} << 26;
 constexpr std::size_t kMostPairs = 1U << 16,
                       kMostPairsOfWall = 16;   // that are kept, and a wall more
 constexpr std::uint32_t kMostNeighbours = 16;  // of a curve
-
-const auto kPlain = [](double x) { return x; };
 
 double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -73,7 +73,8 @@ std::array<float, 3> SeenLamps::passes(const Vec2& from, const Ray& ray, const L
   if (on.size() > 1 || (on.size() == 1 && is_end(walls, on.front(), from))) return kNone;
   const auto arrives = [&](const NearestHit& hit) {
     if (on.empty() || hit.surface != on.front()) return hit.t >= 1;
-    return hit.root == root_left_by(root_stood_on(walls, on.front(), {from, -ray.direction}));
+    const Root met = root_left_by(root_stood_on(walls, on.front(), {from, -ray.direction}));
+    return met == Root::both ? hit.root == met : enters(hit.root) == enters(met);
   };
   std::array<float, 3> passed{1, 1, 1};
   if (!first || arrives(first)) return passed;

@@ -28,7 +28,7 @@ enum class OrbitEnd : std::uint8_t {
   escape,    ///< nothing lies ahead
   absorbed,  ///< arrived at a wall that absorbs
   corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
-  along      ///< starts on a straight wall and runs along it
+  along      ///< runs along a wall, or so nearly that no double leads away from it
 };
 
 /// One orbit: its bounces are [begin, end) of those of all.
