@@ -141,8 +141,7 @@ TEST(MatchFinder, RepeatsNoBytesFartherBackThanDeflateCanName) {
       for (std::size_t i = 0; i < 12; ++i) bytes[place + i] = static_cast<std::uint8_t>(17 * i + 1);
     MatchFinder finder;
     std::uint32_t longest = 0;
-    for (const Sequence& each : finder.find(bytes, 3))
-      longest = std::max(longest, each.distance);
+    for (const Sequence& each : finder.find(bytes, 3)) longest = std::max(longest, each.distance);
     return longest;
   };
   EXPECT_EQ(longest_distance(32767), 32767U);
