@@ -52,6 +52,8 @@ class HitTime {
   /// Nearest double to t, halves to even: 0.5 ulp always. The flag is set where |t| is above the
   /// largest double.
   RoundedTime nearest() const;
+  /// A double near t, to tell what is near from what is far.
+  double about() const { return approximate().hi(); }
 
   /// t = (p + s * sqrt(q)) / a, with a > 0 and q >= 0.
   struct Exact {

@@ -93,35 +93,6 @@ bool is_crossing_of_itself(const Bezier& wall, const Ray& ray, const BezierRoot&
   return exact_parameter(wall, ray, root).sign_of({exact.begin(), exact.end()}) == Sign::zero;
 }
 
-// Where a polynomial in doubles changes its sign between `low` and `high`, about, and where it may be
-// twice 0.
-template <class Use>
-void visit_roots(const Bernstein<double>& c, double low, double high, const Use& use) {
-  int changes = 0;
-  for (std::size_t k = 0; k + 1 < c.size(); ++k) changes += (c[k] < 0) != (c[k + 1] < 0) ? 1 : 0;
-  if (changes == 0) return;
-  const double middle = 0.5 * (low + high);
-  if (high - low < 0x1p-53) return use(middle);
-  const auto parts = halves(c, 0.5);
-  visit_roots(parts[0], low, middle, use);
-  visit_roots(parts[1], middle, high, use);
-}
-
-Bernstein<double> product(const Bernstein<double>& a, const Bernstein<double>& b) {
-  const auto choices = [](std::size_t n, std::size_t k) {
-    double all = 1;
-    for (std::size_t i = 0; i < k; ++i)
-      all *= static_cast<double>(n - i) / static_cast<double>(i + 1);
-    return all;
-  };
-  const std::size_t n = a.size() - 1, m = b.size() - 1;
-  Bernstein<double> c(n + m + 1);
-  for (std::size_t i = 0; i <= n; ++i)
-    for (std::size_t k = 0; k <= m; ++k)
-      c[i + k] += choices(n, i) * choices(m, k) / choices(n + m, i + k) * a[i] * b[k];
-  return c;
-}
-
 // On which side of the curve a point lies that is near it: by where the line along an axis through it,
 // the one more upright on the curve, meets the curve nearest to it.
 struct Level {
@@ -142,7 +113,7 @@ Level level_of(const Bezier& wall, const Vec2& point) {
       level.place = root.is_corner() || again ? PlaceOn::at_end : PlaceOn::inner;
       continue;
     }
-    const double distance = std::fabs(time.nearest().t);
+    const double distance = std::fabs(time.about());
     if (root.root == Root::both || distance >= nearest) continue;
     nearest = distance;
     level.side = enters(root.root) ? ahead : -ahead;
@@ -200,55 +171,6 @@ RealRoot exact_parameter(const Bezier& curve, const Ray& ray, const BezierRoot& 
   if (root.exact) return *root.exact;
   return RealRoot::all(powers_of(beside_ray(kRational, curve, ray)), 0,
                        1)[static_cast<std::size_t>(root.index)];
-}
-
-Vec2 point_at(const Bezier& curve, double s) {
-  return {bernstein_value(coordinates_of(kPlain, curve, 0), s),
-          bernstein_value(coordinates_of(kPlain, curve, 1), s)};
-}
-
-Vec2 tangent_at(const Bezier& curve, double s) {
-  return {bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 0)), s),
-          bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 1)), s)};
-}
-
-// An end, or where the way from the point stands upright on the curve.
-double parameter_near(const Bezier& curve, const Vec2& point) {
-  const Bounds box = bounds_of(curve);
-  const double size =
-      box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs()).maxCoeff();
-  Bernstein<double> upright(static_cast<std::size_t>(2 * curve.degree));
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto from =
-        bernstein_of(curve, [&](const Vec2& p) { return p[axis] / size - point[axis] / size; });
-    const auto part = product(from, bernstein_derivative(from));
-    for (std::size_t k = 0; k < part.size(); ++k) upright[k] += part[k];
-  }
-  double best = 0, least = kInfinity;
-  const auto look = [&](double s) {
-    const double distance = (point_at(curve, s) - point).stableNorm();
-    if (distance < least) best = s, least = distance;
-  };
-  look(0);
-  visit_roots(upright, 0, 1, look);
-  look(1);
-  return best;
-}
-
-// Points of a curve on one line, from the first along it to the last.
-Segment stretch_of(const Bezier& curve) {
-  const Bounds box = bounds_of(curve);
-  const Vec2 extent = box.high - box.low;
-  const int axis = extent.x() < extent.y() ? 1 : 0;
-  Segment stretch{curve.start(), curve.start()};
-  const auto look = [&](const Vec2& point) {
-    if (point[axis] < stretch.a[axis]) stretch.a = point;
-    if (point[axis] > stretch.b[axis]) stretch.b = point;
-  };
-  visit_roots(bernstein_derivative(coordinates_of(kPlain, curve, axis)), 0, 1,
-              [&](double s) { look(point_at(curve, s)); });
-  look(curve.end());
-  return stretch;
 }
 
 // It lies in the hull of its control points.

@@ -1,0 +1,118 @@
+// Places of Bezier curves in plain doubles.
+#include <algorithm>
+#include <cmath>
+
+#include "geom/decide.h"
+#include "geom/primitives/bezier.h"
+#include "geom/primitives/wall.h"
+
+namespace flatray {
+namespace {
+
+// A polynomial of degree up to 5 in doubles by its Bernstein coefficients.
+struct Plain {
+  std::array<double, 6> c{};
+  std::size_t degree;
+
+  double at(double s) const {
+    std::array<double, 6> v = c;
+    for (std::size_t n = degree; n > 0; --n)
+      for (std::size_t k = 0; k < n; ++k) v[k] += s * (v[k + 1] - v[k]);
+    return v[0];
+  }
+  int sign_changes() const {
+    int changes = 0;
+    for (std::size_t k = 0; k < degree; ++k) changes += (c[k] < 0) != (c[k + 1] < 0) ? 1 : 0;
+    return changes;
+  }
+  std::array<Plain, 2> halves() const {
+    std::array<Plain, 2> parts{*this, *this};
+    std::array<double, 6>& v = parts[1].c;
+    for (std::size_t n = degree; n > 0; --n) {
+      parts[0].c[degree - n] = v[0];
+      for (std::size_t k = 0; k < n; ++k) v[k] = 0.5 * v[k] + 0.5 * v[k + 1];
+    }
+    parts[0].c[degree] = v[0];
+    return parts;
+  }
+};
+
+// Calls use(s) for each s at which it changes its sign between `low` and `high`, and where it may be
+// twice 0, about.
+template <class Use>
+void visit_roots(const Plain& p, double low, double high, const Use& use) {
+  const int changes = p.sign_changes();
+  if (changes == 0) return;
+  if (changes > 1 && high - low > 0x1p-53) {
+    const auto parts = p.halves();
+    const double middle = 0.5 * (low + high);
+    visit_roots(parts[0], low, middle, use);
+    visit_roots(parts[1], middle, high, use);
+    return;
+  }
+  double from = 0, to = 1;
+  for (int i = 0; i < 53; ++i) {
+    const double middle = 0.5 * (from + to);
+    ((p.at(middle) < 0) == (p.c[0] < 0) ? from : to) = middle;
+  }
+  use(low + (high - low) * from);
+}
+
+}  // namespace
+
+Vec2 point_at(const Bezier& curve, double s) {
+  return {bernstein_value(coordinates_of(kPlain, curve, 0), s),
+          bernstein_value(coordinates_of(kPlain, curve, 1), s)};
+}
+
+Vec2 tangent_at(const Bezier& curve, double s) {
+  return {bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 0)), s),
+          bernstein_value(bernstein_derivative(coordinates_of(kPlain, curve, 1)), s)};
+}
+
+// An end, or where the way from the point stands upright on the curve: where w(s) . w'(s) = 0, w the
+// curve as seen from it, whose coefficients are sums of those of both.
+double parameter_near(const Bezier& curve, const Vec2& point) {
+  constexpr double kChoices[6][6] = {{1},          {1, 1},          {1, 2, 1},
+                                     {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}};
+  const Bounds box = bounds_of(curve);
+  const double size =
+      box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).cwiseMax(point.cwiseAbs()).maxCoeff();
+  const auto n = static_cast<std::size_t>(curve.degree);
+  std::array<Vec2, 4> from;
+  for (std::size_t k = 0; k <= n; ++k) from[k] = curve.points[k] / size - point / size;
+  Plain upright{{}, 2 * n - 1};
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
+      upright.c[i + k] += kChoices[n][i] * kChoices[n - 1][k] / kChoices[2 * n - 1][i + k] *
+                          from[i].dot(from[k + 1] - from[k]);
+  double best = 0, least = kInfinity;
+  const auto look = [&](double s) {
+    const double distance = (point_at(curve, s) - point).stableNorm();
+    if (distance < least) best = s, least = distance;
+  };
+  look(0);
+  visit_roots(upright, 0, 1, look);
+  look(1);
+  return best;
+}
+
+// From the first of its points along its line to the last.
+Segment stretch_of(const Bezier& curve) {
+  const Bounds box = bounds_of(curve);
+  const Vec2 extent = box.high - box.low;
+  const int axis = extent.x() < extent.y() ? 1 : 0;
+  Plain rate{{}, static_cast<std::size_t>(curve.degree - 1)};
+  for (int k = 0; k < curve.degree; ++k)
+    rate.c[static_cast<std::size_t>(k)] = curve.point(k + 1)[axis] - curve.point(k)[axis];
+  Segment stretch{curve.start(), curve.start()};
+  const auto look = [&](const Vec2& point) {
+    if (point[axis] < stretch.a[axis]) stretch.a = point;
+    if (point[axis] > stretch.b[axis]) stretch.b = point;
+  };
+  visit_roots(rate, 0, 1, [&](double s) { look(point_at(curve, s)); });
+  look(curve.end());
+  return stretch;
+}
+
+}  // namespace flatray
