@@ -230,6 +230,20 @@ TEST(BezierOrbit, StaysInClosedRoomsAndKeepsItsSpeed) {
   EXPECT_GT(bounces, 7000U);
 }
 
+// Two sharp turns, whose strands are nearer to each other than fixed steps along them are long.
+TEST(BezierOrbit, GoesOnBetweenStrandsThatAreNear) {
+  Surfaces walls;
+  walls.add(Bezier({0, 0}, {0.7, 30}, {0.1, -0.3}));
+  walls.add(Bezier({0.1, -0.3}, {0, -48}, {0, 0}));
+  for (int i = 1; i < 20; ++i) {
+    const double s = i / 40.0;
+    const Vec2 left = point_at(walls.beziers[0], s), right = point_at(walls.beziers[0], 1 - s);
+    const Ray outside{{-1, left.y()}, {1, 0}}, inside{0.5 * left + 0.5 * right, {1, 0.3}};
+    EXPECT_EQ(in_mirrors(walls, outside, 1).end, OrbitEnd::limit) << i;
+    EXPECT_EQ(in_mirrors(walls, inside, 60).end, OrbitEnd::limit) << i;
+  }
+}
+
 // Each wall as the oracle's long numbers have it, until chaos takes the digits.
 TEST(BezierOrbit, FirstBouncesAreThoseOfLongNumbers) {
   Surfaces walls = lens();
