@@ -198,7 +198,7 @@ class LaneTracer : public Accelerator {
     const std::uint32_t slot = walls_.segment_slot(left.surface);
     if (slot != kNoSurface && cells_.next_copy(slot) != CellGrid::kNoSlot)
       return search_.nearest(ray, left, tangents);
-    const lanes::AloneHit found = kernels_.alone(
+    const lanes::SingleHit found = kernels_.single_ray(
         view_, walls_.segments.front().a.data(),
         {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(), slot});
     return decide({found.found, found.slot, found.t}, ray, left, tangents);

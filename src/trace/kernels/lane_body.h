@@ -83,18 +83,18 @@ namespace single {
 #undef FLATRAY_LANES
 #define FLATRAY_LANES FLATRAY_RECORD_LANES
 namespace records {
-#include "trace/kernels/rivals_body.h"
+#include "trace/kernels/candidates_body.h"
 }  // namespace records
 #undef FLATRAY_LANES
 #define FLATRAY_LANES 1
-namespace alone {
-#include "trace/kernels/alone_body.h"
-}  // namespace alone
+namespace single_ray {
+#include "trace/kernels/single_ray_body.h"
+}  // namespace single_ray
 
 }  // namespace
 
 extern const Kernels kKernels;
 const Kernels kKernels = {&clip,
-                          {&prepare, &single::walk, &single::scan, &finish, &alone::nearest}};
+                          {&prepare, &single::walk, &single::scan, &finish, &single_ray::nearest}};
 
 }  // namespace flatray::lanes::FLATRAY_TIER

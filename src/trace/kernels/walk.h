@@ -28,7 +28,7 @@
 //               as near: 20 u M in all. Cells of divided cells are found from the same place, but
 //               for one rounding of its distance from the cell's corner, by u / 2 at most.
 // A hit later than the exit less kNear u M is left to the cells that follow, whose lists have it:
-// kNear + 20 <= kMargin. So a wall listed in two cells is rarely its own rival.
+// kNear + 20 <= kMargin. So a wall listed in two cells rarely competes with itself.
 namespace flatray::lanes {
 
 // A direction component no smaller than this has an inverse; over the way through any grid that
@@ -88,13 +88,13 @@ struct Finish {
 };
 
 /// A ray alone.
-struct AloneRay {
+struct SingleRay {
   double ox, oy, dx, dy;
   unsigned left;  ///< slot of the segment just left, or none
 };
 
 /// What it meets: `found` as of rays that walk in lanes, the slot of the segment, its t as in Finish.
-struct AloneHit {
+struct SingleHit {
   int found;
   unsigned slot;
   double t;
@@ -110,7 +110,7 @@ struct WalkKernels {
   void (*scan)(const Grid&, const Walking&, int* found);
   void (*finish)(const Rays&, const Finish&);
   /// All of it for one ray; of every record where there are no cells. `ends` as in Finish.
-  AloneHit (*alone)(const Grid&, const double* ends, const AloneRay&);
+  SingleHit (*single_ray)(const Grid&, const double* ends, const SingleRay&);
 };
 
 }  // namespace flatray::lanes

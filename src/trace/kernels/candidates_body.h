@@ -11,7 +11,7 @@ struct Line {
 };
 
 // The best sure hit, and the least t that any other wall not ruled out could have.
-struct Rivals {
+struct Candidates {
   float low = kFar, high = kFar, other = kFar;
   int record = kNoRecord;
   unsigned slot = kNone;
@@ -29,7 +29,7 @@ struct Open {
 };
 
 inline void weigh(const Grid& grid, const Line& line, const Open& o, unsigned record, unsigned open,
-                  Rivals& r) {
+                  Candidates& r) {
   const Mask sure = both(less(o.lower, all(0.0F) - line.side), less(line.side, o.upper));
   const Float slope = (o.t_b - o.t_a) / (o.side_a - o.side_b), t = o.t_a + o.side_a * slope;
   const Float error = line.time + line.side * size(slope);
@@ -54,7 +54,7 @@ inline void weigh(const Grid& grid, const Line& line, const Open& o, unsigned re
 }
 
 // Counts the walls of a list, from its first record.
-inline void test_list(const Grid& grid, const Line& line, unsigned record, Rivals& r) {
+inline void test_list(const Grid& grid, const Line& line, unsigned record, Candidates& r) {
   __builtin_prefetch(grid.slots + record);
   for (;; record += kLanes) {
     unsigned at[kLanes];

@@ -15,9 +15,9 @@
 #include "trace/kernels/quotient_body.h"
 // clang-format on
 
+using records::Candidates;
 using records::kFar;
 using records::Line;
-using records::Rivals;
 using records::test_list;
 
 constexpr unsigned kOutside = 0x80000000U;  // the word of a cell in the ring
@@ -68,7 +68,7 @@ inline Fate bring_in(const Grid& grid, Start& s) {
   return Fate::walks;
 }
 
-inline Fate prepare(const Grid& grid, const AloneRay& ray, Start& s) {
+inline Fate prepare(const Grid& grid, const SingleRay& ray, Start& s) {
   const double x = s.x = (ray.ox - grid.centre_x) * grid.scale_x;
   const double y = s.y = (ray.oy - grid.centre_y) * grid.scale_y;
   const double dx = ray.dx * grid.scale_x, dy = ray.dy * grid.scale_y;
@@ -108,7 +108,7 @@ class Walk {
         square_(start.step_x * start.step_x + start.step_y * start.step_y),
         near_(kNear * static_cast<double>(grid.unit) * (start.step_x + start.step_y)) {}
 
-  Rivals run() {
+  Candidates run() {
     const double x = floor_of(start_.from_x), y = floor_of(start_.from_y);
     const double stride = static_cast<double>(grid_.stride);
     step_[0] = start_.step_y;
@@ -126,7 +126,7 @@ class Walk {
     const unsigned* const cells = grid_.cells;
     for (unsigned word = cells[at & kCell];;) {
       if (word <= kOutside) {
-        if (word == kOutside || visit(word, at, e < 0)) return rivals_;
+        if (word == kOutside || visit(word, at, e < 0)) return candidates_;
       }
       do {
         const long is_across = e >> 63;  // all bits
@@ -141,10 +141,10 @@ class Walk {
   // Tests the walls of a cell; whether nothing can come before what was met.
   __attribute__((noinline)) bool visit(unsigned word, long at, bool is_across) {
     if ((word >> 30) == 0)
-      test_list(grid_, line_, word, rivals_);
+      test_list(grid_, line_, word, candidates_);
     else
       cross_divided(word, at, is_across);
-    if (!(rivals_.least() < kFar)) return false;
+    if (!(candidates_.least() < kFar)) return false;
     return is_before(way(at, is_across) / step_[is_across]);
   }
 
@@ -155,7 +155,7 @@ class Walk {
 
   // Whether what was met surely lies before the ray leaves a cell.
   bool is_before(double exit) const {
-    return static_cast<double>(rivals_.least()) < exit * square_ - near_;
+    return static_cast<double>(candidates_.least()) < exit * square_ - near_;
   }
 
   // The cells of a cell. They are entered a little early and left as the cell itself is: so the way
@@ -181,8 +181,9 @@ class Walk {
       const bool is_across =
           (e < 0 && (leave_across || x + 1 < end)) || (leave_across && y + 1 == end);
       if ((inner >> 31) == 0) {
-        test_list(grid_, line_, inner, rivals_);
-        if (rivals_.least() < kFar && is_before(e < 0 ? way_x() / step_[1] : way_y() / step_[0]))
+        test_list(grid_, line_, inner, candidates_);
+        if (candidates_.least() < kFar &&
+            is_before(e < 0 ? way_x() / step_[1] : way_y() / step_[0]))
           return;
       }
       e += is_across ? q : -p;
@@ -195,20 +196,20 @@ class Walk {
   const Line& line_;
   const double square_, near_;
   double step_[2] = {}, gap_[2] = {};  // in y, in x
-  Rivals rivals_;
+  Candidates candidates_;
 };
 
-AloneHit nearest(const Grid& grid, const double* ends, const AloneRay& ray) {
+SingleHit nearest(const Grid& grid, const double* ends, const SingleRay& ray) {
   Start start;
   const Fate fate = prepare(grid, ray, start);
   if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};
   const Line line = line_of(grid, start, ray.left);
-  Rivals rivals;
+  Candidates candidates;
   if (grid.cells == nullptr)
-    test_list(grid, line, 0, rivals);
+    test_list(grid, line, 0, candidates);
   else
-    rivals = Walk(grid, start, line).run();
-  AloneHit hit{rivals.verdict(), rivals.slot, 0};
+    candidates = Walk(grid, start, line).run();
+  SingleHit hit{candidates.verdict(), candidates.slot, 0};
   if (hit.found >= 0)
     hit.t = crossing_time({ray.ox, ray.oy, ray.dx, ray.dy}, fetch_ends(ends, &hit.slot));
   return hit;
