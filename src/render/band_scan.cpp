@@ -320,20 +320,21 @@ std::optional<Light> BandScan::plain_area_of(std::span<const Piece* const> piece
   const ItemLook& look = looks_[item];
   if (pieces.back()->item != item || !look.opaque || !look.simple || look.varies) return {};
   Light below = background_;
-  double wound = 0;
+  int winding = 0;
   const std::span<const Stack::Entry> entries = stacks_[0].entries();
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
     const ItemLook& other = looks_[entry->item];
     if (entry->item == item) {
-      wound = entry->winding;
+      winding = entry->winding;
     } else if (other.covers(entry->winding)) {
       if (entry->item > item || !other.opaque || other.varies) return {};
       below = other.light;
       break;
     }
   }
+  double wound = 0;  // added up as for part_covered, to the bit
   for (const Piece* piece : pieces) wound += area_right_of(*piece);
-  return mixed(look.light, below, std::min(std::abs(wound), 1.0));
+  return mixed(look.light, below, std::min(std::abs(winding + wound), 1.0));
 }
 
 Light BandScan::area_of(std::span<const Piece* const> pieces, int row) {
