@@ -42,7 +42,8 @@ void make_copies(Builder& builder, const Value& table, const CopiedTable& what,
   first.where = table.where;
   const T blank = first;
   read_keys<T>(builder, table, what.name, keys, first);
-  const std::size_t warnings = in.warnings.size(), problems = in.problems.size();
+  const std::size_t problems = in.problems.size();
+  std::size_t warnings = in.warnings.size();  // with those of the first copy
   const std::uint64_t total = problems == before && !builder.full ? copies.total : 1;
   for (std::uint64_t i = 0; i < total && in.problems.size() == problems; ++i) {
     draws.set_copy(i);
@@ -57,6 +58,7 @@ void make_copies(Builder& builder, const Value& table, const CopiedTable& what,
     std::string suffix = copy_suffix(builder, copies, i);
     if (!thing.name.empty()) thing.name += suffix;
     add(std::move(thing), i, std::move(suffix));
+    if (i == 0) warnings = in.warnings.size();
   }
   in.warnings.resize(warnings);
   in.draws = nullptr;

@@ -108,9 +108,16 @@ bool is_only_lines(const Shape& shape) {
                       [](const ArcPath& path) { return path.closed; });
 }
 
-void dress(const Scene& scene, const Value& table, Entity& entity) {
-  if (table.find("fill") != nullptr || table.find("stroke") != nullptr) return;
-  if (entity.shape < scene.shapes.size() && is_only_lines(scene.shapes[entity.shape]))
+void dress(Builder& builder, const Value& table, Entity& entity) {
+  const Scene& scene = builder.scene;
+  const bool lines =
+      entity.shape < scene.shapes.size() && is_only_lines(scene.shapes[entity.shape]);
+  const Member* fill = table.find("fill");
+  if (fill != nullptr && entity.fill && lines)
+    builder.in.warning(fill->value.where, "a shape of lines has no inside to fill",
+                       "write stroke = { colour = \"#rrggbb\" }");
+  if (fill != nullptr || table.find("stroke") != nullptr) return;
+  if (lines)
     entity.stroke = kDefaultStroke;
   else
     entity.fill = default_fill(scene, entity.scatterer, kDefaultColour);
@@ -129,7 +136,7 @@ void read_entity(Builder& builder, const Value& table) {
   const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
     if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
     refuse_hindered(builder, entity, table);
-    dress(scene, table, entity);
+    dress(builder, table, entity);
     if (!entity.alternatives.empty()) check_alternatives(builder, entity, table);
     entity.order = draw_order(builder, table.where, copy);
     if (entity.group) entity.layer += scene.groups[*entity.group].layer;

@@ -1,4 +1,4 @@
-// needs: shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment
+// needs: shapes/bezier shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment
 #include <gtest/gtest.h>
 
 #include "scene/ring.h"
@@ -186,6 +186,20 @@ TEST(StiffCases, A5ABoxSoWrittenHasNoArea) {
 TEST(Shapes, VerticesWrittenAlikeAreNotWarnedOf) {
   EXPECT_TRUE(loaded(with_shape("polygon = { points = [[0, 0], [1, 0], [1.0, 0e5], [0, 1]] }"))
                   .warnings.empty());
+}
+
+TEST(Shapes, OfLinesThatAreFilledAreWarnedOfOnce) {
+  const auto warnings = [](const std::string& shape) {
+    return loaded(with_shape(shape) +
+                  "\nfill = '#ff0000'\nrepeat = { ring = { count = 3, "
+                  "radius = 9 } }\n")
+        .warnings;
+  };
+  const Diagnostics told = warnings("segment = { from = [0, 0], to = [1, 0] }");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].message, "a shape of lines has no inside to fill");
+  EXPECT_EQ(warnings("bezier = { points = [[0, 0], [1, 1], [2, 1], [3, 0]] }").size(), 1U);
+  EXPECT_TRUE(warnings("circle = { radius = 1 }").empty());
 }
 
 TEST(Shapes, ArgumentsOfTheWrongKindAreTold) {
