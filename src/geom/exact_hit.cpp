@@ -4,7 +4,6 @@
 #include "geom/primitives/wall.h"
 
 namespace flatray {
-namespace {}  // namespace
 
 // constant + slope * t
 struct ExactHit::LinearForm {
@@ -141,10 +140,11 @@ Sign ExactHit::side_of(const Bezier& wall) const {
   if (const auto sign = (along(0) * beside(1) - along(1) * beside(0)).sign()) return *sign;
   std::vector<WallMeeting> met;
   meet(wall, ray_, {Root::none, false, true}, met);
+  const double here = time_.nearest().t;
   Sign side = Sign::zero;
   double least = kInfinity;
   for (const WallMeeting& one : met)
-    if (const double away = std::fabs(one.time.nearest().t - time_.nearest().t); away < least) {
+    if (const double away = std::fabs(one.time.nearest().t - here); away < least) {
       least = away;
       side = enters(one.root) == (compare(one.time, time_) > 0) ? Sign::positive : Sign::negative;
     }
