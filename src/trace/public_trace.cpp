@@ -14,6 +14,7 @@ namespace {
 
 static_assert(kNoWall == kNoSurface && static_cast<int>(Root::both) == 3 &&
               static_cast<int>(flatray::Root::both) == 3 &&
+              static_cast<int>(Root::fourth) == static_cast<int>(flatray::Root::fourth) &&
               static_cast<int>(Meeting::through) == static_cast<int>(HitClass::through) &&
               static_cast<int>(Place::inside) == static_cast<int>(StartPlace::inside));
 

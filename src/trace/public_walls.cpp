@@ -108,4 +108,19 @@ Status Walls::add_arcs(Column x, Column y, Column radius, Column from_x, Column 
   return add_all(data().surfaces, x.size(), arc);
 }
 
+Status Walls::add_beziers(int degree, Column x, Column y) {
+  if (const Status fault = check_columns({x, y}); !fault) return fault;
+  if (degree != 2 && degree != 3) return {Fault::sizes, 0};
+  const auto each = static_cast<std::size_t>(degree) + 1;
+  if (x.size() % each != 0) return {Fault::sizes, 0};
+  const std::vector<Vec2> points = points_of(x, y);
+  const auto curve = [&](std::size_t i) {
+    return Bezier(std::span(points).subspan(each * i, each));
+  };
+  const std::size_t count = x.size() / each;
+  for (std::size_t i = 0; i < count; ++i)
+    if (is_on_one_line(curve(i))) return {Fault::degenerate, i};
+  return add_all(data().surfaces, count, curve);
+}
+
 }  // namespace flatray::api

@@ -67,6 +67,19 @@ Twice any_walls(Draws& draw) {
   EXPECT_TRUE(both.walls.add_circles(centre.x, centre.y, radius));
   EXPECT_TRUE(both.walls.add_ellipses(centre.x, centre.y, u.x, u.y, v.x, v.y));
   EXPECT_TRUE(both.walls.add_arcs(centre.x, centre.y, radius, from.x, from.y, to.x, to.y));
+  for (const int degree : {2, 3}) {
+    Points control;
+    for (int i = 0; i < 2; ++i) {
+      std::vector<Vec2> points;
+      do {
+        points.clear();
+        for (int k = 0; k <= degree; ++k) points.push_back(draw.grid_point(-9, 9));
+      } while (is_on_one_line(Bezier(points)));
+      for (const Vec2& p : points) control.add(p);
+      both.surfaces.add(Bezier(points));
+    }
+    EXPECT_TRUE(both.walls.add_beziers(degree, control.x, control.y));
+  }
   EXPECT_EQ(both.walls.size(), both.surfaces.size());
   return both;
 }
@@ -188,6 +201,12 @@ TEST(PublicTrace, MistakesInWallsAreToldAndAddNothing) {
   expect_fault(arcs(one, Numbers{1, 0, 0}, Numbers{1, 1, 0}, two, one), Fault::degenerate, 2);
   expect_fault(arcs(Numbers{1, 0, 1}, one, two, two, one), Fault::degenerate, 1);
   expect_fault(arcs(Numbers{1, -1, 1}, one, two, two, one), Fault::radius, 1);
+  const Numbers six_x = {0, 1, 2, 0, 1, 2}, six_y = {0, 1, 0, 0, 1, 2};
+  expect_fault(walls.add_beziers(2, six_x, six_y), Fault::degenerate, 1);
+  expect_fault(walls.add_beziers(3, six_x, six_y), Fault::sizes);
+  expect_fault(walls.add_beziers(1, six_x, six_y), Fault::sizes);
+  expect_fault(walls.add_beziers(2, six_x, zero), Fault::sizes);
+  expect_fault(walls.add_beziers(2, zero, Numbers{0, kNaN, 1}), Fault::not_finite, 1);
   EXPECT_EQ(walls.size(), 3U);
   EXPECT_TRUE(arcs(one, one, two, Numbers{-1, -1, -1}, Numbers{-2, -2, -2}));  // half a turn
   EXPECT_EQ(walls.size(), 6U);

@@ -117,5 +117,22 @@ TEST(PublicTransport, MistakesAreToldAndChangeNothing) {
   EXPECT_TRUE(bounces.empty());
 }
 
+// Of y = x^2 / 4, whose focus is (0, 1), the tangents at x = 2 and -2 are diagonals.
+TEST(PublicTransport, AParabolaSendsWhatComesAlongItsAxisThroughItsFocus) {
+  api::Walls walls;
+  ASSERT_TRUE(walls.add_beziers(2, Numbers{-4, 0, 4}, Numbers{4, -4, 4}));
+  const api::Room room(std::move(walls));
+  std::vector<api::Orbit> orbits;
+  std::vector<api::Bounce> bounces;
+  ASSERT_TRUE(room.orbits({Numbers{2}, Numbers{5}, Numbers{0}, Numbers{-1}}, 9, orbits, bounces));
+  ASSERT_EQ(bounces.size(), 2U);
+  EXPECT_EQ(orbits[0].reason, api::OrbitEnd::escape);
+  EXPECT_EQ((Numbers{bounces[0].x, bounces[0].y, bounces[1].x, bounces[1].y}),
+            (Numbers{2, 1, -2, 1}));
+  EXPECT_EQ((Numbers{bounces[0].direction_x, bounces[0].direction_y}), (Numbers{-1, 0}));
+  EXPECT_EQ((Numbers{orbits[0].out_x, orbits[0].out_y, bounces[1].path_length}),
+            (Numbers{0, 1, 8}));
+}
+
 }  // namespace
 }  // namespace flatray

@@ -12,7 +12,7 @@ enum class Fault : std::uint8_t {
   sizes,       ///< arrays that go together differ in length
   not_finite,  ///< a coordinate is NaN or infinite, or a limit of t is NaN
   radius,      ///< a radius is negative
-  degenerate,  ///< an ellipse or arc that is none, as Walls says
+  degenerate,  ///< an ellipse, arc or Bezier curve that is none, as Walls says
   empty,       ///< a polygon without a vertex
   not_convex,  ///< a polygon turns the other way at this vertex, or winds round twice
   no_such,     ///< the number of a wall or body that is not there

@@ -11,11 +11,13 @@
 namespace flatray::api {
 
 /// Where the line of a ray meets a circle, an ellipse or an arc: it enters by the first root and
-/// leaves by the second.
-enum class Root : std::uint8_t { none, first, second, both };
+/// leaves by the second. Of a Bezier curve it crosses from the left by the first and third and from
+/// the right by the second and fourth, in their order along the curve.
+enum class Root : std::uint8_t { none, first, second, both, third, fourth };
 
 /// What a ray has just left and does not meet again: a segment by its number, a curve by its number
-/// and in the root stood on; `both` leaves the whole curve out. No distance is involved.
+/// and in the root stood on; `both` leaves the whole curve out. No distance is involved. Of a Bezier
+/// curve every root but `none` leaves out what is met at t = 0, and nothing else.
 struct Left {
   std::uint32_t wall = kNoWall;
   Root root = Root::none;

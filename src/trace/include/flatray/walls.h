@@ -50,6 +50,11 @@ class Walls {
                   std::span<const double> radius, std::span<const double> from_x,
                   std::span<const double> from_y, std::span<const double> to_x,
                   std::span<const double> to_y);
+  /// Bezier curves of degree 2, which are arcs of parabolas, or 3: curve i has the control points from
+  /// (degree + 1) i on. Lines without an inside; they begin and end in their first and last point.
+  /// Error   `sizes`: also another degree, or points that are not degree + 1 for each curve;
+  ///         `degenerate`: control points that all lie on one line, exactly. The entry is the curve.
+  Status add_beziers(int degree, std::span<const double> x, std::span<const double> y);
 
   std::size_t size() const;
 
