@@ -116,5 +116,27 @@ TEST(Rational, HasAnExactRootWhereThatIsRational) {
   EXPECT_EQ(Rational::exact_root(Rational(0)), Rational(0));
 }
 
+// The convergents p/q of sqrt(2) lie below and above it in turn, by some 0.35 / q^2: far less than
+// what is computed of the root. So the sum lies beside the middle of two doubles, at 1 + 2^-53.
+TEST(Rational, RootSumsBesideAMiddleAreRoundedToTheirSide) {
+  Rational p = 1, q = 1;
+  bool below = true;
+  for (int i = 0; i < 120; ++i, below = !below) {
+    const Rational next = p + q + q;
+    q = p + q;
+    p = next;
+    if (i < 80) continue;
+    const Rational middle = Rational(1) + 0x1p-53;
+    const bool is_below = !below;  // of the convergent just made
+    EXPECT_EQ(Rational::root_sum(middle - p / q, 1, 2), is_below ? 1 + 0x1p-52 : 1.0) << i;
+    EXPECT_EQ(Rational::root_sum(middle + p / q, -1, 2), is_below ? 1.0 : 1 + 0x1p-52) << i;
+  }
+}
+
+TEST(Rational, RootSumsThatAreAMiddleGoToTheEvenSide) {
+  for (const auto& [root, sum] : {std::pair{0x1p-53, 1.0}, {0x3p-53, 1 + 0x1p-51}})
+    EXPECT_EQ(Rational::root_sum(1, 1, Rational(root) * root), sum);
+}
+
 }  // namespace
 }  // namespace flatray

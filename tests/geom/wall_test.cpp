@@ -42,6 +42,33 @@ TEST(Walls, HoldTheirPointsAndEndsWithoutError) {
   EXPECT_EQ(place_on(quarter, Vec2(3, -4)), PlaceOn::outside);
 }
 
+// Of an ellipse with conjugate half-diameters u, v a coordinate reaches |(u_k, v_k)| from the centre.
+TEST(Walls, BoundsOfAWholeCurveAreNoWiderThanItIs) {
+  const auto box = bounds_of(Arc{Circle{{1, 2}, 5}});
+  EXPECT_TRUE(box.low.isApprox(Vec2(-4, -3), 1e-14) && box.high.isApprox(Vec2(6, 7), 1e-14));
+  const auto oblique =
+      bounds_of(Arc{Ellipse{{0, 0}, {3, 5}, {4, -12}}, Arc::Extent::whole, {0, 0}, {0, 0}});
+  EXPECT_TRUE(oblique.high.isApprox(Vec2(5, 13), 1e-14));
+}
+
+TEST(Walls, BoundsThatAreAddedHoldBoth) {
+  Bounds box;
+  box.add(bounds_of(Segment{{0, 5}, {2, 3}}));
+  box.add(bounds_of(Segment{{1, -1}, {7, 4}}));
+  EXPECT_EQ(box.low, Vec2(0, -1));
+  EXPECT_EQ(box.high, Vec2(7, 5));
+}
+
+TEST(Walls, ASegmentPassesNearItsPointsAndNotNearWhatLiesBeside) {
+  const Segment slope{{1, 1}, {5, 7}};
+  for (const double t : {0.0, 0.25, 0.5, 1.0}) {
+    const Vec2 on = slope.a + t * (slope.b - slope.a);
+    EXPECT_TRUE(passes_near(slope, on, Vec2(1e-12, 1e-12))) << t;
+    EXPECT_FALSE(passes_near(slope, on + Vec2(3, -2) * 1e-3, Vec2(1e-3, 1e-3))) << t;
+    EXPECT_TRUE(passes_near(slope, on + Vec2(3, -2) * 1e-3, Vec2(3e-3, 2e-3))) << t;
+  }
+}
+
 TEST(Walls, BoundsOfAnArcHoldEndsBesideItsCurve) {
   const Arc wall{Circle{{0, 0}, 1}, Arc::Extent::between, {2, 0}, {0, 3}};
   const Bounds box = bounds_of(wall);
