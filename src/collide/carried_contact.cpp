@@ -1,99 +1,141 @@
 #include "collide/carried_contact.h"
 
-#include <algorithm>
-
-#include "collide/curved_contact.h"
+#include "collide/sandwich.h"
 #include "collide/turning_contact.h"
+#include "geom/turn.h"
 
 namespace flatray {
 namespace {
 
-// Parts as what carries them sees them: of what does not turn as they lie.
+using Verdict = TurningContact::Verdict;
+
+// Parts as what carries them sees them: of what does not turn as they lie. What of a shape has the same
+// upright box around it at every angle it comes to is that box, where it does not turn.
 struct CarriedParts {
   std::vector<ShapePart> parts;
   RigidMotion motion;
 
-  explicit CarriedParts(const CarriedShape& carried) : motion(carried.way.motion) {
+  CarriedParts(const CarriedShape& carried, Outline outline) : motion(carried.way.motion) {
     const bool turns = !motion.angle.is_constant();
-    parts =
-        parts_of(*carried.shape, pose({0, 0}, turns ? 0 : motion.angle.c[0], carried.way.scale));
+    const Pose place = pose({0, 0}, turns ? 0 : motion.angle.c[0], carried.way.scale);
+    parts = parts_of(*carried.shape, place, turns ? Outline::own : outline);
     if (!turns) motion.angle = linear(0, 0);
   }
-
-  TurningBody body(const ShapePart& part) const { return {part.ring, part.radius, motion}; }
 };
 
-// The first meeting after a time, and when it is over: nothing for the last one, and without any.
-// `contact` and `parting` as those of turning bodies, of a range that ends at `length`.
-template <class FirstOrLast, class Parting>
-std::optional<double> add_carried_part(const FirstOrLast& contact, const Parting& parting,
-                                       double from, double length,
-                                       std::vector<MeetingPart>& parts) {
-  const TurningContact first = contact(false, from);
-  if (first.verdict == TurningContact::Verdict::apart) return std::nullopt;
-  const bool certain = first.verdict == TurningContact::Verdict::meets;
-  const double met = first.first.high;
-  const std::optional<double> parted = certain && met < length ? parting(met) : std::nullopt;
-  const double last = parted ? *parted : certain ? contact(true, 0.0).first.high : met;
-  parts.push_back(proven_part({first.first.low, std::max(met, last)}, first.start, first.place,
-                              met - first.first.low, certain));
-  return parted;
-}
+// Two parts; where one is an ellipse, polygons in or about it stand for it.
+class PartPair {
+ public:
+  PartPair(const ShapePart& p, const RigidMotion& a, const ShapePart& q, const RigidMotion& b)
+      : layers_{Sandwich(p), Sandwich(q)},
+        radii_{p.radius, q.radius},
+        motions_{&a, &b},
+        is_curved_(p.curve || q.curve) {}
 
-template <class FirstOrLast, class Parting>
-void add_carried_parts(const FirstOrLast& contact, const Parting& parting, double length,
-                       std::vector<MeetingPart>& parts) {
-  for (std::optional<double> from = 0; from && *from < length;)
-    from = add_carried_part(contact, parting, *from, length, parts);
-}
+  bool is_curved() const { return is_curved_; }
+  Sandwiches& layers() { return layers_; }
 
-std::vector<MeetingPart> carried_parts_meet(const CarriedParts& a, const CarriedParts& b,
-                                            double length) {
-  std::vector<MeetingPart> parts;
-  for (const ShapePart& p : a.parts)
-    for (const ShapePart& q : b.parts) {
-      if (p.curve || q.curve) {
-        const auto met = carried_curves_meet(p, a.motion, q, b.motion, length);
-        parts.insert(parts.end(), met.begin(), met.end());
-        continue;
-      }
-      const TurningBody one = a.body(p), other = b.body(q);
-      add_carried_parts(
-          [&](bool backwards, double from) {
-            return turning_contact(one, other, length, kTurningWidth, backwards, from);
-          },
-          [&](double from) { return turning_parting(one, other, from, length, kTurningWidth); },
-          length, parts);
+  // The first touch from a time on, or the last before one.
+  TurningContact first(double from, bool outer) const {
+    return turning_contact(body(0, outer), body(1, outer), 1, kTurningWidth, false, from);
+  }
+  TurningContact last(double until) const {
+    return turning_contact(body(0, true), body(1, true), until, kTurningWidth, true);
+  }
+  std::optional<double> parting(double from) const {
+    return turning_parting(body(0, true), body(1, true), from, 1, kTurningWidth);
+  }
+  // Of a normal out of the first at a time what the bodies themselves see.
+  void add_normal(const Vec2& normal, double time, Normals& normals) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Turn back = turn(-motions_[i]->angle(time));
+      const Vec2 n = i == 0 ? normal : Vec2(-normal);
+      normals[i].emplace_back(back.cos * n.x() - back.sin * n.y(),
+                              back.sin * n.x() + back.cos * n.y());
     }
-  join(parts);
-  return parts;
+  }
+
+ private:
+  TurningBody body(std::size_t i, bool outer) const {
+    return {layers_[i].ring(outer), radii_[i], *motions_[i]};
+  }
+
+  Sandwiches layers_;
+  const std::array<double, 2> radii_;
+  const std::array<const RigidMotion*, 2> motions_;
+  const bool is_curved_;
+};
+
+// The boxes around all parts of two bodies.
+class BoxPair {
+ public:
+  BoxPair(const CarriedParts& a, const CarriedParts& b) {
+    for (const ShapePart& part : a.parts) a_.push_back({part.ring, part.radius, a.motion});
+    for (const ShapePart& part : b.parts) b_.push_back({part.ring, part.radius, b.motion});
+  }
+  TurningContact first(double from, bool) const {
+    return box_contact(a_, b_, 1, kTurningWidth, false, from);
+  }
+  TurningContact last(double until) const {
+    return box_contact(a_, b_, until, kTurningWidth, true);
+  }
+  std::optional<double> parting(double from) const {
+    return box_parting(a_, b_, from, 1, kTurningWidth);
+  }
+
+ private:
+  std::vector<TurningBody> a_, b_;
+};
+
+// The first meeting after a time, between that of what is about both and that of what is in them.
+struct FirstMeeting {
+  TurningContact outer, inner;
+  std::optional<double> parted;  // when it is over, if there may be another
+  double end = 0;
+
+  template <class Pair>
+  FirstMeeting(const Pair& pair, double from, bool is_curved) : outer(pair.first(from, true)) {
+    if (outer.verdict == Verdict::apart) return;
+    inner = is_curved ? pair.first(from, false) : outer;
+    const double seen = outer.first.high;
+    if (seen < 1) parted = outer.verdict == Verdict::meets ? pair.parting(seen) : seen;
+    end = std::max(seen, parted ? *parted : pair.last(1).first.high);
+  }
+  std::optional<MeetingPart> part() const {
+    if (outer.verdict == Verdict::apart) return std::nullopt;
+    const double begin = outer.first.low, met = inner.first.high;
+    const bool certain = inner.verdict == Verdict::meets && met <= parted.value_or(1);
+    return proven_part({begin, end}, start_between(outer.start, inner.start), outer.place,
+                       (certain ? met : end) - begin, certain);
+  }
+};
+
+void add_meetings(PartPair& pair, std::vector<MeetingPart>& parts) {
+  for (std::optional<double> from = 0; from && *from < 1;) {
+    std::optional<MeetingPart> met = undecided_part({*from, 1});
+    std::optional<double> parted;
+    refine(pair.layers(), [&] {
+      const FirstMeeting meeting(pair, *from, pair.is_curved());
+      met = meeting.part();
+      parted = meeting.parted;
+      Normals normals;
+      if (!met || !pair.is_curved()) return normals;
+      pair.add_normal(meeting.outer.place.normal, met->times.low, normals);
+      const double end = met->times.high;
+      pair.add_normal(pair.last(std::max(end, 0x1p-60)).place.normal, end, normals);
+      return normals;
+    });
+    if (met) parts.push_back(*met);
+    from = parted;
+  }
 }
 
-// What of a shape has the same upright box around it at every angle it comes to; of what does not
-// turn that box.
-CarriedParts extents_of(const CarriedShape& carried) {
-  CarriedParts extents(carried);
-  if (extents.motion.angle.is_constant())
-    extents.parts = box_part(
-        {carried.shape, pose({0, 0}, carried.way.motion.angle.c[0], carried.way.scale), {0, 0}});
-  return extents;
-}
-
-std::vector<MeetingPart> carried_boxes_meet(const CarriedShape& a, const CarriedShape& b) {
-  const CarriedParts one = extents_of(a), other = extents_of(b);
-  std::vector<TurningBody> bodies[2];
-  for (const ShapePart& part : one.parts) bodies[0].push_back(one.body(part));
-  for (const ShapePart& part : other.parts) bodies[1].push_back(other.body(part));
-  std::vector<MeetingPart> parts;
-  if (bodies[0].empty() || bodies[1].empty()) return parts;
-  add_carried_parts(
-      [&](bool backwards, double from) {
-        return box_contact(bodies[0], bodies[1], 1, kTurningWidth, backwards, from);
-      },
-      [&](double from) { return box_parting(bodies[0], bodies[1], from, 1, kTurningWidth); }, 1,
-      parts);
-  join(parts);
-  return parts;
+void add_meetings(const BoxPair& pair, std::vector<MeetingPart>& parts) {
+  for (std::optional<double> from = 0; from && *from < 1;) {
+    const FirstMeeting meeting(pair, *from, false);
+    if (const auto met = meeting.part()) parts.push_back(*met);
+    from = meeting.parted;
+  }
 }
 
 bool is_tame(const CarriedShape& carried) {
@@ -103,18 +145,25 @@ bool is_tame(const CarriedShape& carried) {
 
 }  // namespace
 
-MovingShape CarriedShape::as_moving() const {
-  const RigidMotion& motion = way.motion;
-  return {shape, pose(motion.at.c[0], motion.angle.c[0], way.scale), motion.at.c[1]};
-}
-
 std::vector<MeetingPart> carried_shapes_meet(const CarriedShape& a, const CarriedShape& b,
                                              Outline outline) {
-  const auto meet = outline == Outline::own ? shapes_meet : boxes_meet;
-  if (a.goes_straight() && b.goes_straight()) return meet(a.as_moving(), b.as_moving(), {0, 1});
+  if (a.goes_straight() && b.goes_straight())
+    return shapes_meet(a.as_moving(), b.as_moving(), {0, 1}, outline);
   if (!is_tame(a) || !is_tame(b)) return {undecided_part({0, 1})};
-  return outline == Outline::own ? carried_parts_meet(CarriedParts(a), CarriedParts(b), 1)
-                                 : carried_boxes_meet(a, b);
+  const CarriedParts one(a, outline), other(b, outline);
+  std::vector<MeetingPart> parts;
+  if (one.parts.empty() || other.parts.empty()) return parts;
+  if (outline == Outline::box) {
+    add_meetings(BoxPair(one, other), parts);
+  } else {
+    for (const ShapePart& p : one.parts)
+      for (const ShapePart& q : other.parts) {
+        PartPair pair(p, one.motion, q, other.motion);
+        add_meetings(pair, parts);
+      }
+  }
+  join(parts);
+  return parts;
 }
 
 }  // namespace flatray

@@ -95,9 +95,7 @@ class Search {
                           : Bounds{});
     }
     each_batch(boxes, rests_, [&](const std::vector<Pair>& pairs) {
-      if (outline_ == Outline::own) return add(pairs, pairs_meet(bodies, pairs, within, threads_));
-      for (const auto& [a, b] : pairs)
-        for (const MeetingPart& part : boxes_meet(bodies[a], bodies[b], within)) add({a, b}, part);
+      add(pairs, pairs_meet(bodies, pairs, within, threads_, outline_));
     });
   }
 

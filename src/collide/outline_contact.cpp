@@ -1,12 +1,13 @@
 #include "collide/outline_contact.h"
 
 #include <algorithm>
+#include <array>
 
 #include "anim/world.h"
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
 #include "collide/curved_contact.h"
-#include "collide/inner_cuts.h"
+#include "geom/polygon.h"
 #include "scene/rounded.h"
 
 namespace flatray {
@@ -25,37 +26,57 @@ ShapePart ellipse_part(const Ellipse& curve) {
   return {{curve.centre - reach, curve.centre + reach}};
 }
 
-// Meetings of all parts of two bodies; `contact_of(p, q)`: of two that are no ellipses, by number.
-template <class ContactOf>
-std::vector<MeetingPart> parts_meet(const MovingParts& a, const MovingParts& b, Range within,
-                                    const ContactOf& contact_of) {
-  std::vector<MeetingPart> met;
-  for (std::size_t i = 0; i < a.parts.size(); ++i)
-    for (std::size_t k = 0; k < b.parts.size(); ++k) {
-      const ShapePart &p = a.parts[i], &q = b.parts[k];
-      if (p.curve || q.curve) {
-        if (const auto part = curved_parts_meet(p, a.velocity, q, b.velocity, within))
-          met.push_back(*part);
-        continue;
-      }
-      const Contact contact = contact_of(i, k);
-      if (contact.times) met.push_back(meeting_part(contact, a.body(i), b.body(k)));
-    }
-  join(met);
-  count_cuts_as_inside(a, b, within, met);
-  return met;
+// Along a line: the order of its points.
+bool comes_before(const Vec2& p, const Vec2& q) {
+  return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
 }
-std::vector<MeetingPart> parts_meet(const MovingParts& a, const MovingParts& b, Range within) {
-  return parts_meet(a, b, within, [&](std::size_t i, std::size_t k) {
-    return contact(a.body(i), b.body(k), within);
-  });
+
+bool has_no_area(const ShapePart& part) {
+  return !part.curve && part.radius == 0 && ring_orientation(part.ring) == Sign::zero;
+}
+
+// Cuts between the convex pieces of an outline are inside it: what has no area and only ever lies on
+// cuts overlaps, where contact with each piece alone tells that they touch. `cut`: between its ends.
+void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& thin, Range within,
+               std::vector<MeetingPart>& met) {
+  if (comes_before(cut[1], cut[0])) std::swap(cut[0], cut[1]);
+  const auto& ring = thin.vertices;
+  if (!std::all_of(ring.begin(), ring.end(),
+                   [&](const Vec2& p) { return orientation(cut[0], cut[1], p) == Sign::zero; }))
+    return;
+  const auto raise = [&](double time, StartPlace start) {
+    for (MeetingPart& part : met) {
+      if (time < part.times.low || time > part.times.high) continue;
+      part.kind = HitClass::through;
+      part.start = std::max(part.start, start);
+    }
+  };
+  const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), comes_before);
+  if (within.low <= 0 && within.high >= 0 && comes_before(*low, cut[1]) &&
+      comes_before(cut[0], *high))
+    raise(0, StartPlace::inside);
+  if (cross_sign(velocity, thin.velocity, cut[0], cut[1]) != Sign::zero) return;
+  // On that line at all times: for a while on the cut, or only at one of its ends.
+  const HitInterval times = contact({cut, velocity}, thin, within).times;
+  if (times.kind == HitClass::along) raise(times.t_enter, StartPlace::outside);
+}
+
+void count_cuts(std::span<const ShapePart> pieces, const Vec2& velocity,
+                std::span<const ShapePart> others, const Vec2& others_velocity, Range within,
+                std::vector<MeetingPart>& met) {
+  for (const auto& [ring, radius, curve, cuts] : pieces)
+    for (const std::uint32_t k : cuts)
+      for (const ShapePart& part : others)
+        if (has_no_area(part))
+          count_cut({ring[k], ring[(k + 1) % ring.size()]}, velocity, {part.ring, others_velocity},
+                    within, met);
 }
 
 // Parts of many bodies, made ready once and asked together.
 class ReadyBodies {
  public:
-  explicit ReadyBodies(std::span<const MovingShape> bodies)
-      : bodies_(bodies), parts_(bodies.size()), first_(bodies.size()) {}
+  ReadyBodies(std::span<const MovingShape> bodies, Outline outline)
+      : bodies_(bodies), outline_(outline), parts_(bodies.size()), first_(bodies.size()) {}
 
   // Notes what is to be asked of one more pair.
   void add(std::uint32_t a, std::uint32_t b) {
@@ -79,15 +100,31 @@ class ReadyBodies {
   // Of the pair that was noted as number `k`.
   std::vector<MeetingPart> meetings(std::size_t k, std::uint32_t a, std::uint32_t b,
                                     Range within) const {
-    return parts_meet(
-        {parts_[a], bodies_[a].velocity}, {parts_[b], bodies_[b].velocity}, within,
-        [&](std::size_t p, std::size_t q) { return found_[begin_[k] + p * parts_[b].size() + q]; });
+    const Vec2 &velocity_a = bodies_[a].velocity, &velocity_b = bodies_[b].velocity;
+    std::vector<MeetingPart> met;
+    const Contact* contact = found_.data() + begin_[k];
+    for (const ShapePart& p : parts_[a])
+      for (const ShapePart& q : parts_[b]) {
+        const Contact& found = *contact++;
+        if (p.curve || q.curve) {
+          if (const auto part = curved_parts_meet(p, velocity_a, q, velocity_b, within))
+            met.push_back(*part);
+        } else if (found.times) {
+          met.push_back(
+              meeting_part(found, {p.ring, velocity_a, p.radius}, {q.ring, velocity_b, q.radius}));
+        }
+      }
+    join(met);
+    if (met.empty()) return met;
+    count_cuts(parts_[a], velocity_a, parts_[b], velocity_b, within, met);
+    count_cuts(parts_[b], velocity_b, parts_[a], velocity_a, within, met);
+    return met;
   }
 
  private:
   void make_ready(std::uint32_t body) {
     if (!parts_[body].empty()) return;
-    parts_[body] = parts_of(*bodies_[body].shape, bodies_[body].place);
+    parts_[body] = parts_of(*bodies_[body].shape, bodies_[body].place, outline_);
     first_[body] = static_cast<std::uint32_t>(set_.size());
     for (const ShapePart& part : parts_[body]) set_.add(core_of(part), part.radius);
   }
@@ -97,6 +134,7 @@ class ReadyBodies {
   }
 
   const std::span<const MovingShape> bodies_;
+  const Outline outline_;
   std::vector<std::vector<ShapePart>> parts_;  // by body, as far as asked
   std::vector<std::uint32_t> first_;           // the number of the first part of each
   BodySet set_;
@@ -107,8 +145,17 @@ class ReadyBodies {
 
 }  // namespace
 
-std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place) {
+std::vector<Vec2> ring_of(const Bounds& box) {
+  return {box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}};
+}
+
+std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place, Outline outline) {
   std::vector<ShapePart> all;
+  if (outline == Outline::box) {
+    const Bounds box = shape_bounds(shape, place);
+    if (!box.empty()) all.push_back({ring_of(box)});
+    return all;
+  }
   for (std::size_t i = 0; i < shape.piece_count(); ++i) {
     ShapePart piece{posed_piece(shape, i, place)};
     for (std::uint32_t k = shape.begin[i]; k < shape.begin[i + 1]; ++k)
@@ -149,12 +196,6 @@ void join(std::vector<MeetingPart>& parts) {
   if (!parts.empty()) parts.resize(kept + 1);
 }
 
-std::vector<ShapePart> box_part(const MovingShape& moving) {
-  const Bounds box = shape_bounds(*moving.shape, moving.place);
-  if (box.empty()) return {};
-  return {{{box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}}}};
-}
-
 MeetingPart proven_part(Range times, StartPlace start, const ContactPlace& place, double width,
                         bool certain) {
   const HitClass kind = certain ? HitClass::through : HitClass::touch;
@@ -171,17 +212,18 @@ void extend(MeetingPart& last, const MeetingPart& next) {
   last.start = std::max(last.start, next.start);
 }
 
-std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within) {
-  const std::vector<ShapePart> one = parts_of(*a.shape, a.place),
-                               other = parts_of(*b.shape, b.place);
-  return parts_meet({one, a.velocity}, {other, b.velocity}, within);
+std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within,
+                                     Outline outline) {
+  const MovingShape both[] = {a, b};
+  const std::pair<std::uint32_t, std::uint32_t> pair(0, 1);
+  return pairs_meet(both, {&pair, 1}, within, 1, outline)[0];
 }
 
 std::vector<std::vector<MeetingPart>> pairs_meet(
     std::span<const MovingShape> bodies,
-    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within,
-    unsigned threads) {
-  ReadyBodies ready(bodies);
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads,
+    Outline outline) {
+  ReadyBodies ready(bodies, outline);
   for (const auto& [a, b] : pairs) ready.add(a, b);
   ready.ask(within, threads);
   std::vector<std::vector<MeetingPart>> met(pairs.size());
@@ -189,11 +231,6 @@ std::vector<std::vector<MeetingPart>> pairs_meet(
     met[i] = ready.meetings(i, pairs[i].first, pairs[i].second, within);
   });
   return met;
-}
-
-std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within) {
-  const std::vector<ShapePart> one = box_part(a), other = box_part(b);
-  return parts_meet({one, a.velocity}, {other, b.velocity}, within);
 }
 
 }  // namespace flatray

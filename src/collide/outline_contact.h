@@ -18,6 +18,9 @@ struct MovingShape {
   Vec2 velocity;
 };
 
+/// What stands for an entity: its own outline, or the upright box around it at each time.
+enum class Outline : std::uint8_t { own, box };
+
 /// The convex parts of a shape as placed: pieces, segments, discs, capsules, ellipses.
 struct ShapePart {
   std::vector<Vec2> ring;
@@ -25,7 +28,10 @@ struct ShapePart {
   std::optional<Ellipse> curve{};     ///< an ellipse that is no circle, instead of the others
   std::vector<std::uint32_t> cuts{};  ///< edges of the ring that only part it from another piece
 };
-std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place);
+/// Of the upright box around a shape one part, none of an empty one.
+std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place,
+                                Outline outline = Outline::own);
+std::vector<Vec2> ring_of(const Bounds& box);
 
 /// A time in which two shapes have a point in common.
 struct MeetingPart {
@@ -50,26 +56,23 @@ inline MeetingPart undecided_part(Range times) {
 void extend(MeetingPart& last, const MeetingPart& next);
 /// Sorts parts by time, and makes one of those that overlap.
 void join(std::vector<MeetingPart>& parts);
-/// The upright box around a shape; nothing of an empty one.
-std::vector<ShapePart> box_part(const MovingShape& moving);
 
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their
 /// convex pieces, segments and discs together.
 ///
-/// Gives   kind: through where any pieces overlap, also only on a cut between them (inner_cuts.h), else
-///         along where any touch for a while.
+/// Gives   kind: through where any pieces overlap, also only on a cut between two of them, else along
+///         where any touch for a while.
 /// Error   as contact(); of ellipses as curved_contact.h; other arcs are left out.
-std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within);
+std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within,
+                                     Outline outline = Outline::own);
 
-/// What shapes_meet tells of each of many pairs of bodies, bit for bit.
+/// The same of each of many pairs of bodies.
 ///
 /// Needs   pairs of numbers of bodies.
 /// Cost    each body is made ready once, and all are asked together, contact_batch.h.
 std::vector<std::vector<MeetingPart>> pairs_meet(
     std::span<const MovingShape> bodies,
-    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads);
-
-/// The same of the boxes around both shapes.
-std::vector<MeetingPart> boxes_meet(const MovingShape& a, const MovingShape& b, Range within);
+    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads,
+    Outline outline = Outline::own);
 
 }  // namespace flatray

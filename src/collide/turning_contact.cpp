@@ -2,13 +2,57 @@
 
 #include <algorithm>
 
-#include "collide/box_pair.h"
+#include "collide/outline_contact.h"
 #include "collide/turning_pair.h"
 
 namespace flatray {
 namespace {
 
 using Verdict = TurningContact::Verdict;
+using Bodies = std::span<const TurningBody>;
+
+// Two bodies of several parts each, as the upright boxes around them meet.
+class BoxPair {
+ public:
+  BoxPair(Bodies a, Bodies b, double length, bool backwards) {
+    for (const TurningBody& one : a)
+      for (const TurningBody& other : b) pairs_.emplace_back(one, other, length, backwards);
+  }
+  void place(double now) {
+    for (TurningPair& pair : pairs_) pair.place(now);
+  }
+  // They are apart where all parts are along one direction, and overlap where some do along each.
+  double apart_for(double) const {
+    double best = 0;
+    for (const Vec2& normal : kUpright) {
+      double least = kInfinity;
+      for (const TurningPair& pair : pairs_)
+        if (least > best) least = std::min(least, pair.holds_along(normal, true));
+      best = std::max(best, least);
+    }
+    return best;
+  }
+  double overlap_for() const {
+    double least = kInfinity;
+    for (const Vec2& normal : kUpright) {
+      double longest = 0;
+      for (const TurningPair& pair : pairs_)
+        longest = std::max(longest, pair.holds_along(normal, false));
+      least = std::min(least, longest);
+    }
+    return least;
+  }
+  ContactPlace touching_place() const {
+    Bounds a, b;
+    for (const TurningPair& pair : pairs_) a.add(pair.box_a()), b.add(pair.box_b());
+    return resting_place({ring_of(a), {0, 0}}, {ring_of(b), {0, 0}}, 0);
+  }
+  double scale() const { return 1; }
+
+ private:
+  static inline const Vec2 kUpright[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  std::vector<TurningPair> pairs_;
+};
 
 template <class Pair>
 class Search {
@@ -117,13 +161,12 @@ std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b
   return Search(TurningPair(a, b, length, false), length, width).parting(from);
 }
 
-TurningContact box_contact(std::span<const TurningBody> a, std::span<const TurningBody> b,
-                           double length, double width, bool backwards, double from) {
+TurningContact box_contact(Bodies a, Bodies b, double length, double width, bool backwards,
+                           double from) {
   return contact_of(BoxPair(a, b, length, backwards), a[0].motion, length, width, backwards, from);
 }
 
-std::optional<double> box_parting(std::span<const TurningBody> a, std::span<const TurningBody> b,
-                                  double from, double length, double width) {
+std::optional<double> box_parting(Bodies a, Bodies b, double from, double length, double width) {
   return Search(BoxPair(a, b, length, false), length, width).parting(from);
 }
 

@@ -109,25 +109,25 @@ double TurningPair::apart_by_centres() const {
                       {still_.gap_error, still_.slope_error, bend_});
 }
 
-// The gaps between edges of `frame` and the other body, or the disc in which it turns, as seen by who
-// turns with `frame`. More than `at_least`, or that.
-double TurningPair::apart_by_edges(const TurnedBody& frame, const TurnedBody& other, bool as_disc,
-                                   const Errors& errors, double at_least) const {
-  const std::size_t count = as_disc ? 1 : other.points.size();
-  const double radii = radii_ + (as_disc ? kUp * other.reach : 0);
-  double best = at_least;
-  for (std::size_t i = 0; i < frame.normals.size(); ++i) {
-    const Vec2& normal = frame.normals[i];
-    double least = kInfinity;
-    for (std::size_t k = 0; k < count && least > best; ++k) {
-      const Vec2& p = as_disc ? other.centre : other.points[k];
-      const Vec2 moves = as_disc ? other.velocity : other.moves(k);
-      least = std::min(least, positive_for(dot(normal, p - frame.points[i]) - radii,
-                                           dot(normal, moves - frame.carries(p)), errors));
-    }
-    best = std::max(best, least);
+// How long all vertices of the other, or the disc in which it turns, stay beyond an edge of `frame`, or
+// else some vertex behind it, as seen by who turns with `frame`; `enough` ends the search.
+double TurningPair::holds_by_edge(const TurnedBody& frame, std::size_t edge,
+                                  const TurnedBody& other, bool as_disc, const Errors& errors,
+                                  bool apart, double enough) const {
+  const Vec2& normal = frame.normals[edge];
+  const double radii = !apart ? 0 : radii_ + (as_disc ? kUp * other.reach : 0);
+  const auto time_of = [&](const Vec2& p, const Vec2& moves) {
+    const double gap = dot(normal, p - frame.points[edge]) - radii;
+    const double slope = dot(normal, moves - frame.carries(p));
+    return apart ? positive_for(gap, slope, errors) : positive_for(-gap, -slope, errors);
+  };
+  if (as_disc) return time_of(other.centre, other.velocity);
+  double time = apart ? kInfinity : 0;
+  for (std::size_t k = 0; k < other.points.size() && !(apart && time <= enough); ++k) {
+    const double next = time_of(other.points[k], other.moves(k));
+    time = apart ? std::min(time, next) : std::max(time, next);
   }
-  return best;
+  return time;
 }
 
 // Along the line between the two nearest vertices, as the world sees it.
@@ -141,23 +141,27 @@ double TurningPair::apart_by_vertices() const {
         from = q - p;
       }
   if (!(nearest > 0)) return 0;
-  return apart_along(from / nearest);
+  return holds_along(from / nearest, true);
 }
 
-double TurningPair::apart_along(const Vec2& normal) const {
-  double least = kInfinity;
+double TurningPair::holds_along(const Vec2& normal, bool apart) const {
+  double time = apart ? kInfinity : 0;
   for (std::size_t i = 0; i < a_.points.size(); ++i)
-    for (std::size_t k = 0; k < b_.points.size() && least > 0; ++k)
-      least = std::min(least, positive_for(dot(normal, b_.points[k] - a_.points[i]) - radii_,
-                                           dot(normal, b_.moves(k) - a_.moves(i)), still_));
-  return least;
+    for (std::size_t k = 0; k < b_.points.size() && time > (apart ? 0 : -1); ++k) {
+      const double gap = dot(normal, b_.points[k] - a_.points[i]) - radii_;
+      const double slope = dot(normal, b_.moves(k) - a_.moves(i));
+      time = apart ? std::min(time, positive_for(gap, slope, still_))
+                   : std::max(time, positive_for(-gap, -slope, still_));
+    }
+  return time;
 }
 
 double TurningPair::apart_for(double enough) const {
   double best = apart_by_centres();
   const auto look = [&](const TurnedBody& frame, const TurnedBody& other, bool as_disc,
                         const Errors& errors) {
-    if (best < enough) best = apart_by_edges(frame, other, as_disc, errors, best);
+    for (std::size_t i = 0; best < enough && i < frame.normals.size(); ++i)
+      best = std::max(best, holds_by_edge(frame, i, other, as_disc, errors, true, best));
   };
   if (b_.most_spin * length_ > kManyTurns) look(a_, b_, true, disc_by_a_);
   if (a_.most_spin * length_ > kManyTurns) look(b_, a_, true, disc_by_b_);
@@ -186,16 +190,8 @@ double TurningPair::vertex_distance(const TurnedBody& vertices, const TurnedBody
 double TurningPair::across_for(const TurnedBody& frame, const TurnedBody& other,
                                const Errors& errors) const {
   double least = kInfinity;
-  for (std::size_t i = 0; i < frame.normals.size() && least > 0; ++i) {
-    double longest = 0;
-    for (std::size_t k = 0; k < other.points.size(); ++k) {
-      const Vec2& p = other.points[k];
-      const double gap = dot(frame.normals[i], p - frame.points[i]);
-      const double slope = dot(frame.normals[i], other.moves(k) - frame.carries(p));
-      longest = std::max(longest, positive_for(-gap, -slope, errors));
-    }
-    least = std::min(least, longest);
-  }
+  for (std::size_t i = 0; i < frame.normals.size() && least > 0; ++i)
+    least = std::min(least, holds_by_edge(frame, i, other, false, errors, false, 0));
   return least;
 }
 
@@ -209,15 +205,6 @@ double TurningPair::overlap_for() const {
   const double speed =
       kUp * (speed_ + a_.most_spin * a_.reach + b_.most_spin * b_.reach) + still_.slope_error;
   return std::max(longest, kDown * (radii_ - distance - still_.gap_error) / speed);
-}
-
-double TurningPair::overlap_along(const Vec2& normal) const {
-  double longest = 0;
-  for (std::size_t i = 0; i < a_.points.size(); ++i)
-    for (std::size_t k = 0; k < b_.points.size(); ++k)
-      longest = std::max(longest, positive_for(radii_ - dot(normal, b_.points[k] - a_.points[i]),
-                                               -dot(normal, b_.moves(k) - a_.moves(i)), still_));
-  return longest;
 }
 
 Bounds TurningPair::box_of(const TurnedBody& body) const {

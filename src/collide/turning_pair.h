@@ -21,9 +21,8 @@ class TurningPair {
   ContactPlace touching_place() const;
   double scale() const { return scale_; }
 
-  // The same along one direction of the world alone.
-  double apart_along(const Vec2& normal) const;
-  double overlap_along(const Vec2& normal) const;
+  // The same along one direction of the world alone: how long they are apart, or overlap.
+  double holds_along(const Vec2& normal, bool apart) const;
   // About, as the world has them but for where the first would be without its swings.
   Bounds box_a() const { return box_of(a_); }
   Bounds box_b() const { return box_of(b_); }
@@ -38,8 +37,8 @@ class TurningPair {
   Errors disc_errors(const TurnedBody& frame, double size, double farthest) const;
   double positive_for(double gap, double slope, const Errors& errors) const;
   double apart_by_centres() const;
-  double apart_by_edges(const TurnedBody& frame, const TurnedBody& other, bool as_disc,
-                        const Errors& errors, double at_least) const;
+  double holds_by_edge(const TurnedBody& frame, std::size_t edge, const TurnedBody& other,
+                       bool as_disc, const Errors& errors, bool apart, double enough) const;
   double apart_by_vertices() const;
   double across_for(const TurnedBody& frame, const TurnedBody& other, const Errors& errors) const;
   double vertex_distance(const TurnedBody& vertices, const TurnedBody& edges) const;
