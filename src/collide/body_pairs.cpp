@@ -29,15 +29,15 @@ bool is_before(const Vec2& a, const Vec2& b) {
 
 // One more place at which a pair meets. Of one time the first is that whose point is, whichever
 // body and part came first.
-void add(std::optional<Met>& met, double time, Touch touch) {
+void add(std::optional<Hit>& met, double time, Touch touch) {
   if (!met || time < met->time) {
-    met = Met{time, touch, {}};
+    met = Hit{time, touch.pair, {touch}};
     return;
   }
-  if (is_before(touch.place.point, met->first.place.point)) std::swap(touch, met->first);
+  std::vector<Touch>& all = met->touches;
+  if (is_before(touch.place.point, all.front().place.point)) std::swap(touch, all.front());
   const auto alike = [&](const Touch& other) { return other.place.normal == touch.place.normal; };
-  if (!alike(met->first) && std::none_of(met->others.begin(), met->others.end(), alike))
-    met->others.push_back(touch);
+  if (std::none_of(all.begin(), all.end(), alike)) all.push_back(touch);
 }
 
 }  // namespace
@@ -58,11 +58,12 @@ Vec2 BodyPairs::place(std::uint32_t body, double time) const {
   return place_at(std::span(stages_[body]).last(1), time);
 }
 
-MovingBody BodyPairs::part(std::uint32_t body, const ShapePart& part, const Vec2& at,
+MovingBody BodyPairs::part(std::uint32_t body, std::uint32_t part, const Vec2& at,
                            std::vector<Vec2>& ring) const {
+  const ShapePart& own = bodies_[body].parts[part];
   ring.clear();
-  for (const Vec2& p : part.ring) ring.push_back(at + p);
-  return {ring, stages_[body].back().velocity, part.radius};
+  for (const Vec2& p : own.ring) ring.push_back(at + p);
+  return {ring, stages_[body].back().velocity, own.radius};
 }
 
 // The parts of both, one after the other.
@@ -70,12 +71,11 @@ template <class Look>
 void BodyPairs::each_contact(const BodyPair& pair, double time, Range within,
                              const Look& look) const {
   const Vec2 at_a = place(pair.first, time), at_b = place(pair.second, time);
-  const auto &parts_a = bodies_[pair.first].parts, &parts_b = bodies_[pair.second].parts;
   std::vector<Vec2> ring_a, ring_b;
-  for (std::uint32_t p = 0; p < parts_a.size(); ++p)
-    for (std::uint32_t q = 0; q < parts_b.size(); ++q) {
-      const MovingBody a = part(pair.first, parts_a[p], at_a, ring_a);
-      const MovingBody b = part(pair.second, parts_b[q], at_b, ring_b);
+  for (std::uint32_t p = 0; p < bodies_[pair.first].parts.size(); ++p)
+    for (std::uint32_t q = 0; q < bodies_[pair.second].parts.size(); ++q) {
+      const MovingBody a = part(pair.first, p, at_a, ring_a),
+                       b = part(pair.second, q, at_b, ring_b);
       look(contact(a, b, within), a, b, p, q);
     }
 }
@@ -110,9 +110,9 @@ std::optional<double> BodyPairs::least_wait(const BodyPair& pair, double time, d
   return std::max(wait, 0.0);
 }
 
-std::optional<Met> BodyPairs::meeting(const BodyPair& pair, double time, double end,
+std::optional<Hit> BodyPairs::meeting(const BodyPair& pair, double time, double end,
                                       bool pass) const {
-  std::optional<Met> found;
+  std::optional<Hit> found;
   bool overlaps = false;
   each_contact(pair, time, kLine,
                [&](const Contact& met, const MovingBody& a, const MovingBody& b, std::uint32_t p,
@@ -125,17 +125,17 @@ std::optional<Met> BodyPairs::meeting(const BodyPair& pair, double time, double 
                  const ContactPlace at =
                      enter < 0 ? resting_place(a, b, 0) : contact_place(met.first, a, b, t);
                  if (enter >= 0 || approach(at.normal, a.velocity, b.velocity))
-                   add(found, t, {p, q, at});
+                   add(found, t, {pair, p, q, at});
                });
   if (overlaps && pass) return std::nullopt;
   return found;
 }
 
-bool BodyPairs::face(const BodyPair& pair, const Touch& touch, double time) const {
-  const auto [i, k] = pair;
+bool BodyPairs::face(const Touch& touch, double time) const {
+  const auto [i, k] = touch.pair;
   std::vector<Vec2> ring_a, ring_b;
-  MovingBody a = part(i, bodies_[i].parts[touch.part_a], place(i, time), ring_a);
-  MovingBody b = part(k, bodies_[k].parts[touch.part_b], place(k, time), ring_b);
+  MovingBody a = part(i, touch.part_a, place(i, time), ring_a);
+  MovingBody b = part(k, touch.part_b, place(k, time), ring_b);
   a.velocity = {0, 0};
   b.velocity = -touch.place.normal;
   const Contact pressed = contact(a, b, kLine);

@@ -14,15 +14,21 @@ using BodyPair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower number
 
 /// A part of each of two bodies, and where they touch.
 struct Touch {
+  BodyPair pair;
   std::uint32_t part_a, part_b;
   ContactPlace place;
+
+  bool is_of_parts(const Touch& other) const {
+    return pair == other.pair && part_a == other.part_a && part_b == other.part_b;
+  }
 };
 
-/// When two bodies meet, and all places where they do at that time, with different normals.
-struct Met {
-  double time;  ///< from when they are seen
-  Touch first;
-  std::vector<Touch> others;
+/// When two bodies meet, from when they are seen, and all places where they do at that time, with different
+/// normals.
+struct Hit {
+  double time;
+  BodyPair pair;
+  std::vector<Touch> touches{};
 };
 
 /// Whether b comes nearer to a against a normal out of a.
@@ -43,13 +49,13 @@ class BodyPairs {
   std::optional<double> least_wait(const BodyPair& pair, double time, double end) const;
   /// When they meet, as seen from `time`. Two that lie in each other meet at once, where they come nearer
   /// along the shortest way out; with `pass` they do not.
-  std::optional<Met> meeting(const BodyPair& pair, double time, double end, bool pass) const;
+  std::optional<Hit> meeting(const BodyPair& pair, double time, double end, bool pass) const;
   /// Whether two parts that have touched with this normal, and not parted along it since, would meet with
   /// that normal again.
-  bool face(const BodyPair& pair, const Touch& touch, double time) const;
+  bool face(const Touch& touch, double time) const;
 
  private:
-  MovingBody part(std::uint32_t body, const ShapePart& part, const Vec2& at,
+  MovingBody part(std::uint32_t body, std::uint32_t part, const Vec2& at,
                   std::vector<Vec2>& ring) const;
   template <class Look>
   void each_contact(const BodyPair& pair, double time, Range within, const Look& look) const;

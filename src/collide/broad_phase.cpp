@@ -6,11 +6,6 @@
 namespace flatray {
 namespace {
 
-constexpr std::int64_t kMostCells = 64;     // that one box is put into
-constexpr std::int64_t kMostAcross = 1024;  // of the grid
-
-double width_of(const Bounds& box) { return box.size().maxCoeff(); }
-
 // Of two boxes that overlap along y one has its low end in the other: that is the one above. Of equal ends
 // the lower number counts as below.
 class Overlaps {
@@ -100,48 +95,6 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> overlapping_pairs(
                });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
-}
-
-BoxCells::BoxCells(std::span<const Bounds> boxes) {
-  std::vector<double> widths;
-  for (const Bounds& box : boxes)
-    if (!box.empty()) widths.push_back(width_of(box));
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  if (!widths.empty()) std::nth_element(widths.begin(), middle, widths.end());
-  if (!widths.empty() && *middle > 0 && *middle < kInfinity) width_ = *middle;
-  std::int64_t across = 1;
-  while (across < kMostAcross && across * across < static_cast<std::int64_t>(widths.size()))
-    across *= 2;
-  across_ = static_cast<std::size_t>(across);
-  first_.assign(across_ * across_, kNone);
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    if (!boxes[i].empty()) add(i, boxes[i]);
-}
-
-void BoxCells::add(std::uint32_t number, const Bounds& box) {
-  const auto cells = cells_of(box);
-  if (!cells) {
-    large_.push_back(number);
-    return;
-  }
-  for (std::int64_t y = cells->low_y; y <= cells->high_y; ++y)
-    for (std::int64_t x = cells->low_x; x <= cells->high_x; ++x) {
-      std::uint32_t& first = first_[slot(x, y)];
-      entries_.push_back({number, first});
-      first = static_cast<std::uint32_t>(entries_.size() - 1);
-    }
-}
-
-std::optional<BoxCells::Cells> BoxCells::cells_of(const Bounds& box) const {
-  constexpr double kMost = 0x1p52;  // cells from the origin that are counted one by one
-  const Vec2 low = box.low / width_, high = box.high / width_;
-  for (int axis = 0; axis < 2; ++axis)
-    if (!(low[axis] > -kMost && high[axis] < kMost)) return std::nullopt;
-  const auto cell = [](double place) { return static_cast<std::int64_t>(std::floor(place)); };
-  const Cells cells{cell(low.x()), cell(high.x()), cell(low.y()), cell(high.y())};
-  const std::int64_t wide = cells.high_x - cells.low_x + 1, tall = cells.high_y - cells.low_y + 1;
-  if (wide > kMostCells || tall > kMostCells || wide * tall > kMostCells) return std::nullopt;
-  return cells;
 }
 
 Bounds swept(const Bounds& box, const Vec2& velocity, double length) {

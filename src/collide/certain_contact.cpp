@@ -62,74 +62,72 @@ void CertainContacts::add(const MovingPair& pair, const pairs::Candidates& guess
   // One edge properly crossed at a time in the range, or an overlap, and there is one from the
   // former to the latter.
   contact.times = {0, length_, kNoEdge, kNoEdge, HitClass::through, StartPlace::inside};
-  items_[static_cast<std::size_t>(item_count_)] = {&pair, &contact, false, false};
-  if (!(guess.first_gap < 0)) ask(item_count_, guess.enter, true);
-  if (!(length_ < kInfinity && guess.last_gap < 0)) ask(item_count_, guess.leave, false);
-  ++item_count_;
+  items_.push_back({&pair, &contact, &bodies_.ready(pair.a), &bodies_.ready(pair.b)});
+  if (!(guess.first_gap < 0)) ask(items_.back(), guess.enter, true);
+  if (!(length_ < kInfinity && guess.last_gap < 0)) ask(items_.back(), guess.leave, false);
 }
 
-void CertainContacts::ask(int item, float guess, bool comes_in) {
-  const MovingPair& pair = *items_[static_cast<std::size_t>(item)].pair;
+void CertainContacts::ask(Item& item, float guess, bool comes_in) {
   const unsigned bits = std::bit_cast<unsigned>(guess) & pairs::kCandidateBits;
   const bool of_a = (bits & pairs::kEdgeBits) < pairs::kCorners;
   const int edge = static_cast<int>(bits % pairs::kCorners);
   const int vertex = static_cast<int>(bits / pairs::kCornerUnit);
   const int a = of_a ? edge : vertex, b = of_a ? vertex : edge;
   // Lanes left over repeat the first corner.
-  asks_[static_cast<std::size_t>(ask_count_++)] = {item, a < bodies_.ready(pair.a).count ? a : 0,
-                                                   b < bodies_.ready(pair.b).count ? b : 0, of_a,
-                                                   comes_in};
+  asks_.push_back({&item, a < item.a->count ? a : 0, b < item.b->count ? b : 0, of_a, comes_in});
 }
 
 void CertainContacts::put(const Ask& ask, std::size_t at) {
-  const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
-  const Ready &a = bodies_.ready(pair.a), &b = bodies_.ready(pair.b);
-  proofs_.edge[at] = (ask.of_a ? a.corner(ask.a) : b.corner(ask.b)).data();
-  proofs_.vertex[at] = (ask.of_a ? b.corner(ask.b - 1) : a.corner(ask.a - 1)).data();
-  proofs_.moves[at] = pair.velocity_a.data();
+  const Item& item = *ask.item;
+  proofs_.edge[at] = (ask.of_a ? item.a->corner(ask.a) : item.b->corner(ask.b)).data();
+  proofs_.vertex[at] = (ask.of_a ? item.b->corner(ask.b - 1) : item.a->corner(ask.a - 1)).data();
+  proofs_.moves[at] = item.pair->velocity_a.data();
   proofs_.of_first[at] = ask.of_a ? 1 : -1;
 }
 
 void CertainContacts::prove() {
-  for (int round = 0; round < kRounds && ask_count_ > 0; ++round) {
-    const auto count = static_cast<std::size_t>(ask_count_);
+  for (int round = 0; round < kRounds && !asks_.empty(); ++round) {
+    const std::size_t count = asks_.size();
     for (std::size_t at = 0; at < count; ++at) put(asks_[at], at);
-    for (std::size_t at = count; at % pairs::kLanes != 0; ++at) put(asks_[count - 1], at);
-    kernel_(proofs_, ask_count_);
-    ask_count_ = 0;
+    for (std::size_t at = count; at % pairs::kLanes != 0; ++at) put(asks_.back(), at);
+    kernel_(proofs_, static_cast<int>(count));
+    std::size_t left = 0;
     for (std::size_t at = 0; at < count; ++at) {
       Ask next = asks_[at];
-      if (!settle(next, at)) asks_[static_cast<std::size_t>(ask_count_++)] = next;
+      if (!settle(next, at)) asks_[left++] = next;
     }
+    asks_.resize(left);
   }
-  for (std::size_t at = 0; at < static_cast<std::size_t>(ask_count_); ++at)
-    items_[static_cast<std::size_t>(asks_[at].item)].unsure = true;
+  for (const Ask& ask : asks_) ask.item->unsure = true;
 }
 
 // Whether nothing is left to ask; else `ask` is an edge to try next.
 bool CertainContacts::settle(Ask& ask, std::size_t at) {
   const int found = static_cast<int>(proofs_.found[at]);
-  const bool from_left = (found & pairs::kFromLeft) != 0, to_left = (found & pairs::kToLeft) != 0;
-  const int wrong = pairs::kUnsure | pairs::kRatherBefore | pairs::kRatherAfter;
-  if ((found & wrong) == 0 && from_left == ask.comes_in && to_left != ask.comes_in) {
-    accept(ask, found, proofs_.time[at]);
+  const auto holds = [&](int what) { return (found & what) != 0; };
+  const bool from_left = holds(pairs::kFromLeft), crossed = from_left != holds(pairs::kToLeft);
+  const bool beside = holds(pairs::kRatherBefore | pairs::kRatherAfter);
+  if (holds(pairs::kUnsure) || (!beside && crossed && from_left != ask.comes_in)) {
+    ask.item->unsure = true;
     return true;
   }
-  if ((found & pairs::kUnsure) != 0 || ((found & wrong) == 0 && from_left != to_left)) {
-    items_[static_cast<std::size_t>(ask.item)].unsure = true;
+  if (!beside && crossed) {
+    accept(ask, holds(pairs::kPast), proofs_.time[at]);
     return true;
   }
-  if ((found & wrong) != 0)
-    move_vertex(ask, (found & pairs::kRatherAfter) != 0 ? 1 : -1);
-  else
-    move_edge(ask, from_left == ask.comes_in);
+  if (beside) {
+    int& vertex = ask.of_a ? ask.b : ask.a;
+    vertex = wrapped(vertex + (holds(pairs::kRatherAfter) ? 1 : -1),
+                     (ask.of_a ? ask.item->b : ask.item->a)->count);
+  } else {
+    ask.move_edge(from_left == ask.comes_in);
+  }
   return false;
 }
 
-// An edge that the origin surely crosses.
-void CertainContacts::accept(const Ask& ask, int found, double time) {
-  Item& item = items_[static_cast<std::size_t>(ask.item)];
-  const bool before = (found & pairs::kPast) != 0;
+// An edge that the origin surely crosses; `before` t = 0.
+void CertainContacts::accept(const Ask& ask, bool before, double time) const {
+  Item& item = *ask.item;
   if (before || time > length_) {
     item.apart |= before != ask.comes_in;
     return;
@@ -138,36 +136,28 @@ void CertainContacts::accept(const Ask& ask, int found, double time) {
     item.unsure = true;
     return;
   }
-  const Ready &a = bodies_.ready(item.pair->a), &b = bodies_.ready(item.pair->b);
   const auto of_a = static_cast<std::size_t>(ask.a), of_b = static_cast<std::size_t>(ask.b);
-  const ContactFeature feature = ask.of_a ? ContactFeature{true, a.edges[of_a], b.numbers[of_b]}
-                                          : ContactFeature{false, b.edges[of_b], a.numbers[of_a]};
   Contact& contact = *item.contact;
-  (ask.comes_in ? contact.first : contact.last) = feature;
+  (ask.comes_in ? contact.first : contact.last) =
+      ask.of_a ? ContactFeature{true, item.a->edges[of_a], item.b->numbers[of_b]}
+               : ContactFeature{false, item.b->edges[of_b], item.a->numbers[of_a]};
   (ask.comes_in ? contact.times.t_enter : contact.times.t_exit) = time;
   if (ask.comes_in) contact.times.start = StartPlace::outside;
 }
 
-void CertainContacts::move_vertex(Ask& ask, int by) const {
-  const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
-  int& vertex = ask.of_a ? ask.b : ask.a;
-  vertex = wrapped(vertex + by, bodies_.ready(ask.of_a ? pair.b : pair.a).count);
-}
-
 // To the next edge of the outline, or to the one before.
-void CertainContacts::move_edge(Ask& ask, bool on) const {
-  const MovingPair& pair = *items_[static_cast<std::size_t>(ask.item)].pair;
-  const Ready &a = bodies_.ready(pair.a), &b = bodies_.ready(pair.b);
-  int& along = ask.of_a ? ask.a : ask.b;
-  if (on) along = wrapped(along + 1, ask.of_a ? a.count : b.count);
-  const int i = on ? ask.a : ask.a - 1, k = on ? ask.b : ask.b - 1;
-  const bool first_of_a =
-      first_comes_first(a.corner(i), a.corner(i + 1), b.corner(k), b.corner(k + 1));
-  ask.of_a = first_of_a == on;
+void CertainContacts::Ask::move_edge(bool on) {
+  const BodySet::Ready &first = *item->a, &second = *item->b;
+  if (on) (of_a ? a : b) += 1;
+  a = wrapped(a, first.count);
+  b = wrapped(b, second.count);
+  const int i = on ? a : a - 1, k = on ? b : b - 1;
+  of_a = on == first_comes_first(first.corner(i), first.corner(i + 1), second.corner(k),
+                                 second.corner(k + 1));
   if (on) return;
-  (ask.of_a ? ask.a : ask.b) -= 1;
-  ask.a = wrapped(ask.a, a.count);
-  ask.b = wrapped(ask.b, b.count);
+  (of_a ? a : b) -= 1;
+  a = wrapped(a, first.count);
+  b = wrapped(b, second.count);
 }
 
 }  // namespace flatray

@@ -1,6 +1,6 @@
 #pragma once
-#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "collide/contact_batch.h"
 #include "collide/kernels/pairs.h"
@@ -18,10 +18,13 @@ namespace flatray {
 ///         from an edge beside it along the outline.
 class CertainContacts {
  public:
-  static constexpr int kMost = pairs::kMostEdges / 2;
+  static constexpr std::size_t kMost = pairs::kMostEdges / 2;
 
   CertainContacts(const BodySet& bodies, double length, decltype(pairs::Kernels::certify) kernel)
-      : bodies_(bodies), length_(length), kernel_(kernel) {}
+      : bodies_(bodies), length_(length), kernel_(kernel) {
+    items_.reserve(kMost);
+    asks_.reserve(pairs::kMostEdges);
+  }
 
   /// Needs   a contact that is a miss; pair and contact outlive run().
   void add(const MovingPair& pair, const pairs::Candidates& guess, Contact& contact);
@@ -29,44 +32,44 @@ class CertainContacts {
   template <class Undecided>
   void run(const Undecided& undecided) {
     prove();
-    for (int i = 0; i < item_count_; ++i) {
-      const Item& item = items_[static_cast<std::size_t>(i)];
+    for (const Item& item : items_) {
       if (item.apart)
         *item.contact = {};
       else if (item.unsure)
         undecided(*item.pair, *item.contact);
     }
-    item_count_ = ask_count_ = 0;
+    items_.clear();
+    asks_.clear();
   }
 
  private:
   struct Item {
     const MovingPair* pair;
     Contact* contact;
-    bool apart, unsure;
+    const BodySet::Ready *a, *b;
+    bool apart = false, unsure = false;
   };
   // An edge of the difference: it begins at corner `a` of the first shape minus corner `b` of the
   // second, and goes on along the one or the other.
   struct Ask {
-    int item;
+    Item* item;
     int a, b;
     bool of_a, comes_in;
+
+    void move_edge(bool on);
   };
 
-  void ask(int item, float guess, bool comes_in);
+  void ask(Item& item, float guess, bool comes_in);
   void prove();
   void put(const Ask& ask, std::size_t at);
   bool settle(Ask& ask, std::size_t at);
-  void accept(const Ask& ask, int found, double time);
-  void move_vertex(Ask& ask, int by) const;
-  void move_edge(Ask& ask, bool on) const;
+  void accept(const Ask& ask, bool before, double time) const;
 
   const BodySet& bodies_;
   const double length_;
   const decltype(pairs::Kernels::certify) kernel_;
-  int item_count_ = 0, ask_count_ = 0;
-  std::array<Item, kMost> items_;
-  std::array<Ask, pairs::kMostEdges> asks_;
+  std::vector<Item> items_;
+  std::vector<Ask> asks_;
   pairs::Edges proofs_;
 };
 

@@ -241,37 +241,6 @@ std::optional<LineHit> hit_cores(const MovingDifference& pair) {
                                                   : HitClass::touch};
 }
 
-// Where the origin lies if it does not move.
-StartPlace place(const MovingDifference& pair) {
-  bool within = pair.has_area(), on_border = false;
-  for (std::size_t k = 0; within && k < pair.size(); ++k)
-    within = decide([&](const auto& number) {
-               return cross(pair.edge(number, k), pair.from(number, k));
-             }) == Sign::positive;
-  const auto look = [&](Sign beyond) {
-    within |= beyond == Sign::negative;
-    on_border |= beyond == Sign::zero;
-  };
-  for (std::size_t k = 0; !within && k < pair.size(); ++k) {
-    look(decide([&](const auto& number) {
-      const auto from = pair.from(number, k);
-      const auto radius = pair.radius(number);
-      return dot(from, from) - radius * radius;
-    }));
-    const auto ahead = [&](std::size_t corner) {
-      return decide(
-          [&](const auto& number) { return dot(pair.edge(number, k), pair.from(number, corner)); });
-    };
-    if (ahead(k) != Sign::positive || ahead(pair.next(k)) != Sign::negative) continue;
-    look(decide([&](const auto& number) {
-      const auto edge = pair.edge(number, k);
-      const auto across = cross(edge, pair.from(number, k)), radius = pair.radius(number);
-      return across * across - radius * radius * dot(edge, edge);
-    }));
-  }
-  return within ? StartPlace::inside : on_border ? StartPlace::boundary : StartPlace::outside;
-}
-
 ContactFeature feature_of(const MovingDifference& pair, int number) {
   if (number == kNoEdge) return {};
   const auto at = static_cast<std::size_t>(number);
@@ -293,20 +262,17 @@ Contact contact_of(const MovingDifference& pair, const LineHitOf<Time>& line, Ra
 }  // namespace
 
 const char* contact_name(StartPlace start) {
-  switch (start) {
-    case StartPlace::outside:
-      return "apart";
-    case StartPlace::boundary:
-      return "touching";
-    case StartPlace::inside:
-      break;
-  }
-  return "overlapping";
+  constexpr const char* kNames[] = {"apart", "touching", "overlapping"};
+  return kNames[static_cast<std::size_t>(start)];
 }
 
 Contact contact(const MovingBody& a, const MovingBody& b, Range within) {
+  // How they lie at t = 0 does not hang on their motion: so of what has none any other tells it.
+  if (a.velocity == b.velocity) {
+    const MovingBody still{a.vertices, {0, 0}, a.radius}, moving{b.vertices, {1, 0}, b.radius};
+    return {point_test(contact(still, moving, {0, 0}).times.start, within), {}, {}};
+  }
   const MovingDifference pair(a, b);
-  if (a.velocity == b.velocity) return {point_test(place(pair), within), {}, {}};
   if (!pair.is_round())
     if (const auto line = hit_cores(pair)) return contact_of(pair, *line, within);
   return contact_of(pair, hit_rounded(pair), within);

@@ -16,18 +16,13 @@ constexpr std::size_t kBlock = CertainContacts::kMost;
 
 const pairs::Kernels& kernels_of([[maybe_unused]] Isa isa) {
 #if defined(__x86_64__)
-  switch (isa) {
-    case Isa::avx512:
-      return pairs::avx512::kKernels;
-    case Isa::avx2:
-      return pairs::avx2::kKernels;
-    case Isa::baseline:
-      return pairs::baseline::kKernels;
-    case Isa::portable:
-      break;
-  }
-#endif
+  constexpr const pairs::Kernels* kTiers[] = {&pairs::portable::kKernels,
+                                              &pairs::baseline::kKernels, &pairs::avx2::kKernels,
+                                              &pairs::avx512::kKernels};
+  return *kTiers[static_cast<std::size_t>(isa)];
+#else
   return pairs::portable::kKernels;
+#endif
 }
 
 void fetch(const Ready& shape) {

@@ -23,23 +23,9 @@ bool is_slower(const Vec2& a, const Vec2& b) {
 }
 
 // An order that bodies have no part in, and that keeps those together that are near.
-template <class Push>
-bool comes_first(const Push& a, const Push& b) {
-  const auto key = [](const Push& push) {
-    const auto& [point, normal] = push.touch.place;
-    return std::tuple(point.x(), point.y(), std::fabs(normal.x()), std::fabs(normal.y()));
-  };
-  return key(a) < key(b);
-}
-
-bool is_same(const BodyPair& pair, const Touch& touch, const BodyPair& other,
-             const Touch& other_touch) {
-  return pair == other && touch.part_a == other_touch.part_a && touch.part_b == other_touch.part_b;
-}
-
-double mass_of(bool wall, const SimulatedBody& body) {
-  if (wall) return kInfinity;
-  return body.mass;
+auto order_of(const Touch& touch) {
+  const auto& [point, normal] = touch.place;
+  return std::tuple(point.x(), point.y(), std::fabs(normal.x()), std::fabs(normal.y()));
 }
 
 }  // namespace
@@ -50,8 +36,8 @@ bool Instants::does(std::uint32_t body, Response response) const {
 }
 
 Instants::Player Instants::player(std::uint32_t body, bool hit) const {
-  const bool wall = is_fixed(body) || does(body, Response::stop) || does(body, Response::remove);
-  return {stages_[body].back().velocity, wall, hit, body};
+  const bool wall = does(body, Response::stop) || does(body, Response::remove);
+  return {stages_[body].back().velocity, wall ? kInfinity : bodies_[body].mass, hit, body};
 }
 
 std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, double time) {
@@ -72,8 +58,8 @@ std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, 
       continue;
     changes.push_back({body, gone ? Vec2(0, 0) : player.velocity, gone});
     // What rests on a wall is not asked when that goes.
-    if (player.wall)
-      for (const Resting& resting : std::vector(resting_[body])) forget(resting);
+    if (player.wall())
+      for (const Resting& resting : std::vector(resting_[body])) forget(resting.touch);
   }
   return changes;
 }
@@ -84,14 +70,14 @@ bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
   for (const Hit& hit : hits)
     for (const auto& [body, other] : {hit.pair, BodyPair(hit.pair.second, hit.pair.first)})
       if (!is_mark(hit.pair) && does(body, Response::stop) && is_fixed(other))
-        held_[body].push_back({hit.pair, hit.first, time});
+        held_[body].push_back({hit.touches.front(), time});
   for (auto& [body, player] : players) {
     if (!does(body, Response::stop)) continue;
     const auto velocity = [&, stopped = body](std::uint32_t k) -> const Vec2& {
       return k == stopped ? players.at(k).velocity : stages_[k].back().velocity;
     };
     const auto wall = [stopped = body](const Resting& by) {
-      return by.pair.first == stopped ? by.pair.second : by.pair.first;
+      return by.touch.pair.first == stopped ? by.touch.pair.second : by.touch.pair.first;
     };
     std::erase_if(held_[body], [&, &own = player.velocity](const Resting& by) {
       return by.since != time && velocity(wall(by)) != own;
@@ -99,8 +85,9 @@ bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
     player.velocity = {0, 0};
     for (const Resting& by : held_[body])
       player.velocity = std::max(player.velocity, velocity(wall(by)), is_slower);
-    for (const auto& [pair, touch, since] : held_[body])
-      if (approach(touch.place.normal, velocity(pair.first), velocity(pair.second))) return false;
+    for (const auto& [touch, since] : held_[body])
+      if (approach(touch.place.normal, velocity(touch.pair.first), velocity(touch.pair.second)))
+        return false;
   }
   return true;
 }
@@ -110,10 +97,9 @@ std::vector<Instants::Push> Instants::pushes_of(std::span<const Hit> hits,
   std::vector<Push> pushes;
   for (const Hit& hit : hits) {
     const auto [a, b] = hit.pair;
-    if (is_mark(hit.pair) || (players.at(a).wall && players.at(b).wall)) continue;
+    if (is_mark(hit.pair) || (players.at(a).wall() && players.at(b).wall())) continue;
     const bool slides = does(a, Response::slide) || does(b, Response::slide);
-    pushes.push_back({hit.pair, hit.first, slides});
-    for (const Touch& touch : hit.others) pushes.push_back({hit.pair, touch, slides});
+    for (const Touch& touch : hit.touches) pushes.push_back({touch, slides});
   }
   return pushes;
 }
@@ -123,49 +109,52 @@ void Instants::add_resting(std::vector<Push>& pushes, Players& players, double t
   std::vector<std::uint32_t> reached;
   for (const auto& [body, player] : players) reached.push_back(body);
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    if (players.at(reached[i]).wall) continue;
+    if (players.at(reached[i]).wall()) continue;
     for (const Resting& resting : std::vector(resting_[reached[i]])) {
-      const auto& [pair, touch, since] = resting;
-      const bool there = std::any_of(pushes.begin(), pushes.end(), [&](const Push& push) {
-        return is_same(push.pair, push.touch, resting.pair, resting.touch);
-      });
-      if (there) continue;
+      const Touch& touch = resting.touch;
+      if (std::any_of(pushes.begin(), pushes.end(),
+                      [&](const Push& push) { return push.touch.is_of_parts(touch); }))
+        continue;
       if (!still_rests(resting, time)) {
-        forget(resting);
+        forget(touch);
         continue;
       }
-      pushes.push_back({pair, touch, true});
-      for (const std::uint32_t body : {pair.first, pair.second})
+      pushes.push_back({touch, true});
+      for (const std::uint32_t body : {touch.pair.first, touch.pair.second})
         if (players.emplace(body, player(body, false)).second) reached.push_back(body);
     }
   }
 }
 
 bool Instants::still_rests(const Resting& resting, double time) const {
-  const Stage &a = stages_[resting.pair.first].back(), &b = stages_[resting.pair.second].back();
+  const auto& [touch, since] = resting;
+  const Stage &a = stages_[touch.pair.first].back(), &b = stages_[touch.pair.second].back();
   if (a.gone || b.gone) return false;
-  return resting.since == time || a.velocity == b.velocity ||
-         pairs_.face(resting.pair, resting.touch, time);
+  return since == time || a.velocity == b.velocity || pairs_.face(touch, time);
 }
 
 // Those that push each other together, whatever goes on elsewhere.
 bool Instants::resolve(std::span<const Push> pushes, Players& players, double time) {
-  for (const auto& [pair, touch, slides] : pushes) {
-    const Player &a = players.at(pair.first), &b = players.at(pair.second);
-    if (a.wall || b.wall || a.cluster == b.cluster) continue;
+  const auto of_push = [&](const Push& push) -> std::pair<Player&, Player&> {
+    return {players.at(push.touch.pair.first), players.at(push.touch.pair.second)};
+  };
+  for (const Push& push : pushes) {
+    const auto [a, b] = of_push(push);
+    if (a.wall() || b.wall() || a.cluster == b.cluster) continue;
     const auto [low, high] = std::minmax({a.cluster, b.cluster});
     for (auto& [body, player] : players)
       if (player.cluster == high) player.cluster = low;
   }
   std::map<std::uint32_t, std::vector<Push>> clusters;
   for (const Push& push : pushes) {
-    const Player &a = players.at(push.pair.first), &b = players.at(push.pair.second);
-    clusters[a.wall ? b.cluster : a.cluster].push_back(push);
+    const auto [a, b] = of_push(push);
+    clusters[a.wall() ? b.cluster : a.cluster].push_back(push);
   }
   for (auto& [body, together] : clusters) {
-    std::sort(together.begin(), together.end(), comes_first<Push>);
+    std::sort(together.begin(), together.end(),
+              [](const Push& a, const Push& b) { return order_of(a.touch) < order_of(b.touch); });
     if (together.size() == 1 && !together.front().slides)
-      bounce(together.front(), players);
+      bounce(together.front().touch, players);
     else if (!push_together(together, players, time))
       return false;
   }
@@ -173,15 +162,14 @@ bool Instants::resolve(std::span<const Push> pushes, Players& players, double ti
 }
 
 // One bounce alone, as the formula has it.
-void Instants::bounce(const Push& push, Players& players) const {
-  const auto [a, b] = push.pair;
+void Instants::bounce(const Touch& touch, Players& players) const {
+  const auto [a, b] = touch.pair;
   Player &one = players.at(a), &other = players.at(b);
-  const Vec2& normal = push.touch.place.normal;
+  const Vec2& normal = touch.place.normal;
   const double speed = normal.dot(one.velocity - other.velocity);
   if ((does(a, Response::stop) || does(b, Response::stop)) && !(speed > 0))
     return;  // as it stopped
-  const auto [inverse_a, inverse_b] =
-      inverse_masses(mass_of(one.wall, bodies_[a]), mass_of(other.wall, bodies_[b]));
+  const auto [inverse_a, inverse_b] = inverse_masses(one.mass, other.mass);
   const double thrust = 2 * speed / (inverse_a + inverse_b);
   one.velocity -= thrust * inverse_a * normal;
   other.velocity += thrust * inverse_b * normal;
@@ -194,11 +182,12 @@ bool Instants::push_together(std::span<const Push> pushes, Players& players, dou
   const auto number = [&](std::uint32_t body) {
     const auto [at, is_new] = numbers.emplace(body, static_cast<std::uint32_t>(bodies.size()));
     const Player& player = players.at(body);
-    if (is_new) bodies.push_back({player.velocity, mass_of(player.wall, bodies_[body])});
+    if (is_new) bodies.push_back({player.velocity, player.mass});
     return at->second;
   };
-  for (const auto& [pair, touch, slides] : pushes)
-    contacts.push_back({number(pair.first), number(pair.second), touch.place.normal, slides});
+  for (const auto& [touch, slides] : pushes)
+    contacts.push_back(
+        {number(touch.pair.first), number(touch.pair.second), touch.place.normal, slides});
   const std::optional<Impact> impact = solve_impact(bodies, contacts);
   if (!impact) return false;
   if (impact->refused) {
@@ -206,21 +195,21 @@ bool Instants::push_together(std::span<const Push> pushes, Players& players, dou
     return false;
   }
   for (const auto& [body, at] : numbers)
-    if (!players.at(body).wall) players.at(body).velocity = impact->velocities[at];
+    if (!players.at(body).wall()) players.at(body).velocity = impact->velocities[at];
   for (std::size_t i = 0; i < pushes.size(); ++i) {
-    forget({pushes[i].pair, pushes[i].touch, time});
+    const Touch& touch = pushes[i].touch;
+    forget(touch);
     if (!impact->rests[i]) continue;
-    for (const std::uint32_t body : {pushes[i].pair.first, pushes[i].pair.second})
-      resting_[body].push_back({pushes[i].pair, pushes[i].touch, time});
+    for (const std::uint32_t body : {touch.pair.first, touch.pair.second})
+      resting_[body].push_back({touch, time});
   }
   return true;
 }
 
-void Instants::forget(const Resting& resting) {
-  for (const std::uint32_t body : {resting.pair.first, resting.pair.second})
-    std::erase_if(resting_[body], [&](const Resting& other) {
-      return is_same(other.pair, other.touch, resting.pair, resting.touch);
-    });
+void Instants::forget(const Touch& touch) {
+  for (const std::uint32_t body : {touch.pair.first, touch.pair.second})
+    std::erase_if(resting_[body],
+                  [&](const Resting& other) { return other.touch.is_of_parts(touch); });
 }
 
 }  // namespace flatray

@@ -10,12 +10,6 @@
 
 namespace flatray {
 
-struct Hit {
-  BodyPair pair;
-  Touch first;
-  std::vector<Touch> others;
-};
-
 /// A body goes on like this.
 struct Change {
   std::uint32_t body;
@@ -55,19 +49,19 @@ class Instants {
  private:
   // Two of which one slides, or one goes with the other, and that have not parted since a time.
   struct Resting {
-    BodyPair pair;
     Touch touch;
     double since;
   };
   // One that plays a part in what happens at an instant.
   struct Player {
     Vec2 velocity;
-    bool wall;  // pushed by nothing
+    double mass;  // infinite: a wall
     bool hit;
     std::uint32_t cluster;  // the lowest body of those that push each other
+
+    bool wall() const { return mass == kInfinity; }
   };
   struct Push {
-    BodyPair pair;
     Touch touch;
     bool slides;
   };
@@ -79,9 +73,9 @@ class Instants {
   void add_resting(std::vector<Push>& pushes, Players& players, double time);
   bool still_rests(const Resting& resting, double time) const;
   bool resolve(std::span<const Push> pushes, Players& players, double time);
-  void bounce(const Push& push, Players& players) const;
+  void bounce(const Touch& touch, Players& players) const;
   bool push_together(std::span<const Push> pushes, Players& players, double time);
-  void forget(const Resting& resting);
+  void forget(const Touch& touch);
 
   const std::span<const SimulatedBody> bodies_;
   const std::vector<std::vector<Stage>>& stages_;

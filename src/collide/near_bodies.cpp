@@ -1,5 +1,6 @@
 #include "collide/near_bodies.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flatray {
@@ -15,16 +16,37 @@ void NearBodies::open(double from, double to, std::span<const Stage* const> stag
 }
 
 void NearBodies::put_in_cells() {
-  cells_.emplace(boxes_);
-  most_kept_ = 2 * cells_->size() + boxes_.size();
+  constexpr std::size_t kMostAcross = 1024;
+  std::vector<double> widths;
+  for (const Bounds& box : boxes_)
+    if (!box.empty()) widths.push_back(box.size().maxCoeff());
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  if (!widths.empty()) std::nth_element(widths.begin(), middle, widths.end());
+  width_ = !widths.empty() && *middle > 0 && *middle < kInfinity ? *middle : 1;
+  across_ = 1;
+  while (across_ < kMostAcross && across_ * across_ < widths.size()) across_ *= 2;
+  first_.assign(across_ * across_, kNone);
+  entries_.clear();
+  large_.clear();
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+    if (!boxes_[i].empty()) put_in_cells(i);
+  most_kept_ = 2 * (entries_.size() + large_.size()) + boxes_.size();
+}
+
+void NearBodies::put_in_cells(std::uint32_t body) {
+  const bool is_small = each_list(boxes_[body], [&](std::uint32_t& first) {
+    entries_.push_back({body, first});
+    first = static_cast<std::uint32_t>(entries_.size() - 1);
+  });
+  if (!is_small) large_.push_back(body);
 }
 
 void NearBodies::change(std::uint32_t body, const Stage& stage) {
-  boxes_[body] = stage.gone ? Bounds{} : way_of(body, stage, stage.from);
+  boxes_[body] = way_of(body, stage, stage.from);
   if (boxes_[body].empty()) return;
-  cells_->add(body, boxes_[body]);
+  put_in_cells(body);
   // Boxes of ways that are gone stay in their cells: many would be looked at for each that counts.
-  if (cells_->size() > most_kept_) put_in_cells();
+  if (entries_.size() + large_.size() > most_kept_) put_in_cells();
 }
 
 // Outward by more than rounding of places and of times, theirs and those of their meetings, can be.

@@ -1,6 +1,6 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +11,11 @@
 namespace flatray {
 
 /// Which of many bodies may meet in a while, by the boxes they sweep, while some of them change their
-/// ways.
+/// ways. Boxes lie in the cells of a grid that goes round and round, so that it does not matter how far
+/// apart they are.
+///
+/// Cost    a box is put into the cells it touches, as wide as half of all boxes are; one that touches
+///         many is looked at by all.
 class NearBodies {
  public:
   /// A box around each body as seen from its origin.
@@ -38,28 +42,65 @@ class NearBodies {
     if (box.empty()) return;
     ++asked_;
     seen_[body] = asked_;
-    cells_->visit(box, [&](std::uint32_t k) {
+    const auto look = [&](std::uint32_t k) {
       if (seen_[k] == asked_) return;
       seen_[k] = asked_;
       if (meet(box, boxes_[k])) take(k);
+    };
+    for (const std::uint32_t k : large_) look(k);
+    const bool is_large = !each_list(box, [&](std::uint32_t first) {
+      for (std::uint32_t i = first; i != kNone; i = entries_[i].next) look(entries_[i].body);
     });
+    for (std::size_t i = 0; is_large && i < entries_.size(); ++i) look(entries_[i].body);
   }
 
  private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  struct Entry {
+    std::uint32_t body, next;
+  };
+
   static bool meet(const Bounds& a, const Bounds& b) {
     return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
            b.low.y() <= a.high.y();
   }
+  // Calls `take(first)` for the list of each cell that a box touches; not if there are many.
+  template <class Take>
+  bool each_list(const Bounds& box, const Take& take);
   void put_in_cells();
+  void put_in_cells(std::uint32_t body);
   Bounds way_of(std::uint32_t body, const Stage& stage, double from) const;
 
   std::vector<Bounds> shapes_, boxes_;
   std::vector<std::uint64_t> seen_;  // the last question in which each came up
   std::uint64_t asked_ = 0;
-  std::optional<BoxCells> cells_;
-  std::size_t most_kept_ = 0;  // boxes in cells, until they are put there anew
   double to_ = 0;
+  double width_ = 1;        // of a cell
+  std::size_t across_ = 1;  // a power of two, of which the square is how many lists there are
+  std::vector<std::uint32_t> first_;  // entry of each list
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> large_;
+  std::size_t most_kept_ = 0;  // boxes in cells, until they are put there anew
 };
+
+template <class Take>
+bool NearBodies::each_list(const Bounds& box, const Take& take) {
+  constexpr double kMost = 0x1p52;  // cells from the origin that are counted one by one
+  constexpr std::int64_t kMostCells = 64;
+  const Vec2 low = box.low / width_, high = box.high / width_;
+  if (!(low.minCoeff() > -kMost && high.maxCoeff() < kMost)) return false;
+  const auto cell = [](double place) { return static_cast<std::int64_t>(std::floor(place)); };
+  const std::int64_t low_x = cell(low.x()), high_x = cell(high.x());
+  const std::int64_t low_y = cell(low.y()), high_y = cell(high.y());
+  const std::int64_t wide = high_x - low_x + 1, tall = high_y - low_y + 1;
+  if (wide > kMostCells || tall > kMostCells || wide * tall > kMostCells) return false;
+  // So that a row, a column and a diagonal, too, go through all lists and not through the root of them.
+  for (std::int64_t y = low_y; y <= high_y; ++y)
+    for (std::int64_t x = low_x; x <= high_x; ++x)
+      take(first_[(static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * (across_ + 3)) &
+                  (across_ * across_ - 1)]);
+  return true;
+}
 
 /// Box around the parts of a body.
 Bounds bounds_of(std::span<const ShapePart> parts);

@@ -28,10 +28,9 @@ bool is_convex(const Sandwich::Ring& ring) {
 
 }  // namespace
 
-Sandwich::Sandwich(const ShapePart& part)
-    : curve_(part.curve), inner_(part.ring), outer_(part.ring), width_(kWhole / kFirstCorners) {
-  if (!curve_) return;
-  const auto& [centre, u, v] = *curve_;
+Sandwich::Sandwich(const ShapePart& part) : part_(part), width_(kWhole / kFirstCorners) {
+  if (!part.curve) return;
+  const auto& [centre, u, v] = *part.curve;
   const double long_axis = std::sqrt(u.squaredNorm() + v.squaredNorm());
   const double short_axis = std::fabs(cross(u, v)) / long_axis;
   room_ = kRounding * (centre.lpNorm<1>() + u.lpNorm<1>() + v.lpNorm<1>()) / short_axis;
@@ -41,9 +40,9 @@ Sandwich::Sandwich(const ShapePart& part)
 }
 
 bool Sandwich::refine(const std::vector<Vec2>& directions) {
-  if (!curve_ || !(width_ / kFiner > finest_) || directions.empty()) return false;
+  if (!part_.curve || !(width_ / kFiner > finest_) || directions.empty()) return false;
   for (const Vec2& n : directions) {
-    const double middle = portable::atan2(n.dot(curve_->v), n.dot(curve_->u));
+    const double middle = portable::atan2(n.dot(part_.curve->v), n.dot(part_.curve->u));
     for (int i = -2 * kFiner; i <= 2 * kFiner; ++i) add(middle + i * width_ / kFiner);
   }
   width_ /= kFiner;
@@ -53,8 +52,8 @@ bool Sandwich::refine(const std::vector<Vec2>& directions) {
 }
 
 Vec2 Sandwich::corner(double angle, double scale) const {
-  return curve_->centre +
-         scale * (portable::cos(angle) * curve_->u + portable::sin(angle) * curve_->v);
+  const auto& [centre, u, v] = *part_.curve;
+  return centre + scale * (portable::cos(angle) * u + portable::sin(angle) * v);
 }
 
 // Not too near another, so that rounding leaves the polygon convex.

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "collide/outline_contact.h"
@@ -14,10 +14,12 @@ class Sandwich {
  public:
   using Ring = std::vector<Vec2>;
 
-  /// Needs   a finite ellipse with an area, if any.
+  /// Needs   a finite ellipse with an area, if any; the part outlives it.
   explicit Sandwich(const ShapePart& part);
 
-  const Ring& ring(bool outer) const { return outer ? outer_ : inner_; }
+  std::span<const Vec2> ring(bool outer) const {
+    return !part_.curve ? part_.ring : outer ? outer_ : inner_;
+  }
   /// Whether the polygons are what they should be, in spite of rounding.
   bool is_sound() const { return sound_; }
   /// More corners where an ellipse is farthest along some directions; whether there is room for them.
@@ -28,7 +30,7 @@ class Sandwich {
   void add(double angle);
   void make_rings();
 
-  std::optional<Ellipse> curve_;
+  const ShapePart& part_;
   Ring inner_, outer_;
   bool sound_ = true;
   double room_ = 0, finest_ = 0;  // of the half-diameters; the least step of angles

@@ -17,14 +17,14 @@ namespace {
 // Two bodies will meet, if neither changes its way before; or, where that is not looked at yet, will
 // not meet before.
 struct Prospect {
-  double time;
-  bool certain;
   Hit hit;
-  std::uint32_t stage_a, stage_b;  // of the bodies, when this was foreseen
+  bool certain;
+  std::size_t stage_a, stage_b;  // of the bodies, when this was foreseen
 
   // The last in order comes first out of a heap.
   bool operator<(const Prospect& other) const {
-    return std::tie(time, certain, hit.pair) > std::tie(other.time, other.certain, other.hit.pair);
+    return std::tie(hit.time, certain, hit.pair) >
+           std::tie(other.hit.time, other.certain, other.hit.pair);
   }
 };
 
@@ -39,8 +39,7 @@ class Run {
   Run(std::span<const SimulatedBody> bodies, double end, PairSearch search)
       : bodies_(bodies),
         end_(end),
-        search_(search),
-        near_(boxes_of(bodies)),
+        near_(boxes_of(bodies, search)),
         stages_(first_stages(bodies)),
         pairs_(bodies, stages_),
         instants_(bodies, stages_, pairs_),
@@ -52,8 +51,8 @@ class Run {
       sizes += pairs_.radius(i);
       speeds += bodies[i].velocity.stableNorm();
     }
-    length_ = sizes > 0 && speeds > 0 && sizes / speeds > 0 ? sizes / speeds : end;
-    while_from_ = while_to_ = 0;
+    const double usual = sizes / speeds;
+    length_ = usual > 0 && usual < kInfinity && search == PairSearch::near ? usual : end;
     open_near();
     each_pair([&](const BodyPair& pair) {
       if (instants_.is_fixed(pair.first) && instants_.is_fixed(pair.second)) return;
@@ -83,45 +82,35 @@ class Run {
     for (const SimulatedBody& body : bodies) stages.push_back({{0, body.at, body.velocity}});
     return stages;
   }
-  static std::vector<Bounds> boxes_of(std::span<const SimulatedBody> bodies) {
+  // Of a search for all pairs a box without end stands for each body.
+  static std::vector<Bounds> boxes_of(std::span<const SimulatedBody> bodies, PairSearch search) {
+    const Bounds all{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
     std::vector<Bounds> boxes;
     for (const SimulatedBody& body : bodies)
-      boxes.push_back(body.response == Response::none ? Bounds{} : bounds_of(body.parts));
+      boxes.push_back(body.response == Response::none ? Bounds{}
+                      : search == PairSearch::all     ? all
+                                                      : bounds_of(body.parts));
     return boxes;
   }
 
   // The next while of time; in the first what happens at 0, too.
   void open_while(bool first) {
     while_from_ = first ? -1 : while_to_;
-    const double begin = std::max(while_from_, 0.0);
-    const double next = begin + length_;
-    while_to_ = search_ == PairSearch::all || !(next > begin) || !(next < end_) ? end_ : next;
+    const double begin = std::max(while_from_, 0.0), next = begin + length_;
+    while_to_ = next > begin && next < end_ ? next : end_;
     open_near();
     each_pair([&](const BodyPair& pair) { foresee(pair); });
   }
 
   void open_near() {
-    if (search_ == PairSearch::all) return;
     std::vector<const Stage*> now(bodies_.size(), nullptr);
-    for (const std::uint32_t i : responding_)
-      if (!is_gone(i)) now[i] = &stages_[i].back();
+    for (const std::uint32_t i : responding_) now[i] = &stages_[i].back();
     near_.open(std::max(while_from_, 0.0), while_to_, now);
   }
 
   template <class Take>
   void each_pair(const Take& take) {
-    if (search_ == PairSearch::near)
-      return near_.each_pair([&](std::uint32_t a, std::uint32_t b) { take(BodyPair{a, b}); });
-    for (std::size_t i = 0; i < responding_.size(); ++i)
-      for (std::size_t k = i + 1; k < responding_.size(); ++k)
-        take(BodyPair{responding_[i], responding_[k]});
-  }
-
-  template <class Take>
-  void each_near(std::uint32_t body, const Take& take) {
-    if (search_ == PairSearch::near) return near_.each_near(body, take);
-    for (const std::uint32_t k : responding_)
-      if (k != body) take(k);
+    near_.each_pair([&](std::uint32_t a, std::uint32_t b) { take(BodyPair{a, b}); });
   }
 
   // So long that between an eighth and a half of the bodies meet something in it.
@@ -150,10 +139,11 @@ class Run {
           return false;
         }
         const auto [a, b] = hit.pair;
+        const ContactPlace& place = hit.touches.front().place;
         for (const std::uint32_t body : {a, b})
           if (const double time = accumulation(body); time <= end_) accumulates_ = {time, hit.pair};
-        done.events.push_back({now_, a, b, hit.first.place.point, hit.first.place.normal,
-                               stages_[a].back().velocity, stages_[b].back().velocity});
+        done.events.push_back({now_, a, b, place.point, place.normal, stages_[a].back().velocity,
+                               stages_[b].back().velocity});
       }
     }
     return true;
@@ -173,7 +163,7 @@ class Run {
   // Those at the next time at which something meets, which is now; none where the while ends.
   std::vector<Hit> next_hits() {
     std::vector<Hit> hits;
-    while (!ahead_.empty() && (hits.empty() || ahead_.top().time == now_)) {
+    while (!ahead_.empty() && (hits.empty() || ahead_.top().hit.time == now_)) {
       Prospect next = ahead_.top();
       ahead_.pop();
       const auto [a, b] = next.hit.pair;
@@ -182,7 +172,7 @@ class Run {
         look_closely(std::move(next));
         continue;
       }
-      now_ = next.time;
+      now_ = next.hit.time;
       hits.push_back(std::move(next.hit));
     }
     return hits;
@@ -205,24 +195,18 @@ class Run {
     if (!wait) return;
     const double soonest = std::max(time, (time + *wait) * (1 - 0x1p-50));
     if (soonest <= while_to_)
-      ahead_.push({soonest,
-                   false,
-                   {pair, {}, {}},
-                   static_cast<std::uint32_t>(stages_[a].size()),
-                   static_cast<std::uint32_t>(stages_[b].size())});
+      ahead_.push({{soonest, pair}, false, stages_[a].size(), stages_[b].size()});
   }
 
   // Most pairs have changed their ways before it comes to that.
   void look_closely(Prospect prospect) {
     const BodyPair pair = prospect.hit.pair;
     const double from = seen_from(pair);
-    std::optional<Met> met = pairs_.meeting(pair, from, end_, left_alone_.count(pair) > 0);
+    std::optional<Hit> met = pairs_.meeting(pair, from, end_, left_alone_.count(pair) > 0);
     if (!met) return;
-    prospect.time = from + met->time;
-    if (prospect.time <= while_from_ || prospect.time > while_to_) return;
-    prospect.certain = true;
-    prospect.hit = {pair, met->first, std::move(met->others)};
-    ahead_.push(std::move(prospect));
+    met->time += from;
+    if (met->time <= while_from_ || met->time > while_to_) return;
+    ahead_.push({*std::move(met), true, prospect.stage_a, prospect.stage_b});
   }
 
   // Whether there is a way out.
@@ -233,10 +217,10 @@ class Run {
       if (instants_.is_mark(hit.pair)) left_alone_.insert(hit.pair);
     for (const auto& [body, velocity, gone] : *changes) {
       stages_[body].push_back({now_, pairs_.place(body, now_), velocity, gone});
-      if (search_ == PairSearch::near) near_.change(body, stages_[body].back());
+      near_.change(body, stages_[body].back());
     }
     for (const Change& change : *changes)
-      each_near(change.body, [&](std::uint32_t k) {
+      near_.each_near(change.body, [&](std::uint32_t k) {
         const auto other =
             std::lower_bound(changes->begin(), changes->end(), k,
                              [](const Change& one, std::uint32_t body) { return one.body < body; });
@@ -248,7 +232,6 @@ class Run {
 
   const std::span<const SimulatedBody> bodies_;
   const double end_;
-  const PairSearch search_;
   NearBodies near_;
   double length_ = 0;                     // of a while
   double while_from_ = 0, while_to_ = 0;  // events after the one, up to the other

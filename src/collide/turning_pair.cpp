@@ -109,25 +109,31 @@ double TurningPair::apart_by_centres() const {
                       {still_.gap_error, still_.slope_error, bend_});
 }
 
-// How long all vertices of the other, or the disc in which it turns, stay beyond an edge of `frame`, or
-// else some vertex behind it, as seen by who turns with `frame`; `enough` ends the search.
+// How long all vertices of the other stay beyond an edge of `frame`, or else some of them behind it, as
+// seen by who turns with `frame`; `enough` ends the search.
+template <bool kApart>
 double TurningPair::holds_by_edge(const TurnedBody& frame, std::size_t edge,
-                                  const TurnedBody& other, bool as_disc, const Errors& errors,
-                                  bool apart, double enough) const {
-  const Vec2& normal = frame.normals[edge];
-  const double radii = !apart ? 0 : radii_ + (as_disc ? kUp * other.reach : 0);
-  const auto time_of = [&](const Vec2& p, const Vec2& moves) {
-    const double gap = dot(normal, p - frame.points[edge]) - radii;
-    const double slope = dot(normal, moves - frame.carries(p));
-    return apart ? positive_for(gap, slope, errors) : positive_for(-gap, -slope, errors);
-  };
-  if (as_disc) return time_of(other.centre, other.velocity);
-  double time = apart ? kInfinity : 0;
-  for (std::size_t k = 0; k < other.points.size() && !(apart && time <= enough); ++k) {
-    const double next = time_of(other.points[k], other.moves(k));
-    time = apart ? std::min(time, next) : std::max(time, next);
+                                  const TurnedBody& other, const Errors& errors,
+                                  double enough) const {
+  const Vec2 &normal = frame.normals[edge], &start = frame.points[edge];
+  double time = kApart ? kInfinity : 0;
+  for (std::size_t k = 0; k < other.points.size() && !(kApart && time <= enough); ++k) {
+    const Vec2& p = other.points[k];
+    const double gap = dot(normal, p - start);
+    const double slope = dot(normal, other.moves(k) - frame.carries(p));
+    time = kApart ? std::min(time, positive_for(gap - radii_, slope, errors))
+                  : std::max(time, positive_for(-gap, -slope, errors));
   }
   return time;
+}
+
+// How long the disc in which the other turns stays beyond an edge.
+double TurningPair::apart_by_disc(const TurnedBody& frame, std::size_t edge,
+                                  const TurnedBody& other, const Errors& errors) const {
+  const Vec2& normal = frame.normals[edge];
+  const double gap = dot(normal, other.centre - frame.points[edge]);
+  return positive_for(gap - (radii_ + kUp * other.reach),
+                      dot(normal, other.velocity - frame.carries(other.centre)), errors);
 }
 
 // Along the line between the two nearest vertices, as the world sees it.
@@ -161,7 +167,8 @@ double TurningPair::apart_for(double enough) const {
   const auto look = [&](const TurnedBody& frame, const TurnedBody& other, bool as_disc,
                         const Errors& errors) {
     for (std::size_t i = 0; best < enough && i < frame.normals.size(); ++i)
-      best = std::max(best, holds_by_edge(frame, i, other, as_disc, errors, true, best));
+      best = std::max(best, as_disc ? apart_by_disc(frame, i, other, errors)
+                                    : holds_by_edge<true>(frame, i, other, errors, best));
   };
   if (b_.most_spin * length_ > kManyTurns) look(a_, b_, true, disc_by_a_);
   if (a_.most_spin * length_ > kManyTurns) look(b_, a_, true, disc_by_b_);
@@ -191,7 +198,7 @@ double TurningPair::across_for(const TurnedBody& frame, const TurnedBody& other,
                                const Errors& errors) const {
   double least = kInfinity;
   for (std::size_t i = 0; i < frame.normals.size() && least > 0; ++i)
-    least = std::min(least, holds_by_edge(frame, i, other, false, errors, false, 0));
+    least = std::min(least, holds_by_edge<false>(frame, i, other, errors, 0));
   return least;
 }
 

@@ -37,8 +37,11 @@ class TurningPair {
   Errors disc_errors(const TurnedBody& frame, double size, double farthest) const;
   double positive_for(double gap, double slope, const Errors& errors) const;
   double apart_by_centres() const;
+  template <bool kApart>
   double holds_by_edge(const TurnedBody& frame, std::size_t edge, const TurnedBody& other,
-                       bool as_disc, const Errors& errors, bool apart, double enough) const;
+                       const Errors& errors, double enough) const;
+  double apart_by_disc(const TurnedBody& frame, std::size_t edge, const TurnedBody& other,
+                       const Errors& errors) const;
   double apart_by_vertices() const;
   double across_for(const TurnedBody& frame, const TurnedBody& other, const Errors& errors) const;
   double vertex_distance(const TurnedBody& vertices, const TurnedBody& edges) const;
