@@ -21,85 +21,36 @@ struct CarriedParts {
     parts = parts_of(*carried.shape, place, turns ? Outline::own : outline);
     if (!turns) motion.angle = linear(0, 0);
   }
+  TurningBody body(const ShapePart& part) const { return {part.ring, part.radius, motion}; }
+  TurningParts bodies() const {
+    TurningParts all;
+    for (const ShapePart& part : parts) all.push_back(body(part));
+    return all;
+  }
 };
 
-// Two parts; where one is an ellipse, polygons in or about it stand for it.
-class PartPair {
- public:
-  PartPair(const ShapePart& p, const RigidMotion& a, const ShapePart& q, const RigidMotion& b)
-      : layers_{Sandwich(p), Sandwich(q)},
-        radii_{p.radius, q.radius},
-        motions_{&a, &b},
-        is_curved_(p.curve || q.curve) {}
-
-  bool is_curved() const { return is_curved_; }
-  Sandwiches& layers() { return layers_; }
-
-  // The first touch from a time on, or the last before one.
-  TurningContact first(double from, bool outer) const {
-    return turning_contact(body(0, outer), body(1, outer), 1, kTurningWidth, false, from);
-  }
-  TurningContact last(double until) const {
-    return turning_contact(body(0, true), body(1, true), until, kTurningWidth, true);
-  }
-  std::optional<double> parting(double from) const {
-    return turning_parting(body(0, true), body(1, true), from, 1, kTurningWidth);
-  }
-  // Of a normal out of the first at a time what the bodies themselves see.
-  void add_normal(const Vec2& normal, double time, Normals& normals) const {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Turn back = turn(-motions_[i]->angle(time));
-      const Vec2 n = i == 0 ? normal : Vec2(-normal);
-      normals[i].emplace_back(back.cos * n.x() - back.sin * n.y(),
-                              back.sin * n.x() + back.cos * n.y());
-    }
-  }
-
- private:
-  TurningBody body(std::size_t i, bool outer) const {
-    return {layers_[i].ring(outer), radii_[i], *motions_[i]};
-  }
-
-  Sandwiches layers_;
-  const std::array<double, 2> radii_;
-  const std::array<const RigidMotion*, 2> motions_;
-  const bool is_curved_;
-};
-
-// The boxes around all parts of two bodies.
-class BoxPair {
- public:
-  BoxPair(const CarriedParts& a, const CarriedParts& b) {
-    for (const ShapePart& part : a.parts) a_.push_back({part.ring, part.radius, a.motion});
-    for (const ShapePart& part : b.parts) b_.push_back({part.ring, part.radius, b.motion});
-  }
-  TurningContact first(double from, bool) const {
-    return box_contact(a_, b_, 1, kTurningWidth, false, from);
-  }
-  TurningContact last(double until) const {
-    return box_contact(a_, b_, until, kTurningWidth, true);
-  }
-  std::optional<double> parting(double from) const {
-    return box_parting(a_, b_, from, 1, kTurningWidth);
-  }
-
- private:
-  std::vector<TurningBody> a_, b_;
-};
-
-// The first meeting after a time, between that of what is about both and that of what is in them.
+// The first meeting after a time of two bodies or of the boxes around their parts.
+template <class Body>
 struct FirstMeeting {
+  const Body &a, &b;  // or what is about them
   TurningContact outer, inner;
   std::optional<double> parted;  // when it is over, if there may be another
   double end = 0;
 
-  template <class Pair>
-  FirstMeeting(const Pair& pair, double from, bool is_curved) : outer(pair.first(from, true)) {
+  // `in_a` and `in_b`: what is in them; nullptr where that is all of them.
+  FirstMeeting(const Body& about_a, const Body& about_b, const Body* in_a, const Body* in_b,
+               double from)
+      : a(about_a), b(about_b), outer(turning_contact(a, b, 1, kTurningWidth, false, from)) {
     if (outer.verdict == Verdict::apart) return;
-    inner = is_curved ? pair.first(from, false) : outer;
+    inner = in_a ? turning_contact(*in_a, *in_b, 1, kTurningWidth, false, from) : outer;
     const double seen = outer.first.high;
-    if (seen < 1) parted = outer.verdict == Verdict::meets ? pair.parting(seen) : seen;
-    end = std::max(seen, parted ? *parted : pair.last(1).first.high);
+    if (seen < 1)
+      parted =
+          outer.verdict == Verdict::meets ? turning_parting(a, b, seen, 1, kTurningWidth) : seen;
+    end = std::max(seen, parted ? *parted : last(1).first.high);
+  }
+  TurningContact last(double until) const {
+    return turning_contact(a, b, until, kTurningWidth, true);
   }
   std::optional<MeetingPart> part() const {
     if (outer.verdict == Verdict::apart) return std::nullopt;
@@ -110,31 +61,50 @@ struct FirstMeeting {
   }
 };
 
-void add_meetings(PartPair& pair, std::vector<MeetingPart>& parts) {
+// Of bodies as they are.
+template <class Body>
+void add_meetings(const Body& a, const Body& b, std::vector<MeetingPart>& parts) {
+  for (std::optional<double> from = 0; from && *from < 1;) {
+    const FirstMeeting<Body> meeting(a, b, nullptr, nullptr, *from);
+    if (const auto met = meeting.part()) parts.push_back(*met);
+    from = meeting.parted;
+  }
+}
+
+// Of a normal out of the first of two at a time what the bodies themselves see.
+void add_normal(const Vec2& normal, double time, const RigidMotion& a, const RigidMotion& b,
+                Normals& normals) {
+  for (const bool first : {true, false}) {
+    const Turn back = turn(-(first ? a : b).angle(time));
+    const Vec2 n = first ? normal : Vec2(-normal);
+    normals[first ? 0 : 1].emplace_back(back.cos * n.x() - back.sin * n.y(),
+                                        back.sin * n.x() + back.cos * n.y());
+  }
+}
+
+// Of parts of which one at least is an ellipse: polygons in and about it stand for it.
+void add_curved_meetings(const ShapePart& p, const RigidMotion& a, const ShapePart& q,
+                         const RigidMotion& b, std::vector<MeetingPart>& parts) {
+  Sandwiches layers{Sandwich(p), Sandwich(q)};
   for (std::optional<double> from = 0; from && *from < 1;) {
     std::optional<MeetingPart> met = undecided_part({*from, 1});
     std::optional<double> parted;
-    refine(pair.layers(), [&] {
-      const FirstMeeting meeting(pair, *from, pair.is_curved());
+    refine(layers, [&] {
+      const TurningBody about_a{layers[0].ring(true), p.radius, a},
+          about_b{layers[1].ring(true), q.radius, b}, in_a{layers[0].ring(false), p.radius, a},
+          in_b{layers[1].ring(false), q.radius, b};
+      const FirstMeeting<TurningBody> meeting(about_a, about_b, &in_a, &in_b, *from);
       met = meeting.part();
       parted = meeting.parted;
       Normals normals;
-      if (!met || !pair.is_curved()) return normals;
-      pair.add_normal(meeting.outer.place.normal, met->times.low, normals);
+      if (!met) return normals;
+      add_normal(meeting.outer.place.normal, met->times.low, a, b, normals);
       const double end = met->times.high;
-      pair.add_normal(pair.last(std::max(end, 0x1p-60)).place.normal, end, normals);
+      add_normal(meeting.last(std::max(end, 0x1p-60)).place.normal, end, a, b, normals);
       return normals;
     });
     if (met) parts.push_back(*met);
     from = parted;
-  }
-}
-
-void add_meetings(const BoxPair& pair, std::vector<MeetingPart>& parts) {
-  for (std::optional<double> from = 0; from && *from < 1;) {
-    const FirstMeeting meeting(pair, *from, false);
-    if (const auto met = meeting.part()) parts.push_back(*met);
-    from = meeting.parted;
   }
 }
 
@@ -154,13 +124,14 @@ std::vector<MeetingPart> carried_shapes_meet(const CarriedShape& a, const Carrie
   std::vector<MeetingPart> parts;
   if (one.parts.empty() || other.parts.empty()) return parts;
   if (outline == Outline::box) {
-    add_meetings(BoxPair(one, other), parts);
+    add_meetings(one.bodies(), other.bodies(), parts);
   } else {
     for (const ShapePart& p : one.parts)
-      for (const ShapePart& q : other.parts) {
-        PartPair pair(p, one.motion, q, other.motion);
-        add_meetings(pair, parts);
-      }
+      for (const ShapePart& q : other.parts)
+        if (p.curve || q.curve)
+          add_curved_meetings(p, one.motion, q, other.motion, parts);
+        else
+          add_meetings(one.body(p), other.body(q), parts);
   }
   join(parts);
   return parts;

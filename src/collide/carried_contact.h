@@ -22,7 +22,7 @@ struct CarriedShape {
 /// Every time in which two such shapes meet, or the boxes around them, ascending and apart.
 ///
 /// Error   where both go straight as shapes_meet(), else as turning_contact(), of ellipses that of polygons
-///         in and about them, curved_contact.h: what overlaps on a cut alone touches, and what parts for
+///         in and about them: what overlaps on a cut alone touches, and what parts for
 ///         less than kTurningWidth, or after more than kMostPartingSteps steps, has not parted. Of what is
 ///         carried beyond kTamest it is not told whether it meets.
 /// Cost    of ellipses a ms for each meeting.

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
-#include <utility>
 
 namespace flatray {
 namespace {
-
-double about(const Rational& x) { return x.nearest(); }
-double about(double x) { return x; }
 
 // L D L^T of the rows and columns of M that are chosen, each row of L from its first entry on that is
 // not 0. Columns that hang on those before have D = 0 and z = 0.
@@ -51,10 +47,10 @@ class Factors {
 
   void fill(const Couplings<Number>& m, std::size_t i) {
     std::vector<std::pair<std::size_t, Number>> entries;
-    for (const auto& entry : m.row(chosen_[i])) {
-      const auto at = std::lower_bound(chosen_.begin(), chosen_.end(), entry.column);
-      if (at == chosen_.end() || *at > chosen_[i] || *at != entry.column) continue;
-      entries.emplace_back(at - chosen_.begin(), entry.value);
+    for (const auto& [column, value] : m[chosen_[i]]) {
+      const auto at = std::lower_bound(chosen_.begin(), chosen_.end(), column);
+      if (at == chosen_.end() || *at > chosen_[i] || *at != column) continue;
+      entries.emplace_back(at - chosen_.begin(), value);
     }
     std::size_t first = i;
     for (const auto& [column, value] : entries) first = std::min(first, column);
@@ -77,7 +73,7 @@ class Factors {
     }
     constexpr double kRounding = 0x1p-40;  // of doubles, which only guess
     const bool exact = std::is_same_v<Number, Rational>;
-    hangs_.push_back(about(mine.back()) <= (exact ? 0 : kRounding) * about(whole));
+    hangs_.push_back(nearest(mine.back()) <= (exact ? 0 : kRounding) * nearest(whole));
     diagonal_.push_back(mine.back());
   }
 
@@ -88,14 +84,17 @@ class Factors {
   std::vector<bool> hangs_;
 };
 
-// z of the unknowns chosen, and 0 of the others; adds to `work`.
+// z of the unknowns that are `in`, and 0 of the others; adds to `work`.
 template <class Number>
 std::vector<Number> solve(const Couplings<Number>& m, const std::vector<Number>& q,
-                          const std::vector<std::size_t>& chosen, double& work) {
-  std::vector<Number> z(q.size(), Number(0));
+                          const std::vector<bool>& in, double& work) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < in.size(); ++i)
+    if (in[i]) chosen.push_back(i);
   const Factors<Number> factors(m, chosen);
   work += factors.work();
   const std::vector<Number> part = factors.solve(q);
+  std::vector<Number> z(q.size(), Number(0));
   for (std::size_t i = 0; i < chosen.size(); ++i) z[chosen[i]] = part[i];
   return z;
 }
@@ -106,19 +105,19 @@ std::vector<Number> result(const Couplings<Number>& m, const std::vector<Number>
                            const std::vector<Number>& z) {
   std::vector<Number> w = q;
   for (std::size_t i = 0; i < w.size(); ++i)
-    for (const auto& entry : m.row(i)) w[i] += entry.value * z[entry.column];
+    for (const auto& [column, value] : m[i]) w[i] += value * z[column];
   return w;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double x : values) most = std::max(most, std::fabs(x));
+  return most;
 }
 
 // Which unknowns are not 0, by doubles: those that are wrong are changed, all of them as long as they
 // become fewer, else the last one.
-struct Guess {
-  std::vector<std::size_t> chosen;
-  std::vector<double> z;
-  bool holds;            ///< in doubles
-  bool refused = false;  ///< it would take more than kMostGuess
-};
-Guess guess(const Couplings<double>& m, const std::vector<double>& q) {
+Complementarity<double> guess(const Couplings<double>& m, const std::vector<double>& q) {
   constexpr double kRounding = 0x1p-40;
   constexpr int kPatience = 8;
   std::vector<bool> in(q.size(), false);
@@ -126,21 +125,14 @@ Guess guess(const Couplings<double>& m, const std::vector<double>& q) {
   int patience = kPatience;
   double work = 0;
   for (std::size_t step = 0;; ++step) {
-    std::vector<std::size_t> chosen, wrong;
-    for (std::size_t i = 0; i < in.size(); ++i)
-      if (in[i]) chosen.push_back(i);
-    std::vector<double> z = solve(m, q, chosen, work);
-    if (work > kMostGuess) return {{}, {}, false, true};
+    std::vector<double> z = solve(m, q, in, work);
+    if (work > kMostGuess) return {{}, std::vector<bool>(q.size(), false), false, true};
     const std::vector<double> w = result(m, q, z);
-    double most_z = 0, most_w = 0;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      most_z = std::max(most_z, std::fabs(z[i]));
-      most_w = std::max(most_w, std::fabs(q[i]));
-    }
+    const double least_z = -kRounding * largest(z), least_w = -kRounding * largest(q);
+    std::vector<std::size_t> wrong;
     for (std::size_t i = 0; i < in.size(); ++i)
-      if (in[i] ? z[i] < -kRounding * most_z : w[i] < -kRounding * most_w) wrong.push_back(i);
-    if (wrong.empty() || step > 64 + q.size())
-      return {std::move(chosen), std::move(z), wrong.empty()};
+      if (in[i] ? z[i] < least_z : w[i] < least_w) wrong.push_back(i);
+    if (wrong.empty() || step > 64 + q.size()) return {std::move(z), in, wrong.empty()};
     if (wrong.size() < least) {
       least = wrong.size();
       patience = kPatience;
@@ -151,11 +143,6 @@ Guess guess(const Couplings<double>& m, const std::vector<double>& q) {
   }
 }
 
-bool any_negative(const std::vector<Rational>& values) {
-  return std::any_of(values.begin(), values.end(),
-                     [](const Rational& x) { return x.sign() == Sign::negative; });
-}
-
 // w - M z - z0 = q as rows solved for one unknown each: w are the columns 0 to n - 1, z the next n,
 // then z0, then what is on the right.
 class Tableau {
@@ -164,7 +151,7 @@ class Tableau {
     for (std::size_t i = 0; i < n_; ++i) {
       std::vector<Rational> row(2 * n_ + 2, Rational(0));
       row[i] = 1;
-      for (const auto& entry : m.row(i)) row[n_ + entry.column] = -entry.value;
+      for (const auto& [column, value] : m[i]) row[n_ + column] = -value;
       row[extra()] = -1;
       row[right()] = q[i];
       rows_.push_back(std::move(row));
@@ -239,47 +226,39 @@ class Tableau {
   std::size_t left_ = 0;  // the unknown that no row is solved for any more, of the last step
 };
 
-Couplings<double> nearest(const Couplings<Rational>& m) {
-  Couplings<double> near(m.size());
-  for (std::size_t i = 0; i < m.size(); ++i)
-    for (const auto& entry : m.row(i)) near.add(i, entry.column, entry.value.nearest());
-  return near;
-}
-
 }  // namespace
 
 std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<Rational>& m,
                                                                const std::vector<Rational>& q) {
-  const auto touching = [](const std::vector<Rational>& w) {
-    std::vector<bool> touches;
-    touches.reserve(w.size());
-    for (const Rational& one : w) touches.push_back(one.sign() == Sign::zero);
-    return touches;
-  };
-  std::vector<double> near;
-  near.reserve(q.size());
-  for (const Rational& one : q) near.push_back(one.nearest());
-  const std::vector<std::size_t> chosen = guess(nearest(m), near).chosen;
+  Couplings<double> near_m(m.size());
+  std::vector<double> near_q;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    near_q.push_back(nearest(q[i]));
+    for (const auto& [column, value] : m[i]) near_m[i].emplace_back(column, nearest(value));
+  }
+  const std::vector<bool> in = guess(near_m, near_q).touches;
   double work = 0;  // known to be little
-  std::vector<Rational> z = solve(m, q, chosen, work), w = result(m, q, z);
-  std::vector<bool> touches = touching(w);
-  if (!any_negative(z) && !any_negative(w) &&
-      std::all_of(chosen.begin(), chosen.end(), [&](std::size_t i) { return touches[i]; }))
-    return Complementarity<Rational>{std::move(z), std::move(touches)};
-  Tableau tableau(m, q);
-  if (tableau.begin() && !tableau.run()) return std::nullopt;
-  z = tableau.z();
-  return Complementarity<Rational>{z, touching(result(m, q, z))};
+  std::vector<Rational> z = solve(m, q, in, work), w = result(m, q, z);
+  bool proven = true;
+  for (std::size_t i = 0; i < q.size(); ++i)
+    proven = proven && z[i].sign() != Sign::negative && w[i].sign() != Sign::negative &&
+             !(in[i] && w[i].sign() == Sign::positive);
+  if (!proven) {
+    Tableau tableau(m, q);
+    if (tableau.begin() && !tableau.run()) return std::nullopt;
+    z = tableau.z();
+    w = result(m, q, z);
+  }
+  Complementarity<Rational> found{std::move(z), {}};
+  for (const Rational& one : w) found.touches.push_back(one.sign() == Sign::zero);
+  return found;
 }
 
 std::optional<Complementarity<double>> solve_complementarity(const Couplings<double>& m,
                                                              const std::vector<double>& q) {
-  Guess found = guess(m, q);
-  if (found.refused) return Complementarity<double>{{}, {}, true};
-  if (!found.holds && q.size() <= kMostPivoted) return std::nullopt;
-  std::vector<bool> touches(q.size(), false);
-  for (const std::size_t i : found.chosen) touches[i] = true;
-  return Complementarity<double>{std::move(found.z), std::move(touches)};
+  Complementarity<double> found = guess(m, q);
+  if (!found.refused && !found.holds && q.size() <= kMostPivoted) return std::nullopt;
+  return found;
 }
 
 // What has been eliminated k times is k times as long.
@@ -287,7 +266,7 @@ double work_of_proof(const Couplings<double>& m, double bits) {
   double work = 0;
   for (std::size_t i = 0; i < m.size(); ++i) {
     std::size_t first = i;
-    for (const auto& entry : m.row(i)) first = std::min(first, entry.column);
+    for (const auto& [column, value] : m[i]) first = std::min(first, column);
     const auto width = static_cast<double>(i - first + 1), words = 1 + width * bits / 64;
     work += width * width / 2 * words * words;
   }

@@ -1,41 +1,29 @@
 #pragma once
 #include <cstddef>
 #include <optional>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "geom/exact.h"
 
 namespace flatray {
 
-/// A symmetric matrix, positive semidefinite, of which a row has few entries that are not 0.
+/// A symmetric matrix, positive semidefinite: of each row the entries that are not 0, column and value, each
+/// column once.
 template <class Number>
-class Couplings {
- public:
-  explicit Couplings(std::size_t count) : rows_(count) {}
-
-  struct Entry {
-    std::size_t column;
-    Number value;
-  };
-  std::size_t size() const { return rows_.size(); }
-  const std::vector<Entry>& row(std::size_t i) const { return rows_[i]; }
-  /// Needs   each column of a row once.
-  void add(std::size_t row, std::size_t column, const Number& value) {
-    rows_[row].push_back({column, value});
-  }
-
- private:
-  std::vector<std::vector<Entry>> rows_;
-};
+using Couplings = std::vector<std::vector<std::pair<std::size_t, Number>>>;
 
 /// z >= 0 with w = M z + q >= 0, of which for each i one is 0.
 template <class Number>
 struct Complementarity {
   std::vector<Number> z;
   std::vector<bool> touches;  ///< w is 0
+  bool holds = true;          ///< false: as far as doubles tell, it is no such z
   bool refused = false;       ///< it would take more than kMostGuess: there is nothing else
 };
+
+inline double nearest(double x) { return x; }
+inline double nearest(const Rational& x) { return x.nearest(); }
 
 /// Unknowns up to which pivots of rationals end in seconds.
 inline constexpr std::size_t kMostPivoted = 32;

@@ -109,10 +109,7 @@ class CrossingTime {
   }
   std::strong_ordering compare(double other) const {
     if (std::isinf(other)) return 0 <=> (other > 0 ? 1 : -1);
-    const auto sign = tell([&](const auto& number) { return (at(number) - number(other)).sign(); });
-    if (sign) return order(*sign);
-    const auto f = form(kRational);
-    return order(Rational::root_sign(f.p - Rational(other) * f.a, root(), f.q));
+    return order(sign([&](const auto& number) { return std::pair(number(-other), number(1.0)); }));
   }
   RoundedTime nearest() const {
     constexpr double kLargest = std::numeric_limits<double>::max();

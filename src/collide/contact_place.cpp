@@ -1,9 +1,8 @@
-#include "collide/contact_place.h"
-
 #include <cmath>
 #include <optional>
 #include <tuple>
 
+#include "collide/contact.h"
 #include "collide/minkowski.h"
 #include "geom/decide.h"
 #include "geom/pair.h"

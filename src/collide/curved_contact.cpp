@@ -1,7 +1,6 @@
-#include "collide/curved_contact.h"
-
 #include <cmath>
 
+#include "collide/outline_contact.h"
 #include "collide/sandwich.h"
 
 namespace flatray {

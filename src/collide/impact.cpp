@@ -15,8 +15,6 @@ int side_of(const ImpactContact& contact, std::uint32_t body) {
   return contact.b == body ? 1 : contact.a == body ? -1 : 0;
 }
 
-double nearest(double x) { return x; }
-double nearest(const Rational& x) { return x.nearest(); }
 Sign sign(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
 Sign sign(const Rational& x) { return x.sign(); }
 
@@ -40,7 +38,7 @@ class Solver {
     couple();
   }
 
-  const Couplings<Number>& couplings() const { return *couplings_; }
+  const Couplings<Number>& couplings() const { return couplings_; }
 
   // Those that slide leave at a speed each, times the length of the normal.
   std::optional<Impact> solve(std::span<const double> leaves) const {
@@ -48,18 +46,19 @@ class Solver {
     for (const std::size_t i : asked_)
       lack.push_back(contacts_[i].slides ? parting_[i] - Number(leaves[i])
                                          : parting_[i] + parting_[i]);
-    const auto pushes = solve_complementarity(*couplings_, lack);
+    const auto pushes = solve_complementarity(couplings_, lack);
     if (!pushes) return std::nullopt;
     if (pushes->refused) return Impact{{}, {}, true};
     Impact impact{{}, std::vector<bool>(contacts_.size(), false)};
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      impact.rests[asked_[i]] = contacts_[asked_[i]].slides && pushes->touches[i];
     std::vector<Pair<Number>> velocities = velocities_;
-    for (std::size_t i = 0; i < asked_.size(); ++i)
-      for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
-        velocities[body] = velocities[body] + (Number(side_of(contacts_[asked_[i]], body)) *
-                                               pushes->z[i] * inverse_[body]) *
-                                                  normals_[asked_[i]];
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const ImpactContact& contact = contacts_[asked_[i]];
+      impact.rests[asked_[i]] = contact.slides && pushes->touches[i];
+      for (const std::uint32_t body : {contact.a, contact.b})
+        velocities[body] =
+            velocities[body] +
+            (Number(side_of(contact, body)) * pushes->z[i] * inverse_[body]) * normals_[asked_[i]];
+    }
     for (const auto& velocity : velocities)
       impact.velocities.emplace_back(nearest(velocity.x), nearest(velocity.y));
     return impact;
@@ -76,7 +75,7 @@ class Solver {
     for (std::size_t i = 0; i < asked_.size(); ++i)
       for (const std::uint32_t body : {contacts_[asked_[i]].a, contacts_[asked_[i]].b})
         if (sign(inverse_[body]) != Sign::zero) of_body[body].push_back(i);
-    couplings_.emplace(asked_.size());
+    couplings_.resize(asked_.size());
     std::vector<std::size_t> seen(asked_.size(), asked_.size());  // by which contact last
     for (std::size_t i = 0; i < asked_.size(); ++i) {
       const ImpactContact& contact = contacts_[asked_[i]];
@@ -85,7 +84,8 @@ class Solver {
       for (const std::uint32_t body : {contact.a, contact.b})
         for (const std::size_t k : of_body[body])
           if (std::exchange(seen[k], i) != i) others.push_back(k);
-      for (const std::size_t k : others) couplings_->add(i, k, coupling(asked_[i], asked_[k]));
+      for (const std::size_t k : others)
+        couplings_[i].emplace_back(k, coupling(asked_[i], asked_[k]));
     }
   }
 
@@ -102,7 +102,7 @@ class Solver {
   std::vector<Pair<Number>> velocities_, normals_;
   std::vector<Number> inverse_, parting_;
   std::vector<std::size_t> asked_;
-  std::optional<Couplings<Number>> couplings_;
+  Couplings<Number> couplings_;
 };
 
 // How many bits an entry of the couplings has, at most.
@@ -128,9 +128,11 @@ std::optional<Impact> solve(const Solver<Number>& solver, std::span<const Impact
   for (const ImpactBody& body : bodies)
     fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
   std::vector<double> leaves(contacts.size(), 0);
-  std::optional<Impact> impact = solver.solve(leaves);
-  for (bool more = impact && !impact->refused; more;) {
-    more = false;
+  std::optional<Impact> impact = solver.solve(leaves), apart = impact;
+  while (apart && !apart->refused) {  // else there is room for those at rest only
+    impact = std::move(apart);
+    apart.reset();
+    bool more = false;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b, normal, slides] = contacts[i];
       if (!impact->rests[i] || leaves[i] > 0 ||
@@ -139,10 +141,7 @@ std::optional<Impact> solve(const Solver<Number>& solver, std::span<const Impact
       leaves[i] = kSlideLeaves * fastest * normal.norm();
       more |= leaves[i] > 0;
     }
-    if (!more) break;
-    std::optional<Impact> apart = solver.solve(leaves);
-    if (!apart || apart->refused) break;  // there is room for those at rest only
-    impact = std::move(apart);
+    if (more) apart = solver.solve(leaves);
   }
   return impact;
 }

@@ -6,7 +6,7 @@
 #include "anim/world.h"
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
-#include "collide/curved_contact.h"
+#include "collide/outline_contact.h"
 #include "geom/polygon.h"
 #include "scene/rounded.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "anim/frame_state.h"
-#include "collide/contact_place.h"
+#include "collide/contact.h"
 #include "geom/primitives/arc.h"
 
 namespace flatray {
@@ -57,12 +57,26 @@ void extend(MeetingPart& last, const MeetingPart& next);
 /// Sorts parts by time, and makes one of those that overlap.
 void join(std::vector<MeetingPart>& parts);
 
+/// When two parts meet within a range, in linear motion, of which one at least is an ellipse; nullopt where
+/// they never do.
+///
+/// Needs   ellipses of finite half-diameters with an area.
+/// Gives   proven: the polygons in and about an ellipse, sandwich.h, meet exactly when contact() says.
+///         What the two do not tell alike is not `certain`.
+/// Error   they are made finer where the outer ones first and last meet, until what they differ by is lost
+///         in the rounding of their corners: some 2^-38 of what coordinates and half-diameters add up to,
+///         more for thin ellipses, over the speed along the normal.
+/// Cost    some 0.3 ms.
+std::optional<MeetingPart> curved_parts_meet(const ShapePart& a, const Vec2& velocity_a,
+                                             const ShapePart& b, const Vec2& velocity_b,
+                                             Range within);
+
 /// Every time within a range in which two shapes meet, ascending and apart: the times of their
 /// convex pieces, segments and discs together.
 ///
 /// Gives   kind: through where any pieces overlap, also only on a cut between two of them, else along
 ///         where any touch for a while.
-/// Error   as contact(); of ellipses as curved_contact.h; other arcs are left out.
+/// Error   as contact(); of ellipses as curved_parts_meet(); other arcs are left out.
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within,
                                      Outline outline = Outline::own);
 

@@ -9,12 +9,11 @@ namespace flatray {
 namespace {
 
 using Verdict = TurningContact::Verdict;
-using Bodies = std::span<const TurningBody>;
 
 // Two bodies of several parts each, as the upright boxes around them meet.
 class BoxPair {
  public:
-  BoxPair(Bodies a, Bodies b, double length, bool backwards) {
+  BoxPair(const TurningParts& a, const TurningParts& b, double length, bool backwards) {
     for (const TurningBody& one : a)
       for (const TurningBody& other : b) pairs_.emplace_back(one, other, length, backwards);
   }
@@ -161,12 +160,13 @@ std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b
   return Search(TurningPair(a, b, length, false), length, width).parting(from);
 }
 
-TurningContact box_contact(Bodies a, Bodies b, double length, double width, bool backwards,
-                           double from) {
+TurningContact turning_contact(const TurningParts& a, const TurningParts& b, double length,
+                               double width, bool backwards, double from) {
   return contact_of(BoxPair(a, b, length, backwards), a[0].motion, length, width, backwards, from);
 }
 
-std::optional<double> box_parting(Bodies a, Bodies b, double from, double length, double width) {
+std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from,
+                                      double length, double width) {
   return Search(BoxPair(a, b, length, false), length, width).parting(from);
 }
 

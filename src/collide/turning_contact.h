@@ -2,9 +2,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "anim/rigid_motion.h"
-#include "collide/contact_place.h"
+#include "collide/contact.h"
 
 namespace flatray {
 
@@ -60,10 +61,11 @@ std::optional<double> turning_parting(const TurningBody& a, const TurningBody& b
 
 /// The same of the upright boxes around two bodies of several parts, all of one motion. Boxes without
 /// area are undecided where they meet.
-TurningContact box_contact(std::span<const TurningBody> a, std::span<const TurningBody> b,
-                           double length, double width, bool backwards = false, double from = 0);
-std::optional<double> box_parting(std::span<const TurningBody> a, std::span<const TurningBody> b,
-                                  double from, double length, double width);
+using TurningParts = std::vector<TurningBody>;
+TurningContact turning_contact(const TurningParts& a, const TurningParts& b, double length,
+                               double width, bool backwards = false, double from = 0);
+std::optional<double> turning_parting(const TurningParts& a, const TurningParts& b, double from,
+                                      double length, double width);
 
 /// Width asked for the times of shapes that turn.
 inline constexpr double kTurningWidth = 0x1p-40;

@@ -1,4 +1,4 @@
-#include "collide/curved_contact.h"
+#include "collide/outline_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "collide/contact_place.h"
+#include "collide/contact.h"
 #include "geom/polygon.h"
 #include "oracle/families.h"
 

@@ -5,22 +5,12 @@
 // n. An overlap is proven by the gaps of all true normals; their rounding, 2^-24 of the sizes, is part
 // of the gap's allowance of 2^-19.
 
-#if FLATRAY_LANES >= 4
-#define FLATRAY_FLOATS 8
-#else
-#define FLATRAY_FLOATS 4
-#endif
-typedef float Lanes __attribute__((vector_size(FLATRAY_FLOATS * 4)));
+typedef float Lanes __attribute__((vector_size(kCorners * 4)));
 typedef float Four __attribute__((vector_size(16)));
-typedef int Ints __attribute__((vector_size(FLATRAY_FLOATS * 4)));
-constexpr int kParts = 2 * kCorners / FLATRAY_FLOATS;
+typedef int Ints __attribute__((vector_size(kCorners * 4)));
 
 constexpr float kFar = 0x1p126F;
-#if FLATRAY_FLOATS == 8
-constexpr Ints kFirstLanes = {0, 1, 2, 3, 4, 5, 6, 7};
-#else
-constexpr Ints kFirstLanes = {0, 1, 2, 3};
-#endif
+constexpr Ints kEdges = {0, 1, 2, 3, 4, 5, 6, 7};
 
 #define FLATRAY_INLINE inline __attribute__((always_inline))
 #ifdef __clang__
@@ -55,28 +45,15 @@ FLATRAY_INLINE void set_bits(Lanes& lanes, const Ints& mask, const Ints& bits) {
 
 FLATRAY_INLINE void fill(Lanes& lanes, float value) { lanes = value - Lanes{}; }
 
-// A part of the lanes of a and b: `of_a` where they are edges of a, else `of_b`.
-template <int kPart>
-FLATRAY_INLINE void fill(Lanes& lanes, float of_a, float of_b) {
-  fill(lanes, kPart * FLATRAY_FLOATS < kCorners ? of_a : of_b);
-}
-template <int kPart>
-FLATRAY_INLINE void load(Lanes& lanes, const float* of_a, const float* of_b) {
-  constexpr int kFrom = kPart * FLATRAY_FLOATS;
-  __builtin_memcpy(&lanes, kFrom < kCorners ? of_a + kFrom : of_b + (kFrom - kCorners),
-                   sizeof lanes);
+FLATRAY_INLINE void load(Lanes& lanes, const float* from) {
+  __builtin_memcpy(&lanes, from, sizeof lanes);
 }
 
 // The largest lane of each of four.
 FLATRAY_INLINE void fold(const Lanes& lanes, Four& four) {
-  float all[FLATRAY_FLOATS];
-  __builtin_memcpy(all, &lanes, sizeof all);
-  __builtin_memcpy(&four, all, sizeof four);
-  for (int part = 1; part < FLATRAY_FLOATS / 4; ++part) {
-    Four next;
-    __builtin_memcpy(&next, all + 4 * part, sizeof next);
-    four = next > four ? next : four;
-  }
+  const Four low = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3);
+  const Four high = __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+  four = high > low ? high : low;
 }
 FLATRAY_INLINE void transpose_fold(const Four& a, const Four& b, Four& both) {
   const Four low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
@@ -89,37 +66,35 @@ struct Best {
   Lanes enter, leave, first_gap, last_gap;
 };
 
-template <int kPart>
-FLATRAY_INLINE void look_at_part(const Approach& pair, float length, Best& best) {
-  const Outline &a = *pair.a, &b = *pair.b;
-  Lanes far, nx, ny, reach, cx, cy, wx, wy;
+// The edges of one outline against the corners of the other, whose centre is at `sign` times that of b.
+FLATRAY_INLINE void look_at_edges(const Approach& pair, const Outline& edges,
+                                  const Outline& corners, float sign, int number, float length,
+                                  Best& best) {
+  Lanes far, nx, ny, reach;
   fill(far, kFar);
-  load<kPart>(nx, a.normal_x, b.normal_x);
-  load<kPart>(ny, a.normal_y, b.normal_y);
-  load<kPart>(reach, a.reach, b.reach);
+  load(nx, edges.normal_x);
+  load(ny, edges.normal_y);
+  load(reach, edges.reach);
   Lanes least = far;
   FLATRAY_UNROLL
   for (int k = 0; k < kCorners; ++k) {
     Lanes x, y;
-    fill<kPart>(x, b.x[k], a.x[k]);
-    fill<kPart>(y, b.y[k], a.y[k]);
+    fill(x, corners.x[k]);
+    fill(y, corners.y[k]);
     // The number of the corner in the last bits, which the allowance for rounding covers.
     Lanes along;
     dot(along, nx, ny, x, y);
     set_bits(along, Ints{} - kCorners, Ints{} + k);
     keep_smaller(least, along);
   }
-  fill<kPart>(cx, pair.centre_x, -pair.centre_x);
-  fill<kPart>(cy, pair.centre_y, -pair.centre_y);
-  fill<kPart>(wx, pair.way_x, -pair.way_x);
-  fill<kPart>(wy, pair.way_y, -pair.way_y);
-  const Lanes gap = least + (nx * cx + ny * cy) - reach, change = nx * wx + ny * wy;
+  const Lanes gap = least + (nx * (sign * pair.centre_x) + ny * (sign * pair.centre_y)) - reach;
+  const Lanes change = nx * (sign * pair.way_x) + ny * (sign * pair.way_y);
   const Lanes now = gap - pair.gap_error, later = now + length * (change - pair.way_error);
   Lanes time = -gap / change;
   keep_smaller(time, far);
   keep_larger(time, -far);
-  const Ints edge = (kFirstLanes + kPart * FLATRAY_FLOATS) |
-                    ((Ints)least & (kCorners - 1)) * static_cast<int>(kCornerUnit);
+  const Ints edge =
+      (kEdges + number) | ((Ints)least & (kCorners - 1)) * static_cast<int>(kCornerUnit);
   constexpr int kBits = static_cast<int>(kCandidateBits);
   keep_larger(best.enter, change < 0.0F ? (Lanes)(((Ints)time & ~kBits) | edge) : -far);
   keep_larger(best.leave, change > 0.0F ? (Lanes)(((Ints)-time & ~kBits) | edge) : -far);
@@ -132,12 +107,8 @@ FLATRAY_INLINE void look_at_pair(const Approach& pair, float length, Candidates&
   Best best;
   fill(best.enter, -kFar);
   best.leave = best.first_gap = best.last_gap = best.enter;
-  look_at_part<0>(pair, length, best);
-  look_at_part<1>(pair, length, best);
-  if constexpr (kParts > 2) {
-    look_at_part<2>(pair, length, best);
-    look_at_part<3>(pair, length, best);
-  }
+  look_at_edges(pair, *pair.a, *pair.b, 1, 0, length, best);
+  look_at_edges(pair, *pair.b, *pair.a, -1, kCorners, length, best);
   Four enter, leave, first, last, times, gaps;
   fold(best.enter, enter);
   fold(best.leave, leave);
