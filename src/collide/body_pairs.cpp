@@ -23,10 +23,6 @@ double radius_of(const SimulatedBody& body) {
   return radius * (1 + 0x1p-40);
 }
 
-bool is_before(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
 // One more place at which a pair meets. Of one time the first is that whose point is, whichever
 // body and part came first.
 void add(std::optional<Hit>& met, double time, Touch touch) {
@@ -35,7 +31,7 @@ void add(std::optional<Hit>& met, double time, Touch touch) {
     return;
   }
   std::vector<Touch>& all = met->touches;
-  if (is_before(touch.place.point, all.front().place.point)) std::swap(touch, all.front());
+  if (comes_before(touch.place.point, all.front().place.point)) std::swap(touch, all.front());
   const auto alike = [&](const Touch& other) { return other.place.normal == touch.place.normal; };
   if (std::none_of(all.begin(), all.end(), alike)) all.push_back(touch);
 }

@@ -24,8 +24,10 @@ void set_corners(std::span<const Vec2> ring, std::span<const std::uint32_t> numb
   }
 }
 
-void set_lanes(const Vec2& centre, Ready& ready) {
+// Whether all normals are usual.
+bool set_lanes(const Vec2& centre, Ready& ready) {
   const std::span<const Vec2> corners(&ready.corner(0), static_cast<std::size_t>(ready.count));
+  bool usual = true;
   for (std::size_t lane = 0; lane < pairs::kCorners; ++lane) {
     const std::size_t k = lane < corners.size() ? lane : 0;
     const Vec2 from = corners[k] - centre, along = (&corners[k])[1] - corners[k];
@@ -42,14 +44,9 @@ void set_lanes(const Vec2& centre, Ready& ready) {
     ready.lanes.reach[lane] = static_cast<float>(reach);
     ready.lanes.x[lane] = static_cast<float>(from.x());
     ready.lanes.y[lane] = static_cast<float>(from.y());
+    usual = usual && std::fabs(x) <= 1 && std::fabs(y) <= 1;
   }
-}
-
-bool are_usual(const pairs::Outline& lanes) {
-  for (int lane = 0; lane < pairs::kCorners; ++lane)
-    if (!(std::fabs(lanes.normal_x[lane]) <= 1 && std::fabs(lanes.normal_y[lane]) <= 1))
-      return false;
-  return true;
+  return usual;
 }
 
 // Whether it is a polygon for the lanes, and then made ready.
@@ -61,8 +58,7 @@ bool make_ready(std::span<const Vec2> ring, const BodySet::Box& box, Ready& read
   const std::vector<std::uint32_t> numbers = turned_ring(ring, sense);
   if (numbers.size() > pairs::kCorners) return false;
   set_corners(ring, numbers, sense == Sign::negative, ready);
-  set_lanes(box.centre, ready);
-  return are_usual(ready.lanes);
+  return set_lanes(box.centre, ready);
 }
 
 }  // namespace

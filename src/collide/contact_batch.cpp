@@ -16,12 +16,11 @@ constexpr std::size_t kBlock = CertainContacts::kMost;
 
 const pairs::Kernels& kernels_of([[maybe_unused]] Isa isa) {
 #if defined(__x86_64__)
-  constexpr const pairs::Kernels* kTiers[] = {&pairs::portable::kKernels,
-                                              &pairs::baseline::kKernels, &pairs::avx2::kKernels,
-                                              &pairs::avx512::kKernels};
+  constexpr const pairs::Kernels* kTiers[] = {&pairs::kPortable, &pairs::kBaseline, &pairs::kAvx2,
+                                              &pairs::kAvx512};
   return *kTiers[static_cast<std::size_t>(isa)];
 #else
-  return pairs::portable::kKernels;
+  return pairs::kPortable;
 #endif
 }
 

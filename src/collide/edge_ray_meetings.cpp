@@ -9,11 +9,11 @@
 #include "collide/broad_phase.h"
 #include "geom/box_tree.h"
 #include "geom/cyrus_beck.h"
+#include "geom/polygon_edges.h"
 
 namespace flatray {
 namespace {
 
-using Entities = std::pair<std::uint32_t, std::uint32_t>;
 // The convex pieces of an entity where it stands, and which of them are near another.
 struct Pieces {
   std::vector<std::vector<Vec2>> rings;
@@ -22,19 +22,18 @@ struct Pieces {
 };
 
 Ray edge_of(const std::vector<Vec2>& ring, std::size_t i) {
-  return {ring[i], ring[(i + 1) % ring.size()] - ring[i]};
+  return {ring[i], edge_end(ring, i) - ring[i]};
 }
 
 Pieces pieces(const Shape& shape, const Pose& place) {
   std::vector<std::vector<Vec2>> rings;
-  std::vector<Bounds> boxes;
-  for (std::size_t piece = 0; piece < shape.piece_count(); ++piece) {
-    rings.push_back(posed_piece(shape, piece, place));
-    boxes.emplace_back();
-    for (std::size_t i = 0; i < rings.back().size(); ++i) {
-      const Ray edge = edge_of(rings.back(), i);
-      boxes.back().add(edge.origin);
-      boxes.back().add(edge.origin + edge.direction);  // rounded, so as the edge ends
+  std::vector<Bounds> boxes(shape.piece_count());
+  for (std::size_t piece = 0; piece < boxes.size(); ++piece) {
+    const std::vector<Vec2>& ring = rings.emplace_back(posed_piece(shape, piece, place));
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Ray edge = edge_of(ring, i);
+      boxes[piece].add(edge.origin);
+      boxes[piece].add(edge.origin + edge.direction);  // rounded, so as the edge ends
     }
   }
   return {std::move(rings), boxes, BoxTree(boxes)};
@@ -63,7 +62,7 @@ Result<std::vector<Meeting>> find_edge_ray_meetings(const Timeline& timeline, un
   constexpr std::size_t most = MeetingLimits().meetings;
   std::vector<bool> resting;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) resting.push_back(rests(scene, i));
-  std::map<Entities, std::vector<MeetingPart>> found;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<MeetingPart>> found;
   for (unsigned frame = 1; frame <= last_frame; ++frame) {
     const std::vector<EntityState> states = entity_states(timeline, frame);
     std::vector<Bounds> boxes;

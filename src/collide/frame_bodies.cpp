@@ -8,18 +8,13 @@
 namespace flatray {
 namespace {
 
-// From where a turning shape turns about to its farthest point.
-double reach_of(const Shape& shape, double scale) {
-  const Bounds own = shape_bounds(shape, {{0, 0}, 1, 0, scale});
-  if (own.empty()) return 0;
-  return (1 + 0x1p-40) * Vec2(own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs())).stableNorm();
-}
-
-// Of what turns a box around all its angles; empty without a shape.
+// Of what turns a box around all its angles, by its farthest point; empty without a shape.
 Bounds still_box(const Shape& shape, const Pose& place, bool turns) {
-  Bounds lies = shape_bounds(shape, place);
-  if (lies.empty() || !turns) return lies;
-  const double reach = reach_of(shape, place.scale);
+  if (!turns) return shape_bounds(shape, place);
+  const Bounds own = shape_bounds(shape, {{0, 0}, 1, 0, place.scale});
+  if (own.empty()) return own;
+  const double reach =
+      (1 + 0x1p-40) * Vec2(own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs())).stableNorm();
   return {place.at - Vec2(reach, reach), place.at + Vec2(reach, reach)};
 }
 

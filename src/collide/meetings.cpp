@@ -15,16 +15,21 @@
 namespace flatray {
 namespace {
 
+// Whether any group it stands in is so.
+template <class Is>
+bool any_group(const Scene& scene, std::uint32_t entity, const Is& is) {
+  for (auto group = scene.entities[entity].group; group; group = scene.groups[*group].group)
+    if (is(scene.groups[*group])) return true;
+  return false;
+}
+
 // Whether it or what carries it ever turns.
 bool turns(const Scene& scene, std::uint32_t entity) {
   const auto turning = [](const auto& thing) {
     return thing.angular_velocity != 0 || thing.motion.angle ||
            (thing.motion.follow && thing.motion.follow->turn);
   };
-  bool any = turning(scene.entities[entity]);
-  for (auto group = scene.entities[entity].group; group; group = scene.groups[*group].group)
-    any |= turning(scene.groups[*group]);
-  return any;
+  return turning(scene.entities[entity]) || any_group(scene, entity, turning);
 }
 
 // Whether any shape it may have, by its states, is so.
@@ -47,9 +52,10 @@ class Search {
         outline_(outline),
         threads_(threads),
         limits_(limits) {
-    for (std::uint32_t i = 0; i < scene_.entities.size(); ++i)
+    for (std::uint32_t i = 0; i < scene_.entities.size(); ++i) {
       straight_.push_back(keeps_velocity(scene_, i));
-    for (std::uint32_t i = 0; i < scene_.entities.size(); ++i) rests_.push_back(rests(scene_, i));
+      rests_.push_back(rests(scene_, i));
+    }
   }
 
   void run(unsigned last_frame) {
@@ -175,11 +181,8 @@ class Search {
 }  // namespace
 
 bool changes_size(const Scene& scene, std::uint32_t entity) {
-  if (any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }))
-    return true;
-  for (auto group = scene.entities[entity].group; group; group = scene.groups[*group].group)
-    if (scene.groups[*group].scale_curve) return true;
-  return false;
+  return any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }) ||
+         any_group(scene, entity, [](const Group& group) { return bool(group.scale_curve); });
 }
 
 std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline) {

@@ -26,11 +26,6 @@ ShapePart ellipse_part(const Ellipse& curve) {
   return {{curve.centre - reach, curve.centre + reach}};
 }
 
-// Along a line: the order of its points.
-bool comes_before(const Vec2& p, const Vec2& q) {
-  return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
-}
-
 bool has_no_area(const ShapePart& part) {
   return !part.curve && part.radius == 0 && ring_orientation(part.ring) == Sign::zero;
 }

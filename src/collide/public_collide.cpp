@@ -28,11 +28,6 @@ Contact contact_of(const flatray::Contact& met) {
           feature_of(met.last)};
 }
 
-Status check_radius(double radius) {
-  if (!std::isfinite(radius)) return {Fault::not_finite, 0};
-  return radius < 0 ? Status{Fault::radius, 0} : Status{};
-}
-
 flatray::MovingPair moving(const MovingPair& pair) {
   return {
       pair.a, pair.b, {pair.velocity_ax, pair.velocity_ay}, {pair.velocity_bx, pair.velocity_by}};
@@ -53,7 +48,8 @@ std::size_t Bodies::size() const { return data_ ? data_->set.size() : 0; }
 
 Status Bodies::add_polygon(Column x, Column y, double radius) {
   if (const Status fault = check_convex(x, y); !fault) return fault;
-  if (const Status fault = check_radius(radius); !fault) return fault;
+  if (!std::isfinite(radius)) return {Fault::not_finite, 0};
+  if (radius < 0) return {Fault::radius, 0};
   if (size() == kNoWall) return {Fault::full, 0};
   if (!data_) data_ = Owned<Data>(new Data);
   data_->set.add(points_of(x, y), radius);

@@ -5,21 +5,14 @@
 #include <numbers>
 
 #include "anim/motion.h"
+#include "collide/near_bodies.h"
 #include "collide/simulate.h"
 #include "geom/polygon.h"
+#include "geom/polygon_edges.h"
 #include "scene/responses.h"
 
 namespace flatray {
 namespace {
-
-double extent(const std::vector<ShapePart>& parts) {
-  double most = 0;
-  for (const ShapePart& part : parts) {
-    most = std::max(most, part.radius);
-    for (const Vec2& p : part.ring) most = std::max(most, p.cwiseAbs().maxCoeff());
-  }
-  return most;
-}
 
 bool has_area(const std::vector<ShapePart>& parts) {
   return std::any_of(parts.begin(), parts.end(), [](const ShapePart& part) {
@@ -63,21 +56,16 @@ void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
   }
 }
 
-double perimeter(const std::vector<Vec2>& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
-  return sum;
-}
-
 double area(const std::vector<ShapePart>& parts, double scale) {
   double sum = 0;
   for (const ShapePart& part : parts) {
     const double radius = scale * part.radius;
     std::vector<Vec2> ring;
     for (const Vec2& p : part.ring) ring.emplace_back(scale * p);
+    double perimeter = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) perimeter += (edge_end(ring, i) - ring[i]).norm();
     sum += ring_area(ring) + std::numbers::pi * radius * radius;
-    if (radius > 0) sum += perimeter(ring) * radius;
+    if (radius > 0) sum += perimeter * radius;
   }
   return sum;
 }
@@ -86,7 +74,9 @@ double area(const std::vector<ShapePart>& parts, double scale) {
 // scaled by a power of two.
 double scale_for(const std::vector<SimulatedBody>& bodies) {
   double most = 0;
-  for (const SimulatedBody& body : bodies) most = std::max(most, extent(body.parts));
+  for (const SimulatedBody& body : bodies)
+    if (const Bounds box = bounds_of(body.parts); !box.empty())
+      most = std::max({most, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
   constexpr int kUsual = 256, kMost = 1000;
   const int exponent = most > 0 ? std::ilogb(most) : 0;
   return std::abs(exponent) <= kUsual ? 1 : std::ldexp(1.0, -std::clamp(exponent, -kMost, kMost));
@@ -111,10 +101,6 @@ Result<double> mass_by_area(const Entity& entity, const std::vector<ShapePart>& 
               "write a mass, or mass = \"fixed\"");
 }
 
-Vec2 velocity_in_world(const Entity& entity, std::span<const GroupPose> groups) {
-  return entity.group ? groups[*entity.group].pose.turned(entity.velocity) : entity.velocity;
-}
-
 }  // namespace
 
 Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
@@ -127,17 +113,17 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
   Diagnostics problems;
   for (std::uint32_t i = 0; i < states.size(); ++i) {
     const Entity& entity = scene.entities[i];
-    bodies.push_back({{},
-                      states[i].at,
-                      velocity_in_world(entity, groups),
-                      1,
-                      response.value_or(response_of(scene, entity))});
-    if (bodies.back().response == Response::none) continue;
+    SimulatedBody& body = bodies.emplace_back();
+    body.at = states[i].at;
+    body.velocity =
+        entity.group ? groups[*entity.group].pose.turned(entity.velocity) : entity.velocity;
+    body.response = response.value_or(response_of(scene, entity));
+    if (body.response == Response::none) continue;
     if (const auto why = hindrance(scene, entity))
       problems.push_back({entity.where, fmt::format("entity '{}' {}", entity.name, why->what),
                           "responses are for entities that keep one velocity until they meet",
                           Trouble::invalid});
-    bodies.back().parts =
+    body.parts =
         parts_of(shape_of(scene, states[i]), pose({0, 0}, states[i].angle, states[i].scale));
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));

@@ -231,7 +231,7 @@ int decided(const Question& asked, std::size_t i) {
   if (all.kind != HitClass::through || all.start != StartPlace::outside) return -1;
   const double length = 0.5 * all.t_enter + 0.5 * all.t_exit;
   const Contact alone = contact(a, b, {0, length});
-  CertainContacts certain(asked.shapes, length, pairs::portable::kKernels.certify);
+  CertainContacts certain(asked.shapes, length, pairs::kPortable.certify);
   int count = 0;
   for (unsigned guess = 0; guess <= pairs::kCandidateBits; ++guess) {
     const float named = std::bit_cast<float>(std::bit_cast<unsigned>(1.0F) | guess);

@@ -78,17 +78,6 @@ struct Kernels {
   void (*certify)(Edges& edges, int count);
 };
 
-namespace portable {
-extern const Kernels kKernels;
-}
-namespace baseline {
-extern const Kernels kKernels;
-}
-namespace avx2 {
-extern const Kernels kKernels;
-}
-namespace avx512 {
-extern const Kernels kKernels;
-}
+extern const Kernels kPortable, kBaseline, kAvx2, kAvx512;
 
 }  // namespace flatray::pairs

@@ -13,9 +13,9 @@ namespace {
 #include "collide/kernels/candidates_body.h"
 #include "collide/kernels/certify_body.h"
 }  // namespace
-
-extern const Kernels kKernels;
-const Kernels kKernels = {&cull_boxes, &find_candidates, &certify};
-
 }  // namespace FLATRAY_TIER
+
+const Kernels FLATRAY_KERNELS = {&FLATRAY_TIER::cull_boxes, &FLATRAY_TIER::find_candidates,
+                                 &FLATRAY_TIER::certify};
+
 }  // namespace flatray::pairs
