@@ -1,6 +1,6 @@
 #include "collide/carried_contact.h"
 
-#include "collide/sandwich.h"
+#include "collide/curved_contact.h"
 #include "collide/turning_contact.h"
 #include "geom/turn.h"
 

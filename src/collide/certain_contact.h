@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "collide/contact_batch.h"
-#include "collide/kernels/pairs.h"
 
 namespace flatray {
 

@@ -159,31 +159,24 @@ class Tableau {
     }
   }
 
-  // Whether z = 0 will not do; then z0 is brought in by the row that is least.
-  bool begin() {
+  // z; nullopt where there is none. Where z = 0 will not do, z0 is brought in by the row that is least, and
+  // then one unknown after the other, always the partner of the one that went, until z0 goes.
+  std::optional<std::vector<Rational>> solve() {
     std::size_t least = 0;
     for (std::size_t i = 1; i < n_; ++i)
       if (rows_[i][right()] <= rows_[least][right()]) least = i;
-    if (n_ == 0 || rows_[least][right()].sign() != Sign::negative) return false;
-    enter(extra(), least);
-    return true;
-  }
-
-  // Brings in one unknown after the other, always the partner of the one that went, until z0 goes.
-  bool run() {
-    while (left_ != extra()) {
-      const std::size_t column = left_ < n_ ? left_ + n_ : left_ - n_;
-      std::optional<std::size_t> row;
-      for (std::size_t i = 0; i < n_; ++i)
-        if (rows_[i][column].sign() == Sign::positive && (!row || is_less(i, *row, column)))
-          row = i;
-      if (!row) return false;
-      enter(column, *row);
+    if (n_ > 0 && rows_[least][right()].sign() == Sign::negative) {
+      enter(extra(), least);
+      while (left_ != extra()) {
+        const std::size_t column = left_ < n_ ? left_ + n_ : left_ - n_;
+        std::optional<std::size_t> row;
+        for (std::size_t i = 0; i < n_; ++i)
+          if (rows_[i][column].sign() == Sign::positive && (!row || is_less(i, *row, column)))
+            row = i;
+        if (!row) return std::nullopt;
+        enter(column, *row);
+      }
     }
-    return true;
-  }
-
-  std::vector<Rational> z() const {
     std::vector<Rational> found(n_, Rational(0));
     for (std::size_t i = 0; i < n_; ++i)
       if (solved_for_[i] >= n_ && solved_for_[i] < extra())
@@ -244,9 +237,9 @@ std::optional<Complementarity<Rational>> solve_complementarity(const Couplings<R
     proven = proven && z[i].sign() != Sign::negative && w[i].sign() != Sign::negative &&
              !(in[i] && w[i].sign() == Sign::positive);
   if (!proven) {
-    Tableau tableau(m, q);
-    if (tableau.begin() && !tableau.run()) return std::nullopt;
-    z = tableau.z();
+    auto pivoted = Tableau(m, q).solve();
+    if (!pivoted) return std::nullopt;
+    z = *std::move(pivoted);
     w = result(m, q, z);
   }
   Complementarity<Rational> found{std::move(z), {}};

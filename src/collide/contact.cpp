@@ -175,11 +175,11 @@ int number_of(const MovingDifference& pair, const CrossingTime& time) {
   return static_cast<int>(time.corner() + (time.on_edge() ? 0 : pair.size()));
 }
 
+// The line is in the shape from the first of all times at which it comes in to the last at which it goes
+// out.
 void add(const CrossingTime& time, bool comes_in, RoundLine& line) {
   std::optional<CrossingTime>& end = comes_in ? line.enter : line.exit;
-  if (end && (compare(time, *end) < 0) != comes_in) return;
-  if (end && compare(time, *end) == 0) return;
-  end = time;
+  if (!end || (comes_in ? compare(time, *end) < 0 : compare(time, *end) > 0)) end = time;
 }
 
 // What the whole line of motion has in common with the rounded difference.

@@ -18,6 +18,11 @@ int side_of(const ImpactContact& contact, std::uint32_t body) {
 Sign sign(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
 Sign sign(const Rational& x) { return x.sign(); }
 
+// Whether two do not come nearer to each other, whatever rounding made of normal and velocities.
+bool certainly_rest(const Vec2& a, const Vec2& b, const Vec2& normal) {
+  return (normal.x() == 0 || a.x() == b.x()) && (normal.y() == 0 || a.y() == b.y());
+}
+
 template <class Number>
 class Solver {
  public:
@@ -40,6 +45,30 @@ class Solver {
 
   const Couplings<Number>& couplings() const { return couplings_; }
 
+  // All that slides and does not come to rest in doubles leaves, and what that makes leave.
+  std::optional<Impact> solve() const {
+    double fastest = 0;
+    for (const ImpactBody& body : bodies_)
+      fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
+    std::vector<double> leaves(contacts_.size(), 0);
+    std::optional<Impact> impact = solve(leaves), apart = impact;
+    while (apart && !apart->refused) {  // else there is room for those at rest only
+      impact = std::exchange(apart, std::nullopt);
+      bool more = false;
+      for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const auto& [a, b, normal, slides] = contacts_[i];
+        if (!impact->rests[i] || leaves[i] > 0 ||
+            certainly_rest(impact->velocities[a], impact->velocities[b], normal))
+          continue;
+        leaves[i] = kSlideLeaves * fastest * normal.norm();
+        more |= leaves[i] > 0;
+      }
+      if (more) apart = solve(leaves);
+    }
+    return impact;
+  }
+
+ private:
   // Those that slide leave at a speed each, times the length of the normal.
   std::optional<Impact> solve(std::span<const double> leaves) const {
     std::vector<Number> lack;
@@ -64,7 +93,6 @@ class Solver {
     return impact;
   }
 
- private:
   static Pair<Number> numbers(const Vec2& v) {
     return pair_of([](double x) { return Number(x); }, v);
   }
@@ -115,37 +143,6 @@ double bits_of(std::span<const ImpactBody> bodies, std::span<const ImpactContact
   return static_cast<double>(2 * (masses + normals));
 }
 
-// Whether two do not come nearer to each other, whatever rounding made of normal and velocities.
-bool certainly_rest(const Vec2& a, const Vec2& b, const Vec2& normal) {
-  return (normal.x() == 0 || a.x() == b.x()) && (normal.y() == 0 || a.y() == b.y());
-}
-
-// All that slides and does not come to rest in doubles leaves, and what that makes leave.
-template <class Number>
-std::optional<Impact> solve(const Solver<Number>& solver, std::span<const ImpactBody> bodies,
-                            std::span<const ImpactContact> contacts) {
-  double fastest = 0;
-  for (const ImpactBody& body : bodies)
-    fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
-  std::vector<double> leaves(contacts.size(), 0);
-  std::optional<Impact> impact = solver.solve(leaves), apart = impact;
-  while (apart && !apart->refused) {  // else there is room for those at rest only
-    impact = std::move(apart);
-    apart.reset();
-    bool more = false;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [a, b, normal, slides] = contacts[i];
-      if (!impact->rests[i] || leaves[i] > 0 ||
-          certainly_rest(impact->velocities[a], impact->velocities[b], normal))
-        continue;
-      leaves[i] = kSlideLeaves * fastest * normal.norm();
-      more |= leaves[i] > 0;
-    }
-    if (more) apart = solver.solve(leaves);
-  }
-  return impact;
-}
-
 }  // namespace
 
 std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
@@ -153,8 +150,8 @@ std::optional<Impact> solve_impact(std::span<const ImpactBody> bodies,
   const Solver<double> near(bodies, contacts);
   const std::size_t count = near.couplings().size();
   if (count > kMostProven || work_of_proof(near.couplings(), bits_of(bodies, contacts)) > kMostWork)
-    if (auto impact = solve(near, bodies, contacts)) return impact;
-  return solve(Solver<Rational>(bodies, contacts), bodies, contacts);
+    if (auto impact = near.solve()) return impact;
+  return Solver<Rational>(bodies, contacts).solve();
 }
 
 }  // namespace flatray

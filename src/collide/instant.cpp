@@ -40,7 +40,7 @@ Instants::Player Instants::player(std::uint32_t body, bool hit) const {
   return {stages_[body].back().velocity, wall ? kInfinity : bodies_[body].mass, hit, body};
 }
 
-std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, double time) {
+std::optional<Changes> Instants::respond(std::span<const Hit> hits, double time) {
   Players players;
   for (const Hit& hit : hits)
     if (!is_mark(hit.pair))
@@ -50,13 +50,13 @@ std::optional<std::vector<Change>> Instants::respond(std::span<const Hit> hits, 
   std::vector<Push> pushes = pushes_of(hits, players);
   add_resting(pushes, players, time);
   if (!resolve(pushes, players, time)) return std::nullopt;
-  std::vector<Change> changes;
+  Changes changes;
   for (const auto& [body, player] : players) {
     const bool gone = player.hit && does(body, Response::remove);
     if (!gone &&
         (is_fixed(body) || (!player.hit && player.velocity == stages_[body].back().velocity)))
       continue;
-    changes.push_back({body, gone ? Vec2(0, 0) : player.velocity, gone});
+    changes[body] = {gone ? Vec2(0, 0) : player.velocity, gone};
     // What rests on a wall is not asked when that goes.
     if (player.wall())
       for (const Resting& resting : std::vector(resting_[body])) forget(resting.touch);

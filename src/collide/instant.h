@@ -10,12 +10,12 @@
 
 namespace flatray {
 
-/// A body goes on like this.
+/// How a body goes on.
 struct Change {
-  std::uint32_t body;
   Vec2 velocity;
   bool gone = false;
 };
+using Changes = std::map<std::uint32_t, Change>;  ///< by body
 
 /// What bodies do where they meet, and which of them lie on each other since.
 class Instants {
@@ -31,9 +31,9 @@ class Instants {
 
   /// What follows of all hits at one instant: docs/adr/0020.
   ///
-  /// Gives   the bodies that change their way, ascending, whatever the order of hits; nullopt where
-  ///         they have no way out.
-  std::optional<std::vector<Change>> respond(std::span<const Hit> hits, double time);
+  /// Gives   the bodies that change their way, whatever the order of hits; nullopt where they have no way
+  ///         out.
+  std::optional<Changes> respond(std::span<const Hit> hits, double time);
 
   /// Contacts that hang together at the instant at which respond() has given up because they are too many; 0:
   /// there was no way out.

@@ -26,10 +26,6 @@ ShapePart ellipse_part(const Ellipse& curve) {
   return {{curve.centre - reach, curve.centre + reach}};
 }
 
-bool has_no_area(const ShapePart& part) {
-  return !part.curve && part.radius == 0 && ring_orientation(part.ring) == Sign::zero;
-}
-
 // Cuts between the convex pieces of an outline are inside it: what has no area and only ever lies on
 // cuts overlaps, where contact with each piece alone tells that they touch. `cut`: between its ends.
 void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& thin, Range within,
@@ -62,7 +58,7 @@ void count_cuts(std::span<const ShapePart> pieces, const Vec2& velocity,
   for (const auto& [ring, radius, curve, cuts] : pieces)
     for (const std::uint32_t k : cuts)
       for (const ShapePart& part : others)
-        if (has_no_area(part))
+        if (!has_area(part))
           count_cut({ring[k], ring[(k + 1) % ring.size()]}, velocity, {part.ring, others_velocity},
                     within, met);
 }
@@ -139,6 +135,10 @@ class ReadyBodies {
 };
 
 }  // namespace
+
+bool has_area(const ShapePart& part) {
+  return part.curve || part.radius > 0 || ring_orientation(part.ring) != Sign::zero;
+}
 
 std::vector<Vec2> ring_of(const Bounds& box) {
   return {box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}};

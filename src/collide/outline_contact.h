@@ -28,6 +28,7 @@ struct ShapePart {
   std::optional<Ellipse> curve{};     ///< an ellipse that is no circle, instead of the others
   std::vector<std::uint32_t> cuts{};  ///< edges of the ring that only part it from another piece
 };
+bool has_area(const ShapePart& part);
 /// Of the upright box around a shape one part, none of an empty one.
 std::vector<ShapePart> parts_of(const Shape& shape, const Pose& place,
                                 Outline outline = Outline::own);
@@ -61,7 +62,7 @@ void join(std::vector<MeetingPart>& parts);
 /// they never do.
 ///
 /// Needs   ellipses of finite half-diameters with an area.
-/// Gives   proven: the polygons in and about an ellipse, sandwich.h, meet exactly when contact() says.
+/// Gives   proven: the polygons in and about an ellipse, curved_contact.h, meet exactly when contact() says.
 ///         What the two do not tell alike is not `certain`.
 /// Error   they are made finer where the outer ones first and last meet, until what they differ by is lost
 ///         in the rounding of their corners: some 2^-38 of what coordinates and half-diameters add up to,

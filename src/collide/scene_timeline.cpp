@@ -3,11 +3,147 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "anim/motion.h"
+#include "collide/near_bodies.h"
 #include "collide/simulate.h"
+#include "geom/polygon.h"
+#include "geom/polygon_edges.h"
 #include "scene/responses.h"
 
 namespace flatray {
+namespace {
+
+bool any_area(const std::vector<ShapePart>& parts) {
+  return std::any_of(parts.begin(), parts.end(), has_area);
+}
+
+// Whether parts have inner points in common wherever they lie together.
+bool can_overlap(const ShapePart& p, const ShapePart& q) {
+  if (has_area(p) || has_area(q)) return true;
+  const auto end = [](const ShapePart& part) {
+    return *std::find_if(part.ring.begin(), part.ring.end() - 1,
+                         [&](const Vec2& corner) { return corner != part.ring[0]; });
+  };
+  return cross_sign(p.ring[0], end(p), q.ring[0], end(q)) != Sign::zero;
+}
+
+// What contact makes of bodies is found where they overlap: of those that never do, nothing would
+// be seen.
+void refuse_unseen(const Scene& scene, const std::vector<SimulatedBody>& bodies,
+                   Diagnostics& problems) {
+  std::vector<std::uint32_t> thin;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (!bodies[i].parts.empty() && !any_area(bodies[i].parts)) thin.push_back(i);
+  for (const std::uint32_t i : thin) {
+    if (bodies[i].mass == kInfinity) continue;
+    const auto unseen = std::find_if(thin.begin(), thin.end(), [&](std::uint32_t k) {
+      if (k == i || (k < i && bodies[k].mass < kInfinity)) return false;  // told with k
+      for (const ShapePart& p : bodies[i].parts)
+        for (const ShapePart& q : bodies[k].parts)
+          if (can_overlap(p, q)) return false;
+      return true;
+    });
+    if (unseen == thin.end()) continue;
+    problems.push_back(
+        {scene.entities[i].where,
+         fmt::format("entities '{}' and '{}' have no area and, wherever they meet, no inner point "
+                     "in common: they would pass through each other",
+                     scene.entities[i].name, scene.entities[*unseen].name),
+         "make one of them a disc or a capsule, or write response = \"none\"", Trouble::invalid});
+  }
+}
+
+double area(const std::vector<ShapePart>& parts, double scale) {
+  double sum = 0;
+  for (const ShapePart& part : parts) {
+    const double radius = scale * part.radius;
+    double perimeter = 0;
+    std::vector<Vec2> ring;
+    for (const Vec2& p : part.ring) ring.emplace_back(scale * p);
+    for (std::size_t i = 0; i < ring.size(); ++i) perimeter += (edge_end(ring, i) - ring[i]).norm();
+    sum += ring_area(ring) + std::numbers::pi * radius * radius;
+    if (radius > 0) sum += perimeter * radius;
+  }
+  return sum;
+}
+
+// Only the proportions of masses count, so where the areas would overflow or be lost lengths are
+// scaled by a power of two.
+double scale_for(const std::vector<SimulatedBody>& bodies) {
+  double most = 0;
+  for (const SimulatedBody& body : bodies)
+    if (const Bounds box = bounds_of(body.parts); !box.empty())
+      most = std::max({most, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
+  constexpr int kUsual = 256, kMost = 1000;
+  const int exponent = most > 0 ? std::ilogb(most) : 0;
+  return std::abs(exponent) <= kUsual ? 1 : std::ldexp(1.0, -std::clamp(exponent, -kMost, kMost));
+}
+
+// A mass given in the file is one beside areas: these are then as they are.
+bool any_mass(const Scene& scene) {
+  return std::any_of(scene.entities.begin(), scene.entities.end(), [](const Entity& entity) {
+    return entity.mass.has_value() && *entity.mass < kInfinity;
+  });
+}
+
+// Of an entity that says none and is not held; infinite where it has no area.
+Result<double> mass_by_area(const Entity& entity, const std::vector<ShapePart>& parts,
+                            double scale) {
+  if (!any_area(parts)) return kInfinity;
+  const double mass = area(parts, scale);
+  if (std::isnormal(mass)) return mass;
+  return fail(entity.where,
+              fmt::format("entity '{}' is too {} beside the others for a mass by its area",
+                          entity.name, mass < 1 ? "small" : "large"),
+              "write a mass, or mass = \"fixed\"");
+}
+
+}  // namespace
+
+Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
+                                             std::optional<Response> response,
+                                             std::span<const std::string> fixed) {
+  const Scene& scene = timeline.scene();
+  const std::vector<EntityState> states = entity_states(timeline, 1);
+  const std::vector<GroupPose> groups = group_poses(scene, 0);
+  std::vector<SimulatedBody> bodies;
+  Diagnostics problems;
+  for (std::uint32_t i = 0; i < states.size(); ++i) {
+    const Entity& entity = scene.entities[i];
+    SimulatedBody& body = bodies.emplace_back();
+    body.at = states[i].at;
+    body.velocity =
+        entity.group ? groups[*entity.group].pose.turned(entity.velocity) : entity.velocity;
+    body.response = response.value_or(response_of(scene, entity));
+    if (body.response == Response::none) continue;
+    if (const auto why = hindrance(scene, entity))
+      problems.push_back({entity.where, fmt::format("entity '{}' {}", entity.name, why->what),
+                          "responses are for entities that keep one velocity until they meet",
+                          Trouble::invalid});
+    body.parts =
+        parts_of(shape_of(scene, states[i]), pose({0, 0}, states[i].angle, states[i].scale));
+  }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  const double scale = any_mass(scene) ? 1.0 : scale_for(bodies);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    const Entity& entity = scene.entities[i];
+    const bool held = std::find(fixed.begin(), fixed.end(), entity.name) != fixed.end();
+    Result<double> mass = held          ? kInfinity
+                          : entity.mass ? *entity.mass
+                                        : mass_by_area(entity, bodies[i].parts, scale);
+    if (mass)
+      bodies[i].mass = *mass;
+    else
+      problems.push_back(std::move(mass.error().front()));
+  }
+  refuse_unseen(scene, bodies, problems);
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return bodies;
+}
+
 Result<void> check_complete(const Scene& scene, const Simulation& done, double last,
                             const Place& where) {
   if (done.until > last) return {};

@@ -40,10 +40,10 @@ class Run {
       : bodies_(bodies),
         end_(end),
         near_(boxes_of(bodies, search)),
-        stages_(first_stages(bodies)),
         pairs_(bodies, stages_),
         instants_(bodies, stages_, pairs_),
         tallies_(bodies.size()) {
+    for (const SimulatedBody& body : bodies) stages_.push_back({{0, body.at, body.velocity}});
     double sizes = 0, speeds = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].response == Response::none) continue;
@@ -77,11 +77,6 @@ class Run {
   }
 
  private:
-  static std::vector<std::vector<Stage>> first_stages(std::span<const SimulatedBody> bodies) {
-    std::vector<std::vector<Stage>> stages;
-    for (const SimulatedBody& body : bodies) stages.push_back({{0, body.at, body.velocity}});
-    return stages;
-  }
   // Of a search for all pairs a box without end stands for each body.
   static std::vector<Bounds> boxes_of(std::span<const SimulatedBody> bodies, PairSearch search) {
     const Bounds all{{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
@@ -141,7 +136,8 @@ class Run {
         const auto [a, b] = hit.pair;
         const ContactPlace& place = hit.touches.front().place;
         for (const std::uint32_t body : {a, b})
-          if (const double time = accumulation(body); time <= end_) accumulates_ = {time, hit.pair};
+          if (const double time = accumulation(body); time <= end_)
+            accumulates_ = Hit{time, hit.pair};
         done.events.push_back({now_, a, b, place.point, place.normal, stages_[a].back().velocity,
                                stages_[b].back().velocity});
       }
@@ -215,17 +211,14 @@ class Run {
     if (!changes) return false;
     for (const Hit& hit : hits)  // as long as they overlap it is one meeting
       if (instants_.is_mark(hit.pair)) left_alone_.insert(hit.pair);
-    for (const auto& [body, velocity, gone] : *changes) {
-      stages_[body].push_back({now_, pairs_.place(body, now_), velocity, gone});
+    for (const auto& [body, change] : *changes) {
+      stages_[body].push_back({now_, pairs_.place(body, now_), change.velocity, change.gone});
       near_.change(body, stages_[body].back());
     }
-    for (const Change& change : *changes)
-      near_.each_near(change.body, [&](std::uint32_t k) {
-        const auto other =
-            std::lower_bound(changes->begin(), changes->end(), k,
-                             [](const Change& one, std::uint32_t body) { return one.body < body; });
-        const bool told = k < change.body && other != changes->end() && other->body == k;
-        if (!told) foresee(std::minmax(change.body, k));
+    for (const auto& changed : *changes)
+      near_.each_near(changed.first, [&, body = changed.first](std::uint32_t k) {
+        const bool told = k < body && changes->count(k) > 0;
+        if (!told) foresee(std::minmax(body, k));
       });
     return true;
   }
@@ -241,11 +234,7 @@ class Run {
   BodyPairs pairs_;
   Instants instants_;
   std::vector<Tally> tallies_;
-  struct Accumulation {
-    double time;
-    BodyPair pair;
-  };
-  std::optional<Accumulation> accumulates_;
+  std::optional<Hit> accumulates_;  // when, and whose
   std::vector<std::uint32_t> responding_;
   std::vector<BodyPair> overlaps_;  // at time 0
   std::set<BodyPair> left_alone_;   // marks and what they lie in
