@@ -1,7 +1,6 @@
 #include "collide/body_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geom/decide.h"
@@ -72,7 +71,7 @@ void BodyPairs::each_contact(const BodyPair& pair, double time, Range within,
     for (std::uint32_t q = 0; q < bodies_[pair.second].parts.size(); ++q) {
       const MovingBody a = part(pair.first, p, at_a, ring_a),
                        b = part(pair.second, q, at_b, ring_b);
-      look(contact(a, b, within), a, b, p, q);
+      look(contact(a, b, within), a, b, Touch{pair, p, q, {}});
     }
 }
 
@@ -110,19 +109,15 @@ std::optional<Hit> BodyPairs::meeting(const BodyPair& pair, double time, double 
                                       bool pass) const {
   std::optional<Hit> found;
   bool overlaps = false;
-  each_contact(pair, time, kLine,
-               [&](const Contact& met, const MovingBody& a, const MovingBody& b, std::uint32_t p,
-                   std::uint32_t q) {
-                 if (met.times.kind != HitClass::through || !met.first || !met.last) return;
-                 const double enter = met.times.t_enter, t = std::max(enter, 0.0);
-                 if (met.times.t_exit <= 0 || enter > end - time) return;
-                 overlaps |= enter < 0;
-                 if (found && t > found->time) return;
-                 const ContactPlace at =
-                     enter < 0 ? resting_place(a, b, 0) : contact_place(met.first, a, b, t);
-                 if (enter >= 0 || approach(at.normal, a.velocity, b.velocity))
-                   add(found, t, {pair, p, q, at});
-               });
+  each_contact(pair, time, kLine, [&](const Contact& met, const auto& a, const auto& b, Touch at) {
+    if (met.times.kind != HitClass::through || !met.first || !met.last) return;
+    const double enter = met.times.t_enter, t = std::max(enter, 0.0);
+    if (met.times.t_exit <= 0 || enter > end - time) return;
+    overlaps |= enter < 0;
+    if (found && t > found->time) return;
+    at.place = enter < 0 ? resting_place(a, b, 0) : contact_place(met.first, a, b, t);
+    if (enter >= 0 || approach(at.place.normal, a.velocity, b.velocity)) add(found, t, at);
+  });
   if (overlaps && pass) return std::nullopt;
   return found;
 }

@@ -1,7 +1,6 @@
 #include "collide/broad_phase.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flatray {
 namespace {

@@ -1,7 +1,6 @@
 #include "collide/contact_batch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "collide/certain_contact.h"

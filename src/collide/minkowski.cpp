@@ -4,7 +4,6 @@
 
 #include "geom/polygon.h"
 #include "geom/polygon_edges.h"
-#include "geom/predicates.h"
 
 namespace flatray {
 namespace {

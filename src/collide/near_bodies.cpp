@@ -1,7 +1,6 @@
 #include "collide/near_bodies.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flatray {
 

@@ -51,42 +51,38 @@ TurningPair::TurningPair(const TurningBody& a, const TurningBody& b, double leng
   const double turns = 1 + swings + a_.widest_angle + b_.widest_angle;
   const double farthest = kUp * way_.sum(length) + a_.swung + b_.swung;
   const double size = farthest + a_.reach + b_.reach + radii_;
-  given_ = kUp * (scale_ * (a.motion.doubt + b.motion.doubt) + a.motion.angle_doubt * a_.reach +
-                  b.motion.angle_doubt * b_.reach);
-  const double gap_error = kRoundings * turns * size + given_ + kLeast;
-  const double slope_error =
-      kRoundings * turns * (speed_ + (a_.most_spin + b_.most_spin) * size) + kLeast;
+  const double given = kUp * (scale_ * (a.motion.doubt + b.motion.doubt) +
+                              a.motion.angle_doubt * a_.reach + b.motion.angle_doubt * b_.reach);
+  const auto errors = [&](double angles, double spins, double curve) -> Errors {
+    return {kRoundings * angles * size + given + kLeast,
+            kRoundings * angles * (speed_ + spins * size) + kLeast, curve};
+  };
+  // How the slope of a gap to the other's centre may change, seen by who turns with `frame`.
+  const auto carried = [&](const TurnedBody& frame) {
+    const double w = frame.most_spin;
+    return kUp * ((w * w + frame.most_turn) * farthest + 2 * w * speed_) + bend_;
+  };
   const Cubic<double> turn = b_.angle - a_.angle;
   const double relative = turn.most_slope(length), turning = turn.most_bend(length);
-  const auto seen_by = [&](const TurnedBody& frame, const TurnedBody& other) -> Errors {
-    return {gap_error, slope_error,
-            carried_curve(frame, farthest) + kUp * (relative * relative + turning) * other.reach};
+  const double spins = a_.most_spin + b_.most_spin;
+  const auto seen_by = [&](const TurnedBody& frame, const TurnedBody& other) {
+    return errors(turns, spins,
+                  carried(frame) + kUp * (relative * relative + turning) * other.reach);
   };
-  by_a_ = seen_by(a_, b_);
-  by_b_ = seen_by(b_, a_);
+  // How often the other turns does not matter to the disc about it, but for what its swings do.
+  const bool any_swings = a_.swung > 0 || b_.swung > 0;
+  const auto disc_seen_by = [&](const TurnedBody& frame) {
+    return any_swings ? errors(turns, spins, carried(frame))
+                      : errors(1 + frame.widest_angle, frame.most_spin, carried(frame));
+  };
   const auto own = [](const TurnedBody& body) {
     return (body.most_spin * body.most_spin + body.most_turn) * body.reach;
   };
-  still_ = {gap_error, slope_error, kUp * (own(a_) + own(b_)) + bend_};
-  disc_by_a_ = disc_errors(a_, size, farthest);
-  disc_by_b_ = disc_errors(b_, size, farthest);
-}
-
-// How the slope of a gap to the other's centre may change, seen by who turns with `frame`.
-double TurningPair::carried_curve(const TurnedBody& frame, double farthest) const {
-  const double w = frame.most_spin;
-  return kUp * ((w * w + frame.most_turn) * farthest + 2 * w * speed_) + bend_;
-}
-
-// How often the other turns does not matter to the disc about it, but for what its swings do.
-TurningPair::Errors TurningPair::disc_errors(const TurnedBody& frame, double size,
-                                             double farthest) const {
-  const bool swings = a_.swung > 0 || b_.swung > 0;
-  if (swings) return {still_.gap_error, still_.slope_error, carried_curve(frame, farthest)};
-  const double turns = 1 + frame.widest_angle;
-  return {kRoundings * turns * size + given_ + kLeast,
-          kRoundings * turns * (speed_ + frame.most_spin * size) + kLeast,
-          carried_curve(frame, farthest)};
+  by_a_ = seen_by(a_, b_);
+  by_b_ = seen_by(b_, a_);
+  still_ = errors(turns, spins, kUp * (own(a_) + own(b_)) + bend_);
+  disc_by_a_ = disc_seen_by(a_);
+  disc_by_b_ = disc_seen_by(b_);
 }
 
 // How long gap + slope t - curve t^2 / 2 certainly stays positive.

@@ -33,8 +33,6 @@ class TurningPair {
     double gap_error, slope_error, curve;
   };
   Bounds box_of(const TurnedBody& body) const;
-  double carried_curve(const TurnedBody& frame, double farthest) const;
-  Errors disc_errors(const TurnedBody& frame, double size, double farthest) const;
   double positive_for(double gap, double slope, const Errors& errors) const;
   double apart_by_centres() const;
   template <bool kApart>
@@ -53,7 +51,6 @@ class TurningPair {
   const Cubic<Vec2> way_;  // from the first to the second
   const double radii_;
   const double speed_, bend_;     // at most, of the centres; how the speed changes
-  double given_;                  // by how much they may be elsewhere
   Errors still_, by_a_, by_b_;    // as seen by the world, and by those who turn with a and b
   Errors disc_by_a_, disc_by_b_;  // of the disc in which the other turns
 };

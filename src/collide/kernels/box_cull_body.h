@@ -26,27 +26,19 @@ inline Mask passes(Real cx, Real cy, Real wx, Real wy, Real half_x, Real half_y)
   return less(reach * all(1 + 0x1p-40) + all(0x1p-900), across);
 }
 
-struct Rows {
-  const double *a[FLATRAY_LANES], *b[FLATRAY_LANES], *velocities[FLATRAY_LANES];
-};
-inline Rows rows(const double* boxes, const Moves& moves, int from, int count) {
-  Rows rows;
-  for (int lane = 0; lane < FLATRAY_LANES; ++lane) {
-    const long by = moves.stride * (from + lane < count ? from + lane : count - 1);
-    const auto* bodies =
-        reinterpret_cast<const unsigned*>(reinterpret_cast<const char*>(moves.bodies) + by);
-    rows.a[lane] = boxes + 4L * bodies[0];
-    rows.b[lane] = boxes + 4L * bodies[1];
-    rows.velocities[lane] =
-        reinterpret_cast<const double*>(reinterpret_cast<const char*>(moves.velocities) + by);
-  }
-  return rows;
-}
-
 void cull_boxes(const double* boxes, double length, const Moves& moves, int count, double* near) {
+  const auto *bodies = reinterpret_cast<const char*>(moves.bodies),
+             *velocities = reinterpret_cast<const char*>(moves.velocities);
   for (int i = 0; i < count; i += FLATRAY_LANES) {
-    const Rows at = rows(boxes, moves, i, count);
-    const Ends a = fetch_ends(at.a, 0), b = fetch_ends(at.b, 0), v = fetch_ends(at.velocities, 0);
+    const double *at_a[FLATRAY_LANES], *at_b[FLATRAY_LANES], *moves_at[FLATRAY_LANES];
+    for (int lane = 0; lane < FLATRAY_LANES; ++lane) {
+      const long by = moves.stride * (i + lane < count ? i + lane : count - 1);
+      const auto* numbers = reinterpret_cast<const unsigned*>(bodies + by);
+      at_a[lane] = boxes + 4L * numbers[0];
+      at_b[lane] = boxes + 4L * numbers[1];
+      moves_at[lane] = reinterpret_cast<const double*>(velocities + by);
+    }
+    const Ends a = fetch_ends(at_a, 0), b = fetch_ends(at_b, 0), v = fetch_ends(moves_at, 0);
     const Real wx = v.bx - v.ax, wy = v.by - v.ay;
     const Real cx = b.ax - a.ax, cy = b.ay - a.ay, half_x = a.bx + b.bx, half_y = a.by + b.by;
     const Mask apart =
