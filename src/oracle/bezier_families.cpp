@@ -1,23 +1,13 @@
-#include "oracle/bezier_families.h"
-
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "oracle/families.h"
 
 namespace flatray::oracle {
 namespace {
 
 using Points = std::vector<Vec2>;
 constexpr int kCurves = 8, kWorld = 32;
-
-Vec2 whole_point(Draw& draw, int low, int high) {
-  const double x = low + draw.below(high - low);
-  return {x, low + draw.below(high - low)};
-}
-Vec2 any_point(Draw& draw) {
-  const double x = draw.unit();
-  return {x, draw.unit()};
-}
 
 bool lie_on_one_line(const Points& points) {
   const Vec2 way = *std::find_if(points.begin(), points.end() - 1, [&](const Vec2& p) {
@@ -27,11 +17,6 @@ bool lie_on_one_line(const Points& points) {
     return way.x() * (p - points[0]).y() == way.y() * (p - points[0]).x();
   });
 }
-
-// A point of a curve and its tangent there.
-struct OnCurve {
-  Vec2 at, tangent;
-};
 
 // A curve and points of it at which rays are aimed.
 struct Target {
@@ -60,9 +45,9 @@ OnCurve on_curve(Points points, double s) {
 
 // A special curve turned, reflected, sheared, at a whole point.
 Target special_curve(Draw& draw) {
-  const Target& special = kSpecials[static_cast<std::size_t>(draw.below(3))];
+  const Target& special = draw.any(kSpecials);
   const double turn = draw.sign(), flip = draw.sign(), shear = draw.below(5) - 2;
-  const Vec2 to = whole_point(draw, 0, kWorld);
+  const Vec2 to = draw.whole_point(0, kWorld);
   const auto linear = [&](const Vec2& p) {
     const Vec2 q(flip * p.x() + shear * p.y(), p.y());
     return turn > 0 ? q : Vec2(-q.y(), q.x());
@@ -77,10 +62,10 @@ Target special_curve(Draw& draw) {
 Target whole_curve(Draw& draw) {
   Target target;
   const std::size_t count = draw.sign() > 0 ? 3 : 4;
-  const Vec2 corner = whole_point(draw, 0, kWorld - 8);
+  const Vec2 corner = draw.whole_point(0, kWorld - 8);
   do {
     target.points.clear();
-    while (target.points.size() < count) target.points.push_back(corner + whole_point(draw, 0, 9));
+    while (target.points.size() < count) target.points.push_back(corner + draw.whole_point(0, 9));
   } while (lie_on_one_line(target.points));
   if (count == 3 && draw.sign() > 0) {  // the same parabola as a cubic
     const Points& p = target.points;
@@ -92,15 +77,16 @@ Target whole_curve(Draw& draw) {
 Target random_curve(Draw& draw) {
   Target target;
   const std::size_t count = draw.sign() > 0 ? 3 : 4;
-  while (target.points.size() < count) target.points.push_back(kWorld * any_point(draw));
+  while (target.points.size() < count) target.points.push_back(kWorld * draw.point());
   return target;
 }
 
 // Rays through a place on a curve: along the tangent, at it from anywhere, from it to anywhere, or
 // without direction; each half within an ulp of that.
-Ray ray_at(const OnCurve& place, Draw& draw) {
+Ray ray_at(const AimedScene& scene, Draw& draw) {
+  const OnCurve& place = draw.any(draw.any(scene.places));
   const double kind = draw.below(5), back = draw.below(4), sign = draw.sign();
-  const Vec2 other = whole_point(draw, -8, kWorld + 8);
+  const Vec2 other = draw.whole_point(-8, kWorld + 8);
   Ray ray{other, place.at - other};
   if (kind == 0 || kind == 1) ray = {place.at - sign * back * place.tangent, sign * place.tangent};
   if (kind == 3) ray = {place.at, other - place.at};
@@ -111,55 +97,41 @@ Ray ray_at(const OnCurve& place, Draw& draw) {
 }
 
 template <class Make>
-BezierScene scene_of(Draw& draw, const Make& curve) {
-  std::vector<Target> targets;
-  BezierScene scene;
+AimedScene curves(const Make& make) {
+  AimedScene scene;
   for (int i = 0; i < kCurves; ++i) {
-    Target target = curve();
+    Target target = make();
     for (int k = 0; k <= 4; ++k) target.places.push_back(on_curve(target.points, k / 4.0));
-    scene.curves.push_back(target.points);
-    targets.push_back(std::move(target));
-  }
-  while (scene.rays.size() < kRaysAScene) {
-    const Target& target = targets[static_cast<std::size_t>(draw.below(kCurves))];
-    const auto place = static_cast<std::size_t>(draw.below(static_cast<int>(target.places.size())));
-    scene.rays.push_back(ray_at(target.places[place], draw));
+    scene.beziers.push_back(std::move(target.points));
+    scene.places.push_back(std::move(target.places));
   }
   return scene;
+}
+AimedScene whole_curves(Draw& draw) {
+  return curves([&] { return draw.sign() > 0 ? special_curve(draw) : whole_curve(draw); });
+}
+AimedScene random_curves(Draw& draw) {
+  return curves([&] { return random_curve(draw); });
 }
 
-// Every point put through f; rays keep the points they lead to.
-template <class Move>
-BezierScene mapped(BezierScene scene, const Move& f) {
-  for (Points& points : scene.curves)
-    for (Vec2& p : points) p = f(p);
-  for (Ray& ray : scene.rays) {
-    const Vec2 tip = f(ray.origin + ray.direction), origin = f(ray.origin);
-    ray = {origin, tip - origin};
-  }
-  return scene;
+Move far_away(Draw& draw) {
+  const double x = draw.sign(), size = draw.power(10, 30);
+  return moved_by({x * size, draw.sign() * size});
 }
+Move thin(Draw& draw) { return flattened(draw.halves(300)); }
 
 }  // namespace
 
-BezierScene beziers(Draw& draw) {
-  return scene_of(draw, [&] { return draw.sign() > 0 ? special_curve(draw) : whole_curve(draw); });
-}
-BezierScene bezier_scaled(Draw& draw) {
-  const double factor = std::ldexp(1.0, static_cast<int>(draw.below(1800)) - 900);
-  return mapped(beziers(draw), [&](const Vec2& v) { return Vec2(v * factor); });
-}
-BezierScene bezier_offset(Draw& draw) {
-  const double x = draw.sign(), size = std::ldexp(1.0, 10 + static_cast<int>(draw.below(20)));
-  const Vec2 far(x * size, draw.sign() * size);
-  return mapped(beziers(draw), [&](const Vec2& v) { return Vec2(v + far); });
-}
-BezierScene bezier_sliver(Draw& draw) {
-  const double thin = std::ldexp(1.0, -static_cast<int>(draw.below(300)));
-  return mapped(beziers(draw), [&](const Vec2& v) { return Vec2(v.x(), v.y() * thin); });
-}
-BezierScene bezier_random(Draw& draw) {
-  return scene_of(draw, [&] { return random_curve(draw); });
+std::vector<Family> bezier_families() {
+  return {
+      {"beziers", "loops, cusps and inflections that doubles hold, and tangents there",
+       &whole_curves, &ray_at},
+      {"bezier-scaled", "Bezier curves in units of 2^-900 to 2^899", &whole_curves, &ray_at,
+       &scaled},
+      {"bezier-offset", "Bezier curves moved by 2^10 to 2^29", &whole_curves, &ray_at, &far_away},
+      {"bezier-sliver", "Bezier curves flattened by up to 2^-299", &whole_curves, &ray_at, &thin},
+      {"bezier-random", "Bezier curves of random doubles", &random_curves, &ray_at},
+  };
 }
 
 }  // namespace flatray::oracle

@@ -1,8 +1,7 @@
-#include "oracle/catalogue.h"
-
 #include <algorithm>
 #include <cstdlib>
-#include <string_view>
+
+#include "oracle/catalogue_parts.h"
 
 namespace flatray::oracle {
 namespace {
@@ -11,9 +10,7 @@ namespace {
 std::vector<StiffCase> held_elsewhere() {
   constexpr const char *kPicture = "a picture", *kFile = "a file", *kCommand = "the command line";
   const auto held = [](const char* id, const char* words, const char* test, const char* matter) {
-    StiffCase stiff{id, words, test};
-    stiff.matter = matter;
-    return stiff;
+    return StiffCase{id, words, test, {}, {}, {}, matter};
   };
   return {
       held("E1", "empty scene", "cli.e1_empty_scene", kPicture),
@@ -37,10 +34,8 @@ int number(const char* id) { return std::atoi(id + 1); }
 }  // namespace
 
 std::vector<StiffCase> catalogue() {
-  std::vector<StiffCase> all = stiff_rays();
-  for (std::vector<StiffCase> part :
-       {stiff_orbits(), stiff_rooms(), stiff_contacts(), held_elsewhere()})
-    std::move(part.begin(), part.end(), std::back_inserter(all));
+  std::vector<StiffCase> all =
+      stiff_rays() + stiff_orbits() + stiff_rooms() + stiff_contacts() + held_elsewhere();
   std::sort(all.begin(), all.end(), [](const StiffCase& a, const StiffCase& b) {
     return std::pair(a.id[0], number(a.id)) < std::pair(b.id[0], number(b.id));
   });

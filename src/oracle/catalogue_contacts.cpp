@@ -1,15 +1,10 @@
-#include "oracle/catalogue.h"
+#include "oracle/catalogue_parts.h"
 
 namespace flatray::oracle {
 namespace {
 
-using Ring = std::vector<Vec2>;
 using Contacts = std::vector<StiffContact>;
 
-Ring box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-const Ring kSquare = box(0, 0, 1, 1);
 constexpr HitClass kMiss = HitClass::miss, kTouch = HitClass::touch, kAlong = HitClass::along,
                    kThrough = HitClass::through;
 constexpr double kFirst = 571.0 / 635, kLast = 699.0 / 635;  // of the paper's boxes
@@ -20,13 +15,8 @@ Ring moved(Ring ring, const Vec2& by) {
 }
 
 StiffContact paper_boxes(const Vec2& by = {0, 0}) {
-  return {moved(box(250, 200, 314, 328), by),
-          {635, 178},
-          moved(box(885, 378, 949, 506), by),
-          {0, 0},
-          kThrough,
-          kFirst,
-          kLast};
+  const Ring a = moved(box(250, 200, 314, 328), by), b = moved(box(885, 378, 949, 506), by);
+  return {a, {635, 178}, b, {0, 0}, kThrough, kFirst, kLast};
 }
 
 // As a whole, and frame by frame from 24 to 10^9 frames a second: in that of the hit, and not before.
@@ -90,13 +80,6 @@ Contacts both_ways(const Contacts& given) {
   return all;
 }
 
-Contacts symmetric() {
-  Contacts all = {paper_boxes()};
-  for (const Contacts& more : {corners(), slides()})
-    all.insert(all.end(), more.begin(), more.end());
-  return both_ways(all);
-}
-
 Contacts degenerate() {
   const Ring point = {{0.5, -1}}, segment = {{0, 0}, {1, 0}}, level = {{3, 0}, {4, 0}};
   return {{point, {0, 1}, segment, {0, 0}, kTouch, 1, 1},
@@ -106,12 +89,6 @@ Contacts degenerate() {
           {{{0, 0}}, {1, 1}, {{3, 3}}, {0, 0}, kTouch, 3, 3},
           {{{0, 0}}, {1, 1}, {{3, 4}}, {0, 0}, kMiss},
           {segment, {0, 1}, {{0.5, 1}, {0.5, 3}}, {0, 0}, kThrough, 1, 3}};
-}
-
-StiffCase of(const char* id, const char* words, const char* test, Contacts contacts) {
-  StiffCase stiff{id, words, test};
-  stiff.contacts = std::move(contacts);
-  return stiff;
 }
 
 }  // namespace
@@ -129,7 +106,7 @@ std::vector<StiffCase> stiff_contacts() {
          containment()),
       of("D7", "far", "collide.StiffCases.D7FarAwayIsTheSame", {paper_boxes({0x1p50, -0x1p49})}),
       of("D8", "symmetric", "collide.StiffCases.D8ExchangedOrCarriedAlongTheTimesAreTheSame",
-         symmetric()),
+         both_ways(Contacts{paper_boxes()} + corners() + slides())),
       of("D9", "degenerate", "collide.StiffCases.D9SegmentsAndPointsMeetAsClosedSets",
          degenerate()),
   };

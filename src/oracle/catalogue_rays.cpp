@@ -1,28 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/portable_math.h"
-#include "oracle/catalogue.h"
+#include "oracle/catalogue_parts.h"
 
 namespace flatray::oracle {
 namespace {
 
-using Ring = std::vector<Vec2>;
 using Rays = std::vector<StiffRay>;
 using T = std::optional<double>;
-
-const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-constexpr double kTurn = 6.283185307179586;
-
-void add_ring(Surfaces& walls, const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    walls.add(Segment{ring[i], ring[(i + 1) % ring.size()]});
-}
-
-Rays operator+(Rays a, const Rays& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 Rays among(Surfaces walls, const Ray& ray, T t) {
   return {{std::make_shared<const Surfaces>(std::move(walls)), ray, t}};
@@ -34,9 +19,7 @@ Rays of_ring(Ring ring, const Ray& ray, T t) {
   for (int reversal = 0; reversal < 2; ++reversal) {
     for (std::size_t first = 0; first < ring.size(); ++first) {
       std::rotate(ring.begin(), ring.begin() + 1, ring.end());
-      Surfaces walls;
-      add_ring(walls, ring);
-      rays = std::move(rays) + among(std::move(walls), ray, t);
+      rays = std::move(rays) + among(ring_of(ring), ray, t);
     }
     std::reverse(ring.begin(), ring.end());
   }
@@ -44,13 +27,7 @@ Rays of_ring(Ring ring, const Ray& ray, T t) {
 }
 
 Rays of_circle(const Circle& circle, const Ray& ray, T t) {
-  Surfaces walls;
-  walls.add(circle);
-  return among(std::move(walls), ray, t);
-}
-
-Ring box(double low_x, double low_y, double high_x, double high_y) {
-  return {{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}};
+  return among(walls_of(circle), ray, t);
 }
 
 Rays scaled(double u) { return of_ring(box(-u, -u, u, u), {{-2 * u, 0}, {4 * u, 0}}, 0.25); }
@@ -70,9 +47,7 @@ Rays near_collinear() {
 }
 
 Rays decimals() {
-  Surfaces point;
-  point.add(Segment{{0.2, 0.6}, {0.2, 0.6}});
-  return among(std::move(point), {{0.1, 0.3}, {0.3 - 0.1, 0.9 - 0.3}}, {});
+  return among(walls_of(Segment{{0.2, 0.6}, {0.2, 0.6}}), {{0.1, 0.3}, {0.3 - 0.1, 0.9 - 0.3}}, {});
 }
 
 Rays tangent() {
@@ -86,8 +61,7 @@ Rays far_circle() {
 }
 
 Rays shared_edge() {
-  Surfaces walls;
-  add_ring(walls, {{0, 0}, {1, 0}, {0, 1}});
+  Surfaces walls = ring_of({{0, 0}, {1, 0}, {0, 1}});
   add_ring(walls, {{1, 0}, {1, 1}, {0, 1}});
   const auto shared = std::make_shared<const Surfaces>(std::move(walls));
   Rays rays;
@@ -136,20 +110,9 @@ Rays no_area() {
 }
 
 Rays coincident() {
-  Surfaces walls;
-  walls.add(Segment{{0, 1}, {1, 1}});
+  Surfaces walls = walls_of(Segment{{0, 1}, {1, 1}});
   for (int i = 0; i < 10'000; ++i) walls.add(Segment{{0, 0}, {1, 0}});
   return among(std::move(walls), {{0.5, -1}, {0, 1}}, 1);
-}
-
-Rays many_gon() {
-  constexpr int kSides = 100'000;
-  Ring ring;
-  for (int i = 0; i < kSides; ++i)
-    ring.emplace_back(portable::cos(kTurn * i / kSides), portable::sin(kTurn * i / kSides));
-  Surfaces walls;
-  add_ring(walls, ring);
-  return among(std::move(walls), {{-2, 0}, {1, 0}}, 1);
 }
 
 Rays odd_circles() {
@@ -212,17 +175,14 @@ std::vector<StiffCase> of_shape() {
        of_ring({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {{-1, 0.5}, {1, 0}}, 1)},
       {"B11", "coincident edges", "trace.StiffWalls.B11CoincidentEdgesAreAllMetAtOnce",
        coincident()},
-      {"B12", "many-gon", "trace.StiffWalls.B12ManyGon", many_gon()},
+      {"B12", "many-gon", "trace.StiffWalls.B12ManyGon",
+       among(ring_of(regular(100'000)), {{-2, 0}, {1, 0}}, 1)},
       {"B13", "odd circles", "trace.StiffWalls.B13OddCircles", odd_circles()},
   };
 }
 
 }  // namespace
 
-std::vector<StiffCase> stiff_rays() {
-  std::vector<StiffCase> all = of_scale(), more = of_shape();
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-  return all;
-}
+std::vector<StiffCase> stiff_rays() { return of_scale() + of_shape(); }
 
 }  // namespace flatray::oracle

@@ -1,5 +1,4 @@
-#include "base/portable_math.h"
-#include "oracle/catalogue.h"
+#include "oracle/catalogue_parts.h"
 
 namespace flatray::oracle {
 namespace {
@@ -7,20 +6,10 @@ namespace {
 using Orbits = std::vector<StiffOrbits>;
 using End = StiffOrbits::End;
 
-Surfaces ring(const std::vector<Vec2>& vertices) {
-  Surfaces walls;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    walls.add(Segment{vertices[i], vertices[(i + 1) % vertices.size()]});
-  return walls;
-}
-
-const std::vector<Vec2> kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-
 // Directions of one speed a third of a radian apart.
 std::vector<Ray> fan(const Vec2& from, int count) {
   std::vector<Ray> rays;
-  for (int k = 0; k < count; ++k)
-    rays.push_back({from, {portable::cos(0.2 + k / 3.0), portable::sin(0.2 + k / 3.0)}});
+  for (int k = 0; k < count; ++k) rays.push_back({from, on_circle(0.2 + k / 3.0)});
   return rays;
 }
 
@@ -29,16 +18,13 @@ StiffOrbits stadium(double half, std::uint64_t ordered) {
   const auto end = [&](double x, double from_y) {
     return Arc{Circle{{x, 0}, 1}, Arc::Extent::between, {x, from_y}, {x, -from_y}};
   };
-  Surfaces walls;
-  walls.add(Segment{{-half, -1}, {half, -1}});
-  walls.add(Segment{{half, 1}, {-half, 1}});
-  walls.add(end(half, -1));
-  walls.add(end(-half, 1));
+  Surfaces walls = walls_of(Segment{{-half, -1}, {half, -1}}, Segment{{half, 1}, {-half, 1}},
+                            end(half, -1), end(-half, 1));
   return {std::move(walls), fan({0.1, 0.2}, 2), 200, End::limit, 200, ordered};
 }
 
 StiffOrbits sinai(double radius, std::uint64_t ordered) {
-  Surfaces walls = ring(kSquare);
+  Surfaces walls = ring_of(kSquare);
   walls.add(Circle{{0.5, 0.5}, radius});
   return {std::move(walls), fan({0.05, 0.04}, 2), 200, End::limit, 200, ordered, 4};
 }
@@ -53,31 +39,22 @@ StiffOrbits torus(double radius, std::uint64_t bounces) {
 }
 
 Orbits mean_free_paths() {
-  Surfaces circle;
-  circle.add(Circle{{0, 0}, 1});
-  return {{ring(kSquare), fan({0.3, 0.2}, 2), 200, End::limit, 200, 100, 4},
-          {std::move(circle), fan({0.3, 0.2}, 2), 200, End::limit, 200, 100},
+  return {{ring_of(kSquare), fan({0.3, 0.2}, 2), 200, End::limit, 200, 100, 4},
+          {walls_of(Circle{{0, 0}, 1}), fan({0.3, 0.2}, 2), 200, End::limit, 200, 100},
           stadium(1, 20),
           sinai(0.25, 20),
           torus(0.25, 6)};
 }
 
 Orbits there_and_back() {
-  std::vector<Vec2> pentagon;
-  for (int i = 0; i < 5; ++i) {
-    const double angle = 6.283185307179586 * i / 5;
-    pentagon.emplace_back(portable::cos(angle), portable::sin(angle));
-  }
   const Ray start{{0.1, 0.2}, {0.31, 0.77}};
-  Surfaces circle;
-  circle.add(Circle{{0, 0}, 1});
   StiffOrbits with_disc = sinai(0.25, 20);
   with_disc.starts = {start};
   with_disc.bounces = 20;
   with_disc.count = 20;
-  Orbits all = {{ring({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}), {start}, 50, End::limit, 50, 50, 4},
-                {ring(pentagon), {start}, 50, End::limit, 50, 50, 5},
-                {std::move(circle), {start}, 50, End::limit, 50, 50},
+  Orbits all = {{ring_of(box(-1, -1, 1, 1)), {start}, 50, End::limit, 50, 50, 4},
+                {ring_of(regular(5)), {start}, 50, End::limit, 50, 50, 5},
+                {walls_of(Circle{{0, 0}, 1}), {start}, 50, End::limit, 50, 50},
                 std::move(with_disc)};
   for (StiffOrbits& orbits : all) orbits.there_and_back = true;
   return all;
@@ -85,42 +62,31 @@ Orbits there_and_back() {
 
 // On a wall, which it has just left, to either side; in a corner; outside, towards the room.
 Orbits bad_starts() {
-  return {{ring(kSquare), {{{1, 0.5}, {-1, 0.1}}}, 2, End::limit, 2},
-          {ring(kSquare), {{{1, 0.5}, {1, 0.1}}}, 2, End::escape, 0},
-          {ring(kSquare), {{{1, 1}, {-1, -0.5}}}, 2, End::corner, 0},
-          {ring(kSquare), {{{-1, 0.5}, {1, 0.1}}}, 2, End::escape, 1}};
+  return {{ring_of(kSquare), {{{1, 0.5}, {-1, 0.1}}}, 2, End::limit, 2},
+          {ring_of(kSquare), {{{1, 0.5}, {1, 0.1}}}, 2, End::escape, 0},
+          {ring_of(kSquare), {{{1, 1}, {-1, -0.5}}}, 2, End::corner, 0},
+          {ring_of(kSquare), {{{-1, 0.5}, {1, 0.1}}}, 2, End::escape, 1}};
 }
 
 Orbits grazing_starts() {
-  Surfaces circle;
-  circle.add(Circle{{0, 0}, 1});
-  return {{ring(kSquare), {{{1, 0.5}, {0, 1}}, {{1, 0.5}, {0, -1}}}, 5, End::along, 0},
-          {std::move(circle), {{{0, 1}, {1, 0}}}, 5, End::escape, 0}};
+  return {{ring_of(kSquare), {{{1, 0.5}, {0, 1}}, {{1, 0.5}, {0, -1}}}, 5, End::along, 0},
+          {walls_of(Circle{{0, 0}, 1}), {{{0, 1}, {1, 0}}}, 5, End::escape, 0}};
 }
 
 }  // namespace
 
 std::vector<StiffCase> stiff_rooms() {
   return {
-      {"C19", "mean free path", "study.StiffCases.C19MeanFreePath", {}, mean_free_paths()},
-      {"C20",
-       "Lyapunov exponent, stadium",
-       "study.StiffCases.C20LyapunovOfTheStadium",
-       {},
-       {stadium(0.5, 20), stadium(1, 20), stadium(2, 20)}},
-      {"C21",
-       "Lyapunov exponent, Sinai torus",
-       "study.StiffCases.C21LyapunovOfTheTorus",
-       {},
-       {torus(0.1, 4), torus(0.25, 6), torus(0.4, 8)}},
-      {"C22",
-       "box is torus",
-       "study.StiffCases.C22LyapunovOfTheBox",
-       {},
-       {sinai(0.25, 20), sinai(0.4, 12)}},
-      {"C23", "reversal", "transport.StiffCases.C23Reversal", {}, there_and_back()},
-      {"C29", "starts badly", "transport.StiffCases.C29StartsBadly", {}, bad_starts()},
-      {"C30", "grazing start", "transport.StiffCases.C30GrazingStart", {}, grazing_starts()},
+      of("C19", "mean free path", "study.StiffCases.C19MeanFreePath", mean_free_paths()),
+      of("C20", "Lyapunov exponent, stadium", "study.StiffCases.C20LyapunovOfTheStadium",
+         {stadium(0.5, 20), stadium(1, 20), stadium(2, 20)}),
+      of("C21", "Lyapunov exponent, Sinai torus", "study.StiffCases.C21LyapunovOfTheTorus",
+         {torus(0.1, 4), torus(0.25, 6), torus(0.4, 8)}),
+      of("C22", "box is torus", "study.StiffCases.C22LyapunovOfTheBox",
+         {sinai(0.25, 20), sinai(0.4, 12)}),
+      of("C23", "reversal", "transport.StiffCases.C23Reversal", there_and_back()),
+      of("C29", "starts badly", "transport.StiffCases.C29StartsBadly", bad_starts()),
+      of("C30", "grazing start", "transport.StiffCases.C30GrazingStart", grazing_starts()),
   };
 }
 

@@ -1,15 +1,11 @@
 #include "oracle/curves.h"
 
+#include <algorithm>
+
+#include "oracle/point.h"
+
 namespace flatray::oracle {
 namespace {
-
-struct Point {
-  Rational x, y;
-};
-Point exact(const Vec2& v) { return {v.x(), v.y()}; }
-Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
-Rational inner(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-Rational area(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
 // The coordinates in which a curve is a circle about 0.
 class Frame {
@@ -20,19 +16,19 @@ class Frame {
       return;
     }
     const Point u = exact(curve.u), v = exact(curve.v);
-    const Rational size = area(u, v);
+    const Rational size = cross(u, v);
     across_u_ = {v.y / size, -v.x / size};
     across_v_ = {-u.y / size, u.x / size};
     square_ = 1;
   }
   Point of(const Point& w) const {
-    return round_ ? w : Point{inner(across_u_, w), inner(across_v_, w)};
+    return round_ ? w : Point{dot(across_u_, w), dot(across_v_, w)};
   }
   const Rational& square_of_radius() const { return square_; }
   // Positive outside.
   Sign side(const Point& w) const {
     const Point p = of(w);
-    return (inner(p, p) - square_).sign();
+    return (dot(p, p) - square_).sign();
   }
 
  private:
@@ -48,9 +44,9 @@ struct Chord {
 };
 Chord chord_of(const Frame& frame, const Point& from, const Point& way) {
   const Point o = frame.of(from), d = frame.of(way);
-  const Rational speed = inner(d, d), foot = -inner(o, d) / speed;
-  const Point nearest{o.x + foot * d.x, o.y + foot * d.y};
-  return {foot, (frame.square_of_radius() - inner(nearest, nearest)) / speed};
+  const Rational speed = dot(d, d), foot = -dot(o, d) / speed;
+  const Point nearest = o + foot * d;
+  return {foot, (frame.square_of_radius() - dot(nearest, nearest)) / speed};
 }
 
 // A point seen from the centre that moves along a line: only signs of what is linear in it are
@@ -58,8 +54,8 @@ Chord chord_of(const Frame& frame, const Point& from, const Point& way) {
 struct Moving {
   Point from, way;
   Surd t;
-  Sign turn(const Point& a) const { return t.mapped(area(a, from), area(a, way)).sign(); }
-  Sign ahead(const Point& a) const { return t.mapped(inner(a, from), inner(a, way)).sign(); }
+  Sign turn(const Point& a) const { return t.mapped(cross(a, from), cross(a, way)).sign(); }
+  Sign ahead(const Point& a) const { return t.mapped(dot(a, from), dot(a, way)).sign(); }
 };
 
 // Which part of a turn from `a` counter-clockwise a direction is in, by the signs of the area and
@@ -78,9 +74,9 @@ PlaceOn place_in(const Arc& arc, const Moving& point) {
                                      : PlaceOn::outside;
   }
   const Point centre = exact(arc.curve.centre);
-  const Point from = minus(exact(arc.from), centre), to = minus(exact(arc.to), centre);
+  const Point from = exact(arc.from) - centre, to = exact(arc.to) - centre;
   const int part = part_of_turn(point.turn(from), point.ahead(from));
-  const int last = part_of_turn(area(from, to).sign(), inner(from, to).sign());
+  const int last = part_of_turn(cross(from, to).sign(), dot(from, to).sign());
   if (part == 0) return PlaceOn::at_end;
   if (part != last) return part < last ? PlaceOn::inner : PlaceOn::outside;
   const Sign past = part == 2 ? Sign::zero : point.turn(to);
@@ -96,13 +92,13 @@ class Meetings {
       : arc_(arc),
         frame_(arc.curve),
         centre_(exact(arc.curve.centre)),
-        from_(minus(exact(ray.origin), centre_)),
+        from_(exact(ray.origin) - centre_),
         way_(exact(ray.direction)) {}
 
   std::optional<Meeting> first() {
     if (arc_.extent == Arc::Extent::between)
-      for (const Vec2& end : {arc_.from, arc_.to}) offer_joint(minus(exact(end), centre_));
-    if (way_.x.sign() == Sign::zero && way_.y.sign() == Sign::zero)
+      for (const Vec2& end : {arc_.from, arc_.to}) offer_joint(exact(end) - centre_);
+    if (is_zero(way_))
       offer_point();
     else
       offer_roots();
@@ -146,27 +142,26 @@ class Meetings {
   void offer_joint(const Point& end) {
     const Sign side = frame_.side(end);
     if (side == Sign::zero) return;
-    const Rational turn = area(end, way_);
+    const Rational turn = cross(end, way_);
     Point at = end;
     if (turn.sign() != Sign::zero) {
-      const Rational s = area(from_, way_) / turn;
+      const Rational s = cross(from_, way_) / turn;
       if (s.sign() != Sign::positive || (s - 1).sign() == side) return;
-      at = {s * end.x, s * end.y};
-    } else if (area(end, from_).sign() != Sign::zero) {
+      at = s * end;
+    } else if (cross(end, from_).sign() != Sign::zero) {
       return;
     }
     if (-frame_.side(at) == side) return;
-    const bool still = way_.x.sign() == Sign::zero && way_.y.sign() == Sign::zero;
-    if (still) return offer_still_joint(end, side);
-    const Point to = minus(at, from_);
-    offer({inner(to, way_) / inner(way_, way_), 0, 0}, HitClass::touch, Root::none, true);
+    if (is_zero(way_)) return offer_still_joint(end, side);
+    const Point to = at - from_;
+    offer({dot(to, way_) / dot(way_, way_), 0, 0}, HitClass::touch, Root::none, true);
   }
 
   // The start of a ray without direction on the line of a joint: on it, if ahead of the centre,
   // between the end and the curve.
   void offer_still_joint(const Point& end, Sign side) {
-    const Sign beyond = (inner(end, from_) - inner(end, end)).sign();
-    if (inner(end, from_).sign() != Sign::positive || beyond == side) return;
+    const Sign beyond = (dot(end, from_) - dot(end, end)).sign();
+    if (dot(end, from_).sign() != Sign::positive || beyond == side) return;
     if (-frame_.side(from_) == side) return;
     offer({}, HitClass::touch, Root::none, true);
   }
@@ -177,7 +172,34 @@ class Meetings {
   std::optional<Meeting> best_;
 };
 
+// Of a ray without direction: its start between the ends of a wall.
+std::optional<Meeting> meeting_with_start(const Point& to_a, const Point& to_b) {
+  if (cross(to_a, to_b) != 0 || dot(to_a, to_b) > 0) return std::nullopt;
+  return Meeting{{}, HitClass::touch, Root::none, is_zero(to_a) || is_zero(to_b)};
+}
+
+// Of a wall on the line of the ray, whose ends lie so far ahead.
+std::optional<Meeting> meeting_along(const Rational& to_a, const Rational& to_b) {
+  const auto& [first, last] = std::minmax(to_a, to_b);
+  if (last < 0) return std::nullopt;
+  const HitClass kind = first == last || last == 0 ? HitClass::touch : HitClass::along;
+  return Meeting{{first < 0 ? 0 : first}, kind, Root::none, first >= 0 || last == 0};
+}
+
 }  // namespace
+
+std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall) {
+  const Point from = exact(ray.origin), way = exact(ray.direction);
+  const Point to_a = exact(wall.a) - from, to_b = exact(wall.b) - from, along = to_b - to_a;
+  if (is_zero(way)) return meeting_with_start(to_a, to_b);
+  // t = time / across, and place / across runs from 0 at a to 1 at b.
+  Rational across = cross(way, along), place = cross(to_a, way), time = cross(to_a, along);
+  if (across == 0 && place == 0)
+    return meeting_along(dot(to_a, way) / dot(way, way), dot(to_b, way) / dot(way, way));
+  if (across < 0) across = -across, place = -place, time = -time;
+  if (across == 0 || time < 0 || place < 0 || place > across) return std::nullopt;
+  return Meeting{{time / across}, HitClass::touch, Root::none, place == 0 || place == across};
+}
 
 std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc) {
   return Meetings(ray, arc).first();
@@ -185,7 +207,7 @@ std::optional<Meeting> first_meeting(const Ray& ray, const Arc& arc) {
 
 std::optional<Surd> root_of(const Ray& ray, const Ellipse& curve, Root root) {
   const Chord chord =
-      chord_of(Frame(curve), minus(exact(ray.origin), exact(curve.centre)), exact(ray.direction));
+      chord_of(Frame(curve), exact(ray.origin) - exact(curve.centre), exact(ray.direction));
   if (chord.square.sign() == Sign::negative) return std::nullopt;
   if (chord.square.sign() == Sign::zero) return Surd{chord.foot, 0, 0};
   return Surd{chord.foot, root == Root::first ? -1 : 1, chord.square};

@@ -16,7 +16,10 @@ struct Meeting {
   bool at_end;
 };
 
-/// Where a ray first meets a curved wall at t >= 0.
+/// Where a ray first meets a straight wall at t >= 0: both as parametric segments, in rationals.
+std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall);
+
+/// Where it first meets a curved one.
 ///
 /// Source  the ray in the frame where the curve is a circle about 0: of an ellipse, whose
 ///         half-diameters are the axes of that frame, the unit circle. The foot of the

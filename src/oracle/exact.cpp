@@ -4,18 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "oracle/point.h"
+
 namespace flatray::oracle {
 namespace {
 
-struct Point {
-  Rational x, y;
-  bool operator==(const Point&) const = default;
-};
-
-Point exact(const Vec2& v) { return {v.x(), v.y()}; }
-Point at(const Ray& ray, const Rational& t) {
-  return {ray.origin.x() + t * ray.direction.x(), ray.origin.y() + t * ray.direction.y()};
-}
+Point at(const Ray& ray, const Rational& t) { return exact(ray.origin) + t * exact(ray.direction); }
+bool same(const Point& a, const Point& b) { return is_zero(a - b); }
 
 bool between(const Rational& a, const Rational& x, const Rational& b) {
   return std::min(a, b) <= x && x <= std::max(a, b);
@@ -31,7 +26,7 @@ Sign side(const Point& a, const Point& b, const Point& c) {
 
 bool holds(const Point& a, const Point& b, const Point& p) {
   if (!between(a.x, p.x, b.x) || !between(a.y, p.y, b.y)) return false;
-  return a == b || side(a, b, p) == Sign::zero;
+  return same(a, b) || side(a, b, p) == Sign::zero;
 }
 
 StartPlace place(const Point& p, const std::vector<Point>& polygon) {
@@ -49,18 +44,16 @@ StartPlace place(const Point& p, const std::vector<Point>& polygon) {
 
 // Where an edge meets the ray's line: none, one or (for an edge on the line) two parameters.
 void meet(const Ray& ray, const Point& a, const Point& b, std::vector<Rational>& times) {
-  const Point o = exact(ray.origin), d = exact(ray.direction);
-  const Point e{b.x - a.x, b.y - a.y}, w{a.x - o.x, a.y - o.y};
-  const Rational det = d.x * e.y - d.y * e.x;
-  if (det.sign() != Sign::zero) {
-    const Rational along_edge = (d.y * w.x - d.x * w.y) / det;
-    if (along_edge.sign() != Sign::negative && along_edge <= 1)
-      times.push_back((w.x * e.y - w.y * e.x) / det);
+  const Point o = exact(ray.origin), d = exact(ray.direction), e = b - a, w = a - o;
+  const Rational det = cross(d, e);
+  if (det != 0) {
+    const Rational along_edge = cross(w, d) / det;
+    if (along_edge >= 0 && along_edge <= 1) times.push_back(cross(w, e) / det);
     return;
   }
   for (const Point& end : {a, b}) {
     const Rational t = d.x.sign() != Sign::zero ? (end.x - o.x) / d.x : (end.y - o.y) / d.y;
-    if (at(ray, t) == end) times.push_back(t);
+    if (same(at(ray, t), end)) times.push_back(t);
   }
 }
 
@@ -70,13 +63,13 @@ int edge_at(const Ray& ray, const std::vector<Point>& polygon, const Rational& t
   const Point here = at(ray, t), ahead = at(ray, t + 1);
   Point centre{0, 0};
   const Rational count = static_cast<double>(polygon.size());
-  for (const Point& p : polygon) centre = {centre.x + p.x / count, centre.y + p.y / count};
+  for (const Point& p : polygon) centre = centre + Rational(1) / count * p;
   int any = kNoEdge;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     if (!holds(a, b, here)) continue;
     if (any == kNoEdge) any = static_cast<int>(i);
-    if (a == b) continue;
+    if (same(a, b)) continue;
     const Sign middle = side(a, b, centre), way = side(a, b, ahead);
     const Sign wanted = middle == Sign::zero ? Sign::positive : middle;
     if (way == (inward ? wanted : -wanted)) return static_cast<int>(i);
@@ -97,6 +90,18 @@ Clip point_test(StartPlace start, Range within) {
 HitClass class_of_place(StartPlace middle, bool one_point) {
   if (middle == StartPlace::inside) return HitClass::through;
   return one_point ? HitClass::touch : HitClass::along;
+}
+
+// |o + t d - c|^2 - r^2
+Rational power(const Ray& ray, const Circle& circle, const Rational& t) {
+  const Point out = at(ray, t) - exact(circle.centre);
+  return dot(out, out) - Rational(circle.radius) * circle.radius;
+}
+
+// The parameter of the point of the line nearest to the centre.
+Rational foot(const Ray& ray, const Circle& circle) {
+  const Point way = exact(ray.direction);
+  return dot(exact(circle.centre) - exact(ray.origin), way) / dot(way, way);
 }
 
 }  // namespace
@@ -127,6 +132,28 @@ Clip clip_polygon(const Ray& ray, std::span<const Vec2> vertices, Range within) 
   clip.t_enter = enter;
   clip.t_exit = exit;
   return clip;
+}
+
+std::strong_ordering root_against(const Ray& ray, const Circle& circle, int root,
+                                  const Rational& t) {
+  const Sign outside = power(ray, circle, t).sign();
+  const auto middle = foot(ray, circle) <=> t;
+  if (outside == Sign::negative) return root <=> 0;
+  const bool is_this_root = middle == 0 || (middle < 0) == (root > 0);
+  if (outside == Sign::zero && is_this_root) return std::strong_ordering::equal;
+  return middle;
+}
+
+HitClass verdict_on_disc(const Ray& ray, const Circle& circle) {
+  const auto outside = power(ray, circle, foot(ray, circle)) <=> 0;
+  return outside > 0 ? HitClass::miss : outside < 0 ? HitClass::through : HitClass::touch;
+}
+
+StartPlace place_in_disc(const Vec2& point, const Circle& circle) {
+  const auto outside = power({point, {0, 0}}, circle, 0) <=> 0;
+  return outside > 0   ? StartPlace::outside
+         : outside < 0 ? StartPlace::inside
+                       : StartPlace::boundary;
 }
 
 }  // namespace flatray::oracle

@@ -1,14 +1,13 @@
 #include "oracle/exact_coverage.h"
 
 #include <algorithm>
-#include <array>
+
+#include "oracle/point.h"
 
 namespace flatray {
 namespace {
 
-struct Point {
-  Rational x, y;
-};
+using oracle::Point;
 using Ring = std::vector<Point>;
 
 // Sutherland and Hodgman: the part of a ring where `depth` of a point is not negative.
@@ -21,7 +20,7 @@ Ring clip(const Ring& ring, const Depth& depth) {
     if (dp >= 0) out.push_back(p);
     if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) {
       const Rational t = dp / (dp - dq);
-      out.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+      out.push_back(p + t * (q - p));
     }
   }
   return out;
@@ -29,7 +28,7 @@ Ring clip(const Ring& ring, const Depth& depth) {
 
 Ring clip_to_pixel(const std::vector<Vec2>& piece, int x, int y) {
   Ring ring;
-  for (const Vec2& v : piece) ring.push_back({v.x(), v.y()});
+  for (const Vec2& v : piece) ring.push_back(oracle::exact(v));
   ring = clip(ring, [&](const Point& p) { return p.x - x; });
   ring = clip(ring, [&](const Point& p) { return Rational(x + 1.0) - p.x; });
   ring = clip(ring, [&](const Point& p) { return p.y - y; });
@@ -57,11 +56,11 @@ std::vector<Rational> slab_borders(const std::vector<Ring>& rings) {
     for (std::size_t k = i + 1; k < sides.size(); ++k) {
       const auto& [a, b] = sides[i];
       const auto& [c, d] = sides[k];
-      const Rational ux = b->x - a->x, uy = b->y - a->y, vx = d->x - c->x, vy = d->y - c->y;
-      const Rational det = ux * vy - uy * vx;
+      const Point u = *b - *a, v = *d - *c;
+      const Rational det = cross(u, v);
       if (det == 0) continue;
-      const Rational t = ((c->x - a->x) * vy - (c->y - a->y) * vx) / det;
-      if (t > 0 && t < 1) borders.push_back(a->x + t * ux);
+      const Rational t = cross(*c - *a, v) / det;
+      if (t > 0 && t < 1) borders.push_back(a->x + t * u.x);
     }
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());

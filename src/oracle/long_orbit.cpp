@@ -7,20 +7,14 @@
 #include <limits>
 #include <optional>
 
+#include "geom/pair.h"
+
 namespace flatray::oracle {
 namespace {
 
 using Long = mpf_class;
 
-// A point or vector.
-struct Place {
-  Long x, y;
-};
-Place operator+(const Place& a, const Place& b) { return {a.x + b.x, a.y + b.y}; }
-Place operator-(const Place& a, const Place& b) { return {a.x - b.x, a.y - b.y}; }
-Place operator*(const Long& s, const Place& a) { return {s * a.x, s * a.y}; }
-Long inner(const Place& a, const Place& b) { return a.x * b.x + a.y * b.y; }
-Long area(const Place& a, const Place& b) { return a.x * b.y - a.y * b.x; }
+using Place = Pair<Long>;
 
 // mpf's own conversion cuts off.
 double nearest(const Long& x) {
@@ -55,7 +49,7 @@ class Walker {
     if (!first) return std::nullopt;
     point_ = point_ + *first * way_;
     const Place normal = walls_.visit(met, [&](const auto& wall) { return normal_of(wall); });
-    const Long twice = 2 * inner(way_, normal) / inner(normal, normal);
+    const Long twice = 2 * dot(way_, normal) / dot(normal, normal);
     way_ = way_ - twice * normal;
     return LongOrbit::Bounce{met, {nearest(point_.x), nearest(point_.y)}};
   }
@@ -66,18 +60,18 @@ class Walker {
 
   std::vector<Long> times(const Segment& wall) const {
     const Place along = place(wall.b) - place(wall.a), to = place(wall.a) - point_;
-    const Long across = area(way_, along);
+    const Long across = cross(way_, along);
     if (sgn(across) == 0) return {};
-    const Long part = area(to, way_) / across;
+    const Long part = cross(to, way_) / across;
     if (part < 0 || part > 1) return {};
-    return {area(to, along) / across};
+    return {cross(to, along) / across};
   }
 
   std::vector<Long> times(const Arc& arc) const {
     const Place from = in_circle(arc.curve, point_ - place(arc.curve.centre));
     const Place way = in_circle(arc.curve, way_);
-    const Long a = inner(way, way), b = inner(way, from);
-    const Long quarter = b * b - a * (inner(from, from) - 1);
+    const Long a = dot(way, way), b = dot(way, from);
+    const Long quarter = b * b - a * (dot(from, from) - 1);
     if (sgn(quarter) <= 0) return {};
     const Long root = sqrt(quarter);
     std::vector<Long> times;
@@ -93,7 +87,7 @@ class Walker {
   };
   std::vector<OnCurve> meetings(const Bezier& wall) const {
     constexpr int kParts = 256;
-    const auto beside = [&](const Long& s) { return area(way_, point_at(wall, s) - point_); };
+    const auto beside = [&](const Long& s) { return cross(way_, point_at(wall, s) - point_); };
     std::vector<OnCurve> found;
     for (int i = 0; i < kParts; ++i) {
       Long low = number(i) / kParts, high = number(i + 1) / kParts;
@@ -103,17 +97,24 @@ class Walker {
         const Long middle = (low + high) / 2;
         (sgn(beside(middle)) == from ? low : high) = middle;
       }
-      found.push_back({inner(way_, point_at(wall, high) - point_) / inner(way_, way_), high});
+      found.push_back({dot(way_, point_at(wall, high) - point_) / dot(way_, way_), high});
     }
     return found;
   }
-  Place point_at(const Bezier& wall, const Long& s) const {
-    std::vector<Place> points;
-    for (int k = 0; k <= wall.degree; ++k) points.push_back(place(wall.point(k)));
-    for (; points.size() > 1; points.pop_back())
+  // By de Casteljau's rule: what is left of points when `most` are.
+  static std::vector<Place> divided(std::vector<Place> points, const Long& s, std::size_t most) {
+    for (; points.size() > most; points.pop_back())
       for (std::size_t k = 0; k + 1 < points.size(); ++k)
         points[k] = points[k] + s * (points[k + 1] - points[k]);
-    return points[0];
+    return points;
+  }
+  std::vector<Place> points_of(const Bezier& wall) const {
+    std::vector<Place> points;
+    for (int k = 0; k <= wall.degree; ++k) points.push_back(place(wall.point(k)));
+    return points;
+  }
+  Place point_at(const Bezier& wall, const Long& s) const {
+    return divided(points_of(wall), s, 1)[0];
   }
   std::vector<Long> times(const Bezier& wall) const {
     std::vector<Long> times;
@@ -124,17 +125,17 @@ class Walker {
   // Parts of the half-diameters that a vector is the sum of, by Cramer's rule.
   Place in_circle(const Ellipse& curve, const Place& w) const {
     const Place u = place(curve.u), v = place(curve.v);
-    const Long whole = area(u, v);
-    return {area(w, v) / whole, area(u, w) / whole};
+    const Long whole = cross(u, v);
+    return {cross(w, v) / whole, cross(u, w) / whole};
   }
 
   // A point of the curve is on an arc if it is to the right of the chord from end to end.
   bool is_on(const Arc& arc, const Place& point) const {
     if (arc.extent == Arc::Extent::whole) return true;
     if (arc.extent == Arc::Extent::half)
-      return sgn(inner(point - place(arc.curve.centre), place(arc.from))) >= 0;
+      return sgn(dot(point - place(arc.curve.centre), place(arc.from))) >= 0;
     const Place from = place(arc.from);
-    return sgn(area(place(arc.to) - from, point - from)) <= 0;
+    return sgn(cross(place(arc.to) - from, point - from)) <= 0;
   }
 
   Place normal_of(const Segment& wall) const {
@@ -153,14 +154,8 @@ class Walker {
     const auto here =
         std::min_element(all.begin(), all.end(),
                          [](const OnCurve& a, const OnCurve& b) { return abs(a.t) < abs(b.t); });
-    std::vector<Place> ways;
-    ways.reserve(static_cast<std::size_t>(wall.degree));
-    for (int k = 0; k < wall.degree; ++k)
-      ways.push_back(place(wall.point(k + 1)) - place(wall.point(k)));
-    for (; ways.size() > 1; ways.pop_back())
-      for (std::size_t k = 0; k + 1 < ways.size(); ++k)
-        ways[k] = ways[k] + here->s * (ways[k + 1] - ways[k]);
-    return {-ways[0].y, ways[0].x};
+    const std::vector<Place> chord = divided(points_of(wall), here->s, 2);
+    return {chord[0].y - chord[1].y, chord[1].x - chord[0].x};
   }
 
   const Surfaces& walls_;

@@ -15,34 +15,26 @@ Ring whole_ring(Draw& draw, int least) {
   static constexpr std::array<std::array<double, 2>, 6> kHexagon = {
       {{1, 0}, {2, 0}, {3, 1}, {2, 2}, {1, 2}, {0, 1}}};
   const double wide = 1 + draw.below(3), shear = draw.below(5) - 2, high = 1 + draw.below(3);
-  const double x = draw.below(21) - 10, y = draw.below(21) - 10;
-  const int count = least + static_cast<int>(draw.below(7 - least));
-  const int first = static_cast<int>(draw.below(6));
+  const Vec2 at = draw.whole_point(-10, 11);
+  const int count = draw.whole(least, 7), first = draw.whole(0, 6);
   Ring ring;
   for (int i = 0; i < count; ++i) {
     const auto& p = kHexagon[static_cast<std::size_t>((first + i) % 6)];
-    ring.emplace_back(x + wide * p[0] + shear * p[1], y + high * p[1]);
+    ring.emplace_back(at.x() + wide * p[0] + shear * p[1], at.y() + high * p[1]);
   }
   return ring;
 }
 
-Vec2 whole_velocity(Draw& draw) {
-  const double x = draw.below(9) - 4, y = draw.below(9) - 4;
-  return {x, y};
-}
-
 StraightPair whole_pair(Draw& draw, int least) {
-  Ring a = whole_ring(draw, least), b = whole_ring(draw, least);
-  const Vec2 va = whole_velocity(draw), vb = whole_velocity(draw);
-  return {std::move(a), std::move(b), va, vb};
+  return {whole_ring(draw, least), whole_ring(draw, least), draw.whole_point(-4, 5),
+          draw.whole_point(-4, 5)};
 }
 
 template <class Change>
 StraightPair changed(StraightPair pair, const Change& change) {
   for (Ring* ring : {&pair.ring_a, &pair.ring_b})
     for (Vec2& p : *ring) p = change(p);
-  pair.velocity_a = change(pair.velocity_a);
-  pair.velocity_b = change(pair.velocity_b);
+  for (Vec2* v : {&pair.velocity_a, &pair.velocity_b}) *v = change(*v);
   return pair;
 }
 
@@ -63,17 +55,15 @@ StraightPair one_ulp(Draw& draw) {
 }
 
 StraightPair scaled(Draw& draw) {
-  const int exponent = static_cast<int>(draw.below(1900)) - 1000;
-  return changed(whole_pair(draw, 1),
-                 [exponent](const Vec2& p) { return Vec2(p * std::ldexp(1.0, exponent)); });
+  const double scale = draw.power(-1000, 900);
+  return changed(whole_pair(draw, 1), [&](const Vec2& p) { return Vec2(p * scale); });
 }
 
 StraightPair offset(Draw& draw) {
-  const double x = draw.sign() * std::ldexp(1.0, static_cast<int>(draw.below(52)));
-  const double y = draw.sign() * std::ldexp(1.0, static_cast<int>(draw.below(52)));
+  const Vec2 way{draw.sign() * draw.power(0, 52), draw.sign() * draw.power(0, 52)};
   StraightPair pair = whole_pair(draw, 1);
   for (Ring* ring : {&pair.ring_a, &pair.ring_b})
-    for (Vec2& p : *ring) p += Vec2(x, y);
+    for (Vec2& p : *ring) p += way;
   return pair;
 }
 
@@ -81,16 +71,16 @@ StraightPair offset(Draw& draw) {
 StraightPair near_parallel(Draw& draw) {
   StraightPair pair = whole_pair(draw, 2);
   const Vec2 along = pair.ring_a[1] - pair.ring_a[0];
-  const double tilt = draw.sign() * std::ldexp(1.0, -static_cast<int>(draw.below(60)));
-  const double other = draw.sign() * std::ldexp(1.0, -static_cast<int>(draw.below(60)));
+  const double tilt = draw.sign() * draw.halves(60);
+  const double other = draw.sign() * draw.halves(60);
   pair.velocity_a = pair.velocity_b + draw.below(3) * along + Vec2(tilt, other);
   return pair;
 }
 
 StraightPair mixed_magnitude(Draw& draw) {
   StraightPair pair = whole_pair(draw, 1);
-  const double large = std::ldexp(1.0, static_cast<int>(draw.below(80)) - 40);
-  const double fast = std::ldexp(1.0, static_cast<int>(draw.below(160)) - 80);
+  const double large = draw.power(-40, 40);
+  const double fast = draw.power(-80, 80);
   for (Vec2& p : pair.ring_a) p *= large;
   pair.velocity_b *= fast;
   return pair;
@@ -98,7 +88,7 @@ StraightPair mixed_magnitude(Draw& draw) {
 
 StraightPair sliver(Draw& draw) {
   StraightPair pair = whole_pair(draw, 3);
-  const double thin = std::ldexp(1.0, -static_cast<int>(draw.below(1000)));
+  const double thin = draw.halves(1000);
   for (Vec2& p : pair.ring_a) p.y() *= thin;
   return pair;
 }
@@ -112,47 +102,126 @@ StraightPair uneven(Draw& draw) {
 
 // A corner as near to a slanted side as doubles are, the shapes on either side of it.
 StraightPair touching(Draw& draw) {
-  const auto point = [&] {
-    const double x = 6 * draw.unit() - 3, y = 6 * draw.unit() - 3;
-    return Vec2(x, y);
-  };
+  const auto point = [&] { return Vec2{6 * draw.unit() - 3, 6 * draw.unit() - 3}; };
   const Vec2 a = point(), b = point(), c = point();
   const bool left = (b - a).x() * (c - a).y() > (b - a).y() * (c - a).x();
   const Vec2 from = left ? a : b, to = left ? b : a, along = to - from, out(along.y(), -along.x());
   const Vec2 corner = from + draw.unit() * along;
-  const Vec2 velocity_a = whole_velocity(draw), velocity_b = whole_velocity(draw);
   return {{from, to, c},
           {corner, corner + out - 0.5 * along, corner + out + 0.25 * along},
-          velocity_a,
-          velocity_b};
+          draw.whole_point(-4, 5),
+          draw.whole_point(-4, 5)};
 }
 
-constexpr std::array kFamilies = {StraightFamily{"grid", &grid},
-                                  StraightFamily{"degenerate", &degenerate},
-                                  StraightFamily{"decimal", &decimal},
-                                  StraightFamily{"one-ulp", &one_ulp},
-                                  StraightFamily{"scaled", &scaled},
-                                  StraightFamily{"offset", &offset},
-                                  StraightFamily{"near-parallel", &near_parallel},
-                                  StraightFamily{"mixed-magnitude", &mixed_magnitude},
-                                  StraightFamily{"sliver", &sliver},
-                                  StraightFamily{"uneven", &uneven},
-                                  StraightFamily{"touching", &touching}};
+// A point, a segment or a quadrilateral of whole coordinates.
+Ring small_ring(Draw& draw) {
+  const Vec2 at = draw.whole_point(-7, 7);
+  const double w = 1 + draw.below(3), h = draw.below(3);
+  switch (draw.whole(0, 3)) {
+    case 0:
+      return {at};
+    case 1:
+      return {at, at + Vec2(w, h)};
+    default:
+      return {at, at + Vec2(w, 0), at + Vec2(w, 1 + h), at + Vec2(0, 1)};
+  }
+}
+
+RoundPair whole(Draw& draw) {
+  RoundPair pair{
+      {small_ring(draw), small_ring(draw), draw.whole_point(-2, 3), draw.whole_point(-2, 3)}};
+  pair.radius_a = draw.below(4) / 2;
+  pair.radius_b = pair.radius_a == 0 ? 1 : draw.below(3);
+  return pair;
+}
+
+// Two that pass each other at exactly the sum of their radii, at a time that mostly is no double; what
+// lies beside the point that touches is farther away, or as far.
+RoundPair tangent(Draw& draw) {
+  static constexpr double kTriples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}};
+  static constexpr double kSpeeds[] = {1, 2, 3, 5, 7};
+  const auto& [p, q, h] = draw.any(kTriples);
+  const double sign_p = draw.sign(), sign_q = draw.sign();
+  const Vec2 way(sign_p * p, sign_q * q), across(-way.y(), way.x());
+  const double reach = 1 + draw.below(3), behind = draw.below(21) - 5;
+  const Vec2 at_a = draw.whole_point(0, 9), at_b = at_a + reach * across - behind * way;
+  RoundPair pair{{{at_a}, {at_b}, draw.whole_point(-2, 3), {0, 0}}};
+  pair.velocity_b = pair.velocity_a + draw.any(kSpeeds) * way;
+  pair.radius_a = draw.below(static_cast<int>(reach * h));
+  pair.radius_b = reach * h - pair.radius_a;
+  const int more = draw.whole(0, 4);
+  if (more == 1 || more == 3) pair.ring_b.push_back(at_b + across);
+  if (more == 2) pair.ring_b.push_back(at_b + way);
+  if (more == 3) pair.ring_a.push_back(at_a - across);
+  return pair;
+}
+
+template <class Change>
+RoundPair changed(const RoundPair& pair, const Change& change) {
+  return {changed(static_cast<const StraightPair&>(pair),
+                  [&](const Vec2& p) { return Vec2(change(p.x()), change(p.y())); }),
+          change(pair.radius_a), change(pair.radius_b)};
+}
+
+RoundPair round_decimal(Draw& draw) {
+  return changed(tangent(draw), [](double x) { return x / 10; });
+}
+
+RoundPair round_scaled(Draw& draw) {
+  const double scale = draw.power(-900, 900);
+  return changed(draw.unit() < 0.5 ? tangent(draw) : whole(draw),
+                 [scale](double x) { return x * scale; });
+}
+
+RoundPair round_one_ulp(Draw& draw) {
+  RoundPair pair = tangent(draw);
+  pair.radius_b = nudge(pair.radius_b, draw);
+  pair.velocity_b = nudge(pair.velocity_b, draw);
+  return pair;
+}
+
+constexpr FamilyOf<StraightPair> kStraight[] = {
+    {"grid", &grid},
+    {"degenerate", &degenerate},
+    {"decimal", &decimal},
+    {"one-ulp", &one_ulp},
+    {"scaled", &scaled},
+    {"offset", &offset},
+    {"near-parallel", &near_parallel},
+    {"mixed-magnitude", &mixed_magnitude},
+    {"sliver", &sliver},
+    {"uneven", &uneven},
+    {"touching", &touching},
+};
+constexpr FamilyOf<RoundPair> kRound[] = {
+    {"whole", &whole},         {"tangent", &tangent},       {"decimal", &round_decimal},
+    {"scaled", &round_scaled}, {"one-ulp", &round_one_ulp},
+};
+
+// Rounding may have bent a ring: the next one drawn, in the end one of whole numbers.
+template <class Pair>
+Pair convex_pair(Draw draw, const FamilyOf<Pair>& family, const FamilyOf<Pair>& last) {
+  constexpr int kTries = 8;
+  for (int i = 0; i < kTries; ++i) {
+    Pair pair = family.make(draw);
+    if (!non_convex_vertex(pair.ring_a) && !non_convex_vertex(pair.ring_b)) return pair;
+  }
+  return last.make(draw);
+}
 
 }  // namespace
 
-std::span<const StraightFamily> straight_families() { return kFamilies; }
+std::span<const FamilyOf<StraightPair>> straight_families() { return kStraight; }
+std::span<const FamilyOf<RoundPair>> round_pair_families() { return kRound; }
 
-StraightPair make_pair(const StraightFamily& family, std::uint64_t seed, std::uint64_t item) {
-  constexpr std::uint64_t kFirst = 2000;  // beyond the families of rays and of turning pairs
-  Draw draw(seed, kFirst + static_cast<std::uint64_t>(&family - kFamilies.data()), item);
-  // Rounding may have bent a ring: the next one drawn, in the end one of whole numbers.
-  constexpr int kTries = 8;
-  for (int i = 0; i < kTries; ++i) {
-    StraightPair pair = family.make(draw);
-    if (!non_convex_vertex(pair.ring_a) && !non_convex_vertex(pair.ring_b)) return pair;
-  }
-  return grid(draw);
+StraightPair make_pair(const FamilyOf<StraightPair>& family, std::uint64_t seed,
+                       std::uint64_t item) {
+  const auto number = static_cast<std::uint64_t>(&family - kStraight);
+  return convex_pair({seed, 2000 + number, item}, family, kStraight[0]);
+}
+RoundPair make_pair(const FamilyOf<RoundPair>& family, std::uint64_t seed, std::uint64_t item) {
+  const auto number = static_cast<std::uint64_t>(&family - kRound);
+  return convex_pair({seed, 3000 + number, item}, family, kRound[0]);
 }
 
 }  // namespace flatray::oracle

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "oracle/families.h"
+#include "oracle/round_contact.h"
 
 namespace flatray::oracle {
 
@@ -11,14 +12,28 @@ struct StraightPair {
   Vec2 velocity_a, velocity_b;
 };
 
-/// What is hard about a pair: see goal R1.
-struct StraightFamily {
-  const char* name;
-  StraightPair (*make)(Draw& draw);
+/// At least one of them with a radius.
+struct RoundPair : StraightPair {
+  double radius_a = 0, radius_b = 0;
+
+  RoundCore a() const { return {ring_a, velocity_a, radius_a}; }
+  RoundCore b() const { return {ring_b, velocity_b, radius_b}; }
 };
+
+/// What is hard about a pair: see goal R1. Numbers of pairs of one kind are from 1000 (turning),
+/// 2000 (straight) or 3000 (round), beyond the families of rays.
+template <class Pair>
+struct FamilyOf {
+  const char* name;
+  Pair (*make)(Draw& draw);
+};
+using StraightFamily = FamilyOf<StraightPair>;
+using RoundPairFamily = FamilyOf<RoundPair>;
 std::span<const StraightFamily> straight_families();
+std::span<const RoundPairFamily> round_pair_families();
 
 /// The pair of a number, the same for ever; its rings are convex.
 StraightPair make_pair(const StraightFamily& family, std::uint64_t seed, std::uint64_t item);
+RoundPair make_pair(const RoundPairFamily& family, std::uint64_t seed, std::uint64_t item);
 
 }  // namespace flatray::oracle

@@ -13,8 +13,8 @@ namespace flatray::oracle {
 
 /// The first wall a ray meets at t >= 0, as the tracers must answer.
 struct NearestWall {
-  /// What decided: bounds of long doubles, whole numbers of 128 bits, rationals.
-  enum class By : std::uint8_t { bounds, whole_numbers, rationals };
+  /// What decided: bounds of long doubles, or rationals.
+  enum class By : std::uint8_t { bounds, rationals };
 
   std::int64_t wall = -1;  ///< the lowest of those met at the same time; -1 for none
   HitClass kind = HitClass::miss;
@@ -26,12 +26,9 @@ struct NearestWall {
   explicit operator bool() const { return wall >= 0; }
 };
 
-/// Source  the wall as a parametric segment: numerators of t and of the place on the wall against
-///         one denominator, in whole numbers of 128 bits where the doubles allow it, else in
-///         rationals; times compared by cross products of 256 bits. The quotient of t is the
-///         engine's, too (geom/hit_time.h: any exact one is equal to it); verdicts, arithmetic and
-///         rounding are not.
-/// Cost    some 40 ns a wall; rationals some 2 us.
+/// Source  oracle/curves.h for every wall. The quotient of t is the engine's, too (geom/hit_time.h: any
+///         exact one is equal to it); verdicts, arithmetic and rounding are not.
+/// Cost    some 2 us a wall.
 NearestWall nearest_wall(const Ray& ray, std::span<const Segment> walls);
 
 /// The double nearest to the t at which a ray meets one wall, of a curve in the root given; infinite
@@ -51,8 +48,6 @@ class NearestWalls {
   NearestWall of(const Ray& ray);
 
  private:
-  NearestWall among_curves(const Ray& ray) const;
-
   const Surfaces& walls_;
   std::vector<Reach> reaches_;  // of each curve
   std::vector<Candidate> straight_, round_;

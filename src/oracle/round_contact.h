@@ -1,10 +1,5 @@
 #pragma once
-#include <optional>
-#include <span>
-
-#include "geom/exact.h"
-#include "geom/hit_interval.h"
-#include "geom/ray.h"
+#include "oracle/contact.h"
 
 namespace flatray::oracle {
 
@@ -22,18 +17,13 @@ struct RoundCore {
 ///         quadratic in t.
 Sign apart_at(const RoundCore& a, const RoundCore& b, const Rational& t);
 
-/// When two such bodies meet, as contact() must answer.
-struct RoundTruth {
-  HitClass kind = HitClass::miss;
-  StartPlace start = StartPlace::outside;
-  std::optional<Rational> first, last;  ///< of what only touches
-};
-
+/// When two such bodies meet; the times of what only touches.
+///
 /// Needs   a radius above 0; `within` kRay or kLine.
 /// Source  the distance is convex in t, so where it never falls to the sum of the radii it does not do
 ///         so when any two vertices are nearest, nor when the cores cross; where it only comes to be
 ///         that sum, the first and the last time two vertices are nearest are the ends.
 /// Cost    some 100 us.
-RoundTruth round_truth(const RoundCore& a, const RoundCore& b, Range within);
+ContactTruth round_truth(const RoundCore& a, const RoundCore& b, Range within);
 
 }  // namespace flatray::oracle

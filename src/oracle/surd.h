@@ -11,9 +11,9 @@ namespace flatray::oracle {
 
 /// p + s sqrt(q): a root of a quadratic equation, without rounding. Needs s = -1, 0 or 1, q >= 0.
 struct Surd {
-  Rational p;
+  Rational p = 0;
   int s = 0;
-  Rational q;
+  Rational q = 0;
 
   /// offset + slope * (*this)
   Surd mapped(const Rational& offset, const Rational& slope) const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/portable_math.h"
+#include "oracle/distance.h"
 
 namespace flatray::oracle {
 namespace {
@@ -16,13 +17,6 @@ constexpr unsigned kBits = 256;
 using Long = mpf_class;
 
 Long number(double x) { return {x, kBits}; }
-
-template <class Number>
-struct Place {
-  Number x, y;
-};
-template <class Number>
-using Ring = std::vector<Place<Number>>;
 
 template <class Number>
 struct Angle {
@@ -37,20 +31,9 @@ Angle<Long> turn(Long angle) {
   for (; abs(angle) > 0x1p-8; ++halved) angle /= 2;
   Long term = number(1), cos = number(1), sin = number(0);
   for (int k = 1; k < 40; ++k) {
+    if (k % 2 == 0) term = -term;
     term = Long(term * angle / k);
-    switch (k % 4) {
-      case 0:
-        cos += term;
-        break;
-      case 1:
-        sin += term;
-        break;
-      case 2:
-        cos -= term;
-        break;
-      default:
-        sin -= term;
-    }
+    (k % 2 == 0 ? cos : sin) += term;
   }
   for (; halved > 0; --halved) {
     const Long twice = 2 * sin * cos;
@@ -72,7 +55,7 @@ Number power_sum(const std::array<double, 4>& c, const Number& t) {
 }
 
 template <class Number>
-Ring<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& t) {
+RingOf<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& t) {
   const auto n = [&t](double x) { return as(x, t); };
   const Angle<Number> turned =
       turn(power_sum({body.angle, body.spin, body.angle_bends[0], body.angle_bends[1]}, t));
@@ -84,7 +67,7 @@ Ring<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& 
     x += by.cos * p - by.sin * q;
     y += by.sin * p + by.cos * q;
   }
-  Ring<Number> ring;
+  RingOf<Number> ring;
   for (const Vec2& p : body.ring)
     ring.push_back({x + turned.cos * n(p.x()) - turned.sin * n(p.y()),
                     y + turned.sin * n(p.x()) + turned.cos * n(p.y())});
@@ -92,13 +75,13 @@ Ring<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& 
 }
 
 template <class Number>
-Number area(const Place<Number>& a, const Place<Number>& b, const Place<Number>& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+Number area(const Pair<Number>& a, const Pair<Number>& b, const Pair<Number>& c) {
+  return cross(b - a, c - a);
 }
 
 // Of a ring with an inside, counter-clockwise.
 template <class Number>
-bool holds(const Ring<Number>& ring, const Place<Number>& p) {
+bool holds(const RingOf<Number>& ring, const Pair<Number>& p) {
   if (ring.size() < 3) return false;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (area(ring[i], ring[(i + 1) % ring.size()], p) < 0) return false;
@@ -107,7 +90,7 @@ bool holds(const Ring<Number>& ring, const Place<Number>& p) {
 
 // At inner points of both: what only touches does so with a corner.
 template <class Number>
-bool sides_cross(const Ring<Number>& a, const Ring<Number>& b) {
+bool sides_cross(const RingOf<Number>& a, const RingOf<Number>& b) {
   const auto differ = [](const Number& p, const Number& q) {
     return (p < 0 && q > 0) || (p > 0 && q < 0);
   };
@@ -121,7 +104,7 @@ bool sides_cross(const Ring<Number>& a, const Ring<Number>& b) {
 }
 
 template <class Number>
-bool cores_meet(const Ring<Number>& a, const Ring<Number>& b) {
+bool cores_meet(const RingOf<Number>& a, const RingOf<Number>& b) {
   for (const auto& p : a)
     if (holds(b, p)) return true;
   for (const auto& p : b)
@@ -129,33 +112,10 @@ bool cores_meet(const Ring<Number>& a, const Ring<Number>& b) {
   return sides_cross(a, b);
 }
 
-template <class Number>
-Number squared_distance(const Ring<Number>& points, const Ring<Number>& sides) {
-  Number least = -as(1, points[0].x);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const auto &from = sides[i], &to = sides[(i + 1) % sides.size()];
-    const Number dx = to.x - from.x, dy = to.y - from.y, length = dx * dx + dy * dy;
-    for (const auto& p : points) {
-      Number x = p.x - from.x, y = p.y - from.y;
-      const Number ahead = x * dx + y * dy;
-      if (ahead > 0 && ahead < length) {
-        const Number across = x * dy - y * dx;
-        const Number squared = across * across / length;
-        if (least < 0 || squared < least) least = squared;
-        continue;
-      }
-      if (ahead > 0) x -= dx, y -= dy;
-      const Number squared = x * x + y * y;
-      if (least < 0 || squared < least) least = squared;
-    }
-  }
-  return least;
-}
-
 double distance(const TurningCore& a, const TurningCore& b, double t) {
-  const Ring<double> p = at_time(a, a.at, t), q = at_time(b, a.at, t);
+  const RingOf<double> p = at_time(a, a.at, t), q = at_time(b, a.at, t);
   if (cores_meet(p, q)) return -1;
-  return std::sqrt(std::min(squared_distance(p, q), squared_distance(q, p))) - a.radius - b.radius;
+  return std::sqrt(squared_gap(p, q)) - a.radius - b.radius;
 }
 
 double reach(const TurningCore& body) {
@@ -238,12 +198,11 @@ class Scan {
 }  // namespace
 
 int apart_at(const TurningCore& a, const TurningCore& b, double t) {
-  const Ring<Long> p = at_time(a, a.at, number(t)), q = at_time(b, a.at, number(t));
+  const RingOf<Long> p = at_time(a, a.at, number(t)), q = at_time(b, a.at, number(t));
   if (cores_meet(p, q)) return -1;
   const Long radii = number(a.radius) + number(b.radius);
   if (radii == 0) return 1;
-  const Long one = squared_distance(p, q), other = squared_distance(q, p);
-  return (one < other ? one : other) > Long(radii * radii) ? 1 : -1;
+  return squared_gap(p, q) > radii * radii ? 1 : -1;
 }
 
 FirstTouch first_touch(const TurningCore& a, const TurningCore& b, double length) {

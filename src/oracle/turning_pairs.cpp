@@ -1,7 +1,6 @@
 #include "oracle/turning_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 #include "base/portable_math.h"
@@ -44,40 +43,32 @@ TurningPair aimed(Draw& draw, std::vector<Vec2> ring_a, std::vector<Vec2> ring_b
           {{}, 0, at + distance * from + miss * beside, way, angle_b, spin_b}};
 }
 
-int drawn_corners(Draw& draw, int least) { return least + static_cast<int>(draw.below(5)); }
-
-TurningPair polygons(Draw& draw) {
-  const int m = drawn_corners(draw, 3), n = drawn_corners(draw, 3);
-  auto one = drawn_ring(draw, m, 1), other = drawn_ring(draw, n, 1);
-  return aimed(draw, std::move(one), std::move(other), 6);
+TurningPair cornered(Draw& draw, int least_a, int least_b, double flat, double most_spin) {
+  const int m = draw.whole(least_a, least_a + 5), n = draw.whole(least_b, least_b + 5);
+  auto one = drawn_ring(draw, m, flat), other = drawn_ring(draw, n, flat);
+  return aimed(draw, std::move(one), std::move(other), most_spin);
 }
 
+TurningPair polygons(Draw& draw) { return cornered(draw, 3, 3, 1, 6); }
+TurningPair fast(Draw& draw) { return cornered(draw, 2, 3, 0.5, 80); }
+
 TurningPair rounded(Draw& draw) {
-  const int m = drawn_corners(draw, 1), n = drawn_corners(draw, 1);
-  auto one = drawn_ring(draw, m, 1), other = drawn_ring(draw, n, 1);
-  TurningPair pair = aimed(draw, std::move(one), std::move(other), 6);
+  TurningPair pair = cornered(draw, 1, 1, 1, 6);
   pair.shaped_a.radius = draw.unit() < 0.3 ? 0 : between(draw, 0.01, 0.5);
   pair.shaped_b.radius = between(draw, 0.01, 0.5);
   return pair;
 }
 
 TurningPair slivers(Draw& draw) {
-  const int m = drawn_corners(draw, 3), n = drawn_corners(draw, 3);
-  const double thin = std::ldexp(1.0, -static_cast<int>(draw.below(30)));
+  const int m = draw.whole(3, 8), n = draw.whole(3, 8);
+  const double thin = draw.halves(30);
   auto one = drawn_ring(draw, m, thin), other = drawn_ring(draw, n, 1);
   return aimed(draw, std::move(one), std::move(other), 6);
 }
 
 TurningPair segments(Draw& draw) {
-  auto one = drawn_ring(draw, 2, 1),
-       other = drawn_ring(draw, 2 + static_cast<int>(draw.below(2)), 1);
+  auto one = drawn_ring(draw, 2, 1), other = drawn_ring(draw, draw.whole(2, 4), 1);
   return aimed(draw, std::move(one), std::move(other), 6);
-}
-
-TurningPair fast(Draw& draw) {
-  const int m = drawn_corners(draw, 2), n = drawn_corners(draw, 3);
-  auto one = drawn_ring(draw, m, 0.5), other = drawn_ring(draw, n, 0.5);
-  return aimed(draw, std::move(one), std::move(other), 80);
 }
 
 TurningPair far_away(Draw& draw) {
@@ -108,8 +99,7 @@ TurningPair squares(Draw& draw) {
 // longer or shorter than its way to a wall.
 TurningPair grazing(Draw& draw) {
   const double arm = between(draw, 0.5, 2), turned = between(draw, -1, 1);
-  const int places = static_cast<int>(draw.below(36));
-  const double off = draw.sign() * std::ldexp(1.0, -4 - places);
+  const double part = draw.halves(36), off = draw.sign() * 0x1p-4 * part;
   const double angle = 2 * std::numbers::pi * draw.unit(), spin = between(draw, 2.5, 6);
   const Vec2 across = on_circle(angle), along(-across.y(), across.x());
   const double wall = arm + off;
@@ -120,19 +110,16 @@ TurningPair grazing(Draw& draw) {
           {{}, 0, wall * across, {0, 0}, angle, 0}};
 }
 
-constexpr std::array kFamilies = {
-    TurningFamily{"polygons", &polygons}, TurningFamily{"rounded", &rounded},
-    TurningFamily{"slivers", &slivers},   TurningFamily{"segments", &segments},
-    TurningFamily{"fast", &fast},         TurningFamily{"far", &far_away},
-    TurningFamily{"squares", &squares},   TurningFamily{"grazing", &grazing}};
+constexpr TurningFamily kFamilies[] = {
+    {"polygons", &polygons}, {"rounded", &rounded}, {"slivers", &slivers}, {"segments", &segments},
+    {"fast", &fast},         {"far", &far_away},    {"squares", &squares}, {"grazing", &grazing}};
 
 }  // namespace
 
 std::span<const TurningFamily> turning_families() { return kFamilies; }
 
 TurningPair make_pair(const TurningFamily& family, std::uint64_t seed, std::uint64_t item) {
-  constexpr std::uint64_t kFirst = 1000;  // beyond the families of rays
-  Draw draw(seed, kFirst + static_cast<std::uint64_t>(&family - kFamilies.data()), item);
+  Draw draw(seed, 1000 + static_cast<std::uint64_t>(&family - kFamilies), item);
   return family.make(draw);
 }
 

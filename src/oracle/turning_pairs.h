@@ -2,7 +2,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/families.h"
+#include "oracle/moving_pairs.h"
 #include "oracle/turning_contact.h"
 
 namespace flatray::oracle {
@@ -22,11 +22,7 @@ struct TurningPair {
   }
 };
 
-/// What is hard about a pair of turning bodies.
-struct TurningFamily {
-  const char* name;
-  TurningPair (*make)(Draw& draw);
-};
+using TurningFamily = FamilyOf<TurningPair>;
 std::span<const TurningFamily> turning_families();
 
 /// The pair of a number, the same for ever.

@@ -9,7 +9,6 @@
 #include "collide/turning_contact.h"
 #include "oracle/contact.h"
 #include "oracle/moving_pairs.h"
-#include "oracle/round_pairs.h"
 #include "oracle/turning_pairs.h"
 
 namespace flatray {
@@ -101,7 +100,7 @@ void check_while(StabilityTally& tally, const oracle::RoundPair& pair, const Hit
 
 void compare(StabilityTally& tally, std::uint64_t item, const oracle::RoundPair& pair) {
   const HitInterval met = contact(body(pair.a()), body(pair.b()), kRay).times;
-  const oracle::RoundTruth truth = oracle::round_truth(pair.a(), pair.b(), kRay);
+  const oracle::ContactTruth truth = oracle::round_truth(pair.a(), pair.b(), kRay);
   if (!count_verdict(tally, item, met, truth) || !met) return;
   check_time(tally, met.t_enter, truth.first);
   check_time(tally, met.t_exit, truth.last);

@@ -20,8 +20,7 @@ struct StabilityTally {
   std::uint64_t other_wall = 0;   ///< a wall that is not the first; else class or end is wrong
   std::uint64_t not_nearest = 0;  ///< hits whose t is not the double nearest to the exact one
   std::uint64_t off_by_more = 0;  ///< hits whose t is more than 1 ulp off it
-  std::uint64_t by_rationals =
-      0;  ///< rays for which the oracle needed more than 128 bits, or had a curve to ask
+  std::uint64_t by_rationals = 0;  ///< rays for which the oracle's bounds did not suffice
   std::uint64_t watched = 0;     ///< rays of which it is known whether they were decided one by one
   std::uint64_t one_by_one = 0;  ///< rays that no lanes were certain of
   std::uint64_t worst_ulps = 0;  ///< by which a t is off, rounded up

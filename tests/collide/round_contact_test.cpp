@@ -163,7 +163,7 @@ TEST(RoundContact, AgreesWithDistancesInRationals) {
     if (a.velocity == b.velocity || a.radius + b.radius == 0) continue;
     SCOPED_TRACE(item);
     const HitInterval met = meet(a, b, kLine);
-    const oracle::RoundTruth truth = oracle::round_truth(a, b, kLine);
+    const oracle::ContactTruth truth = oracle::round_truth(a, b, kLine);
     ASSERT_EQ(met.kind, truth.kind);
     ASSERT_EQ(met.start, truth.start);
     ++(met ? met_count : missed);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/hash.h"
-#include "oracle/bezier_families.h"
+#include "oracle/families.h"
 
 namespace flatray::oracle {
 namespace {
@@ -154,9 +154,9 @@ TEST(Bezier, PartsAndTheReverseOfACurveAreMetAsTheCurve) {
   int ends = 0, touches = 0, crossings = 0, misses = 0, ties = 0;
   for (std::uint64_t item = 0; item < 2; ++item) {
     Draw draw(5, 0, item);
-    const BezierScene scene = beziers(draw);
+    const AimedScene scene = make_scene(bezier_families()[0], draw);
     for (const Ray& ray : scene.rays)
-      for (const Points& points : scene.curves) {
+      for (const Points& points : scene.beziers) {
         const auto all = meetings_with_bezier(ray, points);
         const auto [low, high] = halves(points);
         const auto reversed = meetings_with_bezier(ray, Points(points.rbegin(), points.rend()));
@@ -180,10 +180,10 @@ TEST(Bezier, PartsAndTheReverseOfACurveAreMetAsTheCurve) {
 // Times are those of the curve in any unit.
 TEST(Bezier, ScaledCurvesAreMetAtTheSameTimes) {
   Draw draw(6, 0, 0);
-  const BezierScene scene = beziers(draw);
+  const AimedScene scene = make_scene(bezier_families()[0], draw);
   const double far = 0x1p-900;
   for (std::size_t i = 0; i < scene.rays.size(); ++i) {
-    const Points& points = scene.curves[i % scene.curves.size()];
+    const Points& points = scene.beziers[i % scene.beziers.size()];
     const Ray &ray = scene.rays[i], scaled{far * ray.origin, far * ray.direction};
     Points small = points;
     for (Vec2& p : small) p *= far;
@@ -200,11 +200,11 @@ TEST(BezierFamilies, AreTheSameForEveryCompiler) {
   const auto add = [&](const Vec2& v) {
     hash.add(std::bit_cast<std::uint64_t>(v.x())).add(std::bit_cast<std::uint64_t>(v.y()));
   };
-  for (const auto make : {&beziers, &bezier_scaled, &bezier_offset, &bezier_sliver, &bezier_random})
+  for (const Family& family : bezier_families())
     for (std::uint64_t item = 0; item < 4; ++item) {
       Draw draw(1, 0, item);
-      const BezierScene scene = make(draw);
-      for (const Points& points : scene.curves)
+      const AimedScene scene = make_scene(family, draw);
+      for (const Points& points : scene.beziers)
         for (const Vec2& p : points) add(p);
       for (const Ray& ray : scene.rays) add(ray.origin), add(ray.direction);
     }

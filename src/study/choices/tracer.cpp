@@ -86,7 +86,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
       "{} among {} by {}", counted(made->truth.size(), "random ray"),
       counted(made->world.surfaces.size(), "wall"),
       made->world.surfaces.curve_numbers.empty()
-          ? "whole numbers of 128 bits, else rationals (oracle/nearest)"
+          ? "rationals (oracle/nearest)"
           : fmt::format("Cramer's rule and the quadratic formula in {} bits (oracle/long_orbit)",
                         kBits));
   if (made->truth.size() < kRays)

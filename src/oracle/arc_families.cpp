@@ -1,11 +1,9 @@
-#include "oracle/round_families.h"
-
-#include <algorithm>
-#include <utility>
+#include "oracle/families.h"
 
 namespace flatray::oracle {
 namespace {
 
+using Scene = AimedScene;
 constexpr int kCurves = 12, kWorld = 32;
 
 // Legs and hypotenuse in whole numbers: points of circles about whole numbers that doubles hold.
@@ -19,21 +17,12 @@ struct Spoke {
   double length;
 };
 Spoke spoke(Draw& draw) {
-  const auto& triple =
-      kTriples[static_cast<std::size_t>(draw.below(static_cast<int>(std::size(kTriples))))];
+  const auto& triple = draw.any(kTriples);
   const double x = draw.sign() * triple.x, y = draw.sign() * triple.y;
   return {draw.sign() < 0 ? Vec2(x, y) : Vec2(y, x), static_cast<double>(triple.radius)};
 }
 Vec2 quarter(const Vec2& v) { return {-v.y(), v.x()}; }
-
-Vec2 whole_point(Draw& draw) {
-  const double x = draw.below(kWorld);
-  return {x, draw.below(kWorld)};
-}
-Vec2 any_point(Draw& draw) {
-  const double x = draw.unit();
-  return {x, draw.unit()};
-}
+Vec2 whole_point(Draw& draw) { return draw.whole_point(0, kWorld); }
 // On the unit circle but for rounding, by a fraction: no sines, whose last bits differ.
 Vec2 unit_vector(Draw& draw) {
   const double h = 2 * draw.unit() - 1, sign = draw.sign();
@@ -42,19 +31,17 @@ Vec2 unit_vector(Draw& draw) {
 
 Arc whole(const Ellipse& curve) { return {curve, Arc::Extent::whole, {0, 0}, {0, 0}}; }
 
-const Arc& any_curve(const AimedScene& scene, Draw& draw) {
-  return scene.curves[static_cast<std::size_t>(draw.below(static_cast<int>(scene.curves.size())))];
-}
-
+// Of curves drawn one by one.
 template <class Make>
-AimedScene aimed(AimedScene scene, const Make& make) {
-  for (int i = 0; i < kRaysAScene; ++i) scene.rays.push_back(make(scene));
+Scene curves(int count, const Make& make) {
+  Scene scene;
+  for (int i = 0; i < count; ++i) scene.curves.push_back(make());
   return scene;
 }
 
 // Circles about whole numbers that touch, repeat and hold each other, with chords and spokes.
-AimedScene whole_circles(Draw& draw) {
-  AimedScene scene;
+Scene whole_circles(Draw& draw) {
+  Scene scene;
   scene.curves_first = draw.sign() > 0;
   while (scene.curves.size() < kCurves) {
     const Vec2 centre = whole_point(draw);
@@ -75,8 +62,8 @@ AimedScene whole_circles(Draw& draw) {
 
 // Through a whole point of a circle, or one near its centre: along the tangent or a spoke,
 // from the point, from before it, or from another whole point.
-Ray at_whole_circle(const AimedScene& scene, Draw& draw) {
-  const Ellipse& circle = any_curve(scene, draw).curve;
+Ray at_whole_circle(const Scene& scene, Draw& draw) {
+  const Ellipse& circle = draw.any(scene.curves).curve;
   const Spoke out = spoke(draw);
   const double any = draw.below(4), back = draw.below(4), fits = circle.u.x() / out.length;
   const Vec2 at = circle.centre + (fits == std::floor(fits) ? fits : any) * out.to;
@@ -89,27 +76,21 @@ Ray at_whole_circle(const AimedScene& scene, Draw& draw) {
   return {at - sign * back * way, kind == 2 ? Vec2(0, 0) : Vec2(sign * way)};
 }
 
-AimedScene random_circles(Draw& draw) {
-  AimedScene scene;
-  for (int i = 0; i < kCurves; ++i) {
-    const Vec2 centre = any_point(draw);
-    scene.curves.push_back(whole(Circle{centre, 0.3 * draw.unit()}));
-  }
-  return scene;
+Scene random_circles(Draw& draw) {
+  return curves(kCurves, [&] {
+    const Vec2 centre = draw.point();
+    return whole(Circle{centre, 0.3 * draw.unit()});
+  });
 }
 
-// A point of a curve, but for rounding, and the direction of its tangent there.
-struct OnCurve {
-  Vec2 at, tangent;
-};
 OnCurve on_curve(const Ellipse& curve, Draw& draw) {
   const Vec2 unit = unit_vector(draw);
   return {curve.centre + unit.x() * curve.u + unit.y() * curve.v,
           unit.x() * curve.v - unit.y() * curve.u};
 }
 
-Ray tangent_ray(const AimedScene& scene, Draw& draw) {
-  const OnCurve place = on_curve(any_curve(scene, draw).curve, draw);
+Ray tangent_ray(const Scene& scene, Draw& draw) {
+  const OnCurve place = on_curve(draw.any(scene.curves).curve, draw);
   const double back = 4 * draw.unit();
   const Vec2 origin = nudge(Vec2(place.at - back * place.tangent), draw);
   return {origin, nudge(Vec2(place.at - origin), draw)};
@@ -117,12 +98,12 @@ Ray tangent_ray(const AimedScene& scene, Draw& draw) {
 
 // From a point of a curve, but for rounding, or an ulp off it: along the tangent, to the centre,
 // away from it, anywhere.
-Ray ray_from_curve(const AimedScene& scene, Draw& draw) {
-  const Ellipse& curve = any_curve(scene, draw).curve;
+Ray ray_from_curve(const Scene& scene, Draw& draw) {
+  const Ellipse& curve = draw.any(scene.curves).curve;
   const OnCurve place = on_curve(curve, draw);
   const Vec2 origin = nudge(place.at, draw), to_centre = curve.centre - origin;
   const double kind = draw.below(4), sign = draw.sign();
-  const Vec2 other = any_point(draw);
+  const Vec2 other = draw.point();
   const Vec2 way = kind == 0 ? place.tangent : kind == 3 ? other : to_centre;
   return {origin, sign * way};
 }
@@ -150,8 +131,8 @@ Arc any_arc(Draw& draw) {
   return part_of(circle, from.at, to.at, draw);
 }
 
-Ray at_arc_end(const AimedScene& scene, Draw& draw) {
-  const Arc& arc = any_curve(scene, draw);
+Ray at_arc_end(const Scene& scene, Draw& draw) {
+  const Arc& arc = draw.any(scene.curves);
   const bool half = arc.extent == Arc::Extent::half;
   const Vec2 centre = arc.curve.centre;
   const Vec2 of_half = centre + arc.curve.u.x() / arc.from.norm() * quarter(arc.from);
@@ -173,112 +154,85 @@ Arc any_ellipse(Draw& draw) {
     const Ellipse curve(centre, u, v);
     return draw.sign() > 0 ? whole(curve) : part_of(curve, centre + u, centre + v, draw);
   }
-  const double size = kind == 1 ? 6 : 4, thin = std::ldexp(1.0, -static_cast<int>(draw.below(20)));
-  const Vec2 centre = kWorld * any_point(draw), u = size * unit_vector(draw);
-  const Vec2 v = thin * (quarter(u) + 0.5 * any_point(draw));
+  const double size = kind == 1 ? 6 : 4, thin = draw.halves(20);
+  const Vec2 centre = kWorld * draw.point(), u = size * unit_vector(draw);
+  const Vec2 v = thin * (quarter(u) + 0.5 * draw.point());
   const Ellipse curve(centre, u, draw.sign() * v);
   if (kind == 1) return whole(curve);
   const OnCurve from = on_curve(curve, draw), to = on_curve(curve, draw);
   return part_of(curve, from.at, to.at, draw);
 }
 
-Ray at_ellipse(const AimedScene& scene, Draw& draw) {
+Ray at_ellipse(const Scene& scene, Draw& draw) {
   const double kind = draw.below(4);
   if (kind == 0) return tangent_ray(scene, draw);
   if (kind == 1) return ray_from_curve(scene, draw);
-  const Ellipse& curve = any_curve(scene, draw).curve;
+  const Ellipse& curve = draw.any(scene.curves).curve;
   const Vec2 from = whole_point(draw), centre = curve.centre;
   const Vec2 at = kind == 2 ? centre : Vec2(centre + draw.sign() * curve.u);
   return {from, at - from};
 }
 
 // All kinds of rays at circles and arcs.
-AimedScene mixed_round(Draw& draw) {
-  AimedScene scene = whole_circles(draw);
+Scene circles_and_arcs(Draw& draw) {
+  Scene scene = whole_circles(draw);
   for (int i = 0; i < kCurves / 2; ++i) scene.curves.push_back(any_arc(draw));
-  return aimed(std::move(scene), [&](const AimedScene& made) {
-    const double kind = draw.below(3);
-    return kind == 0   ? at_whole_circle(made, draw)
-           : kind == 1 ? tangent_ray(made, draw)
-                       : ray_from_curve(made, draw);
-  });
+  return scene;
+}
+Ray at_any_circle(const Scene& scene, Draw& draw) {
+  const double kind = draw.below(3);
+  return kind == 0   ? at_whole_circle(scene, draw)
+         : kind == 1 ? tangent_ray(scene, draw)
+                     : ray_from_curve(scene, draw);
 }
 
-// Points put through `place`, which keeps circles circles, half-diameters and directions through
-// `size`; rays keep the points they lead to.
-template <class Place, class Size>
-AimedScene mapped(AimedScene scene, const Place& place, const Size& size) {
-  for (Segment& wall : scene.walls) wall = {place(wall.a), place(wall.b)};
-  for (Arc& arc : scene.curves) {
-    const bool half = arc.extent == Arc::Extent::half;
-    arc.curve = {place(arc.curve.centre), size(arc.curve.u), size(arc.curve.v)};
-    arc.from = half ? arc.from : place(arc.from);
-    arc.to = place(arc.to);
-    // Rounding may take both ends to one direction, which is no arc.
-    if (arc.extent == Arc::Extent::between &&
-        orientation(arc.curve.centre, arc.from, arc.to) == Sign::zero)
-      arc = whole(arc.curve);
-  }
-  for (Ray& ray : scene.rays) {
-    const Vec2 origin = place(ray.origin), tip = place(ray.origin + ray.direction);
-    ray = {origin, tip - origin};
-  }
+Scene arcs_with_chords(Draw& draw) {
+  Scene scene = curves(kCurves, [&] { return any_arc(draw); });
+  for (const Arc& arc : scene.curves)
+    if (arc.extent == Arc::Extent::between) scene.walls.push_back({arc.to, arc.from});
   return scene;
+}
+Scene any_ellipses(Draw& draw) {
+  return curves(kCurves, [&] { return any_ellipse(draw); });
+}
+
+// Radii and distances from 2^-50 to 2^49 beside each other, about one point.
+Scene of_all_sizes(Draw& draw) {
+  return curves(kCurves, [&] {
+    const Vec2 place = draw.point();
+    const double size = draw.power(-50, 50), radius = size * (0.5 + draw.unit());
+    return whole(Circle{draw.power(-50, 50) * place, radius});
+  });
+}
+Ray tangent_or_from_curve(const Scene& scene, Draw& draw) {
+  return draw.sign() > 0 ? tangent_ray(scene, draw) : ray_from_curve(scene, draw);
+}
+
+Move far_away(Draw& draw) {
+  const double sign = draw.sign(), x = sign * draw.power(30, 50);
+  return moved_by({x, x * draw.sign()});
 }
 
 }  // namespace
 
-AimedScene circles(Draw& draw) {
-  return aimed(whole_circles(draw),
-               [&](const AimedScene& scene) { return at_whole_circle(scene, draw); });
-}
-AimedScene tangents(Draw& draw) {
-  return aimed(random_circles(draw),
-               [&](const AimedScene& scene) { return tangent_ray(scene, draw); });
-}
-AimedScene from_circles(Draw& draw) {
-  return aimed(random_circles(draw),
-               [&](const AimedScene& scene) { return ray_from_curve(scene, draw); });
-}
-AimedScene arc_ends(Draw& draw) {
-  AimedScene scene;
-  for (int i = 0; i < kCurves; ++i) {
-    const Arc arc = any_arc(draw);
-    scene.curves.push_back(arc);
-    if (arc.extent == Arc::Extent::between) scene.walls.push_back({arc.to, arc.from});
-  }
-  return aimed(std::move(scene), [&](const AimedScene& made) { return at_arc_end(made, draw); });
-}
-AimedScene ellipses(Draw& draw) {
-  AimedScene scene;
-  for (int i = 0; i < kCurves; ++i) scene.curves.push_back(any_ellipse(draw));
-  return aimed(std::move(scene), [&](const AimedScene& made) { return at_ellipse(made, draw); });
-}
-AimedScene round_scaled(Draw& draw) {
-  const double factor = std::ldexp(1.0, static_cast<int>(draw.below(1800)) - 900);
-  const auto scale = [&](const Vec2& v) { return Vec2(v * factor); };
-  return mapped(mixed_round(draw), scale, scale);
-}
-AimedScene round_offset(Draw& draw) {
-  const double sign = draw.sign();
-  const double far = std::ldexp(sign, 30 + static_cast<int>(draw.below(20)));
-  const double y = far * draw.sign();
-  return mapped(
-      mixed_round(draw), [&](const Vec2& v) { return Vec2(v + Vec2(far, y)); },
-      [](const Vec2& v) { return v; });
-}
-// Radii and distances from 2^-50 to 2^49 beside each other, about one point.
-AimedScene round_magnitudes(Draw& draw) {
-  AimedScene scene;
-  const auto magnitude = [&] { return std::ldexp(1.0, static_cast<int>(draw.below(100)) - 50); };
-  for (int i = 0; i < kCurves; ++i) {
-    const Vec2 place = any_point(draw);
-    const double size = magnitude(), radius = size * (0.5 + draw.unit());
-    scene.curves.push_back(whole(Circle{magnitude() * place, radius}));
-  }
-  return aimed(std::move(scene), [&](const AimedScene& made) {
-    return draw.sign() > 0 ? tangent_ray(made, draw) : ray_from_curve(made, draw);
-  });
+std::vector<Family> arc_families() {
+  return {
+      {"circles", "circles about whole numbers, tangents and chords through whole points",
+       &whole_circles, &at_whole_circle},
+      {"tangents", "rays within an ulp of tangents of circles", &random_circles, &tangent_ray},
+      {"from-circles", "rays from circles, or an ulp off them: along, inward, outward",
+       &random_circles, &ray_from_curve},
+      {"arc-ends", "rays at ends of arcs on their circle, next to it and far off",
+       &arcs_with_chords, &at_arc_end},
+      {"ellipses", "ellipses and parts of them, flattened by up to 2^-19", &any_ellipses,
+       &at_ellipse},
+      {"round-scaled", "circles and arcs in units of 2^-900 to 2^899", &circles_and_arcs,
+       &at_any_circle, &scaled},
+      {"round-offset", "circles and arcs moved by 2^30 to 2^49", &circles_and_arcs, &at_any_circle,
+       &far_away},
+      {"round-magnitudes", "circles of radius and distance 2^-50 to 2^49", &of_all_sizes,
+       &tangent_or_from_curve},
+  };
 }
 
 }  // namespace flatray::oracle
