@@ -63,7 +63,7 @@ MovingBody BodyPairs::part(std::uint32_t body, std::uint32_t part, const Vec2& a
 
 // The parts of both, one after the other.
 template <class Look>
-void BodyPairs::each_contact(const BodyPair& pair, double time, Range within,
+void BodyPairs::each_contact(const IndexPair& pair, double time, Range within,
                              const Look& look) const {
   const Vec2 at_a = place(pair.first, time), at_b = place(pair.second, time);
   std::vector<Vec2> ring_a, ring_b;
@@ -75,7 +75,7 @@ void BodyPairs::each_contact(const BodyPair& pair, double time, Range within,
     }
 }
 
-bool BodyPairs::overlap(const BodyPair& pair, double time) const {
+bool BodyPairs::overlap(const IndexPair& pair, double time) const {
   bool found = false;
   each_contact(pair, time, {0, 0}, [&](const Contact& met, const auto&...) {
     found |= met.times.start == StartPlace::inside;
@@ -85,7 +85,7 @@ bool BodyPairs::overlap(const BodyPair& pair, double time) const {
 
 // A time before which discs about both do not meet. What rounding may lose is far below 2^-30 of
 // what goes in.
-std::optional<double> BodyPairs::least_wait(const BodyPair& pair, double time, double end) const {
+std::optional<double> BodyPairs::least_wait(const IndexPair& pair, double time, double end) const {
   constexpr double kSlack = 0x1p-30;
   const auto [i, k] = pair;
   const Vec2 at_i = place(i, time), at_k = place(k, time), from = at_k - at_i;
@@ -105,7 +105,7 @@ std::optional<double> BodyPairs::least_wait(const BodyPair& pair, double time, d
   return std::max(wait, 0.0);
 }
 
-std::optional<Hit> BodyPairs::meeting(const BodyPair& pair, double time, double end,
+std::optional<Hit> BodyPairs::meeting(const IndexPair& pair, double time, double end,
                                       bool pass) const {
   std::optional<Hit> found;
   bool overlaps = false;

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "anim/responses.h"
@@ -10,11 +9,9 @@
 
 namespace flatray {
 
-using BodyPair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower number first
-
 /// A part of each of two bodies, and where they touch.
 struct Touch {
-  BodyPair pair;
+  IndexPair pair;
   std::uint32_t part_a, part_b;
   ContactPlace place;
 
@@ -27,7 +24,7 @@ struct Touch {
 /// normals.
 struct Hit {
   double time;
-  BodyPair pair;
+  IndexPair pair;
   std::vector<Touch> touches{};
 };
 
@@ -44,12 +41,12 @@ class BodyPairs {
   Vec2 place(std::uint32_t body, double time) const;
 
   /// Whether they have inner points in common at a time.
-  bool overlap(const BodyPair& pair, double time) const;
+  bool overlap(const IndexPair& pair, double time) const;
   /// A time from `time` on before which they do not meet; none where they never do before `end`.
-  std::optional<double> least_wait(const BodyPair& pair, double time, double end) const;
+  std::optional<double> least_wait(const IndexPair& pair, double time, double end) const;
   /// When they meet, as seen from `time`. Two that lie in each other meet at once, where they come nearer
   /// along the shortest way out; with `pass` they do not.
-  std::optional<Hit> meeting(const BodyPair& pair, double time, double end, bool pass) const;
+  std::optional<Hit> meeting(const IndexPair& pair, double time, double end, bool pass) const;
   /// Whether two parts that have touched with this normal, and not parted along it since, would meet with
   /// that normal again.
   bool face(const Touch& touch, double time) const;
@@ -58,7 +55,7 @@ class BodyPairs {
   MovingBody part(std::uint32_t body, std::uint32_t part, const Vec2& at,
                   std::vector<Vec2>& ring) const;
   template <class Look>
-  void each_contact(const BodyPair& pair, double time, Range within, const Look& look) const;
+  void each_contact(const IndexPair& pair, double time, Range within, const Look& look) const;
 
   const std::span<const SimulatedBody> bodies_;
   const std::vector<std::vector<Stage>>& stages_;

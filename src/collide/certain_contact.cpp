@@ -77,19 +77,16 @@ void CertainContacts::ask(Item& item, float guess, bool comes_in) {
   asks_.push_back({&item, a < item.a->count ? a : 0, b < item.b->count ? b : 0, of_a, comes_in});
 }
 
-void CertainContacts::put(const Ask& ask, std::size_t at) {
-  const Item& item = *ask.item;
-  proofs_.edge[at] = (ask.of_a ? item.a->corner(ask.a) : item.b->corner(ask.b)).data();
-  proofs_.vertex[at] = (ask.of_a ? item.b->corner(ask.b - 1) : item.a->corner(ask.a - 1)).data();
-  proofs_.moves[at] = item.pair->velocity_a.data();
-  proofs_.of_first[at] = ask.of_a ? 1 : -1;
-}
-
 void CertainContacts::prove() {
   for (int round = 0; round < kRounds && !asks_.empty(); ++round) {
     const std::size_t count = asks_.size();
-    for (std::size_t at = 0; at < count; ++at) put(asks_[at], at);
-    for (std::size_t at = count; at % pairs::kLanes != 0; ++at) put(asks_.back(), at);
+    for (std::size_t at = 0; at < count || at % pairs::kLanes != 0; ++at) {
+      const auto& [item, a, b, of_a, comes_in] = asks_[std::min(at, count - 1)];
+      proofs_.edge[at] = (of_a ? item->a->corner(a) : item->b->corner(b)).data();
+      proofs_.vertex[at] = (of_a ? item->b->corner(b - 1) : item->a->corner(a - 1)).data();
+      proofs_.moves[at] = item->pair->velocity_a.data();
+      proofs_.of_first[at] = of_a ? 1 : -1;
+    }
     kernel_(proofs_, static_cast<int>(count));
     std::size_t left = 0;
     for (std::size_t at = 0; at < count; ++at) {

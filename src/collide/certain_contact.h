@@ -60,7 +60,6 @@ class CertainContacts {
 
   void ask(Item& item, float guess, bool comes_in);
   void prove();
-  void put(const Ask& ask, std::size_t at);
   bool settle(Ask& ask, std::size_t at);
   void accept(const Ask& ask, bool before, double time) const;
 

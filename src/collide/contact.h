@@ -1,10 +1,14 @@
 #pragma once
+#include <cstdint>
 #include <span>
+#include <utility>
 
 #include "geom/hit_interval.h"
 #include "geom/ray.h"
 
 namespace flatray {
+
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>;  ///< numbers of two, the lower first
 
 /// All points within `radius` of a convex polygon, segment or point that moves: vertex + t *
 /// velocity. A disc is a point with a radius, a capsule a segment with one.

@@ -115,9 +115,16 @@ class Block {
   void run(std::span<const MovingPair> pairs, std::span<Contact> contacts) {
     static constexpr std::array<Contact, kBlock> kMisses = {};
     std::copy_n(kMisses.begin(), pairs.size(), contacts.begin());
-    look(pairs);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < near_count_; ++k) {
+    static_assert(sizeof(Box) == 4 * sizeof(double));
+    const pairs::Moves asked = {&pairs[0].a, pairs[0].velocity_a.data(), sizeof(MovingPair)};
+    kernels_.cull_boxes(bodies_.boxes().data()->centre.data(), within_.high, asked,
+                        static_cast<int>(pairs.size()), seen_.data());
+    std::size_t near_count = 0, count = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      near_[near_count] = i;
+      near_count += seen_[i] > 0 ? 1 : 0;
+    }
+    for (std::size_t k = 0; k < near_count; ++k) {
       const std::size_t i = near_[k];
       near_[count] = i;
       if (is_usual(bodies_, pairs[i], guessed_[count]))
@@ -140,25 +147,11 @@ class Block {
   }
 
  private:
-  // Notes the pairs whose boxes may meet.
-  void look(std::span<const MovingPair> pairs) {
-    static_assert(sizeof(Box) == 4 * sizeof(double));
-    const pairs::Moves asked = {&pairs[0].a, pairs[0].velocity_a.data(), sizeof(MovingPair)};
-    kernels_.cull_boxes(bodies_.boxes().data()->centre.data(), within_.high, asked,
-                        static_cast<int>(pairs.size()), seen_.data());
-    near_count_ = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      near_[near_count_] = i;
-      near_count_ += seen_[i] > 0 ? 1 : 0;
-    }
-  }
-
   const BodySet& bodies_;
   const Range within_;
   const pairs::Kernels& kernels_;
   CertainContacts certain_;
   std::array<double, kBlock> seen_;
-  std::size_t near_count_ = 0;
   std::array<std::size_t, kBlock + 1> near_;
   std::array<pairs::Approach, kBlock> guessed_;
   std::array<pairs::Candidates, kBlock> guesses_;

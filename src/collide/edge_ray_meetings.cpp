@@ -62,7 +62,7 @@ Result<std::vector<Meeting>> find_edge_ray_meetings(const Timeline& timeline, un
   constexpr std::size_t most = MeetingLimits().meetings;
   std::vector<bool> resting;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) resting.push_back(rests(scene, i));
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<MeetingPart>> found;
+  std::map<IndexPair, std::vector<MeetingPart>> found;
   for (unsigned frame = 1; frame <= last_frame; ++frame) {
     const std::vector<EntityState> states = entity_states(timeline, frame);
     std::vector<Bounds> boxes;

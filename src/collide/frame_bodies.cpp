@@ -89,7 +89,7 @@ Bounds FrameBodies::box_of(std::uint32_t entity) const {
   return {box.low - rounding, box.high + rounding};
 }
 
-std::vector<MeetingPart> FrameBodies::meet(const Pair& pair) const {
+std::vector<MeetingPart> FrameBodies::meet(const IndexPair& pair) const {
   const auto top = outline_ == Outline::own  // boxes stand upright in the world
                        ? moving_group_of_both(scene_, pair.first, pair.second)
                        : std::nullopt;
@@ -107,7 +107,7 @@ std::vector<MeetingPart> FrameBodies::meet(const Pair& pair) const {
   return met;
 }
 
-void FrameBodies::add_meetings(const Pair& pair, std::optional<std::uint32_t> top, double from,
+void FrameBodies::add_meetings(const IndexPair& pair, std::optional<std::uint32_t> top, double from,
                                double to, std::vector<MeetingPart>& met) const {
   const auto carried = [&](std::uint32_t entity) {
     return CarriedShape{shape(entity), motion_.between(entity, top, frame_, from, to)};

@@ -1,5 +1,4 @@
 #pragma once
-#include <utility>
 #include <vector>
 
 #include "anim/rigid_motion.h"
@@ -10,8 +9,6 @@ namespace flatray {
 /// The bodies of a scene from one frame to the next, along their true motion.
 class FrameBodies {
  public:
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
   /// Needs   what entities look like in the frame and where they are in the next; all outlive it.
   ///         Not the last frame of the timeline.
   FrameBodies(const Timeline& timeline, Outline outline, unsigned frame,
@@ -20,20 +17,20 @@ class FrameBodies {
   /// Bodies of those that go straight from frame to frame: t counts frames.
   std::span<const MovingShape> straight() const { return straight_; }
   /// Whether both do, and it is their own outlines that meet.
-  bool are_straight(const Pair& pair) const {
+  bool are_straight(const IndexPair& pair) const {
     return outline_ == Outline::own && goes_straight_[pair.first] && goes_straight_[pair.second];
   }
   /// A box around each on its way.
   std::vector<Bounds> boxes() const;
 
   /// Times in seconds from frame 1 in which two meet.
-  std::vector<MeetingPart> meet(const Pair& pair) const;
+  std::vector<MeetingPart> meet(const IndexPair& pair) const;
   /// What shapes_meet() tells of two, in such times.
   std::vector<MeetingPart> in_seconds(std::vector<MeetingPart> parts) const;
 
  private:
   Bounds box_of(std::uint32_t entity) const;
-  void add_meetings(const Pair& pair, std::optional<std::uint32_t> top, double from, double to,
+  void add_meetings(const IndexPair& pair, std::optional<std::uint32_t> top, double from, double to,
                     std::vector<MeetingPart>& met) const;
   const Shape* shape(std::uint32_t entity) const;
 

@@ -68,7 +68,7 @@ std::optional<Changes> Instants::respond(std::span<const Hit> hits, double time)
 // Whether none of these comes nearer all the same.
 bool Instants::stop(std::span<const Hit> hits, Players& players, double time) {
   for (const Hit& hit : hits)
-    for (const auto& [body, other] : {hit.pair, BodyPair(hit.pair.second, hit.pair.first)})
+    for (const auto& [body, other] : {hit.pair, IndexPair(hit.pair.second, hit.pair.first)})
       if (!is_mark(hit.pair) && does(body, Response::stop) && is_fixed(other))
         held_[body].push_back({hit.touches.front(), time});
   for (auto& [body, player] : players) {

@@ -42,7 +42,7 @@ class Instants {
   bool is_fixed(std::uint32_t body) const { return bodies_[body].mass == kInfinity; }
   /// What nothing moves is a wall to all, whatever it would do itself, but for what needs no motion.
   bool does(std::uint32_t body, Response response) const;
-  bool is_mark(const BodyPair& pair) const {
+  bool is_mark(const IndexPair& pair) const {
     return does(pair.first, Response::mark) || does(pair.second, Response::mark);
   }
 

@@ -82,8 +82,6 @@ class Search {
   }
 
  private:
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
   // What keeps its velocity, from the first frame to the last.
   void whole_time(unsigned last_frame) {
     const std::vector<EntityState> states = entity_states(timeline_, 1);
@@ -99,7 +97,7 @@ class Search {
                           ? swept(shape_bounds(*body.shape, body.place), body.velocity, within.high)
                           : Bounds{});
     }
-    each_batch(boxes, rests_, [&](const std::vector<Pair>& pairs) {
+    each_batch(boxes, rests_, [&](const std::vector<IndexPair>& pairs) {
       add(pairs, pairs_meet(bodies, pairs, within, threads_, outline_));
     });
   }
@@ -108,9 +106,9 @@ class Search {
   void one_frame(unsigned frame, const std::vector<EntityState>& now,
                  const std::vector<EntityState>& next) {
     const FrameBodies bodies(timeline_, outline_, frame, now, next);
-    each_batch(bodies.boxes(), straight_, [&](const std::vector<Pair>& pairs) {
-      std::vector<Pair> together, others;
-      for (const Pair& pair : pairs)
+    each_batch(bodies.boxes(), straight_, [&](const std::vector<IndexPair>& pairs) {
+      std::vector<IndexPair> together, others;
+      for (const IndexPair& pair : pairs)
         (bodies.are_straight(pair) ? together : others).push_back(pair);
       auto straight = pairs_meet(bodies.straight(), together, {0, 1}, threads_);
       for (std::vector<MeetingPart>& parts : straight) parts = bodies.in_seconds(std::move(parts));
@@ -135,7 +133,7 @@ class Search {
             fmt::format("{} pairs of entities whose boxes meet in one frame", limits_.pairs));
       return !refused_;
     });
-    std::vector<Pair> batch;
+    std::vector<IndexPair> batch;
     const std::size_t most = std::max<std::size_t>(1 << 16, 4 * boxes.size());
     if (refused_) return;
     each_overlap(boxes, left_out, [&](std::uint32_t a, std::uint32_t b) {
@@ -148,13 +146,13 @@ class Search {
     if (!refused_) ask(batch);
   }
 
-  void add(const std::vector<Pair>& pairs, const std::vector<std::vector<MeetingPart>>& met) {
+  void add(const std::vector<IndexPair>& pairs, const std::vector<std::vector<MeetingPart>>& met) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       for (const MeetingPart& part : met[i]) add(pairs[i], part);
   }
 
   // In the order of time; what goes on from one frame to the next is one part.
-  void add(const Pair& pair, const MeetingPart& part) {
+  void add(const IndexPair& pair, const MeetingPart& part) {
     std::vector<MeetingPart>& parts = parts_[pair];
     if (parts.empty() || part.times.low > parts.back().times.high) {
       parts.push_back(part);
@@ -172,7 +170,7 @@ class Search {
   const unsigned threads_;
   const MeetingLimits limits_;
   std::vector<bool> straight_, rests_;
-  std::map<Pair, std::vector<MeetingPart>> parts_;
+  std::map<IndexPair, std::vector<MeetingPart>> parts_;
   std::size_t count_ = 0;  // of them
   std::optional<Diagnostic> refused_;
 };

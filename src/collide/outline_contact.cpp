@@ -210,14 +210,13 @@ void extend(MeetingPart& last, const MeetingPart& next) {
 std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b, Range within,
                                      Outline outline) {
   const MovingShape both[] = {a, b};
-  const std::pair<std::uint32_t, std::uint32_t> pair(0, 1);
+  const IndexPair pair(0, 1);
   return pairs_meet(both, {&pair, 1}, within, 1, outline)[0];
 }
 
-std::vector<std::vector<MeetingPart>> pairs_meet(
-    std::span<const MovingShape> bodies,
-    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads,
-    Outline outline) {
+std::vector<std::vector<MeetingPart>> pairs_meet(std::span<const MovingShape> bodies,
+                                                 std::span<const IndexPair> pairs, Range within,
+                                                 unsigned threads, Outline outline) {
   ReadyBodies ready(bodies, outline);
   for (const auto& [a, b] : pairs) ready.add(a, b);
   ready.ask(within, threads);

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "anim/frame_state.h"
@@ -83,11 +82,10 @@ std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b,
 
 /// The same of each of many pairs of bodies.
 ///
-/// Needs   pairs of numbers of bodies.
+/// Needs   pairs of numbers of bodies, in any order.
 /// Cost    each body is made ready once, and all are asked together, contact_batch.h.
-std::vector<std::vector<MeetingPart>> pairs_meet(
-    std::span<const MovingShape> bodies,
-    std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, Range within, unsigned threads,
-    Outline outline = Outline::own);
+std::vector<std::vector<MeetingPart>> pairs_meet(std::span<const MovingShape> bodies,
+                                                 std::span<const IndexPair> pairs, Range within,
+                                                 unsigned threads, Outline outline = Outline::own);
 
 }  // namespace flatray

@@ -53,7 +53,7 @@ class Run {
     const double usual = sizes / speeds;
     length_ = usual > 0 && usual < kInfinity && search == PairSearch::near ? usual : end;
     open_near();
-    each_pair([&](const BodyPair& pair) {
+    each_pair([&](const IndexPair& pair) {
       if (instants_.is_fixed(pair.first) && instants_.is_fixed(pair.second)) return;
       if (pairs_.least_wait(pair, 0, end_) != 0.0 || !pairs_.overlap(pair, 0)) return;
       overlaps_.push_back(pair);
@@ -93,7 +93,7 @@ class Run {
     const double begin = std::max(while_from_, 0.0), next = begin + length_;
     while_to_ = next > begin && next < end_ ? next : end_;
     open_near();
-    each_pair([&](const BodyPair& pair) { foresee(pair); });
+    each_pair([&](const IndexPair& pair) { foresee(pair); });
   }
 
   void open_near() {
@@ -104,7 +104,7 @@ class Run {
 
   template <class Take>
   void each_pair(const Take& take) {
-    near_.each_pair([&](std::uint32_t a, std::uint32_t b) { take(BodyPair{a, b}); });
+    near_.each_pair([&](std::uint32_t a, std::uint32_t b) { take(IndexPair{a, b}); });
   }
 
   // So long that between an eighth and a half of the bodies meet something in it.
@@ -177,12 +177,12 @@ class Run {
 
   // Since when neither of a pair has changed its way: from there their meeting is seen, however late
   // it is looked for.
-  double seen_from(const BodyPair& pair) const {
+  double seen_from(const IndexPair& pair) const {
     return std::max(stages_[pair.first].back().from, stages_[pair.second].back().from);
   }
 
   // What comes after the while is left to a later one.
-  void foresee(const BodyPair& pair) {
+  void foresee(const IndexPair& pair) {
     const auto [a, b] = pair;
     if ((instants_.is_fixed(a) && instants_.is_fixed(b)) || is_gone(a) || is_gone(b)) return;
     const double time = std::max(seen_from(pair), while_from_);
@@ -195,7 +195,7 @@ class Run {
 
   // Most pairs have changed their ways before it comes to that.
   void look_closely(Prospect prospect) {
-    const BodyPair pair = prospect.hit.pair;
+    const IndexPair pair = prospect.hit.pair;
     const double from = seen_from(pair);
     std::optional<Hit> met = pairs_.meeting(pair, from, end_, left_alone_.count(pair) > 0);
     if (!met) return;
@@ -235,8 +235,8 @@ class Run {
   std::vector<Tally> tallies_;
   std::optional<Hit> accumulates_;  // when, and whose
   std::vector<std::uint32_t> responding_;
-  std::vector<BodyPair> overlaps_;  // at time 0
-  std::set<BodyPair> left_alone_;   // marks and what they lie in
+  std::vector<IndexPair> overlaps_;  // at time 0
+  std::set<IndexPair> left_alone_;   // marks and what they lie in
   std::priority_queue<Prospect> ahead_;
 };
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "anim/timeline.h"
@@ -26,8 +25,8 @@ struct Simulation : Responses {
   std::size_t crowd = 0;     ///< contacts at `jam` that were too many to find one; 0: few enough
   double until = kInfinity;  ///< time of the first event that is not told
   double jam = kInfinity;  ///< when there is no way out; later than `until`, about: hits accumulate
-  std::pair<std::uint32_t, std::uint32_t> untold{0, 0};           ///< whose that is
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;  ///< in each other at time 0
+  IndexPair untold{0, 0};  ///< whose that is
+  std::vector<IndexPair> overlaps;  ///< in each other at time 0
 };
 
 /// Events at one time after which bodies count as jammed, for each body.
