@@ -91,35 +91,26 @@ void find_candidates(const Ray& ray, std::span<const Segment> walls,
   std::erase_if(candidates, [&](const Candidate& each) { return each.low > first; });
 }
 
-Reach reach_of(const Arc& arc) {
-  const Ellipse& curve = arc.curve;
-  const auto length = [&](const Vec2& to, const Vec2& from) {
-    const Point p = wide(to), q = wide(from);
-    return length_above(p.x - q.x, p.y - q.y);
-  };
-  const Vec2 none(0, 0);
-  Reach reach{curve.centre, 0, curve.is_circle() && arc.extent == Arc::Extent::whole};
-  reach.radius = curve.is_circle()
-                     ? static_cast<Long>(curve.u.x())
-                     : (length(curve.u, none) + length(curve.v, none)) * (1 + kRounding * 4);
-  if (arc.extent == Arc::Extent::between)
-    for (const Vec2& end : {arc.from, arc.to})
-      reach.radius = std::max(reach.radius, length(end, curve.centre));
+// So that all points are within.
+static Reach around(Reach reach, std::span<const Vec2> points) {
+  const Point from = wide(reach.centre);
+  for (const Vec2& p : points)
+    reach.radius = std::max(reach.radius, length_above(wide(p).x - from.x, wide(p).y - from.y));
   return reach;
 }
-
-static Reach reach_around(std::span<const Vec2> points) {
-  Reach reach{points.front(), 0, false};
-  for (const Vec2& p : points) {
-    const Point to = wide(p), from = wide(reach.centre);
-    reach.radius = std::max(reach.radius, length_above(to.x - from.x, to.y - from.y));
-  }
-  return reach;
+Reach reach_of(const Arc& arc) {
+  const auto& [centre, u, v] = arc.curve;
+  const Point a = wide(u), b = wide(v);
+  if (arc.curve.is_circle() && arc.extent == Arc::Extent::whole) return {centre, a.x, true};
+  const Long sum = arc.curve.is_circle() ? a.x : length_above(a.x, a.y) + length_above(b.x, b.y);
+  const Reach whole{centre, sum * (1 + kRounding * 4)};
+  return arc.extent == Arc::Extent::between ? around(whole, std::array{arc.from, arc.to}) : whole;
 }
 Reach reach_of(const Bezier& curve) {
-  return reach_around({curve.points.data(), static_cast<std::size_t>(curve.degree) + 1});
+  return around({curve.points[0]},
+                std::span(curve.points).first(static_cast<std::size_t>(curve.degree) + 1));
 }
-Reach reach_of(const Segment& wall) { return reach_around(std::array{wall.a, wall.b}); }
+Reach reach_of(const Segment& wall) { return around({wall.a}, std::array{wall.b}); }
 
 // With w from the start to the centre, all of a disc lies where t d.d is between d.w - r |d| and
 // d.w + r |d|, and nowhere if |d x w| is more than r |d|.

@@ -65,24 +65,22 @@ int part_of_turn(Sign turn, Sign ahead) {
   return turn == Sign::positive ? 1 : 3;
 }
 
+PlaceOn place_of(Sign inside) {
+  return inside == Sign::zero       ? PlaceOn::at_end
+         : inside == Sign::positive ? PlaceOn::inner
+                                    : PlaceOn::outside;
+}
+
 PlaceOn place_in(const Arc& arc, const Moving& point) {
   if (arc.extent == Arc::Extent::whole) return PlaceOn::inner;
-  if (arc.extent == Arc::Extent::half) {
-    const Sign ahead = point.ahead(exact(arc.from));
-    return ahead == Sign::zero       ? PlaceOn::at_end
-           : ahead == Sign::positive ? PlaceOn::inner
-                                     : PlaceOn::outside;
-  }
+  if (arc.extent == Arc::Extent::half) return place_of(point.ahead(exact(arc.from)));
   const Point centre = exact(arc.curve.centre);
   const Point from = exact(arc.from) - centre, to = exact(arc.to) - centre;
   const int part = part_of_turn(point.turn(from), point.ahead(from));
   const int last = part_of_turn(cross(from, to).sign(), dot(from, to).sign());
   if (part == 0) return PlaceOn::at_end;
   if (part != last) return part < last ? PlaceOn::inner : PlaceOn::outside;
-  const Sign past = part == 2 ? Sign::zero : point.turn(to);
-  return past == Sign::zero       ? PlaceOn::at_end
-         : past == Sign::negative ? PlaceOn::inner
-                                  : PlaceOn::outside;
+  return place_of(part == 2 ? Sign::zero : -point.turn(to));
 }
 
 // A ray and an arc as seen from its centre.
@@ -111,30 +109,21 @@ class Meetings {
     if (t.sign() == Sign::negative || (best_ && best_->t < t)) return;
     best_ = Meeting{std::move(t), kind, root, at_end};
   }
-  PlaceOn place(const Surd& t) const { return place_in(arc_, Moving{from_, way_, t}); }
+  void offer_on_curve(const Surd& t, HitClass kind, Root root) {
+    const PlaceOn there = place_in(arc_, Moving{from_, way_, t});
+    if (there != PlaceOn::outside) offer(t, kind, root, there == PlaceOn::at_end);
+  }
 
   void offer_point() {
-    if (frame_.side(from_) != Sign::zero) return;
-    const PlaceOn there = place({});
-    if (there != PlaceOn::outside) offer({}, HitClass::touch, Root::none, there == PlaceOn::at_end);
+    if (frame_.side(from_) == Sign::zero) offer_on_curve({}, HitClass::touch, Root::none);
   }
 
   void offer_roots() {
     const auto [foot, chord] = chord_of(frame_, from_, way_);
-    if (chord.sign() == Sign::negative) return;
-    if (chord.sign() == Sign::zero) {
-      const Surd t{foot, 0, 0};
-      const PlaceOn there = place(t);
-      if (there != PlaceOn::outside)
-        offer(t, HitClass::touch, Root::both, there == PlaceOn::at_end);
-      return;
-    }
-    for (const int way : {1, -1}) {
-      const Surd t{foot, way, chord};
-      const PlaceOn there = place(t);
-      if (there != PlaceOn::outside)
-        offer(t, HitClass::through, way < 0 ? Root::first : Root::second, there == PlaceOn::at_end);
-    }
+    if (chord == 0) return offer_on_curve({foot}, HitClass::touch, Root::both);
+    if (chord < 0) return;
+    offer_on_curve({foot, 1, chord}, HitClass::through, Root::second);
+    offer_on_curve({foot, -1, chord}, HitClass::through, Root::first);
   }
 
   // Where the ray meets what joins an end, off the curve, to the curve: the points s `end` from

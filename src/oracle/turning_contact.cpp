@@ -55,22 +55,21 @@ Number power_sum(const std::array<double, 4>& c, const Number& t) {
 }
 
 template <class Number>
+Pair<Number> turned(const Angle<Number>& by, const Pair<Number>& p) {
+  return {by.cos * p.x - by.sin * p.y, by.sin * p.x + by.cos * p.y};
+}
+
+template <class Number>
 RingOf<Number> at_time(const TurningCore& body, const Vec2& origin, const Number& t) {
   const auto n = [&t](double x) { return as(x, t); };
-  const Angle<Number> turned =
+  const auto angle =
       turn(power_sum({body.angle, body.spin, body.angle_bends[0], body.angle_bends[1]}, t));
-  Number x = n(body.at.x()) - n(origin.x()) + t * n(body.velocity.x());
-  Number y = n(body.at.y()) - n(origin.y()) + t * n(body.velocity.y());
-  for (const CoreSwing& swing : body.swings) {
-    const Angle<Number> by = turn(power_sum(swing.angle, t));
-    const Number p = power_sum(swing.x, t), q = power_sum(swing.y, t);
-    x += by.cos * p - by.sin * q;
-    y += by.sin * p + by.cos * q;
-  }
+  Pair<Number> at = pair_of(n, body.at) - pair_of(n, origin) + t * pair_of(n, body.velocity);
+  for (const CoreSwing& swing : body.swings)
+    at = at + turned(turn(power_sum(swing.angle, t)),
+                     Pair<Number>{power_sum(swing.x, t), power_sum(swing.y, t)});
   RingOf<Number> ring;
-  for (const Vec2& p : body.ring)
-    ring.push_back({x + turned.cos * n(p.x()) - turned.sin * n(p.y()),
-                    y + turned.sin * n(p.x()) + turned.cos * n(p.y())});
+  for (const Vec2& p : body.ring) ring.push_back(at + turned(angle, pair_of(n, p)));
   return ring;
 }
 
@@ -105,11 +104,10 @@ bool sides_cross(const RingOf<Number>& a, const RingOf<Number>& b) {
 
 template <class Number>
 bool cores_meet(const RingOf<Number>& a, const RingOf<Number>& b) {
-  for (const auto& p : a)
-    if (holds(b, p)) return true;
-  for (const auto& p : b)
-    if (holds(a, p)) return true;
-  return sides_cross(a, b);
+  const auto holds_any = [](const auto& ring, const auto& points) {
+    return std::any_of(points.begin(), points.end(), [&](const auto& p) { return holds(ring, p); });
+  };
+  return holds_any(b, a) || holds_any(a, b) || sides_cross(a, b);
 }
 
 double distance(const TurningCore& a, const TurningCore& b, double t) {
