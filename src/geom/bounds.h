@@ -16,6 +16,10 @@ struct Bounds {
     low = low.cwiseMin(other.low);
     high = high.cwiseMax(other.high);
   }
+  bool contains(const Vec2& point) const {
+    return low.x() <= point.x() && point.x() <= high.x() && low.y() <= point.y() &&
+           point.y() <= high.y();
+  }
   Vec2 size() const { return high - low; }
   Vec2 centre() const { return 0.5 * low + 0.5 * high; }
 };

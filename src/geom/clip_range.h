@@ -47,19 +47,10 @@ inline StartPlace place_of_start(HitClass kind, std::strong_ordering enter,
 }
 
 template <class Time>
-void set_enter(const LineHitOf<Time>& line, HitInterval& hit) {
-  const RoundedTime time = line.enter->nearest();
-  hit.t_enter = time.t;
-  hit.enter_overflows = time.overflows;
-  hit.edge_enter = line.edge_enter;
-}
-
-template <class Time>
-void set_exit(const LineHitOf<Time>& line, HitInterval& hit) {
-  const RoundedTime time = line.exit->nearest();
-  hit.t_exit = time.t;
-  hit.exit_overflows = time.overflows;
-  hit.edge_exit = line.edge_exit;
+void set_end(const Time& time, double& t, bool& overflows) {
+  const RoundedTime rounded = time.nearest();
+  t = rounded.t;
+  overflows = rounded.overflows;
 }
 
 // The class of a part of the line that is not empty, from its ends against those of the range.
@@ -95,8 +86,14 @@ HitInterval clip_to_range(const LineHitOf<Time>& line, Range within) {
   hit.t_enter = within.low;
   hit.t_exit = within.high;
   // On a tie the end of the range stands, without an edge.
-  if (enter_low > 0) clipping::set_enter(line, hit);
-  if (exit_high < 0) clipping::set_exit(line, hit);
+  if (enter_low > 0) {
+    clipping::set_end(*line.enter, hit.t_enter, hit.enter_overflows);
+    hit.edge_enter = line.edge_enter;
+  }
+  if (exit_high < 0) {
+    clipping::set_end(*line.exit, hit.t_exit, hit.exit_overflows);
+    hit.edge_exit = line.edge_exit;
+  }
   return hit;
 }
 

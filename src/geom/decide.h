@@ -2,17 +2,45 @@
 #include <algorithm>
 #include <limits>
 
-#include "geom/bounded.h"
+#include "geom/enclosure.h"
 #include "geom/exact.h"
-#include "geom/quick.h"
+#include "geom/pair.h"
 
 namespace flatray {
 
 /// What makes a double a number of each arithmetic.
 inline constexpr auto kPlain = [](double x) { return x; };
+inline constexpr auto kCounted = [](double x) { return Term<0>{x}; };
+inline constexpr auto kNear = [](double x) { return Near(x); };
 inline constexpr auto kQuick = [](double x) { return Quick(x); };
 inline constexpr auto kBounded = [](double x) { return Bounded(x); };
 inline constexpr auto kRational = [](double x) { return Rational(x); };
+
+#if defined(__x86_64__)
+template <class Work>
+[[gnu::target("fma"), gnu::flatten]] void work_fused(const Work& work) {
+  work();
+}
+inline bool has_fused() { return __builtin_cpu_supports("fma"); }
+#else
+template <class Work>
+void work_fused(const Work& work) {
+  work();
+}
+constexpr bool has_fused() { return true; }
+#endif
+
+/// Does `work`, all of it inlined, with the machine's fused multiplication where it has one; the
+/// bits are the same.
+template <class Work>
+void with_fused(const Work& work) {
+  has_fused() ? work_fused(work) : work();
+}
+
+/// Any point of the box of half sides `reach` about a point.
+inline Pair<Near> within(const Vec2& point, const Vec2& reach) {
+  return {Near::within(point.x(), reach.x()), Near::within(point.y(), reach.y())};
+}
 
 /// Sign of formula(number), where number turns a double into the arithmetic to use:
 /// double-doubles with simple bounds, with sharp bounds, the exact rationals, each where those
@@ -40,11 +68,17 @@ double round_once(const Formula& formula) {
   return std::clamp(formula(kRational).nearest(), -largest, largest);
 }
 
-/// (b - a) x (d - c) in the arithmetic of `number`.
-template <class Number>
-auto determinant(const Number& number, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  return (number(b.x()) - number(a.x())) * (number(d.y()) - number(c.y())) -
-         (number(b.y()) - number(a.y())) * (number(d.x()) - number(c.x()));
+/// The same of a formula of two numbers.
+template <class Formula>
+Vec2 round_both(const Formula& formula) {
+  std::optional<Vec2> quick;
+  with_fused([&] {
+    const auto both = formula(kQuick);
+    if (both.x.is_rounded() && both.y.is_rounded()) quick = Vec2(both.x.hi(), both.y.hi());
+  });
+  if (quick) return *quick;
+  return {round_once([&](const auto& number) { return formula(number).x; }),
+          round_once([&](const auto& number) { return formula(number).y; })};
 }
 
 }  // namespace flatray

@@ -5,7 +5,10 @@
 /// ratios seen.
 namespace flatray {
 
-/// Filter of (b - a) x (d - c) = L - R in doubles. Each difference and each product is off by a
+/// One operation on doubles rounds by a factor 1 + e with |e| at most u.
+inline constexpr double kDoubleError = 0x1p-53;
+
+/// Filter of (b - a) x (d - c) = L - R in lanes, as Terms (geom/enclosure.h) has it. Each difference and each product is off by a
 /// factor 1 + e, |e| <= u, so the rounded products l, r are within (3u + O(u^2)) |l|, |r| of L and
 /// R; the last subtraction keeps the sign of l - r. |l - r| > 4u (|l| + |r|) thus proves the sign:
 /// the spare u covers the second-order terms and the rounding of the bound itself.
@@ -14,11 +17,6 @@ inline constexpr double kDetFilter = 0x1p-51;
 /// Below this, |l| + |r| may hide a product that underflowed, which the factors 1 + e do not
 /// describe. At it, two such errors of 2^-1075 are under u^2 (|l| + |r|).
 inline constexpr double kDetFilterLeast = 0x1p-960;
-
-/// A sum of n such differences, added up in doubles, is off by at most (4u + n u (1 + n u)) times
-/// the sum of all |l| + |r|, itself off by a factor 1 + n u: 2u for each u of that covers both
-/// while n < 2^50.
-inline constexpr double kSumFilter = 0x1p-52;
 
 /// One operation on double-doubles loses at most 2^-102 of its result, or of its operands where
 /// they cancel: the neglected product of the low parts is u^2, and no operation rounds more than
@@ -32,8 +30,5 @@ inline constexpr double kUnderflowError = 0x1p-1070;
 /// Products between these lose nothing to two_product: the lowest bit of the tail is 105 below the
 /// highest.
 inline constexpr double kExactProductLeast = 0x1p-960, kExactProductMost = 0x1p1020;
-
-/// Error radii are themselves computed in doubles: up to eight roundings each way.
-inline constexpr double kRadiusInflation = 1 + 0x1p-48;
 
 }  // namespace flatray

@@ -1,6 +1,8 @@
 #pragma once
 #include <cmath>
 
+#include "geom/error_bounds.h"
+
 namespace flatray {
 
 /// An unevaluated sum; `lo` is what rounding to `hi` left out, so |lo| <= ulp(hi) / 2.
@@ -19,6 +21,12 @@ inline DoubleDouble two_sum(double a, double b) {
 inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};
+}
+
+/// Whether it is such a product.
+inline bool is_exact_product(double a, double b) {
+  const double size = std::fabs(a * b);
+  return a == 0 || b == 0 || (size >= kExactProductLeast && size <= kExactProductMost);
 }
 
 }  // namespace flatray

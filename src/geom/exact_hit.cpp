@@ -10,32 +10,17 @@ struct ExactHit::LinearForm {
   Rational constant, slope;
 };
 
-// t = numer / denom as in eq. 3 of the paper. A wall parallel to an axis gives one coordinate
-// without error, where 0 +- an error would need the rationals.
 ExactHit::ExactHit(const Ray& ray, const Segment& wall, Root)
-    : ray_(ray), time_(HitTime::on_line(ray, wall)), form_{0, 0}, from_{0, 0} {
-  const Bounded t = determinant(kBounded, ray.origin, wall.a, wall.a, wall.b) /
-                    determinant(kBounded, Vec2(0, 0), ray.direction, wall.a, wall.b);
-  const auto coordinate = [&](int axis) {
-    if (wall.a[axis] == wall.b[axis]) return Bounded(wall.a[axis]);
-    return Bounded(ray.origin[axis]) + Bounded(ray.direction[axis]) * t;
-  };
-  from_ = {coordinate(0), coordinate(1)};
-}
+    : ray_(ray),
+      time_(HitTime::on_line(ray, wall)),
+      form_{0, 0},
+      from_(line_point(kBounded, ray, wall)) {}
 
-// In the form in which the curve is a circle of radius r: the foot of the perpendicular from the
-// centre to the ray is k d' / d.d with d' = (-d_y, d_x), k = d x w and w = o - c; from there the
-// point lies along the ray, by d / d.d times the root of r^2 d.d - k^2. A form (a, b) of a vector
-// says a u + b v = r times the vector.
 ExactHit::ExactHit(const Ray& ray, const Ellipse& wall, Root root)
     : ray_(ray), time_(HitTime::on_curve(ray, wall, root)), curve_(wall), form_{0, 0}, from_{0, 0} {
-  const auto d = curve_form(kBounded, wall, pair_of(kBounded, ray.direction));
-  const auto w =
-      curve_form(kBounded, wall, pair_of(kBounded, ray.origin) - pair_of(kBounded, wall.centre));
-  const Bounded r = form_size(kBounded, wall), size = dot(d, d), k = cross(d, w);
-  const Bounded length = square_root(r * r * size - k * k), s = root_sign(root);
-  form_ = {(s * d.x * length - k * d.y) / size, (s * d.y * length + k * d.x) / size};
-  from_ = curve_vector(kBounded, wall, form_);
+  const auto point = curve_point(kBounded, ray, wall, root_sign(root));
+  form_ = point.form;
+  from_ = point.from_centre;
 }
 
 ExactHit::ExactHit(const Ray& ray, const Bezier& wall, Root root)

@@ -3,6 +3,18 @@
 
 namespace flatray {
 
+/// The point at which a ray crosses the line through a segment. A wall parallel to an axis gives one
+/// coordinate without error.
+template <class Make>
+auto line_point(const Make& number, const Ray& ray, const Segment& wall) {
+  const auto edge = pair_of(number, wall.b) - pair_of(number, wall.a);
+  const auto d = pair_of(number, ray.direction), o = pair_of(number, ray.origin);
+  const auto t = cross(pair_of(number, wall.a) - o, edge) / cross(d, edge);
+  const bool upright = wall.a.x() == wall.b.x(), level = wall.a.y() == wall.b.y();
+  return Pair<decltype(number(0.0))>{upright ? number(wall.a.x() + 0.0) : o.x + d.x * t,
+                                     level ? number(wall.a.y() + 0.0) : o.y + d.y * t};
+}
+
 /// The point at which a ray arrives at a wall, without rounding: origin + t * direction for the
 /// exact t.
 ///

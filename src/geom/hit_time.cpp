@@ -1,52 +1,20 @@
 #include "geom/hit_time.h"
 
 #include <limits>
-#include <type_traits>
 
 #include "geom/decide.h"
-#include "geom/quick.h"
-#include "geom/quick_quotient.h"
 
 namespace flatray {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-// t = numer / denom on a line, as in eq. 3 of the paper; `Number` is Bounded or Rational.
-template <class Number>
-struct LineTime {
-  Number numer, denom;
-};
-template <class Make, class Number = std::invoke_result_t<Make, double>>
-LineTime<Number> line_time(const Make& number, const Ray& ray, const Vec2& p, const Vec2& from,
-                           const Vec2& to, const Vec2& velocity) {
-  return {determinant(number, ray.origin, p, from, to),
-          determinant(number, velocity, ray.direction, from, to)};
-}
-
-// t = (b +- sqrt(q)) / a on a curve, in the form in which it is a circle.
-template <class Number>
-struct CurveTime {
-  Number a, b, q;
-  Number outside;  // of the origin: the product of the roots, times a
-};
-template <class Make, class Number = std::invoke_result_t<Make, double>>
-CurveTime<Number> curve_time(const Make& number, const Ray& ray, const Ellipse& curve) {
-  const auto d = curve_form(number, curve, pair_of(number, ray.direction));
-  const auto w =
-      curve_form(number, curve, pair_of(number, curve.centre) - pair_of(number, ray.origin));
-  const auto size = form_size(number, curve);
-  const auto r2 = size * size, a = dot(d, d), k = cross(d, w);
-  return {a, dot(d, w), r2 * a - k * k, dot(w, w) - r2};
-}
-
-template <class Make, class Number = std::invoke_result_t<Make, double>>
-Number root_time(const Make& number, const Ray& ray, const Ellipse& curve, int s) {
-  const auto time = curve_time(number, ray, curve);
-  const Number root = s > 0 ? square_root(time.q) : -square_root(time.q);
-  // b and the root may cancel: then the other root and the product of both.
-  if ((time.b.hi() > 0) == (s > 0)) return (time.b + root) / time.a;
-  return time.outside / (time.b - root);
+// As in eq. 3 of the paper.
+template <class Make>
+auto line_time(const Make& number, const Ray& ray, const Vec2& p, const Vec2& from, const Vec2& to,
+               const Vec2& velocity) {
+  return Quotient<decltype(number(0.0))>{determinant(number, ray.origin, p, from, to),
+                                         determinant(number, velocity, ray.direction, from, to)};
 }
 
 }  // namespace
@@ -125,19 +93,17 @@ std::strong_ordering HitTime::compare(double other) const {
   return order(middle);
 }
 
-Bounded HitTime::approximate() const {
-  if (bezier_) return bezier_->time;
-  if (root_ != 0) return root_time(kBounded, ray_, curve(), root_);
-  const auto time = line_time(kBounded, ray_, p_, from_, to_, velocity_);
+template <class Make>
+auto HitTime::in(const Make& number) const -> decltype(number(0.0)) {
+  if (root_ != 0) return curve_time(number, ray_, curve()).root(root_);
+  const auto time = line_time(number, ray_, p_, from_, to_, velocity_);
   return time.numer / time.denom;
 }
 
+Bounded HitTime::approximate() const { return bezier_ ? bezier_->time : in(kBounded); }
+
 HitTime::Exact HitTime::exact() const {
-  if (root_ == 0) {
-    auto time = line_time(kRational, ray_, p_, from_, to_, velocity_);
-    if (time.denom.sign() == Sign::negative) return {-time.numer, 0, 0, -time.denom};
-    return {std::move(time.numer), 0, 0, std::move(time.denom)};
-  }
+  if (root_ == 0) return exact_of(line_time(kRational, ray_, p_, from_, to_, velocity_));
   auto time = curve_time(kRational, ray_, curve());
   const int s = time.q.sign() == Sign::zero ? 0 : root_;
   return {std::move(time.b), s, std::move(time.q), std::move(time.a)};
@@ -161,12 +127,9 @@ RealRoot HitTime::algebraic() const {
 }
 
 RoundedTime HitTime::nearest() const {
-  if (root_ == 0 && !bezier_) {
-    const double t = quick_quotient(ray_.origin, p_, velocity_, ray_.direction, from_, to_);
-    if (!std::isnan(t)) return {t, false};
-  } else if (root_ != 0) {
+  if (!bezier_) {
     std::optional<double> t;
-    with_fused([&] { t = root_time(kQuick, ray_, curve(), root_).nearest(); });
+    with_fused([&] { t = in(kQuick).nearest(); });
     if (t) return {*t, false};
   }
   const auto rounded = approximate().nearest();
@@ -211,9 +174,8 @@ std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {
     const Vec2 across = std::fabs(ray.direction.x()) > 0 ? Vec2(0, 1) : Vec2(1, 0);
     return SegmentHit{Place::at_a, HitTime::on_line(ray, segment.a, Vec2(0, 0), across)};
   }
-  if (a != Sign::zero && b != Sign::zero)
-    return SegmentHit{Place::inner, HitTime::on_line(ray, segment)};
-  return SegmentHit{a == Sign::zero ? Place::at_a : Place::at_b, HitTime::on_line(ray, segment)};
+  const Place place = a == Sign::zero ? Place::at_a : b == Sign::zero ? Place::at_b : Place::inner;
+  return SegmentHit{place, HitTime::on_line(ray, segment)};
 }
 
 std::optional<CurveHit> hit_curve(const Ray& ray, const Ellipse& curve) {

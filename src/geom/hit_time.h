@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "geom/bounded.h"
+#include "geom/enclosure.h"
 #include "geom/exact.h"
 #include "geom/primitives/arc.h"
 #include "geom/primitives/bezier.h"
@@ -61,12 +61,18 @@ class HitTime {
     int s;
     Rational q, a;
   };
+  static Exact exact_of(Quotient<Rational> time) {
+    if (time.denom.sign() == Sign::negative) return {-time.numer, 0, 0, -time.denom};
+    return {std::move(time.numer), 0, 0, std::move(time.denom)};
+  }
   Exact exact() const;  ///< Needs a line or an ellipse.
   /// As a root of a polynomial: of any curve.
   RealRoot algebraic() const;
 
  private:
   friend std::strong_ordering compare(const HitTime& a, const HitTime& b);
+  template <class Make>
+  auto in(const Make& number) const -> decltype(number(0.0));  // but on a Bezier curve
   Bounded approximate() const;
   Sign denominator() const;  // of a line
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "geom/vec.h"
 
 namespace flatray {
@@ -7,19 +9,34 @@ namespace flatray {
 template <class Number>
 struct Pair {
   Number x, y;
-
-  friend Pair operator+(const Pair& a, const Pair& b) { return {a.x + b.x, a.y + b.y}; }
-  friend Pair operator-(const Pair& a, const Pair& b) { return {a.x - b.x, a.y - b.y}; }
-  friend Pair operator*(const Number& a, const Pair& b) { return {a * b.x, a * b.y}; }
 };
 
+/// A number as numer / denom, in any arithmetic.
 template <class Number>
-Number dot(const Pair<Number>& a, const Pair<Number>& b) {
+struct Quotient {
+  Number numer, denom;
+};
+
+template <class A, class B>
+auto operator+(const Pair<A>& a, const Pair<B>& b) -> Pair<decltype(a.x + b.x)> {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class A, class B>
+auto operator-(const Pair<A>& a, const Pair<B>& b) -> Pair<decltype(a.x - b.x)> {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class Number>
+Pair<Number> operator*(const std::type_identity_t<Number>& a, const Pair<Number>& b) {
+  return {a * b.x, a * b.y};
+}
+
+template <class A, class B>
+auto dot(const Pair<A>& a, const Pair<B>& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-template <class Number>
-Number cross(const Pair<Number>& a, const Pair<Number>& b) {
+template <class A, class B>
+auto cross(const Pair<A>& a, const Pair<B>& b) {
   return a.x * b.y - a.y * b.x;
 }
 
@@ -27,6 +44,12 @@ Number cross(const Pair<Number>& a, const Pair<Number>& b) {
 template <class Make>
 auto pair_of(const Make& number, const Vec2& v) {
   return Pair<decltype(number(0.0))>{number(v.x()), number(v.y())};
+}
+
+/// (b - a) x (d - c) in the arithmetic of `number`.
+template <class Make>
+auto determinant(const Make& number, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return cross(pair_of(number, b) - pair_of(number, a), pair_of(number, d) - pair_of(number, c));
 }
 
 }  // namespace flatray

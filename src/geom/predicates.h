@@ -1,38 +1,17 @@
 #pragma once
-#include <cmath>
-#include <compare>
-#include <cstdint>
-
-#include "geom/error_bounds.h"
+#include "geom/enclosure.h"
+#include "geom/pair.h"
 #include "geom/ray.h"
 
 namespace flatray {
-
-enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
-
-inline Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
-inline Sign operator*(Sign a, Sign b) {
-  return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
-}
-inline Sign sign_of(std::strong_ordering order) {
-  return order > 0 ? Sign::positive : order < 0 ? Sign::negative : Sign::zero;
-}
-inline std::strong_ordering order(Sign s) { return static_cast<int>(s) <=> 0; }
-inline Sign sign_of(double x) {
-  return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
-}
 
 /// What cross_sign gives where its filter could not tell.
 Sign uncertain_cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
 /// Sign of (b - a) x (d - c), which the others are made of. Exact for all finite doubles.
 inline Sign cross_sign(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const double left = (b.x() - a.x()) * (d.y() - c.y());
-  const double right = (b.y() - a.y()) * (d.x() - c.x());
-  const double size = std::fabs(left) + std::fabs(right), difference = left - right;
-  // An overflow makes `size` infinite or NaN, and no comparison holds.
-  if (size >= kDetFilterLeast && std::fabs(difference) > kDetFilter * size)
-    return sign_of(difference);
+  const Sign sign = determinant([](double x) { return Term<0>{x}; }, a, b, c, d).sure_sign();
+  if (sign != Sign::zero) return sign;
   return uncertain_cross_sign(a, b, c, d);
 }
 

@@ -1,103 +1,73 @@
 #include "geom/quick_hit.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "geom/decide.h"
 
 namespace flatray {
 namespace {
 
-constexpr double kGradientScale = 0x1p500, kLeastStep = 0x1p-1000;
-// Beyond these a gradient, or its product with a step, might not be sound.
-constexpr double kMost = 0x1p300, kLeast = 0x1p-300;
+// Beyond these, steps of some ulps times sizes would underflow, or sizes overflow.
+constexpr double kLeast = 0x1p-450, kMost = 0x1p450;
 
-Pair<Quick> way(const Vec2& from, const Vec2& to) {
-  return {Quick::difference(to.x(), from.x()), Quick::difference(to.y(), from.y())};
-}
-
-void place(QuickHit& hit, const Quick& x, const Quick& y) {
-  hit.nearest = Vec2(x.hi(), y.hi());  // never -0
-  hit.rest = Vec2(x.lo(), y.lo());
-  hit.error = Vec2(x.error(), y.error());
-}
-
-bool is_sound(const Vec2& gradient) {
-  const double size = std::max(std::fabs(gradient.x()), std::fabs(gradient.y()));
+bool is_sound(const Quick& x, const Quick& y) {
+  const double size = std::max(x.size(), y.size());
   return size > kLeast && size < kMost;
 }
 
-void hit_line(const Ray& ray, const Segment& wall, QuickHit& hit) {
-  const Pair<Quick> edge = way(wall.a, wall.b), start = way(ray.origin, wall.a);
-  const Vec2& d = ray.direction;
-  const Quick t = cross(start, edge) / (edge.y * d.x() - edge.x * d.y());
-  const bool upright = wall.a.x() == wall.b.x(), level = wall.a.y() == wall.b.y();
-  const Quick x = upright ? Quick(wall.a.x() + 0.0) : t * d.x() + Quick(ray.origin.x());
-  const Quick y = level ? Quick(wall.a.y() + 0.0) : t * d.y() + Quick(ray.origin.y());
-  place(hit, x, y);
-  hit.normal = Vec2(-(wall.b.y() - wall.a.y()), wall.b.x() - wall.a.x());
-  hit.is_normal_certain = true;
-  hit.gradient = Vec2(-edge.y.hi(), edge.x.hi());
-  hit.is_certain = (upright || x.is_rounded()) && (level || y.is_rounded()) &&
-                   is_sound(hit.gradient) && hit.nearest.cwiseAbs().maxCoeff() < kMost;
-  hit.gradient *= kGradientScale;
-  hit.least = upright || level ? 0 : kLeastStep;
+// Its double, and what it is off by.
+Near near(const Quick& x) { return Near::within(x.hi(), x.error() + std::fabs(x.lo())); }
+
+void place(QuickHit& hit, const Quick& x, const Quick& y) {
+  hit.nearest = Vec2(x.hi() + 0.0, y.hi() + 0.0);  // never -0
+  hit.rest = {Near::within(x.lo(), x.error()), Near::within(y.lo(), y.error())};
+  hit.is_certain = x.is_rounded() && y.is_rounded();
 }
 
-// See ExactHit for the formula.
-void hit_curve(const Ray& ray, const Ellipse& wall, int s, QuickHit& hit) {
-  const auto d = curve_form(kQuick, wall, pair_of(kQuick, ray.direction));
-  const auto w = curve_form(kQuick, wall, way(wall.centre, ray.origin));
-  const Quick r = form_size(kQuick, wall), size = dot(d, d), k = cross(d, w);
-  const Quick along = square_root(r * r * size - k * k) * s;
-  const Pair<Quick> form{(d.x * along - k * d.y) / size, (d.y * along + k * d.x) / size};
-  const Pair<Quick> from = curve_vector(kQuick, wall, form),
-                    normal = sized_normal(kQuick, wall, form);
-  hit.bend = wall.is_circle() ? 1 : (wall.u.squaredNorm() + wall.v.squaredNorm()) / r.size();
-  const Quick x = from.x + wall.centre.x(), y = from.y + wall.centre.y();
-  place(hit, x, y);
-  hit.normal = Vec2(normal.x.hi(), normal.y.hi());
-  hit.gradient = r.hi() < 0 ? Vec2(-hit.normal) : hit.normal;
-  hit.is_certain = x.is_rounded() && y.is_rounded() && is_sound(hit.gradient) &&
-                   hit.nearest.cwiseAbs().maxCoeff() < kMost;
-  hit.is_normal_certain = normal.x.is_rounded() && normal.y.is_rounded();
-  hit.gradient *= kGradientScale;
-  hit.gradient_error =
-      kGradientScale * 2 *
-      (normal.x.error() + normal.y.error() + 0x1p-52 * (normal.x.size() + normal.y.size()));
-  hit.bend *= kGradientScale;
-  hit.least = kLeastStep;
-}
-
-// 2 (d.e) e / e.e - d
-Vec2 mirrored(const Vec2& d, const Vec2& e) {
-  const Quick dot = Quick::product(d.x(), e.x()) + Quick::product(d.y(), e.y());
-  const Quick size = Quick::product(e.x(), e.x()) + Quick::product(e.y(), e.y());
-  const Quick twice = dot / size * 2;
-  const Quick x = twice * e.x() - Quick(d.x()), y = twice * e.y() - Quick(d.y());
-  constexpr double kDoubt = std::numeric_limits<double>::quiet_NaN();
-  if (!x.is_rounded() || !y.is_rounded()) return {kDoubt, kDoubt};
-  return {x.hi(), y.hi()};
+Pair<Near> step_from(const QuickHit& hit, const Vec2& point) {
+  return pair_of(kNear, Vec2(point - hit.nearest)) - hit.rest;  // exact but for the rest
 }
 
 }  // namespace
 
 QuickHit quick_hit(const Ray& ray, const Segment& wall, Root) {
   QuickHit hit;
-  with_fused([&] { hit_line(ray, wall, hit); });
+  with_fused([&] {
+    const auto point = line_point(kQuick, ray, wall);
+    place(hit, point.x, point.y);
+  });
+  hit.normal = Vec2(-(wall.b.y() - wall.a.y()), wall.b.x() - wall.a.x());
+  hit.is_normal_certain = true;
   return hit;
 }
 
-QuickHit quick_hit(const Ray& ray, const Ellipse& wall, Root root) {
+QuickHit quick_hit(const Ray& ray, const Arc& wall, Root root) {
+  const Ellipse& curve = wall.curve;
   QuickHit hit;
-  with_fused([&] { hit_curve(ray, wall, root_sign(root), hit); });
+  with_fused([&] {
+    const auto point = curve_point(kQuick, ray, curve, root_sign(root));
+    const auto normal = sized_normal(kQuick, curve, point.form);
+    place(hit, point.from_centre.x + curve.centre.x(), point.from_centre.y + curve.centre.y());
+    hit.form = {near(point.form.x), near(point.form.y)};
+    hit.is_certain = hit.is_certain && is_sound(point.form.x, point.form.y);
+    hit.normal = Vec2(normal.x.hi(), normal.y.hi());
+    hit.is_normal_certain = normal.x.is_rounded() && normal.y.is_rounded();
+  });
   return hit;
 }
 
-Vec2 quick_reflection(const Vec2& direction, const Vec2& along) {
-  Vec2 out;
-  with_fused([&] { out = mirrored(direction, along); });
-  return out;
+// On upright and level walls one difference tells all.
+[[gnu::flatten]] std::optional<Sign> side_by_hit(const Segment& wall, const QuickHit& hit,
+                                                 const Vec2& point) {
+  const Vec2 &a = wall.a, &b = wall.b;
+  if (a.x() == b.x()) return sign_of(b.y() - a.y()) * sign_of(a.x() - point.x());
+  if (a.y() == b.y()) return sign_of(b.x() - a.x()) * sign_of(point.y() - a.y());
+  return cross(pair_of(kNear, b) - pair_of(kNear, a), step_from(hit, point)).sign();
+}
+
+// |f(w + s)|^2 - |f(w)|^2 with the form f, w the exact point seen from the centre and s the step.
+[[gnu::flatten]] std::optional<Sign> side_by_hit(const Arc& wall, const QuickHit& hit,
+                                                 const Vec2& point) {
+  const auto step = curve_form(kNear, wall.curve, step_from(hit, point));
+  return dot(hit.form + hit.form + step, step).sign();
 }
 
 }  // namespace flatray

@@ -9,7 +9,7 @@
 namespace flatray {
 
 /// A real number known to lie within a radius of a midpoint of chosen precision: the arithmetic of
-/// geom/bounded.h for any number of bits.
+/// geom/enclosure.h for any number of bits.
 ///
 /// Gives   where nothing is rounded the radius stays 0. Overflow makes it infinite or NaN: a sign or
 ///         a rounding that is given is right, whatever happens.

@@ -9,7 +9,7 @@
 namespace flatray {
 
 /// A number a + b sqrt(q) without error as long as its formula has no other root, and a ball from
-/// there on: the arithmetic of geom/bounded.h, with an answer to every question of the former.
+/// there on: the arithmetic of geom/enclosure.h, with an answer to every question of the former.
 class Certain {
  public:
   /// With balls of so many bits.

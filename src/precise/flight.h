@@ -28,7 +28,7 @@ struct Prospect {
 /// comes after, and a mirror keeps the length of an error of its direction: between straight walls and
 /// in a circle errors grow as powers of the number of bounces, in bits by its logarithm.
 ///
-/// Needs   Number as geom/bounded.h has it; make(double) gives one without error. Walls that outlive
+/// Needs   Number as geom/enclosure.h has it; make(double) gives one without error. Walls that outlive
 ///         it, a direction that is not zero, a start in no corner. Periodic walls stop only what
 ///         leads out by them.
 /// Gives   what is told is true, whatever the arithmetic.

@@ -13,6 +13,13 @@ namespace {
 constexpr int kReachUlps = 4;
 static_assert(kSearchUlps + 1 < kReachUlps);
 
+template <class Wall>
+bool keeps_to_cone(const Wall& wall, const Vec2& point, PlaceOn cone) {
+  if (cone == PlaceOn::at_end) return true;
+  const PlaceOn place = place_in_cone(wall, point);
+  return place == PlaceOn::at_end || place == cone;
+}
+
 double reach(double x) { return step_ulps(std::fabs(x), kReachUlps) - std::fabs(x); }
 
 }  // namespace
@@ -42,15 +49,6 @@ ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exac
   });
 }
 
-Sign ExactOrigins::side(std::uint32_t surface, const Vec2& point) const {
-  return walls_.visit(surface, [&](const auto& wall) { return side_of(wall, point); });
-}
-
-bool ExactOrigins::stands_on(std::uint32_t surface, const Vec2& point) const {
-  return walls_.visit(surface, [&](const auto& wall) { return place_on(wall, point); }) !=
-         PlaceOn::outside;
-}
-
 // The end of a wall need not be a double, and is not on its own wall then.
 ExactOrigin ExactOrigins::at_end(const Vec2& end, std::uint32_t surface) const {
   ExactOrigin origin{end, walls_at(end)};
@@ -61,23 +59,24 @@ ExactOrigin ExactOrigins::at_end(const Vec2& end, std::uint32_t surface) const {
 }
 
 std::vector<std::uint32_t> ExactOrigins::walls_at(const Vec2& point) const {
-  return cells_.near(point, Vec2(0, 0), [&](std::uint32_t i) { return stands_on(i, point); });
-}
-
-bool ExactOrigins::keeps_to_cone(std::uint32_t surface, const Vec2& point, PlaceOn cone) const {
-  if (cone == PlaceOn::at_end) return true;
-  const PlaceOn place =
-      walls_.visit(surface, [&](const auto& wall) { return place_in_cone(wall, point); });
-  return place == PlaceOn::at_end || place == cone;
+  return cells_.near(point, Vec2(0, 0), [&](std::uint32_t i) {
+    return walls_.visit(i, [&](const auto& wall) { return place_on(wall, point); }) !=
+           PlaceOn::outside;
+  });
 }
 
 bool ExactOrigins::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                              const std::vector<NearWall>& near) const {
-  return side(hit, point) != outer && keeps_to_cone(hit, point, PlaceOn::inner) &&
+  const auto on_own = [&](const auto& wall) {
+    return side_of(wall, point) != outer && keeps_to_cone(wall, point, PlaceOn::inner);
+  };
+  return walls_.visit(hit, on_own) &&
          std::all_of(near.begin(), near.end(), [&](const NearWall& other) {
-           return (other.side == Sign::zero || side(other.surface, point) == other.side) &&
-                  !stands_on(other.surface, point) &&
-                  keeps_to_cone(other.surface, point, other.cone);
+           return walls_.visit(other.surface, [&](const auto& wall) {
+             return (other.side == Sign::zero || side_of(wall, point) == other.side) &&
+                    place_on(wall, point) == PlaceOn::outside &&
+                    keeps_to_cone(wall, point, other.cone);
+           });
          });
 }
 
@@ -87,10 +86,12 @@ std::optional<ExactOrigin> ExactOrigins::quick_after(const Ray& ray, const Neare
   if (!quick.is_certain || !walls_near(quick.nearest, hit.surface).empty()) return std::nullopt;
   const Sign outer = -inner_side(walls_, ray, hit);
   bool doubt = false;
-  const auto point = nearest_double(quick.nearest, [&](const Vec2& candidate) {
-    const std::optional<Sign> side = quick.side(candidate);
-    doubt = !side;
-    return doubt || (*side != outer && keeps_to_cone(hit.surface, candidate, PlaceOn::inner));
+  const auto point = walls_.visit(hit.surface, [&](const auto& wall) {
+    return nearest_double(quick.nearest, [&](const Vec2& candidate) {
+      const std::optional<Sign> side = side_by_hit(wall, quick, candidate);
+      doubt = !side;
+      return doubt || (*side != outer && keeps_to_cone(wall, candidate, PlaceOn::inner));
+    });
   });
   if (doubt || !point) return std::nullopt;
   return ExactOrigin{*point, {}, normal_at(ray, hit, quick)};

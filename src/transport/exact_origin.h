@@ -44,10 +44,7 @@ class ExactOrigins {
   ExactOrigin at_end(const Vec2& end, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                  const std::vector<NearWall>& near) const;
-  bool keeps_to_cone(std::uint32_t surface, const Vec2& point, PlaceOn cone) const;
   NearWall near_wall(std::uint32_t surface, const ExactHit& hit) const;
-  Sign side(std::uint32_t surface, const Vec2& point) const;
-  bool stands_on(std::uint32_t surface, const Vec2& point) const;
 
   const Surfaces& walls_;
   WallCells cells_;

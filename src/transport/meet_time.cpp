@@ -5,12 +5,6 @@
 namespace flatray {
 namespace {
 
-// t = numer / denom.
-template <class Number>
-struct Quotient {
-  Number numer, denom;
-};
-
 template <class Make>
 auto edge_of(const Make& number, const Segment& wall) {
   return pair_of(number, wall.b) - pair_of(number, wall.a);
@@ -37,19 +31,10 @@ auto clock_time(const Make& number, const Mover& mover, double time) {
       number(time) - number(mover.since.hi) - number(mover.since.lo), number(1.0)};
 }
 
-// t = (b +- sqrt(q)) / a.
-template <class Number>
-struct RootTime {
-  Number a, b, q;
-  Number outside;  // the product of the roots, times a
-};
 template <class Make>
 auto circle_time(const Make& number, const Mover& mover, const Leg& leg, const Circle& wall) {
   const auto seen = relative(number, mover, leg, wall.centre);
-  const auto r2 = number(wall.radius) * number(wall.radius), a = dot(seen.velocity, seen.velocity),
-             k = cross(seen.at, seen.velocity);
-  return RootTime<decltype(number(0.0))>{a, -dot(seen.at, seen.velocity), r2 * a - k * k,
-                                         dot(seen.at, seen.at) - r2};
+  return chord_time(seen.velocity, {-seen.at.x, -seen.at.y}, number(wall.radius));
 }
 
 }  // namespace
@@ -134,19 +119,20 @@ MeetTime MeetTime::on_circle(const Mover& mover, const Leg& leg, const Circle& w
   return made;
 }
 
+// But on a circle.
+template <class Make>
+auto MeetTime::in(const Make& number) const {
+  if (kind_ == Kind::clock) return clock_time(number, *mover_, time_);
+  if (kind_ == Kind::line) return line_time(number, *mover_, *leg_, line_);
+  return end_time(number, *mover_, *leg_, line_, kind_ == Kind::end_a ? line_.a : line_.b);
+}
+
 void MeetTime::approximate() {
   if (kind_ == Kind::circle) {
-    const auto time = circle_time(kBounded, *mover_, *leg_, circle_);
-    const Bounded root = root_ > 0 ? square_root(time.q) : -square_root(time.q);
-    // b and the root may cancel: then the other root and the product of both.
-    const bool alike = (time.b.hi() > 0) == (root_ > 0);
-    value_ = alike ? (time.b + root) / time.a : time.outside / (time.b - root);
+    value_ = circle_time(kBounded, *mover_, *leg_, circle_).root(root_);
     return;
   }
-  const auto time = kind_ == Kind::clock  ? clock_time(kBounded, *mover_, time_)
-                    : kind_ == Kind::line ? line_time(kBounded, *mover_, *leg_, line_)
-                                          : end_time(kBounded, *mover_, *leg_, line_,
-                                                     kind_ == Kind::end_a ? line_.a : line_.b);
+  const auto time = in(kBounded);
   value_ = time.numer / time.denom;
 }
 
@@ -155,12 +141,7 @@ HitTime::Exact MeetTime::exact() const {
     auto time = circle_time(kRational, *mover_, *leg_, circle_);
     return {std::move(time.b), root_, std::move(time.q), std::move(time.a)};
   }
-  auto time = kind_ == Kind::clock  ? clock_time(kRational, *mover_, time_)
-              : kind_ == Kind::line ? line_time(kRational, *mover_, *leg_, line_)
-                                    : end_time(kRational, *mover_, *leg_, line_,
-                                               kind_ == Kind::end_a ? line_.a : line_.b);
-  if (time.denom.sign() == Sign::negative) return {-time.numer, 0, 0, -time.denom};
-  return {std::move(time.numer), 0, 0, std::move(time.denom)};
+  return HitTime::exact_of(in(kRational));
 }
 
 Quadratic MeetTime::quadratic() const {

@@ -107,6 +107,8 @@ class MeetTime {
   }
   enum class Kind { clock, line, end_a, end_b, circle };
   MeetTime(Kind kind, const Mover& mover, const Leg* leg);
+  template <class Make>
+  auto in(const Make& number) const;
   void approximate();
   HitTime::Exact exact() const;
   Quadratic quadratic() const;

@@ -151,21 +151,10 @@ class Flight {
     const Vec2 moved = leg.from + elapsed * Vec2(u.x, u.y);
     const double sizes = there.at.lpNorm<1>() + moved.lpNorm<1>() + leg.from.lpNorm<1>() + kSmall +
                          std::fabs(there.since.hi) * (std::fabs(u.x) + std::fabs(u.y) + kSmall);
-    return surfaces().visit_line_or_arc(
-        surface, [&](const auto& wall) { return passes_near(wall, there.at - moved, sizes); });
-  }
-  static bool passes_near(const Segment& wall, const Vec2& at, double sizes) {
-    const double near = kNear * (sizes + wall.a.lpNorm<1>() + wall.b.lpNorm<1>());
-    const Vec2 edge = wall.b - wall.a;
-    const Bounds box = bounds_of(wall);
-    for (int axis = 0; axis < 2; ++axis)
-      if (at[axis] < box.low[axis] - near || at[axis] > box.high[axis] + near) return false;
-    return !(std::fabs(cross(edge / edge.lpNorm<1>(), at - wall.a)) > near);
-  }
-  static bool passes_near(const Arc& wall, const Vec2& at, double sizes) {
-    const auto [centre, radius] = circle_of(wall.curve);
-    const double near = kNear * (sizes + centre.lpNorm<1>() + radius);
-    return !(std::fabs((at - centre).stableNorm() - radius) > near);
+    const Vec2 reach = Vec2::Constant(kNear * sizes);
+    return surfaces().visit(surface, [&](const auto& wall) {
+      return flatray::passes_near(wall, there.at - moved, reach);
+    });
   }
 
   bool may_stand(const Mover& there, const MovingHit& hit,

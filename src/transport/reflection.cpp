@@ -16,11 +16,6 @@ Vec2 scaled(const Vec2& v, int exponent) {
   return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent)};
 }
 
-DoubleDouble add(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble sum = two_sum(a.hi, b.hi);
-  return two_sum(sum.hi, sum.lo + (a.lo + b.lo));
-}
-
 // A normal of a wall as it was met: to the left of a segment, or outward of a circle.
 struct Met {
   std::uint32_t surface;
@@ -55,11 +50,12 @@ Speed::Speed(const Vec2& start)
 
 DoubleDouble Speed::square(const Vec2& direction) const {
   const Vec2 v = near_one(direction);
-  return add(two_product(v.x(), v.x()), two_product(v.y(), v.y()));
+  return DoubleDoubles::sum(two_product(v.x(), v.x()), two_product(v.y(), v.y())).value;
 }
 
 Vec2 Speed::restore(const Vec2& direction) const {
-  const DoubleDouble excess = add(square(direction), {-square_.hi, -square_.lo});
+  const DoubleDouble excess =
+      DoubleDoubles::sum(square(direction), DoubleDoubles::negative(square_)).value;
   const double relative = excess.hi / square_.hi;  // twice that of the length
   if (std::fabs(relative) <= 0x1p-51) return direction;
   return direction - 0.5 * relative * direction;
@@ -105,7 +101,8 @@ double moment_about(const Vec2& centre, const Ray& ray) {
   const DoubleDouble x = two_sum(ray.origin.x(), -centre.x());
   const DoubleDouble y = two_sum(ray.origin.y(), -centre.y());
   const Vec2& d = ray.direction;
-  const DoubleDouble exact = add(two_product(x.hi, d.y()), two_product(-y.hi, d.x()));
+  const DoubleDouble exact =
+      DoubleDoubles::sum(two_product(x.hi, d.y()), two_product(-y.hi, d.x())).value;
   return exact.hi + (exact.lo + (x.lo * d.y() - y.lo * d.x()));
 }
 

@@ -6,7 +6,6 @@
 #include "geom/clip_cases.h"
 #include "geom/exact_hit.h"
 #include "geom/primitives/wall.h"
-#include "geom/quick.h"
 
 namespace flatray {
 namespace {
@@ -18,8 +17,6 @@ Vec2 place(Draw& draw, double offset, double size) {
   const double x = offset + size * signed_number(draw), y = offset - size * signed_number(draw);
   return {x, y};
 }
-
-Sign side_of(const Ellipse& wall, const Vec2& point) { return curve_side(point, wall); }
 
 struct Count {
   int hits = 0, points = 0, normals = 0, sides = 0, asked = 0;
@@ -34,7 +31,7 @@ struct Count {
         Vec2 point = quick.nearest;
         for (int k = 0; k < std::abs(i); ++k) point.x() = std::nextafter(point.x(), i * kInfinity);
         for (int k = 0; k < std::abs(j); ++k) point.y() = std::nextafter(point.y(), j * kInfinity);
-        const auto side = quick.side(point);
+        const auto side = side_by_hit(wall, quick, point);
         ++asked;
         if (!side) continue;
         ++sides;
@@ -77,11 +74,11 @@ TEST(QuickHit, OfACurveIsTheExactPointAndSideOrSaysThatItIsInDoubt) {
     const Vec2 centre = place(draw, family.offset, family.size);
     const Vec2 u = place(draw, 0, family.size), v = place(draw, 0, family.size);
     const bool round = item % 3 == 0;
-    const Ellipse wall =
-        round ? Ellipse(Circle{centre, family.size * (1 + draw.unit())}) : Ellipse(centre, u, v);
+    const Arc wall{round ? Ellipse(Circle{centre, family.size * (1 + draw.unit())})
+                         : Ellipse(centre, u, v)};
     const Ray ray{place(draw, family.offset, family.size), place(draw, 0, 1)};
-    const auto met = hit_curve(ray, wall);
-    if (!met || met->tangent || cross_sign(wall.u, wall.v) == Sign::zero) continue;
+    const auto met = hit_curve(ray, wall.curve);
+    if (!met || met->tangent || cross_sign(u, v) == Sign::zero) continue;
     for (const auto root : {Root::first, Root::second}) {
       const QuickHit quick = quick_hit(ray, wall, root);
       const ExactHit exact(ray, wall, root);
@@ -104,16 +101,12 @@ TEST(QuickHit, KnowsThatAPointIsOnAnUprightOrLevelWall) {
     const Segment upright{{place, -1}, {place, 2}}, level{{2, place}, {-1, place}};
     const QuickHit at_upright = quick_hit({{place + 1, 0.3}, {-1, 0.01}}, upright);
     const QuickHit at_level = quick_hit({{0.3, place + 1}, {0.01, -1}}, level);
-    if (place > 1e299) {
-      EXPECT_FALSE(at_upright.is_certain);
-      continue;
-    }
     ASSERT_TRUE(at_upright.is_certain && at_level.is_certain);
     EXPECT_FALSE(std::signbit(at_upright.nearest.x()));
-    EXPECT_EQ(at_upright.side(at_upright.nearest), Sign::zero);
-    EXPECT_EQ(at_level.side(at_level.nearest), Sign::zero);
-    const Vec2 beside(std::nextafter(place, 2), at_upright.nearest.y());
-    EXPECT_EQ(at_upright.side(beside), Sign::negative);
+    EXPECT_EQ(side_by_hit(upright, at_upright, at_upright.nearest), Sign::zero);
+    EXPECT_EQ(side_by_hit(level, at_level, at_level.nearest), Sign::zero);
+    const Vec2 beside(std::nextafter(place, kInfinity), at_upright.nearest.y());
+    EXPECT_EQ(side_by_hit(upright, at_upright, beside), Sign::negative);
   }
 }
 
@@ -121,8 +114,7 @@ TEST(QuickHit, OfNoSoundNumberIsInDoubt) {
   EXPECT_FALSE(quick_hit({{0, 0}, {1, 0}}, Segment{{1, -1}, {2, -1}}).is_certain);  // parallel
   EXPECT_FALSE(
       quick_hit({{0, 0}, {1e308, 1e308}}, Segment{{1e308, -1e308}, {1e307, 1e308}}).is_certain);
-  EXPECT_FALSE(quick_hit({{0, 2}, {1, 0}}, Circle{{0, 0}, 1}, Root::first).is_certain);
-  EXPECT_TRUE(std::isnan(quick_reflection({1e300, 1}, {1e200, 1e180}).x()));
+  EXPECT_FALSE(quick_hit({{0, 2}, {1, 0}}, Arc{Circle{{0, 0}, 1}}, Root::first).is_certain);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/bounded.h"
+#include "geom/enclosure.h"
 #include "precise/certain.h"
 #include "precise/rooms.h"
 

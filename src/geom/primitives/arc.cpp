@@ -7,20 +7,12 @@
 namespace flatray {
 namespace {
 
-// Whether a ray surely misses all that is within `reach` of `centre`: its line passes at more than
-// that, or all of it lies behind. Products d x w and d.w, w = centre - origin, are known to
-// kDetFilter of their terms; 2^-48 covers the rounding of |d|, of the products with it and of the
-// comparison. Outside the guarded sizes nothing is sure.
+// Whether a ray surely misses all that is within `reach` of `centre`.
 bool surely_missed(const Ray& ray, const Vec2& centre, double reach) {
-  const Vec2& d = ray.direction;
-  const Vec2 w = centre - ray.origin;
-  const double square = d.x() * d.x() + d.y() * d.y();
-  const double terms =
-      (std::fabs(d.x()) + std::fabs(d.y())) * (std::fabs(w.x()) + std::fabs(w.y()));
-  if (!(square > kDetFilterLeast && terms > kDetFilterLeast && terms < 1 / kDetFilterLeast))
-    return false;
-  const double bound = reach * std::sqrt(square) * (1 + 0x1p-48) + 2 * kDetFilter * terms;
-  return std::fabs(cross(d, w)) > bound || -d.dot(w) > bound;
+  const auto time = curve_time(kNear, ray, Circle{centre, reach});
+  const auto chord = time.q.sign();
+  if (chord == Sign::negative) return true;
+  return time.b.sign() == Sign::negative && time.outside.sign() == Sign::positive;
 }
 
 // No point of the arc is farther from its centre, joints to its ends included.
@@ -33,27 +25,10 @@ double reach_of(const Arc& arc) {
   return reach * (1 + 0x1p-48);
 }
 
-// Whether a curve surely passes outside the box of half sides `reach` about `point`, by w = point - centre in the form in which it is a circle of radius r:
-// |w|^2 - r^2 changes by 2 (|w_x| reach_x + |w_y| reach_y) and the squares of the reach. What w and r
-// are off by there is under kDetFilter of the terms, which `slack` counts as reach.
+// Whether a curve surely passes outside the box of half sides `reach` about `point`.
 bool curve_passes_far(const Ellipse& wall, const Vec2& point, const Vec2& reach) {
-  const Vec2 from = point - wall.centre;
-  const auto w = curve_form(kPlain, wall, Pair<double>{from.x(), from.y()});
-  Vec2 within = reach;
-  double slack = 0;
-  if (!wall.is_circle()) {
-    const Vec2 u = wall.u.cwiseAbs(), v = wall.v.cwiseAbs(), far = from.cwiseAbs();
-    const Vec2 terms(far.x() * v.y() + far.y() * v.x(), u.x() * far.y() + u.y() * far.x());
-    within = Vec2(reach.x() * v.y() + reach.y() * v.x(), u.x() * reach.y() + u.y() * reach.x()) +
-             2 * kDetFilter * terms;
-    slack = 2 * kDetFilter * (u.x() * v.y() + u.y() * v.x());
-  }
-  const double r = std::fabs(form_size(kPlain, wall));
-  const double size = dot(w, w), square = r * r;
-  const double change = std::fabs(w.x) * within.x() + std::fabs(w.y) * within.y() + r * slack;
-  const double bound =
-      4 * (change + within.squaredNorm() + slack * slack) + 8 * kDetFilter * (size + square);
-  return std::fabs(size - square) > bound + kDetFilterLeast;
+  const auto from = within(point, reach) - pair_of(kNear, wall.centre);
+  return curve_power(kNear, wall, from).sign().has_value();
 }
 
 // Whether an arc surely ends before it comes into the box: on the outer side of one end's line and

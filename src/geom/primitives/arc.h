@@ -83,6 +83,52 @@ Pair<Number> sized_normal(const Make& number, const Ellipse& curve, const Pair<N
   return {normal.x / size, normal.y / size};
 }
 
+/// When a ray meets a curve, in the form in which it is a circle: t = (b +- sqrt(q)) / a.
+template <class Number>
+struct CurveTime {
+  Number a, b, q;
+  Number outside;  ///< of the origin: the product of the roots, times a
+
+  /// By its second root (s > 0) or first. b and the root may cancel: then the other root and the
+  /// product of both.
+  Number root(int s) const {
+    const Number length = s > 0 ? square_root(q) : -square_root(q);
+    return (b.hi() > 0) == (s > 0) ? (b + length) / a : outside / (b - length);
+  }
+};
+template <class Number>
+CurveTime<Number> chord_time(const Pair<Number>& d, const Pair<Number>& w, const Number& r) {
+  const Number r2 = r * r, a = dot(d, d), k = cross(d, w);
+  return {a, dot(w, d), r2 * a - k * k, dot(w, w) - r2};
+}
+template <class Make>
+auto curve_time(const Make& number, const Ray& ray, const Ellipse& curve) {
+  const auto to = pair_of(number, curve.centre) - pair_of(number, ray.origin);
+  return chord_time(curve_form(number, curve, pair_of(number, ray.direction)),
+                    curve_form(number, curve, to), form_size(number, curve));
+}
+
+/// The point at which a ray crosses a curve, in the second root (s = 1) or the first (-1), as seen
+/// from the centre, and its form. In the form in which the curve is a circle of radius r the foot of the
+/// perpendicular from the centre is k d' / d.d with d' = (-d_y, d_x), k = d x w and w = o - c; from
+/// there the point lies along the ray, by d / d.d times the root of r^2 d.d - k^2. A form (a, b) of a
+/// vector says a u + b v = r times the vector.
+template <class Number>
+struct CurvePoint {
+  Pair<Number> form, from_centre;
+};
+template <class Make>
+auto curve_point(const Make& number, const Ray& ray, const Ellipse& curve, int s) {
+  const auto d = curve_form(number, curve, pair_of(number, ray.direction));
+  const auto w =
+      curve_form(number, curve, pair_of(number, ray.origin) - pair_of(number, curve.centre));
+  const auto r = form_size(number, curve), size = dot(d, d), k = cross(d, w);
+  const auto along = square_root(r * r * size - k * k) * s;
+  const Pair<decltype(number(0.0))> form{(d.x * along - k * d.y) / size,
+                                         (d.y * along + k * d.x) / size};
+  return CurvePoint<decltype(number(0.0))>{form, curve_vector(number, curve, form)};
+}
+
 /// Side of a curve `point` lies on: positive outside, zero on it, negative inside. Exact.
 Sign curve_side(const Vec2& point, const Ellipse& curve);
 

@@ -195,11 +195,7 @@ bool passes_near(const Bezier& wall, const Vec2& point, const Vec2& reach) {
 Sign side_of(const Bezier& wall, const Vec2& point) { return level_of(wall, point).side; }
 
 PlaceOn place_on(const Bezier& wall, const Vec2& point) {
-  const Bounds box = bounds_of(wall);
-  const bool within = box.low.x() <= point.x() && point.x() <= box.high.x() &&
-                      box.low.y() <= point.y() && point.y() <= box.high.y();
-  if (!within) return PlaceOn::outside;
-  return level_of(wall, point).place;
+  return bounds_of(wall).contains(point) ? level_of(wall, point).place : PlaceOn::outside;
 }
 
 HitTime time_met(const Bezier& wall, const Ray& ray, Root root) {

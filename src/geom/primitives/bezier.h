@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/bounded.h"
 #include "geom/bounds.h"
+#include "geom/enclosure.h"
 #include "geom/hit_interval.h"
 #include "geom/pair.h"
 #include "geom/polynomial.h"

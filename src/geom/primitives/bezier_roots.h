@@ -10,7 +10,7 @@ namespace flatray {
 
 /// The roots in [0, 1] of a polynomial by its Bernstein coefficients, in any arithmetic with bounds.
 ///
-/// Needs   Number as geom/bounded.h has it; make(double) gives one without error, plain(Number) a double
+/// Needs   Number as geom/enclosure.h has it; make(double) gives one without error, plain(Number) a double
 ///         near it.
 /// Gives   all of them, ascending, or a doubt: where a sign is open, and at double roots between 0
 ///         and 1, on which halving never ends.

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/error_bounds.h"
+#include "geom/decide.h"
 #include "geom/primitives/wall.h"
 
 namespace flatray {
@@ -25,20 +25,13 @@ Bounds bounds_of(const Segment& wall) { return {wall.a.cwiseMin(wall.b), wall.a.
 
 PlaceOn place_on(const Segment& wall, const Vec2& point) {
   if (point == wall.a || point == wall.b) return PlaceOn::at_end;
-  const Bounds box = bounds_of(wall);
-  const bool within = box.low.x() <= point.x() && point.x() <= box.high.x() &&
-                      box.low.y() <= point.y() && point.y() <= box.high.y();
-  return within && side_of(wall, point) == Sign::zero ? PlaceOn::inner : PlaceOn::outside;
+  return bounds_of(wall).contains(point) && side_of(wall, point) == Sign::zero ? PlaceOn::inner
+                                                                               : PlaceOn::outside;
 }
 
-// The determinant changes by |e_x| reach_y + |e_y| reach_x in the box; its own error is
-// kDetFilter's, doubled for the rest.
 bool line_passes_far(const Segment& wall, const Vec2& point, const Vec2& reach) {
-  const Vec2 edge = wall.b - wall.a, from = point - wall.a;
-  const double left = edge.x() * from.y(), right = edge.y() * from.x();
-  const double change = std::fabs(edge.x()) * reach.y() + std::fabs(edge.y()) * reach.x();
-  const double bound = 2 * kDetFilter * (std::fabs(left) + std::fabs(right)) + 2 * change;
-  return std::fabs(left - right) > bound + kDetFilterLeast;
+  const auto from = within(point, reach) - pair_of(kNear, wall.a);
+  return cross(pair_of(kNear, wall.b) - pair_of(kNear, wall.a), from).sign().has_value();
 }
 
 bool passes_near(const Segment& wall, const Vec2& point, const Vec2& reach) {
