@@ -17,6 +17,8 @@ constexpr double kFar = 0x1p18;   // times M: of origins whose entry is off by a
 constexpr double kMostRecords = 8;
 constexpr double kMostCells = 4;        // a segment: more did not pay anywhere
 constexpr std::size_t kCached = 16384;  // segments up to which all stays in the cache
+constexpr std::size_t kSecondCache = std::size_t{4}
+                                     << 20;  // bytes, and what of it costs nothing to miss
 
 // Cells a segment, of segments that each are in 1 + crossings * sqrt(cells) cells: beyond the cache
 // as many as leave words and records 40 bytes a segment, but not below one.
@@ -101,6 +103,7 @@ lanes::Grid CellGrid::view() const {
   grid.stride = static_cast<float>(stride_);
   grid.first = static_cast<float>(first_);
   grid.unit = static_cast<float>(unit_);
+  grid.is_large = bytes() > kSecondCache;
   return grid;
 }
 

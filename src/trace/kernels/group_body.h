@@ -2,7 +2,7 @@
 
 // Groups of lanes are under way together, phase by phase, so that one computes while another waits
 // for memory.
-constexpr int kGroups = FLATRAY_LANES == 1 ? 1 : 3;
+constexpr int kGroups = FLATRAY_LANES == 1 ? 1 : 4;
 constexpr int kRefill = kLanes / 4 + 1;  // lanes that wait before new rays are put into them
 constexpr float kFar = 1e30F, kEndless = __builtin_inff();
 

@@ -57,6 +57,7 @@ struct Grid {
   double far;             ///< of origins whose place is not certain enough
   float stride, first;    ///< cell of corner (x, y): first + stride * y + x
   float unit;             ///< u M
+  bool is_large;          ///< for the second cache: records are fetched ahead
 };
 
 /// Rays as they walk, in columns with room for a whole vector beyond the last.

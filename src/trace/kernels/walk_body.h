@@ -53,7 +53,8 @@ inline Int look_up(const unsigned* cells, Group& g, Float& cell) {
 }
 
 // Looks up the cells just entered; of rays that stay in their cell the record alone is new.
-inline void enter(const Constants& c, const unsigned* cells, const float* records, Group& g) {
+inline void enter(const Constants& c, const unsigned* cells, const float* records, bool fetch_ahead,
+                  Group& g) {
   Float cell;
   const Int word = look_up(cells, g, cell);
   const Mask empty = negative(word);
@@ -65,6 +66,7 @@ inline void enter(const Constants& c, const unsigned* cells, const float* record
   g.across_x = less(t_x, t_y);
   g.exit = smaller(t_x, t_y);
   g.limit = choose(less(all(0.0F), side), g.exit - c.near, all(kEndless));
+  if (!fetch_ahead) return;
   // The records are wanted when the other groups have looked up theirs.
   alignas(64) unsigned at[kLanes];
   const Int record = choose(negative(g.record), all(0), g.record);
@@ -167,14 +169,14 @@ void walk_all(const Grid& grid, const Walking& rays, int* found) {
     g.record = all(-1);
     g.first = c.first;
     take(c, (1U << kLanes) - 1, g, queue);
-    enter(c, grid.cells, grid.records, g);
+    enter(c, grid.cells, grid.records, grid.is_large, g);
   }
   for (bool busy = true; busy;) {
     for (Group& g : groups) test<some_left>(c, grid.records, g);
     for (Group& g : groups) advance(g);
     busy = false;
     for (Group& g : groups) busy = settle(c, g, queue) || busy;
-    for (Group& g : groups) enter(c, grid.cells, grid.records, g);
+    for (Group& g : groups) enter(c, grid.cells, grid.records, grid.is_large, g);
   }
 }
 
