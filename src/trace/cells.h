@@ -65,6 +65,8 @@ class CellGrid {
   Mark mark(const Segment& segment) const;
   /// Whether another segment has the mark of this one.
   bool is_twin(std::size_t slot) const { return !twins_.empty() && twins_[slot]; }
+  /// Whether lanes cannot tell this segment from another, or from its next copy.
+  bool is_ambiguous(std::size_t slot) const { return is_twin(slot) || next_copy(slot) != kNoSlot; }
 
   static constexpr std::uint32_t kNoSlot = 0xffffffffU;
   /// The next segment with the same ends, by number.

@@ -1,7 +1,10 @@
 #include "trace/lane_tracer.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "geom/error_bounds.h"
@@ -13,37 +16,22 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kBlock = 4096;
+constexpr std::size_t kBlock = 4096, kBlockOfList = 512;
 // Up to so many rays one after the other are faster than lanes (benchmarks/batch_size).
 constexpr std::size_t kFewRays = kMostRaysOneByOne, kFewRaysOfList = 4;
 constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
-constexpr std::size_t kVector = 16;  // floats of the widest tier
+constexpr std::size_t kVector = 32;  // floats that kernels take at once, at most
 
 std::size_t whole_vectors(std::size_t count) { return (count + kWide - 1) / kWide * kWide; }
 
-// What the lanes say of a ray.
-struct Verdict {
-  int found;
-  std::uint32_t slot;  // of a wall, and t
-  double t;
-
-  bool is_certain() const { return found != lanes::kDoubt; }
-  bool is_hit() const { return found >= 0; }
-};
-
-// What tells the lanes which wall a ray has just left; whether it has left one.
-bool mark_left(const Surfaces& walls, const CellGrid& grid, const Left& left,
-               const lanes::Walking& to, std::size_t i, int& fate) {
-  CellGrid::Mark mark{NAN, NAN, NAN};
-  const std::uint32_t slot = walls.segment_slot(left.surface);
-  if (slot != kNoSurface) {
-    mark = grid.mark(walls.segments[slot]);
-    if (grid.is_twin(slot) || grid.next_copy(slot) != CellGrid::kNoSlot) fate = lanes::kDoubt;
-  }
-  to.left_ax[i] = mark.ax;
-  to.left_ay[i] = mark.ay;
-  to.left_bx[i] = mark.bx;
-  return slot != kNoSurface;
+// The word of an answer that lanes::Finish writes, and where t lies in it.
+static_assert(sizeof(NearestHit) == 16 && offsetof(NearestHit, surface) == 0 &&
+              offsetof(NearestHit, t) == 8 && std::is_trivially_copyable_v<NearestHit>);
+unsigned long word_of(std::uint32_t surface, HitClass kind) {
+  const NearestHit hit{surface, kind, Root::none, false, 0};
+  unsigned long word = 0;
+  std::memcpy(&word, &hit, sizeof word);
+  return word;
 }
 
 // Columns of some rays one after the other, `room` floats each.
@@ -63,14 +51,19 @@ std::string both(std::string segments, const std::string& curves) {
 // Some rays of a batch on their way through the kernels.
 class Block {
  public:
-  explicit Block(std::size_t most)
-      : room_(whole_vectors(most) + kVector),
+  Block(const Surfaces& walls, const CellGrid& cells, const lanes::Grid& grid,
+        const lanes::WalkKernels& kernels, std::size_t most)
+      : walls_(walls),
+        cells_(cells),
+        grid_(grid),
+        kernels_(kernels),
+        room_(whole_vectors(most) + kVector),
         numbers_(room_),
         columns_(11 * room_),
+        left_(room_),
         fate_(room_),
         found_(room_),
-        slots_(room_),
-        t_(room_) {
+        open_(room_) {
     std::iota(numbers_.begin(), numbers_.end(), 0.0F);
   }
 
@@ -88,10 +81,9 @@ class Block {
               static_cast<int>(padded_.size())};
   }
 
-  // Walls that may be the first of each ray, of rays that end one they may meet: the record, or what
-  // is not certain. `up_to` by ray of the batch, or empty.
-  void walk(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels,
-            std::span<const double> up_to = {}) {
+  // By ray the record of a wall that may be its first, of rays that end one they may meet, or what is
+  // not certain. `up_to` by ray of the batch, or empty.
+  std::span<const int> walk(std::span<const double> up_to = {}) {
     lanes::Walking w = columns_of(columns_.data(), numbers_.data(), room_);
     w.count = static_cast<int>(count_);
     if (!up_to.empty()) {
@@ -99,50 +91,57 @@ class Block {
       std::copy_n(up_to.begin() + static_cast<std::ptrdiff_t>(begin_), count_, ends_.begin());
       w.up_to = ends_.data();
     }
-    kernels.prepare(grid.view(), given_, w, fate_.data());
-    if (!mark_all_left(walls, grid, w)) w.left_ax = nullptr;
-    (grid.has_cells() ? kernels.walk : kernels.scan)(grid.view(), w, found_.data());
-  }
-
-  // Of rays that end.
-  int found(std::size_t i) const { return fate_[i] != 0 ? lanes::kDoubt : found_[i]; }
-
-  void finish(const Surfaces& walls, const CellGrid& grid, const lanes::WalkKernels& kernels) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (fate_[i] != 0) found_[i] = lanes::kDoubt;
-      slots_[i] = found_[i] < 0 ? 0 : grid.slot(static_cast<std::size_t>(found_[i]));
-      __builtin_prefetch(&walls.segments[slots_[i]]);
+    bool some_unable = false;
+    if (some_have_left()) {
+      some_unable = find_left();
+      w.left = left_.data();
     }
-    std::fill(slots_.begin() + static_cast<std::ptrdiff_t>(count_), slots_.end(), 0U);
-    kernels.finish(given_, {walls.segments.front().a.data(), slots_.data(), t_.data()});
+    some_unable = kernels_.prepare(grid_, given_, w, fate_.data()) || some_unable;
+    (grid_.cells != nullptr ? kernels_.walk : kernels_.scan)(grid_, w, found_.data());
+    for (std::size_t i = 0; some_unable && i < room_; ++i)
+      if (std::exchange(fate_[i], 0) != 0) found_[i] = lanes::kDoubt;
+    return {found_.data(), count_};
   }
 
-  struct Verdicts {
-    const int* found;
-    const std::uint32_t* slots;
-    const double* t;
-    Verdict operator[](std::size_t i) const { return {found[i], slots[i], t[i]}; }
-  };
-  Verdicts verdicts() const { return {found_.data(), slots_.data(), t_.data()}; }
+  // Writes the answers, of segments by slot, and gives the rays that have none yet.
+  std::span<const int> finish(NearestHit* hits) {
+    const int open =
+        kernels_.finish(grid_, given_,
+                        {found_.data(), static_cast<int>(count_), hits, word_of(0, HitClass::touch),
+                         word_of(kNoSurface, HitClass::miss), open_.data()});
+    return {open_.data(), static_cast<std::size_t>(open)};
+  }
 
  private:
-  // Whether any ray has left a segment.
-  bool mark_all_left(const Surfaces& walls, const CellGrid& grid, const lanes::Walking& w) {
-    const std::span left = std::span(rays_->left).subspan(begin_, count_);
+  bool some_have_left() const {
     std::uint32_t none = kNoSurface;  // all bits
-    for (const Left& each : left) none &= each.surface;
-    if (none == kNoSurface) return false;
-    bool any = false;
-    for (std::size_t i = 0; i < count_; ++i)
-      any = mark_left(walls, grid, left[i], w, i, fate_[i]) || any;
-    return any;
+    for (const Left& each : std::span(rays_->left).subspan(begin_, count_)) none &= each.surface;
+    return none != kNoSurface;
   }
 
+  // The segments that rays have left; whether the lanes cannot tell one of them from others.
+  bool find_left() {
+    static_assert(kNoSurface == lanes::kNone);
+    bool some_unable = false;
+    std::fill(left_.begin() + static_cast<std::ptrdiff_t>(count_), left_.end(), lanes::kNone);
+    for (std::size_t i = 0; i < count_; ++i) {
+      left_[i] = walls_.segment_slot(rays_->left[begin_ + i].surface);
+      if (left_[i] == lanes::kNone || !cells_.is_ambiguous(left_[i])) continue;
+      fate_[i] = lanes::kDoubt;
+      some_unable = true;
+    }
+    return some_unable;
+  }
+
+  const Surfaces& walls_;
+  const CellGrid& cells_;
+  const lanes::Grid& grid_;
+  const lanes::WalkKernels& kernels_;
   std::size_t room_;
   std::vector<float> numbers_, columns_;
-  std::vector<int> fate_, found_;
-  std::vector<std::uint32_t> slots_;
-  std::vector<double> t_, ends_;
+  std::vector<unsigned> left_;
+  std::vector<int> fate_, found_, open_;
+  std::vector<double> ends_;
   const RayBatch* rays_ = nullptr;
   std::size_t begin_ = 0, count_ = 0;
   lanes::Rays given_{};
@@ -154,7 +153,7 @@ class LaneTracer : public Accelerator {
   LaneTracer(const Surfaces& walls, CellGrid cells, Isa isa)
       : Accelerator(walls),
         cells_(std::move(cells)),
-        view_(cells_.view()),
+        view_(view_of(walls, cells_)),
         curves_(walls),
         search_(walls, &cells_, curves_),
         kernels_(lane_kernels(isa).walk) {}
@@ -165,33 +164,43 @@ class LaneTracer : public Accelerator {
         hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
       return;
     }
-    in_blocks(rays, [&](std::size_t i, const Verdict& verdict) {
-      if (!decided(verdict, hits[i]))
-        hits[i] = decide_exactly(verdict, rays.ray(i), rays.left[i], rays.tangents);
+    in_blocks(rays, [&](Block& block, std::size_t begin, std::size_t count) {
+      block.walk();
+      const std::span<const int> open = block.finish(&hits[begin]);
+      if (walls_.curve_numbers.empty()) {
+        for (const int i : open) find_alone(rays, begin + static_cast<std::size_t>(i), hits);
+        return;
+      }
+      for (const int i : open) hits[begin + static_cast<std::size_t>(i)].kind = HitClass::along;
+      for (std::size_t i = begin; i < begin + count; ++i)
+        if (hits[i].kind == HitClass::along)
+          find_alone(rays, i, hits);
+        else
+          hits[i] = with_curves(hits[i], rays.ray(i), rays.left[i], rays.tangents);
     });
   }
   // No ray goes on beyond its end, nor asks which wall of those it meets is the first.
   void any(const RayBatch& rays, std::span<const double> up_to,
            std::span<std::uint8_t> met) const override {
     if (are_few(rays)) return Accelerator::any(rays, up_to, met);
-    Block block(std::min(kBlock, rays.size()));
-    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
-      const std::size_t count = std::min(kBlock, rays.size() - begin);
-      block.load(rays, begin, count);
-      block.walk(walls_, cells_, kernels_, up_to);
-      for (std::size_t i = begin; i < begin + count; ++i) {
-        const int found = block.found(i - begin);
+    in_blocks(rays, [&](Block& block, std::size_t begin, std::size_t) {
+      std::size_t i = begin;
+      for (const int found : block.walk(up_to)) {
         const bool open =
             found == lanes::kDoubt || (found < 0 && may_meet_curve(rays, i, up_to[i]));
         met[i] = open ? any_of_one(rays.ray(i), up_to[i], rays.left[i], rays.tangents) : found >= 0;
+        ++i;
       }
-    }
+    });
   }
   std::size_t left_by_lanes(const RayBatch& rays) const override {
+    if (!walls_.curve_numbers.empty()) return rays.size();
     std::size_t left = 0;
-    NearestHit hit;
-    in_blocks(rays,
-              [&](std::size_t, const Verdict& verdict) { left += decided(verdict, hit) ? 0 : 1; });
+    std::vector<NearestHit> hits(std::min(kBlock, rays.size()));
+    in_blocks(rays, [&](Block& block, std::size_t, std::size_t) {
+      block.walk();
+      left += block.finish(hits.data()).size();
+    });
     return left;
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
@@ -199,9 +208,13 @@ class LaneTracer : public Accelerator {
     if (slot != kNoSurface && cells_.next_copy(slot) != CellGrid::kNoSlot)
       return search_.nearest(ray, left, tangents);
     const lanes::SingleHit found = kernels_.single_ray(
-        view_, walls_.segments.front().a.data(),
-        {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(), slot});
-    return decide({found.found, found.slot, found.t}, ray, left, tangents);
+        view_, {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(), slot});
+    if (found.found == lanes::kDoubt || std::isnan(found.t))
+      return search_.nearest(ray, left, tangents);
+    const NearestHit hit =
+        found.found < 0 ? NearestHit{}
+                        : NearestHit{found.slot, HitClass::touch, Root::none, false, found.t};
+    return walls_.curve_numbers.empty() ? hit : with_curves(hit, ray, left, tangents);
   }
   std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
                                      bool tangents) const override {
@@ -240,40 +253,32 @@ class LaneTracer : public Accelerator {
 
   template <class Each>
   void in_blocks(const RayBatch& rays, const Each& each) const {
-    Block block(std::min(kBlock, rays.size()));
-    for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
-      const std::size_t count = std::min(kBlock, rays.size() - begin);
+    const std::size_t most = std::min(cells_.has_cells() ? kBlock : kBlockOfList, rays.size());
+    Block block(walls_, cells_, view_, kernels_, most);
+    for (std::size_t begin = 0; begin < rays.size(); begin += most) {
+      const std::size_t count = std::min(most, rays.size() - begin);
       block.load(rays, begin, count);
-      block.walk(walls_, cells_, kernels_);
-      block.finish(walls_, cells_, kernels_);
-      const Block::Verdicts verdicts = block.verdicts();
-      for (std::size_t i = 0; i < count; ++i) each(begin + i, verdicts[i]);
+      each(block, begin, count);
     }
   }
 
-  NearestHit decide(const Verdict& verdict, const Ray& ray, const Left& left, bool tangents) const {
-    NearestHit hit;
-    return decided(verdict, hit) ? hit : decide_exactly(verdict, ray, left, tangents);
+  void find_alone(const RayBatch& rays, std::size_t i, std::span<NearestHit> hits) const {
+    hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
   }
 
-  // The usual case: sure of one segment, and of its t. (Without curves slots are numbers.)
-  bool decided(const Verdict& verdict, NearestHit& hit) const {
-    if (!walls_.curve_numbers.empty() || !verdict.is_certain()) return false;
-    if (verdict.is_hit() && std::isnan(verdict.t)) return false;
-    hit = verdict.is_hit() ? crossed(verdict.slot, verdict.t) : NearestHit{};
-    return true;
-  }
-  static NearestHit crossed(std::uint32_t surface, double t) {
-    return {surface, HitClass::touch, Root::none, false, t};
-  }
-
-  NearestHit decide_exactly(const Verdict& verdict, const Ray& ray, const Left& left,
-                            bool tangents) const {
-    if (!verdict.is_certain()) return search_.nearest(ray, left, tangents);
+  // Of what is sure of the segments, by slot, and the curves.
+  NearestHit with_curves(const NearestHit& segment, const Ray& ray, const Left& left,
+                         bool tangents) const {
     Candidates found(walls_, ray, left);
-    if (verdict.is_hit()) found.take_segment(verdict.slot, verdict.t);
+    if (segment) found.take_segment(segment.surface, segment.t);
     curves_.offer_to(found, ray);
     return found.first(tangents);
+  }
+
+  static lanes::Grid view_of(const Surfaces& walls, const CellGrid& cells) {
+    lanes::Grid view = cells.view();
+    view.ends = walls.segments.front().a.data();
+    return view;
   }
 
   const CellGrid cells_;

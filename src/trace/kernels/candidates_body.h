@@ -2,7 +2,6 @@
 #include "trace/kernels/single_moves.h"
 
 constexpr float kFar = 1e30F;
-constexpr unsigned kNone = 0xffffffffU;
 
 // A ray, the same in every lane, and its bounds.
 struct Line {

@@ -31,22 +31,50 @@ void set_ends(const Grid& grid, const Walking& walking, int i, Real end) {
   store_single(walking.end_high + i, end + off);
 }
 
-void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
-  const Real one = all(1), least = all(kLeastStep), zero = all(0);
+// Of the walls just left, what their records begin with.
+void mark_left(const Grid& grid, const Walking& walking, int i) {
+  unsigned slot[FLATRAY_LANES];
+  int known[FLATRAY_LANES];
+  for (int k = 0; k < FLATRAY_LANES; ++k) {
+    const bool none = walking.left[i + k] == kNone;
+    slot[k] = none ? 0 : walking.left[i + k];
+    known[k] = none ? 0 : 1;
+  }
+  const Ends wall = fetch_ends(grid.ends, slot);
+  const Mask any = less(all(0), real(known));
+  const Real none = all(__builtin_nan(""));
+  const auto put = [&](float* to, Real at, double centre, double scale) {
+    store_single(to + i, choose(any, (at - all(centre)) * all(scale), none));
+  };
+  put(walking.left_ax, wall.ax, grid.centre_x, grid.scale_x);
+  put(walking.left_ay, wall.ay, grid.centre_y, grid.scale_y);
+  put(walking.left_bx, wall.bx, grid.centre_x, grid.scale_x);
+}
+
+bool prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fate) {
+  const Real one = all(1), least = all(kLeastStep), zero = all(0), far = all(grid.far);
+  bool some_unable = false;
   for (int i = 0; i < rays.count; i += FLATRAY_LANES) {
     Placed r;
     r.x = (load(rays.ox + i) - all(grid.centre_x)) * all(grid.scale_x);
     r.y = (load(rays.oy + i) - all(grid.centre_y)) * all(grid.scale_y);
-    const Real dx = load(rays.dx + i) * all(grid.scale_x);
-    const Real dy = load(rays.dy + i) * all(grid.scale_y);
-    const Real square = dx * dx + dy * dy, far = all(grid.far);
+    Real dx = load(rays.dx + i) * all(grid.scale_x);
+    Real dy = load(rays.dy + i) * all(grid.scale_y);
+    Real square = dx * dx + dy * dy;
     const Mask able = both(both(less(all(kLeastSquare), square), less(square, all(kLargestSquare))),
                            both(less(size(r.x), far), less(size(r.y), far)));
-    const Real length = choose(able, root(square), one);
-    r.x = choose(able, r.x, all(grid.ring_x));
-    r.y = choose(able, r.y, all(grid.ring_y));
-    const Real shrink = one / length;
-    const Real ux = choose(able, dx * shrink, one), uy = choose(able, dy * shrink, zero);
+    if (!full(able)) {
+      some_unable = true;
+      for (int k = 0; k < FLATRAY_LANES; ++k)
+        if ((bits(able) >> k & 1U) == 0) fate[i + k] = kDoubt;
+      r.x = choose(able, r.x, all(grid.ring_x));
+      r.y = choose(able, r.y, all(grid.ring_y));
+      square = choose(able, square, one);
+      dx = choose(able, dx, one);
+      dy = choose(able, dy, zero);
+    }
+    const Real length = root(square), shrink = one / length;
+    const Real ux = dx * shrink, uy = dy * shrink;
     r.dx = choose(less(size(ux), least), with_sign_of(least, ux), ux);
     r.dy = choose(less(size(uy), least), with_sign_of(least, uy), uy);
     bring_in(grid, r);
@@ -54,21 +82,59 @@ void prepare(const Grid& grid, const Rays& rays, const Walking& walking, int* fa
     store_single(walking.oy + i, r.y);
     store_single(walking.dx + i, r.dx);
     store_single(walking.dy + i, r.dy);
-    const Real size_x = size(r.dx), size_y = size(r.dy), inverse = one / (size_x * size_y);
-    store_single(walking.inverse_x + i, size_y * inverse);
-    store_single(walking.inverse_y + i, size_x * inverse);
+    if (grid.cells != nullptr) {
+      const Real size_x = size(r.dx), size_y = size(r.dy), inverse = one / (size_x * size_y);
+      store_single(walking.inverse_x + i, size_y * inverse);
+      store_single(walking.inverse_y + i, size_x * inverse);
+      if (walking.left != nullptr) mark_left(grid, walking, i);
+    }
     if (walking.up_to != nullptr)
       set_ends(grid, walking, i, load(walking.up_to + i) * length - r.skipped);
-    double doubt[FLATRAY_LANES];
-    store(doubt, choose(able, zero, all(kDoubt)));
-    for (int k = 0; k < FLATRAY_LANES; ++k) fate[i + k] = static_cast<int>(doubt[k]);
+  }
+  return some_unable;
+}
+
+constexpr int kAhead = 128;  // rays whose walls are asked for at once
+
+// The walls that rays have found, any of those that have found none; and asks for their ends.
+void ask_for_ends(const Grid& grid, const int* found, int count, unsigned* slot) {
+  for (int k = 0; k < count; ++k) {
+    slot[k] = found[k] < 0 ? 0 : static_cast<unsigned>(found[k]);
+    __builtin_prefetch(grid.ends + 4 * static_cast<long>(slot[k]));
   }
 }
 
-// t of the walls found.
-void finish(const Rays& rays, const Finish& walls) {
-  for (int i = 0; i < rays.count; i += FLATRAY_LANES)
-    store(walls.t + i, crossing_time({load(rays.ox + i), load(rays.oy + i), load(rays.dx + i),
-                                      load(rays.dy + i)},
-                                     fetch_ends(walls.ends, walls.slots + i)));
+// Answers of the rays of a vector; which of them are open.
+unsigned answer(const Grid& grid, const Rays& rays, const Finish& f, int i, const unsigned* slot,
+                void* to) {
+  double word[FLATRAY_LANES];
+  for (int k = 0; k < FLATRAY_LANES; ++k) word[k] = __builtin_bit_cast(double, f.met + slot[k]);
+  const Real found = real(f.found + i);
+  const Real t =
+      crossing_time({load(rays.ox + i), load(rays.oy + i), load(rays.dx + i), load(rays.dy + i)},
+                    fetch_ends(grid.ends, slot));
+  const Mask hit = less(all(kNoRecord), found);
+  store_pairs(to, choose(hit, load(word), all(__builtin_bit_cast(double, f.missed))),
+              choose(hit, t, all(__builtin_inf())));
+  return bits(either(equal(found, all(kDoubt)), but_not(hit, equal(t, t))));
+}
+
+int finish(const Grid& grid, const Rays& rays, const Finish& f) {
+  unsigned slot[kAhead];
+  double last[2 * FLATRAY_LANES];
+  int open = 0;
+  for (int from = 0; from < rays.count; from += kAhead) {
+    const int some = rays.count - from < kAhead ? rays.count - from : kAhead;
+    ask_for_ends(grid, f.found + from, some, slot);
+    for (int k = 0; k < some; k += FLATRAY_LANES) {
+      const int i = from + k, left = f.count - i;
+      const bool whole = left >= FLATRAY_LANES;
+      char* const to = static_cast<char*>(f.answers) + 16 * static_cast<long>(i);
+      unsigned unsure = answer(grid, rays, f, i, slot + k, whole ? to : static_cast<void*>(last));
+      if (!whole && left > 0) __builtin_memcpy(to, last, 16 * static_cast<unsigned long>(left));
+      for (; unsure != 0; unsure &= unsure - 1)
+        if (const int lane = __builtin_ctz(unsure); lane < left) f.open[open++] = i + lane;
+    }
+  }
+  return open;
 }

@@ -71,6 +71,8 @@ namespace single {
 #include "trace/kernels/group_body.h"
 #include "trace/kernels/judge_body.h"
 #include "trace/kernels/walk_body.h"
+#include "trace/kernels/scan_body.h"
+#include "trace/kernels/packet_body.h"
 // clang-format on
 }  // namespace single
 

@@ -199,7 +199,7 @@ class Walk {
   Candidates candidates_;
 };
 
-SingleHit nearest(const Grid& grid, const double* ends, const SingleRay& ray) {
+SingleHit nearest(const Grid& grid, const SingleRay& ray) {
   Start start;
   const Fate fate = prepare(grid, ray, start);
   if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};
@@ -211,6 +211,6 @@ SingleHit nearest(const Grid& grid, const double* ends, const SingleRay& ray) {
     candidates = Walk(grid, start, line).run();
   SingleHit hit{candidates.verdict(), candidates.slot, 0};
   if (hit.found >= 0)
-    hit.t = crossing_time({ray.ox, ray.oy, ray.dx, ray.dy}, fetch_ends(ends, &hit.slot));
+    hit.t = crossing_time({ray.ox, ray.oy, ray.dx, ray.dy}, fetch_ends(grid.ends, &hit.slot));
   return hit;
 }

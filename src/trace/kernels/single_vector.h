@@ -7,6 +7,7 @@ using Float = float;
 using Int = int;
 using Mask = bool;
 inline Float load(const float* from) { return *from; }
+inline Int load(const unsigned* from) { return static_cast<Int>(*from); }
 inline void store(float* to, Float value) { *to = value; }
 inline void store(unsigned* to, Int value) { *to = static_cast<unsigned>(value); }
 inline Float all(float value) { return value; }
@@ -14,6 +15,7 @@ inline Int all(int value) { return value; }
 inline Mask none() { return false; }
 inline Mask less(Float a, Float b) { return a < b; }
 inline Mask equal(Float a, Float b) { return a == b; }
+inline Mask equal(Int a, Int b) { return a == b; }
 inline Mask both(Mask a, Mask b) { return a && b; }
 inline Mask either(Mask a, Mask b) { return a || b; }
 inline Mask but_not(Mask a, Mask b) { return a && !b; }
@@ -42,6 +44,7 @@ inline Int sixteenfold(Int a) { return (a & 0x7fffff) << 4; }
 inline Int sum(Int a, Int b) { return a + b; }
 inline Int shifted(Int a, Int by) { return static_cast<Int>(static_cast<unsigned>(a) >> by); }
 inline Int gather(const unsigned* from, Int at) { return static_cast<Int>(from[at]); }
+inline float least(Float a) { return a; }
 inline Mask lanes_of(unsigned chosen) { return chosen != 0; }
 #elif FLATRAY_LANES == 2
 constexpr int kLanes = 4;
@@ -49,6 +52,9 @@ using Float = __m128;
 using Int = __m128i;
 using Mask = __m128;
 inline Float load(const float* from) { return _mm_loadu_ps(from); }
+inline Int load(const unsigned* from) {
+  return _mm_loadu_si128(reinterpret_cast<const Int*>(from));
+}
 inline void store(float* to, Float value) { _mm_storeu_ps(to, value); }
 inline void store(unsigned* to, Int value) { _mm_storeu_si128(reinterpret_cast<Int*>(to), value); }
 inline Float all(float value) { return _mm_set1_ps(value); }
@@ -56,6 +62,7 @@ inline Int all(int value) { return _mm_set1_epi32(value); }
 inline Mask none() { return _mm_setzero_ps(); }
 inline Mask less(Float a, Float b) { return _mm_cmplt_ps(a, b); }
 inline Mask equal(Float a, Float b) { return _mm_cmpeq_ps(a, b); }
+inline Mask equal(Int a, Int b) { return _mm_castsi128_ps(_mm_cmpeq_epi32(a, b)); }
 inline Mask both(Mask a, Mask b) { return _mm_and_ps(a, b); }
 inline Mask either(Mask a, Mask b) { return _mm_or_ps(a, b); }
 inline Mask but_not(Mask a, Mask b) { return _mm_andnot_ps(b, a); }
@@ -106,6 +113,10 @@ inline Int gather(const unsigned* from, Int at) {
   const auto word = [&](int lane) { return static_cast<int>(from[i[lane]]); };
   return _mm_setr_epi32(word(0), word(1), word(2), word(3));
 }
+inline float least(Float a) {
+  const Float b = _mm_min_ps(a, _mm_movehl_ps(a, a));
+  return _mm_cvtss_f32(_mm_min_ss(b, _mm_shuffle_ps(b, b, 1)));
+}
 inline Mask lanes_of(unsigned chosen) {
   const int c = static_cast<int>(chosen);
   return negative(_mm_setr_epi32(c << 31, c << 30, c << 29, c << 28));
@@ -116,6 +127,9 @@ using Float = __m256;
 using Int = __m256i;
 using Mask = __m256;
 inline Float load(const float* from) { return _mm256_loadu_ps(from); }
+inline Int load(const unsigned* from) {
+  return _mm256_loadu_si256(reinterpret_cast<const Int*>(from));
+}
 inline void store(float* to, Float value) { _mm256_storeu_ps(to, value); }
 inline void store(unsigned* to, Int value) {
   _mm256_storeu_si256(reinterpret_cast<Int*>(to), value);
@@ -125,6 +139,7 @@ inline Int all(int value) { return _mm256_set1_epi32(value); }
 inline Mask none() { return _mm256_setzero_ps(); }
 inline Mask less(Float a, Float b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
 inline Mask equal(Float a, Float b) { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
+inline Mask equal(Int a, Int b) { return _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b)); }
 inline Mask both(Mask a, Mask b) { return _mm256_and_ps(a, b); }
 inline Mask either(Mask a, Mask b) { return _mm256_or_ps(a, b); }
 inline Mask but_not(Mask a, Mask b) { return _mm256_andnot_ps(b, a); }
@@ -166,6 +181,11 @@ inline Int gather(const unsigned* from, Int at) {
   const auto word = [&](int lane) { return static_cast<int>(from[i[lane]]); };
   return _mm256_setr_epi32(word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7));
 }
+inline float least(Float a) {
+  const __m128 b = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+  const __m128 c = _mm_min_ps(b, _mm_movehl_ps(b, b));
+  return _mm_cvtss_f32(_mm_min_ss(c, _mm_shuffle_ps(c, c, 1)));
+}
 inline Mask lanes_of(unsigned chosen) {
   const Int up = _mm256_setr_epi32(31, 30, 29, 28, 27, 26, 25, 24);
   return _mm256_castsi256_ps(_mm256_sllv_epi32(all(static_cast<int>(chosen)), up));
@@ -176,6 +196,7 @@ using Float = __m512;
 using Int = __m512i;
 using Mask = __mmask16;
 inline Float load(const float* from) { return _mm512_loadu_ps(from); }
+inline Int load(const unsigned* from) { return _mm512_loadu_si512(from); }
 inline void store(float* to, Float value) { _mm512_storeu_ps(to, value); }
 inline void store(unsigned* to, Int value) { _mm512_storeu_si512(to, value); }
 inline Float all(float value) { return _mm512_set1_ps(value); }
@@ -183,9 +204,10 @@ inline Int all(int value) { return _mm512_set1_epi32(value); }
 inline Mask none() { return 0; }
 inline Mask less(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 inline Mask equal(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ); }
-inline Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
-inline Mask either(Mask a, Mask b) { return static_cast<Mask>(a | b); }
-inline Mask but_not(Mask a, Mask b) { return static_cast<Mask>(a & ~b); }
+inline Mask equal(Int a, Int b) { return _mm512_cmpeq_epi32_mask(a, b); }
+inline Mask both(Mask a, Mask b) { return _kand_mask16(a, b); }
+inline Mask either(Mask a, Mask b) { return _kor_mask16(a, b); }
+inline Mask but_not(Mask a, Mask b) { return _kandn_mask16(b, a); }
 inline unsigned bits(Mask m) { return m; }
 inline Float choose(Mask m, Float yes, Float no) { return _mm512_mask_blend_ps(m, no, yes); }
 inline Int choose(Mask m, Int yes, Int no) { return _mm512_mask_blend_epi32(m, no, yes); }
@@ -223,5 +245,7 @@ inline Int shifted(Int a, Int by) { return _mm512_maskz_srlv_epi32(0xffff, a, by
 inline Int gather(const unsigned* from, Int at) {
   return _mm512_mask_i32gather_epi32(all(0), 0xffff, at, from, 4);
 }
+inline float least(Float a) { return _mm512_reduce_min_ps(a); }
 inline Mask lanes_of(unsigned chosen) { return static_cast<Mask>(chosen); }
 #endif
+inline float most(Float a) { return -least(all(0.0F) - a); }

@@ -1,6 +1,6 @@
 // One ray per lane: FLATRAY_LANES doubles in a Real, a yes or no for each in a Mask. Included by
 // the kernel of one tier only, in its own namespace. fetch_ends: four doubles for each lane, those of
-// a slot, or `by` after a pointer.
+// a slot, or `by` after a pointer. store_pairs: a and b in turn.
 #if FLATRAY_LANES == 1
 using Real = double;
 using Mask = bool;
@@ -28,6 +28,12 @@ inline Real fused_difference(Real a, Real b, Real c) { return __builtin_fma(a, b
 #else
 inline Real fused(Real a, Real b, Real c) { return a * b + c; }
 #endif
+inline Real real(const int* from) { return *from; }
+inline unsigned bits(Mask m) { return m ? 1 : 0; }
+inline void store_pairs(void* to, Real a, Real b) {
+  const Real pair[] = {a, b};
+  __builtin_memcpy(to, pair, sizeof pair);
+}
 inline void store_single(float* to, Real value) { *to = static_cast<float>(value); }
 inline Ends fetch_ends(const double* ends, const unsigned* slot) {
   const double* e = ends + 4 * static_cast<long>(*slot);
@@ -63,6 +69,14 @@ inline Real with_sign_of(Real size, Real sign) {
 }
 inline Real root(Real a) { return _mm_sqrt_pd(a); }
 inline Real fused(Real a, Real b, Real c) { return a * b + c; }
+inline Real real(const int* from) {
+  return _mm_cvtepi32_pd(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
+}
+inline unsigned bits(Mask m) { return static_cast<unsigned>(_mm_movemask_pd(m)); }
+inline void store_pairs(void* to, Real a, Real b) {
+  _mm_storeu_pd(static_cast<double*>(to), _mm_unpacklo_pd(a, b));
+  _mm_storeu_pd(static_cast<double*>(to) + 2, _mm_unpackhi_pd(a, b));
+}
 inline void store_single(float* to, Real value) {
   _mm_storel_pi(reinterpret_cast<__m64*>(to), _mm_cvtpd_ps(value));
 }
@@ -102,6 +116,15 @@ inline Real with_sign_of(Real size, Real sign) {
 inline Real root(Real a) { return _mm256_sqrt_pd(a); }
 inline Real fused(Real a, Real b, Real c) { return _mm256_fmadd_pd(a, b, c); }
 inline Real fused_difference(Real a, Real b, Real c) { return _mm256_fmsub_pd(a, b, c); }
+inline Real real(const int* from) {
+  return _mm256_cvtepi32_pd(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
+}
+inline unsigned bits(Mask m) { return static_cast<unsigned>(_mm256_movemask_pd(m)); }
+inline void store_pairs(void* to, Real a, Real b) {
+  const Real even = _mm256_unpacklo_pd(a, b), odd = _mm256_unpackhi_pd(a, b);
+  _mm256_storeu_pd(static_cast<double*>(to), _mm256_permute2f128_pd(even, odd, 0x20));
+  _mm256_storeu_pd(static_cast<double*>(to) + 4, _mm256_permute2f128_pd(even, odd, 0x31));
+}
 inline void store_single(float* to, Real value) { _mm_storeu_ps(to, _mm256_cvtpd_ps(value)); }
 inline Ends turned(Real r0, Real r1, Real r2, Real r3) {
   const Real x01 = _mm256_unpacklo_pd(r0, r1), y01 = _mm256_unpackhi_pd(r0, r1);
@@ -141,6 +164,16 @@ inline Real with_sign_of(Real size, Real sign) {
 inline Real root(Real a) { return _mm512_maskz_sqrt_pd(255, a); }
 inline Real fused(Real a, Real b, Real c) { return _mm512_fmadd_pd(a, b, c); }
 inline Real fused_difference(Real a, Real b, Real c) { return _mm512_fmsub_pd(a, b, c); }
+inline Real real(const int* from) {
+  return _mm512_maskz_cvtepi32_pd(255, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)));
+}
+inline unsigned bits(Mask m) { return m; }
+inline void store_pairs(void* to, Real a, Real b) {
+  const __m512i low = _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11);
+  const __m512i high = _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15);
+  _mm512_storeu_pd(static_cast<double*>(to), _mm512_permutex2var_pd(a, low, b));
+  _mm512_storeu_pd(static_cast<double*>(to) + 8, _mm512_permutex2var_pd(a, high, b));
+}
 inline void store_single(float* to, Real value) {
   _mm256_storeu_ps(to, _mm512_maskz_cvtpd_ps(255, value));
 }

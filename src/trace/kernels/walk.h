@@ -51,6 +51,7 @@ struct Grid {
   const unsigned* cells;
   const float* records;   ///< ax, ay, bx, by of a wall in a cell; three more may be read
   const unsigned* slots;  ///< of the segments of records
+  const double* ends;     ///< ax, ay, bx, by of each segment, as given
   double centre_x, centre_y, scale_x, scale_y;
   double half_x, half_y;  ///< rays from farther out start where they enter this box
   double ring_x, ring_y;  ///< a place in the ring
@@ -64,16 +65,19 @@ struct Grid {
 struct Walking {
   const float* number;                               ///< 0, 1, 2, ...
   float *ox, *oy, *dx, *dy, *inverse_x, *inverse_y;  ///< the inverses without their signs
-  float *left_ax, *left_ay, *left_bx;  ///< of the wall just left, NaN where none; null: of no ray
+  const unsigned* left;                ///< slot of the segment just left, or kNone; null: of no ray
+  float *left_ax, *left_ay, *left_bx;  ///< of its records, NaN where there is none
   /// Where rays end, in lengths of their directions, whole vectors; null: nowhere.
   const double* up_to;
   float *end_low, *end_high;  ///< t between which that is, where rays end
   int count;
 };
 
-/// By ray: the record of the wall that surely is the first met, at t > 0 and between its ends, or
+/// By ray: the slot of the wall that surely is the first met, at t > 0 and between its ends, or
 /// kNoRecord (surely none), or kDoubt. Of rays that end: of any wall that surely is met before.
 inline constexpr int kNoRecord = -1, kDoubt = -2;
+
+inline constexpr unsigned kNone = 0xffffffffU;  ///< no slot
 
 /// Rays as given.
 struct Rays {
@@ -81,20 +85,24 @@ struct Rays {
   int count;  ///< whole vectors are read: a multiple of kWidest
 };
 
-/// Segments with the wall each ray meets, to give its t.
+/// What the rays have found, and where their answers go: 16 bytes each, a word and t. Of a ray that
+/// meets a wall the word is `met` and the slot of its segment, of others `missed`, and t infinite.
 struct Finish {
-  const double* ends;     ///< ax, ay, bx, by of each segment
-  const unsigned* slots;  ///< by ray; any valid one where it does not matter
-  double* t;              ///< the nearest double, or NaN where that is not certain
+  const int* found;
+  int count;
+  void* answers;
+  unsigned long met, missed;
+  int* open;  ///< gets the numbers of rays whose answer, or its t, is not certain
 };
 
 /// A ray alone.
 struct SingleRay {
   double ox, oy, dx, dy;
-  unsigned left;  ///< slot of the segment just left, or none
+  unsigned left;  ///< slot of the segment just left, or kNone
 };
 
-/// What it meets: `found` as of rays that walk in lanes, the slot of the segment, its t as in Finish.
+/// What it meets: `found` as of rays that walk in lanes, the slot of the segment, its t, which is NaN
+/// where it is not certain.
 struct SingleHit {
   int found;
   unsigned slot;
@@ -102,16 +110,17 @@ struct SingleHit {
 };
 
 struct WalkKernels {
-  /// Fills `walking` but for the walls left and `up_to`; `fate` of rays that cannot walk is kDoubt, else 0. Rays
-  /// that miss the grid start in the ring.
-  void (*prepare)(const Grid&, const Rays&, const Walking&, int* fate);
+  /// Fills `walking` but for `left` and `up_to`. Of rays that cannot walk `fate` becomes kDoubt; whether
+  /// there are any. Rays that miss the grid start in the ring.
+  bool (*prepare)(const Grid&, const Rays&, const Walking&, int* fate);
   void (*walk)(const Grid&, const Walking&, int* found);
   /// The same without cells: every record against every ray. `found` may be written up to the next
   /// whole vector.
   void (*scan)(const Grid&, const Walking&, int* found);
-  void (*finish)(const Rays&, const Finish&);
-  /// All of it for one ray; of every record where there are no cells. `ends` as in Finish.
-  SingleHit (*single_ray)(const Grid&, const double* ends, const SingleRay&);
+  /// Gives how many rays are open.
+  int (*finish)(const Grid&, const Rays&, const Finish&);
+  /// All of it for one ray; of every record where there are no cells.
+  SingleHit (*single_ray)(const Grid&, const SingleRay&);
 };
 
 }  // namespace flatray::lanes

@@ -8,7 +8,11 @@ inline void test(const Constants& c, const float* records, Group& g) {
   const Int record = choose(idle, all(0), g.record);
   store(at, sum(record, record));
   const Record r = fetch(records, at);
-  judge<some_left>(c, r, idle, g);
+  Mask out = idle;
+  if (some_left)
+    out = either(
+        out, both(both(equal(r.ax, g.left_ax), equal(r.ay, g.left_ay)), equal(r.bx, g.left_bx)));
+  judge<false>(c, r, out, g);
   const Mask last = either(idle, odd(r.by));
   g.moving = both(g.live, last);
   g.record = choose(last, all(-1), next(g.record));
@@ -77,20 +81,11 @@ inline void enter(const Constants& c, const unsigned* cells, const float* record
 
 // The rays still to come, and where the answers go.
 struct Queue {
+  const unsigned* slots;  // by record
   const Walking& rays;
   int* found;
   int next;
 };
-
-// `other` begins as where a ray ends, at the latest, so that it stops there.
-inline Int verdict(const Group& g, bool end) {
-  if (end) {
-    const Mask open = less(smaller(g.low, g.other), g.end_high);
-    return choose(less(g.high, g.end_low), g.best, choose(open, all(kDoubt), all(kNoRecord)));
-  }
-  const Int unsure = choose(less(g.other, all(kFar)), all(kDoubt), all(kNoRecord));
-  return choose(less(g.high, g.other), g.best, unsure);
-}
 
 inline void write(unsigned lanes, const Group& g, Queue& queue) {
   alignas(64) unsigned ray[kLanes], record[kLanes];
@@ -98,7 +93,8 @@ inline void write(unsigned lanes, const Group& g, Queue& queue) {
   store(record, verdict(g, queue.rays.up_to != nullptr));
   for (; lanes != 0; lanes &= lanes - 1) {
     const int lane = __builtin_ctz(lanes);
-    queue.found[ray[lane]] = static_cast<int>(record[lane]);
+    const auto met = static_cast<int>(record[lane]);
+    queue.found[ray[lane]] = met < 0 ? met : static_cast<int>(queue.slots[met]);
   }
 }
 
@@ -115,7 +111,7 @@ void take(const Constants& c, unsigned lanes, Group& g, Queue& queue) {
   g.dy = spread(lanes, r.dy + from, g.dy);
   g.inverse_x = spread(lanes, r.inverse_x + from, g.inverse_x);
   g.inverse_y = spread(lanes, r.inverse_y + from, g.inverse_y);
-  if (r.left_ax != nullptr) {
+  if (r.left != nullptr) {
     g.left_ax = spread(lanes, r.left_ax + from, g.left_ax);
     g.left_ay = spread(lanes, r.left_ay + from, g.left_ay);
     g.left_bx = spread(lanes, r.left_bx + from, g.left_bx);
@@ -161,9 +157,8 @@ inline bool settle(const Constants& c, Group& g, Queue& queue) {
 
 template <bool some_left>
 void walk_all(const Grid& grid, const Walking& rays, int* found) {
-  const Constants c = {all(kSide * grid.unit), all(kTime * grid.unit), all(kNear * grid.unit),
-                       all(grid.stride), all(grid.first)};
-  Queue queue{rays, found, 0};
+  const Constants c = constants_of(grid);
+  Queue queue{grid.slots, rays, found, 0};
   Group groups[kGroups] = {};
   for (Group& g : groups) {
     g.record = all(-1);
@@ -178,55 +173,4 @@ void walk_all(const Grid& grid, const Walking& rays, int* found) {
     for (Group& g : groups) busy = settle(c, g, queue) || busy;
     for (Group& g : groups) enter(c, grid.cells, grid.records, grid.is_large, g);
   }
-}
-
-void walk(const Grid& grid, const Walking& rays, int* found) {
-  if (rays.left_ax != nullptr)
-    walk_all<true>(grid, rays, found);
-  else
-    walk_all<false>(grid, rays, found);
-}
-
-// Every record against the next rays, lane by lane.
-template <bool some_left>
-void scan_all(const Grid& grid, const Walking& rays, int* found) {
-  const Constants c = {all(kSide * grid.unit), all(kTime * grid.unit), all(kNear * grid.unit),
-                       all(grid.stride), all(grid.first)};
-  const Float edge = all(static_cast<float>(0 - grid.half_x));
-  for (int i = 0; i < rays.count; i += kLanes) {
-    Group g{};
-    g.ox = load(rays.ox + i);
-    g.oy = load(rays.oy + i);
-    g.dx = load(rays.dx + i);
-    g.dy = load(rays.dy + i);
-    if (some_left) {
-      g.left_ax = load(rays.left_ax + i);
-      g.left_ay = load(rays.left_ay + i);
-      g.left_bx = load(rays.left_bx + i);
-    }
-    g.limit = all(kEndless);
-    g.low = g.high = g.other = all(kFar);
-    if (rays.up_to != nullptr) {
-      g.end_low = load(rays.end_low + i);
-      g.other = g.end_high = smaller(load(rays.end_high + i), g.other);
-    }
-    g.record = all(0);
-    const Mask in_ring = less(g.ox, edge);
-    for (const float* record = grid.records;; record += 4) {
-      const Record r = {all(record[0]), all(record[1]), all(record[2]), all(record[3])};
-      judge<some_left>(c, r, in_ring, g);
-      if ((__builtin_bit_cast(unsigned, record[3]) & 1U) != 0) break;
-      g.record = next(g.record);
-    }
-    alignas(64) unsigned record[kLanes];
-    store(record, verdict(g, rays.up_to != nullptr));
-    for (int lane = 0; lane < kLanes; ++lane) found[i + lane] = static_cast<int>(record[lane]);
-  }
-}
-
-[[maybe_unused]] void scan(const Grid& grid, const Walking& rays, int* found) {
-  if (rays.left_ax != nullptr)
-    scan_all<true>(grid, rays, found);
-  else
-    scan_all<false>(grid, rays, found);
 }

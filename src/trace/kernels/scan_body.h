@@ -1,0 +1,29 @@
+// Every wall against every ray, by the judge of judge_body.h.
+
+// Every record against the next rays, lane by lane.
+template <bool some_left>
+void scan_all(const Grid& grid, const Walking& rays, int* found) {
+  const Constants c = constants_of(grid);
+  const Float edge = all(static_cast<float>(0 - grid.half_x));
+  for (int i = 0; i < rays.count; i += kLanes) {
+    Asked g;
+    load_rays(rays, i, g);
+    const Mask in_ring = less(g.ox, edge);
+    const Int left = some_left ? load(rays.left + i) : all(kNoRecord);
+    const unsigned* slot = grid.slots;
+    for (const float* record = grid.records;; record += 4, ++slot) {
+      g.record = all(static_cast<int>(*slot));
+      const Mask out = some_left ? either(in_ring, equal(left, g.record)) : in_ring;
+      judge<false>(c, spread_record(record), out, g);
+      if (is_last(record)) break;
+    }
+    write_verdicts(g, rays.up_to != nullptr, found + i);
+  }
+}
+
+[[maybe_unused]] void scan(const Grid& grid, const Walking& rays, int* found) {
+  if (rays.left != nullptr)
+    scan_all<true>(grid, rays, found);
+  else
+    scan_all<false>(grid, rays, found);
+}
