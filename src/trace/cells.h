@@ -99,7 +99,7 @@ class CellGrid {
   void find_twins(const Surfaces& walls, unsigned threads);
   void find_copies(const Surfaces& walls, unsigned threads);
 
-  static constexpr std::size_t kBeyond = 3;  // records read beyond the last
+  static constexpr std::size_t kBeyond = 15;  // records read beyond the last
 
   Vec2 centre_, size_, scale_;
   std::int32_t columns_ = 0, rows_ = 0;  // without the ring

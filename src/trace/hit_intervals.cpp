@@ -1,6 +1,7 @@
 #include "trace/hit_intervals.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geom/bounds.h"
 #include "geom/clip_range.h"
@@ -15,6 +16,9 @@ namespace {
 // From here on a search for the two edges is faster than lanes that look at all
 // (docs/adr/0012-convex-search.md).
 constexpr std::size_t kManyEdges = 1536;
+constexpr std::size_t kBlock =
+    256;  // rays of a call of the kernel: what it gives stays in the first cache
+static_assert(kBlock % lanes::kWidest == 0);
 
 // The ring closed by its first vertex, and its box.
 struct ClosedRing {
@@ -69,10 +73,10 @@ void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Rang
   const ClosedRing ring(polygon);
   const lanes::Polygon lane_ring = lane_polygon(ring);
   RayBlock block;
-  std::array<double, kRayBlock> down, up;
-  for (std::size_t begin = 0; begin < rays.size(); begin += kRayBlock) {
-    const std::size_t count = block.load(rays, begin);
-    lane_kernels(isa).clip(lane_ring, block.lanes(), {down.data(), up.data()});
+  std::array<double, kBlock> down, up;
+  for (std::size_t begin = 0; begin < rays.size(); begin += kBlock) {
+    const std::size_t count = std::min(kBlock, rays.size() - begin);
+    lane_kernels(isa).clip(lane_ring, block.take(rays, begin, count), {down.data(), up.data()});
     for (std::size_t i = 0; i < count; ++i) {
       const Ray ray = rays.ray(begin + i);
       intervals[begin + i] = down[i] == lanes::kMissed ? HitInterval{}

@@ -1,15 +1,12 @@
 #include "trace/lane_tracer.h"
 
 #include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <numeric>
-#include <type_traits>
 #include <utility>
 
 #include "geom/error_bounds.h"
 #include "trace/cell_search.h"
 #include "trace/kernels/tiers.h"
+#include "trace/lane_block.h"
 #include "trace/many_rays.h"
 #include "trace/rescaled.h"
 
@@ -19,134 +16,10 @@ namespace {
 constexpr std::size_t kBlock = 4096, kBlockOfList = 512;
 // Up to so many rays one after the other are faster than lanes (benchmarks/batch_size).
 constexpr std::size_t kFewRays = kMostRaysOneByOne, kFewRaysOfList = 4;
-constexpr auto kWide = static_cast<std::size_t>(lanes::kWidest);
-constexpr std::size_t kVector = 32;  // floats that kernels take at once, at most
-
-std::size_t whole_vectors(std::size_t count) { return (count + kWide - 1) / kWide * kWide; }
-
-// The word of an answer that lanes::Finish writes, and where t lies in it.
-static_assert(sizeof(NearestHit) == 16 && offsetof(NearestHit, surface) == 0 &&
-              offsetof(NearestHit, t) == 8 && std::is_trivially_copyable_v<NearestHit>);
-unsigned long word_of(std::uint32_t surface, HitClass kind) {
-  const NearestHit hit{surface, kind, Root::none, false, 0};
-  unsigned long word = 0;
-  std::memcpy(&word, &hit, sizeof word);
-  return word;
-}
-
-// Columns of some rays one after the other, `room` floats each.
-lanes::Walking columns_of(float* column, const float* numbers, std::size_t room) {
-  lanes::Walking w{};
-  w.number = numbers;
-  for (float** each : {&w.ox, &w.oy, &w.dx, &w.dy, &w.inverse_x, &w.inverse_y, &w.left_ax,
-                       &w.left_ay, &w.left_bx, &w.end_low, &w.end_high})
-    *each = std::exchange(column, column + room);
-  return w;
-}
 
 std::string both(std::string segments, const std::string& curves) {
   return curves.empty() ? segments : std::move(segments) + ", " + curves;
 }
-
-// Some rays of a batch on their way through the kernels.
-class Block {
- public:
-  Block(const Surfaces& walls, const CellGrid& cells, const lanes::Grid& grid,
-        const lanes::WalkKernels& kernels, std::size_t most)
-      : walls_(walls),
-        cells_(cells),
-        grid_(grid),
-        kernels_(kernels),
-        room_(whole_vectors(most) + kVector),
-        numbers_(room_),
-        columns_(11 * room_),
-        left_(room_),
-        fate_(room_),
-        found_(room_),
-        open_(room_) {
-    std::iota(numbers_.begin(), numbers_.end(), 0.0F);
-  }
-
-  void load(const RayBatch& rays, std::size_t begin, std::size_t count) {
-    rays_ = &rays;
-    begin_ = begin;
-    count_ = count;
-    given_ = {&rays.ox[begin], &rays.oy[begin], &rays.dx[begin], &rays.dy[begin],
-              static_cast<int>(count)};
-    if (count % kWide == 0) return;
-    padded_.resize(0);  // the kernels read whole vectors: the last ray again
-    for (std::size_t i = 0; i < whole_vectors(count); ++i)
-      padded_.add(rays.ray(begin + std::min(i, count - 1)));
-    given_ = {padded_.ox.data(), padded_.oy.data(), padded_.dx.data(), padded_.dy.data(),
-              static_cast<int>(padded_.size())};
-  }
-
-  // By ray the record of a wall that may be its first, of rays that end one they may meet, or what is
-  // not certain. `up_to` by ray of the batch, or empty.
-  std::span<const int> walk(std::span<const double> up_to = {}) {
-    lanes::Walking w = columns_of(columns_.data(), numbers_.data(), room_);
-    w.count = static_cast<int>(count_);
-    if (!up_to.empty()) {
-      ends_.assign(room_, 0);
-      std::copy_n(up_to.begin() + static_cast<std::ptrdiff_t>(begin_), count_, ends_.begin());
-      w.up_to = ends_.data();
-    }
-    bool some_unable = false;
-    if (some_have_left()) {
-      some_unable = find_left();
-      w.left = left_.data();
-    }
-    some_unable = kernels_.prepare(grid_, given_, w, fate_.data()) || some_unable;
-    (grid_.cells != nullptr ? kernels_.walk : kernels_.scan)(grid_, w, found_.data());
-    for (std::size_t i = 0; some_unable && i < room_; ++i)
-      if (std::exchange(fate_[i], 0) != 0) found_[i] = lanes::kDoubt;
-    return {found_.data(), count_};
-  }
-
-  // Writes the answers, of segments by slot, and gives the rays that have none yet.
-  std::span<const int> finish(NearestHit* hits) {
-    const int open =
-        kernels_.finish(grid_, given_,
-                        {found_.data(), static_cast<int>(count_), hits, word_of(0, HitClass::touch),
-                         word_of(kNoSurface, HitClass::miss), open_.data()});
-    return {open_.data(), static_cast<std::size_t>(open)};
-  }
-
- private:
-  bool some_have_left() const {
-    std::uint32_t none = kNoSurface;  // all bits
-    for (const Left& each : std::span(rays_->left).subspan(begin_, count_)) none &= each.surface;
-    return none != kNoSurface;
-  }
-
-  // The segments that rays have left; whether the lanes cannot tell one of them from others.
-  bool find_left() {
-    static_assert(kNoSurface == lanes::kNone);
-    bool some_unable = false;
-    std::fill(left_.begin() + static_cast<std::ptrdiff_t>(count_), left_.end(), lanes::kNone);
-    for (std::size_t i = 0; i < count_; ++i) {
-      left_[i] = walls_.segment_slot(rays_->left[begin_ + i].surface);
-      if (left_[i] == lanes::kNone || !cells_.is_ambiguous(left_[i])) continue;
-      fate_[i] = lanes::kDoubt;
-      some_unable = true;
-    }
-    return some_unable;
-  }
-
-  const Surfaces& walls_;
-  const CellGrid& cells_;
-  const lanes::Grid& grid_;
-  const lanes::WalkKernels& kernels_;
-  std::size_t room_;
-  std::vector<float> numbers_, columns_;
-  std::vector<unsigned> left_;
-  std::vector<int> fate_, found_, open_;
-  std::vector<double> ends_;
-  const RayBatch* rays_ = nullptr;
-  std::size_t begin_ = 0, count_ = 0;
-  lanes::Rays given_{};
-  RayBatch padded_;
-};
 
 class LaneTracer : public Accelerator {
  public:
@@ -164,7 +37,7 @@ class LaneTracer : public Accelerator {
         hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
       return;
     }
-    in_blocks(rays, [&](Block& block, std::size_t begin, std::size_t count) {
+    in_blocks(rays, [&](LaneBlock& block, std::size_t begin, std::size_t count) {
       block.walk();
       const std::span<const int> open = block.finish(&hits[begin]);
       if (walls_.curve_numbers.empty()) {
@@ -183,7 +56,7 @@ class LaneTracer : public Accelerator {
   void any(const RayBatch& rays, std::span<const double> up_to,
            std::span<std::uint8_t> met) const override {
     if (are_few(rays)) return Accelerator::any(rays, up_to, met);
-    in_blocks(rays, [&](Block& block, std::size_t begin, std::size_t) {
+    in_blocks(rays, [&](LaneBlock& block, std::size_t begin, std::size_t) {
       std::size_t i = begin;
       for (const int found : block.walk(up_to)) {
         const bool open =
@@ -197,7 +70,7 @@ class LaneTracer : public Accelerator {
     if (!walls_.curve_numbers.empty()) return rays.size();
     std::size_t left = 0;
     std::vector<NearestHit> hits(std::min(kBlock, rays.size()));
-    in_blocks(rays, [&](Block& block, std::size_t, std::size_t) {
+    in_blocks(rays, [&](LaneBlock& block, std::size_t, std::size_t) {
       block.walk();
       left += block.finish(hits.data()).size();
     });
@@ -254,7 +127,7 @@ class LaneTracer : public Accelerator {
   template <class Each>
   void in_blocks(const RayBatch& rays, const Each& each) const {
     const std::size_t most = std::min(cells_.has_cells() ? kBlock : kBlockOfList, rays.size());
-    Block block(walls_, cells_, view_, kernels_, most);
+    LaneBlock block(walls_, cells_, view_, kernels_, most);
     for (std::size_t begin = 0; begin < rays.size(); begin += most) {
       const std::size_t count = std::min(most, rays.size() - begin);
       block.load(rays, begin, count);

@@ -76,7 +76,10 @@ namespace single {
 // clang-format on
 }  // namespace single
 
-// One ray alone in doubles, and records in lanes: four where there are vectors.
+// One ray alone in doubles, and records in lanes: of a list in all, of a cell in four.
+namespace list {
+#include "trace/kernels/candidates_body.h"
+}  // namespace list
 #if FLATRAY_LANES > 1
 #define FLATRAY_RECORD_LANES 2
 #else

@@ -199,27 +199,6 @@ class Packet {
   unsigned recent_[4];  // walls tested last
 };
 
-// How far rays are apart that go together: in cells, some cells from where they start.
-constexpr float kApart = 3, kWay = 8;
-
-// Whether most of some vectors go together.
-inline bool go_together(const Walking& rays) {
-  constexpr int kSampled = 8;
-  const int vectors = rays.count / kLanes;
-  if (kLanes == 1 || vectors < kSampled) return false;
-  int together = 0;
-  for (int k = 0; k < kSampled; ++k) {
-    const int i = (vectors * k + vectors / 2) / kSampled * kLanes;
-    const auto spread_of = [&](const float* from) {
-      return most(load(from + i)) - least(load(from + i));
-    };
-    const float apart =
-        spread_of(rays.ox) + spread_of(rays.oy) + kWay * (spread_of(rays.dx) + spread_of(rays.dy));
-    together += apart < kApart ? 1 : 0;
-  }
-  return together >= kSampled - 1;
-}
-
 template <bool some_left>
 void walk_together(const Grid& grid, const Walking& rays, int* found) {
   for (int i = 0; i < rays.count; i += kLanes)
@@ -227,7 +206,7 @@ void walk_together(const Grid& grid, const Walking& rays, int* found) {
 }
 
 void walk(const Grid& grid, const Walking& rays, int* found) {
-  const bool together = go_together(rays);
+  const bool together = go_together(rays, 3);
   if (rays.left != nullptr)
     (together ? walk_together<true> : walk_all<true>)(grid, rays, found);
   else

@@ -1,7 +1,7 @@
 // Every wall against every ray, by the judge of judge_body.h.
 
 // Every record against the next rays, lane by lane.
-template <bool some_left>
+template <bool some_left, bool together>
 void scan_all(const Grid& grid, const Walking& rays, int* found) {
   const Constants c = constants_of(grid);
   const Float edge = all(static_cast<float>(0 - grid.half_x));
@@ -14,7 +14,7 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
     for (const float* record = grid.records;; record += 4, ++slot) {
       g.record = all(static_cast<int>(*slot));
       const Mask out = some_left ? either(in_ring, equal(left, g.record)) : in_ring;
-      judge<false>(c, spread_record(record), out, g);
+      judge<together>(c, spread_record(record), out, g);
       if (is_last(record)) break;
     }
     write_verdicts(g, rays.up_to != nullptr, found + i);
@@ -22,8 +22,9 @@ void scan_all(const Grid& grid, const Walking& rays, int* found) {
 }
 
 [[maybe_unused]] void scan(const Grid& grid, const Walking& rays, int* found) {
+  const bool together = go_together(rays, 0.5F);
   if (rays.left != nullptr)
-    scan_all<true>(grid, rays, found);
+    (together ? scan_all<true, true> : scan_all<true, false>)(grid, rays, found);
   else
-    scan_all<false>(grid, rays, found);
+    (together ? scan_all<false, true> : scan_all<false, false>)(grid, rays, found);
 }

@@ -87,8 +87,10 @@ inline Fate prepare(const Grid& grid, const SingleRay& ray, Start& s) {
   return bring_in(grid, s);
 }
 
-inline Line line_of(const Grid& grid, const Start& s, unsigned left) {
-  const auto in_all = [](double value) { return records::all(static_cast<float>(value)); };
+// As records in the lanes of list:: or records:: take it.
+template <class Line, class All>
+Line line_of(const Grid& grid, const Start& s, unsigned left, const All& all_of) {
+  const auto in_all = [&](double value) { return all_of(static_cast<float>(value)); };
   const double unit = static_cast<double>(grid.unit) * (s.step_x + s.step_y);
   return {in_all(s.x),
           in_all(s.y),
@@ -199,18 +201,25 @@ class Walk {
   Candidates candidates_;
 };
 
-SingleHit nearest(const Grid& grid, const SingleRay& ray) {
-  Start start;
-  const Fate fate = prepare(grid, ray, start);
-  if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};
-  const Line line = line_of(grid, start, ray.left);
-  Candidates candidates;
-  if (grid.cells == nullptr)
-    test_list(grid, line, 0, candidates);
-  else
-    candidates = Walk(grid, start, line).run();
+template <class Candidates>
+SingleHit answer(const Grid& grid, const SingleRay& ray, const Candidates& candidates) {
   SingleHit hit{candidates.verdict(), candidates.slot, 0};
   if (hit.found >= 0)
     hit.t = crossing_time({ray.ox, ray.oy, ray.dx, ray.dy}, fetch_ends(grid.ends, &hit.slot));
   return hit;
+}
+
+SingleHit nearest(const Grid& grid, const SingleRay& ray) {
+  Start start;
+  const Fate fate = prepare(grid, ray, start);
+  if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};
+  if (grid.cells == nullptr) {
+    list::Candidates candidates;
+    const auto in_all = [](float value) { return list::all(value); };
+    list::test_list(grid, line_of<list::Line>(grid, start, ray.left, in_all), 0, candidates);
+    return answer(grid, ray, candidates);
+  }
+  const auto in_all = [](float value) { return records::all(value); };
+  const Line line = line_of<Line>(grid, start, ray.left, in_all);
+  return answer(grid, ray, Walk(grid, start, line).run());
 }

@@ -1,0 +1,73 @@
+// Rays that go together, and so walk as one, against the exact code for every wall, bit for bit.
+#include "trace/crowd.h"
+
+namespace flatray {
+namespace {
+
+// By their angle: from one place, or side by side, some of them at ends of walls.
+void add_beam(Draws& draw, const Vec2& from, const Vec2& aside, const Vec2& to, Case& c) {
+  constexpr int kRays = 256;
+  const Vec2 along = to - from;
+  const Vec2 spread = 1e-3 * draw.unit() * Vec2(-along.y(), along.x());
+  for (int i = 0; i < kRays; ++i) {
+    const double turn = 2.0 * i / kRays - 1;
+    const Vec2 bend = i % 16 == 5 ? Vec2(0, 0) : Vec2(turn * spread);
+    c.rays.add({i % 16 == 5 ? from : Vec2(from + turn * aside), along + bend});
+  }
+}
+
+Case together(Draws& draw, double size) {
+  Case c;
+  c.walls = crowd(draw, 60, size);
+  const Vec2 cluster = draw.point();
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 at = cluster + 0.01 * draw.point();
+    c.walls.add(Segment{at, at + 0.002 * (draw.point() - Vec2(0.5, 0.5))});
+  }
+  for (int beam = 0; beam < 6; ++beam) {
+    const Vec2 inside = draw.point(), outside = Vec2(3, 2) - 4 * draw.point();
+    const Vec2 from = beam % 4 == 0 ? any_end(draw, c.walls) : beam % 4 == 1 ? outside : inside;
+    const Vec2 to = beam % 3 == 0 ? Vec2(cluster + 0.01 * draw.point()) : any_end(draw, c.walls);
+    add_beam(draw, from, {0, 0}, to, c);
+    add_beam(draw, inside, {0, 1e-3 * draw.unit()}, to, c);
+    const bool level = beam % 2 == 0;  // along an axis, some of them along walls
+    add_beam(draw, from, {0, 0}, from + (level ? Vec2(0.5, 0) : Vec2(0, -0.5)), c);
+  }
+  return c;
+}
+
+TEST(Tracers, AgreeOnRaysThatGoTogether) {
+  Draws draw(31);
+  for (const double size : {0.02, 0.3}) {
+    Case c = together(draw, size);
+    expect_all_tiers_exact(c);
+    for (Left& left : c.rays.left)
+      left.surface = static_cast<std::uint32_t>(draw.bits() % c.walls.size());
+    expect_all_tiers_exact(c);
+  }
+}
+
+TEST(Tracers, AgreeOnRaysThatGoTogetherAndEnd) {
+  Draws draw(32);
+  const Case c = together(draw, 0.1);
+  std::vector<double> up_to;
+  std::vector<std::uint8_t> truth, met(c.rays.size());
+  for (std::size_t i = 0; i < c.rays.size(); ++i) {
+    const double t = exact_hit_of(c, i).t;
+    up_to.push_back(t < kInfinity ? t * (0.5 + draw.unit()) : 10 * draw.unit());
+    truth.push_back(t <= up_to.back() ? 1 : 0);
+  }
+  for (const Tracer* tracer : exact_tracers())
+    for (const Isa isa : available_isas()) {
+      tracer->build(c.walls, isa)->any(c.rays, up_to, met);
+      for (std::size_t i = 0; i < met.size(); ++i)
+        ASSERT_EQ(met[i], truth[i])
+            << tracer->name << ", " << isa_name(isa) << ", ray " << i << " from "
+            << c.rays.ray(i).origin.transpose() << " along " << c.rays.ray(i).direction.transpose()
+            << ": wall " << exact_hit_of(c, i).surface << " at " << exact_hit_of(c, i).t
+            << ", up to " << up_to[i];
+    }
+}
+
+}  // namespace
+}  // namespace flatray
