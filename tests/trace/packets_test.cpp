@@ -13,6 +13,8 @@ void add_beam(Draws& draw, const Vec2& from, const Vec2& aside, const Vec2& to, 
     const double turn = 2.0 * i / kRays - 1;
     const Vec2 bend = i % 16 == 5 ? Vec2(0, 0) : Vec2(turn * spread);
     c.rays.add({i % 16 == 5 ? from : Vec2(from + turn * aside), along + bend});
+    if (i >= 128 && i % 16 == 9)  // some go astray
+      c.rays.set(c.rays.size() - 1, {draw.point(), draw.point() - Vec2(0.5, 0.5)}, {});
   }
 }
 
