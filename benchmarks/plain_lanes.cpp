@@ -34,7 +34,7 @@ namespace plain {
 #include "trace/kernels/group_body.h"
 
 // A wall is met where its ends are on different sides.
-template <bool some_left>
+template <bool together>
 inline void judge(const Constants&, const Record& r, Mask idle, Group& g) {
   const Float ax = r.ax - g.ox, ay = r.ay - g.oy, bx = r.bx - g.ox, by = r.by - g.oy;
   const Float side_a = fused_difference(g.dx, ay, g.dy * ax);
@@ -82,9 +82,9 @@ class PlainLanes : public Tracing {
       const Rays rays = {&rays_.ox[begin], &rays_.oy[begin], &rays_.dx[begin], &rays_.dy[begin],
                          w.count};
       kernels.prepare(grid_.view(), rays, w, fate.data());
-      plain::walk(grid_.view(), w, found.data());
+      plain::walk_all<false>(grid_.view(), w, found.data());
       for (std::size_t i = 0; i < count; ++i)
-        slots_[begin + i] = found[i] < 0 ? 0 : grid_.slot(static_cast<std::size_t>(found[i]));
+        slots_[begin + i] = found[i] < 0 ? 0 : static_cast<std::uint32_t>(found[i]);
       finish(rays, begin);
       for (std::size_t i = 0; i < count; ++i)
         if (found[i] < 0) slots_[begin + i] = flatray::kNoSurface;

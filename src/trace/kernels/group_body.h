@@ -76,23 +76,3 @@ inline void write_verdicts(const Asked& g, bool end, int* found) {
   store(met, verdict(g, end));
   __builtin_memcpy(found, met, sizeof met);
 }
-
-// Whether the rays of most of some vectors are less than `most_apart` cells apart, some cells from where they
-// start.
-inline bool go_together(const Walking& rays, float most_apart) {
-  constexpr int kSampled = 8;
-  constexpr float kWay = 8;
-  const int vectors = rays.count / kLanes;
-  if (kLanes == 1 || vectors < kSampled) return false;
-  int together = 0;
-  for (int k = 0; k < kSampled; ++k) {
-    const int i = (vectors * k + vectors / 2) / kSampled * kLanes;
-    const auto spread_of = [&](const float* from) {
-      return most(load(from + i)) - least(load(from + i));
-    };
-    const float apart =
-        spread_of(rays.ox) + spread_of(rays.oy) + kWay * (spread_of(rays.dx) + spread_of(rays.dy));
-    together += apart < most_apart ? 1 : 0;
-  }
-  return together >= kSampled - 1;
-}

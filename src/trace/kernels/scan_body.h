@@ -1,5 +1,25 @@
 // Every wall against every ray, by the judge of judge_body.h.
 
+// Whether the rays of most of some vectors are less than `most_apart` cells apart, some cells from where they
+// start.
+inline bool go_together(const Walking& rays, float most_apart) {
+  constexpr int kSampled = 8;
+  constexpr float kWay = 8;
+  const int vectors = rays.count / kLanes;
+  if (kLanes == 1 || vectors < kSampled) return false;
+  int together = 0;
+  for (int k = 0; k < kSampled; ++k) {
+    const int i = (vectors * k + vectors / 2) / kSampled * kLanes;
+    const auto spread_of = [&](const float* from) {
+      return most(load(from + i)) - least(load(from + i));
+    };
+    const float apart =
+        spread_of(rays.ox) + spread_of(rays.oy) + kWay * (spread_of(rays.dx) + spread_of(rays.dy));
+    together += apart < most_apart ? 1 : 0;
+  }
+  return together >= kSampled - 1;
+}
+
 // Every record against the next rays, lane by lane.
 template <bool some_left, bool together>
 void scan_all(const Grid& grid, const Walking& rays, int* found) {
