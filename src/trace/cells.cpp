@@ -15,10 +15,9 @@ constexpr double kFar = 0x1p18;   // times M: of origins whose entry is off by a
 
 // Records a segment allowed for before cells are made larger.
 constexpr double kMostRecords = 8;
-constexpr double kMostCells = 4;        // a segment: more did not pay anywhere
-constexpr std::size_t kCached = 16384;  // segments up to which all stays in the cache
-constexpr std::size_t kSecondCache = std::size_t{4}
-                                     << 20;  // bytes, and what of it costs nothing to miss
+constexpr double kMostCells = 4;                // a segment: more did not pay anywhere
+constexpr std::size_t kCached = 16384;          // segments up to which all stays in the cache
+constexpr std::size_t kSecondCache = 1U << 20;  // bytes
 
 // Cells a segment, of segments that each are in 1 + crossings * sqrt(cells) cells: beyond the cache
 // as many as leave words and records 40 bytes a segment, but not below one.
