@@ -13,13 +13,13 @@ namespace flatray {
 /// How the answers of one tracer to some rays of a family compare with the oracle's.
 struct StabilityTally {
   std::uint64_t rays = 0;
-  std::uint64_t hits = 0;         ///< rays that meet a wall
-  std::uint64_t wrong = 0;        ///< of wall, class, root or end; of these:
-  std::uint64_t missed = 0;       ///< nothing met where there is a wall
-  std::uint64_t invented = 0;     ///< a wall met where there is none
-  std::uint64_t other_wall = 0;   ///< a wall that is not the first; else class or end is wrong
-  std::uint64_t not_nearest = 0;  ///< hits whose t is not the double nearest to the exact one
-  std::uint64_t off_by_more = 0;  ///< hits whose t is more than 1 ulp off it
+  std::uint64_t hits = 0;          ///< rays that meet a wall
+  std::uint64_t wrong = 0;         ///< of wall, class, root or end; of these:
+  std::uint64_t missed = 0;        ///< nothing met where there is a wall
+  std::uint64_t invented = 0;      ///< a wall met where there is none
+  std::uint64_t other_wall = 0;    ///< a wall that is not the first; else class or end is wrong
+  std::uint64_t not_nearest = 0;   ///< hits whose t is not the double nearest to the exact one
+  std::uint64_t off_by_more = 0;   ///< hits whose t is more than 1 ulp off it
   std::uint64_t by_rationals = 0;  ///< rays for which the oracle's bounds did not suffice
   std::uint64_t watched = 0;     ///< rays of which it is known whether they were decided one by one
   std::uint64_t one_by_one = 0;  ///< rays that no lanes were certain of

@@ -1,9 +1,8 @@
-#include "collide/outline_contact.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "collide/outline_contact.h"
 #include "oracle/families.h"
 
 namespace flatray {
