@@ -17,12 +17,18 @@ struct Quotient {
   Number numer, denom;
 };
 
+/// What comes of two numbers: one of their own type where it can be, as numbers of GMP give
+/// expressions that are still to be computed.
+template <class A, class B, class Result>
+using NumberOf =
+    std::conditional_t<std::is_same_v<A, B> && std::is_convertible_v<Result, A>, A, Result>;
+
 template <class A, class B>
-auto operator+(const Pair<A>& a, const Pair<B>& b) -> Pair<decltype(a.x + b.x)> {
+auto operator+(const Pair<A>& a, const Pair<B>& b) -> Pair<NumberOf<A, B, decltype(a.x + b.x)>> {
   return {a.x + b.x, a.y + b.y};
 }
 template <class A, class B>
-auto operator-(const Pair<A>& a, const Pair<B>& b) -> Pair<decltype(a.x - b.x)> {
+auto operator-(const Pair<A>& a, const Pair<B>& b) -> Pair<NumberOf<A, B, decltype(a.x - b.x)>> {
   return {a.x - b.x, a.y - b.y};
 }
 template <class Number>
@@ -31,12 +37,12 @@ Pair<Number> operator*(const std::type_identity_t<Number>& a, const Pair<Number>
 }
 
 template <class A, class B>
-auto dot(const Pair<A>& a, const Pair<B>& b) {
+auto dot(const Pair<A>& a, const Pair<B>& b) -> NumberOf<A, B, decltype(a.x * b.x + a.y * b.y)> {
   return a.x * b.x + a.y * b.y;
 }
 
 template <class A, class B>
-auto cross(const Pair<A>& a, const Pair<B>& b) {
+auto cross(const Pair<A>& a, const Pair<B>& b) -> NumberOf<A, B, decltype(a.x * b.y - a.y * b.x)> {
   return a.x * b.y - a.y * b.x;
 }
 
