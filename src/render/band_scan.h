@@ -3,13 +3,12 @@
 #include <vector>
 
 #include "render/bands.h"
-#include "render/column_lists.h"
 #include "render/pixel_area.h"
 #include "render/row_pieces.h"
 
 namespace flatray {
 
-/// Takes what a scan finds: each pixel of the box once, in any order.
+/// Takes what a scan finds: each pixel of a row once, from left to right.
 class PixelSink {
  public:
   virtual ~PixelSink() = default;
@@ -18,11 +17,8 @@ class PixelSink {
   virtual void pixel(int y, int x, const Light& light) = 0;
 };
 
-/// Bands of pixels from the items that lie in them. Items are taken from the uppermost down: along
-/// a row of pixels, which is a ray, each covers runs of whole pixels and a part of those at its
-/// edges. What an opaque item covers is settled at once, and nothing below is looked at there; parts
-/// of items, and what shines through others, wait until all items are known and are then composed
-/// jointly.
+/// Bands of pixels from the items that lie in them, all at once: a row of pixels is a ray, which
+/// passes from edge to edge of all items in turn; between edges one light goes on.
 ///
 /// Gives   Coverage::area: the mean of the light over each pixel, jointly over all items (PixelArea).
 ///         Coverage::rows: the mean along n rays of each row of pixels, exact along each.
@@ -31,8 +27,8 @@ class PixelSink {
 ///         ones are cut into pieces at doubles first.
 ///         A gradient or light film has in all of a pixel its colour there. The same light whatever
 ///         the box.
-/// Cost    O(edges in the rows + pixels with an edge that is seen), each as PixelArea says, and a run
-///         of pixels between them at once.
+/// Cost    O(edges in the rows + pixels with an edge), each as PixelArea says, and a run of pixels
+///         between them at once.
 class BandScan {
  public:
   /// `hide`: what an opaque item covers is not looked at.
@@ -40,75 +36,50 @@ class BandScan {
   BandScan(const DrawList& list, bool hide, bool (*stop)());
 
   void scan(const PixelBox& box, const Band& band, PixelSink& sink);
-  /// Items the last call left out, as those above hide all of the box.
+  /// Items the last call left out, as one above hides them.
   std::size_t hidden() const { return hidden_; }
   /// Items cut by rows so far.
   std::uint64_t scans() const { return scans_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-  enum class EventKind : std::uint8_t { begin, end, part };
-  /// What waits in a row: that an item covers whole pixels from a column on, or no longer, or what it
-  /// covers of the pixel there.
-  struct Event {
-    std::int32_t column;
-    std::uint32_t item;
-    EventKind kind;
-    std::int32_t winding;        ///< of a part, just inside the pixel's upper left corner
-    std::uint32_t first, count;  ///< its pieces
-  };
-  struct Row {
-    std::vector<Event> events;  ///< of items from the uppermost down
-    std::vector<Piece> pieces;
-    bool shines = false;  ///< as Words::shines of any
+  /// Items with a winding number other than 0.
+  class Stack {
+   public:
+    struct Entry {
+      std::uint32_t item;
+      int winding;
+    };
+    void clear() { entries_.clear(), shown_from_ = 0; }
+    /// Of items from the uppermost down, each as often as it changes.
+    void change(std::span<const Entry> changes, std::span<const ItemLook> looks);
+    std::span<const Entry> entries() const { return entries_; }
+    /// Items below this one are hidden: it is opaque, and covers.
+    std::uint32_t shown_from() const { return shown_from_; }
 
-    // In place: copied from fields just written it would wait for them.
-    void add(EventKind kind, int column, std::uint32_t item, int winding = 1) {
-      Event& event = events.emplace_back();
-      event.column = column;
-      event.item = item;
-      event.kind = kind;
-      event.winding = winding;
-    }
-    void add_part(int column, std::uint32_t item, int winding, std::size_t first_piece) {
-      add(EventKind::part, column, item, winding);
-      events.back().first = static_cast<std::uint32_t>(first_piece);
-      events.back().count = static_cast<std::uint32_t>(pieces.size() - first_piece);
-    }
-    void clear() { events.clear(), pieces.clear(), shines = false; }
-  };
-  struct Words {
-    std::uint64_t settled = 0;  ///< a bit for each column: nothing below is seen there
-    std::uint64_t waits = 0;    ///< something of items waits there
-    std::uint64_t shines = 0;   ///< of these, below whole items that do not hide what lies below
+   private:
+    void change(std::uint32_t item, int by);
+    void merge(std::span<const Entry> changes);
+
+    std::vector<Entry> entries_, merged_;
+    std::uint32_t shown_from_ = 0;
   };
 
-  std::size_t take_items(const Band& band);
-  void fetch(const Band& band, std::size_t i) const;
-  bool is_settled(const PixelBox& box) const;
+  /// Gives the number of the items that are hidden by one above in all of the box.
+  std::size_t cut(const Band& band);
   void cut_item(const Band& band, std::size_t i);
-  void take_row(std::uint32_t item, int row);
-  void take_cuts(std::uint32_t item, int row);
-  int pass(std::uint32_t item, int row, const RowCut& cut);
-  void wind(const RowCut& cut);
-  void add_part(std::uint32_t item, int row, int column);
-  void cover(std::uint32_t item, int row, int begin, int end);
-  void cover_all(std::uint32_t item, int row, int begin, int end);
-  void draw_row(int row);
-  void draw_run(int row, int begin, int end);
-  void activate(const Event& event);
-  void see(int row, int column);
-  Light light_of_parts(int row);
-
-  Row& row_of(int row) { return rows_[static_cast<std::size_t>(row - box_.y)]; }
-  std::uint32_t* bases_of(int row) {
-    return bases_.data() +
-           static_cast<std::size_t>(row - box_.y) * static_cast<std::size_t>(box_.width);
-  }
-  std::size_t first_word(int row) const { return static_cast<std::size_t>(row - box_.y) * stride_; }
-  Words* words_of(int row) {
-    return words_.data() + static_cast<std::size_t>(row - box_.y) * stride_;
-  }
+  bool hides_all(std::uint32_t item);
+  void scan_row(int row);
+  void gather_columns(std::span<const Piece> pieces);
+  void take_column(std::vector<const Piece*>& pieces, int row);
+  void enter(std::span<const Piece* const> pieces);
+  void put_run(int row, int end);
+  Light area_of(std::span<const Piece* const> pieces, int row);
+  std::optional<Light> plain_area_of(std::span<const Piece* const> pieces) const;
+  Light part_covered(std::size_t at, double wound);
+  Light mean_of_rays(std::span<const Piece*> pieces, int row);
+  Light light_of_stacks(int row, int column, bool& varies);
+  Light light_of(const Stack& stack, int row, int column, bool& varies);
+  void see(const Stack& stack, int row, int column);
 
   const DrawList& list_;
   const bool hide_;
@@ -117,24 +88,20 @@ class BandScan {
   const Light background_;
   PixelBox box_;  ///< of the rows that are cut
   PixelSink* sink_ = nullptr;
+  int run_ = 0;  ///< column from which the row is still to be drawn
   std::size_t hidden_ = 0;
   std::uint64_t scans_ = 0;
   ScanEdges edges_;
   RowCutter cutter_;
   std::vector<ItemLook> looks_;  ///< by item of the band
-  std::vector<Row> rows_;
-  std::size_t stride_ = 0;            ///< words a row
-  std::vector<Words> words_;          ///< of the rows, one after another
-  std::vector<std::uint32_t> bases_;  ///< by pixel that is settled and waits, but does not shine
-  int open_ = 0;                      ///< pixels that are not settled
-  std::vector<int> windings_;         ///< of one item, along the row's upper border or each ray
-  std::vector<const RowCut*> order_;  ///< of its cuts in a row
-  std::vector<const RowCut*> here_;   ///< those in the column
-  ColumnLists columns_;
-  std::vector<std::uint32_t> active_;  ///< items that cover the pixel and wait, uppermost first
-  std::uint32_t base_ = kNone;         ///< the item that settles the pixel, if it is not among them
-  std::vector<const Event*> parts_;    ///< in the pixel, uppermost first
+  std::vector<Stack> stacks_;    ///< of the row's upper border, or of each ray
   SeenItems seen_;
+  std::vector<std::uint32_t> cut_items_;  ///< of the pieces in a pixel, from the uppermost down
+  std::vector<std::uint32_t> slots_;      ///< by item: its place in `seen_`
+  std::vector<std::uint64_t> touched_;    ///< a bit for each column with pieces
+  std::vector<std::uint32_t> first_of_, next_;  ///< lists of pieces by column
+  std::vector<const Piece*> of_column_;
+  std::vector<Stack::Entry> changes_;
   std::vector<PieceOf> pieces_;
   PixelArea area_;
 };

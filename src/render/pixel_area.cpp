@@ -222,25 +222,16 @@ void PixelArea::light_strands(SeenItems& seen, const Stretch& stretch, const Lig
     seen.change(strands_[i].of->seen, -strands_[i].of->direction);
 }
 
-void PixelArea::add(double area, const Light& light) {
-  for (std::size_t c = 0; c < 4; ++c) sum_[c] += area * static_cast<double>(light[c]);
-}
-
-Light PixelArea::mean_of_sum() const {
-  Light mean;
-  for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum_[c]);
-  return mean;
-}
-
 void PixelArea::add_slab(double height) {
   double from = 0;
-  const auto add_to = [&](double to, const Light& light) {
-    add(height * (to - from), light);
+  const auto add = [&](double to, const Light& light) {
+    const double area = height * (to - from);
+    for (std::size_t c = 0; c < 4; ++c) sum_[c] += area * static_cast<double>(light[c]);
     from = to;
   };
-  add_to(strands_.empty() ? 1 : strands_.front().x, left_);
+  add(strands_.empty() ? 1 : strands_.front().x, left_);
   for (std::size_t i = 0; i < strands_.size(); ++i)
-    add_to(i + 1 < strands_.size() ? strands_[i + 1].x : 1, lit_[i].light);
+    add(i + 1 < strands_.size() ? strands_[i + 1].x : 1, lit_[i].light);
 }
 
 Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
@@ -272,36 +263,9 @@ Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
     light_strands(seen, strands_to_light(), background);
     add_slab(bottom - top);
   }
-  return mean_of_sum();
-}
-
-// Along each ray from piece to piece; those without any see all that is inside at the left.
-Light PixelArea::mean_of_rays(std::span<const PieceOf> pieces, SeenItems& seen, int rays,
-                              const Light& background) {
-  strands_.clear();
-  for (const PieceOf& of : pieces) strands_.push_back({of.piece->x_top, &of});
-  std::sort(strands_.begin(), strands_.end(), [](const Strand& a, const Strand& b) {
-    const double top_a = a.of->piece->y_top, top_b = b.of->piece->y_top;
-    return top_a != top_b ? top_a < top_b : a.x < b.x;
-  });
-  sum_ = {};
-  const double height = 1.0 / rays;
-  int empty = rays;
-  for (auto next = strands_.begin(); next != strands_.end(); --empty) {
-    const auto begin = next;
-    const double top = next->of->piece->y_top;
-    Light light = seen.composed(background);
-    double from = 0;
-    for (; next != strands_.end() && next->of->piece->y_top == top; ++next) {
-      add(height * (next->x - from), light);
-      from = next->x;
-      if (seen.change(next->of->seen, next->of->direction)) light = seen.composed(background);
-    }
-    add(height * (1 - from), light);
-    for (auto back = begin; back != next; ++back) seen.change(back->of->seen, -back->of->direction);
-  }
-  if (empty > 0) add(height * empty, seen.composed(background));
-  return mean_of_sum();
+  Light mean;
+  for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum_[c]);
+  return mean;
 }
 
 }  // namespace flatray

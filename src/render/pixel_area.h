@@ -45,9 +45,6 @@ class PixelArea {
   /// Needs   the pieces, whose order may change; `seen` with the winding numbers just inside the
   ///         pixel's upper left corner.
   Light mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row, const Light& background);
-  /// The same of upright pieces, each through one of `rays` strips: `seen` is as left of them all.
-  Light mean_of_rays(std::span<const PieceOf> pieces, SeenItems& seen, int rays,
-                     const Light& background);
 
  private:
   struct Strand {
@@ -74,9 +71,7 @@ class PixelArea {
   void gather_strands();
   Stretch strands_to_light() const;
   void light_strands(SeenItems& seen, const Stretch& stretch, const Light& background);
-  void add(double area, const Light& light);
   void add_slab(double height);
-  Light mean_of_sum() const;
 
   std::vector<double> cuts_;
   std::vector<LeftChange> lefts_;

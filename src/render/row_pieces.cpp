@@ -43,143 +43,91 @@ void RowCutter::begin(const PixelBox& box, Coverage coverage, int rays) {
   box_ = box;
   coverage_ = coverage;
   rays_ = rays;
-  heights_.clear(), middles_.clear();
-  for (int ray = 0; rays > 0 && ray <= rays; ++ray) {
-    heights_.push_back(static_cast<double>(ray) / rays);
-    middles_.push_back((ray + 0.5) / rays);
-  }
+  pieces_ = 0;
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(box.height)));
+  for (RowPieces& row : rows_) row.clear();
 }
 
-void RowCutter::add_upright(int column, int ray, double x, int winding,
-                            std::vector<Piece>& out) const {
-  const auto i = static_cast<std::size_t>(ray);
-  Piece& piece = out.emplace_back();
-  piece.column = column;
-  piece.direction = winding;
-  piece.x_top = piece.x_bottom = x;
-  piece.y_top = heights_[i], piece.y_bottom = heights_[i + 1];
-}
-
-void RowCutter::cut(const ScanEdge& edge) {
+void RowCutter::cut(const ScanEdge& edge, std::uint32_t item) {
   if (std::min(edge.x_top, edge.x_bottom) >= box_.right() || edge.y_top >= box_.bottom() ||
       edge.y_bottom <= box_.y)
     return;
-  if (coverage_ == Coverage::area)
-    cut_area(edge);
-  else if (coverage_ == Coverage::rows)
-    cut_rays(edge);
+  if (rays_ == 0)
+    cut_area(edge, item);
   else
-    cut_centres(edge);
+    cut_rays(edge, item);
 }
 
-// The last cut of a row is kept as far as it is in the box.
-inline void RowCutter::clip(RowCuts& row) {
-  RowCut& cut = row.cuts.back();
-  if (cut.low >= box_.x && cut.high < box_.right()) return;
-  const bool left = rays_ == 0 ? cut.y_in == 0 && cut.first < box_.x : cut.high < box_.x;
-  if (left) row.left.push_back({cut.edge->direction, cut.ray_begin, cut.ray_end});
-  if (cut.high < box_.x || cut.low >= box_.right()) return row.cuts.pop_back();
-  cut.low = std::max(cut.low, box_.x);
-  cut.high = std::min(cut.high, box_.right() - 1);
-}
-
-// Cuts are written where they stay: copies of what was just written wait for it.
-void RowCutter::cut_area(const ScanEdge& e) {
+void RowCutter::cut_area(const ScanEdge& e, std::uint32_t item) {
   const int begin = std::max(floor_column(e.y_top), box_.y);
   const int end = std::min(ceil_column(e.y_bottom), box_.bottom());
-  const RowCut of_edge{&e, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, false, false};
+  const int left = box_.x, right = box_.right();
+  Piece piece{};
+  piece.item = item;
+  piece.curve = e.curve;
+  piece.direction = static_cast<std::int8_t>(e.direction);
   double x_in = e.y_top >= begin ? e.x_top : e.x_at(begin);
   for (int row = begin; row < end; ++row) {
     const double top = row, bottom = row + 1.0;
     const bool ends = e.y_bottom <= bottom, crosses_top = e.y_top <= top;
+    const double y_in = crosses_top ? top : e.y_top, y_out = ends ? e.y_bottom : bottom;
     const double x_out = ends ? e.x_bottom : e.x_at(bottom);
-    const auto [first, last] = columns_of(x_in, x_out, crosses_top, e.y_bottom >= bottom);
-    RowCuts& out = this->row(row);
-    RowCut& cut = out.cuts.emplace_back(of_edge);
-    cut.x_in = x_in, cut.x_out = x_out;
-    cut.y_in = crosses_top ? 0 : e.y_top - top;
-    cut.y_out = ends ? e.y_bottom - top : 1;
-    cut.first = first, cut.last = last;
-    cut.low = std::min(first, last), cut.high = std::max(first, last);
-    cut.whole = crosses_top && e.y_bottom >= bottom;
-    cut.border = cut.whole && x_in == first && x_out == first;
-    clip(out);
+    const auto [first, last] = columns_of(x_in, x_out, crosses_top, y_out >= bottom);
+    const bool rightward = first <= last;
+    RowPieces& out = rows_[static_cast<std::size_t>(row - box_.y)];
+    if (crosses_top && first < left) out.left.push_back({item, piece.direction, 0});
+    const int low = std::max(rightward ? first : last, left);
+    const int high = std::min(rightward ? last : first, right - 1);
+    const auto border = [&](int column) { return clamp_to(e.y_at(column), y_in, y_out) - top; };
+    for (int c = low; c <= high; ++c) {
+      const bool is_first = c == first, is_last = c == last;
+      piece.column = c;
+      piece.x_top = is_first ? x_in - c : rightward ? 0 : 1;
+      piece.x_bottom = is_last ? x_out - c : rightward ? 1 : 0;
+      piece.y_top = is_first ? y_in - top : border(rightward ? c : c + 1);
+      piece.y_bottom = is_last ? y_out - top : border(rightward ? c + 1 : c);
+      piece.crosses_top = is_first && crosses_top;
+      piece.left_top = rightward && !is_first;
+      piece.left_bottom = !rightward && !is_last;
+      out.pieces.push_back(piece);
+    }
+    pieces_ += low <= high ? 1 : 0;
     x_in = x_out;
   }
 }
 
-void RowCutter::cut_rays(const ScanEdge& e) {
-  const int begin = std::max(floor_column(e.y_top), box_.y);
-  const int end = std::min(ceil_column(e.y_bottom), box_.bottom());
-  const RowCut of_edge{&e, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, false, false};
-  for (int row = begin; row < end; ++row) {
-    int ray = 0, ray_end = rays_;
-    while (ray < ray_end && ray_y(row, ray) < e.y_top) ++ray;
-    while (ray < ray_end && ray_y(row, ray_end - 1) >= e.y_bottom) --ray_end;
-    if (ray == ray_end) continue;
-    const double x_in = e.x_at(ray_y(row, ray)), x_out = e.x_at(ray_y(row, ray_end - 1));
-    RowCuts& out = this->row(row);
-    RowCut& cut = out.cuts.emplace_back(of_edge);
-    cut.low = floor_column(std::min(x_in, x_out));
-    cut.high = floor_column(std::max(x_in, x_out));
-    cut.ray_begin = static_cast<std::int16_t>(ray);
-    cut.ray_end = static_cast<std::int16_t>(ray_end);
-    cut.whole = ray == 0 && ray_end == rays_;
-    cut.border = cut.low == x_in && cut.low == x_out;
-    clip(out);
-  }
-}
-
-void RowCutter::cut_centres(const ScanEdge& e) {
-  const bool near_film = is_near_film(e);
-  const int begin = std::max(ceil_column(e.y_top - 0.5), box_.y);
-  const int end = std::min(ceil_column(e.y_bottom - 0.5), box_.bottom());
-  const RowCut of_edge{&e, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, true, true};
-  for (int row = begin; row < end; ++row) {
-    RowCuts& out = this->row(row);
-    RowCut& cut = out.cuts.emplace_back(of_edge);
-    cut.low = cut.high = first_centre(e, row + 0.5, near_film);
-    clip(out);
-  }
-}
-
-void RowCutter::add_pieces(const RowCut& cut, int row, int column, std::vector<Piece>& out) const {
-  const ScanEdge& e = *cut.edge;
-  if (rays_ > 0) {
-    for (int ray = cut.ray_begin; ray < cut.ray_end; ++ray) {
-      const double x = e.x_at(ray_y(row, ray)) - column;
-      if (x < 1) add_upright(column, ray, std::max(x, 0.0), e.direction, out);
+void RowCutter::cut_rays(const ScanEdge& e, std::uint32_t item) {
+  const auto ray_y = [this](int ray) { return (ray + 0.5) / rays_; };
+  int ray = std::max(floor_column(e.y_top * rays_ - 0.5) - 1, box_.y * rays_);
+  while (ray_y(ray) < e.y_top) ++ray;
+  const bool centre = coverage_ == Coverage::centre, near_film = centre && is_near_film(e);
+  int row = ray / rays_, of_row = ray % rays_;
+  Piece piece{};
+  piece.item = item;
+  piece.direction = static_cast<std::int8_t>(e.direction);
+  for (double y; row < box_.bottom() && (y = ray_y(ray)) < e.y_bottom; ++ray) {
+    const double x = centre ? first_centre(e, y, near_film) : e.x_at(y);
+    piece.column = floor_column(x);
+    piece.ray = static_cast<std::int8_t>(of_row);
+    RowPieces& out = rows_[static_cast<std::size_t>(row - box_.y)];
+    if (++of_row == rays_) of_row = 0, ++row;
+    if (piece.column >= box_.right()) continue;
+    if (piece.column < box_.x) {
+      out.left.push_back({item, piece.direction, piece.ray});
+      continue;
     }
-    return;
+    piece.x_top = x - piece.column;
+    out.pieces.push_back(piece);
+    ++pieces_;
   }
-  const bool rightward = cut.first <= cut.last;
-  const bool is_first = column == cut.first, is_last = column == cut.last;
-  const double top = row;
-  const auto border = [&](int x) { return clamp_to(e.y_at(x) - top, cut.y_in, cut.y_out); };
-  Piece& piece = out.emplace_back();
-  piece.column = column;
-  piece.direction = e.direction;
-  piece.x_top = is_first ? cut.x_in - column : rightward ? 0 : 1;
-  piece.x_bottom = is_last ? cut.x_out - column : rightward ? 1 : 0;
-  piece.y_top = is_first ? cut.y_in : border(rightward ? column : column + 1);
-  piece.y_bottom = is_last ? cut.y_out : border(rightward ? column + 1 : column);
-  piece.curve = e.curve;
-  piece.left_top = rightward && !is_first;
-  piece.left_bottom = !rightward && !is_last;
 }
 
 // The first column, from the one left of the box to the one right of it, whose centre lies on the
 // edge or right of it.
 int RowCutter::first_centre(const ScanEdge& e, double y, bool near_film) const {
   constexpr double kDoubt = 0x1p-20;
-  const double x = e.x_at(y) - 0.5;
-  if (near_film) {  // without a call in what nearly all take
-    const int column = ceil_column(x);
-    const double beyond = column - x;
-    if (beyond > kDoubt && beyond < 1 - kDoubt) return column;
-  }
-  const double nearest = std::nearbyint(x);
+  const double x = e.x_at(y) - 0.5, nearest = std::nearbyint(x);
+  if (near_film && std::abs(x - nearest) > kDoubt) return ceil_column(x);
   int low = box_.x - 1, high = box_.right();
   if (e.curve != nullptr || near_film) {
     low = std::clamp(floor_column(nearest) - 1, low, high);
