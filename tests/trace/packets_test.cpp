@@ -1,4 +1,7 @@
 // Rays that go together, and so walk as one, against the exact code for every wall, bit for bit.
+#include <bit>
+
+#include "trace/cells.h"
 #include "trace/crowd.h"
 
 namespace flatray {
@@ -69,6 +72,65 @@ TEST(Tracers, AgreeOnRaysThatGoTogetherAndEnd) {
             << ": wall " << exact_hit_of(c, i).surface << " at " << exact_hit_of(c, i).t
             << ", up to " << up_to[i];
     }
+}
+
+// Cells that have cells of their own: column, row, and how many along a side.
+std::vector<std::array<int, 3>> crowded_cells(const CellGrid& cells) {
+  const lanes::Grid view = cells.view();
+  std::vector<std::array<int, 3>> found;
+  for (int y = -cells.rows() / 2; y < cells.rows() / 2; ++y)
+    for (int x = -cells.columns() / 2; x < cells.columns() / 2; ++x) {
+      const auto at = static_cast<std::ptrdiff_t>(view.first) +
+                      static_cast<std::ptrdiff_t>(view.stride) * y + x;
+      const unsigned word = view.cells[at];
+      if ((word >> 30) == 1)
+        found.push_back({x, y, static_cast<int>(std::bit_cast<float>(word & 0x7f800000U))});
+    }
+  return found;
+}
+
+// Nearly along an axis within an ulp of a border of such a cell's own cells, where bounds from below and
+// from above of equal rays may cross. Found by a reviewer's draws: walls were passed.
+TEST(Tracers, AgreeOnEqualRaysAlongBordersOfCrowdedCells) {
+  Draws draw(33);
+  for (int scene = 0; scene < 12; ++scene) {
+    Case c;
+    c.walls = crowd(draw, 0, 1);
+    const Vec2 cluster = Vec2(0.1, 0.1) + 0.8 * draw.point();
+    for (int i = draw.whole(200, 500); i > 0; --i) {
+      const Vec2 at = cluster + 0.03 * draw.point();
+      c.walls.add(Segment{at, at + 0.004 * draw.unit() * (draw.point() - Vec2(0.5, 0.5))});
+    }
+    const auto cells = CellGrid::build(c.walls);
+    const lanes::Grid view = cells->view();
+    const std::vector<std::array<int, 3>> crowded = crowded_cells(*cells);
+    ASSERT_FALSE(crowded.empty());
+    for (int k = 0; k < 1024; ++k) {
+      const auto [x, y, parts] = crowded[draw.bits() % crowded.size()];
+      const bool level = draw.whole(0, 1) == 0, back = draw.whole(0, 1) == 0;
+      const double border = (level ? y : x) + double(draw.whole(1, parts - 1)) / parts;
+      const double ulp = 0x1p-23 * std::max(1.0, std::fabs(border));
+      const double rise = draw.unit() * (draw.whole(0, 1) == 0 ? 1 : parts) * ulp *
+                          (draw.whole(0, 1) == 0 ? 1 : -1);
+      const double away = draw.unit() * (draw.whole(0, 1) == 0 ? 0.1 : 5);
+      const double from = (level ? x : y) + (back ? 1 + away : -away);
+      const double beside = border + 0.5 * draw.whole(-4, 4) * ulp;
+      const Vec2 origin = level ? Vec2(from, beside) : Vec2(beside, from);
+      const Vec2 way = level ? Vec2(back ? -1 : 1, rise) : Vec2(rise, back ? -1 : 1);
+      const Vec2 scale(view.scale_x, view.scale_y);
+      for (int copy = 0; copy < 16; ++copy)
+        c.rays.add({origin.cwiseQuotient(scale) + Vec2(view.centre_x, view.centre_y),
+                    way.cwiseQuotient(scale)});
+    }
+    std::vector<NearestHit> hits(c.rays.size());
+    for (const Isa isa : available_isas()) {
+      const auto grid = find_tracer("grid")->build(c.walls, isa);
+      grid->nearest(c.rays, hits);
+      for (std::size_t i = 0; i < hits.size(); ++i)
+        ASSERT_EQ(hits[i].surface, grid->nearest_of_one(c.rays.ray(i - i % 16)).surface)
+            << isa_name(isa) << ", scene " << scene << ", ray " << i;
+    }
+  }
 }
 
 }  // namespace
