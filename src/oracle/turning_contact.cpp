@@ -175,11 +175,13 @@ class Scan {
   FirstTouch closely(double from) const {
     if (apart_at(a_, b_, from) < 0) return {FirstTouch::Kind::touch, from, from};
     double low = from, high = from;
-    for (double after = kClose / speed_; after < 1e6 * kClose / speed_; after *= 2) {
+    double after = kClose / speed_;
+    while (after < 1e6 * kClose / speed_) {
       high = std::min(from + after, length_);
       if (apart_at(a_, b_, high) < 0) break;
       low = high;
       if (high == length_) return unknown();
+      after *= 2;
     }
     if (low == high) return unknown();
     while (true) {

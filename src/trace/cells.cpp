@@ -54,9 +54,10 @@ bool CellGrid::measure(const Surfaces& walls) {
 void CellGrid::set_cells(std::int32_t columns, std::int32_t rows) {
   columns_ = columns;
   rows_ = rows;
-  unit_ = 0x1p-24 * (std::max(columns, rows) / 2 + 1);
+  const std::int32_t half_columns = columns / 2, half_rows = rows / 2;
+  unit_ = 0x1p-24 * (std::max(half_columns, half_rows) + 1);
   stride_ = columns + 2;
-  first_ = (rows / 2 + 1) * stride_ + columns / 2 + 1;
+  first_ = (half_rows + 1) * stride_ + half_columns + 1;
   scale_ = Vec2(columns - 2 * kRoom * unit_, rows - 2 * kRoom * unit_).cwiseQuotient(size_);
 }
 
