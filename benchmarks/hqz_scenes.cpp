@@ -8,8 +8,8 @@
 
 #include "oracle/flat_light.h"
 #include "process.h"
-#include "scene/hqz_scene.h"
-#include "scene/json_value.h"
+#include "scene/imports/hqz_scene.h"
+#include "scene/reading/json_value.h"
 #include "transport/light/forward.h"
 
 namespace {

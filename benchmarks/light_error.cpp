@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "measure.h"
-#include "render/light_picture.h"
-#include "render/light_run.h"
+#include "render/light/light_picture.h"
+#include "render/light/light_run.h"
 #include "scene/lamp.h"
 #include "scene/load.h"
 

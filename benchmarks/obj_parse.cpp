@@ -11,9 +11,9 @@
 
 #include "base/file.h"
 #include "base/philox.h"
-#include "scene/format.h"
-#include "scene/obj_text.h"
-#include "scene/outline.h"
+#include "scene/imports/obj_text.h"
+#include "scene/outlines/outline.h"
+#include "scene/reading/format.h"
 
 namespace {
 

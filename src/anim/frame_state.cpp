@@ -3,8 +3,8 @@
 #include "anim/camera.h"
 #include "anim/motion.h"
 #include "geom/turn.h"
-#include "scene/changing_shape.h"
 #include "scene/curve.h"
+#include "scene/keys/changing_shape.h"
 
 namespace flatray {
 namespace {

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "geom/hit_interval.h"
-#include "scene/outline.h"
-#include "scene/rounded.h"
+#include "scene/outlines/outline.h"
+#include "scene/outlines/rounded.h"
 
 namespace flatray {
 namespace {

@@ -6,15 +6,15 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/help.h"
+#include "app/help/help.h"
+#include "app/help/version.h"
 #include "app/interrupt.h"
-#include "app/json_failure.h"
-#include "app/option_values.h"
-#include "app/places.h"
-#include "app/project_config.h"
-#include "app/report.h"
-#include "app/resource_limits.h"
-#include "app/version.h"
+#include "app/options/option_values.h"
+#include "app/options/places.h"
+#include "app/options/project_config.h"
+#include "app/options/resource_limits.h"
+#include "app/report/json_failure.h"
+#include "app/report/report.h"
 #include "base/isa.h"
 #include "base/left_out.h"
 #include "base/module_file.h"

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "app/interrupt.h"
-#include "app/resource_limits.h"
+#include "app/options/resource_limits.h"
 #include "app/verb.h"
 #include "base/in_flight.h"
 #include "geom/exact.h"

@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "collide/broad_phase.h"
 #include "collide/frame_bodies.h"
+#include "scene/outlines/rounded.h"
 #include "scene/responses.h"
-#include "scene/rounded.h"
 
 namespace flatray {
 namespace {

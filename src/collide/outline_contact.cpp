@@ -8,7 +8,7 @@
 #include "collide/contact_batch.h"
 #include "collide/outline_contact.h"
 #include "geom/polygon.h"
-#include "scene/rounded.h"
+#include "scene/outlines/rounded.h"
 
 namespace flatray {
 namespace {

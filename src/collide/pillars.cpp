@@ -8,7 +8,7 @@
 #include "base/number_text.h"
 #include "collide/broad_phase.h"
 #include "collide/outline_contact.h"
-#include "scene/outline.h"
+#include "scene/outlines/outline.h"
 
 namespace flatray {
 namespace {

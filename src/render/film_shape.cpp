@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "geom/polygon.h"
-#include "scene/outline.h"
+#include "scene/outlines/outline.h"
 
 namespace flatray {
 namespace {

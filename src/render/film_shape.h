@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "render/chains.h"
+#include "render/coverage/chains.h"
 #include "render/draw_list.h"
 
 namespace flatray {

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "image/image.h"
-#include "render/bands.h"
+#include "render/coverage/bands.h"
 #include "render/plan.h"
 
 namespace flatray {

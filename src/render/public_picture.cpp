@@ -8,7 +8,7 @@
 #include "flatray/picture.h"
 #include "image/png.h"
 #include "render/frame.h"
-#include "scene/build_scene.h"
+#include "scene/keys/build_scene.h"
 #include "scene/load.h"
 
 namespace flatray::api {

@@ -2,8 +2,8 @@
 #include <set>
 
 #include "base/result.h"
-#include "scene/args.h"
 #include "scene/emitter.h"
+#include "scene/reading/args.h"
 
 namespace flatray {
 

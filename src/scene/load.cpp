@@ -5,10 +5,10 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/left_out.h"
-#include "scene/build_scene.h"
-#include "scene/format.h"
-#include "scene/include.h"
-#include "scene/overrides.h"
+#include "scene/keys/build_scene.h"
+#include "scene/reading/format.h"
+#include "scene/reading/include.h"
+#include "scene/reading/overrides.h"
 
 namespace flatray {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/result.h"
+#include "scene/reading/scene_desc.h"
 #include "scene/scene.h"
-#include "scene/scene_desc.h"
 
 namespace flatray {
 
@@ -22,7 +22,7 @@ struct LoadLimits {
   std::size_t max_entities = 1'000'000;  ///< also pillars, rays, groups: of each, with all copies
   std::uint64_t max_corners = std::uint64_t{1} << 25;  ///< kept with all copies; drawn in one frame
   std::filesystem::path root =
-      {};                ///< of the files it refers to; "": import_root of scene/imports.h
+      {};                ///< of the files it refers to; "": import_root of scene/imports/imports.h
   unsigned threads = 1;  ///< to read large outlines with; what they hold does not depend on it
 };
 

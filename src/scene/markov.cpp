@@ -1,9 +1,9 @@
 #include "scene/markov.h"
 
 #include "base/counted.h"
-#include "scene/keys.h"
-#include "scene/numbers.h"
-#include "scene/scene_keys.h"
+#include "scene/keys/keys.h"
+#include "scene/keys/scene_keys.h"
+#include "scene/reading/numbers.h"
 
 namespace flatray {
 namespace {

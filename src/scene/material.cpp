@@ -5,7 +5,7 @@
 
 #include "base/light.h"
 #include "base/number_text.h"
-#include "scene/kinds.h"
+#include "scene/reading/kinds.h"
 
 namespace flatray {
 namespace materials {

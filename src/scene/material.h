@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "base/result.h"
-#include "scene/args.h"
 #include "scene/lambert.h"
+#include "scene/reading/args.h"
 #include "scene/scatterer.h"
 
 namespace flatray {

@@ -1,7 +1,7 @@
 #pragma once
 #include <variant>
 
-#include "scene/builder.h"
+#include "scene/keys/builder.h"
 
 namespace flatray {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/rounded.h"
+#include "scene/outlines/rounded.h"
 
 namespace flatray {
 

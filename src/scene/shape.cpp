@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include "scene/changing_shape.h"
-#include "scene/corner_limit.h"
-#include "scene/kinds.h"
-#include "scene/overrides.h"
+#include "scene/keys/changing_shape.h"
+#include "scene/keys/corner_limit.h"
+#include "scene/reading/kinds.h"
+#include "scene/reading/overrides.h"
 
 namespace flatray {
 namespace shapes {

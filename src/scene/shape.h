@@ -1,6 +1,6 @@
 #pragma once
 #include "base/result.h"
-#include "scene/args.h"
+#include "scene/reading/args.h"
 
 namespace flatray {
 

@@ -8,7 +8,7 @@
 namespace flatray {
 
 /// Parts of many rays inside one closed convex polygon: for edge rays, the view `intervals` and the
-/// library. (`flatray hit` clips one by one: app/hit_report.cpp.)
+/// library. (`flatray hit` clips one by one: app/answers/hit_report.cpp.)
 ///
 /// Needs   `polygon` as clip_convex does; as many intervals as rays. What the rays have left plays
 ///         no part. Gives   for each ray what clip_convex gives, bit for bit, from every tier. Cost

@@ -1,7 +1,7 @@
 // needs: gl shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment formats/obj
 #include <gtest/gtest.h>
 
-#include "app/golden_check.h"
+#include "app/golden/golden_check.h"
 #include "support/paths.h"
 
 namespace flatray {

@@ -1,9 +1,9 @@
 // needs: shapes/circle shapes/convex shapes/import shapes/polygon shapes/segment formats/obj
-#include "app/golden.h"
+#include "app/golden/golden.h"
 
 #include <gtest/gtest.h>
 
-#include "app/golden_check.h"
+#include "app/golden/golden_check.h"
 #include "base/philox.h"
 #include "image/png.h"
 #include "support/paths.h"

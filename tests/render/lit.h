@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "render/light_run.h"
+#include "render/light/light_run.h"
 #include "support/pictures.h"
 
 namespace flatray {

@@ -75,7 +75,7 @@ rule 'a merge left half done' text '.' "$none" '^(<<<<<<<|>>>>>>>)( |$)' '<<<<<<
 rule 'paths of one machine' text '.' '^\.git$' \
   '(^|[^A-Za-z0-9_.}])/(work|root|home|mnt|Users)/[a-z]' \
   'path = "/home/me/scene.toml"' 'see tests/root/a and $prefix/home/x'
-rule 'CLI11 belongs to the command line' code "$sources" '^src/app/[a-z_]+\.cpp$' \
+rule 'CLI11 belongs to the command line' code "$sources" '^src/app/options/[a-z_]+\.cpp$' \
   '#include <CLI/' '#include <CLI/CLI.hpp>' '#include <Eigen/Core>'
 rule 'toml++ belongs to one scene format' code "$sources" '^src/scene/formats/[a-z_]+\.cpp$' \
   '#include <toml\+\+/' '#include <toml++/toml.h>' '#include <Eigen/Core>'
@@ -88,7 +88,7 @@ rule 'SLEEF belongs to base/portable_math' code "$sources" '^src/base/portable_m
   '#include <sleef' '#include <sleef.h>' '#include <Eigen/Core>'
 rule 'MPFR belongs to precise, and to tests as a second opinion' code "$sources" '^src/precise/ball\.h$|^tests/.*\.cpp$' \
   '#include <mpfr' '#include <mpfr.h>' '#include <Eigen/Core>'
-rule 'stb belongs to the image module, its font to one source' code "$sources" '^(src/image|benchmarks(/peers)?)/[a-z_]+\.cpp$|^src/scene/easy_font\.cpp$' \
+rule 'stb belongs to the image module, its font to one source' code "$sources" '^(src/image|benchmarks(/peers)?)/[a-z_]+\.cpp$|^src/scene/outlines/easy_font\.cpp$' \
   '#include ["<](stb/|stb_)' '#include <stb_image.h>' '#include <Eigen/Core>'
 rule 'of Eigen, headers take the core' code '\.h$' "$none" \
   '#include <Eigen/(Dense|LU|QR|SVD|Geometry|Eigenvalues)>' '#include <Eigen/Dense>' '#include <Eigen/Core>'

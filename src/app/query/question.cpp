@@ -6,7 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "geom/polygon.h"
-#include "scene/arcs.h"
+#include "scene/outlines/arcs.h"
 
 namespace flatray {
 namespace {

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/tracer_choice.h"
-#include "app/value.h"
+#include "app/options/tracer_choice.h"
+#include "app/report/value.h"
 #include "geom/ray.h"
 #include "trace/surfaces.h"
 

@@ -1,17 +1,17 @@
-#include "study/accuracy.h"
+#include "study/accuracy/accuracy.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
+#include "app/files/result_files.h"
+#include "app/files/scene_input.h"
+#include "app/frames/profile.h"
 #include "app/interrupt.h"
-#include "app/option_values.h"
-#include "app/profile.h"
-#include "app/report.h"
-#include "app/result_files.h"
-#include "app/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/report/report.h"
 #include "app/verb.h"
-#include "study/accuracy_report.h"
+#include "study/accuracy/accuracy_report.h"
 
 namespace flatray::verbs {
 namespace {

@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/files/scene_input.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/shown_text.h"
-#include "render/unseen.h"
+#include "render/coverage/unseen.h"
 
 namespace flatray::verbs {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/frames.h"
-#include "app/option_values.h"
-#include "app/paper_table.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/answers/paper_table.h"
+#include "app/files/scene_input.h"
+#include "app/frames/frames.h"
+#include "app/options/option_values.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/check.h"
 #include "collide/edge_ray_meetings.h"

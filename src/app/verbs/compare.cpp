@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/difference_text.h"
-#include "app/outputs.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/files/outputs.h"
+#include "app/files/scene_input.h"
+#include "app/report/difference_text.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/file.h"
 #include "base/parallel.h"

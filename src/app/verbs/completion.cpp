@@ -1,6 +1,6 @@
-#include "app/completion.h"
+#include "app/help/completion.h"
 
-#include "app/option_values.h"
+#include "app/options/option_values.h"
 #include "app/verb.h"
 
 namespace flatray::verbs {

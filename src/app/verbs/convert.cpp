@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "app/outputs.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/files/outputs.h"
+#include "app/files/scene_input.h"
+#include "app/report/report.h"
 #include "app/verb.h"
-#include "scene/file_names.h"
-#include "scene/write_toml.h"
+#include "scene/reading/file_names.h"
+#include "scene/reading/write_toml.h"
 
 namespace flatray::verbs {
 namespace {

@@ -2,15 +2,15 @@
 
 #include <fmt/core.h>
 
-#include "app/experiment_monitor.h"
-#include "app/experiment_sweep.h"
+#include "app/experiments/experiment_monitor.h"
+#include "app/experiments/experiment_sweep.h"
+#include "app/files/result_files.h"
+#include "app/files/scene_input.h"
+#include "app/help/version.h"
 #include "app/interrupt.h"
-#include "app/option_values.h"
-#include "app/report.h"
-#include "app/result_files.h"
-#include "app/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/report/report.h"
 #include "app/verb.h"
-#include "app/version.h"
 #include "base/number_text.h"
 
 namespace flatray::verbs {

@@ -1,10 +1,10 @@
 #include <fmt/core.h>
 
-#include "app/build_parts.h"
-#include "app/measure.h"
-#include "app/render_request.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/answers/measure.h"
+#include "app/files/scene_input.h"
+#include "app/frames/render_request.h"
+#include "app/help/build_parts.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/isa.h"

@@ -2,13 +2,13 @@
 
 #include <cstdlib>
 
-#include "app/difference_text.h"
-#include "app/frames.h"
-#include "app/golden_check.h"
-#include "app/golden_update.h"
-#include "app/outputs.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/files/outputs.h"
+#include "app/files/scene_input.h"
+#include "app/frames/frames.h"
+#include "app/golden/golden_check.h"
+#include "app/golden/golden_update.h"
+#include "app/report/difference_text.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/parallel.h"

@@ -1,4 +1,4 @@
-#include "app/help.h"
+#include "app/help/help.h"
 
 namespace flatray::verbs {
 namespace {

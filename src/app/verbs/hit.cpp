@@ -4,12 +4,12 @@
 #include <set>
 
 #include "anim/rays.h"
-#include "app/hit_report.h"
-#include "app/hit_sets.h"
-#include "app/hit_svg.h"
-#include "app/option_values.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/answers/hit_report.h"
+#include "app/answers/hit_sets.h"
+#include "app/answers/hit_svg.h"
+#include "app/files/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 
 namespace flatray::verbs {

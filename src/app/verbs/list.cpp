@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
-#include "app/option_values.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/files/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"
 #include "image/metric.h"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/json_failure.h"
-#include "app/light_files.h"
-#include "app/light_wish.h"
-#include "app/outputs.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/files/outputs.h"
+#include "app/files/scene_input.h"
+#include "app/frames/light_files.h"
+#include "app/options/light_wish.h"
+#include "app/report/json_failure.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/file.h"
@@ -17,7 +17,7 @@
 #include "image/hdr.h"
 #include "image/pfm.h"
 #include "image/png.h"
-#include "render/light_picture.h"
+#include "render/light/light_picture.h"
 
 namespace flatray::verbs {
 namespace {

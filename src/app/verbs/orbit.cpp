@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
 #include "anim/rays.h"
-#include "app/option_values.h"
-#include "app/orbit_report.h"
-#include "app/report.h"
-#include "app/resource_limits.h"
-#include "app/scene_input.h"
-#include "app/tracer_choice.h"
+#include "app/answers/orbit_report.h"
+#include "app/files/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/options/resource_limits.h"
+#include "app/options/tracer_choice.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/number_text.h"
 #include "collide/scene_timeline.h"

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <span>
 
+#include "app/files/scene_input.h"
+#include "app/options/tracer_choice.h"
 #include "app/query/line_stream.h"
-#include "app/scene_input.h"
-#include "app/tracer_choice.h"
 #include "app/verb.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"

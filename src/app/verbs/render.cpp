@@ -1,14 +1,14 @@
 #include <fmt/core.h>
 
-#include "app/backend_choice.h"
-#include "app/build_parts.h"
-#include "app/profile.h"
-#include "app/render_run.h"
-#include "app/report.h"
-#include "app/resource_limits.h"
-#include "app/scene_input.h"
-#include "app/tracer_choice.h"
-#include "app/view_choice.h"
+#include "app/files/scene_input.h"
+#include "app/frames/profile.h"
+#include "app/frames/render_run.h"
+#include "app/help/build_parts.h"
+#include "app/options/backend_choice.h"
+#include "app/options/resource_limits.h"
+#include "app/options/tracer_choice.h"
+#include "app/options/view_choice.h"
+#include "app/report/report.h"
 #include "base/left_out.h"
 
 namespace flatray::verbs {

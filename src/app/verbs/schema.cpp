@@ -1,4 +1,4 @@
-#include "app/schema.h"
+#include "app/help/schema.h"
 
 #include "app/verb.h"
 

@@ -1,18 +1,18 @@
-#include "study/stability.h"
+#include "study/stability/stability.h"
 
 #include <fmt/core.h>
 
-#include "app/chunk_log.h"
-#include "app/option_values.h"
-#include "app/report.h"
-#include "app/rounds.h"
-#include "app/scene_input.h"
-#include "app/stability_reports.h"
-#include "app/tracer_choice.h"
+#include "app/answers/stability_reports.h"
+#include "app/files/chunk_log.h"
+#include "app/files/rounds.h"
+#include "app/files/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/options/tracer_choice.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"
-#include "study/leaks.h"
-#include "study/pair_stability.h"
+#include "study/stability/leaks.h"
+#include "study/stability/pair_stability.h"
 
 namespace flatray::verbs {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <set>
 
-#include "app/chunk_log.h"
-#include "app/experiment_monitor.h"
-#include "app/manifest.h"
-#include "app/output_pattern.h"
-#include "app/report.h"
-#include "app/scene_input.h"
+#include "app/experiments/experiment_monitor.h"
+#include "app/files/chunk_log.h"
+#include "app/files/manifest.h"
+#include "app/files/output_pattern.h"
+#include "app/files/scene_input.h"
+#include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
 #include "base/parallel.h"

@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "render/backend.h"
-#include "render/band_scan.h"
+#include "render/coverage/band_scan.h"
 #include "render/frame.h"
 
 namespace flatray {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geom/polygon.h"
-#include "render/chains.h"
+#include "render/coverage/chains.h"
 #include "render/gl/batch_list.h"
 #include "render/gl/outlines.h"
 

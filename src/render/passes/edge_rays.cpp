@@ -6,7 +6,7 @@
 #include "geom/cyrus_beck.h"
 #include "geom/interval_set.h"
 #include "render/pass.h"
-#include "scene/outline.h"
+#include "scene/outlines/outline.h"
 #include "trace/hit_intervals.h"
 
 namespace flatray {

@@ -1,5 +1,5 @@
 #include "base/counted.h"
-#include "render/light_run.h"
+#include "render/light/light_run.h"
 #include "render/pass.h"
 #include "scene/lamp.h"
 

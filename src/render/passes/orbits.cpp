@@ -7,7 +7,7 @@
 #include "render/pass.h"
 #include "render/ray_walls.h"
 #include "scene/curve.h"
-#include "scene/easy_font.h"
+#include "scene/outlines/easy_font.h"
 #include "transport/moving_orbit.h"
 
 namespace flatray {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "render/closed_parts.h"
+#include "render/coverage/closed_parts.h"
 #include "render/row_lengths.h"
 #include "render/view.h"
 

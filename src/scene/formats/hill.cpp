@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/builder.h"
-#include "scene/format.h"
-#include "scene/numbers.h"
+#include "scene/keys/builder.h"
+#include "scene/reading/format.h"
+#include "scene/reading/numbers.h"
 
 namespace flatray::scene_formats {
 namespace {

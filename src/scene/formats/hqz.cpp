@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "scene/format.h"
-#include "scene/hqz_scene.h"
-#include "scene/json_value.h"
+#include "scene/imports/hqz_scene.h"
+#include "scene/reading/format.h"
+#include "scene/reading/json_value.h"
 
 namespace flatray::scene_formats {
 namespace {

@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
 #include "base/counted.h"
-#include "scene/builder.h"
-#include "scene/format.h"
-#include "scene/numbers.h"
+#include "scene/keys/builder.h"
+#include "scene/reading/format.h"
+#include "scene/reading/numbers.h"
 
 namespace flatray::scene_formats {
 namespace {

@@ -1,10 +1,10 @@
 #include <fmt/core.h>
 
 #include "base/counted.h"
-#include "scene/format.h"
-#include "scene/obj_chunk.h"
-#include "scene/obj_text.h"
-#include "scene/ring.h"
+#include "scene/imports/obj_chunk.h"
+#include "scene/imports/obj_text.h"
+#include "scene/outlines/ring.h"
+#include "scene/reading/format.h"
 
 namespace flatray::scene_formats {
 namespace {

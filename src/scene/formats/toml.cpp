@@ -5,8 +5,8 @@
 
 #include "base/number_text.h"
 #include "base/utf8.h"
-#include "scene/format.h"
-#include "scene/toml_scan.h"
+#include "scene/reading/format.h"
+#include "scene/reading/toml_scan.h"
 
 namespace flatray::scene_formats {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "base/number_text.h"
-#include "scene/ring.h"
+#include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

@@ -1,4 +1,4 @@
-#include "scene/arcs.h"
+#include "scene/outlines/arcs.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

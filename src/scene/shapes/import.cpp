@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "scene/format.h"
+#include "scene/reading/format.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "scene/ring.h"
+#include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

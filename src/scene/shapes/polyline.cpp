@@ -1,4 +1,4 @@
-#include "scene/ring.h"
+#include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

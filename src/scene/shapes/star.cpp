@@ -1,5 +1,5 @@
-#include "scene/corners.h"
-#include "scene/ring.h"
+#include "scene/outlines/corners.h"
+#include "scene/outlines/ring.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

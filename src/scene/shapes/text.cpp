@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "base/counted.h"
-#include "scene/easy_font.h"
+#include "scene/outlines/easy_font.h"
 #include "scene/shape.h"
 
 namespace flatray::shapes {

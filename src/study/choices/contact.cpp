@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "collide/edge_ray_meetings.h"
-#include "study/pair_scene.h"
+#include "study/stability/pair_scene.h"
 
 namespace flatray {
 namespace {

@@ -7,9 +7,9 @@
 #include "base/processor_time.h"
 #include "collide/scene_timeline.h"
 #include "render/backend.h"
-#include "study/accuracy.h"
-#include "study/linear_error.h"
-#include "study/point_samples.h"
+#include "study/accuracy/accuracy.h"
+#include "study/accuracy/linear_error.h"
+#include "study/accuracy/point_samples.h"
 
 namespace flatray {
 namespace {

@@ -8,9 +8,9 @@
 #include "base/check.h"
 #include "base/counted.h"
 #include "base/processor_time.h"
-#include "study/accuracy.h"
-#include "study/palette.h"
-#include "study/pixel_map.h"
+#include "study/accuracy/accuracy.h"
+#include "study/plots/palette.h"
+#include "study/rooms/pixel_map.h"
 
 namespace flatray {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "collide/scene_timeline.h"
 #include "render/frame.h"
-#include "study/accuracy.h"
-#include "study/linear_error.h"
+#include "study/accuracy/accuracy.h"
+#include "study/accuracy/linear_error.h"
 
 namespace flatray {
 namespace {

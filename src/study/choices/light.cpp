@@ -6,12 +6,12 @@
 
 #include "base/processor_time.h"
 #include "image/srgb.h"
-#include "render/light_picture.h"
-#include "render/light_run.h"
+#include "render/light/light_picture.h"
+#include "render/light/light_run.h"
 #include "scene/lamp.h"
-#include "study/accuracy.h"
-#include "study/estimate.h"
-#include "study/pixel_map.h"
+#include "study/accuracy/accuracy.h"
+#include "study/rooms/pixel_map.h"
+#include "study/statistics/estimate.h"
 
 namespace flatray {
 namespace {

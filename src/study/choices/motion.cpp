@@ -2,7 +2,7 @@
 
 #include "base/counted.h"
 #include "collide/broad_phase.h"
-#include "study/pair_scene.h"
+#include "study/stability/pair_scene.h"
 
 namespace flatray {
 namespace {

@@ -8,8 +8,8 @@
 #include "base/processor_time.h"
 #include "oracle/long_orbit.h"
 #include "precise/certified_orbit.h"
-#include "study/accuracy.h"
-#include "study/room.h"
+#include "study/accuracy/accuracy.h"
+#include "study/rooms/room.h"
 
 namespace flatray {
 namespace {

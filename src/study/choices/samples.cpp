@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "base/check.h"
-#include "study/accuracy.h"
-#include "study/estimate.h"
-#include "study/room.h"
+#include "study/accuracy/accuracy.h"
+#include "study/rooms/room.h"
+#include "study/statistics/estimate.h"
 
 namespace flatray {
 namespace {

@@ -10,7 +10,7 @@
 #include "base/processor_time.h"
 #include "oracle/long_orbit.h"
 #include "oracle/nearest.h"
-#include "study/accuracy.h"
+#include "study/accuracy/accuracy.h"
 
 namespace flatray {
 namespace {

@@ -5,9 +5,9 @@
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
 #include "scene/responses.h"
-#include "study/blocks.h"
-#include "study/estimate.h"
-#include "study/palette.h"
+#include "study/plots/palette.h"
+#include "study/statistics/blocks.h"
+#include "study/statistics/estimate.h"
 #include "study/table.h"
 
 namespace flatray {

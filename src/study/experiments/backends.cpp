@@ -6,8 +6,8 @@
 #include "collide/scene_timeline.h"
 #include "image/compare.h"
 #include "render/backend.h"
+#include "study/accuracy/point_samples.h"
 #include "study/experiment.h"
-#include "study/point_samples.h"
 #include "study/table.h"
 
 namespace flatray {

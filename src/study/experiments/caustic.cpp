@@ -6,11 +6,11 @@
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "geom/predicates.h"
-#include "study/blocks.h"
-#include "study/estimate.h"
-#include "study/line_density.h"
-#include "study/palette.h"
-#include "study/scene_orbits.h"
+#include "study/plots/line_density.h"
+#include "study/plots/palette.h"
+#include "study/rooms/scene_orbits.h"
+#include "study/statistics/blocks.h"
+#include "study/statistics/estimate.h"
 
 namespace flatray {
 namespace {

@@ -1,12 +1,12 @@
 #include <fmt/core.h>
 
 #include "base/counted.h"
-#include "study/blocks.h"
-#include "study/estimate.h"
-#include "study/line_density.h"
-#include "study/palette.h"
-#include "study/scene_orbits.h"
-#include "study/svg_plot.h"
+#include "study/plots/line_density.h"
+#include "study/plots/palette.h"
+#include "study/plots/svg_plot.h"
+#include "study/rooms/scene_orbits.h"
+#include "study/statistics/blocks.h"
+#include "study/statistics/estimate.h"
 
 namespace flatray {
 namespace {

@@ -8,9 +8,9 @@
 #include "base/portable_math.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
-#include "study/estimate.h"
-#include "study/scene_orbits.h"
-#include "study/svg_plot.h"
+#include "study/plots/svg_plot.h"
+#include "study/rooms/scene_orbits.h"
+#include "study/statistics/estimate.h"
 #include "study/table.h"
 #include "transport/reflection.h"
 

@@ -4,10 +4,10 @@
 #include <map>
 
 #include "base/portable_math.h"
-#include "study/palette.h"
-#include "study/pixel_map.h"
-#include "study/survival.h"
-#include "study/svg_plot.h"
+#include "study/plots/palette.h"
+#include "study/plots/svg_plot.h"
+#include "study/rooms/pixel_map.h"
+#include "study/rooms/survival.h"
 #include "study/table.h"
 
 namespace flatray {

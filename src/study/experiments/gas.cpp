@@ -8,7 +8,7 @@
 #include "base/hash.h"
 #include "collide/simulate.h"
 #include "scene/responses.h"
-#include "study/stretches.h"
+#include "study/statistics/stretches.h"
 
 namespace flatray {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "base/counted.h"
 #include "base/portable_math.h"
-#include "study/blocks.h"
-#include "study/flight_tail.h"
-#include "study/starts.h"
-#include "study/wall_places.h"
+#include "study/rooms/flight_tail.h"
+#include "study/rooms/starts.h"
+#include "study/rooms/wall_places.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 namespace {

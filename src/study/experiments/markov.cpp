@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "study/absorption.h"
-#include "study/chain_walks.h"
 #include "study/experiment.h"
-#include "study/svg_graph.h"
+#include "study/plots/svg_graph.h"
+#include "study/statistics/absorption.h"
+#include "study/statistics/chain_walks.h"
 #include "study/table.h"
 
 namespace flatray {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/blocks.h"
-#include "study/flight_tail.h"
-#include "study/starts.h"
+#include "study/rooms/flight_tail.h"
+#include "study/rooms/starts.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "study/boundary_orbits.h"
-#include "study/estimate.h"
-#include "study/svg_plot.h"
+#include "study/plots/svg_plot.h"
+#include "study/rooms/boundary_orbits.h"
+#include "study/statistics/estimate.h"
 
 namespace flatray {
 namespace {

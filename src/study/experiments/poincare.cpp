@@ -6,9 +6,9 @@
 #include "base/counted.h"
 #include "base/number_text.h"
 #include "base/portable_math.h"
-#include "study/boundary_orbits.h"
-#include "study/palette.h"
-#include "study/stretches.h"
+#include "study/plots/palette.h"
+#include "study/rooms/boundary_orbits.h"
+#include "study/statistics/stretches.h"
 
 namespace flatray {
 namespace {

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "study/blocks.h"
-#include "study/estimate.h"
-#include "study/palette.h"
-#include "study/pixel_map.h"
-#include "study/scene_orbits.h"
-#include "study/wedge.h"
+#include "study/plots/palette.h"
+#include "study/rooms/pixel_map.h"
+#include "study/rooms/scene_orbits.h"
+#include "study/rooms/wedge.h"
+#include "study/statistics/blocks.h"
+#include "study/statistics/estimate.h"
 
 namespace flatray {
 namespace {

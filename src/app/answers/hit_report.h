@@ -1,0 +1,59 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anim/frame_state.h"
+#include "app/report/value.h"
+#include "geom/hit_interval.h"
+
+namespace flatray {
+
+/// A ray to clip and what it is called in tables.
+struct NamedRay {
+  std::string name;
+  Ray ray;
+};
+
+/// One edge of a clip: a line of the paper's table 3.
+struct HitStep {
+  std::optional<int> edge;  ///< of the shape as given; nothing for a cut between its pieces
+  double numerator, denominator;
+  std::optional<double> t;  ///< not where parallel
+  std::string exact_t;      ///< "19/72" where short
+  const char* kind;         ///< entering, exiting, parallel
+  Range candidate;          ///< the interval after this edge
+  bool empty;               ///< the candidate is
+};
+
+/// One ray against one piece, circle, ellipse, curved part or segment of an entity.
+struct HitReport {
+  NamedRay ray;
+  std::string against;  ///< "polygon", "castle piece 2", "disc circle 0", "pill part 0"
+  Range within;
+  std::vector<HitStep> steps;  ///< of pieces alone
+  HitInterval hit;             ///< its edges are those of the shape as given
+  std::string exact_enter, exact_exit;
+};
+
+/// What an entity looks like in the frame.
+const Shape& shape_of(const Scene& scene, const FrameState& state, std::uint32_t entity);
+
+/// Straight outline edges of an entity in the frame as rays whose t = 1 is the edge's end, by edge
+/// number.
+std::vector<NamedRay> edge_rays(const Scene& scene, const FrameState& state, std::uint32_t entity);
+
+/// A ray against every piece, circle, ellipse and segment of an entity; of what arcs bound one
+/// report for each part of the ray inside, or one that it misses.
+std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, const NamedRay& ray,
+                                   std::uint32_t entity, Range within);
+
+/// As `flatray hit` prints it: for people, as rows, as an object.
+std::string text_of(const HitReport& report);
+ReportTable csv_rows(const std::vector<HitReport>& reports);
+JsonValue as_value(const HitReport& report);
+/// Of each ray the primitives it was clipped against and those it hits, the measure of the paper:
+/// needs the reports of a ray one after the other.
+Values primitives_hit(const std::vector<HitReport>& reports);
+
+}  // namespace flatray

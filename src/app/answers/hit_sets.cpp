@@ -1,0 +1,78 @@
+#include "app/answers/hit_sets.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "base/counted.h"
+#include "base/number_text.h"
+#include "base/shown_text.h"
+
+namespace flatray {
+namespace {
+
+constexpr const char* kNames[] = {"union", "intersection", "difference"};
+
+IntervalSet inside(const std::vector<HitReport>& reports) {
+  std::vector<Range> parts;
+  for (const HitReport& report : reports)
+    if (report.hit) parts.push_back({report.hit.t_enter, report.hit.t_exit});
+  return interval_set(std::move(parts));
+}
+
+}  // namespace
+
+std::vector<std::string> hit_operation_names() { return {std::begin(kNames), std::end(kNames)}; }
+
+std::optional<HitOperation> hit_operation(const std::string& name) {
+  const auto found = std::find(std::begin(kNames), std::end(kNames), name);
+  if (found == std::end(kNames)) return std::nullopt;
+  return static_cast<HitOperation>(found - std::begin(kNames));
+}
+
+HitSet combine(const NamedRay& ray, HitOperation operation,
+               const std::vector<std::vector<HitReport>>& by_entity) {
+  HitSet set{ray, inside(by_entity.front())};
+  for (std::size_t i = 1; i < by_entity.size(); ++i) {
+    const IntervalSet other = inside(by_entity[i]);
+    switch (operation) {
+      case HitOperation::in_any:
+        set.parts = union_of(set.parts, other);
+        break;
+      case HitOperation::in_all:
+        set.parts = intersection_of(set.parts, other);
+        break;
+      case HitOperation::in_first_alone:
+        set.parts = difference_of(set.parts, other);
+        break;
+    }
+  }
+  return set;
+}
+
+std::string text_of(const HitSet& set) {
+  if (set.parts.empty()) return shown_text(set.ray.name) + ": no part\n";
+  std::string text =
+      fmt::format("{}: {}, length {}\n", shown_text(set.ray.name),
+                  counted(set.parts.size(), "part"), number_text(length_of(set.parts)));
+  for (const Range& part : set.parts)
+    text += fmt::format("  t from {} to {}\n", number_text(part.low), number_text(part.high));
+  return text;
+}
+
+ReportTable csv_rows(const std::vector<HitSet>& sets) {
+  ReportTable table{{"ray", "part", "t_enter", "t_exit"}, {}};
+  for (const HitSet& set : sets)
+    for (std::size_t i = 0; i < set.parts.size(); ++i)
+      table.rows.push_back({set.ray.name, std::uint64_t{i}, set.parts[i].low, set.parts[i].high});
+  return table;
+}
+
+JsonValue as_value(const HitSet& set) {
+  Values parts;
+  for (const Range& part : set.parts) parts.push_back(Values{part.low, part.high});
+  return Fields{
+      {"ray", set.ray.name}, {"parts", std::move(parts)}, {"length", length_of(set.parts)}};
+}
+
+}  // namespace flatray

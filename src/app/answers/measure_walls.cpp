@@ -1,0 +1,62 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "anim/rays.h"
+#include "app/answers/measure.h"
+#include "collide/scene_timeline.h"
+#include "render/ray_walls.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kMostBounces = 1000;
+
+struct WallTests {
+  std::uint64_t flights = 0, tested = 0, hit = 0;
+
+  void add(const Accelerator& walls, const Ray& ray, const Left& left) {
+    ++flights;
+    tested += walls.tested_of_one(ray, left);
+  }
+};
+
+}  // namespace
+
+Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
+  if (!need_of_ray_walls(job.scene).needed || job.frames.empty()) return std::vector<Saving>();
+  const auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return tl::unexpected(timeline.error());
+  const FrameState state = at(*timeline, job.frames.front());
+  const RayWalls walls(job.scene, state, job.tracer);
+  const std::size_t count = walls.world().surfaces.size();
+  if (count == 0) return std::vector<Saving>();
+  WallTests tests;
+  for (const RayState& now : ray_states(job.scene, state)) {
+    const RayPath& ray = job.scene.rays[now.ray];
+    if (ray.speed) continue;
+    const Ray& start = now.start;
+    const Orbit orbit = trace_orbits(walls.orbits(), std::span(&start, 1),
+                                     std::min<std::uint64_t>(ray.bounces, kMostBounces) + 1)
+                            .front();
+    Ray flight = start;
+    Left left;
+    for (const Bounce& bounce : orbit.bounces) {
+      tests.add(walls.orbits().walls(), flight, left);
+      flight = {bounce.point, bounce.out};
+      left = {bounce.surface, Root::both};
+    }
+    if (orbit.end != OrbitEnd::limit) tests.add(walls.orbits().walls(), flight, left);
+    tests.hit += orbit.bounces.size() + (orbit.end == OrbitEnd::absorbed ? 1 : 0);
+  }
+  const auto all = static_cast<double>(count * tests.flights);
+  return std::vector<Saving>{
+      {"measured: walls tested",
+       fmt::format("{:.3g} a flight",
+                   static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),
+       fmt::format("{:.3g} % of the walls, {} in all, tested and {:.3g} % hit; flights of rays: {}",
+                   100 * static_cast<double>(tests.tested) / all, count,
+                   100 * static_cast<double>(tests.hit) / all, tests.flights)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,280 @@
+#include "app/answers/orbit_report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/report.h"
+#include "base/counted.h"
+#include "base/number_text.h"
+#include "base/shown_text.h"
+#include "geom/hit_interval.h"
+#include "precise/certified_orbit.h"
+#include "precise/proven_bounces.h"
+#include "study/rooms/wall_places.h"
+#include "transport/exact_origin.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kDegreesInRadian = 57.29577951308232;
+constexpr std::size_t kMostProven = 10'000;
+
+std::string object_name(const Scene& scene, const SurfaceOwner& owner) {
+  switch (owner.kind) {
+    case SurfaceOwner::Kind::entity:
+      return scene.entities[owner.index].name;
+    case SurfaceOwner::Kind::chamber:
+      return scene.chambers[owner.index].name;
+    case SurfaceOwner::Kind::pillar:
+      break;
+  }
+  const Chamber& chamber = scene.chambers[owner.index];
+  return fmt::format("{}/{}", chamber.name, chamber.pillars[owner.pillar].name);
+}
+
+JsonValue edge_value(const SurfaceOwner& owner) {
+  return owner.edge == kNoEdge ? JsonValue("circle") : JsonValue(owner.edge);
+}
+
+std::string wall_text(const Scene& scene, const SurfaceOwner& owner) {
+  const JsonValue edge = edge_value(owner);
+  return fmt::format("{} edge {}", object_name(scene, owner),
+                     edge.as_text().value_or(json_text(edge)));
+}
+
+std::string walls_text(const Scene& scene, const World& world,
+                       const std::vector<std::uint32_t>& surfaces) {
+  std::string text;
+  for (const std::uint32_t surface : surfaces)
+    text += (text.empty() ? "" : " and ") + wall_text(scene, world.owner(surface));
+  return text;
+}
+
+void tell_start(const OrbitRoom& room, OrbitReport& report) {
+  const Vec2& start = report.orbit.start;
+  const auto walls = ExactOrigins(room.world.surfaces).walls_at(start);
+  const auto holder = room.solids.holder(start);
+  report.starts_badly = walls.empty() && (holder || !room.solids.in_chamber(start));
+  report.start = !walls.empty()        ? "on " + walls_text(room.scene, room.world, walls)
+                 : holder              ? "inside " + object_name(room.scene, *holder)
+                 : report.starts_badly ? "outside " + room.scene.chambers.front().name
+                                       : "free";
+}
+
+Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
+  const double speed = start.direction.norm();
+  Orbit orbit{start.origin,
+              start.direction,
+              {},
+              exact.end,
+              exact.out,
+              exact.end_point,
+              std::move(exact.end_surfaces)};
+  orbit.crossings = std::move(exact.crossings);
+  double length = 0;
+  for (const CertifiedOrbit::Bounce& one : exact.bounces) {
+    length += one.t * speed;
+    orbit.bounces.push_back(
+        {one.surface, one.point, one.t, length, one.normal, speed * one.in, speed * one.out});
+  }
+  if (orbit.end == OrbitEnd::limit && !exact.bounces.empty()) orbit.out = exact.bounces.back().out;
+  return orbit;
+}
+
+Proven proven(const OrbitRoom& room, const Orbit& orbit) {
+  if (orbit.bounces.size() <= kMostProven)
+    return proven_bounces(room.world.surfaces, orbit, room.materials);
+  Orbit first = orbit;
+  first.bounces.resize(kMostProven, orbit.bounces.front());
+  return {proven_bounces(room.world.surfaces, first, room.materials).bounces, false};
+}
+
+// As the wall sees it.
+double incidence(const OrbitReport& report, std::size_t number) {
+  Bounce bounce = report.orbit.bounces[number];
+  if (report.clock) {
+    bounce.in -= report.clock->bounces[number].wall_velocity;
+    bounce.out -= report.clock->bounces[number].wall_velocity;
+  }
+  return bounce.incidence();
+}
+
+// Before the first bounce, or after the last.
+double speed_of(const Orbit& orbit) {
+  return (orbit.bounces.empty() ? orbit.direction : orbit.bounces.back().out).stableNorm();
+}
+
+// Of a certified orbit: whether doubles are seen to leave it, as far as it is told.
+bool leaves_doubles(const OrbitReport& report) {
+  return report.bits > 0 && report.horizon < report.orbit.bounces.size();
+}
+
+std::string precision_text(const OrbitReport& report) {
+  std::string text = fmt::format(
+      "; {} {}{} bits", report.decided ? "certified in" : "all certified, what follows is not by",
+      report.decided && report.rational ? "exact numbers of " : "", report.bits);
+  if (leaves_doubles(report))
+    text += fmt::format(", doubles are noise after {} bounces", report.horizon);
+  else if (!report.orbit.bounces.empty())
+    text += ", doubles are near all of these bounces";
+  return text;
+}
+
+const char* end_text(const OrbitReport& report) {
+  return report.decided ? name(report.orbit.end) : "undecided";
+}
+
+}  // namespace
+
+OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
+    : scene(scene_),
+      world(build_world(scene_, state)),
+      materials(world.materials()),
+      solids(scene_, state),
+      window(state.window) {}
+
+Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name, const Ray& start,
+                                 std::uint64_t bounces, const OrbitRequest& request) {
+  OrbitReport report{name, &room.world, {}, "", false};
+  const auto& walls = room.world.surfaces;
+  if (request.certified) {
+    auto exact = certified_orbit(walls, start, bounces, {room.materials, request.most_bits});
+    if (!exact) return tl::unexpected(exact.error());
+    report.bits = exact->bits;
+    report.rational = exact->rational;
+    report.decided = exact->decided;
+    const Orbit plain = trace_orbit(walls, room.materials, start, exact->bounces.size());
+    report.horizon = horizon(walls, *exact, plain);
+    report.orbit = as_orbit(std::move(*exact), start);
+    report.certain = report.orbit.bounces.size();
+    report.certified = true;
+    report.end_certain = report.decided;
+  } else {
+    report.orbit = trace_orbit(walls, room.materials, start, bounces, request.rules);
+    const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
+    const Proven known = exact ? proven(room, report.orbit) : Proven{0, false};
+    report.certain = known.bounces;
+    report.end_certain = known.end;
+  }
+  tell_start(room, report);
+  return report;
+}
+
+OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
+                          const Ray& start, double from, const MovingLimits& limits) {
+  OrbitReport report{name, &walls.world, {}, "", false};
+  MovingOrbit moving = trace_moving_orbit(walls, start, from, limits);
+  report.orbit = std::move(moving.orbit);
+  report.clock = {from, moving.end_time, std::move(moving.times)};
+  tell_start(room, report);
+  return report;
+}
+
+std::vector<std::string> bounce_columns(bool timed) {
+  std::vector<std::string> columns{
+      "ray",  "bounce",   "t",        "path_length",   "x",      "y", "object",
+      "edge", "normal_x", "normal_y", "incidence_deg", "certain"};
+  if (timed) columns.insert(columns.end(), {"time", "speed"});
+  return columns;
+}
+
+Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
+  const Bounce& bounce = report.orbit.bounces[i];
+  const SurfaceOwner& owner = report.world->owner(bounce.surface);
+  Values row{report.ray,
+             std::uint64_t{i + 1},
+             bounce.t,
+             bounce.path_length,
+             bounce.point.x(),
+             bounce.point.y(),
+             object_name(room.scene, owner),
+             edge_value(owner),
+             bounce.normal.x(),
+             bounce.normal.y(),
+             incidence(report, i) * kDegreesInRadian,
+             report.clock         ? "unknown"
+             : i < report.certain ? "yes"
+                                  : "no"};
+  if (!timed) return row;
+  row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
+  row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
+  return row;
+}
+
+ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed) {
+  ReportTable table{bounce_columns(timed), {}};
+  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+    table.rows.push_back(bounce_row(room, report, i, timed));
+  return table;
+}
+
+namespace {
+
+WrittenJson bounces_as_json(const OrbitRoom& room, const OrbitReport& report) {
+  const bool timed = report.clock.has_value();
+  const std::vector<std::string> columns = bounce_columns(timed);
+  std::string text = "[";
+  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+    text += (i == 0 ? "" : ",") + object_text(columns, bounce_row(room, report, i, timed));
+  text += ']';
+  return {std::move(text)};
+}
+
+}  // namespace
+
+JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
+  const Orbit& orbit = report.orbit;
+  const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
+  Fields fields{
+      {"ray", report.ray},
+      {"start", Values{orbit.start.x(), orbit.start.y()}},
+      {"start_place", report.start},
+      {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
+      {"precision", report.certified ? "certified" : "double"},
+      {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
+      {"rational", report.rational},
+      {"horizon_of_doubles", leaves_doubles(report) ? JsonValue(report.horizon) : JsonValue()},
+      {"bounces", JsonValue()},
+      {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
+      {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
+      {"end", end_text(report)},
+      {"out", Values{orbit.out.x(), orbit.out.y()}},
+      {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
+                                     : JsonValue()},
+      {"end_walls", walls_text(room.scene, *report.world, orbit.end_surfaces)}};
+  fields[8].second = bounces_as_json(room, report);  // a list would copy it
+  if (!report.clock) return fields;
+  fields.emplace_back("start_time", report.clock->start);
+  fields.emplace_back("end_time", report.clock->end);
+  fields.emplace_back("end_speed", speed_of(orbit));
+  return fields;
+}
+
+std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
+  const Orbit& orbit = report.orbit;
+  std::string text = fmt::format("{}: {} after {}", report.ray, end_text(report),
+                                 counted(orbit.bounces.size(), "bounce"));
+  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+    text += fmt::format(" at {}, {}", point_text(orbit.end_point),
+                        walls_text(room.scene, *report.world, orbit.end_surfaces));
+  else if (report.decided)
+    text += fmt::format(", leaving along {}", point_text(orbit.out));
+  if (!orbit.bounces.empty())
+    text += fmt::format(", path length {} to the last bounce",
+                        number_text(orbit.bounces.back().path_length));
+  if (report.clock)
+    text += fmt::format("; speed {} at time {}", number_text(speed_of(orbit)),
+                        number_text(report.clock->end));
+  else if (report.bits > 0)
+    text += precision_text(report);
+  else if (report.certain < std::min(orbit.bounces.size(), kMostProven))
+    text += fmt::format("; only the first {} are certain", report.certain);
+  else if (!report.end_certain && orbit.bounces.size() <= kMostProven)
+    text += "; that it ends there is not certain";
+  if (report.start != "free") text += "; started " + report.start;
+  return shown_text(text) + "\n";
+}
+
+}  // namespace flatray

@@ -1,0 +1,129 @@
+#include "app/answers/stability_reports.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/files/result_files.h"
+#include "app/files/scene_input.h"
+#include "app/report/report.h"
+#include "base/counted.h"
+#include "base/parallel.h"
+#include "study/plots/svg_heat.h"
+#include "study/stability/margins.h"
+#include "study/stability/scale_sweep.h"
+#include "study/table.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kShown = 20;           // margins, of all
+constexpr std::uint64_t kRandomRays = 1000;  // of a scene without rays
+constexpr double kNearUlps = 4, kCloseUlps = 1 << 20;
+
+ExperimentResult as_file(const char* name, const ReportTable& table) {
+  ExperimentResult result;
+  result.files.push_back({name, csv_text(table)});
+  return result;
+}
+
+}  // namespace
+
+Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
+                                   const ExperimentResult& result, bool sound) {
+  if (const auto folder = arguments.text("output")) {
+    auto files = write_files(result, *folder, Outputs(arguments));
+    if (!files) return fail(std::move(files));
+  }
+  const int code = sound ? 0 : 1;
+  if (arguments.has("json"))
+    return VerbOutput{json_report("stability", arguments, as_objects(table)), code};
+  return VerbOutput{aligned_text(table) + result.summary, code};
+}
+
+std::vector<const Tracer*> tracers_at_hand() {
+  std::vector<const Tracer*> all;
+  for (const Tracer* tracer : tracers()) {
+    const std::string why = tracer->missing == nullptr ? "" : tracer->missing();
+    if (why.empty())
+      all.push_back(tracer);
+    else
+      report_note(fmt::format("tracer {} is not here: {}", tracer->name, why));
+  }
+  return all;
+}
+
+Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityRequest& request) {
+  const std::vector<double> steps = sweep_steps();
+  const std::size_t side = steps.size();
+  std::vector<SweepCell> cells(side * side);
+  parallel_for(cells.size(), request.threads, [&](std::size_t i) {
+    cells[i] = sweep_cell(request.tracers, request.seed, steps[i % side], steps[i / side]);
+  });
+  ExperimentResult result;
+  Table all({"tracer", "scale_log2", "offset_log2", "rays", "wrong", "off"});
+  ReportTable table{{"tracer", "cells", "cells_wrong", "rays", "wrong", "off", "worst_share",
+                     "at_scale", "at_offset", "verdict"},
+                    {}};
+  bool sound = true;
+  for (std::size_t k = 0; k < request.tracers.size(); ++k) {
+    const Tracer& tracer = *request.tracers[k];
+    HeatMap map{fmt::format("--tracer {}: share of wrong walls", tracer.name),
+                "log2 of the scale",
+                "log2 of the offset",
+                steps,
+                steps,
+                {}};
+    std::uint64_t rays = 0, wrong = 0, off = 0, cells_wrong = 0;
+    const SweepCell* worst = &cells.front();
+    for (const SweepCell& cell : cells) {
+      rays += cell.rays;
+      wrong += cell.wrong[k];
+      off += cell.off[k];
+      cells_wrong += cell.wrong[k] > 0 ? 1 : 0;
+      if (cell.wrong[k] > worst->wrong[k]) worst = &cell;
+      map.shares.push_back(static_cast<double>(cell.wrong[k]) / static_cast<double>(cell.rays));
+      all.add({std::string(tracer.name), cell.scale_log2, cell.offset_log2, cell.rays,
+               cell.wrong[k], cell.off[k]});
+    }
+    sound = sound && (wrong + off == 0 || !(request.named || tracer.exact));
+    table.rows.push_back({tracer.name, std::uint64_t{cells.size()}, cells_wrong, rays, wrong, off,
+                          static_cast<double>(worst->wrong[k]) / static_cast<double>(worst->rays),
+                          worst->scale_log2, worst->offset_log2,
+                          wrong + off == 0 ? "right" : "wrong"});
+    result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(map)});
+  }
+  result.files.push_back({"sweep.csv", all.csv()});
+  return stability_files(arguments, table, result, sound);
+}
+
+Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
+  const auto scene = load_only_input(arguments);
+  if (!scene) return tl::unexpected(scene.error());
+  const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
+  ReportTable table{{"ray", "leg", "near", "x", "y", "distance", "ulps"}, {}};
+  for (const Margin& margin : all)
+    table.rows.push_back({margin.ray, margin.leg, margin.wall, margin.at.x(), margin.at.y(),
+                          margin.distance, margin.ulps});
+  ExperimentResult result = as_file("margins.csv", table);
+  const auto below = [&](double ulps) {
+    return std::count_if(all.begin(), all.end(),
+                         [&](const Margin& margin) { return margin.ulps < ulps; });
+  };
+  const auto exact = std::count_if(all.begin(), all.end(),
+                                   [](const Margin& margin) { return margin.distance == 0; });
+  if (all.empty())
+    result.summary = "\nno ray passes an end of a wall or a tangent\n";
+  else
+    result.summary = fmt::format(
+        "\n{} from wall to wall: {} to an end or a tangent exactly, {} within {} ulps of one, "
+        "{} within 2^20\nsmallest margin: {:.3g} world units, {:.3g} ulps, of {} after {}, from {} "
+        "at ({}, {})\n",
+        counted(all.size(), "leg"), exact, below(kNearUlps), kNearUlps, below(kCloseUlps),
+        all.front().distance, all.front().ulps, all.front().ray, counted(all.front().leg, "bounce"),
+        all.front().wall, all.front().at.x(), all.front().at.y());
+  if (!arguments.has("json") && table.rows.size() > kShown) table.rows.resize(kShown);
+  return stability_files(arguments, table, result, true);
+}
+
+}  // namespace flatray

@@ -1,0 +1,109 @@
+#include "app/experiments/experiment_sweep.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/options/arguments.h"
+#include "app/options/option_values.h"
+#include "base/number_text.h"
+#include "study/plots/svg_plot.h"
+#include "study/statistics/estimate.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kMostValues = 10'000;
+constexpr const char* kHint = "write KEY=0.1..0.4:0.05 or KEY=a,b,c";
+
+// Steps are counted, not added up, and shown with the digits that matter.
+std::optional<std::vector<std::string>> steps(std::string_view text) {
+  const std::size_t dots = text.find(".."), colon = text.find(':');
+  if (dots == std::string_view::npos || colon == std::string_view::npos || colon < dots)
+    return std::nullopt;
+  const auto from = parse_number(text.substr(0, dots));
+  const auto to = parse_number(text.substr(dots + 2, colon - dots - 2));
+  const auto step = parse_number(text.substr(colon + 1));
+  if (!from || !to || !step || !(*step > 0)) return std::nullopt;
+  const double count = std::floor((*to - *from) / *step + 1e-9);
+  if (!(count >= 0 && count < static_cast<double>(kMostValues))) return std::nullopt;
+  std::vector<std::string> values;
+  for (double i = 0; i <= count; ++i) values.push_back(fmt::format("{:.12g}", *from + i * *step));
+  return values;
+}
+
+}  // namespace
+
+Result<Sweep> parse_sweep(std::string_view text, const Place& where) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string_view::npos || equals + 1 == text.size())
+    return usage_error(where, fmt::format("'{}' has no key or no values", text), kHint);
+  Sweep sweep{std::string(text.substr(0, equals)), {}};
+  const std::string_view values = text.substr(equals + 1);
+  if (values.find("..") != std::string_view::npos) {
+    auto stepped = steps(values);
+    if (!stepped)
+      return usage_error(
+          where, fmt::format("'{}' is not a range of up to {} steps", values, kMostValues), kHint);
+    sweep.values = std::move(*stepped);
+  } else {
+    for (const std::string_view value : split(values, ',')) sweep.values.emplace_back(value);
+  }
+  return sweep;
+}
+
+SweepResults::SweepResults(std::string experiment, Sweep sweep)
+    : experiment_(std::move(experiment)),
+      sweep_(std::move(sweep)),
+      table_({sweep_.key, "measure", "value", "low", "high", "expected", "agrees"}) {}
+
+void SweepResults::add(const std::string& value, const ExperimentResult& result) {
+  for (const Measure& one : result.measures) {
+    const std::optional<double> half = half_interval(one);
+    const auto end = [&](double sign) {
+      return half ? Cell(one.value + sign * *half) : Cell(std::string());
+    };
+    table_.add({value, one.name, one.value, end(-1), end(1),
+                one.expected ? Cell(*one.expected) : Cell(std::string()), verdict(one)});
+  }
+  holds_ = holds_ && result.holds;
+  found_.emplace_back(value, result.measures);
+}
+
+// Of the measures of all values: which there are may depend on what is found.
+std::vector<std::string> SweepResults::names() const {
+  std::vector<std::string> names;
+  for (const auto& [value, measures] : found_)
+    for (const Measure& one : measures)
+      if (std::find(names.begin(), names.end(), one.name) == names.end()) names.push_back(one.name);
+  return names;
+}
+
+ExperimentResult SweepResults::result() && {
+  ExperimentResult all;
+  all.files.push_back({"sweep.csv", table_.csv()});
+  all.files.push_back(
+      {"sweep.json", json_document({{"experiment", experiment_}, {"sweep", sweep_.key}},
+                                   {{"measures", &table_}})});
+  for (const std::string& name : names()) {
+    Plot plot{experiment_ + ": " + name,
+              sweep_.key,
+              name,
+              {{"found", {}, true}, {"expected", {}, false}}};
+    for (const auto& [value, measures] : found_) {
+      const auto x = parse_number(value);
+      for (const Measure& one : measures) {
+        if (!x || one.name != name) continue;
+        plot.series[0].points.push_back({*x, one.value, half_interval(one).value_or(0)});
+        if (one.expected) plot.series[1].points.push_back({*x, *one.expected, 0});
+      }
+    }
+    if (!plot.series[0].points.empty()) all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
+  }
+  all.summary = fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, table_.text());
+  all.holds = holds_;
+  return all;
+}
+
+}  // namespace flatray

@@ -1,0 +1,128 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/files/journal.h"
+#include "app/files/outputs.h"
+#include "base/result.h"
+#include "study/stability/leaks.h"
+#include "study/stability/pair_stability.h"
+#include "study/stability/stability.h"
+
+namespace flatray {
+
+/// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
+/// without its end, as a full disk leaves it, does not count; an older file gets the present columns,
+/// empty in its rows, with its next row.
+///
+/// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
+class ChunkLog {
+ public:
+  struct Key {
+    std::string family, tracer, isa;
+    std::uint64_t seed, chunk;
+    auto operator<=>(const Key&) const = default;
+  };
+  struct Row {
+    std::vector<std::uint64_t> counts;
+    std::string note;
+  };
+  /// Its columns, after those of the key: counts, the seconds after some of them, and a note.
+  struct Format {
+    const char* file;
+    std::span<const char* const> counts;
+    std::size_t before_seconds;
+    std::span<const std::size_t> widths;  ///< counts of rows as written now, and as before
+    bool (*possible)(const Key& key, const Row& row);  ///< whether a run may have counted so
+    const char* note = nullptr;
+  };
+
+  /// The rows that are in `folder`, or none without a folder. Writes nothing.
+  /// Error   Trouble::output; naming the line where a row is not what add() writes, or wrote, or
+  ///         what no run can have counted.
+  static Result<ChunkLog> open(const Format& format, const std::optional<std::string>& folder,
+                               const Outputs& outputs);
+
+  bool has(const Key& key) const { return rows_.contains(key); }
+  /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
+  /// Counts that rows did not have when one was written are missing.
+  /// Cost    of the rows that are there.
+  template <class Each>
+  void for_each(Key key, std::uint64_t chunks, const Each& each) const {
+    Key end = key;
+    key.chunk = 0;
+    end.chunk = chunks;
+    const auto last = rows_.lower_bound(end);
+    for (auto row = rows_.lower_bound(key); row != last; ++row) each(row->second);
+  }
+  /// Appends a row.
+  Result<void> add(const Key& key, const Row& row, double seconds);
+
+ private:
+  explicit ChunkLog(const Format& format) : format_(format) {}
+  std::string header(std::size_t counts) const;
+  std::string padded(std::string_view line) const;
+  std::optional<std::pair<Key, Row>> read_row(std::string_view line) const;
+  Result<std::string> read(const std::string& text);
+
+  Format format_;
+  std::optional<Journal> journal_;  ///< none where nothing is kept
+  bool old_ = false;                ///< with columns of before
+  std::map<Key, Row> rows_;
+};
+
+/// Rows as tallies: `Rows` has their format, and makes a row of a Tally and a Tally of a row.
+template <class Tally, class Rows>
+class TallyLog {
+ public:
+  static Result<TallyLog> open(const std::optional<std::string>& folder,
+                               const Outputs& outputs = {}) {
+    auto log = ChunkLog::open(Rows::kFormat, folder, outputs);
+    if (!log) return fail(std::move(log));
+    return TallyLog(std::move(*log));
+  }
+  bool has(const ChunkLog::Key& key) const { return log_.has(key); }
+  Result<void> add(const ChunkLog::Key& key, const Tally& tally, double seconds) {
+    return log_.add(key, Rows::row(tally), seconds);
+  }
+  /// `each(tally)` of chunks 0 to `chunks` - 1, whatever the chunk of `key`.
+  template <class Each>
+  void for_each(const ChunkLog::Key& key, std::uint64_t chunks, const Each& each) const {
+    log_.for_each(key, chunks, [&](const ChunkLog::Row& row) { each(Rows::tally(row)); });
+  }
+  /// All of them together.
+  Tally sum(const ChunkLog::Key& key, std::uint64_t chunks) const {
+    Tally sum;
+    for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
+    return sum;
+  }
+
+ private:
+  explicit TallyLog(ChunkLog log) : log_(std::move(log)) {}
+  ChunkLog log_;
+};
+
+/// Of `stability.csv`.
+struct StabilityRows {
+  static const ChunkLog::Format kFormat;
+  /// The family of a key, of pairs.
+  static std::string pairs(const PairFamily& family) { return "pairs-" + family.name; }
+  static ChunkLog::Row row(const StabilityTally& tally);
+  static StabilityTally tally(const ChunkLog::Row& row);
+};
+using StabilityLog = TallyLog<StabilityTally, StabilityRows>;
+
+/// Of `leaks.csv`.
+struct LeakRows {
+  static const ChunkLog::Format kFormat;
+  static ChunkLog::Row row(const LeakTally& tally);
+  static LeakTally tally(const ChunkLog::Row& row);
+};
+using LeakLog = TallyLog<LeakTally, LeakRows>;
+
+}  // namespace flatray

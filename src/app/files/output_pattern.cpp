@@ -1,0 +1,182 @@
+#include "app/files/output_pattern.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/options/arguments.h"
+#include "app/options/option_values.h"
+
+namespace flatray {
+
+namespace {
+constexpr std::array<const char*, 4> kFormats = {"png", "hdr", "pfm", "film"};
+}  // namespace
+
+Result<PictureFormat> picture_format(const std::string& name, const Place& where) {
+  for (std::size_t i = 0; i < kFormats.size(); ++i)
+    if (name == kFormats[i]) return static_cast<PictureFormat>(i);
+  return usage_error(where, fmt::format("unknown picture format '{}'", name),
+                     "say " + comma_list(picture_formats()));
+}
+
+namespace {
+
+// File systems allow 255 bytes; the temporary name beside the file needs some, the frame number and
+// {scene} more.
+constexpr std::size_t kLongestFileName = 120, kLongestPattern = 3000;
+
+constexpr std::string_view kScene = "{scene}";
+constexpr std::size_t kShownBytes = 40;  // of a name too long
+
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+struct FramePlace {
+  std::size_t at = 0, length = 0;
+  int digits = 1;
+};
+
+// The last run of '#' in the file name.
+FramePlace find_hashes(std::string_view text, std::size_t file_name) {
+  const std::size_t last = text.find_last_of('#');
+  if (last == std::string_view::npos || last < file_name) return {};
+  std::size_t first = last;
+  while (first > file_name && text[first - 1] == '#') --first;
+  const std::size_t length = last + 1 - first;
+  return {first, length, static_cast<int>(length)};
+}
+
+// %d or %0Nd in the file name, N one or two digits.
+FramePlace find_percent(std::string_view text, std::size_t file_name) {
+  for (std::size_t at = text.find('%', file_name); at != std::string_view::npos;
+       at = text.find('%', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    const std::string_view digits = text.substr(at + 1, end - at - 1);
+    if (end == text.size() || text[end] != 'd' || digits.size() > 3) continue;
+    if (digits.empty()) return {at, end + 1 - at, 1};
+    if (digits.front() != '0' || digits.size() < 2) continue;
+    return {at, end + 1 - at, std::min(static_cast<int>(*parse_whole(digits)), 20)};
+  }
+  return {};
+}
+
+std::string with_scene(std::string text, std::string_view scene) {
+  for (std::size_t at = text.find(kScene); at != std::string::npos;
+       at = text.find(kScene, at + scene.size()))
+    text.replace(at, kScene.size(), scene);
+  return text;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+Result<PictureFormat> format_of(const std::string& text, const std::optional<std::string>& wanted,
+                                const Place& where) {
+  if (text == "-") return picture_format(wanted.value_or("png"), named_place("--format"));
+  const std::string extension = lower_case(std::filesystem::path(text).extension().string());
+  if (extension.empty() && wanted) return picture_format(*wanted, named_place("--format"));
+  if (std::find(kFormats.begin(), kFormats.end(),
+                std::string_view(extension).substr(extension.empty() ? 0 : 1)) == kFormats.end())
+    return usage_error(where, fmt::format("'{}' does not end in .png, .hdr, .pfm or .film", text),
+                       "end the name in one of them, as picture.png");
+  if (wanted && "." + lower_case(*wanted) != extension)
+    return usage_error(where, fmt::format("'{}' is not a name for --format {}", text, *wanted),
+                       fmt::format("end it in .{}, or leave --format out", *wanted));
+  return picture_format(extension.substr(1), where);
+}
+
+}  // namespace
+
+const char* name(PictureFormat format) { return kFormats[static_cast<std::size_t>(format)]; }
+
+std::vector<std::string> picture_formats() { return {kFormats.begin(), kFormats.end()}; }
+
+OutputPattern::OutputPattern(std::string text, PictureFormat format)
+    : text_(std::move(text)), format_(format) {
+  const std::size_t slash = text_.find_last_of('/');
+  const std::size_t file_name = slash == std::string::npos ? 0 : slash + 1;
+  FramePlace place = find_hashes(text_, file_name);
+  if (place.length == 0) place = find_percent(text_, file_name);
+  frame_at_ = place.at;
+  frame_length_ = place.length;
+  digits_ = place.digits;
+}
+
+Result<OutputPattern> OutputPattern::parse(std::string text,
+                                           const std::optional<std::string>& format,
+                                           const Place& where) {
+  if (text.empty()) return usage_error(where, "is empty", "say a file name, as out/####.png");
+  if (text.back() == '/')
+    return usage_error(where, fmt::format("'{}' is a folder", text),
+                       fmt::format("say {}frame_####.png", text));
+  const std::size_t file_bytes = std::filesystem::path(text).filename().string().size();
+  if (file_bytes > kLongestFileName)
+    return usage_error(where, fmt::format("the file name has {} bytes", file_bytes),
+                       fmt::format("at most {} in the name", kLongestFileName));
+  if (text.size() > kLongestPattern)
+    return usage_error(where, fmt::format("the path has {} bytes", text.size()),
+                       fmt::format("at most {} with its folders", kLongestPattern));
+  const auto known = format_of(text, format, where);
+  if (!known) return tl::unexpected(known.error());
+  return OutputPattern(std::move(text), *known);
+}
+
+OutputPattern OutputPattern::standard(bool sequence, PictureFormat format) {
+  const char* stem = sequence ? "out/{scene}/frame_####." : "out/{scene}.";
+  return {std::string(stem) + name(format), format};
+}
+
+std::filesystem::path OutputPattern::with_number(std::string_view scene,
+                                                 const std::string& number) const {
+  std::string result = text_;
+  if (has_frame()) result.replace(frame_at_, frame_length_, number);
+  return with_scene(std::move(result), scene);
+}
+
+std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame) const {
+  return with_number(scene, fmt::format("{:0{}}", frame, digits_));
+}
+
+std::string OutputPattern::file_pattern(std::string_view scene) const {
+  return with_number(scene, std::string(static_cast<std::size_t>(digits_), '#')).filename();
+}
+
+std::optional<std::filesystem::path> OutputPattern::link_chosen_by(std::string_view scene) const {
+  std::filesystem::path folder;
+  for (const std::filesystem::path& part : std::filesystem::path(text_).parent_path()) {
+    folder /= with_scene(part.string(), scene);
+    std::error_code ignored;
+    const bool chosen = part.string().find(kScene) != std::string::npos;
+    if (chosen && std::filesystem::is_symlink(folder, ignored)) return folder;
+  }
+  return std::nullopt;
+}
+
+Result<std::string> plain_name(std::string_view scene) {
+  if (scene.size() > kLongestName)
+    return usage_error(named_place(fmt::format("{}...", scene.substr(0, kShownBytes))),
+                       fmt::format("the scene's name has {} bytes", scene.size()),
+                       fmt::format("at most {} can name the output; say -o FILE", kLongestName));
+  std::string name(scene);
+  for (char& c : name) {
+    const bool letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+    if (!letter && !is_digit(c) && c != '_' && c != '-' && c != '.') c = '_';
+  }
+  if (name.empty()) return std::string("scene");
+  if (name.front() == '.' || name.front() == '-') name.front() = '_';
+  if (name.back() == '.') name.back() = '_';
+  const std::string stem = lower_case(name.substr(0, name.find('.')));
+  const bool numbered = stem.size() == 4 && is_digit(stem[3]) &&
+                        (stem.substr(0, 3) == "com" || stem.substr(0, 3) == "lpt");
+  // Names of devices on some systems, with any extension.
+  static constexpr std::array<std::string_view, 4> kDevices = {"con", "nul", "aux", "prn"};
+  if (numbered || std::find(kDevices.begin(), kDevices.end(), stem) != kDevices.end())
+    name.insert(name.begin(), '_');
+  return name;
+}
+
+}  // namespace flatray

@@ -1,0 +1,51 @@
+#include "app/files/result_files.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kLongestStem = 100;
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-' || c == '.';
+}
+
+// Names of things in a scene may hold anything; a file is called by plain letters of them, and by a
+// number where another is called the same.
+std::string plain_name(const std::string& name, std::set<std::string>& taken) {
+  const std::size_t dot = std::min(name.rfind('.'), name.size());
+  std::string stem = name.substr(0, std::min(dot, kLongestStem));
+  std::replace_if(
+      stem.begin(), stem.end(), [](char c) { return !is_plain(c); }, '_');
+  const std::string extension = name.substr(dot);
+  std::string plain = stem + extension;
+  for (int number = 2; !taken.insert(plain).second; ++number)
+    plain = stem + "_" + std::to_string(number) + extension;
+  return plain;
+}
+
+}  // namespace
+
+Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder,
+                           const Outputs& outputs) {
+  Values names;
+  std::vector<std::filesystem::path> paths;
+  std::set<std::string> taken;
+  for (const ExperimentResult::File& file : result.files) {
+    paths.push_back(folder / plain_name(file.name, taken));
+    if (auto allowed = outputs.allow(paths.back(), file.content); !allowed)
+      return fail(std::move(allowed));
+  }
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    auto written = outputs.write(paths[i], result.files[i].content);
+    if (!written) return fail(std::move(written));
+    names.emplace_back(paths[i].string());
+  }
+  return names;
+}
+
+}  // namespace flatray

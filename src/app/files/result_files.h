@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+
+#include "app/files/outputs.h"
+#include "app/report/value.h"
+#include "study/experiment.h"
+
+namespace flatray {
+
+/// Writes the files of a result into a folder, all or none where one of them must not be replaced.
+/// Gives   their paths, all in that folder: what is not a plain letter in a name is "_" there.
+Result<Values> write_files(const ExperimentResult& result, const std::filesystem::path& folder,
+                           const Outputs& outputs);
+
+}  // namespace flatray

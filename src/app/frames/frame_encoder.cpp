@@ -1,0 +1,126 @@
+#include "app/frames/frame_encoder.h"
+
+#include "app/frames/light_files.h"
+#include "base/hash.h"
+#include "image/hdr.h"
+#include "image/pfm.h"
+
+namespace flatray {
+namespace {
+
+std::string hash_of(const Image& image) { return pixel_hash(image); }
+std::string hash_of(const LinearImage& image) {
+  return Hash().add(std::as_bytes(std::span(image.pixels))).hex();
+}
+
+std::string hash_of(const FilmFile& film) {
+  Hash hash;
+  for (const FilmFile::Scramble& one : film.scrambles) hash.add(std::as_bytes(std::span(one.sums)));
+  return hash.hex();
+}
+
+bool all_changed(int, int) { return true; }
+
+using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
+
+Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
+  if (job.output.format() == PictureFormat::png) return FrameDrawer<Image>(options);
+  return FrameDrawer<LinearImage>(options);
+}
+
+}  // namespace
+
+FrameEncoder::FrameEncoder(const RenderJob& job, unsigned threads, bool (*stop)())
+    : job_(job),
+      options_{job.crop, threads, job.keep_all, stop, &report_},
+      drawer_(drawer_for(job, options_)),
+      png_(threads) {
+  out_.record.scene = job.fingerprint();
+  out_.record.seed = job.seed;
+  out_.record.backend = job.backend();
+}
+
+Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
+  if (!list) return fail(std::move(list));
+  Result<void> drawn =
+      std::visit([&](auto& drawer) { return encode(drawer, std::move(*list)); }, drawer_);
+  if (!drawn) return fail(std::move(drawn));
+  keep_report();
+  if (job_.renderer) return options_.stopped() ? nullptr : &out_;
+  return std::visit([](const auto& drawer) { return drawer.whole(); }, drawer_) ? &out_ : nullptr;
+}
+
+Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
+                                            unsigned frame) {
+  if (job_.output.format() == PictureFormat::film) return encode_film(plan, timeline, frame);
+  if (!job_.view) return encode(draw_list(plan, timeline, frame, options_));
+  const Image picture =
+      draw_view(*job_.view, job_.tracer, timeline.scene(), at(timeline, frame), options_);
+  if (options_.stopped()) return nullptr;
+  keep(picture, all_changed);
+  return &out_;
+}
+
+template <class Picture>
+Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
+  if (job_.renderer) {
+    Picture picture;
+    if (auto drawn = job_.renderer->draw(list, options_, picture); !drawn) return drawn;
+    keep(picture, all_changed);
+    return {};
+  }
+  const Picture& picture = drawer.draw(std::move(list));
+  if (drawer.changed() && drawer.whole())
+    keep(picture, [&drawer](int begin, int end) { return drawer.changed(begin, end); });
+  return {};
+}
+
+std::vector<std::byte> FrameEncoder::file_bytes(const Image& image, const RowsChanged& changed) {
+  return png_.encode(image, changed);
+}
+std::vector<std::byte> FrameEncoder::file_bytes(const LinearImage& image, const RowsChanged&) {
+  return job_.output.format() == PictureFormat::hdr ? encode_hdr(image) : encode_pfm(image);
+}
+
+// Of light, and of its error.
+void FrameEncoder::keep_report() {
+  if (job_.scene.lamps.empty()) return;
+  out_.record.light = record_of(report_);
+  if (job_.light.error_image && !options_.stopped())
+    out_.error_bytes =
+        error_picture(report_, job_.light.error_image->format(),
+                      {0, 0, job_.scene.film.width, job_.scene.film.height}, job_.picture());
+}
+
+Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const Timeline& timeline,
+                                                 unsigned frame) {
+  Result<std::optional<FilmFile>> film = traced_film(job_, plan, timeline, frame, options_);
+  if (!film) return fail(std::move(film));
+  if (!*film) return nullptr;
+  out_.bytes = flatray::encode_film(**film);
+  out_.record.pixels = hash_of(**film);
+  out_.record.width = (*film)->width;
+  out_.record.height = (*film)->height;
+  out_.record.bytes = Hash().add(out_.bytes).hex();
+  ++encoded_;
+  report_ = report_of(**film);
+  keep_report();
+  return &out_;
+}
+
+template <class Picture>
+void FrameEncoder::keep(const Picture& picture, const RowsChanged& changed) {
+  out_.bytes = file_bytes(picture, changed);
+  out_.record.pixels = hash_of(picture);
+  out_.record.width = picture.width;
+  out_.record.height = picture.height;
+  out_.record.bytes = Hash().add(out_.bytes).hex();
+  ++encoded_;
+}
+
+const DrawCounts& FrameEncoder::counts() const {
+  return std::visit([](const auto& drawer) -> const DrawCounts& { return drawer.counts(); },
+                    drawer_);
+}
+
+}  // namespace flatray

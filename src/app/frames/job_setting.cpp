@@ -1,0 +1,100 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/frames/render_job.h"
+#include "app/help/version.h"
+#include "app/options/resource_limits.h"
+#include "app/report/value.h"
+#include "base/hash.h"
+#include "base/number_text.h"
+#include "base/parallel.h"
+#include "render/light/light_picture.h"
+
+namespace flatray {
+namespace {
+
+// Frames are drawn side by side as long as their pictures together stay under this.
+constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
+
+// What one picture takes at its peak, for pixels that do not compress. Not what the scene and its outlines take.
+std::uint64_t bytes_of_frame(const RenderJob& job) {
+  const std::uint64_t channels = job.scene.film.background.a == 255 ? 3 : 4;
+  const std::uint64_t png_bytes = 3 * channels;  // picture, its bands packed, joined
+  constexpr std::uint64_t kHdrBytes =
+      12 + 12 + 12;  // picture, without what RGBE lacks, growing file
+  // The sums, the file before and the one that is made of them.
+  const std::uint64_t film_bytes = 3 * 3 * sizeof(std::int64_t) * job.scene.light.scrambles;
+  const PixelBox box = job.picture();
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+  const std::uint64_t picture = pixels * (job.output.format() == PictureFormat::png    ? png_bytes
+                                          : job.output.format() == PictureFormat::film ? film_bytes
+                                                                                       : kHdrBytes);
+  const std::uint64_t light =
+      job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene, hardware_threads());
+  return picture + light;
+}
+
+}  // namespace
+
+Fields RenderJob::setting() const {
+  const PixelBox part = picture();
+  Fields fields{{"scene", Hash().add(scene.hash).hex()},
+                {"seed", seed},
+                {"size", fmt::format("{}x{}", scene.film.width, scene.film.height)},
+                {"part", fmt::format("{}x{} at {},{}", part.width, part.height, part.x, part.y)},
+                {"format", flatray::name(output.format())},
+                {"backend", backend()},
+                {"version", kVersion}};
+  if (view)
+    fields.emplace_back("view",
+                        fmt::format("{} {} {}", view->view->name, number_text(view->point.x()),
+                                    number_text(view->point.y())));
+  if (tracer != nullptr && !tracer->exact) fields.emplace_back("tracer", tracer->name);
+  // What the command line says of light, whatever the scene does.
+  if (light.any()) {
+    fields.emplace_back("rays", scene.light.rays);
+    fields.emplace_back("scrambles", scene.light.scrambles);
+  }
+  if (light.estimator) fields.emplace_back("estimator", static_cast<int>(*light.estimator));
+  if (light.error > 0) fields.emplace_back("error", light.error);
+  if (light.seconds < kInfinity) fields.emplace_back("time", light.seconds);
+  return fields;
+}
+
+Fields RenderJob::film_setting(unsigned frame) const {
+  const LightSettings& rules = scene.light;
+  Fields fields{{"scene", Hash().add(scene.hash).hex()},
+                {"seed", seed},
+                {"frame", frame},
+                {"size", fmt::format("{}x{}", scene.film.width, scene.film.height)},
+                {"scrambles", rules.scrambles},
+                {"exposure", rules.exposure ? JsonValue(*rules.exposure) : JsonValue("auto")},
+                {"tone", flatray::name(rules.tone)},
+                {"gamma", rules.gamma},
+                {"version", kVersion}};
+  if (tracer != nullptr && !tracer->exact) fields.emplace_back("tracer", tracer->name);
+  return fields;
+}
+
+std::string RenderJob::fingerprint() const { return Hash().add(json_text(setting())).hex(); }
+
+bool RenderJob::makes(const FrameRecord& record) const {
+  return std::binary_search(frames.begin(), frames.end(), record.frame) && names(record);
+}
+
+Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {
+  const std::uint64_t memory = std::min(kMemoryAtOnce, memory_limit() / 2);
+  const std::uint64_t fit = std::max<std::uint64_t>(memory / bytes_of_frame(job), 1);
+  const std::uint64_t at_once =
+      std::min({std::uint64_t{threads}, fit, std::max<std::uint64_t>(frame_count, 1)});
+  return {static_cast<unsigned>(at_once), static_cast<unsigned>(threads / at_once)};
+}
+
+std::uint64_t picture_bytes_at_once(const RenderJob& job, std::size_t frame_count,
+                                    unsigned threads) {
+  return spread(job, frame_count, threads).frames_at_once * bytes_of_frame(job);
+}
+
+}  // namespace flatray

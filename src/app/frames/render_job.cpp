@@ -1,0 +1,376 @@
+#include "app/frames/render_job.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <set>
+
+#include "app/frames/frame_encoder.h"
+#include "app/frames/light_files.h"
+#include "app/interrupt.h"
+#include "app/report/value.h"
+#include "base/counted.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/parallel.h"
+#include "collide/scene_timeline.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+RenderPlan plan_of(const RenderJob& job, const LightGoal& goal) {
+  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
+  plan.light_goal = &goal;
+  const bool film = job.output.format() == PictureFormat::film;
+  plan.still = plan.still && !film;  // each names its frame
+  plan.still_light = plan.still_light && !film && !job.view;
+  plan.raw_light = job.output.format() != PictureFormat::png;
+  return plan;
+}
+
+// The goal of the job's light, of which `told` is told.
+LightGoal told_goal(const RenderJob& job, const Told& told) {
+  LightGoal goal = job.light.goal();
+  if (told)
+    goal.told = [&told](const TracedLight& light, std::optional<double> error) {
+      told(fmt::format("{} rays{}", light.counts.rays,
+                       error ? fmt::format(", error {:.2g}", *error) : std::string()));
+    };
+  return goal;
+}
+
+// Draws and writes the frames of one job in runs of neighbours, which have most in common.
+class FrameMaker {
+ public:
+  FrameMaker(const RenderJob& job, const Timeline& timeline, const std::vector<unsigned>& frames,
+             unsigned threads, const std::function<void()>& done, const Claim* claim,
+             const Told& told)
+      : job_(job),
+        frames_(frames),
+        spread_(spread(job, frames.size(), threads)),
+        run_(run_length(frames.size(), spread_)),
+        done_(done),
+        claim_(claim),
+        goal_(told_goal(job, told)),
+        plan_(plan_of(job, goal_)),
+        timeline_(timeline),
+        manifest_(job.manifest()),
+        made_((frames.size() + run_ - 1) / run_) {
+    if (plan_.still)
+      draw_still(threads);
+    else if (plan_.still_light && frames.size() > 1)
+      trace_still_light(threads);
+  }
+
+  void make_all() {
+    parallel_for(made_.size(), spread_.frames_at_once,
+                 [this](std::size_t run) { make_run(run * run_, made_[run]); });
+  }
+
+  JobResult result() {
+    JobResult result;
+    result.drawn = drawn_;
+    result.encoded = encoded_;
+    for (Made& made : made_) {
+      result.drawn += made.drawn;
+      result.encoded += made.encoded;
+      result.written.insert(result.written.end(), std::move_iterator(made.records.begin()),
+                            std::move_iterator(made.records.end()));
+      result.seconds.insert(result.seconds.end(), made.seconds.begin(), made.seconds.end());
+      if (result.problems.empty() && !made.problems.empty())
+        result.problems.push_back(made.problems.front());  // all threads meet the same full disk
+    }
+    return result;
+  }
+
+ private:
+  // Of one run.
+  struct Made {
+    std::vector<FrameRecord> records;
+    std::vector<double> seconds;
+    Diagnostics problems;
+    DrawCounts drawn;
+    std::size_t encoded = 0;
+  };
+
+  // Enough runs for each thread to find work to the end.
+  static std::size_t run_length(std::size_t count, const Spread& spread) {
+    constexpr std::size_t kRunsAThread = 4, kLongest = 32;
+    if (spread.frames_at_once == 1) return std::max<std::size_t>(count, 1);
+    return std::clamp<std::size_t>(count / (kRunsAThread * spread.frames_at_once), 1, kLongest);
+  }
+
+  void draw_still(unsigned threads) {
+    FrameEncoder encoder(job_, threads, &interrupted);
+    Result<const Encoded*> made = encoder.encode(plan_, timeline_, frames_.front());
+    if (!made)
+      made_.front().problems = std::move(made).error();
+    else if (*made != nullptr)
+      still_ = **made;
+    stopped_ = !still_;
+    drawn_ = encoder.counts();
+    encoded_ = encoder.encoded();
+  }
+
+  void trace_still_light(unsigned threads) {
+    kept_light_ = show_light(timeline_, at(timeline_, frames_.front()), job_.tracer,
+                             {threads, &interrupted, plan_.raw_light, &goal_});
+    plan_.kept_light = &kept_light_;
+  }
+
+  // Names and lines of a run are flushed together: what a machine that stops then loses of them,
+  // --resume makes again. The bytes of a picture are flushed before it has its name.
+  void make_run(std::size_t begin, Made& made) {
+    draw_run(begin, made);
+    if (made.records.empty() || !job_.output.has_frame()) return;
+    flush_folder(job_.folder());
+    if (auto flushed = flush_file(manifest_.path()); !flushed && made.problems.empty())
+      made.problems = std::move(flushed).error();
+  }
+
+  void draw_run(std::size_t begin, Made& made) {
+    FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
+    write_run(begin, encoder, made);
+    made.drawn = encoder.counts();
+    made.encoded = encoder.encoded();
+  }
+
+  void write_run(std::size_t begin, FrameEncoder& encoder, Made& made) {
+    const std::size_t end = std::min(begin + run_, frames_.size());
+    for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      if (Result<FrameRecord> record = write(frames_[i], encoder)) {
+        if (record->frame == 0) return;
+        made.records.push_back(std::move(*record));
+        made.seconds.push_back(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        done_();
+      } else {
+        made.problems = std::move(record).error();
+        stopped_ = true;
+      }
+    }
+  }
+
+  // A record without frame: the frame was interrupted.
+  Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
+    Result<const Encoded*> made = still_ ? &*still_ : encoder.encode(plan_, timeline_, frame);
+    if (!made) return fail(std::move(made));
+    if (*made == nullptr) return FrameRecord{};
+    FrameRecord record = (*made)->record;
+    record.frame = frame;
+    record.file = job_.path(frame).filename();
+    if (auto written = write((*made)->bytes, record); !written) return fail(std::move(written));
+    if (job_.light.error_image)
+      if (auto written =
+              write_file(job_.light.error_image->path(job_.name, frame), (*made)->error_bytes);
+          !written)
+        return fail(std::move(written));
+    return record;
+  }
+
+  // A single picture with a name of its own needs no list beside it.
+  Result<void> write(std::span<const std::byte> bytes, const FrameRecord& record) const {
+    const fs::path path = job_.path(record.frame);
+    if (!job_.output.has_frame()) return write_file(path, bytes);
+    Result<NewFile> file = NewFile::write(path, bytes);
+    if (!file) return fail(std::move(file));
+    const auto take_name = [&]() -> Result<void> {
+      if (claim_ != nullptr)
+        if (auto held = claim_->expect_held(); !held) return held;
+      return file->take_name();
+    };
+    return manifest_.add(manifest_line(record) + "\n", take_name, Journal::Flush::later);
+  }
+
+  const RenderJob& job_;
+  const std::vector<unsigned>& frames_;
+  const Spread spread_;
+  const std::size_t run_;
+  const std::function<void()>& done_;
+  const Claim* const claim_;
+  const LightGoal goal_;
+  ShownLight kept_light_;
+  RenderPlan plan_;
+  const Timeline& timeline_;
+  const Journal manifest_;
+  std::vector<Made> made_;
+  std::optional<Encoded> still_;
+  DrawCounts drawn_;  ///< for it
+  std::size_t encoded_ = 0;
+  std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
+};
+
+// The lines of all manifests in a folder.
+Result<std::string> text_of_manifests(const fs::path& folder) {
+  std::string all;
+  for (const fs::path& manifest : manifests_in(folder)) {
+    auto text = Journal(manifest).read();
+    if (!text) return text;
+    all += *text;
+  }
+  return all;
+}
+
+// The lines of a manifest without records of `files`, and without what is no record.
+std::string without_files(const std::string& text, const std::set<std::string>& files) {
+  std::string lines;
+  each_line(text, [&](std::string_view line) {
+    const std::optional<FrameRecord> record = parse_manifest_line(line);
+    if (record && !files.contains(record->file)) lines += std::string(line) + "\n";
+  });
+  return lines;
+}
+
+// What is told of records of other settings in the pattern of a job, beside which its pictures will
+// stand.
+std::optional<Diagnostic> mixture(const RenderJob& job, const Records& records) {
+  const FrameRecord* first = nullptr;
+  std::size_t count = 0;
+  const std::string own = job.fingerprint();
+  for (const auto& [file, record] : records) {
+    if (!job.names(record) || record.scene == own) continue;
+    if (first == nullptr) first = &record;
+    ++count;
+  }
+  if (first == nullptr) return std::nullopt;
+  return Diagnostic{named_place((job.folder() / job.output.file_pattern(job.name)).string()),
+                    fmt::format("{} of another scene or setting, as {} of {}x{}, seed {}",
+                                counted(count, "frame") + (count == 1 ? " is" : " are"),
+                                first->file, first->width, first->height, first->seed),
+                    "draw all frames anew, or each setting in a folder of its own"};
+}
+
+// Those of frames made before stay as long as the manifest has these.
+Result<void> write_timings(const RenderJob& job, const JobResult& result) {
+  const Journal journal(timings_path(job.folder(), job.shard));
+  return journal.merge([&](const std::string& text) -> Result<std::string> {
+    const auto manifest = Journal(job.manifest()).read();
+    if (!manifest) return tl::unexpected(manifest.error());
+    const Records records = records_of(*manifest);
+    std::map<std::string, std::string> timings;
+    each_line(text, [&](std::string_view line) {
+      const auto value = parse_json(line);
+      const std::string name = value ? value->text_of("file") : "";
+      if (records.contains(name)) timings[name] = line;
+    });
+    for (std::size_t i = 0; i < result.written.size(); ++i) {
+      const FrameRecord& record = result.written[i];
+      timings[record.file] = json_text(
+          Fields{{"frame", record.frame}, {"file", record.file}, {"seconds", result.seconds[i]}});
+    }
+    std::string lines;
+    for (const auto& [file, line] : timings) lines += line + "\n";
+    return lines;
+  });
+}
+
+}  // namespace
+
+Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
+  Work work{&job, {}, {}};
+  std::vector<FrameRecord> candidates;
+  const std::string own = job.fingerprint();
+  // Of films it is their frames that go on: each has the rays that are missing added.
+  if (resume && job.output.has_frame() && job.output.format() != PictureFormat::film) {
+    const auto text = text_of_manifests(job.folder());
+    if (!text) return tl::unexpected(text.error());
+    each_line(*text, [&](std::string_view line) {
+      const auto record = parse_manifest_line(line);
+      if (record && job.makes(*record) && record->scene == own) candidates.push_back(*record);
+    });
+  }
+  std::vector<char> whole(candidates.size());
+  parallel_for(candidates.size(), threads,
+               [&](std::size_t i) { whole[i] = is_whole(candidates[i], job.folder()) ? 1 : 0; });
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (whole[i] != 0) work.kept[candidates[i].file] = candidates[i];
+  std::copy_if(job.frames.begin(), job.frames.end(), std::back_inserter(work.frames),
+               [&](unsigned frame) { return !work.kept.contains(job.path(frame).filename()); });
+  return work;
+}
+
+Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& warnings) {
+  const RenderJob& job = *work.job;
+  constexpr std::string_view kFirstName = "{\"frame\":";
+  for (const fs::path& list : {job.manifest(), timings_path(job.folder(), job.shard)})
+    if (auto allowed = outputs.make_way(list, kFirstName); !allowed)
+      return fail(std::move(allowed));
+  const auto lines = text_of_manifests(job.folder());
+  if (!lines) return tl::unexpected(lines.error());
+  const Records recorded = records_of(*lines);
+  std::set<std::string> files;
+  for (const unsigned frame : work.frames) {
+    const std::string& file = *files.insert(job.path(frame).filename()).first;
+    auto allowed =
+        outputs.allow(job.path(frame), beginning(job.output.format()), recorded.contains(file));
+    if (!allowed) return fail(std::move(allowed));
+  }
+  auto claim = Claim::take(job.folder(), job.output.file_pattern(job.name),
+                           json_text(job.setting()), outputs.force());
+  if (!claim) return claim;
+  std::vector<fs::path> manifests = manifests_in(job.folder());
+  if (std::find(manifests.begin(), manifests.end(), job.manifest()) == manifests.end())
+    manifests.push_back(job.manifest());
+  Records others;
+  for (const fs::path& manifest : manifests) {
+    auto merged = Journal(manifest).merge([&](const std::string& text) -> Result<std::string> {
+      const Records before = records_of(text);
+      const bool own = manifest == job.manifest();
+      const bool goes = std::any_of(files.begin(), files.end(),
+                                    [&](const std::string& file) { return before.contains(file); });
+      std::string changed = own || goes ? without_files(text, files) : text;
+      for (const auto& [file, record] : work.kept) {  // by --resume, also from others
+        const auto there = before.find(file);
+        if (own && (there == before.end() || there->second != record))
+          changed += manifest_line(record) + "\n";
+      }
+      others.merge(records_of(changed));
+      return changed;
+    });
+    if (!merged) return fail(std::move(merged));
+  }
+  if (auto mixed = mixture(job, others)) warnings.push_back(std::move(*mixed));
+  return claim;
+}
+
+JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, unsigned threads,
+                  const std::function<void()>& done, const Claim* claim, const Told& told) {
+  if (frames.empty()) return {};
+  Result<PartTimeline> part = timeline_before_trouble(job.scene, job.seed, job.last_frame);
+  if (!part) return {{}, {}, std::move(part).error()};
+  std::vector<unsigned> known = frames;
+  std::erase_if(known, [&](unsigned frame) { return frame > part->last_frame; });
+  if (known.empty()) return {{}, {}, std::move(part->problems), true};
+  FrameMaker maker(job, part->timeline, known, threads, done, claim, told);
+  maker.make_all();
+  JobResult result = maker.result();
+  if (auto lost = lost_light(job.scene, result.written))
+    result.warnings.push_back(std::move(*lost));
+  if (job.output.has_frame() && result.problems.empty())
+    if (auto written = write_timings(job, result); !written)
+      result.problems = std::move(written).error();
+  if (result.problems.empty()) {
+    result.problems = std::move(part->problems);
+    result.ends = true;
+  }
+  return result;
+}
+
+Result<std::vector<std::byte>> picture_bytes(const RenderJob& job, unsigned frame,
+                                             unsigned threads) {
+  const LightGoal goal = job.light.goal();
+  const RenderPlan plan = plan_of(job, goal);
+  Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
+  if (!timeline) return fail(std::move(timeline));
+  FrameEncoder encoder(job, threads);
+  Result<const Encoded*> made = encoder.encode(plan, *timeline, frame);
+  if (!made) return fail(std::move(made));
+  return (*made)->bytes;
+}
+
+}  // namespace flatray

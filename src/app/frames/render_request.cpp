@@ -1,0 +1,140 @@
+#include "app/frames/render_request.h"
+
+#include <fmt/core.h>
+
+#include <numeric>
+#include <set>
+
+#include "app/files/scene_input.h"
+#include "app/options/option_values.h"
+#include "app/report/report.h"
+#include "render/coverage/unseen.h"
+
+namespace flatray {
+namespace {
+
+// Takes the value of a Result, or keeps its problems and leaves `out` as it is.
+template <class To, class From>
+void take(Result<From> result, To& out, Diagnostics& problems) {
+  if (result)
+    out = std::move(*result);
+  else
+    problems.insert(problems.end(), result.error().begin(), result.error().end());
+}
+
+}  // namespace
+
+Result<RenderRequest> read_request(const Arguments& arguments) {
+  RenderRequest request;
+  Diagnostics problems;
+  std::uint64_t limit = 0;
+  take(max_pixels(arguments), limit, problems);
+  take(threads(arguments), request.threads, problems);
+  if (const auto text = arguments.text("size"); text && limit > 0)
+    take(parse_size(*text, arguments.where("size"), limit), request.size, problems);
+  if (const auto text = arguments.text("frames"))
+    take(parse_frames(*text, arguments.where("frames")), request.frames, problems);
+  if (const auto text = arguments.text("shard"))
+    take(parse_shard(*text, arguments.where("shard")), request.shard, problems);
+  request.resume = arguments.has("resume");
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return request;
+}
+
+namespace {
+
+Result<OutputPattern> output_of(const Arguments& arguments, bool sequence) {
+  const std::optional<std::string> format = arguments.text("format");
+  if (const auto text = arguments.text("output"))
+    return OutputPattern::parse(*text, format, arguments.where("output"));
+  const auto known = arguments.one_of("format", picture_formats());
+  if (!known) return tl::unexpected(known.error());
+  const auto known_format = picture_format(*known, arguments.where("format"));
+  if (!known_format) return tl::unexpected(known_format.error());
+  return OutputPattern::standard(sequence, *known_format);
+}
+
+Result<void> check_places(const Arguments& arguments, const OutputPattern& output,
+                          std::size_t frames) {
+  const std::size_t scenes = arguments.operands().size();
+  if (frames > 1 && !output.has_frame())
+    return usage_error(arguments.where("output"),
+                       fmt::format("has no place for the numbers of {} frames", frames),
+                       output.is_stdout() ? "choose one, as -f 1"
+                                          : "say frame_####.png, or choose one frame, as -f 1");
+  if (scenes > 1 && !output.has_scene())
+    return usage_error(arguments.where("output"),
+                       fmt::format("has no place for the names of {} scenes", scenes),
+                       "say {scene} in it, as out/{scene}/####.png");
+  return {};
+}
+
+Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& request, Scene scene) {
+  std::vector<unsigned> frames(scene.frames);
+  std::iota(frames.begin(), frames.end(), 1U);
+  if (request.frames) frames = *request.frames;
+  if (scene.ends && frames.back() > scene.frames)
+    return usage_error(arguments.where("frames"),
+                       fmt::format("there is no frame {} in {}", frames.back(), scene.name),
+                       fmt::format("its lines are frames 1 to {}", scene.frames));
+  const auto output = output_of(arguments, frames.size() > 1);
+  if (!output) return tl::unexpected(output.error());
+  if (auto fits = check_places(arguments, *output, frames.size()); !fits)
+    return fail(std::move(fits));
+  std::string name;
+  if (output->has_scene()) {
+    Result<std::string> plain = plain_name(scene.name);
+    if (!plain) return fail(std::move(plain));
+    name = std::move(*plain);
+  }
+  const auto seeded = seed(arguments, scene);
+  if (!seeded) return tl::unexpected(seeded.error());
+  RenderJob job{.scene = std::move(scene),
+                .name = name,
+                .output = *output,
+                .frames = frames_of(request.shard, frames),
+                .last_frame = frames.back(),
+                .shard = request.shard,
+                .crop = std::nullopt,
+                .seed = *seeded,
+                .keep_all = arguments.has("keep-all")};
+  if (const auto text = arguments.text("crop")) {
+    const FilmSize film{job.scene.film.width, job.scene.film.height};
+    const auto crop = parse_crop(*text, arguments.where("crop"), film);
+    if (!crop) return tl::unexpected(crop.error());
+    job.crop = *crop;
+  }
+  return job;
+}
+
+}  // namespace
+
+Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const RenderRequest& request) {
+  std::vector<RenderJob> jobs;
+  Diagnostics problems;
+  std::vector<Override> size;  // before the scene's own is held against the limit
+  if (request.size)
+    size.push_back(
+        {"film.size", fmt::format("[{}, {}]", request.size->width, request.size->height)});
+  std::set<std::string> names;
+  for (const std::string& path : arguments.operands()) {
+    Result<LoadedScene> loaded = load_input(arguments, path, size);
+    if (loaded) report_warnings(loaded->warnings, arguments);
+    Result<RenderJob> job = loaded ? make_job(arguments, request, std::move(loaded->scene))
+                                   : Result<RenderJob>(fail(std::move(loaded)));
+    if (job) report_warnings(unseen_in(job->scene, job->seed), arguments);
+    if (!job) {
+      problems.insert(problems.end(), job.error().begin(), job.error().end());
+      continue;
+    }
+    if (!names.insert(job->name).second)
+      problems.push_back({named_place(path),
+                          fmt::format("another scene is named '{}', too", job->name),
+                          "render them one by one, with -o", Trouble::usage});
+    jobs.push_back(std::move(*job));
+  }
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return jobs;
+}
+
+}  // namespace flatray

@@ -1,0 +1,202 @@
+#include "app/frames/render_run.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "app/interrupt.h"
+#include "app/report/json_failure.h"
+#include "app/report/report.h"
+#include "base/counted.h"
+#include "base/file.h"
+
+namespace flatray {
+namespace {
+
+JsonValue dry_value(const Work& work, unsigned threads) {
+  Values files;
+  for (const unsigned frame : work.frames) files.emplace_back(work.job->path(frame).string());
+  const PixelBox size = work.job->picture();
+  return Fields{{"scene", work.job->scene.name},
+                {"width", size.width},
+                {"height", size.height},
+                {"files", std::move(files)},
+                {"kept", work.kept.size()},
+                {"picture_bytes", picture_bytes_at_once(*work.job, work.frames.size(), threads)}};
+}
+
+std::string dry_text(const Work& work, unsigned threads) {
+  const PixelBox size = work.job->picture();
+  const std::uint64_t bytes = picture_bytes_at_once(*work.job, work.frames.size(), threads);
+  std::string text =
+      fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
+                  work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
+                  size.height, work.kept.size(), static_cast<double>(bytes) / 1e6);
+  for (const unsigned frame : work.frames) text += work.job->path(frame).string() + "\n";
+  return text;
+}
+
+// What it took: counts, the same whenever it is done again by as many threads.
+JsonValue work_value(const JobResult& result) {
+  const DrawCounts& drawn = result.drawn;
+  return Fields{{"pictures_encoded", result.encoded},
+                {"bands_drawn", drawn.bands},
+                {"bands_kept", drawn.kept_bands},
+                {"pieces", drawn.items},
+                {"pieces_hidden", drawn.hidden_items},
+                {"pieces_scanned", drawn.scans},
+                {"pixels", drawn.pixels},
+                {"pixels_kept", drawn.kept_pixels}};
+}
+
+// Records of the job's frames, kept and written, as --json shows them.
+JsonValue job_value(const Work& work, const JobResult& result) {
+  std::map<unsigned, FrameRecord> records;
+  for (const auto& [file, record] : work.kept) records[record.frame] = record;
+  for (const FrameRecord& record : result.written) records[record.frame] = record;
+  Values frames;
+  for (const auto& [frame, record] : records) frames.push_back(as_value(record));
+  return Fields{{"scene", work.job->scene.name},    {"folder", work.job->folder().string()},
+                {"written", result.written.size()}, {"kept", work.kept.size()},
+                {"work", work_value(result)},       {"frames", std::move(frames)}};
+}
+
+class Run {
+ public:
+  Run(const Arguments& arguments, const WorkList& list, ProgressMode mode)
+      : arguments_(arguments),
+        list_(list),
+        total_(total(list)),
+        progress_(total_, mode, "frames", has_light(list)) {}
+
+  VerbOutput operator()() {
+    if (const auto begun = begin(); !begun) return give_up(begun.error());
+    for (const Work& work : list_.works) {
+      if (interrupted()) break;
+      const auto claim = claims_.find(&work);
+      JobResult result = run_job(
+          *work.job, work.frames, list_.threads, [this] { progress_.step(); },
+          claim == claims_.end() ? nullptr : &claim->second,
+          [this](const std::string& news) { progress_.tell(news); });
+      if (!result.warnings.empty()) progress_.finish();
+      report_warnings(result.warnings, arguments_);
+      written_ += result.written.size();
+      kept_ += work.kept.size();
+      results_.push_back(job_value(work, result));
+      if (!result.problems.empty()) return give_up(result.problems, result.ends);
+    }
+    return finish();
+  }
+
+ private:
+  static std::size_t total(const WorkList& list) {
+    std::size_t count = 0;
+    for (const Work& work : list.works) count += work.frames.size();
+    return count;
+  }
+
+  static bool has_light(const WorkList& list) {
+    return std::any_of(list.works.begin(), list.works.end(), [](const Work& work) {
+      return !work.job->scene.lamps.empty() && !work.job->view;
+    });
+  }
+
+  // All that can be refused is refused before the first picture. Where nothing is to be done nothing
+  // is written. Files of runs that were killed go first.
+  Result<void> begin() {
+    const Outputs outputs(arguments_);
+    Diagnostics warnings;
+    for (const Work& work : list_.works) {
+      const RenderJob& job = *work.job;
+      if (job.output.is_stdout()) continue;
+      if (const auto link = job.output.link_chosen_by(job.name))
+        return fail(named_place(link->string()), "is a link, and a scene's name led to it",
+                    "remove it, or write the folder out in -o", Trouble::output);
+      remove_leftovers(job.folder());
+      if (work.frames.empty()) continue;
+      if (job.light.error_image)
+        for (const unsigned frame : work.frames)
+          if (auto allowed = outputs.allow(job.light.error_image->path(job.name, frame),
+                                           beginning(job.light.error_image->format()));
+              !allowed)
+            return allowed;
+      if (!job.output.has_frame()) {
+        const std::filesystem::path path = job.path(work.frames.front());
+        if (auto allowed = outputs.allow(path, beginning(job.output.format())); !allowed)
+          return allowed;
+        continue;
+      }
+      auto claim = begin_work(work, outputs, warnings);
+      if (!claim) return fail(std::move(claim));
+      claims_.emplace(&work, std::move(*claim));
+    }
+    report_warnings(warnings, arguments_);
+    return {};
+  }
+
+  // `ends`: by what the scene says, which no other run changes.
+  VerbOutput give_up(const Diagnostics& problems, bool ends = false) {
+    progress_.finish();
+    const std::string goes_on =
+        written_ == 0 ? "nothing rendered"
+                      : fmt::format("{} of {} written{}", written_, counted(total_, "frame"),
+                                    ends ? "" : "; --resume goes on from there");
+    return {json_failure("render", arguments_, problems), report_failure(problems, goes_on)};
+  }
+
+  VerbOutput finish() {
+    progress_.finish();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
+    const bool stopped = written_ < total_;
+    if (stopped)
+      report_note(
+          fmt::format("flatray: {}, {} of {} written; the same command with --resume goes on",
+                      interruption(), written_, counted(total_, "frame")));
+    else if (!arguments_.has("quiet"))
+      report_note(fmt::format("flatray: {} written{} in {:.2f} s", counted(written_, "frame"),
+                              kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
+    VerbOutput output{"", stopped ? interrupted_code() : 0};
+    if (arguments_.has("json")) output.text = json_report("render", arguments_, results_);
+    return output;
+  }
+
+  const Arguments& arguments_;
+  const WorkList& list_;
+  const std::size_t total_;
+  Progress progress_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::size_t written_ = 0, kept_ = 0;
+  std::map<const Work*, Claim> claims_;  ///< to the patterns of sequences
+  Values results_;
+};
+
+}  // namespace
+
+Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
+  WorkList list{{}, request.threads};
+  for (const RenderJob& job : jobs) {
+    Result<Work> work = plan_work(job, request.resume, request.threads);
+    if (!work) return fail(std::move(work));
+    list.works.push_back(std::move(*work));
+  }
+  return list;
+}
+
+VerbOutput describe(const Arguments& arguments, const WorkList& list) {
+  Values values;
+  std::string text;
+  for (const Work& work : list.works) {
+    values.push_back(dry_value(work, list.threads));
+    text += dry_text(work, list.threads);
+  }
+  if (arguments.has("json")) return {json_report("render", arguments, std::move(values)), 0};
+  return {std::move(text), 0};
+}
+
+VerbOutput render_all(const Arguments& arguments, const WorkList& list, ProgressMode mode) {
+  return Run(arguments, list, mode)();
+}
+
+}  // namespace flatray

@@ -1,0 +1,287 @@
+#include "app/golden/golden.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/files/outputs.h"
+#include "app/options/backend_choice.h"
+#include "app/options/option_values.h"
+#include "app/report/value.h"
+#include "base/file.h"
+#include "collide/scene_timeline.h"
+#include "scene/load.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "golden_images/manifest.json";
+constexpr const char* kSchema = "flatray.goldens/1";
+constexpr const char* kBackend = "software";
+constexpr const char* kGlBackend = "gl";
+
+JsonValue as_value(const GoldenRow& row) {
+  Fields fields{{"file", row.file()},
+                {"scene", row.scene},
+                {"frame", row.frame},
+                {"seed", row.seed},
+                {"size", Values{row.width, row.height}},
+                {"backend", row.backend}};
+  if (!row.exact()) fields.emplace_back("renderer", row.renderer);
+  fields.emplace_back("tolerance", row.tolerance.text());
+  fields.emplace_back("drift", row.drift);
+  fields.emplace_back("pixels", row.pixels);
+  fields.emplace_back("scene_hash", row.scene_hash);
+  fields.emplace_back("why", row.why);
+  return fields;
+}
+
+// Takes the fields of one row, and what is wrong with each.
+class RowReader {
+ public:
+  RowReader(const JsonValue& value, const std::string& name, Diagnostics& problems)
+      : value_(value), name_(name), problems_(problems) {}
+
+  GoldenRow read() {
+    GoldenRow row;
+    row.scene = text("scene");
+    if (!is_scene_path(row.scene)) wrong("scene", "is not a path below scenes/");
+    row.frame = static_cast<unsigned>(whole("frame", 1, 9'999'999));
+    row.seed = whole("seed", 0, ~std::uint64_t{0});
+    read_size(row);
+    row.drift = text("drift"), row.pixels = text("pixels");
+    row.scene_hash = text("scene_hash"), row.why = text("why");
+    read_backend(row);
+    expect("file", row.file());
+    return row;
+  }
+
+ private:
+  static bool is_scene_path(const std::string& text) {
+    const fs::path path(text);
+    return text.starts_with("scenes/") && path.lexically_normal() == path && path.has_stem();
+  }
+
+  void wrong(const char* key, const std::string& what) {
+    problems_.push_back({named_place(kManifest), fmt::format("'{}' of {} {}", key, name_, what),
+                         "flatray golden update writes the manifest; edit it by hand only to "
+                         "remove rows"});
+  }
+
+  std::string text(const char* key) {
+    const JsonValue* field = value_.find(key);
+    const auto text = field == nullptr ? std::nullopt : field->as_text();
+    if (!text || text->empty()) wrong(key, "is missing");
+    return text.value_or("");
+  }
+
+  std::uint64_t whole(const char* key, std::uint64_t low, std::uint64_t high) {
+    const JsonValue* field = value_.find(key);
+    return in_range(field == nullptr ? JsonValue() : *field, key, low, high);
+  }
+
+  std::uint64_t in_range(const JsonValue& value, const char* key, std::uint64_t low,
+                         std::uint64_t high) {
+    const auto number = value.as_whole();
+    if (number && *number >= low && *number <= high) return *number;
+    wrong(key, fmt::format("is not a number from {} to {}", low, high));
+    return low;
+  }
+
+  void read_size(GoldenRow& row) {
+    const JsonValue* field = value_.find("size");
+    const auto* sides = field == nullptr ? nullptr : std::get_if<Values>(&field->data);
+    if (sides == nullptr || sides->size() != 2) return wrong("size", "is not [width, height]");
+    row.width = static_cast<int>(in_range((*sides)[0], "size", 1, kGoldenWidth));
+    row.height = static_cast<int>(in_range((*sides)[1], "size", 1, kGoldenHeight));
+  }
+
+  void read_backend(GoldenRow& row) {
+    row.backend = text("backend");
+    if (row.backend != kBackend && row.backend != kGlBackend)
+      wrong("backend",
+            fmt::format("is '{}', expected {} or {}", row.backend, kBackend, kGlBackend));
+    const std::string tolerance = text("tolerance");
+    const std::optional<Tolerance> read = Tolerance::parse(tolerance);
+    if (!read)
+      wrong("tolerance", fmt::format("is '{}', expected '{}'", tolerance, Tolerance().text()));
+    if (!read) return;
+    row.tolerance = *read;
+    if (row.exact()) return expect("tolerance", Tolerance().text());
+    row.renderer = text("renderer");
+  }
+
+  void expect(const char* key, const std::string& expected) {
+    if (const std::string given = text(key); !given.empty() && given != expected)
+      wrong(key, fmt::format("is '{}', expected '{}'", given, expected));
+  }
+
+  const JsonValue& value_;
+  const std::string& name_;
+  Diagnostics& problems_;
+};
+
+tl::unexpected<Diagnostics> bad_manifest(const std::string& what) {
+  return fail(named_place(kManifest), what, fmt::format("expected {}", kSchema));
+}
+
+bool same_file(const GoldenRow& a, const GoldenRow& b) { return a.file() == b.file(); }
+
+void sort_by_file(std::vector<GoldenRow>& rows) {
+  std::sort(rows.begin(), rows.end(),
+            [](const GoldenRow& a, const GoldenRow& b) { return a.file() < b.file(); });
+}
+
+std::string without_extension(const fs::path& path) {
+  return (path.parent_path() / path.stem()).generic_string();
+}
+
+// Files below `folder` as paths below `root`, sorted; none where there is no folder.
+std::vector<std::string> names_below(const fs::path& root, const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code ignored;
+  for (const fs::path& path : files_below(root / folder))
+    if (fs::is_regular_file(path, ignored))
+      files.push_back(path.lexically_relative(root).generic_string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::string Tolerance::text() const { return fmt::format("max={};pixels={}", levels, pixels); }
+
+std::optional<Tolerance> Tolerance::parse(std::string_view text) {
+  constexpr std::string_view kLevels = "max=", kPixels = ";pixels=";
+  const std::size_t second = text.find(kPixels);
+  if (!text.starts_with(kLevels) || second == text.npos) return std::nullopt;
+  const auto levels = parse_whole(text.substr(kLevels.size(), second - kLevels.size()));
+  const auto pixels = parse_whole(text.substr(second + kPixels.size()));
+  if (!levels || !pixels || *levels > 255) return std::nullopt;
+  return Tolerance{static_cast<int>(*levels), *pixels};
+}
+
+std::string GoldenRow::name() const {
+  return without_extension(fs::path(scene).lexically_relative("scenes"));
+}
+
+std::string GoldenRow::folder() const {
+  std::string folder = name();
+  std::replace(folder.begin(), folder.end(), '/', '_');
+  return folder;
+}
+
+std::string GoldenRow::file() const {
+  return fmt::format("golden_images/{}/{}frame_{:04}.png", folder(), exact() ? "" : "gl_", frame);
+}
+
+std::string GoldenRow::look() const {
+  return fmt::format("out/golden/{}/{}frame_{:04}", folder(), exact() ? "" : "gl_", frame);
+}
+
+Result<std::vector<GoldenRow>> read_goldens(const fs::path& root) {
+  const Result<std::string> text = read_file(root / kManifest);
+  if (!text) return tl::unexpected(text.error());
+  const std::optional<JsonValue> json = parse_json(*text);
+  if (!json) return bad_manifest("is not JSON");
+  const JsonValue* list = json->find("goldens");
+  const auto* values = list == nullptr ? nullptr : std::get_if<Values>(&list->data);
+  if (json->text_of("schema") != kSchema || values == nullptr)
+    return bad_manifest("is not a manifest of goldens");
+  std::vector<GoldenRow> rows;
+  Diagnostics problems;
+  for (const JsonValue& value : *values)
+    rows.push_back(RowReader(value, fmt::format("row {}", rows.size() + 1), problems).read());
+  sort_by_file(rows);
+  if (const auto twice = std::adjacent_find(rows.begin(), rows.end(), same_file);
+      twice != rows.end() && problems.empty())
+    return bad_manifest(fmt::format("has two rows of {}", twice->file()));
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return rows;
+}
+
+Result<void> write_goldens(const fs::path& root, std::vector<GoldenRow> rows,
+                           const Outputs& outputs) {
+  sort_by_file(rows);
+  std::string lines;
+  for (const GoldenRow& row : rows)
+    lines += (lines.empty() ? "" : ",\n") + json_text(as_value(row));
+  return outputs.write(
+      root / kManifest,
+      fmt::format("{{\"schema\": \"{}\", \"goldens\": [\n{}\n]}}\n", kSchema, lines));
+}
+
+Result<std::string> find_scene(const fs::path& root, const std::string& name) {
+  const std::string wanted = fs::path(name).lexically_normal().generic_string();
+  std::vector<std::string> found, known;
+  for (const std::string& file : names_below(root, "scenes")) {
+    const std::string below = fs::path(file).lexically_relative("scenes").generic_string();
+    known.push_back(without_extension(below));
+    if (wanted == file || wanted == below) return file;
+    if (wanted == known.back()) found.push_back(file);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1)
+    return fail(named_place(name), fmt::format("may be {} or {}", found[0], found[1]),
+                "name the file", Trouble::usage);
+  const std::string near = nearest_word(wanted, known);
+  return fail(named_place(name), "there is no such scene below scenes/",
+              near.empty() ? "" : fmt::format("did you mean '{}'?", near), Trouble::missing);
+}
+
+std::string scene_hash(const Scene& scene) { return fmt::format("{:016x}", scene.hash); }
+
+Result<GoldenScene> load_golden_scene(const fs::path& root, const GoldenRow& row) {
+  Result<LoadedScene> loaded = load_scene(root / row.scene, {}, {.root = root});
+  if (!loaded) return fail(std::move(loaded));
+  GoldenScene golden{std::move(loaded->scene), {}};
+  Film& film = golden.scene.film;
+  if (film.width != row.width || film.height != row.height)
+    golden.options += fmt::format(" --size {}x{}", row.width, row.height);
+  if (golden.scene.seed != row.seed) golden.options += fmt::format(" --seed {}", row.seed);
+  film.width = row.width, film.height = row.height;
+  if (limit_golden_light(golden.scene))
+    golden.options += fmt::format(" -D light.rays={}", golden.scene.light.rays);
+  return golden;
+}
+
+bool limit_golden_light(Scene& scene) {
+  constexpr std::uint64_t kMostRays = std::uint64_t{1} << 15;
+  if (scene.lamps.empty() || scene.light.rays <= kMostRays) return false;
+  scene.light.rays = kMostRays;
+  return true;
+}
+
+Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row, unsigned threads) {
+  return render_golden(scene, row, row.backend, threads);
+}
+
+Result<GoldenPicture> render_golden(const Scene& scene, const GoldenRow& row,
+                                    const std::string& backend, unsigned threads) {
+  const auto renderer = open_backend(backend, {threads, 4});
+  if (!renderer) return tl::unexpected(renderer.error());
+  const auto timeline = make_timeline(scene, row.seed, row.frame);
+  if (!timeline) return tl::unexpected(timeline.error());
+  GoldenPicture picture{{}, (*renderer)->description()};
+  const auto list =
+      draw_list(make_plan(scene, false), *timeline, row.frame, {std::nullopt, threads});
+  if (!list) return tl::unexpected(list.error());
+  auto drawn = (*renderer)->draw(*list, {std::nullopt, threads}, picture.image);
+  if (!drawn) return fail(std::move(drawn));
+  return picture;
+}
+
+std::vector<std::string> stray_goldens(const fs::path& root, const std::vector<GoldenRow>& rows) {
+  std::set<std::string> known;
+  for (const GoldenRow& row : rows) known.insert(row.file());
+  std::vector<std::string> stray = names_below(root, "golden_images");
+  std::erase_if(stray, [&](const std::string& file) {
+    return known.count(file) != 0 || !file.ends_with(".png");
+  });
+  return stray;
+}
+
+}  // namespace flatray

@@ -1,0 +1,210 @@
+#include "app/golden/golden_update.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/files/outputs.h"
+#include "app/report/difference_text.h"
+#include "image/png.h"
+#include "scene/load.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool belongs(const GoldenRow& row, const GoldenRequest& request) {
+  return row.scene == request.scene && row.backend == request.backend;
+}
+
+std::vector<GoldenRow> rows_of(const std::vector<GoldenRow>& rows, const GoldenRequest& request) {
+  std::vector<GoldenRow> mine;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(mine),
+               [&](const GoldenRow& row) { return belongs(row, request); });
+  return mine;
+}
+
+bool fits(const FilmSize& size) {
+  return size.width <= kGoldenWidth && size.height <= kGoldenHeight;
+}
+
+// Rows asked for, before their pictures: what is unset is taken from the rows the scene has.
+std::vector<GoldenRow> wanted_rows(const GoldenRequest& request,
+                                   const std::vector<GoldenRow>& before, const Scene& scene) {
+  FilmSize size{scene.film.width, scene.film.height};
+  if (!fits(size) && !before.empty()) size = {before.front().width, before.front().height};
+  std::vector<unsigned> frames;
+  frames.reserve(before.size());
+  for (const GoldenRow& row : before) frames.push_back(row.frame);
+  if (frames.empty()) frames = {1};
+  std::vector<GoldenRow> wanted;
+  for (const unsigned frame : request.frames.value_or(frames)) {
+    GoldenRow& row = wanted.emplace_back();
+    row.scene = request.scene, row.scene_hash = scene_hash(scene);
+    row.backend = request.backend;
+    row.frame = frame, row.seed = scene.seed;
+    row.width = request.size.value_or(size).width, row.height = request.size.value_or(size).height;
+    row.why = request.why;
+  }
+  return wanted;
+}
+
+Diagnostic refusal(const std::string& what, std::string message, std::string hint) {
+  return {named_place(what), std::move(message), std::move(hint), Trouble::usage};
+}
+
+// What can be said before anything is drawn.
+Diagnostics check_rows(const std::vector<GoldenRow>& wanted, const std::vector<GoldenRow>& rows) {
+  Diagnostics problems;
+  const GoldenRow& first = wanted.front();
+  if (!fits({first.width, first.height}))
+    problems.push_back(
+        refusal(first.scene,
+                fmt::format("{} x {} pixels are too many for a golden", first.width, first.height),
+                fmt::format("say --size WxH with at most {}x{}", kGoldenWidth, kGoldenHeight)));
+  if (wanted.size() > kGoldenFrames)
+    problems.push_back(
+        refusal(first.scene, fmt::format("{} frames are too many for one scene", wanted.size()),
+                fmt::format("choose at most {} that show the most, as -f 1,12,40", kGoldenFrames)));
+  for (const GoldenRow& row : rows)
+    if (row.scene != first.scene && row.folder() == first.folder()) {
+      problems.push_back(refusal(first.scene,
+                                 fmt::format("shares {} with {}", first.folder(), row.scene),
+                                 "rename one of the scenes"));
+      break;
+    }
+  return problems;
+}
+
+// The largest difference of other ways to draw the picture.
+Result<Difference> measured_drift(const Scene& scene, const GoldenRow& row, const Image& picture) {
+  std::vector<std::string> ways = {row.backend};
+  if (!row.exact()) ways.insert(ways.end(), {"osmesa", "egl"});
+  Difference drift;
+  for (const std::string& way : ways) {
+    Result<GoldenPicture> again = render_golden(scene, row, way, 3);
+    if (!again) return fail(std::move(again));
+    const Difference one = compare(again->image, picture).value();
+    const std::uint64_t pixels = std::max(drift.pixels, one.pixels);
+    if (one.worst >= drift.worst) drift = one;
+    drift.pixels = pixels;
+  }
+  return drift;
+}
+
+Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, GoldenRow row,
+                                   const std::vector<GoldenRow>& before) {
+  GoldenUpdate::Picture picture;
+  Result<GoldenPicture> drawn = render_golden(scene, row, 1);
+  if (!drawn) return fail(std::move(drawn));
+  picture.after = std::move(drawn->image);
+  const Result<Difference> measured = measured_drift(scene, row, picture.after);
+  if (!measured) return tl::unexpected(measured.error());
+  const Difference& drift = *measured;
+  if (!row.exact()) {
+    row.renderer = drawn->renderer;
+    row.tolerance = {static_cast<int>(drift.worst), drift.pixels};
+  }
+  if (!row.tolerance.allows(drift))
+    return tl::unexpected(Diagnostics{
+        refusal(row.name(), fmt::format("frame {} drifts: {}", row.frame, difference_text(drift)),
+                "two renders must be equal: that is a bug, and no golden can stand for it")});
+  row.drift = tolerance_text(drift);
+  row.pixels = pixel_hash(picture.after);
+  const auto old = std::find_if(before.begin(), before.end(),
+                                [&](const GoldenRow& other) { return other.frame == row.frame; });
+  if (old != before.end())
+    if (Result<Image> image = read_png((root / old->file()).string())) picture.before = *image;
+  if (picture.same() && old->pixels == row.pixels) row.why = old->why;
+  picture.png = encode_png(picture.after);
+  picture.row = std::move(row);
+  return picture;
+}
+
+bool has_file(const std::vector<GoldenUpdate::Picture>& pictures, const std::string& file) {
+  return std::any_of(pictures.begin(), pictures.end(), [&](const GoldenUpdate::Picture& picture) {
+    return picture.row.file() == file;
+  });
+}
+
+// Bytes of all goldens afterwards.
+std::uintmax_t total_bytes(const fs::path& root, const GoldenUpdate& update) {
+  std::uintmax_t total = 0;
+  for (const GoldenUpdate::Picture& picture : update.pictures) total += picture.png.size();
+  for (const GoldenRow& row : update.rows) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(root / row.file(), error);
+    if (!error && !has_file(update.pictures, row.file())) total += size;
+  }
+  return total;
+}
+
+// Colours only: a sheet has no alpha.
+void paste(const Image& image, int left, Image& sheet) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) std::copy_n(image.at(x, y), 3, sheet.at(left + x, y));
+}
+
+}  // namespace
+
+Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenRow>& rows,
+                                 const GoldenRequest& request) {
+  Result<LoadedScene> loaded = load_scene(root / request.scene, {}, {.root = root});
+  if (!loaded) return fail(std::move(loaded));
+  Scene& scene = loaded->scene;
+  const std::vector<GoldenRow> before = rows_of(rows, request);
+  std::vector<GoldenRow> wanted = wanted_rows(request, before, scene);
+  if (Diagnostics problems = check_rows(wanted, rows); !problems.empty())
+    return tl::unexpected(std::move(problems));
+  scene.film.width = wanted.front().width, scene.film.height = wanted.front().height;
+  limit_golden_light(scene);
+  GoldenUpdate update;
+  for (GoldenRow& row : wanted) {
+    Result<GoldenUpdate::Picture> picture = draw(root, scene, std::move(row), before);
+    if (!picture) return fail(std::move(picture));
+    update.rows.push_back(picture->row);
+    update.pictures.push_back(std::move(*picture));
+  }
+  for (const GoldenRow& row : rows)
+    if (!belongs(row, request))
+      update.rows.push_back(row);
+    else if (!has_file(update.pictures, row.file()))
+      update.removed.push_back(row);
+  if (const std::uintmax_t total = total_bytes(root, update); total > kGoldenBytes)
+    return tl::unexpected(Diagnostics{refusal(
+        request.scene, fmt::format("all goldens together would have {} bytes", total),
+        fmt::format("at most {}: say a smaller --size or fewer frames (-f)", kGoldenBytes))});
+  return update;
+}
+
+Result<void> write_update(const fs::path& root, const GoldenUpdate& update,
+                          const Outputs& outputs) {
+  for (const GoldenUpdate::Picture& picture : update.pictures) {
+    if (picture.same()) continue;
+    if (auto written = outputs.write(root / picture.row.file(), picture.png); !written)
+      return written;
+    const std::vector<std::byte> sheet = encode_png(golden_sheet(picture));
+    if (auto written = outputs.write(root / picture.sheet(), sheet); !written) return written;
+  }
+  if (auto written = write_goldens(root, update.rows, outputs); !written) return written;
+  for (const GoldenRow& row : update.removed) {
+    std::error_code ignored;  // a file that stays is found by the next check
+    fs::remove(root / row.file(), ignored);
+  }
+  return {};
+}
+
+Image golden_sheet(const GoldenUpdate::Picture& picture) {
+  const Image& after = picture.after;
+  if (!picture.before || !compare(*picture.before, after)) return after;
+  constexpr int kGap = 4;
+  Image sheet(3 * after.width + 2 * kGap, after.height, 3);
+  std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{128});
+  paste(*picture.before, 0, sheet);
+  paste(after, after.width + kGap, sheet);
+  paste(difference_image(after, *picture.before), 2 * (after.width + kGap), sheet);
+  return sheet;
+}
+
+}  // namespace flatray

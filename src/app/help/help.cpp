@@ -1,0 +1,130 @@
+#include "app/help/help.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/options/option_values.h"
+#include "app/report/value.h"
+#include "scene/reading/vocabulary.h"
+
+namespace flatray {
+namespace {
+
+ReportTable key_table(std::span<const KeyInfo> keys) {
+  ReportTable table{{"key", "takes", "default"}, {}};
+  for (const KeyInfo& key : keys) table.rows.push_back({key.name, key.takes, key.fallback});
+  return table;
+}
+
+// "shape" of the arguments of a box; "" for a table of the language.
+std::string kind_of(const TableInfo& table) {
+  for (const KindInfo& kind : kinds())
+    for (const TableInfo& one : kind.tables)
+      if (one.table == table.table) return kind.key;
+  return "";
+}
+
+std::string summary_of(const TableInfo& table) {
+  const std::string kind = kind_of(table);
+  return kind.empty() ? "keys of the table" : "arguments of the " + kind;
+}
+
+std::string title_of(const TableInfo& table) {
+  const std::string kind = kind_of(table);
+  if (!kind.empty()) return fmt::format("{} = {{ {} = {{ ... }} }}", kind, KindInfo::name(table));
+  return table.table == "scene" ? "scene: the keys of the file itself" : table.table;
+}
+
+std::string table_text(const TableInfo& table) {
+  const std::string keys = table.keys.empty()
+                               ? fmt::format("  has no keys; as in: {} = {{ {} = {{}} }}\n",
+                                             kind_of(table), KindInfo::name(table))
+                               : aligned_text(key_table(table.keys), "  ");
+  return title_of(table) + "\n" + keys;
+}
+
+std::vector<TableInfo> tables_named(std::string_view names) {
+  std::vector<TableInfo> found;
+  for (TableInfo& table : vocabulary()) {
+    const std::string padded = fmt::format(" {} ", names);
+    if (padded.find(fmt::format(" {} ", table.table)) != std::string::npos)
+      found.push_back(std::move(table));
+  }
+  return found;
+}
+
+std::string topic_text(const WrittenTopic& topic) {
+  std::string text = fmt::format("{}: {}\n\n{}", topic.name, topic.summary, topic.text);
+  for (const TableInfo& table : tables_named(topic.tables)) text += "\n" + table_text(table);
+  return text;
+}
+
+void add_name(std::vector<std::string>& names, std::string name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+}
+
+}  // namespace
+
+std::vector<Topic> help_topics() {
+  std::vector<Topic> topics;
+  for (const WrittenTopic& one : written_topics()) topics.push_back({one.name, one.summary});
+  for (const TableInfo& table : vocabulary()) {
+    const bool known = std::any_of(topics.begin(), topics.end(),
+                                   [&](const Topic& topic) { return topic.name == table.table; });
+    if (!known) topics.push_back({table.table, summary_of(table)});
+  }
+  return topics;
+}
+
+std::vector<std::string> help_names() {
+  std::vector<std::string> names;
+  for (const Verb* verb : all_verbs()) add_name(names, verb->name);
+  for (const Topic& topic : help_topics()) add_name(names, topic.name);
+  return names;
+}
+
+std::string help_text() {
+  std::string text =
+      "flatray renders 2D scenes to pictures, exactly.\n\n"
+      "  flatray VERB SCENE... [options]\n\n";
+  for (const Verb* verb : all_verbs())
+    text += fmt::format("  {:<11} {}\n", verb->name, verb->summary);
+  text += "\nflatray help VERB shows its options; flatray help TOPIC, where the topics are\n";
+  for (const WrittenTopic& topic : written_topics())
+    text += fmt::format("  {:<11} {}\n", topic.name, topic.summary);
+  return text +
+         "and every table and shape of scenes, as in: flatray help film\n\n"
+         "flatray --version says what is built in. An option --size can also be set by "
+         "FLATRAY_SIZE,\n"
+         "or for a folder by size = \"640x360\" in its flatray.toml.\n"
+         "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 input missing, 4 input invalid,\n"
+         "5 not in this build, 6 output not written, 70 internal, 124 over a limit of time or "
+         "memory,\n"
+         "130 interrupted, 143 terminated.\n";
+}
+
+std::string help_text(const Verb& verb) {
+  std::string text = fmt::format("flatray {}{}{} [options]\n\n{}.\n\n", verb.name,
+                                 *verb.operands == '\0' ? "" : " ", verb.operands, verb.summary);
+  for (const Option& option : options_of(verb)) {
+    const std::string letter =
+        option.letter == '\0' ? std::string("    ") : fmt::format("-{}, ", option.letter);
+    const std::string name = fmt::format("--{} {}", option.name, option.metavar);
+    text += fmt::format("  {}{:<24} {}\n", letter, name, option.help);
+  }
+  if (*verb.examples != '\0') text += fmt::format("\nExamples\n{}", verb.examples);
+  return text;
+}
+
+Result<std::string> help_page(const std::string& name) {
+  for (const Verb* verb : all_verbs())
+    if (name == verb->name) return help_text(*verb);
+  for (const WrittenTopic& topic : written_topics())
+    if (name == topic.name) return topic_text(topic);
+  if (const std::vector<TableInfo> tables = tables_named(name); !tables.empty())
+    return table_text(tables.front());
+  return unknown_name(named_place("help"), "topic", name, help_names());
+}
+
+}  // namespace flatray

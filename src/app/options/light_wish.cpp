@@ -1,0 +1,142 @@
+#include "app/options/light_wish.h"
+
+#include <fmt/core.h>
+
+#include "app/frames/render_job.h"
+#include "app/options/option_values.h"
+#include "base/number_text.h"
+#include "scene/lamp.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kMostRays = FilmRounds::kMost * kLightRound;
+
+// --error and --time choose from a profile where there is one.
+Result<void> read_ends(const Arguments& arguments, LightWish& wish) {
+  if (arguments.has("profile")) return {};
+  if (const auto text = arguments.text("error")) {
+    const auto error = parse_number(*text);
+    if (!error || !(*error > 0))
+      return usage_error(arguments.where("error"), "is not a number above 0",
+                         "say 0.01 for a picture within one part in a hundred");
+    wish.error = *error;
+  }
+  if (const auto text = arguments.text("time")) {
+    const auto seconds = parse_seconds(*text);
+    if (!seconds || !(*seconds > 0))
+      return usage_error(arguments.where("time"), "is not a time above 0", "say 60 or 1.5s");
+    wish.seconds = *seconds;
+  }
+  return {};
+}
+
+Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
+  const bool film = job.output.format() == PictureFormat::film;
+  const bool no_light = job.scene.lamps.empty() || job.view;
+  if (no_light)
+    for (const char* option : {"error", "time"})
+      if (arguments.has(option) && !arguments.has("profile"))
+        return usage_error(arguments.where(option), "needs --profile, or lamps in the scene",
+                           "flatray accuracy SCENE --profile FILE writes one");
+  if (no_light && (film || job.light.any()))
+    return usage_error(arguments.where(film                  ? "output"
+                                       : job.light.rays      ? "rays"
+                                       : job.light.estimator ? "estimator"
+                                                             : "error-image"),
+                       job.view ? "is of light, which --view does not show"
+                                : "is of light, and the scene has no lamp",
+                       job.view ? "leave one of them out" : "add [[lamp]] source = { point = {} }");
+  if (film && job.crop)
+    return usage_error(arguments.where("crop"), "does not go with a film", "leave it out");
+  if (job.light.resume && !no_light && !film && !job.output.has_frame())
+    return usage_error(arguments.where("resume"), "has no film to go on from: a picture keeps none",
+                       "say -o light.film --resume, then flatray merge light.film -o picture.png");
+  if (!film && job.light.shard.count > 1)
+    return usage_error(arguments.where("ray-shard"), "needs a film to be added to the others",
+                       "say -o part.film, then flatray merge");
+  return {};
+}
+
+Result<void> fits_error_image(const Arguments& arguments, const RenderJob& job) {
+  if (!job.light.error_image) return {};
+  const auto wrong = [&](const char* what, const char* hint) {
+    return usage_error(arguments.where("error-image"), what, hint);
+  };
+  const OutputPattern& image = *job.light.error_image;
+  if (image.is_stdout() || job.output.is_stdout())
+    return wrong("does not go with standard output", "name files for both");
+  if (image.format() == PictureFormat::film)
+    return wrong("is a picture, not a film", "say .pfm, .hdr or .png");
+  if (image.has_frame() != job.output.has_frame() || image.has_scene() != job.output.has_scene())
+    return wrong("does not have the places for numbers and names that -o has",
+                 "write both alike, as out/####.png and out/error_####.pfm");
+  if (image.path(job.name, 1) == job.path(1))
+    return wrong("is where the picture goes", "name another file");
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> estimator_words() { return {"forward", "backward", "auto"}; }
+
+Result<LightWish> read_light_wish(const Arguments& arguments) {
+  LightWish wish;
+  Diagnostics problems;
+  const auto note = [&](const auto& result) {
+    if (!result) problems.insert(problems.end(), result.error().begin(), result.error().end());
+    return result.has_value();
+  };
+  if (const auto rays = arguments.whole("rays", 0, 1, kMostRays); note(rays) && *rays > 0)
+    wish.rays = *rays;
+  if (arguments.has("estimator"))
+    if (const auto word = arguments.one_of("estimator", estimator_words()); note(word))
+      wish.estimator = *word == "backward"  ? LightEstimator::backward
+                       : *word == "forward" ? LightEstimator::forward
+                                            : LightEstimator::automatic;
+  note(read_ends(arguments, wish));
+  if (const auto text = arguments.text("ray-shard"))
+    if (const auto shard = parse_shard(*text, arguments.where("ray-shard")); note(shard))
+      wish.shard = *shard;
+  if (const auto text = arguments.text("error-image"))
+    if (const auto image =
+            OutputPattern::parse(*text, std::nullopt, arguments.where("error-image"));
+        note(image))
+      wish.error_image = *image;
+  wish.resume = arguments.has("resume");
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return wish;
+}
+
+Result<void> wish_light(const Arguments& arguments, const LightWish& wish, RenderJob& job) {
+  job.light = wish;
+  if (auto fits = fits_scene(arguments, job); !fits) return fits;
+  if (auto fits = fits_error_image(arguments, job); !fits) return fits;
+  LightSettings& light = job.scene.light;
+  if (wish.estimator) light.estimator = *wish.estimator;
+  if (light.estimator == LightEstimator::backward)
+    if (auto hindrance = why_not_backward(job.scene))
+      return tl::unexpected(Diagnostics{std::move(*hindrance)});
+  if (wish.rays)
+    light.rays = *wish.rays;
+  else if (wish.seconds < kInfinity || wish.error > 0)
+    light.rays = kMostRays;
+  if (job.output.format() == PictureFormat::film) light.rays = rounds_of(light.rays) * kLightRound;
+  const char* by_rounds = job.output.format() == PictureFormat::film ? "a film"
+                          : wish.error > 0                           ? "--error"
+                          : wish.seconds < kInfinity                 ? "--time"
+                          : wish.error_image                         ? "--error-image"
+                          : light.scrambles > 1                      ? "light.scrambles"
+                                                                     : nullptr;
+  if (by_rounds != nullptr && light.estimator == LightEstimator::backward)
+    return usage_error(
+        wish.estimator ? arguments.where("estimator") : light.where,
+        fmt::format("backward has no rounds of rays, which {} is made of", by_rounds),
+        fmt::format("say --estimator forward, or leave {} out", by_rounds));
+  if (by_rounds != nullptr) light.estimator = LightEstimator::forward;
+  if (wish.error > 0 || wish.error_image)
+    light.scrambles = std::max(light.scrambles, kScrambles[0]);
+  return {};
+}
+
+}  // namespace flatray

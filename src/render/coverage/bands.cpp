@@ -1,0 +1,221 @@
+#include "render/coverage/bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "image/tile.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kFewEdges =
+    48;  // looking at all of them costs less than sorting them by band
+
+Bounds region_bounds(const FillPath& path) {
+  Bounds bounds;
+  for (const Segment& edge : path.edges) bounds.add(edge.a), bounds.add(edge.b);
+  return bounds;
+}
+
+Bounds region_bounds(const FillRing& ring) {
+  const Vec2 reach(ring.radius + 1, ring.radius + 1);  // a pixel of margin for rounding
+  return {ring.centre - reach, ring.centre + reach};
+}
+
+Bounds region_bounds(const FillArcs& arcs) {
+  const Bounds bounds = path_bounds(arcs.path);
+  const Vec2 margin(1, 1);
+  return {bounds.low - margin, bounds.high + margin};
+}
+
+// Equal bits, not equal numbers: -0 is not 0, and nothing needs to be known of either.
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+bool same(const Vec2& a, const Vec2& b) {
+  return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
+}
+bool same(const LinearColour& a, const LinearColour& b) { return same_bits(a, b); }
+bool same(const FillPath& a, const FillPath& b) {
+  return a.rule == b.rule && a.simple == b.simple &&
+         std::equal(
+             a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(),
+             [](const Segment& p, const Segment& q) { return same(p.a, q.a) && same(p.b, q.b); });
+}
+bool same(const FillRing& a, const FillRing& b) {
+  return same(a.centre, b.centre) && same_bits(a.radius, b.radius) &&
+         same_bits(a.inner_radius, b.inner_radius);
+}
+bool same(const FillArcs& a, const FillArcs& b) {
+  return a.path.closed == b.path.closed &&
+         std::equal(a.path.arcs.begin(), a.path.arcs.end(), b.path.arcs.begin(), b.path.arcs.end(),
+                    [](const EllipseArc& p, const EllipseArc& q) {
+                      return same(p.centre, q.centre) && same(p.u, q.u) && same(p.v, q.v) &&
+                             same_bits(p.from, q.from) && same_bits(p.sweep, q.sweep);
+                    });
+}
+bool same(const FilmGradient& a, const FilmGradient& b) {
+  return a.radial == b.radial && same(a.origin, b.origin) && same(a.axis, b.axis) &&
+         same_bits(a.per_pixel, b.per_pixel) &&
+         std::equal(a.stops.begin(), a.stops.end(), b.stops.begin(), b.stops.end(),
+                    [](const FilmGradient::Stop& p, const FilmGradient::Stop& q) {
+                      return same_bits(p.at, q.at) && same(p.colour, q.colour);
+                    });
+}
+bool same(const std::shared_ptr<const LightPicture>& a,
+          const std::shared_ptr<const LightPicture>& b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  return a->rgb.size() == b->rgb.size() &&
+         std::memcmp(a->rgb.data(), b->rgb.data(), a->rgb.size() * sizeof(float)) == 0;
+}
+bool same(const DrawItem& a, const DrawItem& b) {
+  if (!same(a.light, b.light)) return false;
+  if (a.region.index() != b.region.index() || !same(a.colour, b.colour) || a.layer != b.layer ||
+      !same_bits(a.opacity, b.opacity) || a.gradient.has_value() != b.gradient.has_value())
+    return false;
+  if (a.gradient && !same(*a.gradient, *b.gradient)) return false;
+  return std::visit(
+      [&b](const auto& region) {
+        return same(region, std::get<std::decay_t<decltype(region)>>(b.region));
+      },
+      a.region);
+}
+
+BandChange columns_of(const Bounds& bounds, const PixelBox& box) {
+  if (bounds.empty()) return {};
+  const auto within = [&](double x) {
+    return static_cast<int>(std::clamp<double>(x, box.x, box.right()));
+  };
+  return {within(std::floor(bounds.low.x())), within(std::ceil(bounds.high.x()))};
+}
+
+// Compares items of two lists; an item that lies in many bands is compared once.
+class ItemComparison {
+ public:
+  ItemComparison(const DrawList& now, const DrawList& before)
+      : now_(now), before_(before), answers_(now.items.size()) {}
+
+  bool same(std::size_t now, std::size_t before) {
+    Answer& answer = answers_[now];
+    if (!answer.known || answer.before != before)
+      answer = {before, true, flatray::same(now_.items[now], before_.items[before])};
+    return answer.same;
+  }
+
+ private:
+  struct Answer {
+    std::size_t before = 0;
+    bool known = false, same = false;
+  };
+  const DrawList &now_, &before_;
+  std::vector<Answer> answers_;
+};
+
+}  // namespace
+
+bool BandItem::may_cover(const PixelBox& box) const {
+  return bounds.low.x() <= box.x + 0.5 && bounds.low.y() <= box.y + 0.5 &&
+         bounds.high.x() >= box.x + box.width - 0.5 && bounds.high.y() >= box.y + box.height - 0.5;
+}
+
+std::span<const std::uint32_t> Band::edges(const BandItem& item) const {
+  const auto begin = std::lower_bound(edges_.begin(), edges_.end(), item.first);
+  const auto end = std::lower_bound(begin, edges_.end(), item.first + item.edges);
+  return {begin, end};
+}
+
+Bands::Bands(const DrawList& list, const PixelBox& crop)
+    : crop_(crop),
+      rows_(tile_rows(crop.width)),
+      count_(static_cast<std::size_t>((crop.height + rows_ - 1) / rows_)),
+      items_of_(count_),
+      edges_of_(count_) {
+  for (std::size_t i = 0; i < list.items.size(); ++i) add(i, list.items[i]);
+}
+
+PixelBox Bands::box(std::size_t band) const {
+  const int top = static_cast<int>(band) * rows_;
+  return {crop_.x, crop_.y + top, crop_.width, std::min(rows_, crop_.height - top)};
+}
+
+void Bands::list(std::size_t band, Band& out) const {
+  out.all_ = items_.data();
+  items_of_.list(band, out.items_);
+  edges_of_.list(band, out.edges_);
+}
+
+void Bands::add(std::size_t index, const DrawItem& item) {
+  const FillPath* path = std::get_if<FillPath>(&item.region);
+  const Bounds bounds =
+      std::visit([](const auto& region) { return region_bounds(region); }, item.region);
+  if (item.colour.a == 0 || bounds.empty() || bounds.high.x() <= crop_.x ||
+      bounds.low.x() >= crop_.right() || bounds.high.y() <= crop_.y ||
+      bounds.low.y() >= crop_.bottom())
+    return;
+  BandItem entry;
+  entry.item = static_cast<std::uint32_t>(index);
+  entry.bounds = bounds;
+  if (path != nullptr && path->edges.size() > kFewEdges) {
+    entry.first = edges_;
+    entry.edges = static_cast<std::uint32_t>(path->edges.size());
+    add_edges(*path);
+  }
+  items_of_.add(static_cast<std::uint32_t>(items_.size()), band_of(bounds.low.y()),
+                band_of(bounds.high.y()));
+  items_.push_back(entry);
+}
+
+void Bands::add_edges(const FillPath& path) {
+  for (const Segment& edge : path.edges) {
+    const auto [low, high] = std::minmax(edge.a.y(), edge.b.y());
+    const std::uint32_t number = edges_++;
+    if (high < crop_.y || low > crop_.y + crop_.height) continue;
+    edges_of_.add(number, band_of(low), band_of(high));
+  }
+}
+
+std::size_t Bands::band_of(double y) const {
+  const double row = std::clamp<double>(std::floor(y) - crop_.y, 0, crop_.height - 1);
+  return static_cast<std::size_t>(row) / static_cast<std::size_t>(rows_);
+}
+
+std::vector<BandChange> whole_bands(const Bands& bands) {
+  const PixelBox box = bands.box(0);
+  return std::vector<BandChange>(bands.count(), BandChange{box.x, box.right()});
+}
+
+// Of the items that stand between those that both lists have from the lowest up and from the
+// uppermost down.
+std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_bands,
+                                      const DrawList& before, const Bands& before_bands) {
+  std::vector<BandChange> changes = whole_bands(now_bands);
+  if (now.width != before.width || now.height != before.height || now.coverage != before.coverage ||
+      now.rows != before.rows || !same(now.background, before.background) ||
+      now_bands.count() != before_bands.count())
+    return changes;
+  ItemComparison items(now, before);
+  Band shown, kept;
+  for (std::size_t band = 0; band < changes.size(); ++band) {
+    now_bands.list(band, shown);
+    before_bands.list(band, kept);
+    const std::size_t both = std::min(shown.size(), kept.size());
+    const auto alike = [&](std::size_t i, std::size_t k) {
+      return items.same(shown[i].item, kept[k].item);
+    };
+    std::size_t below = 0, above = 0;
+    while (below < both && alike(below, below)) ++below;
+    while (above < both - below && alike(shown.size() - 1 - above, kept.size() - 1 - above))
+      ++above;
+    Bounds changed;
+    for (std::size_t i = below; i < shown.size() - above; ++i) changed.add(shown[i].bounds);
+    for (std::size_t i = below; i < kept.size() - above; ++i) changed.add(kept[i].bounds);
+    changes[band] = columns_of(changed, now_bands.box(band));
+  }
+  return changes;
+}
+
+}  // namespace flatray

@@ -1,0 +1,103 @@
+#include "render/coverage/composer.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace flatray {
+namespace {
+
+bool simple_region(const Region& region) {
+  const FillPath* path = std::get_if<FillPath>(&region);
+  return path == nullptr || path->simple;
+}
+
+FillRule rule_of(const Region& region) {
+  const FillPath* path = std::get_if<FillPath>(&region);
+  return path == nullptr ? FillRule::nonzero : path->rule;
+}
+
+Light over(const Light& above, const Light& below, float opacity = 1) {
+  const float keep = 1.0F - above[3] * opacity;
+  Light sum;
+  for (std::size_t i = 0; i < 4; ++i) sum[i] = above[i] * opacity + below[i] * keep;
+  return sum;
+}
+
+// Over what is clear light is as opaque as it is bright.
+Light lit(const Light& light, const Light& below) {
+  return {below[0] + light[0], below[1] + light[1], below[2] + light[2],
+          std::max(below[3], std::min(std::max({light[0], light[1], light[2]}), 1.0F))};
+}
+
+Light laid(const Seen& seen, const Light& below) {
+  return seen.look->adds ? lit(seen.light, below) : over(seen.light, below);
+}
+
+}  // namespace
+
+ItemLook::ItemLook(const DrawItem& of)
+    : light(premultiplied(of.colour)),
+      opaque(of.colour.a == 1 && of.layer == 0 && !of.light),
+      adds(of.light != nullptr),
+      varies(of.gradient.has_value() || of.light != nullptr),
+      simple(simple_region(of.region)),
+      rule(rule_of(of.region)),
+      layer(static_cast<std::uint32_t>(of.layer)),
+      item(&of) {
+  if (of.gradient) gradient.emplace(*of.gradient);
+}
+
+Light ItemLook::at(int x, int y, int film_width) const {
+  if (gradient) return gradient->at({x + 0.5, y + 0.5});
+  if (!item->light) return light;
+  const float* rgb = item->light->rgb.data() +
+                     3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(film_width) +
+                          static_cast<std::size_t>(x));
+  return {rgb[0], rgb[1], rgb[2], 0};
+}
+
+void SeenItems::place_all() {
+  inside_.assign((items.size() + 63) / 64, 0);
+  opaque_ = inside_;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].covered()) set(i, true);
+    if (items[i].look->opaque) opaque_[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+}
+
+std::size_t SeenItems::next_inside(std::size_t from) const {
+  std::size_t word = from / 64;
+  if (word >= inside_.size()) return kNone;
+  std::uint64_t bits = inside_[word] & (~std::uint64_t{0} << (from % 64));
+  while (bits == 0 && ++word < inside_.size()) bits = inside_[word];
+  return bits == 0 ? kNone : 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+}
+
+std::size_t SeenItems::uppermost_opaque() const {
+  for (std::size_t word = inside_.size(); word-- > 0;)
+    if (const std::uint64_t bits = inside_[word] & opaque_[word]; bits != 0)
+      return 64 * word + static_cast<std::size_t>(63 - std::countl_zero(bits));
+  return kNone;
+}
+
+Light SeenItems::composed(const Light& background) {
+  const std::size_t lowest = uppermost_opaque();
+  lowest_ = lowest == kNone ? 0 : lowest;
+  Light light = lowest == kNone ? background : items[lowest].light;
+  std::size_t i = next_inside(lowest + 1);  // after none comes the first
+  while (i != kNone) {
+    const ItemLook& first = *items[i].look;
+    if (first.layer == 0) {
+      light = laid(items[i], light);
+      i = next_inside(i + 1);
+      continue;
+    }
+    Light layer{};
+    for (; i != kNone && items[i].look->layer == first.layer; i = next_inside(i + 1))
+      layer = laid(items[i], layer);
+    light = over(layer, light, first.item->opacity);
+  }
+  return light;
+}
+
+}  // namespace flatray

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "geom/predicates.h"
+#include "scene/imports/hqz_scene.h"
+
+namespace flatray {
+namespace {
+
+// A wall that stays where it is, and its line but for rounding: those of walls on one line differ by
+// some ulps.
+struct Wall {
+  std::size_t object;
+  Vec2 from, to;
+  double slope = 0, offset = 0;
+  bool steep = false;
+};
+
+std::optional<Wall> wall_of(const std::vector<HqzObject>& objects, std::size_t i) {
+  const HqzObject& object = objects[i];
+  if (object.normal || !object.x.is_number() || !object.y.is_number() || !object.dx.is_number() ||
+      !object.dy.is_number())
+    return std::nullopt;
+  Wall wall{i, {object.x.low, object.y.low}, {}, 0, 0, false};
+  const Vec2 along(object.dx.low, object.dy.low);
+  wall.to = wall.from + along;
+  if (wall.from == wall.to) return std::nullopt;
+  wall.steep = std::abs(along.y()) > std::abs(along.x());
+  const int major = wall.steep ? 1 : 0;
+  wall.slope = along[1 - major] / along[major];
+  wall.offset = wall.from[1 - major] - wall.slope * wall.from[major];
+  return wall;
+}
+
+bool on_one_line(const Wall& a, const Wall& b) {
+  return orientation(a.from, a.to, b.from) == Sign::zero &&
+         orientation(a.from, a.to, b.to) == Sign::zero;
+}
+
+// The parts of walls of one line that are not covered by earlier ones, by their major axis.
+class Line {
+ public:
+  explicit Line(bool steep) : major_(steep ? 1 : 0) {}
+
+  struct Part {
+    Vec2 from, to;
+  };
+  // What is left of a wall; it covers later ones.
+  std::vector<Part> add(const Wall& wall) {
+    Part whole{wall.from, wall.to};
+    if (at(whole.from) > at(whole.to)) std::swap(whole.from, whole.to);
+    std::vector<Part> left{whole};
+    for (const Part& cover : covers_) {
+      std::vector<Part> next;
+      for (const Part& part : left) {
+        if (!(at(cover.from) < at(part.to) && at(part.from) < at(cover.to))) {
+          next.push_back(part);
+          continue;
+        }
+        if (at(part.from) < at(cover.from)) next.push_back({part.from, cover.from});
+        if (at(cover.to) < at(part.to)) next.push_back({cover.to, part.to});
+      }
+      left = std::move(next);
+    }
+    covers_.push_back(whole);
+    return left;
+  }
+
+ private:
+  double at(const Vec2& point) const { return point[major_]; }
+
+  int major_;
+  std::vector<Part> covers_;
+};
+
+void cut(const std::vector<Wall>& line, const std::vector<HqzObject>& objects,
+         std::vector<std::vector<HqzObject>>& parts, Diagnostics& warnings) {
+  Line covered(line.front().steep);
+  for (const Wall& wall : line) {
+    const std::vector<Line::Part> left = covered.add(wall);
+    if (left.size() == 1 && (left[0].from == wall.from || left[0].from == wall.to) &&
+        (left[0].to == wall.from || left[0].to == wall.to))
+      continue;
+    const HqzObject& object = objects[wall.object];
+    warnings.push_back({object.where, "a part of this object lies on one before it",
+                        "light meets the first alone there"});
+    parts[wall.object].clear();
+    for (const Line::Part& part : left) {
+      HqzObject piece = object;
+      const auto fixed = [&](double v) { return HqzRange{v, v, object.where}; };
+      piece.x = fixed(part.from.x()), piece.y = fixed(part.from.y());
+      piece.end = part.to;
+      parts[wall.object].push_back(piece);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<HqzObject> without_overlaps(std::vector<HqzObject> objects, Diagnostics& warnings) {
+  std::vector<Wall> walls;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (const auto wall = wall_of(objects, i)) walls.push_back(*wall);
+  // Bands of walls of nearly one slope, and in them of nearly one offset, hold all of one line.
+  constexpr double kNear = 0x1p-30;  // far more than rounding; what lies on what is decided exactly
+  constexpr std::ptrdiff_t kMostOnALine = 4096;
+  const auto by_slope = [](const Wall& a, const Wall& b) {
+    return std::tuple(a.steep, a.slope, a.object) < std::tuple(b.steep, b.slope, b.object);
+  };
+  const auto by_offset = [](const Wall& a, const Wall& b) {
+    return std::tuple(a.offset, a.object) < std::tuple(b.offset, b.object);
+  };
+  const auto bands = [](auto begin, auto end, const auto& near, const auto& take) {
+    while (begin != end) {
+      auto last = begin + 1;
+      while (last != end && near(*(last - 1), *last)) ++last;
+      take(begin, last);
+      begin = last;
+    }
+  };
+  double size = 0;
+  for (const Wall& wall : walls)
+    size = std::max({size, wall.from.cwiseAbs().maxCoeff(), wall.to.cwiseAbs().maxCoeff()});
+  std::vector<std::vector<HqzObject>> parts(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) parts[i] = {objects[i]};
+  const auto cut_band = [&](auto begin, auto end) {
+    if (end - begin > kMostOnALine)
+      return warnings.push_back({objects[begin->object].where,
+                                 "too many objects lie nearly on the line of this one",
+                                 "where they lie on one another light ends"});
+    std::sort(begin, end, [](const Wall& a, const Wall& b) { return a.object < b.object; });
+    std::vector<Wall> rest(begin, end);
+    while (rest.size() > 1) {
+      const auto other = std::stable_partition(rest.begin() + 1, rest.end(), [&](const Wall& wall) {
+        return on_one_line(rest[0], wall);
+      });
+      if (other - rest.begin() > 1)
+        cut(std::vector<Wall>(rest.begin(), other), objects, parts, warnings);
+      rest.erase(rest.begin(), other);
+    }
+  };
+  std::sort(walls.begin(), walls.end(), by_slope);
+  bands(
+      walls.begin(), walls.end(),
+      [&](const Wall& a, const Wall& b) {
+        return a.steep == b.steep && b.slope - a.slope <= kNear;
+      },
+      [&](auto begin, auto end) {
+        std::sort(begin, end, by_offset);
+        bands(
+            begin, end,
+            [&](const Wall& a, const Wall& b) { return b.offset - a.offset <= kNear * size; },
+            cut_band);
+      });
+  std::vector<HqzObject> left;
+  for (std::vector<HqzObject>& one : parts)
+    left.insert(left.end(), std::make_move_iterator(one.begin()),
+                std::make_move_iterator(one.end()));
+  return left;
+}
+
+}  // namespace flatray

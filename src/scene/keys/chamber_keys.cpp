@@ -1,0 +1,98 @@
+#include "scene/keys/look_keys.h"
+#include "scene/keys/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+using Pillar = Chamber::Pillar;
+
+constexpr Key<Pillar> kPillarKeys[] = {
+    kNameKey<Pillar>,
+    kShapeKey<Pillar>,
+    kAtKey<Pillar>,
+    kAngleKey<Pillar>,
+    material_key<Pillar>("\"mirror\""),
+    fill_key<Pillar>("\"#999999\", of glass \"#ffffff18\", without a stroke, else \"none\""),
+    stroke_key<Pillar>("\"none\""),
+};
+
+void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
+  each_table(builder, field, [&](const Value& table) {
+    Pillar pillar;
+    pillar.where = table.where;
+    read_keys<Pillar>(builder, table, "pillar", kPillarKeys, pillar);
+    if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
+      pillar.fill = default_fill(builder.scene, pillar.scatterer, kPillarColour);
+    chamber.pillars.push_back(std::move(pillar));
+  });
+}
+
+void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
+  const auto shape = read_shape(builder, field);
+  if (!shape) return;
+  if (!builder.scene.shapes[*shape].crossing_rings.empty())
+    builder.in.problem(field.value.where, "the walls of the chamber cross",
+                       "a chamber needs an inside: part the edges that cross");
+  chamber.shape = *shape;
+}
+
+// Four edges along the axes.
+bool is_upright_box(const Shape& shape) {
+  const std::vector<Vec2>& at = shape.vertices;
+  if (at.size() != 4 || shape.piece_count() != 1 || !shape.segments.empty() ||
+      !shape.circles.empty() || !shape.arc_paths.empty() || !shape.beziers.empty())
+    return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 edge = at[(i + 1) % 4] - at[i];
+    if ((edge.x() == 0) == (edge.y() == 0)) return false;
+  }
+  return true;
+}
+
+constexpr Word<Material> kChamberMaterials[] = {
+    {"absorb", Material::absorb}, {"mirror", Material::mirror}, {"periodic", Material::periodic}};
+
+constexpr Key<Chamber> kChamberKeys[] = {
+    kNameKey<Chamber>,
+    {{"shape", "{ KIND = { ... } }", kRequired}, &read_walls},
+    {{"material", R"("absorb", "mirror", "periodic" or { MATERIAL = { ... } })", "\"mirror\""},
+     &set_material<Chamber, kChamberMaterials>},
+    fill_key<Chamber>("\"none\""),
+    stroke_key<Chamber>("{ width_px = 1.5, colour = \"#333333\" } without a fill"),
+    kOpacityKey<Chamber>,
+    kLayerKey<Chamber>,
+    {{"pillars", "[{ shape = ... }, ...]", "[]"}, &read_pillars},
+};
+
+void read_chamber(Builder& builder, const Value& table) {
+  Chamber chamber;
+  chamber.where = table.where;
+  chamber.order = draw_order(builder, table.where);
+  const std::size_t problems = builder.in.problems.size();
+  read_keys<Chamber>(builder, table, "chamber", kChamberKeys, chamber);
+  if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
+    chamber.stroke = kDefaultStroke;
+  const Member* shape = table.find("shape");
+  if (chamber.material == Material::periodic && shape != nullptr &&
+      builder.in.problems.size() == problems &&
+      !is_upright_box(builder.scene.shapes[chamber.shape]))
+    builder.in.problem(shape->value.where, "walls that are not an upright box cannot be periodic",
+                       "write shape = { box = { min = [0, 0], max = [1, 1] } }");
+  builder.scene.chambers.push_back(std::move(chamber));
+}
+
+}  // namespace
+
+void read_chambers(Builder& builder, const Field& field, Scene&) {
+  if (field.value.kind == Value::Kind::array && field.value.items.size() > 1)
+    builder.in.problem(field.value.items[1].where, "a second chamber",
+                       "a scene holds at most one for now: make the others entities of mirrors");
+  each_table(builder, field, [&](const Value& table) { read_chamber(builder, table); });
+}
+
+std::vector<TableInfo> chamber_tables() {
+  return {{"chamber", key_infos<Chamber>(kChamberKeys)},
+          {"chamber.pillars", key_infos<Pillar>(kPillarKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,97 @@
+#include "scene/keys/collision_keys.h"
+
+#include "base/check.h"
+#include "scene/keys/look_keys.h"
+#include "scene/keys/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::int64_t kMostEvents = 1'000'000'000;
+
+template <auto Pointer>
+void set_line(Builder& builder, const Field& field, Collisions& collisions) {
+  collisions.*Pointer = Stroke{1, true, kDefaultColour};
+  set_stroke<Pointer>(builder, field, collisions);
+}
+
+constexpr Key<Collisions> line_key(const char* name,
+                                   void (*read)(Builder&, const Field&, Collisions&)) {
+  return {{name, R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""}, read};
+}
+
+void read_shown(Builder& builder, const Field& field, Collisions& collisions) {
+  const auto seconds = builder.in.number(field);
+  if (!seconds) return;
+  if (!(*seconds > 0))
+    return builder.in.problem(field.value.where, field.name + " is not above 0",
+                              "write how many seconds it takes to fade");
+  collisions.shown = *seconds;
+}
+
+constexpr Key<Collisions> kCollisionKeys[] = {
+    response_key<Collisions>("\"none\""),
+    {{"most", "whole number", "1000000"}, &set_integer<&Collisions::most, 1, kMostEvents>},
+    {{"points", "\"#rrggbb\"", "none"}, &set<&Collisions::points>},
+    line_key("normals", &set_line<&Collisions::normals>),
+    line_key("ghosts", &set_line<&Collisions::ghosts>),
+    line_key("time_bar", &set_line<&Collisions::time_bar>),
+    {{"shown", "seconds", "to the end"}, &read_shown},
+    {{"layer", "whole number", "1"}, &set_integer<&Collisions::layer, -1000000, 1000000>},
+};
+
+}  // namespace
+
+void read_collisions(Builder& builder, const Field& field, Scene& scene) {
+  Collisions collisions;
+  collisions.where = field.value.where;
+  collisions.order = draw_order(builder, field.value.where);
+  read_keys<Collisions>(builder, field.value, "collisions", kCollisionKeys, collisions);
+  scene.collisions = collisions;
+}
+
+void read_mass(Builder& builder, const Field& field, Entity& entity) {
+  if (field.value.kind == Value::Kind::string) {
+    constexpr Word<double> kWords[] = {{"fixed", kInfinity}};
+    if (const auto mass = builder.in.word<double>(field, kWords)) entity.mass = *mass;
+    return;
+  }
+  const auto mass = builder.in.number(field);
+  if (!mass) return;
+  if (!(*mass > 0))
+    return builder.in.problem(field.value.where, field.name + " is not above 0",
+                              "write a mass, or \"fixed\" for what nothing moves");
+  entity.mass = *mass;
+}
+
+void refuse_hindered(Builder& builder, const Entity& entity, const Value& table) {
+  if (response_of(builder.scene, entity) == Response::none) {
+    if (entity.markov && entity.markov->hit)
+      builder.in.problem(
+          table.find("markov")->value.where,
+          fmt::format("entity '{}' does not respond to contact, so nothing hits it", entity.name),
+          R"(write response = "mark", or another response)");
+    return;
+  }
+  if (entity.shape >= builder.scene.shapes.size()) return;  // a mistake that has been told
+  const auto why = hindrance(builder.scene, entity);
+  if (!why) return;
+  const Member* key = table.find(why->key);
+  builder.in.problem(
+      key != nullptr ? key->value.where : table.where,
+      fmt::format("entity '{}' {}, so it cannot respond to contact", entity.name, why->what),
+      "responses are for what keeps one velocity until it meets something: write response = "
+      "\"none\" in the entity");
+}
+
+const char* name(Response response) {
+  for (const auto& [word, meaning] : kResponses)
+    if (meaning == response) return word;
+  unreachable();
+}
+
+std::vector<TableInfo> collision_tables() {
+  return {{"collisions", key_infos<Collisions>(kCollisionKeys)}};
+}
+
+}  // namespace flatray

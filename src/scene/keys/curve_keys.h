@@ -1,0 +1,27 @@
+#pragma once
+#include "scene/curve.h"
+#include "scene/keys/builder.h"
+
+namespace flatray {
+
+/// Numbers, points and colours that may be curves. Where `change` is given, a function of double
+/// that may change units, it is applied to what is read.
+std::optional<Moving> read_moving(Builder& builder, const Field& field,
+                                  double (*change)(double) = nullptr);
+
+/// Whether it is never below `low` and never above `high`.
+bool lies_between(const Scene& scene, const Moving& number, double low, double high);
+
+/// A point that may be a curve, or have curves as coordinates: added to where `at` leaves them.
+struct MovingPoint {
+  Vec2 value{0, 0};
+  std::optional<CurveId> x, y;
+};
+std::optional<MovingPoint> read_moving_point(Builder& builder, const Field& field);
+
+/// A colour that may be a curve.
+std::optional<Paint> read_moving_colour(Builder& builder, const Field& field);
+
+std::vector<TableInfo> curve_tables();
+
+}  // namespace flatray

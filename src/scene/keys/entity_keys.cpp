@@ -1,0 +1,200 @@
+#include "scene/keys/collision_keys.h"
+#include "scene/keys/copies.h"
+#include "scene/keys/corner_limit.h"
+#include "scene/keys/look_keys.h"
+#include "scene/keys/markov_keys.h"
+#include "scene/keys/motion_keys.h"
+#include "scene/keys/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+// A look can hide what the entity shows: "none" is a colour no one sees.
+constexpr Colour kUnseen{0, 0, 0, 0};
+
+void read_look_fill(Builder& builder, const Field& field, Look& look) {
+  read_fill(builder, field, look.fill);
+  if (!look.fill) look.fill = kUnseen;
+}
+
+void read_look_stroke(Builder& builder, const Field& field, Look& look) {
+  read_optional_stroke(builder, field, look.stroke);
+  if (!look.stroke) look.stroke = Stroke{kDefaultStroke.width, true, kUnseen};
+}
+
+constexpr const char* kChangingFill =
+    R"("#rrggbb", "none", a curve, { linear = { ... } } or { radial = { ... } })";
+
+constexpr Key<Look> kLookKeys[] = {
+    kNameKey<Look>,
+    {{"shape", "{ KIND = { ... } }", "the entity's"}, &read_changing<Look, &set_shape<Look>>},
+    {{"fill", kChangingFill, "the entity's"}, &read_changing<Look, &read_look_fill>},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")", "the entity's"},
+     &read_changing<Look, &read_look_stroke>},
+    {{"velocity", "[vx, vy]", "the entity's"}, &set<&Look::velocity>},
+};
+
+void read_states(Builder& builder, const Field& field, Entity& entity) {
+  const auto read_look = [&](const Value& table, const std::string& name) {
+    Look look;
+    read_keys<Look>(builder, table, name, kLookKeys, look);
+    return look;
+  };
+  read_looks(builder, field, entity.markov, read_look);
+}
+
+bool is_one_segment(const Scene& scene, ShapeId id) {
+  if (id >= scene.shapes.size()) return true;  // told
+  const Shape& shape = scene.shapes[id];
+  return shape.segments.size() == 1 && shape.changes == kNoEntry && shape.piece_count() == 0 &&
+         shape.circles.empty() && shape.arc_paths.empty() && shape.beziers.empty() &&
+         shape.crossing_rings.empty();
+}
+
+void read_alternatives(Builder& builder, const Field& field, Entity& entity) {
+  if (!builder.in.is(field, Value::Kind::array, "a list of shapes")) return;
+  constexpr std::size_t kMostAlternatives = 1023;
+  if (field.value.items.size() > kMostAlternatives)
+    return builder.in.problem(field.value.where, field.name + " holds more than 1023 shapes",
+                              "write fewer");
+  for (std::size_t i = 0; i < field.value.items.size(); ++i)
+    if (const auto shape = read_shape(builder, field.item(i)))
+      entity.alternatives.push_back(*shape);
+}
+
+// Worlds differ in where a wall is, not in which there are.
+void check_alternatives(Builder& builder, const Entity& entity, const Value& table) {
+  const Scene& scene = builder.scene;
+  bool right = is_one_segment(scene, entity.shape) && !entity.markov;
+  for (const ShapeId shape : entity.alternatives) right = right && is_one_segment(scene, shape);
+  const Member* key = table.find("alternatives");
+  if (!right && key != nullptr)
+    builder.in.problem(key->where, "alternatives are not one segment each, as the shape must be",
+                       "write alternatives = [{ segment = { from = [0, 0], to = [1, 0] } }]");
+}
+
+constexpr Key<Entity> kEntityKeys[] = {
+    kNameKey<Entity>,
+    {kShapeKey<Entity>.info, &read_changing<Entity, &set_shape<Entity>>},
+    kGroupKey<Entity>,
+    kMovingAtKey<Entity>,
+    kMovingAngleKey<Entity>,
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Entity::velocity>},
+    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Entity::angular_velocity>},
+    {{"fill", kChangingFill,
+      "\"#333333\", of glass \"#ffffff18\", without a stroke, else \"none\""},
+     &read_changing<Entity, &set_fill<Entity>>},
+    {{"stroke", R"({ width = w, colour = "#rrggbb" } or "none")",
+      "\"none\"; a segment without fill and stroke has one"},
+     &read_changing<Entity, &set_stroke<&Entity::stroke>>},
+    {{"bounding_box", R"({ width = w, colour = "#rrggbb" } or "none")", "\"none\""},
+     &set_stroke<&Entity::bounding_box>},
+    kMovingOpacityKey<Entity>,
+    kLayerKey<Entity>,
+    material_key<Entity>("none: rays pass"),
+    {{"alternatives", "[{ segment = { from = [x, y], to = [x, y] } }, ...]", "[]"},
+     &read_alternatives},
+    response_key<Entity>("that of collisions"),
+    {{"mass", "number or \"fixed\"", "its area"}, &read_mass},
+    kMarkovKey<Entity>,
+    states_key<Entity>(&read_states),
+    kFollowKey<Entity>,
+    kRepeatKey<Entity>,
+};
+
+bool is_only_lines(const Shape& shape) {
+  return shape.piece_count() == 0 && shape.circles.empty() && shape.crossing_rings.empty() &&
+         std::none_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                      [](const ArcPath& path) { return path.closed; });
+}
+
+void dress(Builder& builder, const Value& table, Entity& entity) {
+  const Scene& scene = builder.scene;
+  const bool lines =
+      entity.shape < scene.shapes.size() && is_only_lines(scene.shapes[entity.shape]);
+  const Member* fill = table.find("fill");
+  if (fill != nullptr && entity.fill && lines)
+    builder.in.warning(fill->value.where, "a shape of lines has no inside to fill",
+                       "write stroke = { colour = \"#rrggbb\" }");
+  if (fill != nullptr || table.find("stroke") != nullptr) return;
+  if (lines)
+    entity.stroke = kDefaultStroke;
+  else
+    entity.fill = default_fill(scene, entity.scatterer, kDefaultColour);
+}
+
+void add_entity(Builder& builder, Entity&& entity) {
+  auto& named = builder.entity_names[entity.name];
+  named.index = static_cast<std::uint32_t>(builder.scene.entities.size());
+  ++named.count;
+  builder.scene.entities.push_back(std::move(entity));
+}
+
+void read_entity(Builder& builder, const Value& table) {
+  expect_chain(builder, table, "entity");
+  const Scene& scene = builder.scene;
+  const auto add = [&](Entity&& entity, std::uint64_t copy, const std::string&) {
+    if (!take_corners(builder, corner_count(scene, entity), table.where)) return;
+    refuse_hindered(builder, entity, table);
+    dress(builder, table, entity);
+    if (!entity.alternatives.empty()) check_alternatives(builder, entity, table);
+    entity.order = draw_order(builder, table.where, copy);
+    if (entity.group) entity.layer += scene.groups[*entity.group].layer;
+    add_entity(builder, std::move(entity));
+  };
+  make_copies<Entity>(builder, table, {"entity", builder.entity_tables++, scene.entities.size()},
+                      kEntityKeys, add);
+}
+
+// Enough of them to suggest one.
+std::vector<std::string> some_names(const Builder& builder) {
+  constexpr std::size_t kEnough = 1000;
+  std::vector<std::string> names;
+  for (const auto& [name, entity] : builder.entity_names)
+    if (!name.empty() && names.size() < kEnough) names.push_back(name);
+  return names;
+}
+
+}  // namespace
+
+void read_entities(Builder& builder, const Field& field, Scene&) {
+  each_table(builder, field, [&](const Value& table) { read_entity(builder, table); });
+}
+
+std::uint64_t draw_order(const Builder& builder, const Place& where, std::uint64_t number) {
+  constexpr unsigned kCopyBits = 24;
+  constexpr std::uint64_t kLastCopy = (std::uint64_t{1} << kCopyBits) - 1;
+  const auto known = builder.text_before.find(where.source.get());
+  const std::uint64_t before = known == builder.text_before.end() ? 0 : known->second;
+  return (before + where.offset) << kCopyBits | std::min(number, kLastCopy);
+}
+
+std::optional<std::uint32_t> find_entity(Builder& builder, const Field& field) {
+  const auto name = builder.in.string(field);
+  if (!name) return std::nullopt;
+  const auto found = builder.entity_names.find(*name);
+  const auto copy = builder.entity_names.lower_bound(*name + ".");
+  if (found == builder.entity_names.end() && copy != builder.entity_names.end() &&
+      copy->first.starts_with(*name + ".")) {
+    builder.in.problem(field.value.where, fmt::format("'{}' has copies", *name),
+                       fmt::format("call one of them: \"{}\"", copy->first));
+    return std::nullopt;
+  }
+  if (found == builder.entity_names.end()) {
+    builder.in.problems.push_back(
+        unknown_word(field.value.where, "entity", *name, some_names(builder)));
+    return std::nullopt;
+  }
+  if (found->second.count == 1) return found->second.index;
+  builder.in.problem(field.value.where, fmt::format("two entities are named '{}'", *name),
+                     "give each a name of its own");
+  return std::nullopt;
+}
+
+std::vector<TableInfo> entity_tables() {
+  return {{"entity", key_infos<Entity>(kEntityKeys), true},
+          {"entity.markov", markov_use_keys()},
+          {"entity.states", key_infos<Look>(kLookKeys), true}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,116 @@
+#include "scene/keys/keys.h"
+#include "scene/keys/motion_keys.h"
+#include "scene/keys/scene_keys.h"
+
+namespace flatray {
+namespace {
+
+constexpr Word<Coverage> kCoverages[] = {
+    {"area", Coverage::area}, {"rows", Coverage::rows}, {"centre", Coverage::centre}};
+constexpr Word<CameraMotion> kMotions[] = {{"frame-origin", CameraMotion::frame_origin},
+                                           {"objects", CameraMotion::objects}};
+constexpr Word<bool> kWindows[] = {{"pixels", true}};
+constexpr std::int64_t kMaxSide = 2147483647;
+
+void read_rows(Builder& builder, const Field& field, Film& film) {
+  if (const auto rows = builder.in.integer(field, 1, 64)) film.rows = static_cast<int>(*rows);
+}
+
+void read_size(Builder& builder, const Field& field, Film& film) {
+  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2)
+    return builder.in.mismatch(field, "two whole numbers");
+  const auto width = builder.in.integer(field.item(0), 1, kMaxSide);
+  const auto height = builder.in.integer(field.item(1), 1, kMaxSide);
+  if (!width || !height) return;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(*width) * static_cast<std::uint64_t>(*height);
+  if (pixels > builder.limits.max_pixels)
+    return builder.in.problem(
+        field.value.where,
+        fmt::format("{} {} x {} is {} pixels", field.name, *width, *height, pixels),
+        fmt::format("the limit is {}; --max-pixels raises it", builder.limits.max_pixels));
+  film.width = static_cast<int>(*width);
+  film.height = static_cast<int>(*height);
+}
+
+// The size has been read before.
+void read_world(Builder& builder, const Field& field, Film& film) {
+  if (field.value.kind == Value::Kind::string) {
+    if (builder.in.word<bool>(field, kWindows))
+      film.world = Bounds{{0, 0}, Vec2(film.width, film.height)};
+  } else if (const auto world = builder.in.box(field)) {
+    film.world = world;
+  }
+}
+
+constexpr Key<Film> kFilmKeys[] = {
+    {{"size", "[width, height]", "[640, 360]"}, &read_size},
+    {{"world", R"([[x0, y0], [x1, y1]] or "pixels")", "what the scene holds, and 5 %"},
+     &read_world},
+    {{"background", "\"#rrggbb\"", "\"#ffffff\""}, &set<&Film::background>},
+    {{"coverage", R"("area", "rows" or "centre")", "\"area\""},
+     &set_word<&Film::coverage, kCoverages>},
+    {{"rows", "whole number", "4"}, &read_rows},
+};
+
+void read_camera_at(Builder& builder, const Field& field, Camera& camera) {
+  const auto at = read_moving_point(builder, field);
+  if (!at) return;
+  camera.at = at->value;
+  camera.x_curve = at->x;
+  camera.y_curve = at->y;
+}
+
+std::optional<Moving> read_above_zero(Builder& builder, const Field& field, const char* hint) {
+  const auto number = read_moving(builder, field);
+  if (!number) return std::nullopt;
+  if ((number->curve ? lowest(builder.scene.curves[*number->curve]) : number->value) > 0)
+    return number;
+  builder.in.problem(field.value.where, field.name + " is not above 0", hint);
+  return std::nullopt;
+}
+
+void read_height(Builder& builder, const Field& field, Camera& camera) {
+  const auto height = read_above_zero(builder, field, "write the world units the picture is high");
+  if (!height) return;
+  camera.height = height->value;
+  camera.height_curve = height->curve;
+}
+
+void read_zoom(Builder& builder, const Field& field, Camera& camera) {
+  const auto zoom = read_above_zero(builder, field, "write 2 to show everything twice as large");
+  if (!zoom) return;
+  camera.zoom = zoom->value;
+  camera.zoom_curve = zoom->curve;
+}
+
+void read_follow(Builder& builder, const Field& field, Camera& camera) {
+  camera.follow = find_entity(builder, field);
+}
+
+constexpr Key<Camera> kCameraKeys[] = {
+    {{"at", "[x, y] or a curve", "the middle of film.world"}, &read_camera_at},
+    {{"height", "number or a curve", "that of film.world"}, &read_height},
+    {{"zoom", "number or a curve", "1"}, &read_zoom},
+    {{"follow", "\"ENTITY\"", "none"}, &read_follow},
+    {{"offset", "[dx, dy]", "[0, 0]"}, &set<&Camera::offset>},
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Camera::velocity>},
+    {{"motion", R"("frame-origin" or "objects")", "\"frame-origin\""},
+     &set_word<&Camera::motion, kMotions>},
+};
+
+}  // namespace
+
+void read_film(Builder& builder, const Field& field, Scene& scene) {
+  read_keys<Film>(builder, field.value, "film", kFilmKeys, scene.film);
+}
+
+void read_camera(Builder& builder, const Field& field, Scene& scene) {
+  read_keys<Camera>(builder, field.value, "camera", kCameraKeys, scene.camera);
+}
+
+std::vector<TableInfo> film_tables() {
+  return {{"film", key_infos<Film>(kFilmKeys)}, {"camera", key_infos<Camera>(kCameraKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,351 @@
+#include <algorithm>
+
+#include "base/number_text.h"
+#include "scene/keys/copies.h"
+#include "scene/keys/corner_limit.h"
+#include "scene/keys/look_keys.h"
+#include "scene/keys/markov_keys.h"
+#include "scene/keys/motion_keys.h"
+#include "scene/keys/scene_keys.h"
+#include "scene/lamp.h"
+#include "scene/reading/kinds.h"
+#include "scene/reading/spectrum_text.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::int64_t kMostRays = std::int64_t{1} << 40;
+constexpr std::int64_t kMostBounces = 1'000'000;
+
+void read_source(Builder& builder, const Field& field, Lamp& lamp) {
+  const std::size_t problems = builder.in.problems.size();
+  const auto kind = read_kind(builder.in, field, lamp_types(), "a lamp");
+  if (!kind) return;
+  lamp.type = kind->type;
+  lamp.source = {};
+  Args args(builder, {std::string("lamp.") + kind->type->name, kind->arguments, "{ ... }"},
+            kind->type->keys, &lamp.source);
+  const auto build_at = [&](double time, const std::string& when) {
+    args.set_time(time);
+    const auto made = kind->type->build(args);
+    const bool may_vanish = args.gone() && has_curve(kind->arguments);
+    if (made || may_vanish || builder.in.problems.size() > problems) return;
+    for (Diagnostic one : made.error()) {
+      one.message += when;
+      builder.in.problems.push_back(std::move(one));
+    }
+  };
+  build_at(0, "");
+  for (const double time : key_times(builder.scene, lamp.source)) {
+    if (builder.in.problems.size() > problems) return;
+    build_at(time, fmt::format(" at {} s", number_text(time)));
+  }
+}
+
+// A number that may be a curve and whose values all lie in [low, high].
+template <auto Pointer>
+void set_between(Builder& builder, const Field& field, Lamp& lamp, double low, double high,
+                 const char* hint) {
+  const std::optional<Moving> number = read_moving(builder, field);
+  if (!number) return;
+  lamp.*Pointer = *number;
+  if (lies_between(builder.scene, *number, low, high)) return;
+  const Curve* curve = number->curve ? &builder.scene.curves[*number->curve] : nullptr;
+  const double least = curve != nullptr ? lowest(*curve) : number->value;
+  const double wrong = least >= low && curve != nullptr ? highest(*curve) : least;
+  builder.in.problem(
+      field.value.where,
+      fmt::format("{} {} {}, not {} to {}", field.name, curve != nullptr ? "comes to" : "is",
+                  number_text(wrong), number_text(low), number_text(high)),
+      hint);
+}
+
+void read_power(Builder& builder, const Field& field, Lamp& lamp) {
+  set_between<&Lamp::power>(builder, field, lamp, 0, 1e30, "write 0 to 1e30, 1 for a plain lamp");
+}
+void read_wavelength(Builder& builder, const Field& field, Lamp& lamp) {
+  set_between<&Lamp::wavelength>(builder, field, lamp, 380, 780,
+                                 "light that is seen has 380 to 780 nm");
+}
+void read_temperature(Builder& builder, const Field& field, Lamp& lamp) {
+  set_between<&Lamp::temperature>(builder, field, lamp, 800, 1e5,
+                                  "write 800 to 100000 kelvin, 2700 for a bulb, 6500 for daylight");
+}
+
+// A file that several lamps have is read once.
+void read_spectrum(Builder& builder, const Field& field, Lamp& lamp) {
+  const auto name = builder.in.string(field);
+  if (!name) return;
+  const auto tell = [&](Diagnostics&& problems) {
+    for (Diagnostic& one : problems) builder.in.problems.push_back(std::move(one));
+  };
+  Result<SourcePtr> source = builder.imports.open(*name, field.value.where);
+  if (!source) return tell(std::move(source.error()));
+  const auto [known, is_new] = builder.spectra.try_emplace(source->get());
+  if (is_new) {
+    Result<Spectrum> spectrum = parse_spectrum(*source);
+    if (!spectrum) return tell(std::move(spectrum.error()));
+    known->second = std::make_shared<const Spectrum>(std::move(*spectrum));
+  }
+  lamp.spectrum = known->second;
+}
+
+void read_colour(Builder& builder, const Field& field, Lamp& lamp) {
+  builder.may_change = true;
+  const auto colour = read_moving_colour(builder, field);
+  builder.may_change = false;
+  if (!colour) return;
+  constexpr CurveId kAlpha = 3;  // of the four curves of a colour
+  const bool clear = colour->curve == kNoEntry
+                         ? colour->a < 255
+                         : lowest(builder.scene.curves[colour->curve + kAlpha]) < 1;
+  if (clear)
+    return builder.in.problem(field.value.where,
+                              field.name + " has an opacity, which light has not",
+                              "write #rrggbb, and a power below 1 for less light");
+  lamp.colour = *colour;
+}
+
+void expect_one_colour(Builder& builder, const LampLight& light, const Value& table) {
+  std::vector<std::string> colours;
+  if (table.find("colour") != nullptr) colours.emplace_back("colour");
+  if (light.wavelength) colours.emplace_back("nm");
+  if (light.temperature) colours.emplace_back("kelvin");
+  if (light.spectrum) colours.emplace_back("spectrum");
+  if (colours.size() > 1)
+    builder.in.problem(table.where, fmt::format("a lamp has {} and {}", colours[0], colours[1]),
+                       "leave one of them out: either is a colour");
+}
+
+// What a state gives; the rest is the lamp's, its colour as a whole.
+constexpr const char* kOwn = "the lamp's";
+constexpr Key<Lamp> kLampLookKeys[] = {
+    kNameKey<Lamp>,
+    {{"power", "number or a curve", kOwn}, &read_power},
+    {{"colour", "\"#rrggbb\" or a curve", kOwn}, &read_colour},
+    {{"nm", "number or a curve", kOwn}, &read_wavelength},
+    {{"kelvin", "number or a curve", kOwn}, &read_temperature},
+    {{"spectrum", "\"spectrum.csv\"", kOwn}, &read_spectrum},
+    {{"velocity", "[vx, vy]", kOwn}, &set<&Lamp::velocity>},
+};
+
+Look read_lamp_look(Builder& builder, const Value& table, const std::string& name,
+                    const Lamp& lamp) {
+  Lamp now;
+  now.power = lamp.power;
+  const auto has = [&](const char* key) { return table.find(key) != nullptr; };
+  if (!has("colour") && !has("nm") && !has("kelvin") && !has("spectrum"))
+    static_cast<LampLight&>(now) = lamp;
+  read_keys<Lamp>(builder, table, "lamp " + name, kLampLookKeys, now);
+  expect_one_colour(builder, now, table);
+  Look look;
+  look.name = now.name;
+  if (has("velocity")) look.velocity = now.velocity;
+  look.light = std::make_shared<const LampLight>(std::move(now));
+  return look;
+}
+
+void read_lamp_states(Builder& builder, const Field& field, Lamp& lamp) {
+  read_looks(builder, field, lamp.markov, [&](const Value& table, const std::string& name) {
+    return read_lamp_look(builder, table, name, lamp);
+  });
+}
+
+constexpr Key<Lamp> kLampKeys[] = {
+    kNameKey<Lamp>,
+    {{"source", "{ LAMP = { ... } }", kRequired}, &read_source},
+    kGroupKey<Lamp>,
+    kMovingAtKey<Lamp>,
+    kMovingAngleKey<Lamp>,
+    {{"velocity", "[vx, vy]", "[0, 0]"}, &set<&Lamp::velocity>},
+    {{"angular_velocity", "degrees a second", "0"}, &set_angle<&Lamp::angular_velocity>},
+    {{"power", "number or a curve", "1"}, &read_power},
+    {{"colour", "\"#rrggbb\" or a curve", "\"#ffffff\""}, &read_colour},
+    {{"nm", "number or a curve", "none"}, &read_wavelength},
+    {{"kelvin", "number or a curve", "none"}, &read_temperature},
+    {{"spectrum", "\"spectrum.csv\"", "none"}, &read_spectrum},
+    kMarkovKey<Lamp>,
+    states_key<Lamp>(&read_lamp_states),
+    kFollowKey<Lamp>,
+    kRepeatKey<Lamp>,
+};
+
+void read_exposure(Builder& builder, const Field& field, LightSettings& light) {
+  if (field.value.kind == Value::Kind::string) {
+    constexpr Word<bool> kWords[] = {{"auto", true}};
+    (void)builder.in.word<bool>(field, kWords);
+    return;
+  }
+  const auto exposure = builder.in.number(field);
+  if (!exposure) return;
+  if (!(*exposure > 0 && *exposure <= 1e30))
+    return builder.in.problem(
+        field.value.where,
+        fmt::format("{} is {}, not above 0 and at most 1e30", field.name, number_text(*exposure)),
+        "write what light of 1 is to be shown as, or \"auto\"");
+  light.exposure = *exposure;
+}
+
+void read_gamma(Builder& builder, const Field& field, LightSettings& light) {
+  const auto gamma = builder.in.number(field);
+  if (!gamma) return;
+  if (!(*gamma >= 0.1 && *gamma <= 10))
+    return builder.in.problem(field.value.where, field.name + " does not lie between 0.1 and 10",
+                              "write 2.2, or 1 for levels in proportion to light");
+  light.gamma = *gamma;
+}
+
+void read_scrambles(Builder& builder, const Field& field, LightSettings& light) {
+  const auto count = builder.in.integer(field, 1, 64);
+  if (!count) return;
+  if (*count != 1 && *count != 16 && *count != 32 && *count != 64)
+    return builder.in.problem(field.value.where, field.name + " is neither 1 nor 16, 32 or 64",
+                              "write 16 where the error is asked for");
+  light.scrambles = static_cast<unsigned>(*count);
+}
+
+void read_bounces(Builder& builder, const Field& field, LightSettings& light) {
+  set_integer<&LightSettings::bounces, 0, kMostBounces>(builder, field, light);
+  light.bounces_chosen = true;
+}
+
+constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear},
+                                      {"soft", ToneCurve::soft},
+                                      {"filmic", ToneCurve::filmic},
+                                      {"gamma", ToneCurve::gamma}};
+constexpr Word<LightSampler> kSamplers[] = {{"sorted", LightSampler::sorted},
+                                            {"random", LightSampler::random}};
+constexpr Word<LightEstimator> kEstimators[] = {{"auto", LightEstimator::automatic},
+                                                {"forward", LightEstimator::forward},
+                                                {"backward", LightEstimator::backward}};
+constexpr Word<bool> kNoises[] = {{"still", false}, {"moving", true}};
+
+constexpr Key<LightSettings> kLightKeys[] = {
+    {{"rays", "whole number", "1000000"}, &set_integer<&LightSettings::rays, 1, kMostRays>},
+    {{"bounces", "whole number", "1000"}, &read_bounces},
+    {{"scrambles", "whole number", "1"}, &read_scrambles},
+    {{"exposure", "number or \"auto\"", "\"auto\""}, &read_exposure},
+    {{"tone", R"("linear", "soft", "filmic" or "gamma")", "\"soft\""},
+     &set_word<&LightSettings::tone, kTones>},
+    {{"gamma", "number", "2.2"}, &read_gamma},
+    {{"sampler", R"("sorted" or "random")", "\"sorted\""},
+     &set_word<&LightSettings::sampler, kSamplers>},
+    {{"estimator", R"("forward", "backward" or "auto")", "\"auto\""},
+     &set_word<&LightSettings::estimator, kEstimators>},
+    {{"noise", R"("still" or "moving")", "\"still\""},
+     &set_word<&LightSettings::noise_moves, kNoises>},
+    {{"layer", "whole number", "-1"}, &set_integer<&LightSettings::layer, -1000000, 1000000>},
+};
+
+// Whether light is surely inside or outside of it, by the side of each of its walls.
+bool is_body(const Shape& shape) {
+  return shape.segments.empty() && shape.crossing_rings.empty() &&
+         shape.piece_count() + shape.circles.size() + shape.arc_paths.size() > 0 &&
+         std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                     [](const ArcPath& path) { return path.is_ellipse(); });
+}
+
+const char* reason_dark(const Scene& scene, const LampLight& light) {
+  if (lies_between(scene, light.power, 0, 0)) return "its power is 0";
+  if (light.wavelength || light.temperature || light.spectrum) return nullptr;
+  const Paint& colour = light.colour;
+  if (colour.curve == kNoEntry)
+    return colour.r == 0 && colour.g == 0 && colour.b == 0 ? "its colour is black" : nullptr;
+  for (CurveId channel = 0; channel < 3; ++channel)
+    if (highest(scene.curves[colour.curve + channel]) > 0) return nullptr;
+  return "its colour is black";
+}
+
+// What leaves a lamp dark in all frames and states; nothing where it shines.
+const char* reason_dark(const Scene& scene, const Lamp& lamp) {
+  const auto lights = lights_of(lamp);
+  for (const LampLight* light : lights)
+    if (reason_dark(scene, *light) == nullptr) return nullptr;
+  return reason_dark(scene, *lights.front());
+}
+
+// Lamps meet nothing, and the scene keeps what they look like.
+bool take_states(Builder& builder, const Lamp& lamp, const Place& where) {
+  if (lamp.markov && lamp.markov->hit)
+    builder.in.problem(where, "a lamp has a state for what is hit, but meets nothing",
+                       "leave hit out");
+  return take_corners(builder, corner_count(lamp.markov), where);
+}
+
+void expect_body(Builder& builder, ScattererId scatterer, ShapeId shape, const Place& where) {
+  const Scene& scene = builder.scene;
+  if (scatterer == kNoEntry || scene.scatterers[scatterer]->index(0) == 0 ||
+      shape >= scene.shapes.size() || is_body(scene.shapes[shape]))
+    return;
+  builder.in.problem(where, "what is of glass here has no inside, or arcs beside straight walls",
+                     "glass is for polygons, circles and whole ellipses");
+}
+
+}  // namespace
+
+void check_light(Builder& builder) {
+  const Scene& scene = builder.scene;
+  for (const Entity& entity : scene.entities)
+    expect_body(builder, entity.scatterer, entity.shape, entity.where);
+  for (const Chamber& chamber : scene.chambers) {
+    expect_body(builder, chamber.scatterer, chamber.shape, chamber.where);
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      expect_body(builder, pillar.scatterer, pillar.shape, pillar.where);
+    if (chamber.material == Material::periodic && !scene.lamps.empty())
+      builder.in.warning(scene.lamps.front().where, "periodic walls let no light of lamps pass",
+                         "light ends there: make the chamber a mirror, or leave its lamps out");
+  }
+  if (builder.in.problems.empty() && scene.light.estimator == LightEstimator::backward) {
+    if (auto hindrance = why_not_backward(scene))
+      builder.in.problems.push_back(std::move(*hindrance));
+    else if (auto noisy = why_noisy_backward(scene))
+      builder.in.warning(noisy->where, noisy->message, noisy->hint);
+  }
+  const auto most = std::max_element(scene.entities.begin(), scene.entities.end(),
+                                     [](const Entity& a, const Entity& b) {
+                                       return a.alternatives.size() < b.alternatives.size();
+                                     });
+  if (most != scene.entities.end() && !most->alternatives.empty() &&
+      builder.corners > builder.limits.max_corners / (most->alternatives.size() + 1))
+    builder.in.problem(
+        most->where,
+        fmt::format("the corners of all walls, once for each of these {} alternatives, "
+                    "come to more than {}",
+                    most->alternatives.size(), builder.limits.max_corners),
+        "write fewer alternatives, or say --max-corners N");
+  if (scene.lamps.empty() && scene.light.where.source != nullptr)
+    builder.in.warning(scene.light.where, "no lamp shines", "add [[lamp]] source = { point = {} }");
+}
+
+void read_lamps(Builder& builder, const Field& field, Scene& scene) {
+  constexpr std::uint32_t kLampTables = 3U << 30;  // apart from groups
+  std::uint32_t tables = 0;
+  each_table(builder, field, [&](const Value& table) {
+    const char* dark = nullptr;
+    const CopiedTable what{"lamp", kLampTables + tables++, scene.lamps.size()};
+    expect_chain(builder, table, "lamp");
+    make_copies<Lamp>(builder, table, what, kLampKeys,
+                      [&](Lamp&& lamp, std::uint64_t, const std::string&) {
+                        expect_one_colour(builder, lamp, table);
+                        if (!take_states(builder, lamp, table.where)) return;
+                        if (const char* reason = reason_dark(scene, lamp)) dark = reason;
+                        scene.lamps.push_back(std::move(lamp));
+                      });
+    if (dark != nullptr)
+      builder.in.warning(table.where, fmt::format("the lamp is dark: {}", dark),
+                         "leave the lamp out, or let it shine");
+  });
+}
+
+void read_light(Builder& builder, const Field& field, Scene& scene) {
+  scene.light.where = field.value.where;
+  read_keys<LightSettings>(builder, field.value, "light", kLightKeys, scene.light);
+}
+
+std::vector<TableInfo> lamp_tables() {
+  return {{"lamp", key_infos<Lamp>(kLampKeys), true},
+          {"lamp.states", key_infos<Lamp>(kLampLookKeys), true},
+          {"light", key_infos<LightSettings>(kLightKeys)}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,33 @@
+#include "scene/outlines/rounded.h"
+
+#include <numbers>
+
+namespace flatray {
+namespace {
+
+bool is_circular(const EllipseArc& arc) {
+  return arc.v == Vec2(-arc.u.y(), arc.u.x()) || arc.v == Vec2(arc.u.y(), -arc.u.x());
+}
+
+bool is_half(const EllipseArc& arc) { return arc.from == 0 && arc.sweep == std::numbers::pi; }
+
+}  // namespace
+
+double circle_radius(const Vec2& u) {
+  return u.y() == 0 || u.x() == 0 ? u.cwiseAbs().maxCoeff() : u.stableNorm();
+}
+
+std::optional<Rounded> rounded_by(const ArcPath& path) {
+  if (!path.closed || path.arcs.empty() || !is_circular(path.arcs[0])) return std::nullopt;
+  const EllipseArc& one = path.arcs[0];
+  if (path.is_ellipse()) return Rounded{one.centre, one.centre, circle_radius(one.u)};
+  if (path.arcs.size() != 2) return std::nullopt;
+  const EllipseArc& other = path.arcs[1];
+  if (!is_half(one) || !is_half(other) || other.u != -one.u || other.v != -one.v)
+    return std::nullopt;
+  // The second half faces away from the first.
+  if ((other.centre - one.centre).dot(one.v) >= 0) return std::nullopt;
+  return Rounded{other.centre, one.centre, circle_radius(one.u)};
+}
+
+}  // namespace flatray

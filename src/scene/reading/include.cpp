@@ -1,0 +1,176 @@
+#include "scene/reading/include.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "scene/keys/build_scene.h"
+#include "scene/reading/format.h"
+
+namespace flatray {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string identity(const SourcePtr& source) {
+  std::error_code ignored;
+  const fs::path known = fs::weakly_canonical(source->name(), ignored);
+  return known.empty() ? source->name() : known.string();
+}
+
+// Members by key, for tables that may be large.
+std::map<std::string_view, Member*> by_key(Value& table) {
+  std::map<std::string_view, Member*> members;
+  for (Member& member : table.members) members.emplace(member.key, &member);
+  return members;
+}
+
+// Puts what `over` says over what `under` says, and the result into `over`.
+class Merge {
+ public:
+  explicit Merge(Reader& in) : in_(in) {}
+
+  void scenes(Value&& under, Value& over) {
+    std::map<std::string_view, Member*> known = by_key(over);
+    std::vector<Member> added;
+    for (Member& member : under.members) {
+      const auto found = known.find(member.key);
+      if (found == known.end())
+        added.push_back(std::move(member));
+      else
+        values(std::move(member), found->second->value);
+    }
+    add(std::move(added), over);
+  }
+
+ private:
+  void values(Member&& under, Value& over) {
+    if (under.value.kind != over.kind) {
+      in_.problem(under.value.where,
+                  fmt::format("{} is {}", under.key, kind_name(under.value.kind)),
+                  fmt::format("a file that includes this one has {}", kind_name(over.kind)));
+    } else if (over.kind == Value::Kind::array) {
+      std::vector<Value> items = std::move(under.value.items);
+      std::move(over.items.begin(), over.items.end(), std::back_inserter(items));
+      over.items = std::move(items);
+    } else if (over.kind == Value::Kind::table) {
+      tables(std::move(under.value), over);
+    }
+  }
+
+  static void tables(Value&& under, Value& over) {
+    const std::map<std::string_view, Member*> known = by_key(over);
+    std::vector<Member> added;
+    for (Member& member : under.members)
+      if (known.count(member.key) == 0) added.push_back(std::move(member));
+    add(std::move(added), over);
+  }
+
+  static void add(std::vector<Member>&& first, Value& table) {
+    std::move(table.members.begin(), table.members.end(), std::back_inserter(first));
+    table.members = std::move(first);
+  }
+
+  Reader& in_;
+};
+
+class Includer {
+ public:
+  Includer(Imports& imports, const LoadLimits& limits) : imports_(imports), limits_(limits) {}
+
+  Reader in;
+
+  void take(SceneDesc& desc, const SourcePtr& source) {
+    open_.push_back(identity(source));
+    known_.insert(open_.back());
+    std::vector<SceneDesc> files;
+    if (const Member* include = desc.root.find("include"))
+      files = all_of({"include", include->value, "[\"part.toml\", ...]"});
+    for (SceneDesc& one : files) {
+      append(desc.warnings, std::move(one.warnings));
+      append(desc.sources, std::move(one.sources));
+    }
+    std::erase_if(desc.root.members, [](const Member& member) { return member.key == "include"; });
+    if (!files.empty()) Merge(in).scenes(merged(files), desc.root);
+    desc.sources.push_back(source);
+    open_.pop_back();
+  }
+
+ private:
+  template <class T>
+  static void append(std::vector<T>& to, std::vector<T>&& from) {
+    std::move(from.begin(), from.end(), std::back_inserter(to));
+  }
+
+  // In halves, so that no file is gone through for each of the others.
+  Value merged(std::span<SceneDesc> files) {
+    if (files.size() == 1) return std::move(files.front().root);
+    const std::size_t half = files.size() / 2;
+    Value under = merged(files.first(half)), over = merged(files.subspan(half));
+    Merge(in).scenes(std::move(under), over);
+    return over;
+  }
+
+  std::vector<SceneDesc> all_of(const Field& files) {
+    std::vector<SceneDesc> all;
+    if (!in.is(files, Value::Kind::array, "a list of file names")) return all;
+    for (std::size_t i = 0; i < files.value.items.size(); ++i)
+      if (std::optional<SceneDesc> one = read(files.item(i))) all.push_back(std::move(*one));
+    return all;
+  }
+
+  // nullopt where it is wrong, and where it is known already.
+  std::optional<SceneDesc> read(const Field& field) {
+    const auto file = in.string(field);
+    if (!file) return std::nullopt;
+    const Place& where = field.value.where;
+    if (fs::path(*file).is_absolute())
+      return refuse(where, fmt::format("'{}' is an absolute path", *file),
+                    "write it from the folder of this file on, so that scenes can be moved");
+    const Format* format = format_for_name(*file);
+    if (format == nullptr)
+      return refuse(where, fmt::format("'{}' has no extension of a scene", *file),
+                    "known: " + known_extensions());
+    const Result<SourcePtr> source = imports_.include(*file, where);
+    if (!source) return refuse(source.error());
+    if (std::find(open_.begin(), open_.end(), identity(*source)) != open_.end())
+      return refuse(where, fmt::format("'{}' includes itself", *file), "take this include out");
+    if (known_.count(identity(*source)) != 0) return std::nullopt;
+    if (open_.size() > limits_.max_depth)
+      return refuse(where, fmt::format("files are included more than {} deep", limits_.max_depth),
+                    "--max-depth raises the limit");
+    Result<SceneDesc> desc = format->read(*source, limits_);
+    if (!desc) return refuse(desc.error());
+    check_version(in, desc->root);
+    take(*desc, *source);
+    return std::move(*desc);
+  }
+
+  std::nullopt_t refuse(const Place& where, std::string message, std::string hint) {
+    in.problem(where, std::move(message), std::move(hint));
+    return std::nullopt;
+  }
+  std::nullopt_t refuse(const Diagnostics& problems) {
+    in.problems.insert(in.problems.end(), problems.begin(), problems.end());
+    return std::nullopt;
+  }
+
+  Imports& imports_;
+  const LoadLimits& limits_;
+  std::vector<std::string> open_;  // files being read, the scene first
+  std::set<std::string> known_;
+};
+
+}  // namespace
+
+Result<void> take_includes(SceneDesc& desc, const SourcePtr& source, Imports& imports,
+                           const LoadLimits& limits) {
+  Includer includer(imports, limits);
+  includer.take(desc, source);
+  if (!includer.in.problems.empty()) return tl::unexpected(std::move(includer.in.problems));
+  return {};
+}
+
+}  // namespace flatray

@@ -1,0 +1,167 @@
+#include "scene/reading/numbers.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/number_text.h"
+
+namespace flatray {
+namespace {
+
+// Beyond this no double is meant, and the powers of ten would no longer be small.
+constexpr long kMaxExponent = 100000;
+// Every integer of so many digits is a double.
+constexpr std::size_t kChunkDigits = 15;
+// Longer decimals than this are not read by people.
+constexpr std::size_t kMaxShownDigits = 40;
+
+std::string without_underscores(std::string_view text) {
+  std::string plain(text);
+  std::erase(plain, '_');
+  return plain;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Moves the digits at the front of `text` to `digits`; gives how many there were.
+std::size_t take_digits(std::string_view& text, std::string& digits) {
+  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  const auto count = static_cast<std::size_t>(end - text.begin());
+  digits.append(text.substr(0, count));
+  text.remove_prefix(count);
+  return count;
+}
+
+// "e-12" at the front of `text`, or nothing.
+std::optional<long> take_exponent(std::string_view text) {
+  if (text.empty()) return 0;
+  if (text.front() != 'e' && text.front() != 'E') return std::nullopt;
+  text.remove_prefix(1);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  long exponent = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+  const bool whole = end == text.data() + text.size() && !text.empty();
+  if (error != std::errc{} || !whole || std::abs(exponent) > kMaxExponent) return std::nullopt;
+  return exponent;
+}
+
+void strip_zeros(Decimal& decimal) {
+  const std::size_t last = decimal.digits.find_last_not_of('0');
+  if (last == std::string::npos) {
+    decimal = {};
+    return;
+  }
+  decimal.exponent += static_cast<long>(decimal.digits.size() - last - 1);
+  decimal.digits.resize(last + 1);
+  decimal.digits.erase(0, decimal.digits.find_first_not_of('0'));
+}
+
+Rational power_of_ten(long exponent) {
+  Rational power = 1;
+  for (; exponent >= 15; exponent -= 15) power *= 1e15;
+  for (; exponent > 0; --exponent) power *= 10;
+  return power;
+}
+
+// 0x1f, 0o17, 0b11.
+std::optional<std::uint64_t> parse_prefixed(std::string_view text) {
+  if (text.size() < 3 || text[0] != '0') return std::nullopt;
+  const int base = text[1] == 'x' ? 16 : text[1] == 'o' ? 8 : text[1] == 'b' ? 2 : 0;
+  if (base == 0) return std::nullopt;
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data() + 2, end, value, base);
+  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
+  return value;
+}
+
+Number nearest_double(std::uint64_t whole) {
+  const auto nearest = static_cast<double>(whole);
+  const bool exact = nearest < 0x1p64 && static_cast<std::uint64_t>(nearest) == whole;
+  return {nearest, exact ? Number::Loss::none : Number::Loss::integer};
+}
+
+Number::Loss loss_of(std::string_view text, double value) {
+  const std::optional<Decimal> decimal = parse_decimal(text);
+  if (value == 0 && !(decimal && decimal->digits.empty())) return Number::Loss::underflow;
+  const bool written_out = text.find_first_of("eE") == std::string_view::npos;
+  if (!decimal || !written_out || decimal->exponent < 0) return Number::Loss::none;
+  if (decimal->digits.size() <= kChunkDigits) return Number::Loss::none;
+  return to_rational(*decimal) == Rational(value) ? Number::Loss::none : Number::Loss::integer;
+}
+
+}  // namespace
+
+std::optional<Decimal> parse_decimal(std::string_view text) {
+  const std::string plain = without_underscores(text);
+  std::string_view rest = plain;
+  Decimal decimal;
+  decimal.negative = rest.starts_with('-');
+  if (decimal.negative || rest.starts_with('+')) rest.remove_prefix(1);
+  std::size_t digits = take_digits(rest, decimal.digits);
+  if (rest.starts_with('.')) {
+    rest.remove_prefix(1);
+    const std::size_t decimals = take_digits(rest, decimal.digits);
+    decimal.exponent = -static_cast<long>(decimals);
+    digits += decimals;
+  }
+  const std::optional<long> exponent = take_exponent(rest);
+  if (digits == 0 || !exponent) return std::nullopt;
+  decimal.exponent += *exponent;
+  strip_zeros(decimal);
+  return decimal;
+}
+
+Rational to_rational(const Decimal& decimal) {
+  Rational value = 0;
+  for (std::size_t i = 0; i < decimal.digits.size(); i += kChunkDigits) {
+    const std::string chunk = decimal.digits.substr(i, kChunkDigits);
+    value *= power_of_ten(static_cast<long>(chunk.size()));
+    value += static_cast<double>(std::stoll(chunk));
+  }
+  if (decimal.exponent >= 0)
+    value *= power_of_ten(decimal.exponent);
+  else
+    value /= power_of_ten(-decimal.exponent);
+  return decimal.negative ? -value : value;
+}
+
+std::string decimal_text(const Rational& value) {
+  Rational scaled = value;
+  std::size_t decimals = 0;
+  for (; decimals <= kMaxShownDigits && scaled != scaled.floor(); ++decimals) scaled *= 10;
+  std::string digits = scaled.text();
+  if (scaled != scaled.floor() || digits.size() > kMaxShownDigits)
+    return number_text(value.nearest());
+  if (decimals == 0) return digits;
+  const std::string sign = digits.front() == '-' ? "-" : "";
+  digits.erase(0, sign.size());
+  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+  return sign + digits.insert(digits.size() - decimals, ".");
+}
+
+std::optional<Number> parse_literal(std::string_view text) {
+  const std::string plain = without_underscores(text);
+  if (const auto whole = parse_prefixed(plain)) return nearest_double(*whole);
+  const std::optional<double> value = parse_number(plain);
+  if (!value) return std::nullopt;
+  return Number{*value, loss_of(plain, *value)};
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  constexpr double kLimit = 0x1p63;
+  const std::string plain = without_underscores(text);
+  if (const auto whole = parse_prefixed(plain))
+    return *whole >> 63 == 0 ? std::optional(static_cast<std::int64_t>(*whole)) : std::nullopt;
+  const char* end = plain.data() + plain.size();
+  std::int64_t value = 0;
+  const auto result = std::from_chars(plain.data() + (plain.starts_with('+') ? 1 : 0), end, value);
+  if (result.ec == std::errc{} && result.ptr == end) return value;
+  const std::optional<Number> number = parse_literal(plain);
+  if (!number || number->loss != Number::Loss::none || std::abs(number->value) >= kLimit ||
+      number->value != std::floor(number->value))
+    return std::nullopt;
+  return static_cast<std::int64_t>(number->value);
+}
+
+}  // namespace flatray

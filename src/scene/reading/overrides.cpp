@@ -1,0 +1,131 @@
+#include "scene/reading/overrides.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/counted.h"
+#include "scene/reading/format.h"
+#include "scene/reading/vocabulary.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::string_view kPrefix = "-D ";
+
+// The value at the end of a dotted key is what was written after "="; the tables before it stand at
+// their keys.
+bool is_part_of_key(const Value& value) {
+  return value.kind == Value::Kind::table && !source_text(value).starts_with('{');
+}
+
+std::vector<std::string> names_of(const Value& array) {
+  std::vector<std::string> names;
+  for (const Value& item : array.items)
+    if (const Member* name = item.find("name")) names.push_back(name->value.text);
+  return names;
+}
+
+// Entry of an array by number or name.
+Result<Value*> entry(Value& array, const Member& step) {
+  std::size_t index = 0;
+  const char* end = step.key.data() + step.key.size();
+  const auto parsed = std::from_chars(step.key.data(), end, index);
+  if (parsed.ec == std::errc{} && parsed.ptr == end) {
+    if (index < array.items.size()) return &array.items[index];
+    return fail(step.where, fmt::format("there is no entry {}", index),
+                fmt::format("the scene has {}, numbered from 0",
+                            counted(array.items.size(), "entry", "entries")),
+                Trouble::usage);
+  }
+  for (Value& item : array.items)
+    if (const Member* name = item.find("name"); name != nullptr && name->value.text == step.key)
+      return &item;
+  Diagnostic unknown = unknown_word(step.where, "name", step.key, names_of(array));
+  unknown.trouble = Trouble::usage;
+  return tl::unexpected(Diagnostics{std::move(unknown)});
+}
+
+// Part of a table or array that a step names; a table's is made where it is missing.
+Result<Value*> part(Value& whole, const Member& step) {
+  if (whole.kind == Value::Kind::array) return entry(whole, step);
+  if (whole.kind != Value::Kind::table)
+    return fail(step.where, fmt::format("'{}' stands in {}", step.key, kind_name(whole.kind)),
+                "only tables and arrays have parts", Trouble::usage);
+  if (Member* member = whole.find(step.key)) return &member->value;
+  whole.members.push_back({step.key, step.where, table_value(step.where, {})});
+  return &whole.members.back().value;
+}
+
+// Follows the one chain of keys in `step` down `target` and puts its value there.
+Result<void> put(Value* target, const Member* step) {
+  for (;;) {
+    Result<Value*> next = part(*target, *step);
+    if (!next) return fail(std::move(next));
+    target = *next;
+    if (!is_part_of_key(step->value)) break;
+    step = &step->value.members.front();
+  }
+  *target = step->value;
+  return {};
+}
+
+bool is_one_key(const Value& table) {
+  return table.members.size() == 1 &&
+         (!is_part_of_key(table.members.front().value) || is_one_key(table.members.front().value));
+}
+
+// Whether a value that TOML cannot read is a word left without its quotes, or a colour.
+bool is_bare(const std::string& value) {
+  const auto in_word = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' ||
+           c == '-' || c == '.' || c == '/' || c == '#';
+  };
+  const char first = value.empty() ? '0' : value.front();
+  return !('0' <= first && first <= '9') && first != '-' && first != '.' &&
+         std::all_of(value.begin(), value.end(), in_word);
+}
+
+Result<SceneDesc> read_override(const Format& toml, const std::string& key,
+                                const std::string& value) {
+  return toml.read(std::make_shared<const SourceText>(std::string(kPrefix) + key,
+                                                      fmt::format("{} = {}", key, value)),
+                   {});
+}
+
+}  // namespace
+
+Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
+  const auto& [key, value] = override_value;
+  const Place where = named_place(std::string(kPrefix) + key);
+  const Format* toml = find_format("toml");
+  if (toml == nullptr)
+    return fail(where, "-D needs TOML, which this build leaves out", "", Trouble::unavailable);
+  Result<SceneDesc> parsed = read_override(*toml, key, value);
+  if (!parsed && is_bare(value))
+    if (auto quoted = read_override(*toml, key, fmt::format("\"{}\"", value)))
+      parsed = std::move(quoted);
+  if (parsed && !is_one_key(parsed->root))
+    parsed = fail(where, "this is not one key and one value", "write -D film.size=[640,360]");
+  if (!parsed) {
+    for (Diagnostic& problem : parsed.error()) problem.trouble = Trouble::usage;
+    return fail(std::move(parsed));
+  }
+  return put(&desc.root, &parsed->root.members.front());
+}
+
+bool is_override(const Place& place) {
+  return place && std::string_view(place.source->name()).starts_with(kPrefix);
+}
+
+Place place_of_change(const Value& value, const Place& otherwise) {
+  if (is_override(value.where)) return value.where;
+  for (const Value& item : value.items)
+    if (Place place = place_of_change(item, {})) return place;
+  for (const Member& member : value.members)
+    if (Place place = place_of_change(member.value, {})) return place;
+  return otherwise;
+}
+
+}  // namespace flatray

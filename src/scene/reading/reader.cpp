@@ -1,0 +1,244 @@
+#include "scene/reading/reader.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "base/counted.h"
+#include "base/number_text.h"
+#include "scene/reading/numbers.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kMaxStringBytes = 4096;
+
+// The key alone, of "film.size" or "film.world[0]".
+std::string last_name(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string key = dot == std::string::npos ? name : name.substr(dot + 1);
+  return key.substr(0, key.find('['));
+}
+
+// "write size = [w, h]", or "write [[entity]]" for what is a table of its own.
+std::string how_to_write(const Field& field) {
+  const std::string key = last_name(field.name);
+  const std::string_view takes = field.takes;
+  if (takes.starts_with("[" + key) || takes.starts_with("[[" + key))
+    return fmt::format("write {}", takes);
+  return fmt::format("write {} = {}", key, takes);
+}
+
+std::optional<std::uint8_t> hex_byte(std::string_view text) {
+  std::uint8_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<Colour> parse_colour(std::string_view text) {
+  if (!text.starts_with('#') || (text.size() != 7 && text.size() != 9)) return std::nullopt;
+  const auto r = hex_byte(text.substr(1, 2)), g = hex_byte(text.substr(3, 2)),
+             b = hex_byte(text.substr(5, 2));
+  const auto a = text.size() == 9 ? hex_byte(text.substr(7, 2)) : std::optional<std::uint8_t>(255);
+  if (!r || !g || !b || !a) return std::nullopt;
+  return Colour{*r, *g, *b, *a};
+}
+
+}  // namespace
+
+Field Field::item(std::size_t index) const {
+  return {fmt::format("{}[{}]", name, index), value.items[index], takes};
+}
+
+void Reader::problem(const Place& where, std::string message, std::string hint) {
+  problems.push_back({where, std::move(message), std::move(hint)});
+}
+
+void Reader::warning(const Place& where, std::string message, std::string hint) {
+  warnings.push_back({where, std::move(message), std::move(hint)});
+}
+
+void Reader::mismatch(const Field& field, const char* expected) {
+  problem(field.value.where,
+          fmt::format("{} is {}, not {}", field.name, kind_name(field.value.kind), expected),
+          how_to_write(field));
+}
+
+bool Reader::is(const Field& field, Value::Kind kind, const char* expected) {
+  if (field.value.kind == kind) return true;
+  mismatch(field, expected);
+  return false;
+}
+
+bool Reader::may_draw(const Field& field) {
+  if (draws != nullptr) return true;
+  problem(field.value.where, fmt::format("{} cannot be drawn at random", field.name),
+          "only entities, groups and their shapes are: " + how_to_write(field));
+  return false;
+}
+
+std::optional<std::size_t> Reader::draw_choice(const Field& field) {
+  const Field list{field.name + ".choice", field.value.members.front().value, "[one, another]"};
+  if (!may_draw(field) || !is(list, Value::Kind::array, "a list")) return std::nullopt;
+  const std::size_t count = list.value.items.size();
+  if (count == 0) {
+    problem(list.value.where, list.name + " is empty", "write at least one value to choose");
+    return std::nullopt;
+  }
+  const double drawn = draws->unit(field.value) * static_cast<double>(count);
+  return std::min(static_cast<std::size_t>(drawn), count - 1);
+}
+
+// One of two numbers: ends, or mean and spread.
+std::optional<double> Reader::draw_number(const Field& field) {
+  const Member& kind = field.value.members.front();
+  const bool is_normal = kind.key == "normal";
+  const Field pair{field.name + "." + kind.key, kind.value, is_normal ? "[mean, sd]" : "[a, b]"};
+  if (!may_draw(field) || !is(pair, Value::Kind::array, "two numbers")) return std::nullopt;
+  if (pair.value.items.size() != 2) {
+    mismatch(pair, "two numbers");
+    return std::nullopt;
+  }
+  const std::optional<double> a = plain_number(pair.item(0)), b = plain_number(pair.item(1));
+  if (!a || !b) return std::nullopt;
+  const double reach = is_normal ? *b : *b - *a;
+  if (!(reach >= 0))
+    problem(pair.value.where,
+            pair.name + (is_normal ? " has a spread below 0" : " ends below its beginning"),
+            is_normal ? "the second number is the standard deviation"
+                      : "write the smaller number first");
+  else if (std::abs(*a) > kFarthest || std::abs(*b) > kFarthest)
+    problem(pair.value.where, pair.name + " reaches beyond 1e300",
+            "write numbers between -1e300 and 1e300");
+  else if (is_normal)
+    return *a + reach * draws->normal(field.value);
+  else
+    return std::min(*a + reach * draws->unit(field.value), *b);
+  return std::nullopt;
+}
+
+std::optional<double> Reader::number(const Field& field) {
+  return chosen(field, [this](const Field& one) {
+    return is_distribution(one.value) ? draw_number(one) : plain_number(one);
+  });
+}
+
+bool Reader::refuse_curve(const Field& field) {
+  if (!is_curve(field.value)) return false;
+  const std::string key = last_name(field.name);
+  const char* hint = key == "velocity" ? "write at = { keys = [[t, [x, y]], ...] }"
+                     : key == "angular_velocity"
+                         ? "write angle = { keys = [[t, degrees], ...] }"
+                         : "write one value: of entities places, angles, sizes, colours, "
+                           "widths and opacity can change, of groups at, angle and scale, "
+                           "of the camera at, height and zoom";
+  problem(field.value.where, fmt::format("{} cannot change with time", field.name), hint);
+  return true;
+}
+
+std::optional<double> Reader::plain_number(const Field& field) {
+  if (refuse_curve(field)) return std::nullopt;
+  if (!is(field, Value::Kind::number, "a number")) return std::nullopt;
+  const std::string_view text = source_text(field.value);
+  const std::optional<Number> number = parse_literal(text);
+  if (!number) {
+    problem(field.value.where, fmt::format("{} is not finite", field.name),
+            "write a number between -1.7e308 and 1.7e308");
+    return std::nullopt;
+  }
+  if (number->loss == Number::Loss::integer)
+    warning(field.value.where,
+            fmt::format("{} reads as {}", text.substr(0, 40), decimal_text(number->value)),
+            "no double holds this integer");
+  if (number->loss == Number::Loss::underflow)
+    warning(field.value.where, fmt::format("{} reads as 0", text.substr(0, 40)),
+            "it is nearer to 0 than to any other double");
+  return number->value;
+}
+
+std::optional<std::int64_t> Reader::integer(const Field& field, std::int64_t low,
+                                            std::int64_t high) {
+  if (refuse_curve(field)) return std::nullopt;
+  if (!is(field, Value::Kind::number, "a whole number")) return std::nullopt;
+  const std::optional<std::int64_t> value = parse_integer(source_text(field.value));
+  if (value && *value >= low && *value <= high) return value;
+  problem(field.value.where,
+          fmt::format("{} is {}", field.name, source_text(field.value).substr(0, 40)),
+          fmt::format("it must be a whole number from {} to {}", low, high));
+  return std::nullopt;
+}
+
+std::optional<Vec2> Reader::point(const Field& field) {
+  return chosen(field, [this](const Field& one) { return plain_point(one); });
+}
+
+std::optional<Vec2> Reader::plain_point(const Field& field) {
+  if (refuse_curve(field)) return std::nullopt;
+  if (!is(field, Value::Kind::array, "two numbers")) return std::nullopt;
+  if (field.value.items.size() != 2) {
+    problem(
+        field.value.where,
+        fmt::format("{} has {}, not two", field.name, counted(field.value.items.size(), "number")),
+        how_to_write(field));
+    return std::nullopt;
+  }
+  const std::optional<double> x = number(field.item(0)), y = number(field.item(1));
+  if (!x || !y) return std::nullopt;
+  const Vec2 point(*x, *y);
+  if (point.cwiseAbs().maxCoeff() > kFarthest) {
+    problem(field.value.where, fmt::format("{} lies beyond 1e300", field.name),
+            "write numbers between -1e300 and 1e300");
+    return std::nullopt;
+  }
+  return point;
+}
+
+std::optional<Bounds> Reader::box(const Field& field) {
+  if (field.value.kind != Value::Kind::array || field.value.items.size() != 2) {
+    mismatch(field, "two points");
+    return std::nullopt;
+  }
+  const std::optional<Vec2> low = point(field.item(0)), high = point(field.item(1));
+  if (!low || !high) return std::nullopt;
+  if (const Vec2 size = *high - *low; size.x() > 0 && size.y() > 0) return Bounds{*low, *high};
+  problem(field.value.where, field.name + " has no area",
+          "the first point must lie below and left of the second");
+  return std::nullopt;
+}
+
+std::optional<std::string> Reader::string(const Field& field) {
+  if (!is(field, Value::Kind::string, "a string")) return std::nullopt;
+  if (field.value.text.size() <= kMaxStringBytes) return field.value.text;
+  problem(field.value.where,
+          fmt::format("{} is {} bytes long", field.name, field.value.text.size()),
+          fmt::format("strings end at {} bytes", kMaxStringBytes));
+  return std::nullopt;
+}
+
+std::optional<bool> Reader::flag(const Field& field) {
+  if (!is(field, Value::Kind::boolean, "true or false")) return std::nullopt;
+  return field.value.text == "true";
+}
+
+std::optional<Colour> Reader::colour(const Field& field) {
+  return chosen(field, [this](const Field& one) { return plain_colour(one); });
+}
+
+std::optional<Colour> Reader::plain_colour(const Field& field) {
+  if (refuse_curve(field)) return std::nullopt;
+  const std::optional<std::string> text = string(field);
+  if (!text) return std::nullopt;
+  const std::optional<Colour> parsed = parse_colour(*text);
+  if (!parsed)
+    problem(field.value.where,
+            fmt::format("{} '{}' is not a colour", field.name, text->substr(0, 40)),
+            R"(write "#rrggbb" or "#rrggbbaa")");
+  return parsed;
+}
+
+double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
+
+}  // namespace flatray

@@ -1,0 +1,76 @@
+#include "scene/reading/scene_desc.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "base/number_text.h"
+
+namespace flatray {
+
+const Member* Value::find(std::string_view key) const {
+  for (const Member& member : members)
+    if (member.key == key) return &member;
+  return nullptr;
+}
+
+Member* Value::find(std::string_view key) {
+  return const_cast<Member*>(static_cast<const Value*>(this)->find(key));
+}
+
+bool is_curve(const Value& value) {
+  return value.kind == Value::Kind::table && value.find("keys") != nullptr;
+}
+
+bool has_curve(const Value& value) {
+  return is_curve(value) || std::any_of(value.items.begin(), value.items.end(), &has_curve) ||
+         std::any_of(value.members.begin(), value.members.end(),
+                     [](const Member& member) { return has_curve(member.value); });
+}
+
+const char* kind_name(Value::Kind kind) {
+  switch (kind) {
+    case Value::Kind::boolean:
+      return "a truth value";
+    case Value::Kind::number:
+      return "a number";
+    case Value::Kind::string:
+      return "a string";
+    case Value::Kind::array:
+      return "an array";
+    case Value::Kind::table:
+      return "a table";
+    case Value::Kind::date:
+      return "a date";
+  }
+  unreachable();
+}
+
+std::string_view source_text(const Value& value) {
+  if (!value.where) return {};
+  const std::string_view text = value.where.source->text();
+  return text.substr(std::min(value.where.offset, text.size()), value.where.length);
+}
+
+Value built_in_number(double finite) {
+  std::string digits = number_text(finite);
+  const std::size_t length = digits.size();
+  return {Value::Kind::number,
+          {std::make_shared<const SourceText>("built in", std::move(digits)), 0, length},
+          {},
+          {},
+          {}};
+}
+
+Value string_value(Place where, std::string text) {
+  return {Value::Kind::string, std::move(where), std::move(text), {}, {}};
+}
+
+Value table_value(Place where, std::vector<Member> members) {
+  return {Value::Kind::table, std::move(where), {}, {}, std::move(members)};
+}
+
+Value array_value(Place where, std::vector<Value> items) {
+  return {Value::Kind::array, std::move(where), {}, std::move(items), {}};
+}
+
+}  // namespace flatray

@@ -1,0 +1,70 @@
+#include "study/plots/line_density.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "geom/cyrus_beck.h"
+#include "study/plots/palette.h"
+
+namespace flatray {
+
+LineDensity::LineDensity(const Bounds& window, int width, int height)
+    : window_(window),
+      width_(width),
+      height_(height),
+      cells_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+// From one line of the grid to the next, in whichever direction comes first.
+void LineDensity::add(const Vec2& from, const Vec2& to) {
+  const Vec2 scale(width_ / window_.size().x(), height_ / window_.size().y());
+  const auto cell = [&](const Vec2& p) {
+    return Vec2((p.x() - window_.low.x()) * scale.x(), (window_.high.y() - p.y()) * scale.y());
+  };
+  const Vec2 a = cell(from), b = cell(to), d = b - a;
+  const std::array<Vec2, 4> film = {Vec2(0, 0), Vec2(width_, 0), Vec2(width_, height_),
+                                    Vec2(0, height_)};
+  const HitInterval part = clip_convex({a, d}, film, kSegment);
+  if (!part || !(part.t_enter < part.t_exit)) return;
+  const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+  for (double t = part.t_enter; t < part.t_exit;) {
+    double next = part.t_exit;
+    std::array<int, 2> at{};
+    for (int axis = 0; axis < 2; ++axis) {
+      const double x = a[axis] + t * d[axis];
+      const double line = d[axis] > 0 ? std::floor(x) + 1 : std::ceil(x) - 1;
+      if (d[axis] != 0) next = std::min(next, (line - a[axis]) / d[axis]);
+    }
+    next = std::max(next, std::nextafter(t, kInfinity));
+    for (int axis = 0; axis < 2; ++axis)
+      at[static_cast<std::size_t>(axis)] =
+          static_cast<int>(std::floor(a[axis] + 0.5 * (t + next) * d[axis]));
+    const int x = std::clamp(at[0], 0, width_ - 1), y = std::clamp(at[1], 0, height_ - 1);
+    cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x)] += (next - t) * length;
+    t = next;
+  }
+}
+
+void LineDensity::add_cells(std::span<const double> cells) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] += cells[i];
+}
+
+Image LineDensity::picture() const {
+  double sum = 0, lit = 0;
+  for (const double cell : cells_) {
+    sum += cell;
+    lit += cell > 0 ? 1 : 0;
+  }
+  const double scale = sum > 0 ? 0.7 * lit / sum : 0;
+  Image image(width_, height_, 3);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto width = static_cast<std::size_t>(width_);
+    set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
+              heat(1 - portable::exp(-scale * cells_[i])));
+  }
+  return image;
+}
+
+}  // namespace flatray

@@ -1,0 +1,30 @@
+#pragma once
+#include "study/rooms/room.h"
+
+namespace flatray {
+
+/// How the longest of many flights are spread: like a power where nothing bounds them, as between
+/// periodic walls. What averages them then may have no variance, and no standard error.
+class FlightTail {
+ public:
+  /// Puts the longest flights of orbits in that have `flights` each: of some together where those are few.
+  void add(std::span<const double> longest, std::uint64_t flights);
+  FlightTail& operator+=(const FlightTail& other);
+
+  /// Of flights longer than t there are about t^-index: that of longest ones in groups (Gumbel 1958), 0
+  /// where there are too few groups to say.
+  double index() const;
+
+  static constexpr std::size_t kNumbers = 3;
+  void append_to(Numbers& numbers) const;
+  static FlightTail from(std::span<const double> three);
+
+ private:
+  double groups_ = 0, logs_ = 0, squares_ = 0;
+};
+
+/// Why means of the lengths of flights have no error in a room, "" where they have one: without
+/// periodic walls no flight is longer than the room.
+std::string no_error_of_flights(const Room& room, const FlightTail& tail);
+
+}  // namespace flatray

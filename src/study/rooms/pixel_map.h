@@ -1,0 +1,40 @@
+#pragma once
+#include <functional>
+
+#include "study/rooms/room.h"
+#include "study/rooms/starts.h"
+
+namespace flatray {
+
+/// What becomes of an orbit that starts at a place of the picture.
+struct PixelOutcome {
+  enum class Kind : std::uint8_t {
+    solid,    ///< the place lies in an obstacle, or outside the chamber
+    limit,    ///< all bounces were made
+    escape,   ///< it left into the open
+    absorbed  ///< by `surface`
+  } kind = Kind::solid;
+  std::uint32_t bounces = 0;
+  std::uint32_t surface = kNoSurface;
+  double length = 0;  ///< of the path to the last bounce
+  Vec2 out{0, 0};     ///< direction at the end
+};
+
+/// One orbit from each of some places of the picture, (0, 0) its upper left corner and (1, 1) its lower
+/// right one, as the context's map says, or `usual`. A scene without rays has one from the middle of its
+/// window to the right. Orbits that end in a corner count as absorbed by its lowest wall.
+Result<std::vector<PixelOutcome>> trace_places(
+    const ExperimentContext& context, const Room& room, std::uint64_t bounces, PixelMap usual,
+    std::uint64_t count, const std::function<UnitPoint(std::uint64_t)>& place);
+
+/// The centre of a pixel; any place in it; any place of the picture. Drawn by their number.
+UnitPoint pixel_centre(const Film& film, std::uint64_t pixel);
+UnitPoint drawn_in_pixel(const Film& film, std::uint64_t pixel, std::uint64_t seed);
+UnitPoint drawn_place(std::uint64_t seed, std::uint64_t number);
+std::uint64_t pixel_count(const Film& film);
+
+/// One orbit from the centre of every pixel of the scene's film, rows top-down.
+Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
+                                               std::uint64_t bounces, PixelMap usual);
+
+}  // namespace flatray

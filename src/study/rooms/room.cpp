@@ -1,0 +1,167 @@
+#include "study/rooms/room.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/counted.h"
+#include "base/philox.h"
+#include "collide/pillars.h"
+#include "geom/predicates.h"
+#include "study/rooms/starts.h"
+#include "study/rooms/wall_places.h"
+#include "transport/exact_origin.h"
+#include "transport/near_doubles.h"
+#include "transport/reflection.h"
+
+namespace flatray {
+namespace {
+
+Sign side_of_wall(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
+  return walls.visit(surface, [&](const auto& wall) { return side_of(wall, point); });
+}
+
+}  // namespace
+
+Room::Room(const Scene& scene)
+    : scene_(scene),
+      state_(at(Timeline(scene, scene.seed, 1), 1)),
+      world_(build_world(scene, state_)),
+      solids_(scene, state_),
+      materials_(world_.materials()) {
+  before_.push_back(0);
+  for (std::uint32_t i = 0; i < walls().size(); ++i) {
+    const double sides = materials_[i] == Material::periodic ? 0 : inner_side(i) ? 1 : 2;
+    before_.push_back(before_.back() + sides * wall_length(walls(), i));
+  }
+  orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
+}
+
+// A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
+// run counter-clockwise; both sides of a lone segment or arc are outside.
+std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
+  const SurfaceOwner& owner = world_.owner(surface);
+  const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
+  const Sign inside = walls().visit(surface, [](const auto& wall) { return inside_of(wall); });
+  const ShapeId shape = chamber ? scene_.chambers[owner.index].shape
+                        : owner.kind == SurfaceOwner::Kind::pillar
+                            ? scene_.chambers[owner.index].pillars[owner.pillar].shape
+                            : state_.entities[owner.index].shape;
+  const Shape& whole = scene_.shapes[shape];
+  if (!has_area(whole)) return std::nullopt;
+  return chamber ? inside : -inside;
+}
+
+bool Room::has_start(const Vec2& point) const {
+  if (!ExactOrigins(walls()).walls_at(point).empty()) return true;
+  return solids_.in_chamber(point) && !solids_.holder(point);
+}
+
+double Room::place_of(const Bounce& bounce) const {
+  const std::uint32_t wall = bounce.surface;
+  const bool second =
+      !inner_side(wall) && bounce.normal.dot(wall_normal(walls(), wall, bounce.point)) < 0;
+  return before_[wall] + wall_position(walls(), wall, bounce.point) +
+         (second ? wall_length(walls(), wall) : 0);
+}
+
+OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts starts) const {
+  for (std::uint32_t attempt = 0;; attempt += 4) {
+    const auto draw = [&](std::uint32_t which) {
+      return unit_double(
+          random_bits(seed, Stream::experiment, number >> 32, number, attempt + which));
+    };
+    // Where rounding leaves no place to start from, a draw that depends on no other is as good.
+    const bool even = starts == Starts::quasi && attempt == 0;
+    const UnitPoint at = even ? quasi_point(seed, number) : UnitPoint{draw(0), draw(1)};
+    const double along = at.x * perimeter(), sine = 2 * at.y - 1;
+    const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
+    const auto surface = static_cast<std::uint32_t>(above - before_.begin() - 1);
+    const double length = wall_length(walls(), surface), within = along - before_[surface];
+    const bool second = within > length && !inner_side(surface);  // bounced off on both sides
+    const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
+    const Vec2 place = wall_point(walls(), surface, second ? within - length : within);
+    const auto origin = nearest_double(
+        place, [&](const Vec2& point) { return side_of_wall(walls(), surface, point) != -side; });
+    if (!origin) continue;
+    const Vec2 normal = static_cast<double>(side) * wall_normal(walls(), surface, *origin);
+    const Vec2 direction =
+        std::sqrt((1 - sine) * (1 + sine)) * normal + sine * Vec2(-normal.y(), normal.x());
+    if (!leads_away(walls(), surface, side, *origin, direction)) continue;
+    const Root root =
+        walls().visit(surface, [&](const auto& wall) { return root_left(wall, side); });
+    return {{*origin, direction}, {surface, root}};
+  }
+}
+
+Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
+  if (room.perimeter() > 0) return {};
+  return fail(named_place(context.scene.name), "has no walls",
+              "add a [[chamber]], or give entities material = \"mirror\"");
+}
+
+Result<void> expect_closed(const ExperimentContext& context) {
+  const Scene& scene = context.scene;
+  const Place place = named_place(scene.name);
+  if (scene.chambers.empty())
+    return fail(place, "has no chamber for orbits to stay in", "add [[chamber]] with a shape");
+  const Chamber& chamber = scene.chambers.front();
+  const Shape& shape = scene.shapes[chamber.shape];
+  if (!has_area(shape))
+    return fail(
+        chamber.where, "the chamber is open, and orbits leave it",
+        "close its shape: a polygon, a circle, a capsule; lines and Bezier curves enclose nothing");
+  const bool absorbs =
+      chamber.material == Material::absorb ||
+      std::any_of(chamber.pillars.begin(), chamber.pillars.end(),
+                  [](const Chamber::Pillar& one) { return one.material == Material::absorb; });
+  const bool others = std::any_of(scene.entities.begin(), scene.entities.end(),
+                                  [](const Entity& one) { return one.material.has_value(); });
+  if (absorbs) return fail(place, "has walls that absorb", "all must be mirrors here");
+  if (chamber.material == Material::periodic && chamber.pillars.empty())
+    return fail(place, "has nothing to bounce off", "add pillars between the periodic walls");
+  if (others)
+    return fail(place, "has entities that rays meet beside its chamber",
+                "write what stands in the chamber as its pillars: their areas count");
+  if (auto inside = expect_pillars_inside(scene); !inside) return inside;
+  return expect_pillars_apart(scene);
+}
+
+Result<void> expect_not_periodic(const ExperimentContext& context) {
+  for (const Chamber& chamber : context.scene.chambers)
+    if (chamber.material == Material::periodic)
+      return fail(chamber.where, "this experiment knows no periodic walls",
+                  "leave material = \"periodic\" out");
+  return {};
+}
+
+Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {
+  constexpr std::uint64_t kUsualOrbits = 16;  // at least: their differences are the error
+  const std::uint64_t few = (context.count + kUsualOrbits - 1) / kUsualOrbits;
+  const std::uint64_t bounces = context.bounces.value_or(std::min(usual_bounces, few));
+  if (bounces == 0)
+    return fail(named_place("--bounces"), "an orbit without bounces measures nothing",
+                "say 1 or more", Trouble::usage);
+  if (context.count <= bounces)
+    return fail(named_place("--count"), "one orbit alone has no error",
+                fmt::format("say more than the {} of an orbit", bounces), Trouble::usage);
+  const OrbitPlan plan{(context.count + bounces - 1) / bounces, bounces};
+  if (context.starts == Starts::quasi && plan.orbits < 2 * kShifts)
+    return fail(named_place("--count"),
+                fmt::format("quasi-random starts in {} shifts need more than {}", kShifts,
+                            counted(plan.orbits, "orbit")),
+                fmt::format("say --count {} or more, or fewer --bounces", 2 * kShifts * bounces),
+                Trouble::usage);
+  return plan;
+}
+
+void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
+                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink) {
+  std::vector<OrbitStart> starts;
+  for (std::uint64_t i = begin; i < end; ++i)
+    starts.push_back(room.draw_start(context.seed, i, context.starts));
+  room.orbits().follow(starts, bounces, sink);
+}
+
+}  // namespace flatray

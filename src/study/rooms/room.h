@@ -1,0 +1,68 @@
+#pragma once
+#include "anim/solids.h"
+#include "study/experiment.h"
+#include "transport/orbit_tracer.h"
+
+namespace flatray {
+
+/// The walls of a scene's first frame, ready for orbits of an experiment.
+class Room {
+ public:
+  /// Needs   `scene` to outlive it.
+  explicit Room(const Scene& scene);
+  Room(const Room&) = delete;
+  Room& operator=(const Room&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  const Surfaces& walls() const { return world_.surfaces; }
+  const SurfaceOwner& owner(std::uint32_t surface) const { return world_.owner(surface); }
+  const FrameState& state() const { return state_; }
+  const Solids& solids() const { return solids_; }
+  const OrbitTracer& orbits() const { return *orbits_; }
+  const std::vector<Material>& materials() const { return materials_; }  ///< by surface
+
+  /// Whether orbits that start there are in the room: on a wall, or in the free.
+  bool has_start(const Vec2& point) const;
+
+  /// Length of all walls but periodic ones, those bounced off on both sides twice.
+  double perimeter() const { return before_.back(); }
+  /// How far along all of them a bounce lies.
+  double place_of(const Bounce& bounce) const;
+
+  /// A start on a wall such that bounces along its orbit have the measure that reflection keeps:
+  /// uniform in length of wall and in the sine of the angle. One for each number under one seed;
+  /// quasi-random ones are spread evenly in both (study/rooms/starts.h).
+  OrbitStart draw_start(std::uint64_t seed, std::uint64_t number,
+                        Starts starts = Starts::random) const;
+
+ private:
+  std::optional<Sign> inner_side(std::uint32_t surface) const;  // nullopt: both
+
+  const Scene& scene_;
+  FrameState state_;
+  World world_;
+  Solids solids_;
+  std::vector<Material> materials_;
+  std::vector<double> before_;  // length of the walls before each
+  std::unique_ptr<OrbitTracer> orbits_;
+};
+
+/// Whether orbits stay within a scene: one chamber, and mirrors alone.
+Result<void> expect_closed(const ExperimentContext& context);
+/// Refused where opposite walls are one, by what asks where exact orbits or straight lines go.
+Result<void> expect_not_periodic(const ExperimentContext& context);
+/// Whether it has walls at all.
+Result<void> expect_walls(const ExperimentContext& context, const Room& room);
+
+/// Orbits that `count` bounces make, and how many each has.
+struct OrbitPlan {
+  std::uint64_t orbits, bounces;
+};
+/// Error   too few orbits for their error to be known.
+Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces);
+
+/// Follows the orbits [begin, end) of starts drawn as the context has it.
+void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
+                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink);
+
+}  // namespace flatray

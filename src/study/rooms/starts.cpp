@@ -1,0 +1,50 @@
+#include "study/rooms/starts.h"
+
+#include "base/philox.h"
+
+namespace flatray {
+namespace {
+
+// 2^64 / p and 2^64 / p^2, rounded.
+constexpr std::uint64_t kStepX = 0xc13fa9a902a6328f, kStepY = 0x91e10da5c79e7b1d;
+// No start has this number, so no draw of one is named like a shift.
+constexpr std::uint64_t kNoStart = 0xffffffff;
+
+}  // namespace
+
+UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number) {
+  const std::uint64_t shift = number % kShifts, n = number / kShifts;
+  const auto moved = [&](std::uint32_t axis, std::uint64_t step) {
+    return unit_double(random_bits(seed, Stream::experiment, kNoStart, shift, axis) + n * step);
+  };
+  return {moved(0, kStepX), moved(1, kStepY)};
+}
+
+void StartSums::add(std::uint64_t number, double x, double y) {
+  sums_[number % sums_.size()].add(x, y);
+}
+
+StartSums& StartSums::operator+=(const StartSums& other) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
+  return *this;
+}
+
+RatioSums StartSums::all() const {
+  if (starts_ == Starts::random) return sums_.front();
+  RatioSums all;
+  for (const RatioSums& shift : sums_) all.add(shift.x, shift.y);
+  return all;
+}
+
+void StartSums::append_to(Numbers& numbers) const {
+  for (const RatioSums& one : sums_) one.append_to(numbers);
+}
+
+StartSums StartSums::from(Starts starts, std::span<const double> numbers) {
+  StartSums sums(starts);
+  for (std::size_t i = 0; i < sums.sums_.size(); ++i)
+    sums.sums_[i] = RatioSums::from(numbers.subspan(6 * i, 6));
+  return sums;
+}
+
+}  // namespace flatray

@@ -1,0 +1,214 @@
+#include "study/rooms/survival.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/portable_math.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kLeastTail = 100, kLeastGone = 25;  // orbits of a tail, of a stretch of it
+constexpr std::size_t kLeastStretches = 3;           // to tell one law from the other
+constexpr double kClearly = 2;    // times what chi-squared has in one run of twenty
+constexpr double kLifetimes = 5;  // after which less than one in a hundred is left
+constexpr int kHalvings = 200;
+
+// Bounces [from, to): those that are there at first, and those of them that leave.
+struct Stretch {
+  double from, to, there, gone;
+};
+
+// By bounces: orbits that leave then, and that are there before.
+struct FallingCurve {
+  std::vector<double> gone, there;
+
+  explicit FallingCurve(std::span<const Departure> orbits) {
+    double most = 0;
+    for (const Departure& one : orbits) most = std::max(most, one.bounces + (one.gone ? 1.0 : 0.0));
+    gone.resize(static_cast<std::size_t>(most));
+    there.resize(gone.size() + 1);
+    for (const Departure& one : orbits) {
+      const auto n = static_cast<std::size_t>(one.bounces);
+      if (one.gone) ++gone[n];
+      ++there[n];
+    }
+    for (std::size_t n = gone.size(); n-- > 0;) there[n] += there[n + 1];
+  }
+
+  // The tail from a start on, each stretch with enough that leave; the last one with what is left over,
+  // for those who stay longer than a law has it are against it.
+  std::vector<Stretch> tail(std::size_t start) const {
+    std::vector<Stretch> stretches;
+    for (std::size_t from = start; from < gone.size();) {
+      double left = 0;
+      std::size_t to = from;
+      const double enough = std::max(kLeastGone, 0.1 * there[from]);
+      while (to < gone.size() && left < enough) left += gone[to++];
+      stretches.push_back({static_cast<double>(from), static_cast<double>(to), there[from], left});
+      from = to;
+    }
+    return stretches;
+  }
+};
+
+// The part of those at the beginning of a stretch that is there at its end is e^(-fall width), where the
+// width is in bounces or in their logarithm.
+struct Fit {
+  double fall = 0, rest = 0;
+};
+Fit fit(std::span<const Stretch> stretches, double (*width)(const Stretch&)) {
+  // Of the likelihood, by fall: it has one maximum.
+  const auto slope = [&](double fall) {
+    double sum = 0;
+    for (const Stretch& one : stretches) {
+      const double w = width(one), stay = portable::exp(-fall * w);
+      sum += one.gone * w * stay / (1 - stay) - (one.there - one.gone) * w;
+    }
+    return sum;
+  };
+  double low = 0, high = 1;
+  while (high < 0x1p60 && slope(high) > 0) high *= 2;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (slope(middle) > 0 ? low : high) = middle;
+  }
+  Fit found{0.5 * (low + high), 0};
+  for (const Stretch& one : stretches) {
+    const double stay = portable::exp(-found.fall * width(one));
+    const double off = one.gone - one.there * (1 - stay);
+    found.rest += off * off / (one.there * stay * (1 - stay));
+  }
+  return found;
+}
+
+double in_bounces(const Stretch& one) { return one.to - one.from; }
+double in_logarithms(const Stretch& one) { return portable::log((one.to + 1) / (one.from + 1)); }
+
+Survival looked_at(const FallingCurve& curve, std::size_t start) {
+  Survival found;
+  found.start = static_cast<double>(start);
+  const std::vector<Stretch> tail = curve.tail(start);
+  if (tail.size() < kLeastStretches) return found;
+  const Fit rate = fit(tail, &in_bounces), power = fit(tail, &in_logarithms);
+  found.rate = rate.fall;
+  found.power = power.fall;
+  found.rate_rest = rate.rest;
+  found.power_rest = power.rest;
+  found.freedom = static_cast<double>(tail.size() - 1);
+  const double most = chi_squared_95(found.freedom);
+  if (rate.rest <= most && power.rest > kClearly * most) found.law = Survival::Law::exponential;
+  if (power.rest <= most && rate.rest > most) found.law = Survival::Law::power;
+  return found;
+}
+
+// Whether a later start is clearly not of the law of the first.
+bool contradicts(const Survival& later, Survival::Law first) {
+  using Law = Survival::Law;
+  const double rest = first == Law::exponential ? later.rate_rest : later.power_rest;
+  return first != Law::undecided && rest > kClearly * chi_squared_95(later.freedom);
+}
+
+// Mean of a number of bounces below `most` that falls like e^(-rate n).
+double mean_bounces(double rate, double most) {
+  const double all = 1 / (portable::exp(rate) - 1);
+  return rate * most > 700 ? all : all - most / (portable::exp(rate * most) - 1);
+}
+
+// The rate by length is the root of the sum of these: an orbit's weight e^(rate length), times how much more
+// often it bounces than orbits do in the mean. Times e^(-decay bounces), which does not move the root, all
+// weights are about as large.
+struct Weighted {
+  double length, decay, excess;
+  double at(double rate) const { return excess * portable::exp(rate * length - decay); }
+};
+
+double root(std::span<const Weighted> terms) {
+  const auto sum = [&](double rate) {
+    double total = 0;
+    for (const Weighted& one : terms) total += one.at(rate);
+    return total;
+  };
+  double longest = 0;
+  for (const Weighted& one : terms) longest = std::max(longest, one.length);
+  double low = 0, high = 0x1p-10 / longest;
+  while (high * longest < 600 && sum(high) < 0) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sum(middle) < 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+Measure by_length(std::span<const Departure> orbits, double start, double rate, double limit) {
+  // Some few that stay much longer, on long ways, would weigh as much as all others.
+  const double end = std::min(limit, start + std::ceil(kLifetimes / rate) + 1);
+  const double mean = mean_bounces(rate, end - start);
+  const auto counts = [&](const Departure& one) {
+    return one.gone && one.bounces >= start && one.bounces < end;
+  };
+  double shortest = kInfinity;
+  for (const Departure& one : orbits)
+    if (counts(one)) shortest = std::min(shortest, one.length);
+  std::vector<Weighted> terms;
+  for (const Departure& one : orbits)
+    if (counts(one))
+      terms.push_back(
+          {one.length - shortest, rate * (one.bounces - start), one.bounces - start - mean});
+  Measure measure{"escape_rate_per_length", root(terms)};
+  double squares = 0, slope = 0;
+  for (const Weighted& one : terms) {
+    const double term = one.at(measure.value);
+    squares += term * term;
+    slope += one.length * term;
+  }
+  measure.standard_error = std::sqrt(squares) / std::fabs(slope);
+  return measure;
+}
+
+}  // namespace
+
+Survival survival(std::span<const Departure> orbits) {
+  using Law = Survival::Law;
+  const FallingCurve curve(orbits);
+  Survival first, last;
+  for (std::size_t start = 1, step = 1; start < curve.gone.size(); start += step) {
+    if (curve.there[start] < kLeastTail) break;
+    const Survival found = looked_at(curve, start);
+    if (found.freedom == 0) break;
+    last = found;
+    last.law = Law::undecided;
+    if (found.law != Law::undecided && first.law == Law::undecided) first = found;
+    if (contradicts(found, first.law)) return last;
+    step = std::max<std::size_t>(1, std::size_t{1} << (std::bit_width(start) - 1) >> 1);
+  }
+  return first.law == Law::undecided ? last : first;
+}
+
+std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
+                                  std::uint64_t limit) {
+  // What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.
+  const double start = found.start + std::ceil(found.start / 2);
+  double last = 0;
+  RatioSums leaving;  // of those that are there before a bounce
+  for (const Departure& one : orbits) {
+    last = std::max(last, one.bounces);
+    if (one.bounces >= start)
+      leaving.add(one.gone ? 1 : 0, one.bounces - start + (one.gone ? 1 : 0));
+  }
+  if (leaving.x < kLeastGone || leaving.x == leaving.y) return {};
+  const double stay = 1 - leaving.ratio(), rate = -portable::log(stay);
+  Measure by_bounce{"escape_rate_per_bounce", rate, leaving.standard_error() / stay};
+  Measure by_way = by_length(orbits, start, rate, static_cast<double>(limit));
+  for (Measure* one : {&by_bounce, &by_way}) {
+    one->freedom = leaving.x - 1;
+    one->remark =
+        fmt::format("of {:.0f} orbits from bounce {:.0f} to {:.0f}", leaving.samples, start, last);
+  }
+  return {std::move(by_bounce), std::move(by_way)};
+}
+
+}  // namespace flatray

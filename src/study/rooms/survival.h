@@ -1,0 +1,45 @@
+#pragma once
+#include "study/statistics/estimate.h"
+
+namespace flatray {
+
+/// What becomes of an orbit in an open room: how often it bounces, how long its way is up to the last
+/// bounce, and whether it is gone then, or was given up.
+struct Departure {
+  double bounces, length;
+  bool gone;
+};
+
+/// How the number of those that are still there after n bounces falls.
+struct Survival {
+  enum class Law : std::uint8_t {
+    exponential,  ///< like e^(-rate n), and not like a power
+    power,        ///< like (n + 1)^-power, and not exponentially
+    undecided     ///< like both, as far as the data tell, or like neither
+  } law = Law::undecided;
+  double start = 0;            ///< bounces from which on that is so, or was looked at last
+  double rate = 0, power = 0;  ///< of the two fits from `start` on
+  /// Squares of what either leaves, in variances; under 1 a degree of freedom where it fits.
+  double rate_rest = 0, power_rest = 0;
+  double freedom = 0;  ///< of either; 0 where there are too few orbits for fits at all
+};
+
+/// Both laws are fitted to the tail from 1, 2, 3, 4, 6, 8, 12, ... bounces on, as long as a hundred
+/// orbits are left, and tested by chi-squared in stretches of 25 and more. The first start from which
+/// one of them fits decides, unless a later one is clearly not of it. What falls like a power is soon like an
+/// exponential for a few orbits: that is decided only where a power leaves twice what it may.
+///
+/// Needs   orbits independent of each other.
+Survival survival(std::span<const Departure> orbits);
+
+/// Rates of an exponential decay by bounce and by length, with errors, from a start so late that what is
+/// left of the beginning is small beside them. By length it is where the sum of e^(rate length) over those
+/// that leave at bounce n depends on n no more: how lengths are spread then does not matter, as it does
+/// where they are counted as if they were a time.
+///
+/// Needs   survival(orbits).law is exponential; `limit` bounces after which orbits were given up.
+/// Gives   none where too few are left.
+std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
+                                  std::uint64_t limit);
+
+}  // namespace flatray

@@ -1,0 +1,173 @@
+#include "study/stability/pair_stability.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "collide/contact_batch.h"
+#include "collide/turning_contact.h"
+#include "oracle/contact.h"
+#include "oracle/moving_pairs.h"
+#include "oracle/turning_pairs.h"
+
+namespace flatray {
+namespace {
+
+void add_wrong(StabilityTally& tally, std::uint64_t item) {
+  ++tally.wrong;
+  if (tally.first_wrong.empty()) tally.first_wrong = fmt::format("item {}", item);
+}
+
+// An end of the times that lies within the domain.
+void check_time(StabilityTally& tally, double t, const std::optional<Rational>& truth) {
+  if (!truth) return;
+  const double nearest = truth->nearest();
+  if (t == nearest || !std::isfinite(nearest)) return;
+  ++tally.not_nearest;
+  if (t != std::nextafter(nearest, t)) ++tally.off_by_more;
+}
+
+// Whether class and start are right.
+template <class Truth>
+bool count_verdict(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
+                   const Truth& truth) {
+  ++tally.rays;
+  const bool touches = truth.kind != HitClass::miss;
+  tally.hits += touches ? 1 : 0;
+  if (met.kind != truth.kind || met.start != truth.start) {
+    add_wrong(tally, item);
+    if (touches && !met)
+      ++tally.missed;
+    else if (!touches && met)
+      ++tally.invented;
+    else
+      ++tally.other_wall;
+    return false;
+  }
+  return true;
+}
+
+void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
+             const oracle::ContactTruth& truth) {
+  if (!count_verdict(tally, item, met, truth) || !met) return;
+  check_time(tally, met.t_enter, truth.first);
+  check_time(tally, met.t_exit, truth.last);
+}
+
+std::vector<StabilityTally> check_straight(const oracle::StraightFamily& family, std::uint64_t seed,
+                                           std::uint64_t first, std::uint64_t count) {
+  std::vector<oracle::StraightPair> pairs;
+  BodySet shapes;
+  std::vector<MovingPair> asks;
+  for (std::uint64_t item = first; item < first + count; ++item) {
+    pairs.push_back(oracle::make_pair(family, seed, item));
+    const oracle::StraightPair& pair = pairs.back();
+    const std::uint32_t a = shapes.add(pair.ring_a), b = shapes.add(pair.ring_b);
+    asks.push_back({a, b, pair.velocity_a, pair.velocity_b});
+  }
+  std::vector<Contact> together(asks.size());
+  contacts(shapes, asks, kRay, together);
+  std::vector<StabilityTally> tallies(2);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [ring_a, ring_b, velocity_a, velocity_b] = pairs[i];
+    const oracle::ContactTruth truth =
+        oracle::contact_truth(ring_a, velocity_a, ring_b, velocity_b, kRay);
+    compare(tallies[0], first + i, contact({ring_a, velocity_a}, {ring_b, velocity_b}).times,
+            truth);
+    compare(tallies[1], first + i, together[i].times, truth);
+  }
+  return tallies;
+}
+
+MovingBody body(const oracle::RoundCore& core) { return {core.ring, core.velocity, core.radius}; }
+
+// Of bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they are not apart,
+// where it lasts as long.
+void check_while(StabilityTally& tally, const oracle::RoundPair& pair, const HitInterval& met) {
+  const auto apart = [&](double at) { return oracle::apart_at(pair.a(), pair.b(), Rational(at)); };
+  const double in = std::nextafter(met.t_enter, kInfinity),
+               out = std::nextafter(met.t_exit, -kInfinity);
+  const bool lasts = in <= out;
+  if (met.t_enter != 0 && (apart(std::nextafter(met.t_enter, -kInfinity)) == Sign::negative ||
+                           (lasts && apart(in) == Sign::positive)))
+    ++tally.off_by_more;
+  if (std::isfinite(met.t_exit) &&
+      (apart(std::nextafter(met.t_exit, kInfinity)) == Sign::negative ||
+       (lasts && apart(out) == Sign::positive)))
+    ++tally.off_by_more;
+}
+
+void compare(StabilityTally& tally, std::uint64_t item, const oracle::RoundPair& pair) {
+  const HitInterval met = contact(body(pair.a()), body(pair.b()), kRay).times;
+  const oracle::ContactTruth truth = oracle::round_truth(pair.a(), pair.b(), kRay);
+  if (!count_verdict(tally, item, met, truth) || !met) return;
+  check_time(tally, met.t_enter, truth.first);
+  check_time(tally, met.t_exit, truth.last);
+  if (met.kind == HitClass::through && pair.velocity_a != pair.velocity_b)
+    check_while(tally, pair, met);
+}
+
+TurningBody body(const oracle::TurningCore& core) {
+  return {core.ring, core.radius, even_motion(core.at, core.velocity, core.angle, core.spin)};
+}
+
+void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPair& pair) {
+  using Verdict = TurningContact::Verdict;
+  using Kind = oracle::FirstTouch::Kind;
+  const TurningContact met = turning_contact(body(pair.a()), body(pair.b()), 1, kAskedWidth);
+  const oracle::FirstTouch truth = oracle::first_touch(pair.a(), pair.b(), 1);
+  ++tally.rays;
+  tally.hits += truth.kind == Kind::touch ? 1 : 0;
+  if (met.verdict == Verdict::undecided || truth.kind == Kind::unknown) ++tally.by_rationals;
+  const bool meets = met.verdict == Verdict::meets;
+  bool wrong = meets && oracle::apart_at(pair.a(), pair.b(), met.first.high) > 0;
+  if (truth.kind == Kind::touch) {
+    const bool held = met.first.low <= truth.high && met.first.high >= truth.low;
+    if (met.verdict == Verdict::apart || !held) ++tally.missed;
+    wrong = wrong || met.verdict == Verdict::apart || !held;
+  }
+  if (truth.kind == Kind::none && meets) {
+    ++tally.invented;
+    wrong = true;
+  }
+  if (wrong) add_wrong(tally, item);
+  if (meets && met.first.high - met.first.low > kAskedWidth) ++tally.not_nearest;
+}
+
+// The names of round and of turning families say so, as some are those of straight ones.
+std::string round_name(const oracle::RoundPairFamily& family) {
+  return std::string("round-") + family.name;
+}
+std::string turning_name(const oracle::TurningFamily& family) {
+  return std::string("turning-") + family.name;
+}
+
+}  // namespace
+
+std::vector<PairFamily> pair_families() {
+  std::vector<PairFamily> all;
+  for (const auto& family : oracle::straight_families())
+    all.push_back({family.name, {"contact", "contacts"}});
+  for (const auto& family : oracle::round_pair_families())
+    all.push_back({round_name(family), {"contact"}});
+  for (const auto& family : oracle::turning_families())
+    all.push_back({turning_name(family), {"turning"}});
+  return all;
+}
+
+std::vector<StabilityTally> check_pairs(const PairFamily& family, std::uint64_t seed,
+                                        std::uint64_t first, std::uint64_t count) {
+  for (const auto& straight : oracle::straight_families())
+    if (family.name == straight.name) return check_straight(straight, seed, first, count);
+  std::vector<StabilityTally> tallies(1);
+  for (const auto& round : oracle::round_pair_families())
+    for (std::uint64_t i = first; family.name == round_name(round) && i < first + count; ++i)
+      compare(tallies[0], i, oracle::make_pair(round, seed, i));
+  for (const auto& turning : oracle::turning_families())
+    for (std::uint64_t i = first; family.name == turning_name(turning) && i < first + count; ++i)
+      compare(tallies[0], i, oracle::make_pair(turning, seed, i));
+  return tallies;
+}
+
+}  // namespace flatray

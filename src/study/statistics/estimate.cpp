@@ -1,0 +1,138 @@
+#include "study/statistics/estimate.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/table.h"
+
+namespace flatray {
+namespace {
+
+// Where the samples do not differ, rounding of the sums is all there is.
+constexpr double kRounding = 1e-12;
+
+Cell cell(const std::optional<double>& number) {
+  return number ? Cell(*number) : Cell(std::string());
+}
+
+std::optional<double> z(const Measure& measure) {
+  if (!measure.expected || !measure.standard_error) return std::nullopt;
+  const double difference = measure.value - *measure.expected;
+  return difference == 0 ? 0 : difference / *measure.standard_error;
+}
+
+Table table_of(const std::vector<Measure>& measures) {
+  Table table(
+      {"measure", "value", "low", "high", "standard_error", "expected", "z", "agrees", "remark"});
+  for (const Measure& one : measures) {
+    const std::optional<double> half = half_interval(one);
+    const auto end = [&](double sign) { return half ? Cell(one.value + sign * *half) : cell({}); };
+    const bool known = std::isfinite(one.value);
+    table.add({one.name, known ? Cell(one.value) : cell({}), end(-1), end(1),
+               cell(one.standard_error), cell(one.expected), cell(z(one)), verdict(one),
+               known ? one.remark : "nothing was measured"});
+  }
+  return table;
+}
+
+// Wilson and Hilferty's cube of a normal number.
+double chi_squared(double freedom, double normal) {
+  const double ninth = 2 / (9 * freedom), root = 1 - ninth + normal * std::sqrt(ninth);
+  return freedom * root * root * root;
+}
+
+}  // namespace
+
+void RatioSums::add(double sample_x, double sample_y) {
+  *this += {1, sample_x, sample_y, sample_x * sample_x, sample_x * sample_y, sample_y * sample_y};
+}
+
+RatioSums& RatioSums::operator+=(const RatioSums& other) {
+  samples += other.samples;
+  x += other.x;
+  y += other.y;
+  xx += other.xx;
+  xy += other.xy;
+  yy += other.yy;
+  return *this;
+}
+
+double RatioSums::standard_error() const {
+  const double r = ratio();
+  const double squares = xx - 2 * r * xy + r * r * yy;
+  return std::sqrt(std::max(squares, 0.0) * samples / (samples - 1)) / std::fabs(y);
+}
+
+void RatioSums::append_to(Numbers& numbers) const {
+  numbers.insert(numbers.end(), {samples, x, y, xx, xy, yy});
+}
+
+RatioSums RatioSums::from(std::span<const double> six) {
+  return {six[0], six[1], six[2], six[3], six[4], six[5]};
+}
+
+Measure RatioSums::measure(std::string name, std::optional<double> expected) const {
+  if (samples < 2)
+    return {std::move(name), ratio(), {}, {}, 0, {}, "no error: of one sample alone"};
+  return {std::move(name), ratio(), standard_error(), expected, samples - 1};
+}
+
+double student_95(double freedom) {
+  constexpr double z = 1.959963984540054, s = z * z;
+  const double n = 1 / freedom;
+  return z *
+         (1 + n * ((s + 1) / 4 +
+                   n * (((5 * s + 16) * s + 3) / 96 +
+                        n * ((((3 * s + 19) * s + 17) * s - 15) / 384 +
+                             n * ((((79 * s + 776) * s + 1482) * s - 1920) * s - 945) / 92160))));
+}
+double chi_squared_95(double freedom) { return chi_squared(freedom, 1.6448536269514722); }
+double chi_squared_5(double freedom) { return chi_squared(freedom, -1.6448536269514722); }
+
+double half_of_rms(double count) { return std::sqrt(count / chi_squared_5(count)) - 1; }
+
+std::optional<double> half_interval(const Measure& measure) {
+  if (!measure.standard_error || !std::isfinite(measure.value)) return std::nullopt;
+  return student_95(measure.freedom) * *measure.standard_error;
+}
+
+bool agrees(const Measure& measure) {
+  if (!measure.expected) return true;
+  if (!std::isfinite(measure.value)) return false;
+  const double errors = kAllowedErrors * student_95(measure.freedom) / student_95(kInfinity);
+  const std::optional<double> allowed =
+      measure.standard_error ? errors * *measure.standard_error : measure.allowed;
+  return !allowed || std::fabs(measure.value - *measure.expected) <=
+                         *allowed + kRounding * std::fabs(*measure.expected);
+}
+
+std::string verdict(const Measure& measure) {
+  if (!measure.expected || !(measure.standard_error || measure.allowed)) return "";
+  return agrees(measure) ? "yes" : "no";
+}
+
+ExperimentResult measured(const ExperimentContext& context, const std::string& name,
+                          const std::string& headline, std::vector<Measure> measures) {
+  const Table table = table_of(measures);
+  ExperimentResult result;
+  result.holds = std::all_of(measures.begin(), measures.end(), agrees);
+  result.files.push_back({name + ".csv", table.csv()});
+  result.files.push_back(
+      {name + ".json", json_document({{"experiment", name},
+                                      {"scene", context.scene.name},
+                                      {"scene_hash", fmt::format("{:016x}", context.scene.hash)},
+                                      {"seed", context.seed},
+                                      {"count", context.count}},
+                                     {{"measures", &table}})});
+  result.summary = fmt::format("{}\n\n{}", headline, table.text());
+  if (!result.holds)
+    result.summary += fmt::format(
+        "\nDISAGREES: not what must come out, or more than {} standard errors from it\n",
+        kAllowedErrors);
+  result.measures = std::move(measures);
+  return result;
+}
+
+}  // namespace flatray

@@ -1,0 +1,41 @@
+#include "study/statistics/stretches.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace flatray {
+namespace {
+
+// How much of what a stretch is off the mean by the next one is too, from -1 to 1.
+double likeness(std::span<const Stretch> stretches, double ratio) {
+  double together = 0, square = 0, before = 0;
+  for (const Stretch& one : stretches) {
+    const double off = one.x - ratio * one.y;
+    together += off * before;
+    square += off * off;
+    before = off;
+  }
+  return square > 0 ? together / square : 0;
+}
+
+}  // namespace
+
+Measure measure_of_run(std::string name, std::span<const Stretch> stretches) {
+  RatioSums sums;
+  for (const Stretch& one : stretches) sums.add(one.x, one.y);
+  Measure measure = sums.measure(std::move(name));
+  // Of independent stretches it is about normal, with a mean of -1/n and a variance of 1/n.
+  constexpr double kOneInTwenty = 1.645;
+  const double most = kOneInTwenty / std::sqrt(sums.samples) - 1 / sums.samples;
+  if (stretches.size() < kStretches)
+    measure.remark = "no error: too short a run";
+  else if (likeness(stretches, sums.ratio()) > most)
+    measure.remark = "no error: stretches of the run depend on each other";
+  else
+    measure.remark = fmt::format("error from {} stretches", stretches.size());
+  if (measure.remark.starts_with("no")) measure.standard_error.reset();
+  return measure;
+}
+
+}  // namespace flatray

@@ -1,0 +1,75 @@
+// needs: shapes/box shapes/polygon
+// What is told of an error that the reference leaves in doubt.
+#include <gtest/gtest.h>
+
+#include "accuracy_scenes.h"
+#include "scene/scene_text.h"
+#include "study/accuracy/accuracy_report.h"
+
+namespace flatray {
+namespace {
+
+TEST(Accuracy, ADoubtThatReachesBeyondAnErrorLeavesNoAdvice) {
+  ChoiceReport report;
+  report.points.push_back({"none seen wrong", 0, 0.5, 0, {0, 0.79}, true});
+  report.points.push_back({"half wrong", 0, 0.25, 0, {0.5, 0.26}, true});
+  EXPECT_EQ(advice(report, report.points[0]), "");
+  EXPECT_EQ(advice(report, report.points[1]), "");
+  report.points[0].outcome.half = 0.0009;
+  EXPECT_EQ(advice(report, report.points[0]), "best under 1 s and cheapest under 0.001");
+}
+
+// z^2 / (n + z^2) where none is wrong; [0.2366, 0.7634] of 5 in 10.
+TEST(Accuracy, AShareIsInDoubtThoughNoneIsWrong) {
+  EXPECT_EQ(share_of(0, 0).half, 1);
+  EXPECT_EQ(share_of(0, 1).value, 0);
+  EXPECT_NEAR(share_of(0, 1).half, 1.96 * 1.96 / (1 + 1.96 * 1.96), 1e-15);
+  EXPECT_NEAR(share_of(0, 100).half, 0.036995, 1e-6);
+  EXPECT_NEAR(share_of(5, 10).half, 0.263410, 1e-6);
+  EXPECT_NEAR(share_of(7, 7).half, share_of(0, 7).half, 1e-15);
+}
+
+std::string always(const Scene&) { return ""; }
+
+Result<ChoiceSettings> doubtful(const AccuracyContext&) {
+  const auto setting = [](const char* words, double n, double error) {
+    return Setting{words, n, [] {}, [error] { return Outcome{error}; }};
+  };
+  ChoiceSettings made{
+      "the truth", "m", "steps", {setting("far", 1, 0.5), setting("near", 2, 0.25)}};
+  made.doubt = 0.3;
+  return made;
+}
+
+TEST(Accuracy, AnErrorBelowTheDoubtOfTheReferenceIsAtMostThat) {
+  const Choice choice{"doubtful", "?", ErrorKind::truncation, &always, &doubtful};
+  const Scene scene;
+  const ChoiceReport reports[] = {measure_choice(choice, {scene, 1, 1, 1e6})};
+  const std::vector<AccuracyPoint>& points = reports[0].points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].outcome.error, 0.5);
+  EXPECT_FALSE(points[0].outcome.at_most);
+  EXPECT_EQ(points[1].outcome.error, 0.3);
+  EXPECT_TRUE(points[1].outcome.at_most);
+  const std::string summary = accuracy_report("scene", reports).summary;
+  EXPECT_NE(summary.find("<= 0.3"), std::string::npos);
+  EXPECT_NE(summary.find("nearer than the reference tells: near"), std::string::npos);
+}
+
+TEST(Accuracy, OneOfManyPairsTellsNothing) {
+  const Scene scene =
+      loaded("flatray = 1\nfps = 1\nframes = 2\n" + std::string(testing::kBullet)).scene;
+  for (const Choice* choice : choices()) {
+    if (choice->name != std::string_view("contact") && choice->name != std::string_view("motion"))
+      continue;
+    const ChoiceReport report = measure_choice(*choice, {scene, 1, 1, 0});
+    ASSERT_NE(report.cut.find("reference for 2 pairs more"), std::string::npos) << report.cut;
+    for (const AccuracyPoint& one : report.points) {
+      EXPECT_GT(one.outcome.half, 0.2) << one.setting;
+      EXPECT_EQ(advice(report, one), "") << one.setting;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flatray

@@ -1,0 +1,50 @@
+#include "study/stability/scale_sweep.h"
+
+#include <gtest/gtest.h>
+
+#include "study/plots/svg_heat.h"
+#include "study/xml.h"
+
+namespace flatray {
+namespace {
+
+std::vector<const Tracer*> exact_tracers() {
+  std::vector<const Tracer*> exact;
+  for (const Tracer* tracer : tracers())
+    if (tracer->exact) exact.push_back(tracer);
+  return exact;
+}
+
+TEST(ScaleSweep, GoesFromTheSmallestToTheLargestScales) {
+  EXPECT_EQ(sweep_steps().front(), -1000);
+  EXPECT_EQ(sweep_steps().back(), 1000);
+}
+
+TEST(ScaleSweep, FindsExactTracersRightAtEveryScaleAndOffset) {
+  const std::vector<const Tracer*> exact = exact_tracers();
+  for (const double scale : {-1000.0, -500.0, 0.0, 1000.0})
+    for (const double offset : {-1000.0, 0.0, 50.0, 1000.0}) {
+      const SweepCell cell = sweep_cell(exact, 3, scale, offset);
+      EXPECT_EQ(cell.rays, 48U);
+      for (std::size_t k = 0; k < exact.size(); ++k)
+        EXPECT_EQ(cell.wrong[k] + cell.off[k], 0U)
+            << exact[k]->name << " 2^" << scale << " + 2^" << offset;
+    }
+}
+
+TEST(ScaleSweep, FindsFloatsWrongWhereTheyHaveNoBitsLeft) {
+  const Tracer* const single[] = {find_tracer("float")};
+  EXPECT_GT(sweep_cell(single, 3, 0, 40).wrong[0], 0U);
+  EXPECT_GT(sweep_cell(single, 3, -1000, -1000).wrong[0], 0U);
+}
+
+TEST(HeatMap, ColoursTheCellsThatAreNotNothing) {
+  const HeatMap map{"<t>", "x", "y", {0, 1}, {0, 1, 2}, {0, 0.5, 0, 0, 1, 0}};
+  const std::string text = svg(map);
+  EXPECT_TRUE(testing::is_well_formed(text));
+  EXPECT_NE(text.find("&lt;t&gt;"), std::string::npos);
+  EXPECT_NE(text.find("fill=\"#780014\""), std::string::npos);  // a share of 1
+}
+
+}  // namespace
+}  // namespace flatray

@@ -1,0 +1,99 @@
+#include "study/stability/stability.h"
+
+#include <gtest/gtest.h>
+
+namespace flatray {
+namespace {
+
+// Answers as `brute` does, but for what is done to them.
+template <void (*spoil)(NearestHit&)>
+class Spoiled final : public Accelerator {
+ public:
+  explicit Spoiled(const Surfaces& walls)
+      : Accelerator(walls), right_(find_tracer("brute")->build(walls)) {}
+  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
+    right_->nearest(rays, hits);
+    for (NearestHit& hit : hits)
+      if (hit) spoil(hit);
+  }
+  std::size_t bytes() const override { return right_->bytes(); }
+
+ private:
+  std::unique_ptr<Accelerator> right_;
+};
+
+template <void (*spoil)(NearestHit&)>
+std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
+  return std::make_unique<Spoiled<spoil>>(walls);
+}
+
+void change_nothing(NearestHit&) {}
+void one_wall_up(NearestHit& hit) { ++hit.surface; }
+void one_ulp_up(NearestHit& hit) { hit.t = std::nextafter(hit.t, kInfinity); }
+void three_ulps_up(NearestHit& hit) {
+  for (int i = 0; i < 3; ++i) one_ulp_up(hit);
+}
+void miss(NearestHit& hit) { hit = {}; }
+
+template <void (*spoil)(NearestHit&)>
+StabilityTally tally_of() {
+  const Tracer tracer = {"spoiled", "", true, &build<spoil>};
+  const Tracer* const spoiled[] = {&tracer};
+  return check_scenes(spoiled, oracle::families()[0], 1, 0, 3).front();
+}
+
+TEST(Stability, TellsRightFromWrong) {
+  const StabilityTally right = tally_of<&change_nothing>();
+  EXPECT_EQ(right.rays, 3U * oracle::kRaysAScene);
+  EXPECT_GT(right.hits, 50U);
+  EXPECT_EQ(right.wrong, 0U);
+  EXPECT_EQ(right.not_nearest, 0U);
+  EXPECT_TRUE(right.first_wrong.empty());
+  EXPECT_EQ(tally_of<&one_wall_up>().wrong, right.hits);
+  EXPECT_EQ(tally_of<&miss>().wrong, right.hits);
+  const StabilityTally off = tally_of<&one_ulp_up>();
+  EXPECT_EQ(off.wrong, 0U);
+  EXPECT_EQ(off.not_nearest, right.hits);
+  EXPECT_EQ(off.off_by_more, 0U);
+  EXPECT_EQ(tally_of<&three_ulps_up>().off_by_more, right.hits);
+  EXPECT_EQ(right.worst_ulps, 0U);
+  EXPECT_EQ(off.worst_ulps, 1U);
+  EXPECT_EQ(tally_of<&three_ulps_up>().worst_ulps, 3U);
+  EXPECT_EQ(right.timed, right.rays);
+  EXPECT_GT(right.objects, 0U);
+}
+
+TEST(StabilityTally, OneHitInAThousandMayBeFartherOffThanMost) {
+  StabilityTally tally;
+  tally.hits = 2000;
+  tally.worst_ulps = 70'000;
+  tally.off_by_more = 900;
+  tally.off_by_far = {500, 2, 0, 0, 0, 0};
+  EXPECT_EQ(tally.most_ulps(), 65'536U);
+  tally.off_by_far[0] = 2;
+  EXPECT_EQ(tally.most_ulps(), 256U);
+  tally.off_by_more = 2;
+  EXPECT_EQ(tally.most_ulps(), 1U);
+  tally.off_by_more = 900;
+  tally.off_by_far.fill(900);
+  EXPECT_EQ(tally.most_ulps(), 70'000U);
+}
+
+TEST(Stability, EveryExactTracerIsRightInEveryFamily) {
+  std::vector<const Tracer*> exact;
+  for (const Tracer* tracer : tracers())
+    if (tracer->exact) exact.push_back(tracer);
+  for (const oracle::Family& family : oracle::families()) {
+    const std::vector<StabilityTally> tallies = check_scenes(exact, family, 2, 0, 2);
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      const StabilityTally& tally = tallies[i];
+      EXPECT_EQ(tally.wrong, 0U) << exact[i]->name << ", " << family.name << ", "
+                                 << tally.first_wrong;
+      EXPECT_EQ(tally.off_by_more, 0U) << exact[i]->name << ", " << family.name;
+      EXPECT_LE(100 * tally.not_nearest, tally.hits) << exact[i]->name << ", " << family.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flatray

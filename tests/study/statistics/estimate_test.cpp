@@ -1,0 +1,68 @@
+#include "study/statistics/estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "study/plots/svg_plot.h"
+#include "study/rooms/wall_places.h"
+#include "xml.h"
+
+namespace flatray {
+namespace {
+
+// x = 1, 2, 3, 4 over y = 1: mean 2.5, standard error of the mean sqrt(5/3 / 4).
+TEST(RatioSums, OfConstantWeightsAreAMean) {
+  RatioSums sums;
+  for (const double x : {1.0, 2.0, 3.0, 4.0}) sums.add(x, 1);
+  EXPECT_EQ(sums.ratio(), 2.5);
+  EXPECT_NEAR(sums.standard_error(), std::sqrt(5.0 / 12), 1e-15);
+}
+
+TEST(RatioSums, OfProportionalSamplesHaveNoError) {
+  RatioSums sums, half;
+  for (const double y : {1.0, 5.0, 9.0}) sums.add(3 * y, y);
+  EXPECT_EQ(sums.ratio(), 3);
+  EXPECT_EQ(sums.standard_error(), 0);
+  Numbers numbers;
+  sums.append_to(numbers);
+  half += RatioSums::from(numbers);
+  EXPECT_EQ(half.ratio(), 3);
+}
+
+TEST(Agreement, IsWithinFourStandardErrors) {
+  EXPECT_TRUE(agrees({"m", 1.0, 0.1}));
+  EXPECT_TRUE(agrees({"m", 1.39, 0.1, 1.0}));
+  EXPECT_FALSE(agrees({"m", 1.41, 0.1, 1.0}));
+  EXPECT_FALSE(agrees({"m", 1.0, 0, 2.0}));
+}
+
+TEST(WallPlaces, GoRoundASquareAndACircle) {
+  Surfaces walls;
+  walls.add(Segment{{1, 0}, {1, 2}});
+  walls.add(Circle{{0, 0}, 2});
+  EXPECT_EQ(wall_length(walls, 0), 2);
+  EXPECT_EQ(wall_position(walls, 0, {1, 0.5}), 0.5);
+  EXPECT_EQ(wall_point(walls, 0, 0.5), Vec2(1, 0.5));
+  EXPECT_EQ(wall_normal(walls, 0, {1, 1}), Vec2(-1, 0));
+  EXPECT_EQ(curvature(walls, 0, {1, 1}, {-1, 0}), 0);
+  const double quarter = wall_length(walls, 1) / 4;
+  EXPECT_NEAR(wall_position(walls, 1, {0, -2}), 3 * quarter, 1e-14);
+  EXPECT_NEAR((wall_point(walls, 1, quarter) - Vec2(0, 2)).norm(), 0, 1e-15);
+  EXPECT_EQ(curvature(walls, 1, {0, 2}, {0, 1}), 0.5);
+  EXPECT_EQ(curvature(walls, 1, {0, 2}, {0, -1}), -0.5);
+}
+
+TEST(SvgPlot, IsWellFormedWhateverItIsGiven) {
+  for (const bool log : {false, true}) {
+    Plot plot{"a < b & \"c\"", "x", "y", {}, log};
+    EXPECT_TRUE(testing::is_well_formed(svg(plot)));
+    plot.series.push_back({"one", {{1, 0}}, true});
+    plot.series.push_back({"<two>", {{1, kInfinity}, {2, -3, 1}, {3, 1e300}, {4, 1e-300}}});
+    EXPECT_TRUE(testing::is_well_formed(svg(plot)));
+    EXPECT_EQ(svg(plot).find("nan"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace flatray
