@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lit.h"
 #include "render/light/light_picture.h"
+#include "render/lit.h"
 #include "transport/light/emission.h"
 
 namespace flatray {

@@ -2,7 +2,7 @@
 // Light that fades in glass, and light of spectra.
 #include <cmath>
 
-#include "lit.h"
+#include "render/lit.h"
 #include "transport/light/bodies.h"
 
 namespace flatray {

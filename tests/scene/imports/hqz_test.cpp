@@ -5,8 +5,8 @@
 #include "scene/curve.h"
 #include "scene/lamp.h"
 #include "scene/scatterer.h"
+#include "scene/scene_text.h"
 #include "scene/spectrum.h"
-#include "scene_text.h"
 
 namespace flatray {
 namespace {

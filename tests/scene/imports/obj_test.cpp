@@ -5,7 +5,7 @@
 
 #include "base/file.h"
 #include "scene/imports/obj_text.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 #include "support/own_folder.h"
 #include "support/paths.h"
 

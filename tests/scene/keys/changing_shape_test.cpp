@@ -1,7 +1,7 @@
 // needs: shapes/arc shapes/box shapes/capsule shapes/circle shapes/convex shapes/ellipse shapes/import shapes/ngon
 #include "scene/keys/changing_shape.h"
 
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

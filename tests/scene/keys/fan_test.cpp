@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

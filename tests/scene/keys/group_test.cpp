@@ -1,5 +1,5 @@
 // needs: shapes/circle
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "scene/lamp.h"
 #include "scene/material.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

@@ -1,6 +1,6 @@
 // needs: shapes/circle
 #include "scene/reading/reader.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

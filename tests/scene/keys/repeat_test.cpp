@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/philox.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

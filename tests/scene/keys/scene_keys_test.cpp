@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

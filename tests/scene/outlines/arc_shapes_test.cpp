@@ -1,7 +1,7 @@
 // needs: shapes/arc shapes/capsule shapes/circle shapes/ellipse shapes/sector
 #include <gtest/gtest.h>
 
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "geom/cyrus_beck.h"
 #include "scene/outlines/corners.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/outlines/ring.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

@@ -1,6 +1,6 @@
 // needs: shapes/circle shapes/import formats/list formats/obj
 #include "base/file.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 #include "support/own_folder.h"
 
 namespace flatray {

@@ -1,7 +1,7 @@
 // JSON as values with places.
 #include "scene/reading/json_value.h"
 
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

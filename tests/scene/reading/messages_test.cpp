@@ -3,9 +3,9 @@
 
 #include "base/file.h"
 #include "scene/reading/vocabulary.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
+#include "scene/table_texts.h"
 #include "support/paths.h"
-#include "table_texts.h"
 
 namespace flatray {
 namespace {

@@ -9,7 +9,7 @@
 #include "scene/reading/file_names.h"
 #include "scene/reading/format.h"
 #include "scene/reading/write_toml.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 #include "support/paths.h"
 
 namespace flatray {

@@ -6,7 +6,7 @@
 #include <locale>
 
 #include "base/number_text.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

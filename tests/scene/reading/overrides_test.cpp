@@ -1,7 +1,7 @@
 // needs: shapes/circle formats/list
 #include <gtest/gtest.h>
 
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/file.h"
 #include "base/number_text.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 #include "support/own_folder.h"
 
 namespace flatray {

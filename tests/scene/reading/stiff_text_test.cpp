@@ -1,5 +1,5 @@
 // needs: shapes/polygon shapes/import formats/obj formats/list
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

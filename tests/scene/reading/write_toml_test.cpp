@@ -8,7 +8,7 @@
 #include "base/file.h"
 #include "scene/reading/format.h"
 #include "scene/reading/numbers.h"
-#include "scene_text.h"
+#include "scene/scene_text.h"
 #include "support/paths.h"
 
 namespace flatray {

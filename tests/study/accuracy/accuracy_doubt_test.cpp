@@ -2,9 +2,9 @@
 // What is told of an error that the reference leaves in doubt.
 #include <gtest/gtest.h>
 
-#include "accuracy_scenes.h"
 #include "scene/scene_text.h"
 #include "study/accuracy/accuracy_report.h"
+#include "study/accuracy_scenes.h"
 
 namespace flatray {
 namespace {

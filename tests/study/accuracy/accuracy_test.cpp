@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "accuracy_scenes.h"
 #include "base/processor_time.h"
-#include "chamber_scenes.h"
 #include "precise/certified_orbit.h"
 #include "scene/scene_text.h"
 #include "study/accuracy/accuracy_report.h"
+#include "study/accuracy_scenes.h"
+#include "study/chamber_scenes.h"
 
 namespace flatray {
 namespace {

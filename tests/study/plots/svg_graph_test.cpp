@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "xml.h"
+#include "study/xml.h"
 
 namespace flatray {
 namespace {

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <numbers>
 
-#include "chamber_scenes.h"
 #include "full_counts.h"
+#include "study/chamber_scenes.h"
 #include "study/statistics/estimate.h"
 
 namespace flatray {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "chamber_scenes.h"
 #include "study/accuracy/accuracy.h"
+#include "study/chamber_scenes.h"
 #include "study/stability/stability.h"
 
 namespace flatray {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "base/philox.h"
-#include "chamber_scenes.h"
 #include "full_counts.h"
 #include "study/accuracy/accuracy.h"
+#include "study/chamber_scenes.h"
 #include "study/rooms/starts.h"
 #include "study/rooms/survival.h"
 #include "study/statistics/stretches.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/philox.h"
-#include "chamber_scenes.h"
 #include "full_counts.h"
+#include "study/chamber_scenes.h"
 #include "study/rooms/survival.h"
 
 namespace flatray {

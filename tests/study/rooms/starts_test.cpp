@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "chamber_scenes.h"
 #include "study/accuracy/accuracy.h"
+#include "study/chamber_scenes.h"
 
 namespace flatray {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "chamber_scenes.h"
 #include "collide/turning_contact.h"
 #include "oracle/turning_pairs.h"
+#include "study/chamber_scenes.h"
 #include "study/stability/leaks.h"
 #include "study/stability/pair_stability.h"
 #include "study/stability/scale_sweep.h"

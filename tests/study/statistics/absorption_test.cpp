@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "chains.h"
+#include "study/chains.h"
 
 namespace flatray {
 namespace {

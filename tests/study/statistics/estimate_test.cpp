@@ -6,7 +6,7 @@
 
 #include "study/plots/svg_plot.h"
 #include "study/rooms/wall_places.h"
-#include "xml.h"
+#include "study/xml.h"
 
 namespace flatray {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "chains.h"
 #include "full_counts.h"
+#include "study/chains.h"
 #include "study/experiment.h"
 #include "study/statistics/chain_walks.h"
-#include "xml.h"
+#include "study/xml.h"
 
 namespace flatray {
 namespace {
