@@ -60,7 +60,9 @@ StraightPair scaled(Draw& draw) {
 }
 
 StraightPair offset(Draw& draw) {
-  const Vec2 way{draw.sign() * draw.power(0, 52), draw.sign() * draw.power(0, 52)};
+  const double sign_x = draw.sign(), x = sign_x * draw.power(0, 52);
+  const double sign_y = draw.sign(), y = sign_y * draw.power(0, 52);
+  const Vec2 way(x, y);
   StraightPair pair = whole_pair(draw, 1);
   for (Ring* ring : {&pair.ring_a, &pair.ring_b})
     for (Vec2& p : *ring) p += way;
@@ -71,8 +73,8 @@ StraightPair offset(Draw& draw) {
 StraightPair near_parallel(Draw& draw) {
   StraightPair pair = whole_pair(draw, 2);
   const Vec2 along = pair.ring_a[1] - pair.ring_a[0];
-  const double tilt = draw.sign() * draw.halves(60);
-  const double other = draw.sign() * draw.halves(60);
+  const double sign = draw.sign(), tilt = sign * draw.halves(60);
+  const double other_sign = draw.sign(), other = other_sign * draw.halves(60);
   pair.velocity_a = pair.velocity_b + draw.below(3) * along + Vec2(tilt, other);
   return pair;
 }
