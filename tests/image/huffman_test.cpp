@@ -1,3 +1,4 @@
+// needs: encoders/own
 #include "image/huffman.h"
 
 #include <gtest/gtest.h>

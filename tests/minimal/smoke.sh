@@ -6,7 +6,7 @@ set -- "$1" "$2"
 source "$(dirname "$0")/../cli/lib.sh"
 
 # Listed are just the entries of the build.
-for kind in shapes formats tracers passes backends views metrics experiments verbs; do
+for kind in shapes formats tracers passes backends views metrics encoders experiments verbs; do
   run 0 list "$kind"
   awk '{ print $1 }' out.txt | sort >listed.txt
   tr ';' '\n' <<<"$only" | sed -n "s|^$kind/||p" | sort >wanted.txt

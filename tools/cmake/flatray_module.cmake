@@ -23,7 +23,7 @@ function(flatray_module name)
   set_property(TARGET flatray_${name} PROPERTY EXPORT_NAME ${name})
 endfunction()
 
-# One registered entry: compiles <folder>/<name>.cpp and puts it in the table <folder>.inc.
+# One registered entry: compiles <folder>/<name>.cpp, with sources that it alone needs, and puts it in the table <folder>.inc.
 #   flatray_register(scene shapes box)
 function(flatray_register module folder name)
   set(entry ${folder}/${name})
@@ -32,7 +32,7 @@ function(flatray_register module folder name)
     set_property(GLOBAL APPEND PROPERTY FLATRAY_ENTRIES_LEFT_OUT ${entry})
     return()
   endif()
-  target_sources(flatray_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp)
+  target_sources(flatray_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp ${ARGN})
   set_property(SOURCE ${CMAKE_CURRENT_SOURCE_DIR}/${entry}.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)  # they use the same names
   set_property(TARGET flatray_${module} APPEND PROPERTY FLATRAY_ENTRIES_${folder} ${name})
 endfunction()
@@ -60,9 +60,12 @@ function(flatray_finish_entries)
 endfunction()
 
 # Writes <folder>.inc, a line FLATRAY_ENTRY(name) each, sorted. One source includes it twice: to declare the
-# entries and to fill the table.
+# entries and to fill the table. REQUIRED: every build has one of them at least.
 function(flatray_write_table module folder)
   get_property(names TARGET flatray_${module} PROPERTY FLATRAY_ENTRIES_${folder})
+  if(NOT names AND "REQUIRED" IN_LIST ARGN)
+    message(FATAL_ERROR "FLATRAY_ONLY or FLATRAY_WITHOUT leaves nothing of ${folder}/: keep one entry")
+  endif()
   list(SORT names)
   list(TRANSFORM names REPLACE "(.+)" "FLATRAY_ENTRY(\\1)\n")
   list(JOIN names "" table)

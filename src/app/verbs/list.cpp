@@ -6,6 +6,7 @@
 #include "app/verb.h"
 #include "base/isa.h"
 #include "image/metric.h"
+#include "image/png.h"
 #include "render/backend.h"
 #include "render/view.h"
 #include "study/experiment.h"
@@ -54,6 +55,7 @@ struct Kind {
   ReportTable (*entries)();
 };
 constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends()); }},
+                           {"encoders", [] { return described(flatray::png_writers()); }},
                            {"experiments", &studies},
                            {"formats", [] { return listed(listed_formats()); }},
                            {"isas", &isas},
