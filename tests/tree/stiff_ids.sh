@@ -18,7 +18,7 @@ echo "stiff cases: ${#ids[@]} numbers, ${#missing[@]} without a test${missing[*]
 # The tests that the shipped catalogue names are there.
 present=$(
   for module in */; do
-    cat "$module"*_test.cpp 2>/dev/null | tr '\n' ' ' | grep -oE 'TEST\([A-Za-z0-9_]+,[[:space:]]*[A-Za-z0-9_]+' |
+    find "$module" -name "*_test.cpp" -exec cat {} + | tr '\n' ' ' | grep -oE 'TEST\([A-Za-z0-9_]+,[[:space:]]*[A-Za-z0-9_]+' |
       sed -E "s/^TEST\(/${module%/}./; s/,[[:space:]]*/./" || true
   done
   find cli -name '*.sh' | sed 's,/,.,; s/\.sh$//'
