@@ -59,6 +59,11 @@ TEST(RealRoot, ValuesAreAlgebraicToo) {
   EXPECT_DOUBLE_EQ(root.value_of({1, 1, 1}).nearest(), 3.8473221018630728);
 }
 
+TEST(RealRoot, ValuesOfConstantsAreTheConstants) {
+  const RealRoot root = RealRoot::all({-2, 0, 1}, 1, 2)[0];
+  EXPECT_EQ(compare(root.value_of({7}), RealRoot(7)), std::strong_ordering::equal);
+}
+
 TEST(Bezier, IsMetAsTheParabolaItIs) {
   const auto level = meetings(kParabola, {{-5, 2}, {1, 0}});
   ASSERT_EQ(level.size(), 2U);
@@ -82,6 +87,18 @@ TEST(Bezier, TangentsTouchAndAnUlpDecides) {
   EXPECT_TRUE(meetings(kParabola, {{-1, -3}, {1, 2}}, {Root::none, false, true}).empty());
   EXPECT_TRUE(meetings(kParabola, {{-1, std::nextafter(-3.0, -4.0)}, {1, 2}}).empty());
   EXPECT_EQ(meetings(kParabola, {{-1, std::nextafter(-3.0, 0.0)}, {1, 2}}).size(), 2U);
+}
+
+// y = x^2 as x = 3 s, touched at s = 1/3: bounds leave that open, and no double is a third.
+TEST(Bezier, ParametersOfTangentsAreKnownBeyondDoubles) {
+  const auto roots = roots_of(Bezier({0, 0}, {1.5, 0}, {3, 9}), {{0, -1}, {1, 2}});
+  ASSERT_EQ(roots.size(), 1U);
+  EXPECT_EQ(roots[0].multiplicity, 2);
+  const Bounded s = roots[0].s;
+  const Rational off = Rational(s.hi()) + s.lo() - Rational(1) / 3;
+  EXPECT_LT(s.error(), 0x1p-100);
+  EXPECT_LE(off, Rational(s.error()));
+  EXPECT_GE(off, Rational(-s.error()));
 }
 
 TEST(Bezier, EndsBelongToIt) {
@@ -232,6 +249,14 @@ TEST(Bezier, OnOneLineItIsTheStretchThatItCovers) {
   EXPECT_EQ(stretch.a, Vec2(0, 1));
   EXPECT_NEAR(stretch.b.x(), 64.0 / 15, 1e-14);
   EXPECT_EQ(stretch.b.y(), 1);
+}
+
+TEST(Bezier, OnOneLineItReachesToItsLastPoint) {
+  for (const double end : {-4.0, 4.0}) {  // the way there is monotone, so no turn is farther
+    const Segment stretch = stretch_of(Bezier({0, 1}, {0.25 * end, 1}, {end, 1}));
+    EXPECT_EQ(stretch.a, Vec2(std::min(end, 0.0), 1));
+    EXPECT_EQ(stretch.b, Vec2(std::max(end, 0.0), 1));
+  }
 }
 
 TEST(Bezier, LiesAlongItselfFromEitherEnd) {
