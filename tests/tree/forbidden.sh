@@ -88,7 +88,7 @@ rule 'SLEEF belongs to base/portable_math' code "$sources" '^src/base/portable_m
   '#include <sleef' '#include <sleef.h>' '#include <Eigen/Core>'
 rule 'MPFR belongs to precise, and to tests as a second opinion' code "$sources" '^src/precise/ball\.h$|^tests/.*\.cpp$' \
   '#include <mpfr' '#include <mpfr.h>' '#include <Eigen/Core>'
-rule 'stb belongs to the image module, its font to one source' code "$sources" '^(src/image|benchmarks(/peers)?)/[a-z_]+\.cpp$|^src/scene/outlines/easy_font\.cpp$' \
+rule 'stb belongs to the image module, its font to one source' code "$sources" '^(src/image(/encoders)?|benchmarks(/peers)?)/[a-z_]+\.cpp$|^src/scene/outlines/easy_font\.cpp$' \
   '#include ["<](stb/|stb_)' '#include <stb_image.h>' '#include <Eigen/Core>'
 rule 'of Eigen, headers take the core' code '\.h$' "$none" \
   '#include <Eigen/(Dense|LU|QR|SVD|Geometry|Eigenvalues)>' '#include <Eigen/Dense>' '#include <Eigen/Core>'
