@@ -123,12 +123,12 @@ std::uint64_t lines_of(const FilmFile& film) {
   return lines;
 }
 
-}  // namespace
-
 bool is_film(std::span<const std::byte> bytes) {
   return bytes.size() >= kFilmSignature.size() &&
          std::memcmp(bytes.data(), kFilmSignature.data(), kFilmSignature.size()) == 0;
 }
+
+}  // namespace
 
 std::vector<std::byte> encode_film(const FilmFile& film) {
   const auto whole = [](auto value) { return static_cast<std::uint64_t>(value); };

@@ -28,7 +28,6 @@ struct FilmFile {
 };
 
 inline constexpr std::string_view kFilmSignature = "flatray film 1\n";
-bool is_film(std::span<const std::byte> bytes);
 
 /// The signature; eleven numbers of 64 bits (bytes of the setting, width, height, channels, scrambles,
 /// words of rounds, counts, bytes of a sum, bits of `round_unit`, 0, 0); setting, words and counts; of

@@ -8,8 +8,6 @@ namespace flatray {
 /// Radiance RGBE by stb_image_write, linear sRGB primaries.
 std::vector<std::byte> encode_hdr(const LinearImage& image);
 
-/// Whether a file begins as one.
-bool is_hdr(std::span<const std::byte> bytes);
 inline constexpr std::string_view kHdrSignature = "#?";  ///< what its bytes begin with
 /// Reads what `encode_hdr` writes, and other RGBE files whose rows run from the top left.
 /// Error   Trouble::invalid for another header, what is cut short, and beyond `max_pixels`.

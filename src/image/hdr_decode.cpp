@@ -77,10 +77,6 @@ bool read_row(Bytes& bytes, std::vector<Quad>& row) {
 
 }  // namespace
 
-bool is_hdr(std::span<const std::byte> bytes) {
-  return bytes.size() > 2 && bytes[0] == std::byte{'#'} && bytes[1] == std::byte{'?'};
-}
-
 Result<LinearImage> decode_hdr(std::span<const std::byte> file, const std::string& name,
                                std::uint64_t max_pixels) {
   const auto wrong = [&](const std::string& what, const char* hint) {

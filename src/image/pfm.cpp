@@ -43,14 +43,11 @@ std::vector<std::byte> encode_pfm(const LinearImage& image) {
   return bytes;
 }
 
-bool is_pfm(std::span<const std::byte> bytes) { return as_text(bytes).starts_with(kPfmSignature); }
-
 Result<LinearImage> decode_pfm(std::span<const std::byte> bytes, const std::string& name) {
   std::string_view text = as_text(bytes);
   text.remove_prefix(std::min(kPfmSignature.size(), text.size()));
   const int width = take_number(text, ' '), height = take_number(text, '\n');
-  if (!is_pfm(bytes) || width < 1 || height < 1 ||
-      !as_text(bytes).starts_with(header(width, height)))
+  if (width < 1 || height < 1 || !as_text(bytes).starts_with(header(width, height)))
     return fail(named_place(name), "PFM header is not one of colour with the lowest byte first",
                 "write it by flatray render");
   const std::size_t at = header(width, height).size();

@@ -10,7 +10,6 @@ namespace flatray {
 std::vector<std::byte> encode_pfm(const LinearImage& image);
 
 inline constexpr std::string_view kPfmSignature = "PF\n";  ///< what its bytes begin with
-bool is_pfm(std::span<const std::byte> bytes);
 /// Reads what `encode_pfm` writes. Error   Trouble::invalid for anything else, before anything is
 /// allocated.
 Result<LinearImage> decode_pfm(std::span<const std::byte> bytes, const std::string& name);

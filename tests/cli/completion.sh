@@ -13,7 +13,7 @@ words() { "$flatray" completion words -- "$@" | sed 's/^\t/:/; s/\t.*//' | tr '\
 expect() { [[ $2 == "$1" ]] || fail "$3: got '$2', wanted '$1'"; }
 expect "check collide compare completion " "$(words flatray c | sed "s/convert //")" verbs
 expect "--frames --format --force " "$(words flatray render --f)" options
-expect "png hdr pfm film " "$(words flatray render --format '')" "values of an option"
+expect "$("$flatray" list pictures | cut -d" " -f1 | tr "\n" " ")" "$(words flatray render --format '')" "values of an option"
 expect "--progress=always " "$(words flatray render --progress=al)" "values after ="
 expect "always " "$(words flatray render --progress = al)" "values after =, as bash parts words"
 expect "markov " "$(words flatray experiment mar)" experiments

@@ -59,7 +59,7 @@ for format in film hdr pfm; do
   run 2 merge all.film --exposure 2 -o x.$format
 done
 run 2 merge all.film -o x.jpg
-says err "does not end in .png, .hdr, .pfm or .film"
+says err "does not end in ."
 says err "as picture.png"
 run 2 merge all.film
 

@@ -6,7 +6,7 @@ set -- "$1" "$2"
 source "$(dirname "$0")/../cli/lib.sh"
 
 # Listed are just the entries of the build.
-for kind in shapes formats tracers passes backends views metrics encoders experiments verbs; do
+for kind in shapes formats tracers passes backends views metrics encoders pictures experiments verbs; do
   run 0 list "$kind"
   awk '{ print $1 }' out.txt | sort >listed.txt
   tr ';' '\n' <<<"$only" | sed -n "s|^$kind/||p" | sort >wanted.txt
@@ -41,6 +41,8 @@ says err "the shape 'circle'"
 refused render "$root/scenes/imported/castle.obj" -o x.png
 scene one.toml 1
 refused render one.toml -o x.png --tracer grid
+refused render one.toml -o x.hdr
+refused render one.toml -o x --format pfm
 refused render one.toml -o x.png --view hits
 refused render one.toml -o x.png --backend gl
 refused orbit moving.toml

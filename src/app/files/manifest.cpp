@@ -8,10 +8,7 @@
 #include "app/options/option_values.h"
 #include "base/file.h"
 #include "base/hash.h"
-#include "image/film_file.h"
-#include "image/hdr.h"
-#include "image/pfm.h"
-#include "image/png.h"
+#include "image/picture_format.h"
 
 namespace flatray {
 namespace {
@@ -141,8 +138,9 @@ bool is_whole(const FrameRecord& record, const fs::path& folder) {
   if (!bytes) return false;
   const auto content = std::as_bytes(std::span(*bytes));
   if (Hash().add(content).hex() != record.bytes) return false;
-  if (is_hdr(content) || is_pfm(content) || is_film(content)) return true;
-  const Result<Image> image = decode_png(content, record.file);
+  const PictureFormat* format = picture_format_of(content);
+  if (format == nullptr || format->read_picture == nullptr) return format != nullptr;
+  const Result<Image> image = format->read_picture(content, record.file);
   return image && image->width == record.width && image->height == record.height &&
          pixel_hash(*image) == record.pixels;
 }

@@ -7,18 +7,19 @@
 
 #include "app/options/arguments.h"
 #include "app/options/option_values.h"
+#include "base/left_out.h"
 
 namespace flatray {
 
-namespace {
-constexpr std::array<const char*, 4> kFormats = {"png", "hdr", "pfm", "film"};
-}  // namespace
-
-Result<PictureFormat> picture_format(const std::string& name, const Place& where) {
-  for (std::size_t i = 0; i < kFormats.size(); ++i)
-    if (name == kFormats[i]) return static_cast<PictureFormat>(i);
-  return usage_error(where, fmt::format("unknown picture format '{}'", name),
-                     "say " + comma_list(picture_formats()));
+Result<const PictureFormat*> picture_format(const std::string& name, const Place& where) {
+  if (const PictureFormat* format = find_picture_format(name)) return format;
+  if (const auto problem = if_left_out(where, "picture", name))
+    return tl::unexpected(Diagnostics{*problem});
+  const std::string near = nearest_word(name, picture_format_names());
+  return usage_error(where,
+                     fmt::format("unknown picture format '{}'{}", name,
+                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                     "say " + comma_list(picture_format_names()));
 }
 
 namespace {
@@ -74,29 +75,35 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-Result<PictureFormat> format_of(const std::string& text, const std::optional<std::string>& wanted,
-                                const Place& where) {
+// ".hdr, .pfm or .png".
+std::string extensions() {
+  const std::vector<std::string> names = picture_format_names();
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "." : i + 1 < names.size() ? ", ." : " or .") + names[i];
+  return text;
+}
+
+Result<const PictureFormat*> format_of(const std::string& text,
+                                       const std::optional<std::string>& wanted,
+                                       const Place& where) {
   if (text == "-") return picture_format(wanted.value_or("png"), named_place("--format"));
   const std::string extension = lower_case(std::filesystem::path(text).extension().string());
   if (extension.empty() && wanted) return picture_format(*wanted, named_place("--format"));
-  if (std::find(kFormats.begin(), kFormats.end(),
-                std::string_view(extension).substr(extension.empty() ? 0 : 1)) == kFormats.end())
-    return usage_error(where, fmt::format("'{}' does not end in .png, .hdr, .pfm or .film", text),
+  const std::string name = extension.substr(extension.empty() ? 0 : 1);
+  if (find_picture_format(name) == nullptr && !if_left_out(where, "picture", name))
+    return usage_error(where, fmt::format("'{}' does not end in {}", text, extensions()),
                        "end the name in one of them, as picture.png");
-  if (wanted && "." + lower_case(*wanted) != extension)
+  if (wanted && lower_case(*wanted) != name)
     return usage_error(where, fmt::format("'{}' is not a name for --format {}", text, *wanted),
                        fmt::format("end it in .{}, or leave --format out", *wanted));
-  return picture_format(extension.substr(1), where);
+  return picture_format(name, where);
 }
 
 }  // namespace
 
-const char* name(PictureFormat format) { return kFormats[static_cast<std::size_t>(format)]; }
-
-std::vector<std::string> picture_formats() { return {kFormats.begin(), kFormats.end()}; }
-
-OutputPattern::OutputPattern(std::string text, PictureFormat format)
-    : text_(std::move(text)), format_(format) {
+OutputPattern::OutputPattern(std::string text, const PictureFormat& format)
+    : text_(std::move(text)), format_(&format) {
   const std::size_t slash = text_.find_last_of('/');
   const std::size_t file_name = slash == std::string::npos ? 0 : slash + 1;
   FramePlace place = find_hashes(text_, file_name);
@@ -122,12 +129,12 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
                        fmt::format("at most {} with its folders", kLongestPattern));
   const auto known = format_of(text, format, where);
   if (!known) return tl::unexpected(known.error());
-  return OutputPattern(std::move(text), *known);
+  return OutputPattern(std::move(text), **known);
 }
 
-OutputPattern OutputPattern::standard(bool sequence, PictureFormat format) {
+OutputPattern OutputPattern::standard(bool sequence, const PictureFormat& format) {
   const char* stem = sequence ? "out/{scene}/frame_####." : "out/{scene}.";
-  return {std::string(stem) + name(format), format};
+  return {std::string(stem) + format.name, format};
 }
 
 std::filesystem::path OutputPattern::with_number(std::string_view scene,

@@ -6,20 +6,12 @@
 #include <vector>
 
 #include "base/result.h"
+#include "image/picture_format.h"
 
 namespace flatray {
 
-enum class PictureFormat {
-  png,
-  hdr,
-  pfm,
-  film  ///< light to which more can be added: image/film_file.h
-};
-const char* name(PictureFormat format);
-/// All names, "png" first.
-std::vector<std::string> picture_formats();
-/// Error   Trouble::usage for another name.
-Result<PictureFormat> picture_format(const std::string& name, const Place& where);
+/// Error   Trouble::usage for a name that no format has; Trouble::unavailable for one left out.
+Result<const PictureFormat*> picture_format(const std::string& name, const Place& where);
 
 /// Where pictures go: "out/{scene}/frame_####.png". `####` (any number of #, the last run in the
 /// file name) or `%04d` is the frame number, `{scene}` the scene's name. Nothing else is special,
@@ -32,12 +24,12 @@ class OutputPattern {
   static Result<OutputPattern> parse(std::string text, const std::optional<std::string>& format,
                                      const Place& where);
   /// out/<scene>/frame_####.png for sequences, out/<scene>.png for one picture.
-  static OutputPattern standard(bool sequence, PictureFormat format);
+  static OutputPattern standard(bool sequence, const PictureFormat& format);
 
   bool is_stdout() const { return text_ == "-"; }
   bool has_frame() const { return frame_length_ > 0; }
   bool has_scene() const { return text_.find("{scene}") != std::string::npos; }
-  PictureFormat format() const { return format_; }
+  const PictureFormat& format() const { return *format_; }
 
   /// `scene` is a `plain_name`.
   std::filesystem::path path(std::string_view scene, unsigned frame) const;
@@ -48,11 +40,11 @@ class OutputPattern {
   std::optional<std::filesystem::path> link_chosen_by(std::string_view scene) const;
 
  private:
-  OutputPattern(std::string text, PictureFormat format);
+  OutputPattern(std::string text, const PictureFormat& format);
   std::filesystem::path with_number(std::string_view scene, const std::string& number) const;
 
   std::string text_;
-  PictureFormat format_;
+  const PictureFormat* format_;
   std::size_t frame_at_ = 0, frame_length_ = 0;  ///< of the frame's place in the text
   int digits_ = 1;
 };

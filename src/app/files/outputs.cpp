@@ -11,9 +11,7 @@
 
 #include "app/options/option_values.h"
 #include "base/file.h"
-#include "image/film_file.h"
-#include "image/pfm.h"
-#include "image/png.h"
+#include "image/picture_format.h"
 
 namespace flatray {
 namespace {
@@ -23,16 +21,15 @@ namespace fs = std::filesystem;
 struct Kind {
   std::string_view name, beginning;
 };
-constexpr std::array<Kind, 8> kKinds = {{{"a PNG", kPngSignature},  // as PictureFormat has them
-                                         {"an HDR picture", "#?RADIANCE"},
-                                         {"a PFM picture", kPfmSignature},
-                                         {"a film", kFilmSignature},
-                                         {"an SVG", "<?xml"},
+// Besides pictures.
+constexpr std::array<Kind, 4> kKinds = {{{"an SVG", "<?xml"},
                                          {"a page of HTML", "<!DOCTYPE html"},
                                          {"JSON", "{"},
                                          {"a text", ""}}};  // of none of these kinds
 
-const Kind& kind_of(std::string_view content) {
+Kind kind_of(std::string_view content) {
+  if (const PictureFormat* format = picture_format_of(std::as_bytes(std::span(content))))
+    return {format->kind, format->beginning};
   return *std::find_if(kKinds.begin(), kKinds.end(),
                        [&](const Kind& kind) { return content.starts_with(kind.beginning); });
 }
@@ -45,7 +42,7 @@ std::vector<std::string_view> first_words(const Kind& kind, std::string_view con
 
 // Tables of one kind share a column at least, reports in JSON the first name.
 bool are_alike(std::string_view there, std::string_view here) {
-  const Kind &kind = kind_of(here), &other = kind_of(there);
+  const Kind kind = kind_of(here), other = kind_of(there);
   if (there.empty() || kind.name != other.name) return there.empty();
   if (kind.name != "JSON" && !kind.beginning.empty()) return true;
   if (here.starts_with(there)) return true;  // what a full disk left
@@ -67,10 +64,6 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
-
-std::string_view beginning(PictureFormat format) {
-  return kKinds[static_cast<std::size_t>(format)].beginning;
-}
 
 Outputs::Outputs(const Arguments& arguments) : force_(arguments.has("force")), can_force_(true) {
   for (const std::string& operand : arguments.operands()) add_input(operand);

@@ -6,14 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "app/files/output_pattern.h"
 #include "app/options/arguments.h"
 #include "base/result.h"
 
 namespace flatray {
-
-/// How a picture's file begins.
-std::string_view beginning(PictureFormat format);
 
 /// What a verb writes goes through here, so that nothing is lost of what the user keeps: a file is
 /// made or replaced whole, and unless --force is given it replaces only one of its own kind that is

@@ -2,8 +2,6 @@
 
 #include "app/frames/light_files.h"
 #include "base/hash.h"
-#include "image/hdr.h"
-#include "image/pfm.h"
 
 namespace flatray {
 namespace {
@@ -24,7 +22,7 @@ bool all_changed(int, int) { return true; }
 using Drawer = std::variant<FrameDrawer<Image>, FrameDrawer<LinearImage>>;
 
 Drawer drawer_for(const RenderJob& job, const FrameOptions& options) {
-  if (job.output.format() == PictureFormat::png) return FrameDrawer<Image>(options);
+  if (job.output.format().of_picture != nullptr) return FrameDrawer<Image>(options);
   return FrameDrawer<LinearImage>(options);
 }
 
@@ -52,7 +50,7 @@ Result<const Encoded*> FrameEncoder::encode(Result<DrawList> list) {
 
 Result<const Encoded*> FrameEncoder::encode(const RenderPlan& plan, const Timeline& timeline,
                                             unsigned frame) {
-  if (job_.output.format() == PictureFormat::film) return encode_film(plan, timeline, frame);
+  if (job_.output.format().of_film != nullptr) return encode_film(plan, timeline, frame);
   if (!job_.view) return encode(draw_list(plan, timeline, frame, options_));
   const Image picture =
       draw_view(*job_.view, job_.tracer, timeline.scene(), at(timeline, frame), options_);
@@ -76,10 +74,10 @@ Result<void> FrameEncoder::encode(FrameDrawer<Picture>& drawer, DrawList list) {
 }
 
 std::vector<std::byte> FrameEncoder::file_bytes(const Image& image, const RowsChanged& changed) {
-  return png_.encode(image, changed);
+  return job_.output.format().of_picture(image, png_, changed);
 }
 std::vector<std::byte> FrameEncoder::file_bytes(const LinearImage& image, const RowsChanged&) {
-  return job_.output.format() == PictureFormat::hdr ? encode_hdr(image) : encode_pfm(image);
+  return job_.output.format().of_light(image);
 }
 
 // Of light, and of its error.
@@ -97,7 +95,7 @@ Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const T
   Result<std::optional<FilmFile>> film = traced_film(job_, plan, timeline, frame, options_);
   if (!film) return fail(std::move(film));
   if (!*film) return nullptr;
-  out_.bytes = flatray::encode_film(**film);
+  out_.bytes = job_.output.format().of_film(**film);
   out_.record.pixels = hash_of(**film);
   out_.record.width = (*film)->width;
   out_.record.height = (*film)->height;

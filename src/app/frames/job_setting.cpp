@@ -19,21 +19,18 @@ constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
 // What one picture takes at its peak, for pixels that do not compress. Not what the scene and its outlines take.
 std::uint64_t bytes_of_frame(const RenderJob& job) {
-  const std::uint64_t channels = job.scene.film.background.a == 255 ? 3 : 4;
-  const std::uint64_t png_bytes = 3 * channels;  // picture, its bands packed, joined
-  constexpr std::uint64_t kHdrBytes =
-      12 + 12 + 12;  // picture, without what RGBE lacks, growing file
-  // The sums, the file before and the one that is made of them.
-  const std::uint64_t film_bytes = 3 * 3 * sizeof(std::int64_t) * job.scene.light.scrambles;
+  const PictureFormat& format = job.output.format();
+  const std::uint64_t bytes =
+      format.of_picture != nullptr ? (job.scene.film.background.a == 255 ? 3 : 4)
+      : format.of_light != nullptr ? 3 * sizeof(float)
+                                   : 3 * sizeof(std::int64_t) * job.scene.light.scrambles;
+  constexpr std::uint64_t kTimes = 3;  // the picture, what is made of it, and the growing file
   const PixelBox box = job.picture();
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
-  const std::uint64_t picture = pixels * (job.output.format() == PictureFormat::png    ? png_bytes
-                                          : job.output.format() == PictureFormat::film ? film_bytes
-                                                                                       : kHdrBytes);
   const std::uint64_t light =
       job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene, hardware_threads());
-  return picture + light;
+  return kTimes * pixels * bytes + light;
 }
 
 }  // namespace
@@ -44,7 +41,7 @@ Fields RenderJob::setting() const {
                 {"seed", seed},
                 {"size", fmt::format("{}x{}", scene.film.width, scene.film.height)},
                 {"part", fmt::format("{}x{} at {},{}", part.width, part.height, part.x, part.y)},
-                {"format", flatray::name(output.format())},
+                {"format", output.format().name},
                 {"backend", backend()},
                 {"version", kVersion}};
   if (view)

@@ -11,9 +11,6 @@
 #include "app/frames/render_job.h"
 #include "base/counted.h"
 #include "base/file.h"
-#include "image/hdr.h"
-#include "image/pfm.h"
-#include "image/png.h"
 #include "render/light/light_picture.h"
 
 namespace flatray {
@@ -240,13 +237,12 @@ Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPl
   return film_of(light, setting);
 }
 
-std::vector<std::byte> error_picture(const LightReport& report, PictureFormat format,
+std::vector<std::byte> error_picture(const LightReport& report, const PictureFormat& format,
                                      const PixelBox& film, const PixelBox& part) {
-  if (format == PictureFormat::png)
-    return encode_png(part_of(shown_error(report.scrambles, film.width, film.height), part));
-  const LinearImage image =
-      part_of(error_image(report.scrambles, report.film_unit, film.width, film.height), part);
-  return format == PictureFormat::hdr ? encode_hdr(image) : encode_pfm(image);
+  if (format.of_picture != nullptr)
+    return format.encode(part_of(shown_error(report.scrambles, film.width, film.height), part));
+  return format.of_light(
+      part_of(error_image(report.scrambles, report.film_unit, film.width, film.height), part));
 }
 
 std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRecord> records) {

@@ -36,9 +36,9 @@ Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPl
                                             const Timeline& timeline, unsigned frame,
                                             const FrameOptions& options);
 
-/// The file of a picture of the error: of .pfm and .hdr `error_image`, where .hdr has 0 for no number,
-/// of .png `shown_error`. Needs   several scrambles.
-std::vector<std::byte> error_picture(const LightReport& report, PictureFormat format,
+/// The file of a picture of the error: of light `error_image`, where .hdr has 0 for no number, of 8-bit
+/// values `shown_error`. Needs   several scrambles.
+std::vector<std::byte> error_picture(const LightReport& report, const PictureFormat& format,
                                      const PixelBox& film, const PixelBox& part);
 
 /// The warning of the frame that lost most, where that is more than a hundredth of its light. What is

@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
 RenderPlan plan_of(const RenderJob& job, const LightGoal& goal) {
   RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
   plan.light_goal = &goal;
-  const bool film = job.output.format() == PictureFormat::film;
+  const bool film = job.output.format().of_film != nullptr;
   plan.still = plan.still && !film;  // each names its frame
   plan.still_light = plan.still_light && !film && !job.view;
-  plan.raw_light = job.output.format() != PictureFormat::png;
+  plan.raw_light = job.output.format().of_picture == nullptr;
   return plan;
 }
 
@@ -276,7 +276,7 @@ Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   std::vector<FrameRecord> candidates;
   const std::string own = job.fingerprint();
   // Of films it is their frames that go on: each has the rays that are missing added.
-  if (resume && job.output.has_frame() && job.output.format() != PictureFormat::film) {
+  if (resume && job.output.has_frame() && job.output.format().of_film == nullptr) {
     const auto text = text_of_manifests(job.folder());
     if (!text) return tl::unexpected(text.error());
     each_line(*text, [&](std::string_view line) {
@@ -307,7 +307,7 @@ Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& 
   for (const unsigned frame : work.frames) {
     const std::string& file = *files.insert(job.path(frame).filename()).first;
     auto allowed =
-        outputs.allow(job.path(frame), beginning(job.output.format()), recorded.contains(file));
+        outputs.allow(job.path(frame), job.output.format().beginning, recorded.contains(file));
     if (!allowed) return fail(std::move(allowed));
   }
   auto claim = Claim::take(job.folder(), job.output.file_pattern(job.name),

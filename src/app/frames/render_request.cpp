@@ -47,11 +47,9 @@ Result<OutputPattern> output_of(const Arguments& arguments, bool sequence) {
   const std::optional<std::string> format = arguments.text("format");
   if (const auto text = arguments.text("output"))
     return OutputPattern::parse(*text, format, arguments.where("output"));
-  const auto known = arguments.one_of("format", picture_formats());
+  const auto known = picture_format(format.value_or("png"), arguments.where("format"));
   if (!known) return tl::unexpected(known.error());
-  const auto known_format = picture_format(*known, arguments.where("format"));
-  if (!known_format) return tl::unexpected(known_format.error());
-  return OutputPattern::standard(sequence, *known_format);
+  return OutputPattern::standard(sequence, **known);
 }
 
 Result<void> check_places(const Arguments& arguments, const OutputPattern& output,

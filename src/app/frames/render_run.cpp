@@ -119,12 +119,12 @@ class Run {
       if (job.light.error_image)
         for (const unsigned frame : work.frames)
           if (auto allowed = outputs.allow(job.light.error_image->path(job.name, frame),
-                                           beginning(job.light.error_image->format()));
+                                           job.light.error_image->format().beginning);
               !allowed)
             return allowed;
       if (!job.output.has_frame()) {
         const std::filesystem::path path = job.path(work.frames.front());
-        if (auto allowed = outputs.allow(path, beginning(job.output.format())); !allowed)
+        if (auto allowed = outputs.allow(path, job.output.format().beginning); !allowed)
           return allowed;
         continue;
       }

@@ -108,7 +108,7 @@ void add_values(Completion& completion, const CommandLine& line, const std::stri
     return add(completion, line, names_in_scene(line, [](const Scene& s) { return s.rays; }));
   if (what == "KEY=VALUE") return add(completion, line, keys_to_set());
   if (what == "FOLDER" || what == "DIR") completion.folders = true;
-  if (what == "PATTERN") completion.extensions = picture_formats();
+  if (what == "PATTERN") completion.extensions = picture_format_names();
   const std::size_t dot = what.find('.');
   if (dot != std::string::npos) completion.extensions = {what.substr(dot + 1)};
 }

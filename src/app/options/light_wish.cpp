@@ -32,7 +32,7 @@ Result<void> read_ends(const Arguments& arguments, LightWish& wish) {
 }
 
 Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
-  const bool film = job.output.format() == PictureFormat::film;
+  const bool film = job.output.format().of_film != nullptr;
   const bool no_light = job.scene.lamps.empty() || job.view;
   if (no_light)
     for (const char* option : {"error", "time"})
@@ -66,7 +66,7 @@ Result<void> fits_error_image(const Arguments& arguments, const RenderJob& job) 
   const OutputPattern& image = *job.light.error_image;
   if (image.is_stdout() || job.output.is_stdout())
     return wrong("does not go with standard output", "name files for both");
-  if (image.format() == PictureFormat::film)
+  if (image.format().of_film != nullptr)
     return wrong("is a picture, not a film", "say .pfm, .hdr or .png");
   if (image.has_frame() != job.output.has_frame() || image.has_scene() != job.output.has_scene())
     return wrong("does not have the places for numbers and names that -o has",
@@ -121,13 +121,14 @@ Result<void> wish_light(const Arguments& arguments, const LightWish& wish, Rende
     light.rays = *wish.rays;
   else if (wish.seconds < kInfinity || wish.error > 0)
     light.rays = kMostRays;
-  if (job.output.format() == PictureFormat::film) light.rays = rounds_of(light.rays) * kLightRound;
-  const char* by_rounds = job.output.format() == PictureFormat::film ? "a film"
-                          : wish.error > 0                           ? "--error"
-                          : wish.seconds < kInfinity                 ? "--time"
-                          : wish.error_image                         ? "--error-image"
-                          : light.scrambles > 1                      ? "light.scrambles"
-                                                                     : nullptr;
+  const bool film = job.output.format().of_film != nullptr;
+  if (film) light.rays = rounds_of(light.rays) * kLightRound;
+  const char* by_rounds = film                       ? "a film"
+                          : wish.error > 0           ? "--error"
+                          : wish.seconds < kInfinity ? "--time"
+                          : wish.error_image         ? "--error-image"
+                          : light.scrambles > 1      ? "light.scrambles"
+                                                     : nullptr;
   if (by_rounds != nullptr && light.estimator == LightEstimator::backward)
     return usage_error(
         wish.estimator ? arguments.where("estimator") : light.where,

@@ -15,7 +15,7 @@
 #include "base/shown_text.h"
 #include "image/hdr.h"
 #include "image/metric.h"
-#include "image/pfm.h"
+#include "image/picture_format.h"
 #include "image/png.h"
 
 namespace flatray::verbs {
@@ -93,14 +93,16 @@ struct Picture {
 };
 
 Result<Picture> read_picture(const std::string& path, bool named) {
-  const Result<std::string> content =
-      read_file(path, {.bytes = kMostPictureBytes,
-                       .pipes = named,
-                       .begins = {kPngSignature, kHdrSignature, kPfmSignature}});
+  ReadLimits limits{.bytes = kMostPictureBytes, .pipes = named};
+  for (const PictureFormat* format : picture_formats())
+    if (format->read_picture != nullptr || format->read_light != nullptr)
+      limits.begins.push_back(format->beginning);
+  const Result<std::string> content = read_file(path, limits);
   if (!content) return tl::unexpected(content.error());
   const auto bytes = std::as_bytes(std::span(*content));
-  if (is_hdr(bytes) || is_pfm(bytes)) {
-    Result<LinearImage> light = is_hdr(bytes) ? decode_hdr(bytes, path) : decode_pfm(bytes, path);
+  const PictureFormat* format = picture_format_of(bytes);
+  if (format != nullptr && format->read_light != nullptr) {
+    Result<LinearImage> light = format->read_light(bytes, path);
     if (!light) return fail(std::move(light));
     return Picture{develop(*light), std::move(*light)};
   }

@@ -6,7 +6,7 @@
 #include "app/verb.h"
 #include "base/isa.h"
 #include "image/metric.h"
-#include "image/png.h"
+#include "image/picture_format.h"
 #include "render/backend.h"
 #include "render/view.h"
 #include "study/experiment.h"
@@ -63,6 +63,7 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
                            {"materials", [] { return listed(listed_materials()); }},
                            {"metrics", [] { return described(flatray::metrics()); }},
                            {"passes", &drawing_passes},
+                           {"pictures", [] { return described(flatray::picture_formats()); }},
                            {"shapes", [] { return listed(listed_shapes()); }},
                            {"tracers", [] { return described(flatray::tracers()); }},
                            {"views", [] { return described(flatray::views()); }},

@@ -15,8 +15,6 @@
 #include "base/hash.h"
 #include "base/number_text.h"
 #include "image/hdr.h"
-#include "image/pfm.h"
-#include "image/png.h"
 #include "render/light/light_picture.h"
 
 namespace flatray::verbs {
@@ -79,17 +77,15 @@ Result<FilmFile> merged(const Arguments& arguments) {
 }
 
 std::vector<std::byte> picture_of(const FilmFile& film, const LightReport& report,
-                                  const LightSettings& light, PictureFormat format) {
+                                  const LightSettings& light, const PictureFormat& format) {
   std::vector<std::int64_t> sums = report.scrambles.front();
   for (std::size_t k = 1; k < report.scrambles.size(); ++k)
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += report.scrambles[k][i];
   const double unit = report.film_unit / static_cast<double>(report.scrambles.size());
   const std::vector<double> counts(sums.begin(), sums.end());
-  const LightPicture shown = light_picture(counts, unit, light, format != PictureFormat::png);
+  const LightPicture shown = light_picture(counts, unit, light, format.of_light != nullptr);
   const LinearImage image{film.width, film.height, shown.rgb};
-  if (format == PictureFormat::hdr) return encode_hdr(image);
-  if (format == PictureFormat::pfm) return encode_pfm(image);
-  return encode_png(develop(image));
+  return format.of_light != nullptr ? format.of_light(image) : format.encode(develop(image));
 }
 
 Result<OutputPattern> output_of(const Arguments& arguments, const char* option) {
@@ -112,12 +108,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!image) return tl::unexpected(image.error());
     error_output = std::move(*image);
   }
-  if (output->format() != PictureFormat::png)
+  if (output->format().of_picture == nullptr)
     for (const char* option : {"exposure", "tone"})
       if (arguments.has(option))
         return usage_error(
             arguments.where(option),
-            fmt::format("is of a .png: a .{} keeps light as it is", name(output->format())),
+            fmt::format("is of a .png: a .{} keeps light as it is", output->format().name),
             "leave it out, or say -o picture.png");
   const auto film = merged(arguments);
   if (!film) return tl::unexpected(film.error());
@@ -126,11 +122,11 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const LightReport report = report_of(*film);
   const Outputs outputs(arguments);
   const std::filesystem::path path = *arguments.text("output");
-  const std::vector<std::byte> bytes = output->format() == PictureFormat::film
-                                           ? encode_film(*film)
+  const std::vector<std::byte> bytes = output->format().of_film != nullptr
+                                           ? output->format().of_film(*film)
                                            : picture_of(*film, report, *light, output->format());
   if (error_output) {
-    if (error_output->format() == PictureFormat::film)
+    if (error_output->format().of_film != nullptr)
       return usage_error(arguments.where("error-image"), "is a picture, not a film",
                          "say .pfm, .hdr or .png");
     if (film->scrambles.size() < 2)

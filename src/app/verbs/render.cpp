@@ -38,7 +38,8 @@ constexpr auto kOptions = with_scene_options(
      {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
      {"keep-all", '\0', "", "draw also what the plan would leave out; same pictures",
       OptionKind::flag},
-     {"format", '\0', "png|hdr|pfm|film", "format where the name does not say it"},
+     {"format", '\0', "NAME", "format where the name does not say it: flatray list pictures",
+      OptionKind::text, &picture_format_names},
      kForceOption,
      {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
      kJsonOption});
@@ -110,7 +111,7 @@ Result<VerbOutput> run(const Arguments& given) {
     else
       job.renderer = *renderer;
     job.view = *view;
-    if (*view && job.output.format() != PictureFormat::png)
+    if (*view && job.output.format().of_picture == nullptr)
       return usage_error(arguments.where("view"), "has no light for an HDR picture",
                          "write a PNG file");
     if (auto wished = wish_light(arguments, *light, job); !wished) return fail(std::move(wished));

@@ -18,9 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& extension) {
-  const std::vector<std::string> formats = picture_formats();
-  return std::any_of(formats.begin(), formats.end(),
-                     [&](const std::string& format) { return extension == "." + format; });
+  return !extension.empty() && find_picture_format(extension.string().substr(1)) != nullptr;
 }
 
 constexpr Option kOptions[] = {kThreadsOption, kJsonOption};

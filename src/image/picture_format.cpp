@@ -1,0 +1,53 @@
+#include "image/picture_format.h"
+
+#include <algorithm>
+
+namespace flatray {
+
+namespace picture {
+#define FLATRAY_ENTRY(name) extern const PictureFormat name;
+#include "pictures.inc"
+#undef FLATRAY_ENTRY
+}  // namespace picture
+
+std::vector<const PictureFormat*> picture_formats() {
+  return {
+#define FLATRAY_ENTRY(name) &picture::name,
+#include "pictures.inc"
+#undef FLATRAY_ENTRY
+  };
+}
+
+std::vector<std::string> picture_format_names() {
+  std::vector<std::string> names;
+  for (const PictureFormat* format : picture_formats()) names.emplace_back(format->name);
+  return names;
+}
+
+namespace {
+
+template <class Is>
+const PictureFormat* first_that(const Is& is) {
+  const auto all = picture_formats();
+  const auto found = std::find_if(all.begin(), all.end(), is);
+  return found == all.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+const PictureFormat* find_picture_format(std::string_view name) {
+  return first_that([&](const PictureFormat* format) { return format->name == name; });
+}
+
+const PictureFormat* picture_format_of(std::span<const std::byte> content) {
+  const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
+  return first_that(
+      [&](const PictureFormat* format) { return text.starts_with(format->beginning); });
+}
+
+PictureFormat::Bytes PictureFormat::encode(const Image& image) const {
+  PngEncoder png(1);
+  return of_picture(image, png, [](int, int) { return true; });
+}
+
+}  // namespace flatray
