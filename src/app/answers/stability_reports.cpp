@@ -9,7 +9,7 @@
 #include "app/report/report.h"
 #include "base/counted.h"
 #include "base/parallel.h"
-#include "study/plots/svg_heat.h"
+#include "study/plots/plot.h"
 #include "study/stability/margins.h"
 #include "study/stability/scale_sweep.h"
 #include "study/table.h"
@@ -91,7 +91,7 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
                           static_cast<double>(worst->wrong[k]) / static_cast<double>(worst->rays),
                           worst->scale_log2, worst->offset_log2,
                           wrong + off == 0 ? "right" : "wrong"});
-    result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(map)});
+    result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(plot_of(map))});
   }
   result.files.push_back({"sweep.csv", all.csv()});
   return stability_files(arguments, table, result, sound);

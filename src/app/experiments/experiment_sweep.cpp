@@ -8,7 +8,7 @@
 #include "app/options/arguments.h"
 #include "app/options/option_values.h"
 #include "base/number_text.h"
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/statistics/estimate.h"
 
 namespace flatray {

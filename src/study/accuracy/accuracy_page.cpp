@@ -6,7 +6,7 @@
 
 #include "image/png.h"
 #include "study/accuracy/accuracy_report.h"
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/plots/svg_text.h"
 
 namespace flatray {
@@ -49,7 +49,6 @@ summary {{ cursor: pointer; padding: .3rem 0; }}
 figure {{ margin: 1rem 0; }}
 svg, img {{ max-width: 100%; height: auto; }}
 img {{ min-width: min(100%, 20rem); image-rendering: pixelated; }}
-@media (prefers-color-scheme: dark) {{ svg {{ filter: invert(.9) hue-rotate(180deg); }} }}
 </style>
 </head>
 <body>

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
 #include "scene/responses.h"
-#include "study/plots/palette.h"
+#include "study/plots/plot.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 #include "study/table.h"
@@ -59,6 +60,7 @@ class Choices {
     return first == kInfinity ? kFree : first;
   }
   double duration() const { return duration_; }
+  const Bounds& window() const { return state_.window; }
 
  private:
   const Scene& scene_;
@@ -81,20 +83,35 @@ Result<void> expect_movers(const Scene& scene) {
   return {};
 }
 
-ExperimentResult results(const ExperimentContext& context, double duration, const Numbers& times) {
+Plot plot_of(const ExperimentContext& context, const Choices& choices, const Numbers& times) {
   const Film& film = context.scene.film;
-  Image image(film.width, film.height, 3);
-  std::uint64_t free = 0, by_tenth[kTenths] = {};
+  const double duration = choices.duration();
+  const auto colour = [](double part) { return heat(0.1 + 0.6 * part); };
+  Plot plot{"When '" + context.scene.entities[0].name + "' first meets another, by where it goes",
+            "x of its place by the last frame, world units",
+            "y of its place by the last frame, world units",
+            {}};
+  plot.map.emplace(Plot::Map{Image(film.width, film.height, 3), choices.window()});
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double share = times[i] / duration;
-    if (times[i] == kFree)
+    const int at = static_cast<int>(i);
+    set_pixel(plot.map->image, at % film.width, at / film.width,
+              times[i] == kFree ? kClear : colour(times[i] / duration));
+  }
+  plot.bar = bar_of("first meeting, seconds", duration, colour);
+  plot.kinds.emplace_back(hex(kClear), "meets nothing");
+  return plot;
+}
+
+ExperimentResult results(const ExperimentContext& context, const Choices& choices,
+                         const Numbers& times) {
+  const Film& film = context.scene.film;
+  const double duration = choices.duration();
+  std::uint64_t free = 0, by_tenth[kTenths] = {};
+  for (const double time : times)
+    if (time == kFree)
       ++free;
     else
-      ++by_tenth[std::min(kTenths - 1, static_cast<int>(share * kTenths))];
-    const auto width = static_cast<std::size_t>(film.width);
-    set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
-              times[i] == kFree ? kClear : heat(0.1 + 0.6 * share));
-  }
+      ++by_tenth[std::min(kTenths - 1, static_cast<int>(time / duration * kTenths))];
   Table table({"met_before", "velocities"});
   for (int k = 0; k < kTenths; ++k) table.add({(k + 1) * duration / kTenths, by_tenth[k]});
   Measure part{"meets nothing", static_cast<double>(free) / static_cast<double>(times.size())};
@@ -105,7 +122,11 @@ ExperimentResult results(const ExperimentContext& context, double duration, cons
                            film.height, context.scene.entities[0].name, duration),
                {std::move(part)});
   result.files.push_back({"avoidance_times.csv", table.csv()});
-  result.files.push_back(png_file("avoidance.png", image, context.threads));
+  const Plot plot = plot_of(context, choices, times);
+  add_plot(result, "avoidance", plot, context.threads);
+  result.files.push_back({"avoidance_pixels.csv", map_csv(plot, [&](std::size_t i) {
+                            return times[i] == kFree ? "" : number_text(times[i]);
+                          })});
   return result;
 }
 
@@ -122,7 +143,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!rows) return tl::unexpected(rows.error());
   Numbers times;
   for (const Numbers& row : *rows) times.insert(times.end(), row.begin(), row.end());
-  return results(context, choices.duration(), times);
+  return results(context, choices, times);
 }
 
 }  // namespace

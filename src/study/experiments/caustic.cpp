@@ -7,7 +7,7 @@
 #include "base/portable_math.h"
 #include "geom/predicates.h"
 #include "study/plots/line_density.h"
-#include "study/plots/palette.h"
+#include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
 constexpr std::size_t kNumbers = 6;  // of a path, before its cells
+constexpr int kWide = 640;           // cells of the picture's longer side, where all paths together
+constexpr std::size_t kMostCells = std::size_t{1}
+                                   << 23;  // have no more than that; else as the film
 // What of the distance of a line that keeps it one bounce may round away, in extents of the room: its
 // point is 2 units in the last place off, its direction as many.
 constexpr double kRoundingByBounce = 0x1p-50;
@@ -40,11 +43,8 @@ Foci foci_of(const Ellipse& curve) {
 // distances to two foci.
 class Lines : public OrbitSink {
  public:
-  Lines(const Room& room, const OrbitStart& start, const Vec2& middle, const Foci& foci)
-      : density_(room.state().window, room.scene().film.width, room.scene().film.height),
-        middle_(middle),
-        foci_(foci),
-        last_(start.ray.origin) {
+  Lines(LineDensity empty, const OrbitStart& start, const Vec2& middle, const Foci& foci)
+      : density_(std::move(empty)), middle_(middle), foci_(foci), last_(start.ray.origin) {
     see(start.ray.direction);
   }
   void bounce(std::size_t, const Bounce& bounce) override {
@@ -91,6 +91,29 @@ class Lines : public OrbitSink {
   double first_product_ = 0, least_product_ = 0, most_product_ = 0;
 };
 
+// Cells for one path: a whole number of them for each pixel of the film.
+LineDensity empty_density(const Room& room, std::size_t paths) {
+  const auto& [width, height] = std::pair(room.scene().film.width, room.scene().film.height);
+  int fine = std::max(1, kWide / std::max(width, height));
+  const std::size_t all =
+      paths * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  while (fine > 1 && all * static_cast<std::size_t>(fine * fine) > kMostCells) --fine;
+  return {room.state().window, fine * width, fine * height};
+}
+
+Plot plot_of(const Room& room, const LineDensity& density) {
+  Plot plot{"Where the lines of the paths lie", "x, world units", "y, world units", {}};
+  plot.map.emplace(Plot::Map{density.picture(), room.state().window});
+  const double most = *std::max_element(density.cells().begin(), density.cells().end());
+  const auto light = [&](double cell) { return 1 - portable::exp(-density.scale() * cell); };
+  if (most > 0)
+    plot.bar = bar_of(
+        "length of lines in a cell, widths of the cell", most,
+        [&](double part) { return heat(part * light(most)); },
+        [&](double cell) { return light(cell) / light(most); });
+  return plot;
+}
+
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
@@ -107,15 +130,14 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const double extent = bounds_of(room.walls()).size().maxCoeff();
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   const double rounding = kRoundingByBounce * static_cast<double>(bounces) * extent;
+  LineDensity all = empty_density(room, orbits.starts.size());
   auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
-    Lines lines(room, orbits.starts[i], middle, foci);
+    Lines lines(all, orbits.starts[i], middle, foci);
     room.orbits().follow(std::span(&orbits.starts[i], 1), bounces, lines);
     return lines.numbers();
   });
   if (!found) return fail(std::move(found));
   std::vector<Measure> measures;
-  const Film& film = context.scene.film;
-  LineDensity all(room.state().window, film.width, film.height);
   for (std::size_t i = 0; i < found->size(); ++i) {
     const Numbers& one = (*found)[i];
     // In a circle every line of a path is as far from the centre as the first.
@@ -141,7 +163,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                fmt::format("Distances of the lines of {} from ({:.6g}, {:.6g})",
                            counted(bounces, "bounce"), middle.x(), middle.y()),
                std::move(measures));
-  result.files.push_back(png_file("caustic.png", all.picture(), context.threads));
+  const Plot plot = plot_of(room, all);
+  add_plot(result, "caustic", plot, context.threads);
+  result.files.push_back({"caustic_density.csv", map_csv(plot, [&](std::size_t i) {
+                            return fmt::format("{:.4g}", all.cells()[i]);
+                          })});
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include "base/counted.h"
 #include "study/plots/line_density.h"
 #include "study/plots/palette.h"
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"

@@ -8,7 +8,7 @@
 #include "base/portable_math.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/statistics/estimate.h"
 #include "study/table.h"

@@ -4,8 +4,7 @@
 #include <map>
 
 #include "base/portable_math.h"
-#include "study/plots/palette.h"
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/rooms/pixel_map.h"
 #include "study/rooms/survival.h"
 #include "study/table.h"
@@ -55,7 +54,10 @@ class Basins {
     }
     all.files.push_back({"escape_times.csv", table.csv()});
     all.files.push_back({"escape_times.svg", svg(plot)});
-    all.files.push_back(png_file("escape.png", picture(), context_.threads));
+    const Plot map = this->plot();
+    add_plot(all, "escape", map, context_.threads);
+    all.files.push_back({"escape_pixels.csv",
+                         map_csv(map, [&](std::size_t i) { return bounces_text(pixels_[i]); })});
     return all;
   }
 
@@ -136,25 +138,40 @@ class Basins {
         context_.scene.film.width, context_.scene.film.height, free_, trapped_, decay_words());
   }
 
+  static double brightness(double bounces) { return 0.06 + 0.94 * portable::exp(-0.45 * bounces); }
+
   // Basins by colour: who absorbed the ray, or where it went; the darker the longer it stayed.
-  Image picture() const {
-    const Film& film = context_.scene.film;
-    Image image(film.width, film.height, 3);
+  Plot plot() const {
     std::map<Exit, std::size_t> colours;
     for (const auto& [exit, count] : exits_) colours.emplace(exit, colours.size());
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    Plot plot = pixel_plot(context_, room_, PixelMap::angle, [&](std::size_t i) {
       const PixelOutcome& pixel = pixels_[i];
-      Light light = kSolid;
-      if (pixel.kind == Kind::limit) light = kTrapped;
-      if (gone(pixel)) {
-        light =
-            pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(colours[exit_of(pixel)]);
-        light = light * (0.06 + 0.94 * portable::exp(-0.45 * pixel.bounces));
-      }
-      const auto width = static_cast<std::size_t>(film.width);
-      set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width), light);
-    }
-    return image;
+      if (!gone(pixel)) return pixel.kind == Kind::limit ? kTrapped : kSolid;
+      const Light light =
+          pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(colours.at(exit_of(pixel)));
+      return light * brightness(pixel.bounces);
+    });
+    plot.title = "Where a ray leaves, by its start";
+    for (const auto& [exit, number] : colours)
+      plot.kinds.emplace_back(hex(nth_colour(number)), exit_name(exit));
+    if (escaped_ > 0)
+      for (const auto& [words, out] : {std::pair("to the right", Vec2(1, 0)),
+                                       {"up", Vec2(0, 1)},
+                                       {"to the left", Vec2(-1, 0)},
+                                       {"down", Vec2(0, -1)}})
+        plot.kinds.emplace_back(hex(hue_of(out)), words);
+    if (trapped_ > 0) plot.kinds.emplace_back(hex(kTrapped), "still there at the end");
+    if (free_ < pixels_.size())
+      plot.kinds.emplace_back(hex(kSolid), "starts in an obstacle, or outside");
+    const double most = gone_after_.empty() ? 0 : static_cast<double>(gone_after_.size() - 1);
+    if (most > 0)
+      plot.bar = bar_of(
+          "brightness: bounces until it leaves", most,
+          [&](double part) {
+            return Light{1, 1, 1} * brightness(portable::exp(part * portable::log(1 + most)) - 1);
+          },
+          [&](double bounces) { return log_share(bounces, most); });
+    return plot;
   }
 
   const ExperimentContext& context_;

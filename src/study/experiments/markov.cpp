@@ -5,7 +5,7 @@
 
 #include "base/number_text.h"
 #include "study/experiment.h"
-#include "study/plots/svg_graph.h"
+#include "study/plots/state_graph.h"
 #include "study/statistics/absorption.h"
 #include "study/statistics/chain_walks.h"
 #include "study/table.h"
@@ -35,7 +35,8 @@ class Study {
     const StepMatrix drawn = drawn_probabilities(chain);
     const StepMatrix given = given_probabilities(chain).value_or(drawn);
     add_transitions(chain, add_starts(index, given, drawn), given);
-    result_.files.push_back({fmt::format("markov_{}.svg", chain.name), svg(graph(chain, given))});
+    result_.files.push_back(
+        {fmt::format("markov_{}.svg", chain.name), svg(drawing_of(graph(chain, given)))});
   }
 
   ExperimentResult result() && {

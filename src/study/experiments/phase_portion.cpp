@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/estimate.h"
 

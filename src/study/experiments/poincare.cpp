@@ -6,7 +6,7 @@
 #include "base/counted.h"
 #include "base/number_text.h"
 #include "base/portable_math.h"
-#include "study/plots/palette.h"
+#include "study/plots/plot.h"
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/stretches.h"
 
@@ -14,7 +14,8 @@ namespace flatray {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
-constexpr int kWidth = 1200, kHeight = 600;
+constexpr int kWidth = 820, kHeight = 410;  // one to one in the picture of 1000 pixels
+constexpr std::size_t kMostNames = 12;
 constexpr std::size_t kRows = 100'000;  // of points listed, evenly over all
 
 // Light of every point on black: colours tell orbits apart, and add where orbits share a pixel.
@@ -23,7 +24,7 @@ std::size_t place_of(int x, int y) {
   return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
 }
 
-Image picture(const BoundaryOrbits& found) {
+Image light_of(const BoundaryOrbits& found) {
   std::vector<Light> sum(static_cast<std::size_t>(kWidth) * kHeight);
   double points = 0;
   for (std::size_t i = 0; i < found.points.size(); ++i)
@@ -45,6 +46,20 @@ Image picture(const BoundaryOrbits& found) {
                  1 - portable::exp(-2 * light.b)});
     }
   return image;
+}
+
+Plot plot_of(const BoundaryOrbits& found) {
+  Plot plot{"Bounces by place along the walls and angle",
+            "place, share of the length of all walls",
+            "sine of the angle to the normal",
+            {}};
+  plot.map.emplace(Plot::Map{light_of(found), {{0, -1}, {1, 1}}});
+  if (found.points.size() > kMostNames)
+    plot.caption = counted(found.points.size(), "orbit") + ", each in a colour; light adds up";
+  else
+    for (std::size_t i = 0; i < found.points.size(); ++i)
+      plot.kinds.emplace_back(hex(nth_colour(i)), found.orbits.names[i]);
+  return plot;
 }
 
 std::string list(const BoundaryOrbits& found) {
@@ -126,7 +141,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                            counted(found->points.size(), "orbit")),
                {mean_square_sine(*found)});
   result.files.push_back({"poincare_points.csv", list(*found)});
-  result.files.push_back(png_file("poincare.png", picture(*found), context.threads));
+  add_plot(result, "poincare", plot_of(*found), context.threads);
   return result;
 }
 

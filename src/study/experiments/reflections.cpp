@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "study/plots/palette.h"
 #include "study/rooms/pixel_map.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/rooms/wedge.h"
@@ -18,6 +17,7 @@ namespace {
 // in the end.
 constexpr std::uint64_t kPixelBounces = 200, kRayBounces = 1'000'000;
 constexpr std::uint64_t kWedgeBounces = std::uint64_t{1} << 30;
+constexpr Light kSolid{0.02, 0.03, 0.08};
 
 class Counts : public OrbitSink {
  public:
@@ -49,18 +49,18 @@ std::vector<Measure> ray_counts(const ExperimentContext& context, const Room& ro
 }
 
 // Brightness by the logarithm of the count.
-Image picture(const Film& film, const std::vector<PixelOutcome>& pixels) {
-  std::uint32_t most = 1;
+Plot plot_of(const ExperimentContext& context, const Room& room,
+             const std::vector<PixelOutcome>& pixels) {
+  std::uint32_t most = 0;
   for (const PixelOutcome& pixel : pixels) most = std::max(most, pixel.bounces);
-  const double scale = 1 / portable::log(1.0 + most);
-  Image image(film.width, film.height, 3);
-  const auto width = static_cast<std::size_t>(film.width);
-  for (std::size_t i = 0; i < pixels.size(); ++i)
-    set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
-              pixels[i].kind == PixelOutcome::Kind::solid
-                  ? Light{0.02, 0.03, 0.08}
-                  : heat(scale * portable::log(1.0 + pixels[i].bounces)));
-  return image;
+  const auto part = [&](double bounces) { return log_share(bounces, most); };
+  Plot plot = pixel_plot(context, room, PixelMap::position, [&](std::size_t i) {
+    return pixels[i].kind == PixelOutcome::Kind::solid ? kSolid : heat(part(pixels[i].bounces));
+  });
+  plot.title = "How often a ray is reflected, by its start";
+  plot.bar = bar_of("reflections", most, &heat, part);
+  plot.kinds.emplace_back(hex(kSolid), "starts in an obstacle, or outside");
+  return plot;
 }
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
@@ -89,8 +89,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       context, "reflections",
       "Reflections of the scene's rays, and of a ray in the direction of the first from each pixel",
       std::move(measures));
-  result.files.push_back(
-      png_file("reflections.png", picture(context.scene.film, *pixels), context.threads));
+  const Plot plot = plot_of(context, room, *pixels);
+  add_plot(result, "reflections", plot, context.threads);
+  result.files.push_back({"reflections_pixels.csv", map_csv(plot, [&](std::size_t i) {
+                            return bounces_text((*pixels)[i]);
+                          })});
   return result;
 }
 

@@ -51,18 +51,22 @@ void LineDensity::add_cells(std::span<const double> cells) {
   for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] += cells[i];
 }
 
-Image LineDensity::picture() const {
+double LineDensity::scale() const {
   double sum = 0, lit = 0;
   for (const double cell : cells_) {
     sum += cell;
     lit += cell > 0 ? 1 : 0;
   }
-  const double scale = sum > 0 ? 0.7 * lit / sum : 0;
+  return sum > 0 ? 0.7 * lit / sum : 0;
+}
+
+Image LineDensity::picture() const {
+  const double by = scale();
   Image image(width_, height_, 3);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const auto width = static_cast<std::size_t>(width_);
     set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
-              heat(1 - portable::exp(-scale * cells_[i])));
+              heat(1 - portable::exp(-by * cells_[i])));
   }
   return image;
 }

@@ -22,6 +22,8 @@ class LineDensity {
   const std::vector<double>& cells() const { return cells_; }
   /// The light of the density on black, the mean of what is lit at half.
   Image picture() const;
+  /// There heat(1 - e^(-scale cell)) of a cell.
+  double scale() const;
 
  private:
   Bounds window_;

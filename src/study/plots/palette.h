@@ -16,13 +16,17 @@ struct Light {
 
 /// Full colours round the circle: hue 0 and 1 are the same.
 Light hue(double turn);
-/// Colours that are easy to tell apart, any number of them: the hue goes on by the golden section.
+/// Colours that are easy to tell apart, any number of them: the seven of Okabe and Ito, then the hue
+/// goes on by the golden section.
 Light nth_colour(std::size_t n);
 /// From black over red and yellow to white, for 0 to 1.
 Light heat(double level);
 
 /// Hue of a direction.
 Light hue_of(const Vec2& direction);
+
+/// As sRGB, "#rrggbb".
+std::string hex(const Light& light);
 
 void set_pixel(Image& image, int x, int y, const Light& light);
 

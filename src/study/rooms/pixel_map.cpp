@@ -139,6 +139,32 @@ Result<std::vector<PixelOutcome>> trace_places(
   return outcomes;
 }
 
+Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usual,
+                const std::function<Light(std::size_t)>& colour) {
+  const bool by_angle = (context.map == PixelMap::usual ? usual : context.map) == PixelMap::angle;
+  const Film& film = context.scene.film;
+  const Bounds& window = room.state().window;
+  const double half = 0.5 * window.size().x();
+  Plot plot{"", "x of the start, world units", "y of the start, world units", {}};
+  if (by_angle) {
+    plot.x_label = "start on the line across the ray, world units from it";
+    plot.y_label = "angle to the ray, degrees";
+    plot.y_step = 30;
+  }
+  plot.map.emplace(Plot::Map{Image(film.width, film.height, 3),
+                             by_angle ? Bounds{{-half, -90}, {half, 90}} : window});
+  for (std::uint64_t i = 0; i < pixel_count(film); ++i) {
+    const auto width = static_cast<std::uint64_t>(film.width);
+    set_pixel(plot.map->image, static_cast<int>(i % width), static_cast<int>(i / width),
+              colour(static_cast<std::size_t>(i)));
+  }
+  return plot;
+}
+
+std::string bounces_text(const PixelOutcome& pixel) {
+  return pixel.kind == Kind::solid ? "" : std::to_string(pixel.bounces);
+}
+
 Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
                                                std::uint64_t bounces, PixelMap usual) {
   const Film& film = context.scene.film;

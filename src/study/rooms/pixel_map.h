@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 
+#include "study/plots/plot.h"
 #include "study/rooms/room.h"
 #include "study/rooms/starts.h"
 
@@ -36,5 +37,12 @@ std::uint64_t pixel_count(const Film& film);
 /// One orbit from the centre of every pixel of the scene's film, rows top-down.
 Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
                                                std::uint64_t bounces, PixelMap usual);
+
+/// A map of such pixels, with axes that say where each orbit starts: world x and y, or the place on the
+/// line across the ray and the angle to it.
+Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usual,
+                const std::function<Light(std::size_t)>& colour);
+/// How many bounces, for a table; "" of what starts no orbit.
+std::string bounces_text(const PixelOutcome& pixel);
 
 }  // namespace flatray

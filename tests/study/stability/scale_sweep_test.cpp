@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/plots/svg_heat.h"
+#include "study/plots/plot.h"
 #include "study/xml.h"
 
 namespace flatray {
@@ -40,10 +40,17 @@ TEST(ScaleSweep, FindsFloatsWrongWhereTheyHaveNoBitsLeft) {
 
 TEST(HeatMap, ColoursTheCellsThatAreNotNothing) {
   const HeatMap map{"<t>", "x", "y", {0, 1}, {0, 1, 2}, {0, 0.5, 0, 0, 1, 0}};
-  const std::string text = svg(map);
+  const Plot plot = plot_of(map);
+  const std::string text = svg(plot);
   EXPECT_TRUE(testing::is_well_formed(text));
   EXPECT_NE(text.find("&lt;t&gt;"), std::string::npos);
-  EXPECT_NE(text.find("fill=\"#780014\""), std::string::npos);  // a share of 1
+  const Image& cells = plot.map->image;
+  const auto colour = [&](int x, int y) {
+    return std::vector<int>(cells.at(x, y), cells.at(x, y) + 3);
+  };
+  EXPECT_EQ(colour(0, 0), (std::vector<int>{120, 0, 20}));  // a share of 1, y upwards
+  EXPECT_EQ(colour(0, 2), (std::vector<int>{255, 255, 255}));
+  EXPECT_NE(colour(1, 2), (std::vector<int>{255, 255, 255}));
 }
 
 }  // namespace

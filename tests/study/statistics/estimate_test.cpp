@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "study/plots/svg_plot.h"
+#include "study/plots/plot.h"
 #include "study/rooms/wall_places.h"
 #include "study/xml.h"
 

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "study/plots/drawing.h"
+
 namespace flatray {
 
 /// States and the transitions between them, each with its label.
@@ -16,7 +18,7 @@ struct StateGraph {
 };
 
 /// The graph as a picture: states as circles on a ring, clockwise from the top, transitions as
-/// arrows. Gives   well-formed XML of any text given; the same bytes on every machine.
-std::string svg(const StateGraph& graph);
+/// arrows.
+Drawing drawing_of(const StateGraph& graph);
 
 }  // namespace flatray

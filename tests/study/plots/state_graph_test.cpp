@@ -1,4 +1,4 @@
-#include "study/plots/svg_graph.h"
+#include "study/plots/state_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -15,32 +15,32 @@ std::size_t times(const std::string& text, const std::string& part) {
   return found;
 }
 
-TEST(SvgGraph, HasACircleForEachStateAndAnArrowForEachTransition) {
+TEST(StateGraph, HasACircleForEachStateAndAnArrowForEachTransition) {
   const StateGraph graph = {"chain", {"A", "B", "C"}, {{0, 1, "0.5"}, {1, 0, "1/3"}, {2, 2, "1"}}};
-  const std::string picture = svg(graph);
+  const std::string picture = svg(drawing_of(graph));
   EXPECT_TRUE(is_well_formed(picture));
   EXPECT_EQ(times(picture, "<circle"), 3U);
-  EXPECT_EQ(times(picture, "marker-end"), 3U);
+  EXPECT_EQ(times(picture, "Z\" class=\"f-axis\""), 3U) << "a tip for each arrow";
   for (const char* shown : {">A<", ">B<", ">C<", ">0.5<", ">1/3<", ">1<", ">chain<"})
     EXPECT_EQ(times(picture, shown), std::string(shown) == ">chain<" ? 2U : 1U) << shown;
 }
 
-TEST(SvgGraph, TextFromAScenesAuthorCannotBreakOutOfIt) {
+TEST(StateGraph, TextFromAScenesAuthorCannotBreakOutOfIt) {
   const std::string evil = "</text><script>&\"'\x1b\n";
-  const std::string picture = svg(StateGraph{evil, {evil}, {{0, 0, evil}}});
+  const std::string picture = svg(drawing_of(StateGraph{evil, {evil}, {{0, 0, evil}}}));
   EXPECT_TRUE(is_well_formed(picture));
   EXPECT_EQ(picture.find("<script"), std::string::npos);
   EXPECT_EQ(picture.find('\x1b'), std::string::npos);
 }
 
-TEST(SvgGraph, EmptyAndLargeGraphsAreDrawn) {
-  EXPECT_TRUE(is_well_formed(svg(StateGraph{"", {}, {}})));
+TEST(StateGraph, EmptyAndLargeGraphsAreDrawn) {
+  EXPECT_TRUE(is_well_formed(svg(drawing_of(StateGraph{"", {}, {}}))));
   StateGraph large{"large", {}, {}};
   for (std::size_t i = 0; i < 64; ++i) {
     large.states.push_back("S" + std::to_string(i));
     large.arrows.push_back({i, (i * 7 + 1) % 64, "1"});
   }
-  const std::string picture = svg(large);
+  const std::string picture = svg(drawing_of(large));
   EXPECT_TRUE(is_well_formed(picture));
   for (const char* bad : {"\"nan", " nan", "\"inf", " inf", "-0.00"})
     EXPECT_EQ(picture.find(bad), std::string::npos) << bad;

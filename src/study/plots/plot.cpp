@@ -1,0 +1,282 @@
+#include "study/plots/plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geom/cyrus_beck.h"
+#include "study/plots/plot_axes.h"
+#include "study/plots/plot_labels.h"
+
+namespace flatray {
+namespace {
+
+// Units of the drawing.
+constexpr double kWidth = 500, kNarrowest = 300, kUsualHeight = 280, kHighestMap = 420, kLine = 17,
+                 kLabelRoom = 30, kRight = 20, kBarWidth = 14, kBarGap = 14, kMark = 2;
+constexpr std::size_t kMostRows = 10;  // of the legend
+constexpr double kMostTicks[] = {7, 8};
+
+// Sides of a mark round its middle, in radii: what tells the points of series apart, beside colour.
+// The first is a disc.
+const std::vector<Vec2>& mark_outline(std::size_t number) {
+  static const std::array<std::vector<Vec2>, 4> kOutlines = {
+      {{},
+       {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}},
+       {{0, -1.3}, {1.2, 0.8}, {-1.2, 0.8}},
+       {{0, -1.4}, {1.4, 0}, {0, 1.4}, {-1.4, 0}}}};
+  return kOutlines[number % kOutlines.size()];
+}
+
+std::vector<Vec2> box_of(const Vec2& low, const Vec2& high) {
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+class PlotDrawing {
+ public:
+  explicit PlotDrawing(const Plot& plot) : plot_(plot) {
+    see();
+    for (int axis = 0; axis < 2; ++axis)
+      ticks_[axis] = (axis == 0 ? plot.log_x : plot.log_y)
+                         ? log_ticks(box_.low[axis], box_.high[axis], kMostTicks[axis])
+                         : ticks(box_.low[axis], box_.high[axis], kMostTicks[axis],
+                                 axis == 1 ? plot.y_step : 0);
+    lay_out();
+  }
+
+  Drawing drawing() && {
+    axes();
+    if (plot_.map) out_.marks.push_back(Drawing::Picture{low_, high_ - low_, plot_.map->image});
+    PointLabels labels(low_, high_);
+    std::size_t number = 0;
+    for (const Plot::Series& series : plot_.series) {
+      const std::size_t look = series.ink.empty() ? number++ : 0;
+      const std::string ink = series.ink.empty() ? series_ink(look) : series.ink;
+      series.marks ? marks(series, ink, look, labels) : line(series, ink, look);
+      if (!series.points.empty() && !series.name.empty()) name(series, ink, look);
+    }
+    for (const Plot::Note& note : plot_.notes) {
+      if (!shown({note.x, note.y})) continue;
+      const Vec2 at = place(note.x, note.y);
+      out_.marks.push_back(Drawing::Disc{at, 6, {"text"}});
+      labels.add(at, note.words);
+    }
+    labels.draw(out_);
+    if (plot_.bar) bar(*plot_.bar);
+    for (const auto& [colour, words] : plot_.kinds) {
+      const Vec2 at = next_name(words);
+      out_.marks.push_back(
+          Drawing::Path{box_of(at - Vec2(20, 6), at + Vec2(-6, 6)), {"axis", colour}, true});
+    }
+    below();
+    return std::move(out_);
+  }
+
+ private:
+  bool shown(const Plot::Point& point) const {
+    return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0) &&
+           (!plot_.log_x || point.x > 0);
+  }
+  Vec2 scaled(double x, double y) const {
+    return {plot_.log_x ? log10_of(x) : x, plot_.log_y ? log10_of(y) : y};
+  }
+  Vec2 place(double x, double y) const {
+    const Vec2 part = (scaled(x, y) - box_.low).cwiseQuotient(box_.size());
+    return {low_.x() + part.x() * (high_.x() - low_.x()),
+            high_.y() - part.y() * (high_.y() - low_.y())};
+  }
+
+  // What the axes show: of intervals on a logarithm the part above 0.
+  void see() {
+    if (plot_.map || plot_.window) {
+      box_ = plot_.window.value_or(plot_.map ? plot_.map->bounds : Bounds{});
+      return;
+    }
+    for (const Plot::Series& series : plot_.series)
+      for (const Plot::Point& point : series.points)
+        for (const double side : {-1.0, 0.0, 1.0}) {
+          const Plot::Point end{point.x, point.y + side * point.half};
+          if (shown(point) && shown(end)) box_.add(scaled(end.x, end.y));
+        }
+    if (box_.empty()) box_.add(Vec2(0, 0));
+    for (int axis = 0; axis < 2; ++axis) {
+      const double span = box_.high[axis] - box_.low[axis];
+      const double margin = span > 0 ? 0.04 * span : std::max(std::fabs(box_.low[axis]), 1.0) / 2;
+      box_.low[axis] -= margin;
+      box_.high[axis] += margin;
+    }
+  }
+
+  void lay_out() {
+    double widest = 0, bar = 0;
+    for (const Tick& tick : ticks_[1]) widest = std::max(widest, words_width(tick.words));
+    if (plot_.bar)
+      for (const auto& [at, words] : plot_.bar->ticks) bar = std::max(bar, words_width(words));
+    const double left = 10 * std::ceil((kLabelRoom + widest + 8) / 10);
+    const double right =
+        plot_.bar ? 10 * std::ceil((kBarGap + kBarWidth + 6 + bar + kLabelRoom) / 10) : kRight;
+    Vec2 area(kWidth - left - right, kUsualHeight);
+    if (plot_.map || plot_.equal) {
+      const double upright = plot_.equal ? box_.size().y() / box_.size().x()
+                                         : 1.0 * plot_.map->image.height / plot_.map->image.width;
+      area.y() = std::max(40.0, std::round(area.x() * upright));
+      if (area.y() > kHighestMap)
+        area = {std::max(40.0, std::round(kHighestMap / upright)), kHighestMap};
+    }
+    out_.size.x() = std::max(kNarrowest, left + area.x() + right);
+    out_.title = plot_.title;
+    double y = 8;
+    for (const std::string& words : lines_of(plot_.title, out_.size.x() - 2 * kRight)) {
+      out_.marks.push_back(
+          Drawing::Words{{out_.size.x() / 2, y + kLine / 2}, words, 0.5, "text", false, true});
+      y += kLine;
+    }
+    low_ = {left, std::round(y + 8)};
+    high_ = low_ + area;
+    name_at_ = {kRight, high_.y() + 3.4 * kLine};
+  }
+
+  void axes() {
+    for (int axis = 0; axis < 2; ++axis)
+      for (const Tick& tick : ticks_[axis]) {
+        const double part = (tick.at - box_.low[axis]) / box_.size()[axis];
+        const Vec2 along = axis == 0 ? Vec2(part * (high_.x() - low_.x()), 0)
+                                     : Vec2(0, -part * (high_.y() - low_.y()));
+        const Vec2 at = Vec2(low_.x(), high_.y()) + along;
+        const Vec2 out = axis == 0 ? Vec2(0, 1) : Vec2(-1, 0);
+        const Vec2 far = axis == 0 ? Vec2(at.x(), low_.y()) : Vec2(high_.x(), at.y());
+        if (!plot_.map) stroke({at, far}, {"grid"});
+        stroke({at, at + 5 * out}, {"axis"});
+        out_.marks.push_back(
+            Drawing::Words{at + (axis == 0 ? 14 : 8) * out, tick.words, axis == 0 ? 0.5 : 1});
+      }
+    out_.marks.push_back(
+        Drawing::Path{box_of(low_ - Vec2(0.5, 0.5), high_ + Vec2(0.5, 0.5)), {"axis"}, true});
+    out_.marks.push_back(
+        Drawing::Words{{0.5 * (low_.x() + high_.x()), high_.y() + 14 + kLine}, plot_.x_label, 0.5});
+    out_.marks.push_back(
+        Drawing::Words{{14, 0.5 * (low_.y() + high_.y())}, plot_.y_label, 0.5, "text", true});
+  }
+
+  void stroke(std::vector<Vec2> points, const Pen& look, const std::string& title = {}) {
+    out_.marks.push_back(Drawing::Path{std::move(points), look, false, false, title});
+  }
+
+  // Its parts inside the axes.
+  void line(const Plot::Series& series, const std::string& ink, std::size_t number) {
+    const Pen look{ink, "", series.width, number};
+    const std::vector<Vec2> area = box_of(low_, high_);
+    std::vector<Vec2> way;
+    const auto end = [&] {
+      if (way.size() > 1) stroke(std::move(way), look, series.name);
+      way.clear();
+    };
+    std::optional<Vec2> last;
+    for (const Plot::Point& point : series.points) {
+      const bool part_of_line = shown(point);
+      if (!part_of_line && (std::isnan(point.x) || std::isnan(point.y))) last.reset();
+      if (!part_of_line) continue;
+      const Vec2 at = place(point.x, point.y);
+      const Vec2 from = last.value_or(at);
+      const HitInterval inside = clip_convex({from, at - from}, area, kSegment);
+      if (!last || !inside || inside.t_enter > 0) end();
+      if (inside && last) {
+        if (way.empty()) way.push_back(from + inside.t_enter * (at - from));
+        way.push_back(from + inside.t_exit * (at - from));
+        if (inside.t_exit < 1) end();
+      }
+      last = at;
+    }
+    end();
+  }
+
+  void marks(const Plot::Series& series, const std::string& ink, std::size_t number,
+             PointLabels& labels) {
+    for (const Plot::Point& point : series.points) {
+      if (!shown(point)) continue;
+      const Vec2 at = place(point.x, point.y);
+      if (!Bounds{low_ - Vec2(1, 1), high_ + Vec2(1, 1)}.contains(at)) continue;
+      for (const Vec2& half : {Vec2(0, point.half), Vec2(point.half_x, 0)})
+        if (half != Vec2(0, 0)) stroke({end_of(point, -half), end_of(point, half)}, {ink});
+      mark(at, ink, number, series.width);
+      labels.keep_free(at);
+      if (!point.label.empty()) labels.add(at, point.label);
+    }
+  }
+  // An end of an interval; at the border of the plot where a logarithm has none.
+  Vec2 end_of(const Plot::Point& point, const Vec2& away) const {
+    const Plot::Point end{point.x + away.x(), point.y + away.y()};
+    if (shown(end)) return place(end.x, end.y);
+    const Vec2 at = place(point.x, point.y);
+    return away.x() != 0 ? Vec2(low_.x(), at.y()) : Vec2(at.x(), high_.y());
+  }
+
+  void mark(const Vec2& at, const std::string& ink, std::size_t number, double width) {
+    std::vector<Vec2> sides = mark_outline(number);
+    if (sides.empty()) {
+      out_.marks.push_back(Drawing::Disc{at, kMark * width, {"", ink}});
+      return;
+    }
+    for (Vec2& side : sides) side = at + kMark * width * side;
+    out_.marks.push_back(Drawing::Path{std::move(sides), {"", ink}, true});
+  }
+
+  // Where the words of the next entry of the legend stand, words included.
+  Vec2 next_name(const std::string& words) {
+    const double width = words_width(words) + 28 + 12;
+    if (name_at_.x() + width > out_.size.x() && name_at_.x() > kRight) {
+      name_at_ = {kRight, name_at_.y() + kLine};
+    }
+    const Vec2 at = name_at_ + Vec2(28, 0);
+    out_.marks.push_back(Drawing::Words{at, words});
+    name_at_.x() += width;
+    has_names_ = true;
+    return at;
+  }
+  void name(const Plot::Series& series, const std::string& ink, std::size_t number) {
+    if (name_at_.y() > high_.y() + (3.4 + kMostRows) * kLine) return;
+    const Vec2 at = next_name(series.name) - Vec2(6, 0);
+    if (series.marks) return mark(at - Vec2(9, 0), ink, number, series.width);
+    stroke({at - Vec2(22, 0), at}, {ink, "", series.width, number});
+  }
+
+  // Beside the axes, from its lower end upwards.
+  void bar(const Plot::Bar& bar) {
+    const double left = high_.x() + kBarGap, height = high_.y() - low_.y();
+    const auto y = [&](double part) { return high_.y() - part * height; };
+    out_.marks.push_back(Drawing::Picture{{left, y(1)}, {kBarWidth, height}, bar.strip});
+    out_.marks.push_back(Drawing::Path{
+        box_of({left - 0.5, y(1) - 0.5}, {left + kBarWidth + 0.5, y(0) + 0.5}), {"axis"}, true});
+    for (const auto& [part, words] : bar.ticks) {
+      stroke({{left + kBarWidth, y(part)}, {left + kBarWidth + 4, y(part)}}, {"axis"});
+      out_.marks.push_back(Drawing::Words{{left + kBarWidth + 7, y(part)}, words});
+    }
+    out_.marks.push_back(
+        Drawing::Words{{out_.size.x() - 12, y(0.5)}, bar.label, 0.5, "text", true});
+  }
+
+  void below() {
+    double y = has_names_ ? name_at_.y() + kLine : name_at_.y();
+    for (const std::string& words : lines_of(plot_.caption, out_.size.x() - 2 * kRight)) {
+      out_.marks.push_back(Drawing::Words{{kRight, y}, words});
+      y += kLine;
+    }
+    out_.size.y() = std::round(y);
+  }
+
+  const Plot& plot_;
+  Bounds box_;  // of what is shown, logarithms where it is by these
+  std::vector<Tick> ticks_[2];
+  Vec2 low_{0, 0}, high_{0, 0};  // upper left and lower right corner of the axes
+  Vec2 name_at_{0, 0};           // of the next entry of the legend
+  bool has_names_ = false;
+  Drawing out_;
+};
+
+}  // namespace
+
+Drawing drawing_of(const Plot& plot) { return PlotDrawing(plot).drawing(); }
+
+std::string svg(const Plot& plot) { return svg(drawing_of(plot)); }
+
+}  // namespace flatray

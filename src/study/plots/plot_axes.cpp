@@ -1,0 +1,71 @@
+#include "study/plots/plot_axes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "study/plots/drawing.h"
+
+namespace flatray {
+
+double log10_of(double x) {
+  constexpr double kLn10 = 0x1.26bb1bbb55516p+1;
+  return portable::log(x) / kLn10;
+}
+
+std::string tick_words(double number, int digits) {
+  std::string words = fmt::format("{:.{}g}", number + 0.0, digits);
+  const std::size_t e = words.find('e');
+  if (e == std::string::npos) return words;
+  return words.substr(0, e) + fmt::format("e{}", std::stoi(words.substr(e + 1)));
+}
+
+std::vector<Tick> ticks(double low, double high, double most, double step) {
+  if (step == 0) {
+    const double span = high - low;
+    const double power = portable::pow(10, std::floor(log10_of(span / most)));
+    step = 10 * power;
+    for (const double factor : {5.0, 2.0, 1.0})
+      if (span / (factor * power) <= most) step = factor * power;
+  }
+  std::vector<Tick> all;
+  for (double k = std::ceil(low / step); k * step <= high; ++k)
+    all.push_back({k * step, tick_words(k * step)});
+  return all;
+}
+
+std::vector<Tick> log_ticks(double low, double high, double most) {
+  const double step = std::max(1.0, std::ceil((high - low) / most));
+  std::vector<Tick> all;
+  for (double k = std::floor(low / step) * step; k <= high; k += step)
+    for (const int factor : {1, 2, 5}) {
+      const double at = k + log10_of(factor);
+      if (at < low || at > high || (factor > 1 && high - low > most / 3)) continue;
+      // Not factor * 10^k: its digits are those of a decimal.
+      const bool plain = k > -5 && k < 6;
+      const std::string zeros(static_cast<std::size_t>(std::min(std::fabs(k), 6.0)), '0');
+      all.push_back({at, !plain  ? fmt::format("{}e{:.0f}", factor, k)
+                         : k < 0 ? "0." + zeros.substr(1) + std::to_string(factor)
+                                 : std::to_string(factor) + zeros});
+    }
+  return all;
+}
+
+std::vector<std::string> lines_of(const std::string& words, double width) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < words.size();) {
+    std::size_t end = words.size();
+    while (words_width(words.substr(begin, end - begin)) > width) {
+      const std::size_t blank = words.rfind(' ', end - 1);
+      if (blank == std::string::npos || blank <= begin) break;
+      end = blank;
+    }
+    lines.push_back(words.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace flatray
