@@ -7,7 +7,7 @@
 namespace flatray {
 
 /// A diagram of clips: the entities asked about, every ray, and the part of it inside, thick, with
-/// the times of its ends. A ray without end stops at the edge of the picture.
+/// the times of its ends, where there is room. A ray without end stops at the edge of the picture.
 std::string svg_of(const Scene& scene, const FrameState& state,
                    std::span<const std::uint32_t> entities, std::span<const HitReport> reports);
 

@@ -70,8 +70,8 @@ ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool 
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
 std::string status_line(const OrbitRoom& room, const OrbitReport& report);
 
-/// Walls, paths, bounces by number where they are few, in the scene's window. World coordinates
-/// with all their digits; a ray that leaves ends at the border.
+/// Walls, paths, bounces by number where they are few and there is room, in the scene's window; a ray
+/// that leaves ends at the border.
 std::string svg_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports);
 
 }  // namespace flatray

@@ -27,9 +27,12 @@ TEST(HitSvg, ShowsTheShapeTheRayAndThePartInside) {
   const std::uint32_t entities[] = {quad};
   const std::string svg = svg_of(scene, state, entities, reports);
   EXPECT_TRUE(flatray::testing::is_well_formed(svg)) << svg;
-  EXPECT_EQ(count(svg, "class=\"wall\""), 4U);
-  EXPECT_EQ(count(svg, "class=\"ray\""), 1U);
-  EXPECT_EQ(count(svg, "class=\"inside\""), 1U);
+  // Of a line and of its entry in the legend.
+  EXPECT_EQ(count(svg, "class=\"s-axis\" stroke-width=\"1.5\"/>"), 4U);
+  EXPECT_EQ(count(svg, "class=\"s-blue\""), 2U);
+  EXPECT_EQ(count(svg, "class=\"s-vermillion\""), 2U);
+  for (const char* words : {">x, world units<", ">y, world units<", ">ray<", ">inside<"})
+    EXPECT_EQ(count(svg, words), 1U) << words;
   EXPECT_NE(svg.find("t = 0.2638888888888889"), std::string::npos);
   EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
 }
@@ -42,7 +45,7 @@ TEST(HitSvg, AMissHasNothingInside) {
   while (scene.entities[quad].name != "polygon") ++quad;
   const auto reports = hit_reports(scene, state, {"past", {{1, 20}, {0, 1}}}, quad, kRay);
   const std::uint32_t entities[] = {quad};
-  EXPECT_EQ(count(svg_of(scene, state, entities, reports), "class=\"inside\""), 0U);
+  EXPECT_EQ(count(svg_of(scene, state, entities, reports), "class=\"s-vermillion\""), 0U);
 }
 
 }  // namespace
