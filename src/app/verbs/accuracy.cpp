@@ -70,7 +70,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   expect_crashes_of_gl();  // where it is one of the choices
   const std::vector<ChoiceReport> reports =
       measure_choices(chosen, {loaded->scene, *seed, *width, *budget});
-  const ExperimentResult result = accuracy_report(loaded->scene.name, reports);
+  const ExperimentResult result = accuracy_report(
+      loaded->scene.name, reports, picture_of({loaded->scene, *seed, *width, *budget}));
   auto files = write_files(result, arguments.text("output").value_or("out/accuracy"), outputs);
   if (!files) return fail(std::move(files));
   if (profile) {

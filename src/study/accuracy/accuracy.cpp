@@ -7,6 +7,8 @@
 
 #include "base/portable_math.h"
 #include "base/processor_time.h"
+#include "collide/scene_timeline.h"
+#include "render/frame.h"
 #include "study/accuracy/timed.h"
 
 namespace flatray {
@@ -181,6 +183,21 @@ std::vector<FittedOrder> fit_orders(const ChoiceSettings& made,
 }
 
 }  // namespace
+
+unsigned middle_frame(const Scene& scene) { return (scene.frames + 1) / 2; }
+
+Result<DrawList> middle_list(const AccuracyContext& context) {
+  const unsigned frame = middle_frame(context.scene);
+  const auto timeline = make_timeline(context.scene, context.seed, frame);
+  if (!timeline) return tl::unexpected(timeline.error());
+  return draw_list(make_plan(context.scene, false), *timeline, frame);
+}
+
+std::optional<Image> picture_of(const AccuracyContext& context) {
+  const auto list = middle_list(context);
+  if (!list) return std::nullopt;
+  return render_image(*list, {std::nullopt, context.threads});
+}
 
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context) {
   ChoiceReport report;

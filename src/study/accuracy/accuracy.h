@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "render/draw_list.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -37,7 +38,10 @@ struct Outcome {
   ErrorParts parts{};
   /// `error` is what the reference itself may be off: against it no less is seen.
   bool at_most = false;
+  /// How far `picture` is from the reference's, times kDifferenceGain.
+  std::optional<Image> difference{};
 };
+inline constexpr int kDifferenceGain = 16;
 
 /// A share of `wrong` of `all`, and half of the interval that holds it in 95 % of all runs: not 0,
 /// either, where none or all are wrong. 0 of 0 may be anything.
@@ -124,6 +128,12 @@ struct AccuracyContext {
 
 /// Seconds of a budget that a reference may take.
 inline double reference_budget(const AccuracyContext& context) { return 0.6 * context.seconds; }
+
+/// The frame in the middle of the scene, which settings are measured on, and its picture; none where it
+/// cannot be drawn.
+unsigned middle_frame(const Scene& scene);
+Result<DrawList> middle_list(const AccuracyContext& context);
+std::optional<Image> picture_of(const AccuracyContext& context);
 
 /// What a choice is measured by, made ready for one scene.
 struct ChoiceSettings {

@@ -3,29 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <tuple>
 
-#include "image/png.h"
 #include "study/accuracy/accuracy_report.h"
 #include "study/plots/plot.h"
+#include "study/plots/plot_axes.h"
 #include "study/plots/svg_text.h"
 
 namespace flatray {
 namespace {
-
-// RFC 4648.
-std::string base64(std::span<const std::byte> bytes) {
-  constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = i; k < i + 3; ++k)
-      group = group << 8U | (k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : kDigits[group >> (18U - 6U * k) & 63U];
-  }
-  return text;
-}
 
 constexpr const char* kHead = R"(<!DOCTYPE html>
 <html lang="en">
@@ -48,14 +34,16 @@ summary {{ cursor: pointer; padding: .3rem 0; }}
 :focus-visible {{ outline: 3px solid #2a6fdb; outline-offset: 2px; }}
 figure {{ margin: 1rem 0; }}
 svg, img {{ max-width: 100%; height: auto; }}
-img {{ min-width: min(100%, 20rem); image-rendering: pixelated; }}
+svg {{ width: 44rem; }}
+img {{ min-width: min(100%, 20rem); image-rendering: pixelated; vertical-align: top; margin: 0 .5rem .5rem 0; }}
 </style>
 </head>
 <body>
 <main>
 <h1>{0}: error against run time</h1>
 <p>Seconds are processor time: the median of rounds in turn, &plusmn; half of their range. Marked rows are best: no other setting of the choice is both as
-fast and as near. Points without any error are in the tables, not in the plots, whose axes are logarithms.</p>
+fast and as near. Points without any error are in the tables, not in the plots, whose axes are logarithms. Bars are intervals: of errors those that
+hold them in 95 % of all runs, of seconds the range of the rounds.</p>
 )";
 
 // The svg element alone, without the declaration of a file of its own.
@@ -66,14 +54,24 @@ std::string picture_id(const ChoiceReport& report, const AccuracyPoint& point) {
   return fmt::format("{}-{}", report.name, &point - report.points.data() + 1);
 }
 
+std::string image(const Image& picture, const std::string& words, const std::string& id = {}) {
+  return fmt::format("<img{} alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">",
+                     id.empty() ? "" : " id=\"" + id + "\"", svg_text(words), picture.width,
+                     picture.height, data_address(picture));
+}
+
 // A link to what is inside opens it.
 std::string picture(const ChoiceReport& report, const AccuracyPoint& point) {
-  if (!point.outcome.picture) return "";
-  return fmt::format(
-      "<details><summary>{0}</summary><img id=\"{2}\" alt=\"the picture by {0}\" "
-      "src=\"data:image/png;base64,{1}\"></details>\n",
-      svg_text(point.setting), base64(encode_png(*point.outcome.picture)),
-      picture_id(report, point));
+  const auto& [picture, difference] = std::tie(point.outcome.picture, point.outcome.difference);
+  if (!picture) return "";
+  std::string text = fmt::format(
+      "<details><summary>{}{}</summary>{}", svg_text(point.setting),
+      difference ? fmt::format(", and what it is off, &times; {}", kDifferenceGain) : "",
+      image(*picture, "the picture by " + point.setting, picture_id(report, point)));
+  if (difference)
+    text += "\n" + image(*difference, fmt::format("its difference from the reference, times {}",
+                                                  kDifferenceGain));
+  return text + "</details>\n";
 }
 
 std::string rows(const ChoiceReport& report, const std::vector<std::size_t>& kinds) {
@@ -109,13 +107,9 @@ std::string table(const ChoiceReport& report) {
          "</tbody>\n</table></div>\n";
 }
 
-// Nothing where logarithms leave nothing to plot.
-std::string figure(const ChoiceReport& report) {
-  if (std::none_of(report.points.begin(), report.points.end(),
-                   [](const AccuracyPoint& point) { return point.outcome.error > 0; }))
-    return "<p>No setting has an error, so there is no plot.</p>\n";
-  return "<figure role=\"img\" aria-label=\"error against seconds of " + svg_text(report.name) +
-         "\">\n" + inline_svg(accuracy_plot(report)) + "</figure>\n";
+std::string figure(const std::string& words, const std::string& file) {
+  return fmt::format("<figure role=\"img\" aria-label=\"{}\">\n{}</figure>\n", svg_text(words),
+                     inline_svg(file));
 }
 
 std::string law(const FittedOrder& order, const std::string& grows) {
@@ -128,48 +122,113 @@ std::string law(const FittedOrder& order, const std::string& grows) {
 }
 
 std::string section(const ChoiceReport& report) {
-  std::string text = fmt::format("<section>\n<h2>{}</h2>\n<p>{}</p>\n", svg_text(report.name),
-                                 svg_text(report.question));
-  if (!report.left_out.empty())
-    return text + fmt::format("<p>Left out: {}.</p>\n</section>\n", svg_text(report.left_out));
-  text += fmt::format("<p>Error of {}: {}; against {}.</p>\n", name(report.kind),
-                      svg_text(report.unit), svg_text(report.reference));
+  std::string text =
+      fmt::format("<section>\n<h2>{}</h2>\n<p>{}</p>\n<p>Error of {}: {}; against {}.</p>\n",
+                  svg_text(report.name), svg_text(report.question), name(report.kind),
+                  svg_text(report.unit), svg_text(report.reference));
+  text += has_plot(report)
+              ? figure("error against seconds of " + report.name, accuracy_plot(report))
+              : "<p>No setting has an error, so there is no plot.</p>\n";
   text += table(report);
   for (const FittedOrder& order : report.orders) text += law(order, svg_text(report.grows));
   text += "<ul>\n";
   for (const std::string& line : remarks(report)) text += "<li>" + svg_text(line) + "</li>\n";
-  text += "</ul>\n" + figure(report);
+  text += "</ul>\n";
   for (const AccuracyPoint& point : report.points) text += picture(report, point);
   return text + "</section>\n";
 }
 
-}  // namespace
+// Beside a point: what it is set to, or, where that takes too many words, what of it grows.
+std::string label_of(const ChoiceReport& report, const AccuracyPoint& point) {
+  constexpr std::size_t kLongest = 24;
+  std::string words =
+      point.setting.size() > kLongest && point.n > 0 ? tick_words(point.n) : point.setting;
+  if (point.outcome.at_most) words += ", at most";
+  const std::string advised = advice(report, point);
+  return advised.empty() ? words : words + ": " + advised;
+}
 
-std::string accuracy_plot(const ChoiceReport& report) {
-  Plot plot{fmt::format("{}: {}", report.name, name(report.kind)), "seconds", report.unit, {}};
-  plot.log_x = plot.log_y = true;
-  for (const std::string& series : series_of(report.points)) {
-    plot.series.push_back({series.empty() ? "settings" : series, {}, true});
-    for (const AccuracyPoint& point : report.points)
-      if (point.series == series)
-        plot.series.back().points.push_back({point.seconds, point.outcome.error});
-  }
-  Plot::Series best{"best", {}};
-  for (const AccuracyPoint& point : report.points) {
-    if (point.best && point.outcome.error > 0)
-      best.points.push_back({point.seconds, point.outcome.error});
-    if (const std::string words = advice(report, point); !words.empty())
-      plot.notes.push_back({point.seconds, point.outcome.error, words});
-  }
+Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point, double unit) {
+  return {point.seconds, point.outcome.error / unit, point.outcome.half / unit, "",
+          half_range(report, point).value_or(0)};
+}
+
+// The best points in the order of their times, as a line.
+Plot::Series best_of(const ChoiceReport& report, double unit, std::string ink) {
+  Plot::Series best{"", {}, false, std::move(ink), 1};
+  for (const AccuracyPoint& point : report.points)
+    if (point.best) best.points.push_back(plot_point(report, point, unit));
   std::sort(best.points.begin(), best.points.end(),
             [](const auto& a, const auto& b) { return a.x < b.x; });
-  if (!best.points.empty()) plot.series.push_back(std::move(best));
+  return best;
+}
+
+// All choices at once: units differ, so each error is told by the largest of its choice.
+std::string overview(std::span<const ChoiceReport> reports) {
+  Plot plot{"All choices: error against run time",
+            "seconds of processor time",
+            "error, of the largest of its choice",
+            {}};
+  plot.log_x = plot.log_y = true;
+  std::size_t number = 0;
+  for (const ChoiceReport& report : reports) {
+    if (!has_plot(report)) continue;
+    double largest = 0;
+    for (const AccuracyPoint& point : report.points)
+      largest = std::max(largest, point.outcome.error);
+    plot.series.push_back(best_of(report, largest, series_ink(number++)));
+    Plot::Series& all = plot.series.emplace_back(Plot::Series{report.name, {}, true});
+    for (const AccuracyPoint& point : report.points)
+      all.points.push_back({point.seconds, point.outcome.error / largest});
+  }
+  plot.caption = "Lines join the best settings of a choice.";
+  return number == 0 ? "" : figure("error against seconds of all choices", svg(plot));
+}
+
+}  // namespace
+
+bool has_plot(const ChoiceReport& report) {
+  return std::any_of(report.points.begin(), report.points.end(),
+                     [](const AccuracyPoint& point) { return point.outcome.error > 0; });
+}
+
+std::string accuracy_plot(const ChoiceReport& report) {
+  Plot plot{fmt::format("{}: {}", report.name, name(report.kind)),
+            "seconds of processor time",
+            "error, " + report.unit,
+            {}};
+  plot.log_x = plot.log_y = true;
+  bool by_number = false;
+  for (const std::string& series : series_of(report.points)) {
+    plot.series.push_back({series.empty() ? "settings" : series, {}, true});
+    for (const AccuracyPoint& point : report.points) {
+      if (point.series != series) continue;
+      plot.series.back().points.push_back(plot_point(report, point, 1));
+      plot.series.back().points.back().label = label_of(report, point);
+      by_number = by_number || !label_of(report, point).starts_with(point.setting);
+      if (!advice(report, point).empty())
+        plot.notes.push_back({point.seconds, point.outcome.error, ""});
+    }
+  }
+  plot.series.push_back(best_of(report, 1, "axis"));
+  plot.series.back().name = "best";
+  if (by_number) plot.caption = "Numbers at points: " + report.grows;
   return svg(plot);
 }
 
-std::string accuracy_page(const std::string& scene, std::span<const ChoiceReport> reports) {
-  std::string text = fmt::format(kHead, svg_text(scene));
-  for (const ChoiceReport& report : reports) text += section(report);
+std::string accuracy_page(const std::string& scene, std::span<const ChoiceReport> reports,
+                          const std::optional<Image>& shown) {
+  std::string text = fmt::format(kHead, svg_text(scene)), left_out;
+  if (shown) text += "<figure>" + image(*shown, "the scene, " + scene) + "</figure>\n";
+  text += overview(reports);
+  for (const ChoiceReport& report : reports)
+    if (report.left_out.empty())
+      text += section(report);
+    else
+      left_out +=
+          fmt::format("<li>{}: {}</li>\n", svg_text(report.name), svg_text(report.left_out));
+  if (!left_out.empty())
+    text += "<section>\n<h2>Left out</h2>\n<ul>\n" + left_out + "</ul>\n</section>\n";
   return text + "</main>\n</body>\n</html>\n";
 }
 

@@ -148,7 +148,8 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
   return lines;
 }
 
-ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports) {
+ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
+                                 const std::optional<Image>& shown) {
   ExperimentResult result;
   const Table points = points_table(reports), choices = choices_table(reports);
   const Table orders = orders_table(reports);
@@ -158,9 +159,9 @@ ExperimentResult accuracy_report(const std::string& scene, std::span<const Choic
        json_document({{"scene", scene}},
                      {{"choices", &choices}, {"orders", &orders}, {"points", &points}})});
   for (const ChoiceReport& report : reports)
-    if (!report.points.empty())
+    if (has_plot(report))
       result.files.push_back({fmt::format("accuracy_{}.svg", report.name), accuracy_plot(report)});
-  result.files.push_back({"accuracy.html", accuracy_page(scene, reports)});
+  result.files.push_back({"accuracy.html", accuracy_page(scene, reports, shown)});
   result.summary = summary(reports);
   return result;
 }

@@ -9,9 +9,11 @@
 namespace flatray {
 
 /// What was measured on a scene, as files: accuracy.csv, accuracy.json, a log-log picture
-/// accuracy_CHOICE.svg of each choice, and accuracy.html, one page that needs no other file.
+/// accuracy_CHOICE.svg of each choice that has an error, and accuracy.html, one page that needs no other file.
 /// Gives   the summary as text for a terminal.
-ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports);
+/// `shown`: a picture of the scene.
+ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
+                                 const std::optional<Image>& shown = {});
 
 /// The kinds of error that any point has, the choice's own among them.
 std::vector<std::size_t> kinds_of_error(const ChoiceReport& report);

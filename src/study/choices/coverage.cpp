@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "base/processor_time.h"
-#include "collide/scene_timeline.h"
+#include "image/compare.h"
 #include "render/backend.h"
 #include "study/accuracy/accuracy.h"
 #include "study/accuracy/linear_error.h"
@@ -25,7 +25,10 @@ struct Film {
 
 std::function<Outcome()> judged(const std::shared_ptr<Film>& film) {
   return [film] {
-    return Outcome{rms_difference(film->drawn, film->truth), 0, developed(film->drawn)};
+    Outcome outcome{rms_difference(film->drawn, film->truth), 0, developed(film->drawn)};
+    outcome.difference =
+        difference_image(*outcome.picture, developed(film->truth), kDifferenceGain);
+    return outcome;
   };
 }
 
@@ -111,10 +114,7 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const unsigned frame = (context.scene.frames + 1) / 2;
-  const auto timeline = make_timeline(context.scene, context.seed, frame);
-  if (!timeline) return tl::unexpected(timeline.error());
-  auto list = draw_list(make_plan(context.scene, false), *timeline, frame);
+  auto list = middle_list(context);
   if (!list) return tl::unexpected(list.error());
   const auto film = std::make_shared<Film>();
   film->list = std::move(*list);
@@ -122,8 +122,9 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const auto [side, doubt] = find_truth(*film, reference_budget(context));
   ChoiceSettings made;
   made.unit = "root mean square of linear light, 1 is white";
-  made.reference = fmt::format("frame {} by {} samples a pixel, from which {} differ by {:.2g}",
-                               frame, side * side, coarser(side) * coarser(side), doubt);
+  made.reference =
+      fmt::format("frame {} by {} samples a pixel, from which {} differ by {:.2g}",
+                  middle_frame(context.scene), side * side, coarser(side) * coarser(side), doubt);
   if (side < kTruthSides.front())
     made.cut = fmt::format("reference of {} samples a pixel instead of {}", side * side,
                            kTruthSides.front() * kTruthSides.front());

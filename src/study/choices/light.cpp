@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/processor_time.h"
+#include "image/compare.h"
 #include "image/srgb.h"
 #include "render/light/light_picture.h"
 #include "render/light/light_run.h"
@@ -69,13 +70,18 @@ Outcome judge(const Lit& lit) {
     squares += error * error, sum += error;
   }
   const double variance = std::max(squares - sum * sum / kSeeds, 0.0) / (kSeeds - 1);
-  const LightPicture shown = light_picture(lit.found.front(), 1, lit.scene.light, false);
-  const Film& film = lit.scene.film;
-  Image image(film.width, film.height, 3);
-  for (std::size_t i = 0; i < shown.rgb.size(); ++i)
-    image.pixels[i] = srgb_from_linear(std::min(shown.rgb[i], 1.0F));
-  return {std::sqrt(squares / kSeeds), student_95(kSeeds - 1) * std::sqrt(variance / kSeeds),
-          std::move(image)};
+  const auto image_of = [&](const Fluence& light) {
+    const LightPicture shown = light_picture(light, 1, lit.scene.light, false);
+    Image image(lit.scene.film.width, lit.scene.film.height, 3);
+    for (std::size_t i = 0; i < shown.rgb.size(); ++i)
+      image.pixels[i] = srgb_from_linear(std::min(shown.rgb[i], 1.0F));
+    return image;
+  };
+  Outcome outcome{std::sqrt(squares / kSeeds),
+                  student_95(kSeeds - 1) * std::sqrt(variance / kSeeds),
+                  image_of(lit.found.front())};
+  outcome.difference = difference_image(*outcome.picture, image_of(lit.truth), kDifferenceGain);
+  return outcome;
 }
 
 // The mean of as many pictures as there is time for, and what it is off itself.
