@@ -126,6 +126,24 @@ std::uint64_t PngHeader::unpacked_bytes() const {
   return total;
 }
 
+void put_number(std::vector<std::byte>& out, std::uint32_t number) {
+  for (const unsigned shift : {24U, 16U, 8U, 0U})
+    out.push_back(static_cast<std::byte>(number >> shift));
+}
+
+PngChunk::PngChunk(std::vector<std::byte>& out, std::string_view type)
+    : out_(out), begin_(out.size()) {
+  put_number(out, 0);
+  for (const char c : type) out.push_back(static_cast<std::byte>(c));
+}
+
+void PngChunk::end() {
+  std::vector<std::byte> length;
+  put_number(length, static_cast<std::uint32_t>(out_.size() - begin_ - 8));
+  std::copy(length.begin(), length.end(), out_.begin() + static_cast<std::ptrdiff_t>(begin_));
+  put_number(out_, crc32(std::span(out_).subspan(begin_ + 4)));
+}
+
 Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::string& name,
                                   std::uint64_t max_pixels) {
   ChunkReader reader(bytes, name);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -20,6 +21,20 @@ struct PngHeader {
 
   /// Bytes the pixels unpack to: rows of samples, each after its filter byte.
   std::uint64_t unpacked_bytes() const;
+};
+
+/// The highest byte first.
+void put_number(std::vector<std::byte>& out, std::uint32_t number);
+
+/// A chunk at the end of `out`: what is put there until `end` are its data.
+class PngChunk {
+ public:
+  PngChunk(std::vector<std::byte>& out, std::string_view type);
+  void end();
+
+ private:
+  std::vector<std::byte>& out_;
+  std::size_t begin_;
 };
 
 /// Walks the chunks of a PNG, as ISO/IEC 15948 has them.

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <string_view>
 
 #include "base/parallel.h"
 #include "image/checksums.h"
 #include "image/deflate.h"
 #include "image/png.h"
+#include "image/png_chunks.h"
 #include "image/tile.h"
 
 namespace flatray::png_writer {
@@ -12,34 +12,9 @@ namespace {
 
 using Packed = std::vector<std::byte>;
 
-void put_number(Packed& out, std::uint32_t number) {
-  for (const unsigned shift : {24U, 16U, 8U, 0U})
-    out.push_back(static_cast<std::byte>(number >> shift));
-}
-
 void put_bytes(Packed& out, std::initializer_list<unsigned> values) {
   for (const unsigned value : values) out.push_back(static_cast<std::byte>(value));
 }
-
-// A chunk at the end of `out`, written between `begin` and `end`.
-class Chunk {
- public:
-  Chunk(Packed& out, std::string_view type) : out_(out), begin_(out.size()) {
-    put_number(out, 0);
-    for (const char c : type) out.push_back(static_cast<std::byte>(c));
-  }
-
-  void end() {
-    Packed length;
-    put_number(length, static_cast<std::uint32_t>(out_.size() - begin_ - 8));
-    std::copy(length.begin(), length.end(), out_.begin() + static_cast<std::ptrdiff_t>(begin_));
-    put_number(out_, crc32(std::span(out_).subspan(begin_ + 4)));
-  }
-
- private:
-  Packed& out_;
-  std::size_t begin_;
-};
 
 // Packs bands one after another; its room is kept from one to the next.
 class BandPacker {
@@ -52,7 +27,7 @@ class BandPacker {
   PngBand pack(int y) {
     filter(y, std::min(y + band_rows(image_.width), image_.height));
     PngBand band{{}, adler32(filtered_), filtered_.size()};
-    Chunk chunk(band.chunk, "IDAT");
+    PngChunk chunk(band.chunk, "IDAT");
     deflater_.pack(filtered_, pixel_, band.chunk);
     chunk.end();
     return band;
@@ -87,22 +62,22 @@ class BandPacker {
 
 void put_header(Packed& out, int width, int height, int channels) {
   put_bytes(out, {137, 'P', 'N', 'G', '\r', '\n', 26, '\n'});
-  Chunk header(out, "IHDR");
+  PngChunk header(out, "IHDR");
   put_number(out, static_cast<std::uint32_t>(width));
   put_number(out, static_cast<std::uint32_t>(height));
   put_bytes(out, {8, channels == 3 ? 2U : 6U, 0, 0, 0});
   header.end();
-  Chunk stream(out, "IDAT");
+  PngChunk stream(out, "IDAT");
   put_bytes(out, {0x78, 0x01});  // zlib: deflate with a window of 32 kB
   stream.end();
 }
 
 void put_end(Packed& out, std::uint32_t adler) {
-  Chunk stream(out, "IDAT");
+  PngChunk stream(out, "IDAT");
   put_bytes(out, {0x03, 0x00});  // an empty last block
   put_number(out, adler);
   stream.end();
-  Chunk(out, "IEND").end();
+  PngChunk(out, "IEND").end();
 }
 
 std::vector<std::byte> joined(const Image& image, std::span<const PngBand> bands) {
