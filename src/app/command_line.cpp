@@ -2,8 +2,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 #include "app/help/help.h"
@@ -76,8 +78,10 @@ Diagnostics unknown_verb(const std::string& word) {
 int print(const std::string& text, int code) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return code;
-  return report_failure({{named_place("standard output"), "cannot write", "", Trouble::output}},
-                        "");
+  return report_failure(
+      {{named_place("standard output"), fmt::format("cannot write: {}", std::strerror(errno)), "",
+        Trouble::output}},
+      "");
 }
 
 Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {

@@ -178,7 +178,7 @@ NewFile::~NewFile() {
   if (file_ && !temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-Result<NewFile> NewFile::write(const fs::path& path, std::span<const std::byte> bytes) {
+Result<NewFile> NewFile::begin(const fs::path& path) {
   const fs::path folder = folder_of(path);
   std::error_code error;
   fs::create_directories(folder, error);
@@ -195,10 +195,26 @@ Result<NewFile> NewFile::write(const fs::path& path, std::span<const std::byte> 
       made.temporary_.clear();
       continue;
     }
-    if (!write_all(made.file_, bytes) || ::fsync(made.file_.get()) != 0)
-      return cannot("write", path, errno, Trouble::output);
     return made;
   }
+}
+
+Result<void> NewFile::add(std::span<const std::byte> bytes) const {
+  if (!write_all(file_, bytes)) return cannot("write", path_, errno, Trouble::output);
+  return {};
+}
+
+Result<void> NewFile::flush() const {
+  if (::fsync(file_.get()) != 0) return cannot("write", path_, errno, Trouble::output);
+  return {};
+}
+
+Result<NewFile> NewFile::write(const fs::path& path, std::span<const std::byte> bytes) {
+  auto made = begin(path);
+  if (!made) return made;
+  if (auto added = made->add(bytes); !added) return fail(std::move(added));
+  if (auto kept = made->flush(); !kept) return fail(std::move(kept));
+  return made;
 }
 
 Result<void> NewFile::take_name() {

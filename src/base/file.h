@@ -33,12 +33,18 @@ Result<std::string> read_file(const std::filesystem::path& path, const ReadLimit
 /// followed, pipes not waited for. Error   Trouble::missing.
 Result<std::string> read_regular_file(const std::filesystem::path& path);
 
-/// A file that is there whole and flushed under a hidden name beside `path`, which no other writer
-/// has, until it takes its own; gone where it never does. What has the name before is replaced, and
+/// A file under a hidden name beside `path`, which no other writer has, until it is whole and takes its
+/// own; gone where it never does. What has the name before is replaced, and
 /// neither followed nor written to, whatever it is.
 class NewFile {
  public:
-  /// Makes missing folders. Error   Trouble::output with the system's reason.
+  /// An empty one, to be filled by `add` and `flush`ed before it takes its name. Makes missing folders.
+  /// Error   Trouble::output with the system's reason, as all others.
+  static Result<NewFile> begin(const std::filesystem::path& path);
+  Result<void> add(std::span<const std::byte> bytes) const;
+  Result<void> flush() const;
+  const Descriptor& descriptor() const { return file_; }
+  /// One that is whole.
   static Result<NewFile> write(const std::filesystem::path& path, std::span<const std::byte> bytes);
   NewFile(NewFile&&) noexcept;
   NewFile& operator=(NewFile&&) = delete;

@@ -41,8 +41,13 @@ const PictureFormat* find_picture_format(std::string_view name) {
 
 const PictureFormat* picture_format_of(std::span<const std::byte> content) {
   const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
-  return first_that(
-      [&](const PictureFormat* format) { return text.starts_with(format->beginning); });
+  const auto begins = [&](const PictureFormat* format) {
+    return text.starts_with(format->beginning);
+  };
+  const PictureFormat* read_back = first_that([&](const PictureFormat* format) {
+    return begins(format) && (format->read_picture != nullptr || format->read_light != nullptr);
+  });
+  return read_back != nullptr ? read_back : first_that(begins);
 }
 
 PictureFormat::Bytes PictureFormat::encode(const Image& image) const {

@@ -10,6 +10,13 @@
 
 namespace flatray {
 
+/// All frames that one file holds.
+struct FrameSequence {
+  int width = 0, height = 0;
+  std::size_t frames = 0;
+  double fps = 24;
+};
+
 /// A format of picture files: what --format, names of files, `flatray list pictures` and messages know
 /// of it. A file in `pictures/` and a line in CMake.
 struct PictureFormat {
@@ -28,12 +35,21 @@ struct PictureFormat {
   /// Whole numbers, to which more light can be added.
   Bytes (*of_film)(const FilmFile& film) = nullptr;
 
+  // Of videos, whose files hold all frames: `of_picture` gives what is kept of one.
+  /// The bytes that frame `index`, from 0, adds to the file. All of them in order are the file.
+  Bytes (*part)(std::span<const std::byte> picture, std::size_t index,
+                const FrameSequence& sequence) = nullptr;
+  /// Where the program ffmpeg makes the file of these bytes, which are Y4M then: its arguments between
+  /// input and output.
+  std::span<const char* const> by_ffmpeg = {};
+
   // Of formats that are read back. Error   Trouble::invalid at `name`.
   Result<Image> (*read_picture)(std::span<const std::byte> bytes,
                                 const std::string& name) = nullptr;
   Result<LinearImage> (*read_light)(std::span<const std::byte> bytes,
                                     const std::string& name) = nullptr;
 
+  bool is_video() const { return part != nullptr; }
   /// A picture that comes after no other.
   Bytes encode(const Image& image) const;
 };
@@ -44,7 +60,8 @@ std::vector<std::string> picture_format_names();
 
 /// The format of a name; null where there is none.
 const PictureFormat* find_picture_format(std::string_view name);
-/// The format whose files begin like this content; null where it is none of them.
+/// The format whose files begin like this content, of several the one that is read back; null where it
+/// is none of them.
 const PictureFormat* picture_format_of(std::span<const std::byte> content);
 
 }  // namespace flatray

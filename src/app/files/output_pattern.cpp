@@ -133,7 +133,7 @@ Result<OutputPattern> OutputPattern::parse(std::string text,
 }
 
 OutputPattern OutputPattern::standard(bool sequence, const PictureFormat& format) {
-  const char* stem = sequence ? "out/{scene}/frame_####." : "out/{scene}.";
+  const char* stem = sequence && !format.is_video() ? "out/{scene}/frame_####." : "out/{scene}.";
   return {std::string(stem) + format.name, format};
 }
 

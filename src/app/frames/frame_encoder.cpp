@@ -112,7 +112,7 @@ void FrameEncoder::keep(const Picture& picture, const RowsChanged& changed) {
   out_.record.pixels = hash_of(picture);
   out_.record.width = picture.width;
   out_.record.height = picture.height;
-  out_.record.bytes = Hash().add(out_.bytes).hex();
+  if (job_.output.format().part == nullptr) out_.record.bytes = Hash().add(out_.bytes).hex();
   ++encoded_;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/frames/render_job.h"
+#include "app/frames/video_maker.h"
 #include "app/help/version.h"
 #include "app/options/resource_limits.h"
 #include "app/report/value.h"
@@ -17,6 +18,11 @@ namespace {
 // Frames are drawn side by side as long as their pictures together stay under this.
 constexpr std::uint64_t kMemoryAtOnce = std::uint64_t{1} << 30;
 
+std::uint64_t pixels_of(const RenderJob& job) {
+  const PixelBox box = job.picture();
+  return static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+}
+
 // What one picture takes at its peak, for pixels that do not compress. Not what the scene and its outlines take.
 std::uint64_t bytes_of_frame(const RenderJob& job) {
   const PictureFormat& format = job.output.format();
@@ -24,16 +30,19 @@ std::uint64_t bytes_of_frame(const RenderJob& job) {
       format.of_picture != nullptr ? (job.scene.film.background.a == 255 ? 3 : 4)
       : format.of_light != nullptr ? 3 * sizeof(float)
                                    : 3 * sizeof(std::int64_t) * job.scene.light.scrambles;
-  constexpr std::uint64_t kTimes = 3;  // the picture, what is made of it, and the growing file
-  const PixelBox box = job.picture();
-  const std::uint64_t pixels =
-      static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+  // The picture, what is made of it, and the growing file, or of videos pictures that wait.
+  const std::uint64_t times = format.part == nullptr ? 3 : 3 + 2 * frames_a_turn(job);
   const std::uint64_t light =
       job.scene.lamps.empty() || job.view ? 0 : light_bytes(job.scene, hardware_threads());
-  return kTimes * pixels * bytes + light;
+  return times * pixels_of(job) * bytes + light;
 }
 
 }  // namespace
+
+std::size_t frames_a_turn(const RenderJob& job) {
+  constexpr std::uint64_t kPixels = std::uint64_t{1} << 22, kMost = 8;
+  return std::clamp<std::uint64_t>(kPixels / pixels_of(job), 1, kMost);
+}
 
 Fields RenderJob::setting() const {
   const PixelBox part = picture();

@@ -7,8 +7,9 @@
 #include <chrono>
 #include <set>
 
-#include "app/frames/frame_encoder.h"
+#include "app/frames/frame_source.h"
 #include "app/frames/light_files.h"
+#include "app/frames/video_maker.h"
 #include "app/interrupt.h"
 #include "app/report/value.h"
 #include "base/counted.h"
@@ -22,49 +23,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RenderPlan plan_of(const RenderJob& job, const LightGoal& goal) {
-  RenderPlan plan = make_plan(job.scene, job.keep_all, job.tracer);
-  plan.light_goal = &goal;
-  const bool film = job.output.format().of_film != nullptr;
-  plan.still = plan.still && !film;  // each names its frame
-  plan.still_light = plan.still_light && !film && !job.view;
-  plan.raw_light = job.output.format().of_picture == nullptr;
-  return plan;
-}
-
-// The goal of the job's light, of which `told` is told.
-LightGoal told_goal(const RenderJob& job, const Told& told) {
-  LightGoal goal = job.light.goal();
-  if (told)
-    goal.told = [&told](const TracedLight& light, std::optional<double> error) {
-      told(fmt::format("{} rays{}", light.counts.rays,
-                       error ? fmt::format(", error {:.2g}", *error) : std::string()));
-    };
-  return goal;
-}
-
 // Draws and writes the frames of one job in runs of neighbours, which have most in common.
 class FrameMaker {
  public:
-  FrameMaker(const RenderJob& job, const Timeline& timeline, const std::vector<unsigned>& frames,
-             unsigned threads, const std::function<void()>& done, const Claim* claim,
-             const Told& told)
+  FrameMaker(const RenderJob& job, const FrameSource& source, const std::vector<unsigned>& frames,
+             unsigned threads, const std::function<void()>& done, const Claim* claim)
       : job_(job),
+        source_(source),
         frames_(frames),
         spread_(spread(job, frames.size(), threads)),
         run_(run_length(frames.size(), spread_)),
         done_(done),
         claim_(claim),
-        goal_(told_goal(job, told)),
-        plan_(plan_of(job, goal_)),
-        timeline_(timeline),
         manifest_(job.manifest()),
-        made_((frames.size() + run_ - 1) / run_) {
-    if (plan_.still)
-      draw_still(threads);
-    else if (plan_.still_light && frames.size() > 1)
-      trace_still_light(threads);
-  }
+        made_((frames.size() + run_ - 1) / run_) {}
 
   void make_all() {
     parallel_for(made_.size(), spread_.frames_at_once,
@@ -73,8 +45,8 @@ class FrameMaker {
 
   JobResult result() {
     JobResult result;
-    result.drawn = drawn_;
-    result.encoded = encoded_;
+    result.drawn = source_.drawn();
+    result.encoded = source_.encoded();
     for (Made& made : made_) {
       result.drawn += made.drawn;
       result.encoded += made.encoded;
@@ -102,24 +74,6 @@ class FrameMaker {
     constexpr std::size_t kRunsAThread = 4, kLongest = 32;
     if (spread.frames_at_once == 1) return std::max<std::size_t>(count, 1);
     return std::clamp<std::size_t>(count / (kRunsAThread * spread.frames_at_once), 1, kLongest);
-  }
-
-  void draw_still(unsigned threads) {
-    FrameEncoder encoder(job_, threads, &interrupted);
-    Result<const Encoded*> made = encoder.encode(plan_, timeline_, frames_.front());
-    if (!made)
-      made_.front().problems = std::move(made).error();
-    else if (*made != nullptr)
-      still_ = **made;
-    stopped_ = !still_;
-    drawn_ = encoder.counts();
-    encoded_ = encoder.encoded();
-  }
-
-  void trace_still_light(unsigned threads) {
-    kept_light_ = show_light(timeline_, at(timeline_, frames_.front()), job_.tracer,
-                             {threads, &interrupted, plan_.raw_light, &goal_});
-    plan_.kept_light = &kept_light_;
   }
 
   // Names and lines of a run are flushed together: what a machine that stops then loses of them,
@@ -158,7 +112,7 @@ class FrameMaker {
 
   // A record without frame: the frame was interrupted.
   Result<FrameRecord> write(unsigned frame, FrameEncoder& encoder) const {
-    Result<const Encoded*> made = still_ ? &*still_ : encoder.encode(plan_, timeline_, frame);
+    Result<const Encoded*> made = source_.encode(frame, encoder);
     if (!made) return fail(std::move(made));
     if (*made == nullptr) return FrameRecord{};
     FrameRecord record = (*made)->record;
@@ -188,22 +142,24 @@ class FrameMaker {
   }
 
   const RenderJob& job_;
+  const FrameSource& source_;
   const std::vector<unsigned>& frames_;
   const Spread spread_;
   const std::size_t run_;
   const std::function<void()>& done_;
   const Claim* const claim_;
-  const LightGoal goal_;
-  ShownLight kept_light_;
-  RenderPlan plan_;
-  const Timeline& timeline_;
   const Journal manifest_;
   std::vector<Made> made_;
-  std::optional<Encoded> still_;
-  DrawCounts drawn_;  ///< for it
-  std::size_t encoded_ = 0;
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
+
+JobResult make_pictures(const RenderJob& job, const FrameSource& source,
+                        const std::vector<unsigned>& frames, unsigned threads,
+                        const std::function<void()>& done, const Claim* claim) {
+  FrameMaker maker(job, source, frames, threads, done, claim);
+  maker.make_all();
+  return maker.result();
+}
 
 // The lines of all manifests in a folder.
 Result<std::string> text_of_manifests(const fs::path& folder) {
@@ -345,10 +301,12 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
   if (!part) return {{}, {}, std::move(part).error()};
   std::vector<unsigned> known = frames;
   std::erase_if(known, [&](unsigned frame) { return frame > part->last_frame; });
-  if (known.empty()) return {{}, {}, std::move(part->problems), true};
-  FrameMaker maker(job, part->timeline, known, threads, done, claim, told);
-  maker.make_all();
-  JobResult result = maker.result();
+  const bool video = job.output.format().part != nullptr;  // of all its frames, or none
+  if (known.empty() || (video && known.size() < frames.size()))
+    return {{}, {}, std::move(part->problems), true};
+  const FrameSource source(job, part->timeline, known.front(), known.size(), threads, told);
+  JobResult result = video ? make_video(job, source, known, threads, done)
+                           : make_pictures(job, source, known, threads, done, claim);
   if (auto lost = lost_light(job.scene, result.written))
     result.warnings.push_back(std::move(*lost));
   if (job.output.has_frame() && result.problems.empty())

@@ -52,13 +52,37 @@ Result<OutputPattern> output_of(const Arguments& arguments, bool sequence) {
   return OutputPattern::standard(sequence, **known);
 }
 
+// One file holds all frames, or is not there.
+Result<void> check_video(const Arguments& arguments, const OutputPattern& output) {
+  const PictureFormat& format = output.format();
+  if (output.has_frame())
+    return usage_error(
+        arguments.where("output"),
+        fmt::format("has a place for numbers of frames, and a .{} holds all frames", format.name),
+        fmt::format("say video.{}", format.name));
+  if (output.is_stdout() && !format.by_ffmpeg.empty())
+    return usage_error(arguments.where("format"),
+                       fmt::format("a .{} is made by ffmpeg, as a file", format.name),
+                       "name the file, or say --format y4m");
+  for (const char* option : {"resume", "shard"})
+    if (arguments.has(option))
+      return usage_error(
+          arguments.where(option),
+          fmt::format("does not go with a .{}, which is written as a whole", format.name),
+          "leave it out, or write frame_####.png");
+  return {};
+}
+
 Result<void> check_places(const Arguments& arguments, const OutputPattern& output,
                           std::size_t frames) {
   const std::size_t scenes = arguments.operands().size();
-  if (frames > 1 && !output.has_frame())
+  const bool video = output.format().is_video();
+  if (video)
+    if (auto fits = check_video(arguments, output); !fits) return fits;
+  if (frames > 1 && !output.has_frame() && !video)
     return usage_error(arguments.where("output"),
                        fmt::format("has no place for the numbers of {} frames", frames),
-                       output.is_stdout() ? "choose one, as -f 1"
+                       output.is_stdout() ? "choose one, as -f 1, or say --format y4m"
                                           : "say frame_####.png, or choose one frame, as -f 1");
   if (scenes > 1 && !output.has_scene())
     return usage_error(arguments.where("output"),

@@ -15,9 +15,18 @@
 namespace flatray {
 namespace {
 
+// A video has one file of all frames.
+std::vector<std::string> files_of(const Work& work) {
+  std::vector<std::string> files;
+  for (const unsigned frame : work.frames)
+    if (files.empty() || !work.job->output.format().is_video())
+      files.push_back(work.job->path(frame).string());
+  return files;
+}
+
 JsonValue dry_value(const Work& work, unsigned threads) {
   Values files;
-  for (const unsigned frame : work.frames) files.emplace_back(work.job->path(frame).string());
+  for (std::string& file : files_of(work)) files.emplace_back(std::move(file));
   const PixelBox size = work.job->picture();
   return Fields{{"scene", work.job->scene.name},
                 {"width", size.width},
@@ -34,7 +43,7 @@ std::string dry_text(const Work& work, unsigned threads) {
       fmt::format("{}: {} of {}x{}, {} kept, at most {:.1f} MB for pictures\n",
                   work.job->scene.name, counted(work.frames.size(), "frame"), size.width,
                   size.height, work.kept.size(), static_cast<double>(bytes) / 1e6);
-  for (const unsigned frame : work.frames) text += work.job->path(frame).string() + "\n";
+  for (const std::string& file : files_of(work)) text += file + "\n";
   return text;
 }
 
@@ -69,7 +78,10 @@ class Run {
       : arguments_(arguments),
         list_(list),
         total_(total(list)),
-        progress_(total_, mode, "frames", has_light(list)) {}
+        progress_(total_, mode, "frames", has_light(list)),
+        goes_on_(list.works.empty() || !list.works.front().job->output.format().is_video()) {
+    if (!goes_on_) catch_interrupts("nothing of a video is kept");
+  }
 
   VerbOutput operator()() {
     if (const auto begun = begin(); !begun) return give_up(begun.error());
@@ -142,7 +154,7 @@ class Run {
     const std::string goes_on =
         written_ == 0 ? "nothing rendered"
                       : fmt::format("{} of {} written{}", written_, counted(total_, "frame"),
-                                    ends ? "" : "; --resume goes on from there");
+                                    ends || !goes_on_ ? "" : "; --resume goes on from there");
     return {json_failure("render", arguments_, problems), report_failure(problems, goes_on)};
   }
 
@@ -151,9 +163,9 @@ class Run {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
     const bool stopped = written_ < total_;
     if (stopped)
-      report_note(
-          fmt::format("flatray: {}, {} of {} written; the same command with --resume goes on",
-                      interruption(), written_, counted(total_, "frame")));
+      report_note(fmt::format("flatray: {}, {} of {} written{}", interruption(), written_,
+                              counted(total_, "frame"),
+                              goes_on_ ? "; the same command with --resume goes on" : ""));
     else if (!arguments_.has("quiet"))
       report_note(fmt::format("flatray: {} written{} in {:.2f} s", counted(written_, "frame"),
                               kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
@@ -166,6 +178,7 @@ class Run {
   const WorkList& list_;
   const std::size_t total_;
   Progress progress_;
+  const bool goes_on_;  ///< with --resume; not videos
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t written_ = 0, kept_ = 0;
   std::map<const Work*, Claim> claims_;  ///< to the patterns of sequences

@@ -111,6 +111,8 @@ constexpr WrittenTopic kTopics[] = {
      "  -o picture.hdr              linear light; .pfm: every float as it is\n"
      "  -o light.film               light of lamps, to which --resume and merge add more\n"
      "  -o -                        one picture on standard output\n"
+     "  -o video.mp4                all frames in one file, by ffmpeg: .webm, .gif; .y4m\n"
+     "  -o - --format y4m           all frames for other programs, as ffmpeg -i -\n"
      "A picture appears under its name when it is whole. manifest.jsonl beside it has a line for\n"
      "each: frame, file, hash of its pixels, of the scene, the seed. Inputs, links and files of\n"
      "another kind are replaced only with --force.\n",

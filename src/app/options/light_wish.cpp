@@ -66,8 +66,10 @@ Result<void> fits_error_image(const Arguments& arguments, const RenderJob& job) 
   const OutputPattern& image = *job.light.error_image;
   if (image.is_stdout() || job.output.is_stdout())
     return wrong("does not go with standard output", "name files for both");
-  if (image.format().of_film != nullptr)
-    return wrong("is a picture, not a film", "say .pfm, .hdr or .png");
+  if (job.output.format().is_video())
+    return wrong("does not go with a video", "write frame_####.png");
+  if (image.format().of_film != nullptr || image.format().is_video())
+    return wrong("is a picture, not a film or a video", "say .pfm, .hdr or .png");
   if (image.has_frame() != job.output.has_frame() || image.has_scene() != job.output.has_scene())
     return wrong("does not have the places for numbers and names that -o has",
                  "write both alike, as out/####.png and out/error_####.pfm");

@@ -96,6 +96,9 @@ Result<OutputPattern> output_of(const Arguments& arguments, const char* option) 
   auto output = OutputPattern::parse(*text, std::nullopt, arguments.where(option));
   if (output && (output->has_scene() || output->is_stdout()))
     return usage_error(arguments.where(option), "is not the name of one file", "say all.film");
+  if (output && output->format().is_video())
+    return usage_error(arguments.where(option), "is a video, and light of one frame a picture",
+                       "say .film, .png, .hdr or .pfm");
   return output;
 }
 

@@ -52,9 +52,6 @@ Result<ProgressMode> progress_mode(const Arguments& arguments) {
 }
 
 Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, unsigned threads) {
-  if (arguments.has("json"))
-    return usage_error(arguments.where("json"), "standard output is taken by the picture",
-                       "leave out --json, or write to a file");
   if (job.frames.empty())
     return usage_error(arguments.where("shard"), "leaves no frame for standard output",
                        "name a file, or leave out --shard");
@@ -121,7 +118,11 @@ Result<VerbOutput> run(const Arguments& given) {
   if (!list) return tl::unexpected(list.error());
   if (arguments.has("dry-run")) return describe(arguments, *list);
   const RenderJob& first = jobs->front();
-  if (first.output.is_stdout()) return to_stdout(arguments, first, request->threads);
+  if (first.output.is_stdout() && arguments.has("json"))
+    return usage_error(arguments.where("json"), "standard output is taken by the picture",
+                       "leave out --json, or write to a file");
+  if (first.output.is_stdout() && !first.output.format().is_video())
+    return to_stdout(arguments, first, request->threads);
   return render_all(arguments, *list, *mode);
 }
 

@@ -18,7 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& extension) {
-  return !extension.empty() && find_picture_format(extension.string().substr(1)) != nullptr;
+  if (extension.empty()) return false;
+  const PictureFormat* format = find_picture_format(extension.string().substr(1));
+  return format != nullptr && !format->is_video();  // videos have no record
 }
 
 constexpr Option kOptions[] = {kThreadsOption, kJsonOption};

@@ -1,0 +1,138 @@
+#include "app/frames/video_maker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+
+#include "app/files/video_file.h"
+#include "app/interrupt.h"
+#include "base/hash.h"
+#include "base/parallel.h"
+
+namespace flatray {
+namespace {
+
+// A thread that draws, from one turn to the next, and what it has drawn in this one.
+struct Lane {
+  Lane(const RenderJob& job, unsigned threads) : encoder(job, threads, &interrupted) {}
+  FrameEncoder encoder;
+  std::vector<Encoded> drawn{};
+  std::vector<double> seconds{};
+  Diagnostics problems{};
+};
+
+class VideoMaker {
+ public:
+  VideoMaker(const RenderJob& job, const FrameSource& source, const std::vector<unsigned>& frames,
+             const Spread& spread, const std::function<void()>& done, VideoFile file)
+      : job_(job),
+        source_(source),
+        frames_(frames),
+        turn_(frames_a_turn(job)),
+        done_(done),
+        file_(std::move(file)),
+        sequence_{job.picture().width, job.picture().height, frames.size(), job.scene.fps} {
+    for (unsigned i = 0; i < spread.frames_at_once; ++i)
+      lanes_.emplace_back(job, spread.threads_each);
+  }
+
+  // While the lanes draw, one more thread writes what they drew before.
+  JobResult operator()() {
+    const std::size_t count = lanes_.size();
+    for (std::size_t first = 0; first < frames_.size() && goes_on(); first += count * turn_) {
+      parallel_for(count + 1, static_cast<unsigned>(count) + 1, [&](std::size_t i) {
+        if (i == count)
+          write();
+        else
+          draw(lanes_[i], first + i * turn_);
+      });
+      collect();
+    }
+    if (goes_on()) write();
+    if (goes_on())
+      if (auto finished = file_.finish(); !finished) result_.problems = std::move(finished).error();
+    return result();
+  }
+
+ private:
+  bool goes_on() const { return result_.problems.empty() && !interrupted(); }
+
+  void draw(Lane& lane, std::size_t first) const {
+    const std::size_t end = std::min(first + turn_, frames_.size());
+    for (std::size_t i = first; i < end; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      Result<const Encoded*> made = source_.encode(frames_[i], lane.encoder);
+      if (!made) lane.problems = std::move(made).error();
+      if (!made || *made == nullptr) return;
+      lane.drawn.push_back(**made);
+      lane.seconds.push_back(
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+  }
+
+  // What the lanes have drawn becomes what is to be written.
+  void collect() {
+    for (Lane& lane : lanes_) {
+      std::move(lane.drawn.begin(), lane.drawn.end(), std::back_inserter(waiting_));
+      result_.seconds.insert(result_.seconds.end(), lane.seconds.begin(), lane.seconds.end());
+      if (result_.problems.empty()) result_.problems = std::move(lane.problems);
+      lane.drawn.clear(), lane.seconds.clear();
+    }
+  }
+
+  void write() {
+    for (; !waiting_.empty() && !interrupted(); waiting_.pop_front()) {
+      const std::size_t index = result_.written.size();
+      const std::vector<std::byte> part =
+          job_.output.format().part(waiting_.front().bytes, index, sequence_);
+      hash_.add(part);
+      if (auto added = file_.add(part); !added) {
+        result_.problems = std::move(added).error();
+        return;
+      }
+      FrameRecord& record = result_.written.emplace_back(std::move(waiting_.front().record));
+      record.frame = frames_[index];
+      record.file = job_.path(record.frame).filename();
+      done_();
+    }
+  }
+
+  JobResult result() {
+    result_.drawn = source_.drawn();
+    result_.encoded = source_.encoded();
+    for (const Lane& lane : lanes_) {
+      result_.drawn += lane.encoder.counts();
+      result_.encoded += lane.encoder.encoded();
+    }
+    if (interrupted()) result_.problems.clear();  // as it may end the program, too
+    const bool whole = goes_on() && result_.written.size() == frames_.size();
+    if (!whole) result_.written.clear(), result_.seconds.clear();
+    for (FrameRecord& record : result_.written) record.bytes = hash_.hex();
+    return std::move(result_);
+  }
+
+  const RenderJob& job_;
+  const FrameSource& source_;
+  const std::vector<unsigned>& frames_;
+  const std::size_t turn_;
+  const std::function<void()>& done_;
+  VideoFile file_;
+  const FrameSequence sequence_;
+  std::deque<Lane> lanes_;  // which are never moved
+  std::deque<Encoded> waiting_;
+  Hash hash_;  ///< of all parts
+  JobResult result_;
+};
+
+}  // namespace
+
+JobResult make_video(const RenderJob& job, const FrameSource& source,
+                     const std::vector<unsigned>& frames, unsigned threads,
+                     const std::function<void()>& done) {
+  auto file = VideoFile::begin(job.output.format(), job.path(frames.front()));
+  if (!file) return {{}, {}, std::move(file).error()};
+  return VideoMaker(job, source, frames, spread(job, frames.size(), threads), done,
+                    std::move(*file))();
+}
+
+}  // namespace flatray

@@ -1,0 +1,26 @@
+#include "image/y4m.h"
+
+namespace flatray::picture {
+namespace {
+
+// A palette a frame: colours of one frame, and no memory of all of them.
+constexpr const char* kArguments[] = {
+    "-vf",
+    "scale=in_color_matrix=bt709:in_range=limited:out_range=full,format=rgb24,split[a][b];"
+    "[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1",
+    "-loop",
+    "0",
+    "-f",
+    "gif"};
+
+}  // namespace
+
+extern const PictureFormat gif = {.name = "gif",
+                                  .summary = "video of 256 colours a frame, by ffmpeg; for ever",
+                                  .kind = "a GIF",
+                                  .beginning = "GIF8",
+                                  .of_picture = &y4m_picture,
+                                  .part = &y4m_part,
+                                  .by_ffmpeg = kArguments};
+
+}  // namespace flatray::picture

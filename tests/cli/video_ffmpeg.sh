@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# needs: pictures/mp4 pictures/webm pictures/gif shapes/box
+# What ffmpeg makes of a sequence, where it is installed: all frames, at their rate, in their colours.
+source "$(dirname "$0")/lib.sh"
+command -v ffmpeg > /dev/null && command -v ffprobe > /dev/null || {
+  echo "skipped: there is no ffmpeg"
+  exit 77
+}
+ffmpeg -v quiet -encoders | grep -q libx264 && ffmpeg -v quiet -encoders | grep -q libvpx-vp9 || {
+  echo "skipped: this ffmpeg has no H.264 or VP9"
+  exit 77
+}
+scene box.toml 30
+tell() { ffprobe -v error -count_frames -show_entries "stream=$1" -of csv=p=0 "$2"; }
+# near FILE: a pixel within the box, of #c0392b, and one outside, in the first frame.
+near() {
+  ffmpeg -v error -i "$1" -frames:v 1 -pix_fmt rgb24 -f rawvideo - > raw
+  local at pixel i
+  for at in $(((30 * $2 + 12) * 3)):192,57,43 $(((5 * $2 + 50) * 3)):255,255,255; do
+    read -ra pixel < <(od -An -tu1 -j "${at%:*}" -N 3 raw)
+    IFS=, read -ra wanted <<< "${at#*:}"
+    for i in 0 1 2; do
+      ((pixel[i] - wanted[i] <= 8 && wanted[i] - pixel[i] <= 8)) || fail "$1: a pixel of ${pixel[*]}, not ${wanted[*]}"
+    done
+  done
+}
+for format in mp4 webm gif; do
+  run 0 render box.toml -o box.$format -j 2 --quiet
+  [[ $(tell nb_read_frames box.$format) == 30* ]] || fail "$format has $(tell nb_read_frames box.$format) frames"
+  [[ $(tell width,height box.$format) == 64,48 ]] || fail "$format is of $(tell width,height box.$format)"
+  near box.$format 64
+  [[ -z $(find . -name '.*.part') ]] || fail "a temporary file stayed"
+done
+for format in mp4 webm; do
+  [[ $(tell color_space,color_range box.$format) == tv,bt709 ]] || fail "$format: colours are $(tell color_space,color_range box.$format)"
+  [[ $(tell avg_frame_rate box.$format) == 24/1 ]] || fail "$format: rate $(tell avg_frame_rate box.$format)"
+done
+# The same command again writes the same file, over the one before.
+cp box.mp4 before.mp4
+run 0 render box.toml -o box.mp4 -j 1 --quiet
+cmp -s box.mp4 before.mp4 || fail "the same frames give another file"
+# H.264 takes even sizes.
+run 0 render box.toml --size 65x49 -f 1..3 -o odd.mp4 --quiet
+[[ $(tell width,height odd.mp4) == 66,50 ]] || fail "odd.mp4 is of $(tell width,height odd.mp4)"
+run 0 render box.toml --size 65x49 -f 1..3 -o odd.webm --quiet
+[[ $(tell width,height odd.webm) == 65,49 ]] || fail "odd.webm is of $(tell width,height odd.webm)"
+# A pipe into it does the same.
+"$flatray" render box.toml -o - --format y4m | ffmpeg -v error -y -i - piped.mkv
+[[ $(tell nb_read_frames piped.mkv) == 30* ]] || fail "a pipe gives $(tell nb_read_frames piped.mkv) frames"
+# In the sandbox it is kept in, too.
+mkdir out
+"$flatray" render box.toml -f 1 -o out/p.png --sandbox --quiet 2> err.txt && {
+  run 0 render box.toml -o out/box.mp4 --sandbox --quiet
+  cmp -s out/box.mp4 box.mp4 || fail "another file in the sandbox"
+}
+finish
