@@ -25,15 +25,32 @@ async function openPictures(page, at) {
     await summary.focus();
     await page.keyboard.press('Enter');
     expect(await details.evaluate((d) => d.open), `${at}: Enter does not open '${name}'`);
-    const width = await details.locator('img').evaluate(async (image) => {
-      await image.decode();
-      return image.naturalWidth;
-    });
-    expect(width > 0, `${at}: the picture of '${name}' is empty`);
+    const widths = await details.locator('img').evaluateAll((images) =>
+      Promise.all(images.map((image) => image.decode().then(() => image.naturalWidth))));
+    expect(widths.length > 0 && widths.every((width) => width > 0), `${at}: a picture of '${name}' is empty`);
     await page.keyboard.press('Enter');
     expect(!(await details.evaluate((d) => d.open)), `${at}: Enter does not shut '${name}'`);
   }
   return summaries.length;
+}
+
+// All words of a plot lie within it, and are large enough to be read.
+async function readPlots(page, at) {
+  const texts = await page.evaluate(() =>
+    [...document.querySelectorAll('svg')].flatMap((svg) => {
+      const frame = svg.getBoundingClientRect();
+      return [...svg.querySelectorAll('text')].map((text) => {
+        const box = text.getBoundingClientRect();
+        const inside = box.left >= frame.left - 1 && box.right <= frame.right + 1 &&
+          box.top >= frame.top - 1 && box.bottom <= frame.bottom + 1;
+        return { words: text.textContent, inside, height: Math.min(box.width, box.height) };
+      });
+    }));
+  expect(texts.length > 0, `${at}: there is no plot`);
+  for (const text of texts) {
+    expect(text.inside, `${at}: '${text.words}' is cut off`);
+    expect(text.height > 4, `${at}: '${text.words}' is too small`);
+  }
 }
 
 // Links within the page open what they lead to.
@@ -70,6 +87,7 @@ async function check(browser, file, colorScheme, width, pictures) {
   }
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(wide <= 0, `${at}: is ${wide} px wider than the window`);
+  await readPlots(page, at);
   const opened = await openPictures(page, at);
   await followLinks(page, at);
   await page.evaluate(axe);

@@ -53,13 +53,14 @@ class PlotDrawing {
       const std::size_t look = series.ink.empty() ? number++ : 0;
       const std::string ink = series.ink.empty() ? series_ink(look) : series.ink;
       series.marks ? marks(series, ink, look, labels) : line(series, ink, look);
-      if (!series.points.empty() && !series.name.empty()) name(series, ink, look);
+      if (series.points.size() > (series.marks ? 0 : 1) && !series.name.empty())
+        name(series, ink, look);
     }
     for (const Plot::Note& note : plot_.notes) {
       if (!shown({note.x, note.y})) continue;
       const Vec2 at = place(note.x, note.y);
       out_.marks.push_back(Drawing::Disc{at, 6, {"text"}});
-      labels.add(at, note.words);
+      if (!note.words.empty()) labels.add(at, note.words);
     }
     labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
@@ -112,7 +113,11 @@ class PlotDrawing {
     for (const Tick& tick : ticks_[1]) widest = std::max(widest, words_width(tick.words));
     if (plot_.bar)
       for (const auto& [at, words] : plot_.bar->ticks) bar = std::max(bar, words_width(words));
-    const double left = 10 * std::ceil((kLabelRoom + widest + 8) / 10);
+    y_label_ = lines_of(plot_.y_label, kUsualHeight);
+    const double left =
+        10 *
+        std::ceil((kLabelRoom - kLine + kLine * static_cast<double>(y_label_.size()) + widest + 8) /
+                  10);
     const double right =
         plot_.bar ? 10 * std::ceil((kBarGap + kBarWidth + 6 + bar + kLabelRoom) / 10) : kRight;
     Vec2 area(kWidth - left - right, kUsualHeight);
@@ -154,8 +159,13 @@ class PlotDrawing {
         Drawing::Path{box_of(low_ - Vec2(0.5, 0.5), high_ + Vec2(0.5, 0.5)), {"axis"}, true});
     out_.marks.push_back(
         Drawing::Words{{0.5 * (low_.x() + high_.x()), high_.y() + 14 + kLine}, plot_.x_label, 0.5});
-    out_.marks.push_back(
-        Drawing::Words{{14, 0.5 * (low_.y() + high_.y())}, plot_.y_label, 0.5, "text", true});
+    for (std::size_t i = 0; i < y_label_.size(); ++i)
+      out_.marks.push_back(
+          Drawing::Words{{14 + kLine * static_cast<double>(i), 0.5 * (low_.y() + high_.y())},
+                         y_label_[i],
+                         0.5,
+                         "text",
+                         true});
   }
 
   void stroke(std::vector<Vec2> points, const Pen& look, const std::string& title = {}) {
@@ -197,7 +207,11 @@ class PlotDrawing {
       const Vec2 at = place(point.x, point.y);
       if (!Bounds{low_ - Vec2(1, 1), high_ + Vec2(1, 1)}.contains(at)) continue;
       for (const Vec2& half : {Vec2(0, point.half), Vec2(point.half_x, 0)})
-        if (half != Vec2(0, 0)) stroke({end_of(point, -half), end_of(point, half)}, {ink});
+        if (half != Vec2(0, 0)) {
+          const Vec2 ends[] = {end_of(point, -half), end_of(point, half)};
+          for (const Vec2& end : ends) labels.keep_free(end);
+          stroke({ends[0], ends[1]}, {ink});
+        }
       mark(at, ink, number, series.width);
       labels.keep_free(at);
       if (!point.label.empty()) labels.add(at, point.label);
@@ -267,6 +281,7 @@ class PlotDrawing {
   const Plot& plot_;
   Bounds box_;  // of what is shown, logarithms where it is by these
   std::vector<Tick> ticks_[2];
+  std::vector<std::string> y_label_;
   Vec2 low_{0, 0}, high_{0, 0};  // upper left and lower right corner of the axes
   Vec2 name_at_{0, 0};           // of the next entry of the legend
   bool has_names_ = false;

@@ -31,7 +31,8 @@ TEST(HitSvg, ShowsTheShapeTheRayAndThePartInside) {
   EXPECT_EQ(count(svg, "class=\"s-axis\" stroke-width=\"1.5\"/>"), 4U);
   EXPECT_EQ(count(svg, "class=\"s-blue\""), 2U);
   EXPECT_EQ(count(svg, "class=\"s-vermillion\""), 2U);
-  for (const char* words : {">x, world units<", ">y, world units<", ">ray<", ">inside<"})
+  for (const char* words :
+       {">x, world units</text>", ">y, world units</text>", ">ray</text>", ">inside</text>"})
     EXPECT_EQ(count(svg, words), 1U) << words;
   EXPECT_NE(svg.find("t = 0.2638888888888889"), std::string::npos);
   EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);

@@ -1,0 +1,106 @@
+// needs: shapes/box shapes/circle
+// What every experiment draws: a figure that says what its axes are, as SVG and as pixels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+
+#include "image/png.h"
+#include "study/chamber_scenes.h"
+#include "study/xml.h"
+
+namespace flatray {
+namespace {
+
+using namespace flatray::testing;
+
+std::size_t count(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  return static_cast<std::size_t>(std::distance(
+      std::sregex_iterator(text.begin(), text.end(), expression), std::sregex_iterator()));
+}
+
+void expect_figure(const ExperimentResult::File& file) {
+  const std::string& text = file.content;
+  EXPECT_TRUE(is_well_formed(text)) << file.name;
+  EXPECT_EQ(count(text, "<title>[^<]+</title>\n<style>"), 1U) << file.name;
+  EXPECT_EQ(count(text, "font-weight=\"bold\"[^>]*>[^<]+</text>"), 1U) << file.name << ": title";
+  EXPECT_GE(count(text, "text-anchor=\"middle\" class=[^>]*>[A-Za-z][^<]+</text>"), 1U)
+      << file.name << ": label of x";
+  EXPECT_GE(count(text, "transform=\"rotate\\(-90[^>]*>[A-Za-z][^<]+</text>"), 1U)
+      << file.name << ": label of y";
+  EXPECT_GE(count(text, "text-anchor=\"middle\" class=[^>]*>-?[0-9.e-]+</text>"), 2U)
+      << file.name << ": ticks of x";
+  EXPECT_GE(count(text, "text-anchor=\"end\" class=[^>]*>-?[0-9.e-]+</text>"), 2U)
+      << file.name << ": ticks of y";
+  EXPECT_EQ(count(text, "prefers-color-scheme:dark"), 1U) << file.name;
+}
+
+const ExperimentResult::File* file_of(const ExperimentResult& result, const std::string& name) {
+  for (const ExperimentResult::File& file : result.files)
+    if (file.name == name) return &file;
+  return nullptr;
+}
+
+TEST(ExperimentFigures, HaveATitleLabelsAndTicks) {
+  const Scene room = sinai("0.25");
+  const Scene open = scene_of(
+      "film = { size = [32, 24], world = [[-2, -2], [2, 2]] }\n[[entity]]\nname = \"disc\"\n"
+      "shape = { circle = { radius = 1 } }\nmaterial = \"mirror\"\n[[ray]]\nat = [-2, 0.5]\n"
+      "direction = [1, 0]\n");
+  const Scene movers = scene_of(
+      "film = { size = [32, 24] }\nframes = 3\n[[entity]]\nname = \"a\"\nshape = { circle = { "
+      "radius "
+      "= 1 } }\nvelocity = [1, 0]\n[[entity]]\nshape = { circle = { radius = 1 } }\nat = [4, 0]\n");
+  std::map<std::string, std::size_t> figures;
+  for (const auto& [name, scene] : std::map<std::string, const Scene*>{{"poincare", &room},
+                                                                       {"phase-portion", &room},
+                                                                       {"coverage", &room},
+                                                                       {"caustic", &room},
+                                                                       {"reflections", &room},
+                                                                       {"divergence", &room},
+                                                                       {"escape", &open},
+                                                                       {"avoidance", &movers}}) {
+    const ExperimentResult result =
+        run(name, {.scene = *scene, .count = 6400, .bounces = 50, .map = PixelMap::usual});
+    for (const ExperimentResult::File& file : result.files)
+      if (file.name.ends_with(".svg")) {
+        ++figures[name];
+        expect_figure(file);
+        if (const auto* png = file_of(result, file.name.substr(0, file.name.size() - 3) + "png")) {
+          const auto image = decode_png(std::as_bytes(std::span(png->content)), png->name);
+          ASSERT_TRUE(image) << png->name;
+          EXPECT_EQ(std::max(image->width, image->height), 1000) << png->name;
+        }
+      }
+    EXPECT_GT(figures[name], 0U) << name;
+  }
+}
+
+// Threads share rows and blocks, and no byte of a figure depends on how many there are.
+TEST(ExperimentFigures, AreTheSameBytesWhateverTheThreads) {
+  const Scene room = sinai("0.25");
+  const auto files = [&](unsigned threads) {
+    return run("reflections", {.scene = room, .threads = threads, .bounces = 20}).files;
+  };
+  const auto one = files(1), three = files(3);
+  ASSERT_EQ(one.size(), three.size());
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].content, three[i].content);
+}
+
+// The numbers beside a map: as many rows as the film has, under the x of its columns.
+TEST(ExperimentFigures, TheNumbersOfAMapStandBesideIt) {
+  const Scene room = sinai("0.25");
+  const ExperimentResult result = run("reflections", {.scene = room, .bounces = 7});
+  const auto* table = file_of(result, "reflections_pixels.csv");
+  ASSERT_NE(table, nullptr);
+  const std::string& text = table->content;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 25);
+  EXPECT_EQ(std::count(text.begin(), text.end(), ','), 25 * 32);
+  EXPECT_NE(text.find(",7,7,"), std::string::npos);
+  EXPECT_NE(text.find(",,"), std::string::npos) << "no orbit starts in the disc";
+}
+
+}  // namespace
+}  // namespace flatray
