@@ -94,7 +94,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     return crossed.numbers();
   });
   if (!found) return fail(std::move(found));
-  Plot plot{"Part of the room a path has crossed", "bounces", "portion", {}};
+  Plot plot{"Part of the room a path has crossed", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < found->size(); ++i) {
     Plot::Series& series = plot.series.emplace_back(Plot::Series{orbits.names[i], {}});

@@ -159,7 +159,7 @@ class Study {
   RatioSums growth_;
   std::vector<Measure> measures_;
   Table table_{{"orbit", "bounce", "neighbours_apart", "error_of_doubles", "wall_right", "proven"}};
-  Plot plot_{"How far orbits have parted", "bounce", "distance", {}, true};
+  Plot plot_{"How far orbits have parted", "bounce", "distance, world units", {}, true};
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {

@@ -41,7 +41,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   const auto found = boundary_orbits(context, room, kRandomOrbits);
   if (!found) return tl::unexpected(found.error());
-  Plot plot{"Part of phase space an orbit comes to", "bounces", "portion", {}};
+  Plot plot{"Part of phase space an orbit comes to", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < found->points.size(); ++i) {
     plot.series.push_back({found->orbits.names[i], portions(found->points[i])});
