@@ -8,7 +8,6 @@
 #include "study/accuracy/accuracy_report.h"
 #include "study/plots/plot.h"
 #include "study/plots/plot_axes.h"
-#include "study/plots/svg_text.h"
 
 namespace flatray {
 namespace {

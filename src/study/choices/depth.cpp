@@ -48,19 +48,14 @@ std::vector<PixelOutcome> followed(const Fates& fates, std::uint64_t bounces, un
 
 // Hue by where an orbit ends, the darker the later; white where that is not known.
 Image picture(const Fates& fates) {
-  const int width = fates.scene.film.width;
-  Image image(width, fates.scene.film.height, 3);
-  for (std::size_t i = 0; i < fates.found.size(); ++i) {
+  const Film& film = fates.scene.film;
+  return image_of(film.width, film.height, [&](std::size_t i) {
     const PixelOutcome& pixel = fates.found[i];
-    Light light{0.02, 0.02, 0.025};
-    if (pixel.kind == Kind::limit) light = {1, 1, 1};
-    if (pixel.kind == Kind::escape) light = hue_of(pixel.out);
-    if (pixel.kind == Kind::absorbed) light = nth_colour(pixel.surface);
-    if (pixel.kind == Kind::escape || pixel.kind == Kind::absorbed)
-      light = light * (1 / (1 + 0.15 * pixel.bounces));
-    set_pixel(image, static_cast<int>(i) % width, static_cast<int>(i) / width, light);
-  }
-  return image;
+    if (pixel.kind == Kind::limit) return Light{1, 1, 1};
+    if (pixel.kind == Kind::solid) return Light{0.02, 0.02, 0.025};
+    return (pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(pixel.surface)) *
+           (1 / (1 + 0.15 * pixel.bounces));
+  });
 }
 
 // The share of starts whose end is not known, of those whose end there is.

@@ -91,12 +91,10 @@ Plot plot_of(const ExperimentContext& context, const Choices& choices, const Num
             "x of its place by the last frame, world units",
             "y of its place by the last frame, world units",
             {}};
-  plot.map.emplace(Plot::Map{Image(film.width, film.height, 3), choices.window()});
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const int at = static_cast<int>(i);
-    set_pixel(plot.map->image, at % film.width, at / film.width,
-              times[i] == kFree ? kClear : colour(times[i] / duration));
-  }
+  const auto light = [&](std::size_t i) {
+    return times[i] == kFree ? kClear : colour(times[i] / duration);
+  };
+  plot.map.emplace(Plot::Map{image_of(film.width, film.height, light), choices.window()});
   plot.bar = bar_of("first meeting, seconds", duration, colour);
   plot.kinds.emplace_back(hex(kClear), "meets nothing");
   return plot;
@@ -122,11 +120,8 @@ ExperimentResult results(const ExperimentContext& context, const Choices& choice
                            film.height, context.scene.entities[0].name, duration),
                {std::move(part)});
   result.files.push_back({"avoidance_times.csv", table.csv()});
-  const Plot plot = plot_of(context, choices, times);
-  add_plot(result, "avoidance", plot, context.threads);
-  result.files.push_back({"avoidance_pixels.csv", map_csv(plot, [&](std::size_t i) {
-                            return times[i] == kFree ? "" : number_text(times[i]);
-                          })});
+  add_map(result, "avoidance", plot_of(context, choices, times), context.threads,
+          [&](std::size_t i) { return times[i] == kFree ? "" : number_text(times[i]); });
   return result;
 }
 

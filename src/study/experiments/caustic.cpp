@@ -163,11 +163,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                fmt::format("Distances of the lines of {} from ({:.6g}, {:.6g})",
                            counted(bounces, "bounce"), middle.x(), middle.y()),
                std::move(measures));
-  const Plot plot = plot_of(room, all);
-  add_plot(result, "caustic", plot, context.threads);
-  result.files.push_back({"caustic_density.csv", map_csv(plot, [&](std::size_t i) {
-                            return fmt::format("{:.4g}", all.cells()[i]);
-                          })});
+  add_map(result, "caustic", plot_of(room, all), context.threads,
+          [&](std::size_t i) { return fmt::format("{:.4g}", all.cells()[i]); });
   return result;
 }
 

@@ -54,10 +54,8 @@ class Basins {
     }
     all.files.push_back({"escape_times.csv", table.csv()});
     all.files.push_back({"escape_times.svg", svg(plot)});
-    const Plot map = this->plot();
-    add_plot(all, "escape", map, context_.threads);
-    all.files.push_back({"escape_pixels.csv",
-                         map_csv(map, [&](std::size_t i) { return bounces_text(pixels_[i]); })});
+    add_map(all, "escape", map_of_basins(), context_.threads,
+            [&](std::size_t i) { return bounces_text(pixels_[i]); });
     return all;
   }
 
@@ -141,7 +139,7 @@ class Basins {
   static double brightness(double bounces) { return 0.06 + 0.94 * portable::exp(-0.45 * bounces); }
 
   // Basins by colour: who absorbed the ray, or where it went; the darker the longer it stayed.
-  Plot plot() const {
+  Plot map_of_basins() const {
     std::map<Exit, std::size_t> colours;
     for (const auto& [exit, count] : exits_) colours.emplace(exit, colours.size());
     Plot plot = pixel_plot(context_, room_, PixelMap::angle, [&](std::size_t i) {

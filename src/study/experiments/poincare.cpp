@@ -19,11 +19,6 @@ constexpr std::size_t kMostNames = 12;
 constexpr std::size_t kRows = 100'000;  // of points listed, evenly over all
 
 // Light of every point on black: colours tell orbits apart, and add where orbits share a pixel.
-// Where pixel (x, y) stands among all.
-std::size_t place_of(int x, int y) {
-  return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
-}
-
 Image light_of(const BoundaryOrbits& found) {
   std::vector<Light> sum(static_cast<std::size_t>(kWidth) * kHeight);
   double points = 0;
@@ -31,21 +26,16 @@ Image light_of(const BoundaryOrbits& found) {
     for (const BoundaryPoint& point : found.points[i]) {
       const int x = std::clamp(static_cast<int>(point.along * kWidth), 0, kWidth - 1);
       const int y = std::clamp(static_cast<int>((1 - point.sine) * 0.5F * kHeight), 0, kHeight - 1);
-      sum[place_of(x, y)] += nth_colour(i);
+      sum[static_cast<std::size_t>(y * kWidth + x)] += nth_colour(i);
       ++points;
     }
   // What a pixel would have if points filled the section evenly is a third of full light; a single
   // point is seen.
   const double scale = std::min(1.0, 0.33 * kWidth * kHeight / std::max(points, 1.0));
-  Image image(kWidth, kHeight, 3);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const Light light = sum[place_of(x, y)] * scale;
-      set_pixel(image, x, y,
-                {1 - portable::exp(-2 * light.r), 1 - portable::exp(-2 * light.g),
-                 1 - portable::exp(-2 * light.b)});
-    }
-  return image;
+  return image_of(kWidth, kHeight, [&](std::size_t i) {
+    const auto shown = [&](double light) { return 1 - portable::exp(-2 * scale * light); };
+    return Light{shown(sum[i].r), shown(sum[i].g), shown(sum[i].b)};
+  });
 }
 
 Plot plot_of(const BoundaryOrbits& found) {

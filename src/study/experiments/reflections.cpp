@@ -89,11 +89,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       context, "reflections",
       "Reflections of the scene's rays, and of a ray in the direction of the first from each pixel",
       std::move(measures));
-  const Plot plot = plot_of(context, room, *pixels);
-  add_plot(result, "reflections", plot, context.threads);
-  result.files.push_back({"reflections_pixels.csv", map_csv(plot, [&](std::size_t i) {
-                            return bounces_text((*pixels)[i]);
-                          })});
+  add_map(result, "reflections", plot_of(context, room, *pixels), context.threads,
+          [&](std::size_t i) { return bounces_text((*pixels)[i]); });
   return result;
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "image/png.h"
-#include "study/plots/svg_text.h"
 
 namespace flatray {
 namespace {
@@ -25,6 +25,9 @@ constexpr std::array kInks = {
 constexpr std::array kSeries = {"blue", "vermillion", "green", "purple", "orange", "sky", "text"};
 
 constexpr double kFontSize = 13, kLetterWidth = 7.8;
+
+// Two digits after the point, never "-0.00".
+std::string svg_number(double x) { return fmt::format("{:.2f}", std::round(x * 100) / 100 + 0.0); }
 
 // Of both themes. A class for each use of an ink, as not every reader of SVG knows variables.
 std::string style() {
@@ -161,6 +164,27 @@ std::string data_address(const Image& image) {
       text += i + k > bytes.size() ? '=' : kDigits[group >> (18U - 6U * k) & 63U];
   }
   return text;
+}
+
+std::string svg_text(const std::string& text) {
+  std::string safe;
+  for (const char c : text) switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    }
+  return safe;
 }
 
 }  // namespace flatray

@@ -64,6 +64,9 @@ std::string svg(const Drawing& drawing);
 /// and question marks. The same bytes on every machine, whatever `threads`.
 Image pixels(const Drawing& drawing, double scale, unsigned threads = 1);
 
+/// Text as it stands between tags and in attributes; control characters become question marks.
+std::string svg_text(const std::string& text);
+
 /// A PNG as an address that pages and SVG take a picture from.
 std::string data_address(const Image& image);
 

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/light.h"
 #include "render/film_shape.h"
 #include "render/frame.h"
 #include "scene/outlines/easy_font.h"
 #include "study/plots/drawing.h"
+#include "study/plots/palette.h"
 
 namespace flatray {
 namespace {
@@ -13,11 +13,8 @@ namespace {
 constexpr int kChords = 24;  // of a Bezier curve
 
 LinearColour colour_of(const std::string& ink) {
-  const std::string hex = ink_colour(ink, false);
-  const auto part = [&](std::size_t at) {
-    return linear_from_srgb(static_cast<std::uint8_t>(std::stoul(hex.substr(at, 2), nullptr, 16)));
-  };
-  return {part(1), part(3), part(5), 1};
+  const Light light = light_of_hex(ink_colour(ink, false));
+  return {static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b), 1};
 }
 
 // De Casteljau.

@@ -62,13 +62,8 @@ double LineDensity::scale() const {
 
 Image LineDensity::picture() const {
   const double by = scale();
-  Image image(width_, height_, 3);
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const auto width = static_cast<std::size_t>(width_);
-    set_pixel(image, static_cast<int>(i % width), static_cast<int>(i / width),
-              heat(1 - portable::exp(-by * cells_[i])));
-  }
-  return image;
+  return image_of(width_, height_,
+                  [&](std::size_t i) { return heat(1 - portable::exp(-by * cells_[i])); });
 }
 
 }  // namespace flatray

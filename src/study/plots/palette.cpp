@@ -35,16 +35,9 @@ Light hue(double turn) {
 
 Light nth_colour(std::size_t n) {
   // Okabe and Ito, Color Universal Design, 2008, neighbours far apart.
-  constexpr std::array<std::array<std::uint8_t, 3>, 7> kFirst = {{{0x56, 0xb4, 0xe9},
-                                                                  {0xcc, 0x79, 0xa7},
-                                                                  {0xf0, 0xe4, 0x42},
-                                                                  {0x00, 0x9e, 0x73},
-                                                                  {0xd5, 0x5e, 0x00},
-                                                                  {0x00, 0x72, 0xb2},
-                                                                  {0xe6, 0x9f, 0x00}}};
-  if (n < kFirst.size())
-    return {linear_from_srgb(kFirst[n][0]), linear_from_srgb(kFirst[n][1]),
-            linear_from_srgb(kFirst[n][2])};
+  constexpr std::array kFirst = {"#56b4e9", "#cc79a7", "#f0e442", "#009e73",
+                                 "#d55e00", "#0072b2", "#e69f00"};
+  if (n < kFirst.size()) return light_of_hex(kFirst[n]);
   Light light = hue(0.58 + kGoldenSection * static_cast<double>(n));
   light += Light{0.08, 0.08, 0.08};
   return light;
@@ -58,17 +51,27 @@ Light hue_of(const Vec2& direction) {
   return hue(portable::atan2(direction.y(), direction.x()) / kTurn);
 }
 
-void set_pixel(Image& image, int x, int y, const Light& light) {
-  std::uint8_t* pixel = image.at(x, y);
-  pixel[0] = srgb_from_linear(static_cast<float>(light.r));
-  pixel[1] = srgb_from_linear(static_cast<float>(light.g));
-  pixel[2] = srgb_from_linear(static_cast<float>(light.b));
+Image image_of(int width, int height, const std::function<Light(std::size_t)>& light) {
+  Image image(width, height, 3);
+  for (std::size_t i = 0; 3 * i < image.pixels.size(); ++i) {
+    const Light one = light(i);
+    std::size_t part = 3 * i;
+    for (const double level : {one.r, one.g, one.b})
+      image.pixels[part++] = srgb_from_linear(static_cast<float>(level));
+  }
+  return image;
 }
 
 std::string hex(const Light& light) {
-  Image pixel(1, 1, 3);
-  set_pixel(pixel, 0, 0, light);
+  const Image pixel = image_of(1, 1, [&](std::size_t) { return light; });
   return fmt::format("#{:02x}{:02x}{:02x}", pixel.pixels[0], pixel.pixels[1], pixel.pixels[2]);
+}
+
+Light light_of_hex(const std::string& hex) {
+  const auto part = [&](std::size_t at) -> double {
+    return linear_from_srgb(static_cast<std::uint8_t>(std::stoul(hex.substr(at, 2), nullptr, 16)));
+  };
+  return {part(1), part(3), part(5)};
 }
 
 ExperimentResult::File png_file(const std::string& name, const Image& image, unsigned threads) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "geom/vec.h"
@@ -25,10 +26,12 @@ Light heat(double level);
 /// Hue of a direction.
 Light hue_of(const Vec2& direction);
 
-/// As sRGB, "#rrggbb".
+/// As sRGB, "#rrggbb", and back.
 std::string hex(const Light& light);
+Light light_of_hex(const std::string& hex);
 
-void set_pixel(Image& image, int x, int y, const Light& light);
+/// Light as a picture, rows top-down, by the number of each pixel.
+Image image_of(int width, int height, const std::function<Light(std::size_t)>& light);
 
 /// A picture among the files of an experiment.
 ExperimentResult::File png_file(const std::string& name, const Image& image, unsigned threads);

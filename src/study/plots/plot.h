@@ -66,11 +66,6 @@ Drawing drawing_of(const Plot& plot);
 /// A plot as SVG: see study/plots/drawing.h.
 std::string svg(const Plot& plot);
 
-/// A plot as files NAME.svg and NAME.png, that of 1000 pixels on its longer side, and of more where
-/// not every pixel of a map would be seen else.
-void add_plot(ExperimentResult& result, const std::string& name, const Plot& plot,
-              unsigned threads);
-
 /// A bar from 0 to `most`: the colour at each part of it, and where on it a number stands, evenly
 /// if nothing else is said.
 Plot::Bar bar_of(std::string label, double most, const std::function<Light(double)>& colour,
@@ -78,9 +73,15 @@ Plot::Bar bar_of(std::string label, double most, const std::function<Light(doubl
 /// log(1 + number) of that of `most`; 0 where that is 0.
 double log_share(double number, double most);
 
-/// The numbers behind the map of a plot: a line for each row of pixels, with its y first, under a
-/// line of their x; "" where there is none.
-std::string map_csv(const Plot& plot, const std::function<std::string(std::size_t)>& cell);
+/// A plot as files NAME.svg and NAME.png, that of 1000 pixels on its longer side, and of more where
+/// not every pixel of a map would be seen else.
+void add_plot(ExperimentResult& result, const std::string& name, const Plot& plot,
+              unsigned threads);
+
+/// The same, and NAME_pixels.csv with the numbers behind the map: a line for each row of pixels, with
+/// its y first, under a line of their x; "" where there is none.
+void add_map(ExperimentResult& result, const std::string& name, const Plot& plot, unsigned threads,
+             const std::function<std::string(std::size_t)>& cell);
 
 /// Shares over a grid of two numbers.
 struct HeatMap {

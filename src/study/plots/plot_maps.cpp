@@ -13,14 +13,11 @@ constexpr double kPixels = 1000;  // of the longer side of a picture
 constexpr int kSteps = 256;       // of a bar
 
 // By the fourth root, so that small shares are not pale.
-std::array<std::uint8_t, 3> share_colour(double share) {
-  if (share <= 0) return {255, 255, 255};
-  const double deep = std::sqrt(std::sqrt(std::min(share, 1.0)));
-  const auto part = [&](double from, double to) {
-    return static_cast<std::uint8_t>(std::lround(from + deep * (to - from)));
-  };
-  return {part(255, 120), part(230, 0), part(150, 20)};
+Light share_colour(double root) {
+  if (root <= 0) return {1, 1, 1};
+  return Light{1, 0.79, 0.31} * (1 - root) += Light{0.19, 0, 0.007} * root;
 }
+double fourth_root(double share) { return std::sqrt(std::sqrt(share)); }
 
 // The bounds of pixels whose middles are evenly apart.
 Range edges(const std::vector<double>& middles) {
@@ -36,9 +33,10 @@ double log_share(double number, double most) {
 
 Plot::Bar bar_of(std::string label, double most, const std::function<Light(double)>& colour,
                  const std::function<double(double)>& part_of) {
-  Plot::Bar bar{std::move(label), Image(1, kSteps, 3), {}};
-  for (int i = 0; i < kSteps; ++i)
-    set_pixel(bar.strip, 0, kSteps - 1 - i, colour(i / (kSteps - 1.0)));
+  const auto light = [&](std::size_t i) {
+    return colour(1 - static_cast<double>(i) / (kSteps - 1));
+  };
+  Plot::Bar bar{std::move(label), image_of(1, kSteps, light), {}};
   std::vector<double> numbers{0};
   const bool counts = part_of && most == std::floor(most);  // which have no parts
   for (const Tick& tick :
@@ -59,39 +57,18 @@ Plot::Bar bar_of(std::string label, double most, const std::function<Light(doubl
   return bar;
 }
 
-std::string map_csv(const Plot& plot, const std::function<std::string(std::size_t)>& cell) {
-  const auto& [image, bounds] = *plot.map;
-  const Vec2 step(bounds.size().x() / image.width, bounds.size().y() / image.height);
-  std::string text = "y";
-  for (int x = 0; x < image.width; ++x)
-    text += "," + number_text(bounds.low.x() + (x + 0.5) * step.x());
-  std::size_t i = 0;
-  for (int y = 0; y < image.height; ++y) {
-    text += "\n" + number_text(bounds.high.y() - (y + 0.5) * step.y());
-    for (int x = 0; x < image.width; ++x) text += "," + cell(i++);
-  }
-  return text + "\n";
-}
-
 Plot plot_of(const HeatMap& map) {
   Plot plot{map.title, map.x_label, map.y_label, {}};
   const Range x = edges(map.x), y = edges(map.y);
-  const auto width = static_cast<int>(map.x.size()), height = static_cast<int>(map.y.size());
-  plot.map.emplace(Plot::Map{Image(width, height, 3), {{x.low, y.low}, {x.high, y.high}}});
-  for (std::size_t i = 0; i < map.shares.size(); ++i) {
-    const auto colour = share_colour(map.shares[i]);
-    const auto at = static_cast<int>(i);
-    std::copy(colour.begin(), colour.end(),
-              plot.map->image.at(at % width, height - 1 - at / width));
-  }
-  plot.bar.emplace(Plot::Bar{"share", Image(1, kSteps, 3), {}});
-  for (int i = 0; i < kSteps; ++i) {
-    const double root = i / (kSteps - 1.0);
-    const auto colour = share_colour(root * root * root * root);
-    std::copy(colour.begin(), colour.end(), plot.bar->strip.at(0, kSteps - 1 - i));
-  }
-  for (const double share : {0.0, 0.0001, 0.01, 0.1, 0.5, 1.0})
-    plot.bar->ticks.emplace_back(std::sqrt(std::sqrt(share)), tick_words(100 * share) + " %");
+  const auto light = [&](std::size_t i) {  // rows from the upper one on
+    const std::size_t columns = map.x.size(), row = map.y.size() - 1 - i / columns;
+    return share_colour(fourth_root(map.shares[row * columns + i % columns]));
+  };
+  plot.map.emplace(
+      Plot::Map{image_of(static_cast<int>(map.x.size()), static_cast<int>(map.y.size()), light),
+                {{x.low, y.low}, {x.high, y.high}}});
+  plot.bar = bar_of("share, %", 100, &share_colour,
+                    [](double percent) { return fourth_root(percent / 100); });
   return plot;
 }
 
@@ -106,6 +83,24 @@ void add_plot(ExperimentResult& result, const std::string& name, const Plot& plo
     }
   result.files.push_back({name + ".svg", svg(drawing)});
   result.files.push_back(png_file(name + ".png", pixels(drawing, scale, threads), threads));
+}
+
+void add_map(ExperimentResult& result, const std::string& name, const Plot& plot, unsigned threads,
+             const std::function<std::string(std::size_t)>& cell) {
+  add_plot(result, name, plot, threads);
+  const auto& [image, bounds] = *plot.map;
+  const Vec2 step(bounds.size().x() / image.width, bounds.size().y() / image.height);
+  std::string text = "y";
+  for (int x = 0; x < image.width; ++x)
+    text += "," + number_text(bounds.low.x() + (x + 0.5) * step.x());
+  for (std::size_t i = 0; 3 * i < image.pixels.size(); ++i) {
+    const auto width = static_cast<std::size_t>(image.width);
+    if (i % width == 0)
+      text +=
+          "\n" + number_text(bounds.high.y() - (static_cast<double>(i / width) + 0.5) * step.y());
+    text += "," + cell(i);
+  }
+  result.files.push_back({name + "_pixels.csv", text + "\n"});
 }
 
 }  // namespace flatray

@@ -151,13 +151,8 @@ Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usu
     plot.y_label = "angle to the ray, degrees";
     plot.y_step = 30;
   }
-  plot.map.emplace(Plot::Map{Image(film.width, film.height, 3),
+  plot.map.emplace(Plot::Map{image_of(film.width, film.height, colour),
                              by_angle ? Bounds{{-half, -90}, {half, 90}} : window});
-  for (std::uint64_t i = 0; i < pixel_count(film); ++i) {
-    const auto width = static_cast<std::uint64_t>(film.width);
-    set_pixel(plot.map->image, static_cast<int>(i % width), static_cast<int>(i / width),
-              colour(static_cast<std::size_t>(i)));
-  }
   return plot;
 }
 

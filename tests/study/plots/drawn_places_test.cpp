@@ -220,7 +220,9 @@ TEST(Plot, AMapIsDrawnPixelByPixelInBothWriters) {
   const auto png = decode_png(std::as_bytes(std::span(result.files[1].content)), "map.png");
   ASSERT_TRUE(png);
   EXPECT_EQ(std::max(png->width, png->height), 1000);
-  EXPECT_EQ(map_csv(plot, [](std::size_t i) { return std::to_string(i); }), "y,0.5,1.5\n0.5,0,1\n");
+  add_map(result, "map", plot, 1, [](std::size_t i) { return std::to_string(i); });
+  EXPECT_EQ(result.files.back().name, "map_pixels.csv");
+  EXPECT_EQ(result.files.back().content, "y,0.5,1.5\n0.5,0,1\n");
 }
 
 TEST(Plot, TicksAreNumbersAsPeopleWriteThem) {
@@ -251,13 +253,13 @@ TEST(HeatMap, CellsLieByTheirNumbers) {
     ADD_FAILURE() << words;
     return std::vector<int>{};
   };
-  EXPECT_EQ(colour(plot.map->image, 3, 0), bar("100 %"));
-  EXPECT_EQ(colour(plot.map->image, 0, 0), bar("0 %"));
+  EXPECT_EQ(colour(plot.map->image, 3, 0), bar("100"));
+  EXPECT_EQ(colour(plot.map->image, 0, 0), bar("0"));
   for (int part = 0; part < 3; ++part)
     EXPECT_NEAR(colour(plot.map->image, 1, 1)[static_cast<std::size_t>(part)],
-                bar("50 %")[static_cast<std::size_t>(part)], 1);
+                bar("50")[static_cast<std::size_t>(part)], 1);
   const std::string text = svg(plot);
-  for (const char* words : {"100 %", "50 %", "10 %", "1 %", "0 %", "title", "along", "20", "up"})
+  for (const char* words : {"100", "50", "10", "1", "0", "title", "along", "20", "up", "share, %"})
     EXPECT_FALSE(labels(text, words).empty()) << words;
 }
 
