@@ -138,13 +138,11 @@ std::string section(const ChoiceReport& report) {
 }
 
 // Beside a point: what it is set to, or, where that takes too many words, what of it grows.
-std::string label_of(const ChoiceReport& report, const AccuracyPoint& point) {
+std::string label_of(const AccuracyPoint& point) {
   constexpr std::size_t kLongest = 24;
   std::string words =
       point.setting.size() > kLongest && point.n > 0 ? tick_words(point.n) : point.setting;
-  if (point.outcome.at_most) words += ", at most";
-  const std::string advised = advice(report, point);
-  return advised.empty() ? words : words + ": " + advised;
+  return point.outcome.at_most ? words + ", at most" : words;
 }
 
 Plot::Point plot_point(const ChoiceReport& report, const AccuracyPoint& point, double unit) {
@@ -203,15 +201,17 @@ std::string accuracy_plot(const ChoiceReport& report) {
     for (const AccuracyPoint& point : report.points) {
       if (point.series != series) continue;
       plot.series.back().points.push_back(plot_point(report, point, 1));
-      plot.series.back().points.back().label = label_of(report, point);
-      by_number = by_number || !label_of(report, point).starts_with(point.setting);
-      if (!advice(report, point).empty())
+      plot.series.back().points.back().label = label_of(point);
+      by_number = by_number || !label_of(point).starts_with(point.setting);
+      if (const std::string words = advice(report, point); !words.empty()) {
         plot.notes.push_back({point.seconds, point.outcome.error, ""});
+        plot.caption += fmt::format("Ringed: {}, {}. ", point.setting, words);
+      }
     }
   }
   plot.series.push_back(best_of(report, 1, "axis"));
   plot.series.back().name = "best";
-  if (by_number) plot.caption = "Numbers at points: " + report.grows;
+  if (by_number) plot.caption += "Numbers at points: " + report.grows;
   return svg(plot);
 }
 

@@ -95,8 +95,8 @@ class PlotDrawing {
     }
     for (const Plot::Series& series : plot_.series)
       for (const Plot::Point& point : series.points)
-        for (const double side : {-1.0, 0.0, 1.0}) {
-          const Plot::Point end{point.x, point.y + side * point.half};
+        for (const auto& [x, y] : {std::pair(0, 0), {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+          const Plot::Point end{point.x + x * point.half_x, point.y + y * point.half};
           if (shown(point) && shown(end)) box_.add(scaled(end.x, end.y));
         }
     if (box_.empty()) box_.add(Vec2(0, 0));

@@ -50,6 +50,9 @@ std::vector<Tick> log_ticks(double low, double high, double most) {
                          : k < 0 ? "0." + zeros.substr(1) + std::to_string(factor)
                                  : std::to_string(factor) + zeros});
     }
+  if (all.size() > 1) return all;
+  all = ticks(portable::pow(10, low), portable::pow(10, high), most);
+  for (Tick& tick : all) tick.at = log10_of(tick.at);
   return all;
 }
 

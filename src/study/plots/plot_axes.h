@@ -12,7 +12,8 @@ struct Tick {
 
 /// Multiples of 1, 2 or 5 times a power of ten, some `most` of them; or those of a step.
 std::vector<Tick> ticks(double low, double high, double most, double step = 0);
-/// Powers of ten between two logarithms; with their 2 and 5 times where there are few.
+/// Powers of ten between two logarithms; with their 2 and 5 times where there are few,
+/// and multiples as above where there are none.
 std::vector<Tick> log_ticks(double low, double high, double most);
 
 /// A number to so many digits as people write it: 0.001, 20, 1e-7.

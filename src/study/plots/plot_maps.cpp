@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/light.h"
 #include "base/number_text.h"
 #include "base/portable_math.h"
 #include "study/plots/plot.h"
@@ -15,7 +16,7 @@ constexpr int kSteps = 256;       // of a bar
 // By the fourth root, so that small shares are not pale.
 Light share_colour(double root) {
   if (root <= 0) return {1, 1, 1};
-  return Light{1, 0.79, 0.31} * (1 - root) += Light{0.19, 0, 0.007} * root;
+  return {light_of(255 - 135 * root), light_of(230 - 230 * root), light_of(150 - 130 * root)};
 }
 double fourth_root(double share) { return std::sqrt(std::sqrt(share)); }
 

@@ -162,6 +162,24 @@ TEST(Plot, LabelsOfPointsOverlapNothing) {
   }
 }
 
+// Also on logarithms, and where an interval reaches 0 or below.
+TEST(Plot, IntervalsLieWithinTheAxes) {
+  Plot plot{"t", "x", "y", {{"", {{1, 1, 0.5, "", 0.9}, {2, 5, 6, "", 3}}, true}}, true, true};
+  std::vector<std::vector<Vec2>> bars;
+  Bounds frame;
+  for (const auto& mark : drawing_of(plot).marks)
+    if (const auto* path = std::get_if<Drawing::Path>(&mark)) {
+      if (path->pen.stroke == "blue") bars.push_back(path->points);
+      if (path->closed && path->pen.stroke == "axis")
+        for (const Vec2& corner : path->points) frame.add(corner);
+    }
+  ASSERT_EQ(bars.size(), 4U);
+  for (const auto& bar : bars)
+    for (const Vec2& end : bar) EXPECT_TRUE(frame.contains(end)) << end.transpose();
+  EXPECT_NEAR(bars[2][0].y(), frame.high.y(), 1) << "down to the border, as 0 is nowhere";
+  EXPECT_GT(bars[0][0].y(), bars[0][1].y());
+}
+
 TEST(Plot, LinesEndAtTheAxes) {
   Plot plot{
       "t", "x", "y", {{"", {{-5, 0.5}, {0.5, 0.5}, {0.5, 9}, {NAN, NAN}, {0.2, -3}, {0.2, 0.1}}}}};
@@ -235,6 +253,12 @@ TEST(Plot, TicksAreNumbersAsPeopleWriteThem) {
   EXPECT_EQ(words,
             (std::vector<std::string>{"1e-7", "1e-6", "1e-5", "0.0001", "0.001", "0.01", "0.1", "1",
                                       "10", "100", "1000", "10000", "100000", "1e6", "1e7"}));
+}
+
+TEST(Plot, LogarithmsOfNumbersCloseTogetherHaveTicksToo) {
+  const std::vector<Tick> all = log_ticks(std::log10(0.0033), std::log10(0.0038), 7);
+  ASSERT_GE(all.size(), 3U);
+  for (const Tick& tick : all) EXPECT_NEAR(tick.at, std::log10(std::stod(tick.words)), 1e-9);
 }
 
 TEST(HeatMap, CellsLieByTheirNumbers) {
