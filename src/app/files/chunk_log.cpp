@@ -41,22 +41,11 @@ constexpr std::array kStabilityNames = {
     "missed",     "invented",   "other_wall", "watched",       "one_by_one", "worst_ulps",
     "timed",      "ns",         "objects",    "bytes",         "t_off_2^8",  "t_off_2^16",
     "t_off_2^24", "t_off_2^32", "t_off_2^40", "t_off_2^48",    "whole"};
-constexpr std::array kStabilityCounts = {
-    &StabilityTally::rays,        &StabilityTally::hits,        &StabilityTally::wrong,
-    &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
-    &StabilityTally::missed,      &StabilityTally::invented,    &StabilityTally::other_wall,
-    &StabilityTally::watched,     &StabilityTally::one_by_one,  &StabilityTally::worst_ulps,
-    &StabilityTally::timed,       &StabilityTally::nanoseconds, &StabilityTally::objects,
-    &StabilityTally::bytes};
 constexpr std::array<std::size_t, 5> kStabilityWidths = {kStabilityNames.size(), 22, 11, 9, 6};
 
 constexpr std::array kLeakNames = {"rays",    "bounces",     "leaks",   "corners",
                                    "wrong",   "wrong_t",     "asked",   "beside",
                                    "nothing", "through_end", "through", "invented"};
-constexpr std::array kLeakCounts = {
-    &LeakTally::rays,    &LeakTally::bounces,     &LeakTally::leaks,   &LeakTally::corners,
-    &LeakTally::wrong,   &LeakTally::wrong_t,     &LeakTally::asked,   &LeakTally::beside,
-    &LeakTally::nothing, &LeakTally::through_end, &LeakTally::through, &LeakTally::invented};
 constexpr std::array<std::size_t, 1> kLeakWidths = {kLeakNames.size()};
 
 bool is_family(const std::string& name, const auto& families) {

@@ -171,18 +171,7 @@ void compare_all(const Tracer& tracer, const Surfaces& walls, const std::vector<
 std::span<const RoomPlace> room_places() { return kPlaces; }
 
 void LeakTally::add(const LeakTally& other) {
-  rays += other.rays;
-  bounces += other.bounces;
-  leaks += other.leaks;
-  corners += other.corners;
-  wrong += other.wrong;
-  wrong_t += other.wrong_t;
-  asked += other.asked;
-  beside += other.beside;
-  nothing += other.nothing;
-  through_end += other.through_end;
-  through += other.through;
-  invented += other.invented;
+  for (const auto count : kLeakCounts) this->*count += other.*count;
 }
 
 LeakTally count_leaks(const Tracer& tracer, const RoomPlace& place, std::uint64_t seed,

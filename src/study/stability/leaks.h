@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -36,6 +37,11 @@ struct LeakTally {
 
   void add(const LeakTally& other);
 };
+/// All of them.
+inline constexpr std::array kLeakCounts = {
+    &LeakTally::rays,    &LeakTally::bounces,     &LeakTally::leaks,   &LeakTally::corners,
+    &LeakTally::wrong,   &LeakTally::wrong_t,     &LeakTally::asked,   &LeakTally::beside,
+    &LeakTally::nothing, &LeakTally::through_end, &LeakTally::through, &LeakTally::invented};
 
 inline constexpr std::uint64_t kRaysALeakBlock = 1024;
 inline constexpr int kLeakBounces = 200;

@@ -84,23 +84,10 @@ void check_scene(std::span<const Tracer* const> tracers, const oracle::AimedScen
 }  // namespace
 
 void StabilityTally::add(const StabilityTally& other) {
-  rays += other.rays;
-  hits += other.hits;
-  wrong += other.wrong;
-  missed += other.missed;
-  invented += other.invented;
-  other_wall += other.other_wall;
-  not_nearest += other.not_nearest;
-  off_by_more += other.off_by_more;
-  by_rationals += other.by_rationals;
-  watched += other.watched;
-  one_by_one += other.one_by_one;
-  worst_ulps = std::max(worst_ulps, other.worst_ulps);
+  const std::uint64_t worst = std::max(worst_ulps, other.worst_ulps);
+  for (const auto count : kStabilityCounts) this->*count += other.*count;
+  worst_ulps = worst;
   for (std::size_t i = 0; i < off_by_far.size(); ++i) off_by_far[i] += other.off_by_far[i];
-  timed += other.timed;
-  nanoseconds += other.nanoseconds;
-  objects += other.objects;
-  bytes += other.bytes;
   if (first_wrong.empty()) first_wrong = other.first_wrong;
 }
 

@@ -38,6 +38,14 @@ struct StabilityTally {
 
   void add(const StabilityTally& other);
 };
+/// All that are plain counts.
+inline constexpr std::array kStabilityCounts = {
+    &StabilityTally::rays,        &StabilityTally::hits,        &StabilityTally::wrong,
+    &StabilityTally::not_nearest, &StabilityTally::off_by_more, &StabilityTally::by_rationals,
+    &StabilityTally::missed,      &StabilityTally::invented,    &StabilityTally::other_wall,
+    &StabilityTally::watched,     &StabilityTally::one_by_one,  &StabilityTally::worst_ulps,
+    &StabilityTally::timed,       &StabilityTally::nanoseconds, &StabilityTally::objects,
+    &StabilityTally::bytes};
 
 /// Of what runs keep and go on from.
 inline constexpr std::uint64_t kScenesAChunk = 256;
