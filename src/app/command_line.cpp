@@ -15,7 +15,6 @@
 #include "app/options/places.h"
 #include "app/options/project_config.h"
 #include "app/options/resource_limits.h"
-#include "app/report/json_failure.h"
 #include "app/report/report.h"
 #include "base/isa.h"
 #include "base/left_out.h"
@@ -139,10 +138,11 @@ int answer(const Verb& verb, std::vector<std::string> words) {
   Result<VerbOutput> output =
       limit_resources(*arguments).and_then([&] { return verb.run(*arguments); });
   if (!output)
-    return print(json_failure(verb.name, *arguments, output.error()),
+    return print(written(verb.name, *arguments, output.error()),
                  report_failure(output.error(), verb.undone));
-  const int code = print(output->picture ? output->text : shown_lines(std::move(output->text)),
-                         output->exit_code);
+  std::string text = written(verb.name, *arguments, *output);
+  if (!output->picture) text = shown_lines(std::move(text));
+  const int code = print(text, output->exit_code);
   if (output->problems.empty() || code != output->exit_code) return code;
   return report_failure(output->problems, "what came before is told");
 }

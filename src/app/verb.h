@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "app/options/arguments.h"
+#include "app/report/report.h"
 
 namespace flatray {
-
-/// What a verb that ran has to say: data for standard output, and 0, 1 (the answer is no) or
-/// interrupted_code(). Mistakes are the failed Result instead; their Trouble decides the exit code.
-struct VerbOutput {
-  std::string text;
-  int exit_code = 0;
-  Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
-  bool picture = false;    ///< the data are bytes of a file, not text
-};
 
 /// One word of the command line after `flatray`. Options every verb has (--help) are added to its
 /// own.

@@ -1,5 +1,7 @@
 #include "study/experiment.h"
 
+#include <fmt/core.h>
+
 namespace flatray {
 
 #define FLATRAY_ENTRY(name) extern const Experiment name;
@@ -14,6 +16,22 @@ std::vector<const Experiment*> experiments() {
 #include "experiments.inc"
 #undef FLATRAY_ENTRY
   };
+}
+
+ExperimentResult::File csv_file(const std::string& name, const Table& table) {
+  return {name + ".csv", csv_text(table)};
+}
+
+ExperimentResult::File json_file(const std::string& name, const Fields& fields) {
+  return {name + ".json", json_text(fields, {.indent = 1, .null_for_infinity = true}) + "\n"};
+}
+
+Fields head_of(const std::string& experiment, const ExperimentContext& context) {
+  return {{"experiment", experiment},
+          {"scene", context.scene.name},
+          {"scene_hash", fmt::format("{:016x}", context.scene.hash)},
+          {"seed", context.seed},
+          {"count", context.count}};
 }
 
 }  // namespace flatray

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/table.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -77,6 +78,18 @@ struct ExperimentResult {
   bool holds = true;
   std::vector<Measure> measures{};
 };
+
+/// Files of a table and of an object, an item a line with infinity and NaN null.
+ExperimentResult::File csv_file(const std::string& name, const Table& table);
+ExperimentResult::File json_file(const std::string& name, const Fields& fields);
+/// What the JSON of an experiment begins with: its name, its scene, what it was run with.
+Fields head_of(const std::string& experiment, const ExperimentContext& context);
+/// How tables of a summary look.
+inline const TextStyle kBrief{.brief = true};
+/// The number, or what stands in a table where there is none.
+inline JsonValue cell_or(const char* none, const std::optional<double>& number) {
+  return number ? JsonValue(*number) : none;
+}
 
 /// What of a context an experiment looks at, beside its scene and threads: the rest is refused
 /// where it is asked for.

@@ -80,7 +80,7 @@ rule 'CLI11 belongs to the command line' code "$sources" '^src/app/options/[a-z_
 rule 'toml++ belongs to one scene format' code "$sources" '^src/scene/formats/[a-z_]+\.cpp$' \
   '#include <toml\+\+/' '#include <toml++/toml.h>' '#include <Eigen/Core>'
 rule 'nlohmann-json stays out of headers and of the geometry' code "$sources" \
-  '^(src/(scene|image|study|app)|tests)/.*\.cpp$' \
+  '^(src/base/(read_)?json|tests/.*)\.cpp$' \
   '#include <nlohmann/' '#include <nlohmann/json.hpp>' '#include <Eigen/Core>'
 rule 'GMP belongs to geom/exact and the oracle' code "$sources" '^src/(geom/exact|oracle/.*)\.cpp$|^tests/.*\.cpp$' \
   '#include <(gmp|gmpxx)\.h>' '#include <gmp.h>' '#include <Eigen/Core>'

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "anim/frame_state.h"
-#include "app/report/value.h"
+#include "base/table.h"
 #include "geom/hit_interval.h"
 
 namespace flatray {
@@ -50,7 +50,7 @@ std::vector<HitReport> hit_reports(const Scene& scene, const FrameState& state, 
 
 /// As `flatray hit` prints it: for people, as rows, as an object.
 std::string text_of(const HitReport& report);
-ReportTable csv_rows(const std::vector<HitReport>& reports);
+Table csv_rows(const std::vector<HitReport>& reports);
 JsonValue as_value(const HitReport& report);
 /// Of each ray the primitives it was clipped against and those it hits, the measure of the paper:
 /// needs the reports of a ray one after the other.

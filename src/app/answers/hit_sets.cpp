@@ -60,11 +60,11 @@ std::string text_of(const HitSet& set) {
   return text;
 }
 
-ReportTable csv_rows(const std::vector<HitSet>& sets) {
-  ReportTable table{{"ray", "part", "t_enter", "t_exit"}, {}};
+Table csv_rows(const std::vector<HitSet>& sets) {
+  Table table{{"ray", "part", "t_enter", "t_exit"}, {}};
   for (const HitSet& set : sets)
     for (std::size_t i = 0; i < set.parts.size(); ++i)
-      table.rows.push_back({set.ray.name, std::uint64_t{i}, set.parts[i].low, set.parts[i].high});
+      table.add({set.ray.name, std::uint64_t{i}, set.parts[i].low, set.parts[i].high});
   return table;
 }
 

@@ -30,7 +30,7 @@ HitSet combine(const NamedRay& ray, HitOperation operation,
 
 /// As `flatray hit --op` prints them: for people, as rows, as an object.
 std::string text_of(const HitSet& set);
-ReportTable csv_rows(const std::vector<HitSet>& sets);
+Table csv_rows(const std::vector<HitSet>& sets);
 JsonValue as_value(const HitSet& set);
 
 }  // namespace flatray

@@ -19,12 +19,12 @@ std::string range_text(const Range& range) {
   return fmt::format("[{}, {}]", number_text(range.low), number_text(range.high));
 }
 
-ReportTable step_table(const HitReport& report) {
-  ReportTable table{{"edge", "numerator", "denominator", "t", "kind", "candidate"}, {}};
+Table step_table(const HitReport& report) {
+  Table table{{"edge", "numerator", "denominator", "t", "kind", "candidate"}, {}};
   for (const HitStep& step : report.steps)
-    table.rows.push_back({step.edge ? JsonValue(*step.edge) : JsonValue("cut"), step.numerator,
-                          step.denominator, step.t ? with_fraction(*step.t, step.exact_t) : "-",
-                          step.kind, step.empty ? "empty" : range_text(step.candidate)});
+    table.add({step.edge ? JsonValue(*step.edge) : "cut", step.numerator, step.denominator,
+               step.t ? with_fraction(*step.t, step.exact_t) : "-", step.kind,
+               step.empty ? "empty" : range_text(step.candidate)});
   return table;
 }
 
@@ -51,10 +51,10 @@ std::string verdict_text(const HitReport& report) {
 
 JsonValue step_value(const HitStep& step) {
   return Fields{
-      {"edge", step.edge ? JsonValue(*step.edge) : JsonValue()},
+      {"edge", step.edge},
       {"numerator", step.numerator},
       {"denominator", step.denominator},
-      {"t", step.t ? JsonValue(*step.t) : JsonValue()},
+      {"t", step.t},
       {"t_exact", step.exact_t},
       {"kind", step.kind},
       {"candidate", step.empty ? JsonValue() : Values{step.candidate.low, step.candidate.high}}};
@@ -75,10 +75,10 @@ Values csv_row(const HitReport& report, const HitStep* step) {
   if (step == nullptr) {
     row.resize(row.size() + 7);
   } else {
-    const Values cells{step->edge ? JsonValue(*step->edge) : JsonValue("cut"),
+    const Values cells{step->edge ? JsonValue(*step->edge) : "cut",
                        step->numerator,
                        step->denominator,
-                       step->t ? JsonValue(*step->t) : JsonValue(),
+                       step->t,
                        step->kind,
                        step->empty ? JsonValue() : JsonValue(step->candidate.low),
                        step->empty ? JsonValue() : JsonValue(step->candidate.high)};
@@ -96,15 +96,14 @@ std::string text_of(const HitReport& report) {
   std::string text = fmt::format(
       "{}: {} + t {}, t in {}, against {}\n", shown_text(report.ray.name), point_text(ray.origin),
       point_text(ray.direction), range_text(report.within), shown_text(report.against));
-  if (!report.steps.empty()) text += aligned_text(step_table(report), "  ");
+  if (!report.steps.empty()) text += aligned_text(step_table(report), {"  "});
   return text + verdict_text(report);
 }
 
-ReportTable csv_rows(const std::vector<HitReport>& reports) {
-  ReportTable table{
-      {"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
-       "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"},
-      {}};
+Table csv_rows(const std::vector<HitReport>& reports) {
+  Table table{{"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
+               "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"},
+              {}};
   for (const HitReport& report : reports) {
     if (report.steps.empty()) table.rows.push_back(csv_row(report, nullptr));
     for (const HitStep& step : report.steps) table.rows.push_back(csv_row(report, &step));
@@ -118,8 +117,8 @@ JsonValue as_value(const HitReport& report) {
   for (const HitStep& step : report.steps) steps.push_back(step_value(step));
   const HitInterval& hit = report.hit;
   return Fields{{"ray", report.ray.name},
-                {"origin", Values{ray.origin.x(), ray.origin.y()}},
-                {"direction", Values{ray.direction.x(), ray.direction.y()}},
+                {"origin", as_value(ray.origin)},
+                {"direction", as_value(ray.direction)},
                 {"within", Values{report.within.low, report.within.high}},
                 {"against", report.against},
                 {"steps", std::move(steps)},

@@ -172,13 +172,7 @@ OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const
   return report;
 }
 
-std::vector<std::string> bounce_columns(bool timed) {
-  std::vector<std::string> columns{
-      "ray",  "bounce",   "t",        "path_length",   "x",      "y", "object",
-      "edge", "normal_x", "normal_y", "incidence_deg", "certain"};
-  if (timed) columns.insert(columns.end(), {"time", "speed"});
-  return columns;
-}
+namespace {
 
 Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
   const Bounce& bounce = report.orbit.bounces[i];
@@ -203,48 +197,42 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
   return row;
 }
 
-ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed) {
-  ReportTable table{bounce_columns(timed), {}};
-  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
-    table.rows.push_back(bounce_row(room, report, i, timed));
+}  // namespace
+
+Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports) {
+  Table table({"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
+               "normal_y", "incidence_deg", "certain"});
+  const bool timed = std::any_of(reports.begin(), reports.end(), [](const OrbitReport& report) {
+    return report.clock.has_value();
+  });
+  if (timed) table.columns.insert(table.columns.end(), {"time", "speed"});
+  table.made = [&room, reports, timed](const Table::EachRow& each) {
+    for (const OrbitReport& report : reports)
+      for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
+        each(bounce_row(room, report, i, timed));
+  };
   return table;
 }
-
-namespace {
-
-WrittenJson bounces_as_json(const OrbitRoom& room, const OrbitReport& report) {
-  const bool timed = report.clock.has_value();
-  const std::vector<std::string> columns = bounce_columns(timed);
-  std::string text = "[";
-  for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
-    text += (i == 0 ? "" : ",") + object_text(columns, bounce_row(room, report, i, timed));
-  text += ']';
-  return {std::move(text)};
-}
-
-}  // namespace
 
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
   const Orbit& orbit = report.orbit;
   const bool stands_somewhere = orbit.end != OrbitEnd::limit && orbit.end != OrbitEnd::escape;
   Fields fields{
       {"ray", report.ray},
-      {"start", Values{orbit.start.x(), orbit.start.y()}},
+      {"start", as_value(orbit.start)},
       {"start_place", report.start},
-      {"direction", Values{orbit.direction.x(), orbit.direction.y()}},
+      {"direction", as_value(orbit.direction)},
       {"precision", report.certified ? "certified" : "double"},
       {"bits", report.bits > 0 ? JsonValue(report.bits) : JsonValue()},
       {"rational", report.rational},
       {"horizon_of_doubles", leaves_doubles(report) ? JsonValue(report.horizon) : JsonValue()},
-      {"bounces", JsonValue()},
+      {"bounces", bounce_table(room, {&report, 1})},
       {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
       {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
       {"end", end_text(report)},
-      {"out", Values{orbit.out.x(), orbit.out.y()}},
-      {"end_point", stands_somewhere ? JsonValue(Values{orbit.end_point.x(), orbit.end_point.y()})
-                                     : JsonValue()},
+      {"out", as_value(orbit.out)},
+      {"end_point", stands_somewhere ? as_value(orbit.end_point) : JsonValue()},
       {"end_walls", walls_text(room.scene, *report.world, orbit.end_surfaces)}};
-  fields[8].second = bounces_as_json(room, report);  // a list would copy it
   if (!report.clock) return fields;
   fields.emplace_back("start_time", report.clock->start);
   fields.emplace_back("end_time", report.clock->end);

@@ -1,9 +1,10 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
 #include "anim/solids.h"
-#include "app/report/value.h"
+#include "base/table.h"
 #include "transport/moving_orbit.h"
 
 namespace flatray {
@@ -62,11 +63,10 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
 OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
                           const Ray& start, double from, const MovingLimits& limits);
 
-/// As `flatray orbit` prints it: rows, an object, and for people. `timed`: with the time and the speed
-/// after each bounce, empty where walls stand still.
-std::vector<std::string> bounce_columns(bool timed);
-Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t bounce, bool timed);
-ReportTable bounce_table(const OrbitRoom& room, const OrbitReport& report, bool timed);
+/// As `flatray orbit` prints it: rows, made from room and reports when they are written, an object, and
+/// for people. The time and the speed after each bounce are told where any report has them, and empty
+/// where walls stand still.
+Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports);
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
 std::string status_line(const OrbitRoom& room, const OrbitReport& report);
 

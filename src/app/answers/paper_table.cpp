@@ -51,72 +51,60 @@ bool has_box(const Scene& scene, const Ring& box) {
   });
 }
 
-std::array<PaperTable::Ray, 4> table_four(const Ring& one, const Ring& two) {
-  const std::array<Segment, 4> rays_one = paper_rays(one), rays_two = paper_rays(two);
-  std::array<PaperTable::Ray, 4> rays;
-  for (std::size_t i = 0; i < 4; ++i) rays[i] = {rays_one[i], rays_two[i]};
-  return rays;
-}
+// A table of the paper for people and as JSON.
+struct Shown {
+  std::string text;
+  Table rows;
+};
 
-std::array<PaperTable::Hit, 4> table_five(const std::array<PaperTable::Ray, 4>& rays) {
-  std::array<PaperTable::Hit, 4> hits;
-  const Segment& first = rays[0].one;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 e = rays[i].two.b - rays[i].two.a, normal(e.y(), -e.x());
-    const Vec2 tmp = rays[i].two.a - first.a;
-    const double numer = normal.dot(tmp), denom = normal.dot(first.b - first.a) + 0.0;
-    const Printed& printed = kPrinted[i];
-    hits[i] = {printed.tmp,
-               printed.status,
-               printed.numer,
-               printed.denom,
-               tmp,
-               numer,
-               denom,
-               status(numer, denom),
-               denom == 0 ? std::nullopt : std::optional<double>(numer / denom)};
-  }
-  return hits;
-}
-
-std::string text_of(const std::array<PaperTable::Ray, 4>& rays) {
-  std::string text =
+Shown table_four(const std::array<Segment, 4>& of_one, const std::array<Segment, 4>& of_two) {
+  Shown shown{
       "table 4: the rays, all right as numbers; they are pieces of the sides, with 25 cut off at "
       "some ends,\n"
       "and leave gaps at three corners\n"
-      "edge  box 1: from -> to              edge, normal            box 2: from -> to\n";
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 e = rays[i].one.b - rays[i].one.a;
-    const auto way = [](const Segment& s) {
-      return fmt::format("({}, {}) -> ({}, {})", s.a.x(), s.a.y(), s.b.x(), s.b.y());
-    };
-    text += fmt::format("{:>4}  {:<30} {:<23} {}\n", i, way(rays[i].one),
-                        fmt::format("({}, {}), ({}, {})", e.x(), e.y(), e.y(), -e.x() + 0.0),
-                        way(rays[i].two));
+      "edge  box 1: from -> to              edge, normal            box 2: from -> to\n",
+      Table({"edge", "box_1_from", "box_1_to", "box_1_edge", "box_1_normal", "box_2_from",
+             "box_2_to"})};
+  const auto way = [](const Segment& s) { return point_text(s.a) + " -> " + point_text(s.b); };
+  for (std::size_t i = 0; i < of_one.size(); ++i) {
+    const Segment &one = of_one[i], &two = of_two[i];
+    const Vec2 e = one.b - one.a, normal(e.y(), -e.x() + 0.0);
+    shown.rows.add({std::uint64_t{i}, as_value(one.a), as_value(one.b), as_value(e),
+                    as_value(normal), as_value(two.a), as_value(two.b)});
+    shown.text += fmt::format("{:>4}  {:<30} {:<23} {}\n", i, way(one),
+                              point_text(e) + ", " + point_text(normal), way(two));
   }
-  return text;
+  return shown;
 }
 
-std::string text_of(const std::array<PaperTable::Hit, 4>& hits) {
-  std::string text =
+Shown table_five(const Segment& ray, const std::array<Segment, 4>& edges) {
+  Shown shown{
       "\ntable 5: the first ray of box 1 against the edges of box 2, as printed | as it must be\n"
-      "edge  tmp                      numer            denom       t       status\n";
-  for (std::size_t i = 0; i < 4; ++i) {
-    const PaperTable::Hit& hit = hits[i];
-    text +=
+      "edge  tmp                      numer            denom       t       status\n",
+      Table({"edge", "printed", "tmp", "numer", "denom", "t", "status"})};
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Vec2 e = edges[i].b - edges[i].a, normal(e.y(), -e.x()), tmp = edges[i].a - ray.a;
+    const double numer = normal.dot(tmp), denom = normal.dot(ray.b - ray.a) + 0.0;
+    const auto t = denom == 0 ? std::nullopt : std::optional(numer / denom);
+    const auto& [printed_tmp, printed_numer, printed_denom, printed_status] = kPrinted[i];
+    shown.rows.add({std::uint64_t{i},
+                    Fields{{"tmp", printed_tmp},
+                           {"numer", printed_numer},
+                           {"denom", printed_denom},
+                           {"status", printed_status}},
+                    as_value(tmp), numer, denom, t, status(numer, denom)});
+    shown.text +=
         fmt::format("{:>4}  {:<10} | {:<10}  {:>6} | {:<6}  {} | {:<5}  {:<6}  {} | {}\n", i,
-                    hit.printed_tmp, fmt::format("({}, {})", hit.tmp.x(), hit.tmp.y()),
-                    hit.printed_numer, hit.numer, hit.printed_denom, hit.denom,
-                    hit.t ? fmt::format("{:.4f}", *hit.t) : "-", hit.printed_status, hit.status);
+                    printed_tmp, point_text(tmp), printed_numer, numer, printed_denom, denom,
+                    t ? fmt::format("{:.4f}", *t) : "-", printed_status, status(numer, denom));
   }
-  return text +
-         "Each printed denominator is a normal against its own edge, so 0; the printed tmp is that "
-         "of edge 0\n"
-         "for all edges. Wrong as numbers: 3 of 4 numerators, 2 of 4 denominators, 2 of 4 kinds of "
-         "edge.\n";
+  shown.text +=
+      "Each printed denominator is a normal against its own edge, so 0; the printed tmp is that "
+      "of edge 0\n"
+      "for all edges. Wrong as numbers: 3 of 4 numerators, 2 of 4 denominators, 2 of 4 kinds of "
+      "edge.\n";
+  return shown;
 }
-
-JsonValue as_value(const Vec2& v) { return Values{v.x(), v.y()}; }
 
 int misses(const Ring& from, const Ring& against) {
   int count = 0;
@@ -127,59 +115,32 @@ int misses(const Ring& from, const Ring& against) {
 
 }  // namespace
 
-std::string PaperTable::text() const {
-  return text_of(rays) + text_of(hits) +
-         fmt::format(
-             "\nat rest {} of 4 sides of box 1 miss box 2, and {} of 4 of box 2 miss box 1: no "
-             "hit.\n"
-             "The paper has no velocity, so no hit time. Box 1 moving (635, 178) meets box 2 at\n"
-             "t = {} = 571/635 and leaves it at t = {} = 699/635.\n",
-             misses_of_one, misses_of_two, t_first, t_last);
-}
-
-JsonValue PaperTable::json() const {
-  Values four, five;
-  for (int i = 0; i < 4; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Ray& ray = rays[k];
-    const Vec2 e = ray.one.b - ray.one.a;
-    four.push_back(Fields{{"edge", i},
-                          {"box_1_from", as_value(ray.one.a)},
-                          {"box_1_to", as_value(ray.one.b)},
-                          {"box_1_edge", as_value(e)},
-                          {"box_1_normal", as_value(Vec2(e.y(), -e.x() + 0.0))},
-                          {"box_2_from", as_value(ray.two.a)},
-                          {"box_2_to", as_value(ray.two.b)}});
-    const Hit& hit = hits[k];
-    five.push_back(Fields{{"edge", i},
-                          {"printed", Fields{{"tmp", hit.printed_tmp},
-                                             {"numer", hit.printed_numer},
-                                             {"denom", hit.printed_denom},
-                                             {"status", hit.printed_status}}},
-                          {"tmp", as_value(hit.tmp)},
-                          {"numer", hit.numer},
-                          {"denom", hit.denom},
-                          {"t", hit.t ? JsonValue(*hit.t) : JsonValue()},
-                          {"status", hit.status}});
-  }
-  return Fields{{"table_4", std::move(four)},
-                {"table_5", std::move(five)},
-                {"at_rest", Fields{{"sides_of_box_1_that_miss", misses_of_one},
-                                   {"sides_of_box_2_that_miss", misses_of_two}}},
-                {"moving", Fields{{"velocity_of_box_1", as_value(Vec2(635, 178))},
-                                  {"t_first", t_first},
-                                  {"t_last", t_last}}}};
-}
-
-Result<PaperTable> paper_table(const Scene& scene, const Place& where) {
+Result<VerbOutput> paper_tables(const Scene& scene, const Place& where) {
   const Ring one = box(250, 200, 314, 328), two = box(885, 378, 949, 506);
   if (!has_box(scene, one) || !has_box(scene, two))
     return usage_error(where, "the tables are of the paper's two boxes, which this scene has not",
                        "flatray collide scenes/paper/case_two.toml --table");
-  const HitInterval met = contact({one, {635, 178}}, {two, {0, 0}}).times;
-  const auto rays = table_four(one, two);
-  return PaperTable{rays,        table_five(rays), misses(one, two), misses(two, one),
-                    met.t_enter, met.t_exit};
+  const std::array<Segment, 4> rays_one = paper_rays(one), rays_two = paper_rays(two);
+  const Shown four = table_four(rays_one, rays_two), five = table_five(rays_one[0], rays_two);
+  const int misses_of_one = misses(one, two), misses_of_two = misses(two, one);
+  const Vec2 velocity(635, 178);
+  const HitInterval met = contact({one, velocity}, {two, {0, 0}}).times;
+  return VerbOutput{
+      .text = {four.text + five.text +
+               fmt::format(
+                   "\nat rest {} of 4 sides of box 1 miss box 2, and {} of 4 of box 2 miss box 1: "
+                   "no hit.\n"
+                   "The paper has no velocity, so no hit time. Box 1 moving (635, 178) meets box 2 "
+                   "at\n"
+                   "t = {} = 571/635 and leaves it at t = {} = 699/635.\n",
+                   misses_of_one, misses_of_two, met.t_enter, met.t_exit)},
+      .results = Fields{{"table_4", four.rows},
+                        {"table_5", five.rows},
+                        {"at_rest", Fields{{"sides_of_box_1_that_miss", misses_of_one},
+                                           {"sides_of_box_2_that_miss", misses_of_two}}},
+                        {"moving", Fields{{"velocity_of_box_1", as_value(velocity)},
+                                          {"t_first", met.t_enter},
+                                          {"t_last", met.t_exit}}}}};
 }
 
 }  // namespace flatray

@@ -58,11 +58,11 @@ JsonValue nanoseconds(const CatalogueTally& tally) {
 
 // What is the same every time, and what was measured.
 struct CatalogueTables {
-  ReportTable facts{kColumns, {}}, shown{kColumns, {}}, times{{"id", "tracer", "ns_a_query"}, {}};
+  Table facts{kColumns, {}}, shown{kColumns, {}}, times{{"id", "tracer", "ns_a_query"}, {}};
 
   CatalogueTables() { shown.columns.insert(shown.columns.begin() + kTimes, "ns_a_query"); }
   void add(Values row, const JsonValue& ns) {
-    if (ns.as_text() != "") times.rows.push_back({row[0], row[2], ns});
+    if (ns.as_text() != "") times.add({row[0], row[2], ns});
     facts.rows.push_back(row);
     row.insert(row.begin() + kTimes, ns);
     shown.rows.push_back(std::move(row));
@@ -165,9 +165,9 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
       "ns_a_query: processor time, of tracers the least of up to {} measurements, of certified "
       "orbits one alone\n",
       kTimesOfACase);
-  result.files.push_back({"catalogue.csv", csv_text(tables.facts)});
-  result.files.push_back({"catalogue_times.csv", csv_text(tables.times)});
-  return stability_files(arguments, tables.shown, result, sound);
+  result.files.push_back(csv_file("catalogue", tables.facts));
+  result.files.push_back(csv_file("catalogue_times", tables.times));
+  return stability_files(arguments, std::move(tables.shown), result, sound);
 }
 
 }  // namespace flatray

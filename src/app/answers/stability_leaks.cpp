@@ -3,7 +3,6 @@
 
 #include "app/answers/stability_reports.h"
 #include "app/files/chunk_log.h"
-#include "app/files/rounds.h"
 #include "app/files/scene_input.h"
 #include "app/interrupt.h"
 #include "app/options/option_values.h"
@@ -12,33 +11,10 @@
 #include "base/isa.h"
 
 namespace flatray {
-namespace {
-
-ChunkLog::Key key_of(const StabilityRequest& request, const RoomPlace& place, const Tracer& tracer,
-                     std::uint64_t block) {
-  return {place.name, tracer.name, isa_name(active_isa()), request.seed, block};
-}
-
-// Blocks not yet in the log.
-Result<void> run_blocks(const StabilityRequest& request, const RoomPlace& place,
-                        const Tracer& tracer, std::uint64_t blocks, LeakLog& log) {
-  return in_rounds(
-      blocks, request.threads,
-      [&](std::uint64_t block) { return !log.has(key_of(request, place, tracer, block)); },
-      [&](std::uint64_t block) { return count_leaks(tracer, place, request.seed, block); },
-      [&](std::uint64_t block, const LeakTally& tally, double seconds) {
-        return log.add(key_of(request, place, tracer, block), tally, seconds);
-      });
-}
-
-}  // namespace
-
-VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound) {
+VerbOutput stability_output(Table table, bool sound) {
   const int code = interrupted() ? interrupted_code() : sound ? 0 : 1;
   if (interrupted()) report_note(fmt::format("flatray: {}; {}", interruption(), kRowsKept));
-  if (arguments.has("json"))
-    return VerbOutput{json_report("stability", arguments, as_objects(table)), code};
-  return VerbOutput{aligned_text(table), code};
+  return {.table = std::move(table), .exit_code = code};
 }
 
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request) {
@@ -49,24 +25,26 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
   const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
   auto log = LeakLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  ReportTable table{
-      {"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong", "first_t_off",
-       "asked", "beside", "nothing", "through_end", "through", "invented"},
-      {}};
+  Table table{{"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
+               "first_t_off", "asked", "beside", "nothing", "through_end", "through", "invented"},
+              {}};
   bool sound = true;
   for (const RoomPlace& place : room_places()) {
     if (std::find(places->begin(), places->end(), place.name) == places->end()) continue;
     for (const Tracer* tracer : request.tracers) {
-      if (auto done = run_blocks(request, place, *tracer, blocks, *log); !done)
-        return fail(std::move(done));
-      const LeakTally sum = log->sum(key_of(request, place, *tracer, 0), blocks);
+      const ChunkLog::Key key{place.name, tracer->name, isa_name(active_isa()), request.seed, 0};
+      auto done = log->run({key}, blocks, request.threads, [&](std::uint64_t block, const auto&) {
+        return std::vector{count_leaks(*tracer, place, request.seed, block)};
+      });
+      if (!done) return fail(std::move(done));
+      const LeakTally sum = log->sum(key, blocks);
       sound = sound && sum.leaks + sum.wrong + sum.wrong_t == 0;
-      table.rows.push_back({place.name, tracer->name, sum.rays, sum.bounces, sum.leaks, sum.corners,
-                            sum.wrong, sum.wrong_t, sum.asked, sum.beside, sum.nothing,
-                            sum.through_end, sum.through, sum.invented});
+      table.add({place.name, tracer->name, sum.rays, sum.bounces, sum.leaks, sum.corners, sum.wrong,
+                 sum.wrong_t, sum.asked, sum.beside, sum.nothing, sum.through_end, sum.through,
+                 sum.invented});
     }
   }
-  return stability_output(arguments, table, sound);
+  return stability_output(std::move(table), sound);
 }
 
 }  // namespace flatray

@@ -9,10 +9,10 @@
 #include "app/report/report.h"
 #include "base/counted.h"
 #include "base/parallel.h"
+#include "base/table.h"
 #include "study/plots/plot.h"
 #include "study/stability/margins.h"
 #include "study/stability/scale_sweep.h"
-#include "study/table.h"
 
 namespace flatray {
 namespace {
@@ -21,24 +21,16 @@ constexpr std::size_t kShown = 20;           // margins, of all
 constexpr std::uint64_t kRandomRays = 1000;  // of a scene without rays
 constexpr double kNearUlps = 4, kCloseUlps = 1 << 20;
 
-ExperimentResult as_file(const char* name, const ReportTable& table) {
-  ExperimentResult result;
-  result.files.push_back({name, csv_text(table)});
-  return result;
-}
-
 }  // namespace
 
-Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
+Result<VerbOutput> stability_files(const Arguments& arguments, Table table,
                                    const ExperimentResult& result, bool sound) {
   if (const auto folder = arguments.text("output")) {
     auto files = write_files(result, *folder, Outputs(arguments));
     if (!files) return fail(std::move(files));
   }
-  const int code = sound ? 0 : 1;
-  if (arguments.has("json"))
-    return VerbOutput{json_report("stability", arguments, as_objects(table)), code};
-  return VerbOutput{aligned_text(table) + result.summary, code};
+  return VerbOutput{
+      .text = {table, result.summary}, .table = std::move(table), .exit_code = sound ? 0 : 1};
 }
 
 std::vector<const Tracer*> tracers_at_hand() {
@@ -62,9 +54,9 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
   });
   ExperimentResult result;
   Table all({"tracer", "scale_log2", "offset_log2", "rays", "wrong", "off"});
-  ReportTable table{{"tracer", "cells", "cells_wrong", "rays", "wrong", "off", "worst_share",
-                     "at_scale", "at_offset", "verdict"},
-                    {}};
+  Table table{{"tracer", "cells", "cells_wrong", "rays", "wrong", "off", "worst_share", "at_scale",
+               "at_offset", "verdict"},
+              {}};
   bool sound = true;
   for (std::size_t k = 0; k < request.tracers.size(); ++k) {
     const Tracer& tracer = *request.tracers[k];
@@ -83,29 +75,29 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
       cells_wrong += cell.wrong[k] > 0 ? 1 : 0;
       if (cell.wrong[k] > worst->wrong[k]) worst = &cell;
       map.shares.push_back(static_cast<double>(cell.wrong[k]) / static_cast<double>(cell.rays));
-      all.add({std::string(tracer.name), cell.scale_log2, cell.offset_log2, cell.rays,
-               cell.wrong[k], cell.off[k]});
+      all.add(
+          {tracer.name, cell.scale_log2, cell.offset_log2, cell.rays, cell.wrong[k], cell.off[k]});
     }
     sound = sound && (wrong + off == 0 || !(request.named || tracer.exact));
-    table.rows.push_back({tracer.name, std::uint64_t{cells.size()}, cells_wrong, rays, wrong, off,
-                          static_cast<double>(worst->wrong[k]) / static_cast<double>(worst->rays),
-                          worst->scale_log2, worst->offset_log2,
-                          wrong + off == 0 ? "right" : "wrong"});
+    table.add({tracer.name, std::uint64_t{cells.size()}, cells_wrong, rays, wrong, off,
+               static_cast<double>(worst->wrong[k]) / static_cast<double>(worst->rays),
+               worst->scale_log2, worst->offset_log2, wrong + off == 0 ? "right" : "wrong"});
     result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(plot_of(map))});
   }
-  result.files.push_back({"sweep.csv", all.csv()});
-  return stability_files(arguments, table, result, sound);
+  result.files.push_back(csv_file("sweep", all));
+  return stability_files(arguments, std::move(table), result, sound);
 }
 
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
   const auto scene = load_only_input(arguments);
   if (!scene) return tl::unexpected(scene.error());
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
-  ReportTable table{{"ray", "leg", "near", "x", "y", "distance", "ulps"}, {}};
+  Table table{{"ray", "leg", "near", "x", "y", "distance", "ulps"}, {}};
   for (const Margin& margin : all)
-    table.rows.push_back({margin.ray, margin.leg, margin.wall, margin.at.x(), margin.at.y(),
-                          margin.distance, margin.ulps});
-  ExperimentResult result = as_file("margins.csv", table);
+    table.add({margin.ray, margin.leg, margin.wall, margin.at.x(), margin.at.y(), margin.distance,
+               margin.ulps});
+  ExperimentResult result;
+  result.files.push_back(csv_file("margins", table));
   const auto below = [&](double ulps) {
     return std::count_if(all.begin(), all.end(),
                          [&](const Margin& margin) { return margin.ulps < ulps; });
@@ -122,8 +114,11 @@ Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityReq
         counted(all.size(), "leg"), exact, below(kNearUlps), kNearUlps, below(kCloseUlps),
         all.front().distance, all.front().ulps, all.front().ray, counted(all.front().leg, "bounce"),
         all.front().wall, all.front().at.x(), all.front().at.y());
-  if (!arguments.has("json") && table.rows.size() > kShown) table.rows.resize(kShown);
-  return stability_files(arguments, table, result, true);
+  Table shown = table;
+  shown.rows.resize(std::min(table.rows.size(), kShown));
+  auto output = stability_files(arguments, std::move(table), result, true);
+  if (output) output->text.front() = std::move(shown);
+  return output;
 }
 
 }  // namespace flatray

@@ -34,7 +34,7 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request);
 
 /// What other runs print, and their exit code; the files of `result` go to the folder of --output.
-Result<VerbOutput> stability_files(const Arguments& arguments, const ReportTable& table,
+Result<VerbOutput> stability_files(const Arguments& arguments, Table table,
                                    const ExperimentResult& result, bool sound);
 
 /// What a run in chunks that is stopped leaves.
@@ -42,7 +42,7 @@ inline constexpr const char* kRowsKept =
     "rows written with -o are kept, and the same command goes on";
 
 /// What a run in chunks prints, and its exit code.
-VerbOutput stability_output(const Arguments& arguments, const ReportTable& table, bool sound);
+VerbOutput stability_output(Table table, bool sound);
 
 /// SCENE: its rays by how near they are to a decision; margins.csv in the folder of --output.
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request);

@@ -7,7 +7,7 @@
 #include "app/files/journal.h"
 #include "app/files/outputs.h"
 #include "app/report/progress.h"
-#include "app/report/value.h"
+#include "base/json.h"
 #include "study/experiment.h"
 
 namespace flatray {

@@ -59,14 +59,9 @@ SweepResults::SweepResults(std::string experiment, Sweep sweep)
       table_({sweep_.key, "measure", "value", "low", "high", "expected", "agrees"}) {}
 
 void SweepResults::add(const std::string& value, const ExperimentResult& result) {
-  for (const Measure& one : result.measures) {
-    const std::optional<double> half = half_interval(one);
-    const auto end = [&](double sign) {
-      return half ? Cell(one.value + sign * *half) : Cell(std::string());
-    };
-    table_.add({value, one.name, one.value, end(-1), end(1),
-                one.expected ? Cell(*one.expected) : Cell(std::string()), verdict(one)});
-  }
+  for (const Measure& one : result.measures)
+    table_.add({value, one.name, one.value, end_cell(one, -1), end_cell(one, 1),
+                cell_or("", one.expected), verdict(one)});
   holds_ = holds_ && result.holds;
   found_.emplace_back(value, result.measures);
 }
@@ -82,10 +77,9 @@ std::vector<std::string> SweepResults::names() const {
 
 ExperimentResult SweepResults::result() && {
   ExperimentResult all;
-  all.files.push_back({"sweep.csv", table_.csv()});
-  all.files.push_back(
-      {"sweep.json", json_document({{"experiment", experiment_}, {"sweep", sweep_.key}},
-                                   {{"measures", &table_}})});
+  all.files.push_back(csv_file("sweep", table_));
+  all.files.push_back(json_file(
+      "sweep", {{"experiment", experiment_}, {"sweep", sweep_.key}, {"measures", table_}}));
   for (const std::string& name : names()) {
     Plot plot{experiment_ + ": " + name,
               sweep_.key,
@@ -101,7 +95,8 @@ ExperimentResult SweepResults::result() && {
     }
     if (!plot.series[0].points.empty()) all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
   }
-  all.summary = fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, table_.text());
+  all.summary =
+      fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, aligned_text(table_, kBrief));
   all.holds = holds_;
   return all;
 }

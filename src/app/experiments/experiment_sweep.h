@@ -1,7 +1,7 @@
 #pragma once
 #include "base/result.h"
+#include "base/table.h"
 #include "study/experiment.h"
-#include "study/table.h"
 
 namespace flatray {
 

@@ -9,6 +9,7 @@
 
 #include "app/files/journal.h"
 #include "app/files/outputs.h"
+#include "app/files/rounds.h"
 #include "base/result.h"
 #include "study/stability/leaks.h"
 #include "study/stability/pair_stability.h"
@@ -100,6 +101,33 @@ class TallyLog {
     Tally sum;
     for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
+  }
+  /// Adds what is not there of chunks 0 to `chunks` - 1 of each of `keys`, whatever their chunk, in rounds
+  /// of `threads` (app/files/rounds.h): `check(chunk, open)` gives tallies of those numbered in `open`.
+  template <class Check>
+  Result<void> run(const std::vector<ChunkLog::Key>& keys, std::uint64_t chunks, unsigned threads,
+                   const Check& check) {
+    const auto key = [&](std::size_t k, std::uint64_t chunk) {
+      ChunkLog::Key one = keys[k];
+      one.chunk = chunk;
+      return one;
+    };
+    const auto open = [&](std::uint64_t chunk) {
+      std::vector<std::size_t> numbers;
+      for (std::size_t k = 0; k < keys.size(); ++k)
+        if (!has(key(k, chunk))) numbers.push_back(k);
+      return numbers;
+    };
+    return in_rounds(
+        chunks, threads, [&](std::uint64_t chunk) { return !open(chunk).empty(); },
+        [&](std::uint64_t chunk) { return check(chunk, open(chunk)); },
+        [&](std::uint64_t chunk, const std::vector<Tally>& tallies, double seconds) {
+          const std::vector<std::size_t> numbers = open(chunk);
+          Result<void> added;
+          for (std::size_t i = 0; added && i < numbers.size(); ++i)
+            added = add(key(numbers[i], chunk), tallies[i], seconds);
+          return added;
+        });
   }
 
  private:

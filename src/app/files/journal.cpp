@@ -10,7 +10,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/report/value.h"
+#include "base/json.h"
 
 namespace flatray {
 namespace {

@@ -24,8 +24,7 @@ std::string shard_suffix(const Shard& shard) {
 
 // A field of the wrong kind is as good as none.
 unsigned number_of(const JsonValue& record, const char* field) {
-  const JsonValue* value = record.find(field);
-  const std::uint64_t number = value == nullptr ? 0 : value->as_whole().value_or(0);
+  const std::uint64_t number = record.whole_of(field).value_or(0);
   return number > kMostPixels ? 0 : static_cast<unsigned>(number);
 }
 
@@ -62,23 +61,11 @@ LightRecord record_of(const LightReport& report) {
 namespace {
 
 LightRecord light_in(const JsonValue& value) {
-  const auto whole = [&](const char* field) {
-    const JsonValue* one = value.find(field);
-    return one == nullptr ? 0 : one->as_whole().value_or(0);
-  };
-  const auto number = [&](const char* field) {
-    const JsonValue* one = value.find(field);
-    return one == nullptr ? std::nullopt : one->as_number();
-  };
-  return {whole("rays"),
-          whole("legs"),
-          whole("rounds"),
-          number("absorbed").value_or(0),
-          number("escaped").value_or(0),
-          number("corners").value_or(0),
-          number("cut_off").value_or(0),
-          number("gambled").value_or(0),
-          number("error")};
+  const auto whole = [&](const char* field) { return value.whole_of(field).value_or(0); };
+  const auto share = [&](const char* field) { return value.number_of(field).value_or(0); };
+  return {whole("rays"),     whole("legs"),    whole("rounds"),
+          share("absorbed"), share("escaped"), share("corners"),
+          share("cut_off"),  share("gambled"), value.number_of("error")};
 }
 
 }  // namespace
@@ -97,7 +84,7 @@ std::optional<FrameRecord> parse_manifest_line(std::string_view line) {
   record.pixels = value->text_of("pixels");
   record.bytes = value->text_of("bytes");
   record.scene = value->text_of("scene");
-  if (const JsonValue* seed = value->find("seed")) record.seed = seed->as_whole().value_or(0);
+  record.seed = value->whole_of("seed").value_or(record.seed);
   // Lines of versions that had one back end only do not name it.
   if (value->find("backend") != nullptr) record.backend = value->text_of("backend");
   if (const JsonValue* light = value->find("light")) record.light = light_in(*light);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/frames/frames.h"
-#include "app/report/value.h"
+#include "base/json.h"
 #include "render/light/light_run.h"
 
 namespace flatray {

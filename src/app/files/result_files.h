@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/files/outputs.h"
-#include "app/report/value.h"
+#include "base/json.h"
 #include "study/experiment.h"
 
 namespace flatray {

@@ -6,8 +6,8 @@
 #include "app/frames/video_maker.h"
 #include "app/help/version.h"
 #include "app/options/resource_limits.h"
-#include "app/report/value.h"
 #include "base/hash.h"
+#include "base/json.h"
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "render/light/light_picture.h"
@@ -76,7 +76,7 @@ Fields RenderJob::film_setting(unsigned frame) const {
                 {"frame", frame},
                 {"size", fmt::format("{}x{}", scene.film.width, scene.film.height)},
                 {"scrambles", rules.scrambles},
-                {"exposure", rules.exposure ? JsonValue(*rules.exposure) : JsonValue("auto")},
+                {"exposure", rules.exposure ? JsonValue(*rules.exposure) : "auto"},
                 {"tone", flatray::name(rules.tone)},
                 {"gamma", rules.gamma},
                 {"version", kVersion}};

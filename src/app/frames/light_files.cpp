@@ -69,8 +69,7 @@ std::optional<std::string> misfit_of_setting(const FilmFile& film) {
     return one != nullptr && json_text(*one) == json_text(value);
   };
   const auto within = [&](const char* field, double low, double high) {
-    const JsonValue* one = setting->find(field);
-    const auto number = one == nullptr ? std::nullopt : one->as_number();
+    const auto number = setting->number_of(field);
     return number && *number >= low && *number <= high;
   };
   if (!is("size", fmt::format("{}x{}", film.width, film.height)) ||

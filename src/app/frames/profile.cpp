@@ -8,9 +8,9 @@
 #include "app/options/backend_choice.h"
 #include "app/options/option_values.h"
 #include "app/report/report.h"
-#include "app/report/value.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/json.h"
 #include "base/number_text.h"
 
 namespace flatray {
@@ -35,11 +35,6 @@ struct Profile {
   std::vector<Way> ways;
 };
 
-std::optional<double> number_of(const JsonValue& line, const char* name) {
-  const JsonValue* value = line.find(name);
-  return value == nullptr ? std::nullopt : value->as_number();
-}
-
 // What a profile may say to render; all else would draw another scene.
 bool may_choose(const std::string& name, const std::string& value) {
   if (name == "backend") {
@@ -53,7 +48,7 @@ bool may_choose(const std::string& name, const std::string& value) {
 // nullopt where it is none.
 std::optional<Way> way_of(const JsonValue& line, const Place& where) {
   Way way{line.text_of("setting"), 0, 0, line.find("at_most") != nullptr, {}, where};
-  const auto error = number_of(line, "error"), seconds = number_of(line, "seconds");
+  const auto error = line.number_of("error"), seconds = line.number_of("seconds");
   const JsonValue* options = line.find("options");
   const auto* fields = options == nullptr ? nullptr : std::get_if<Fields>(&options->data);
   if (way.words.empty() || !error || !seconds || fields == nullptr) return std::nullopt;

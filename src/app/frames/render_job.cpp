@@ -11,10 +11,10 @@
 #include "app/frames/light_files.h"
 #include "app/frames/video_maker.h"
 #include "app/interrupt.h"
-#include "app/report/value.h"
 #include "base/counted.h"
 #include "base/file.h"
 #include "base/hash.h"
+#include "base/json.h"
 #include "base/parallel.h"
 #include "collide/scene_timeline.h"
 

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "app/interrupt.h"
-#include "app/report/json_failure.h"
 #include "app/report/report.h"
 #include "base/counted.h"
 #include "base/file.h"
@@ -155,7 +154,7 @@ class Run {
         written_ == 0 ? "nothing rendered"
                       : fmt::format("{} of {} written{}", written_, counted(total_, "frame"),
                                     ends || !goes_on_ ? "" : "; --resume goes on from there");
-    return {json_failure("render", arguments_, problems), report_failure(problems, goes_on)};
+    return {.results = failed_results(problems), .exit_code = report_failure(problems, goes_on)};
   }
 
   VerbOutput finish() {
@@ -169,9 +168,7 @@ class Run {
     else if (!arguments_.has("quiet"))
       report_note(fmt::format("flatray: {} written{} in {:.2f} s", counted(written_, "frame"),
                               kept_ == 0 ? "" : fmt::format(", {} kept,", kept_), time.count()));
-    VerbOutput output{"", stopped ? interrupted_code() : 0};
-    if (arguments_.has("json")) output.text = json_report("render", arguments_, results_);
-    return output;
+    return {.results = std::move(results_), .exit_code = stopped ? interrupted_code() : 0};
   }
 
   const Arguments& arguments_;
@@ -197,15 +194,15 @@ Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderReque
   return list;
 }
 
-VerbOutput describe(const Arguments& arguments, const WorkList& list) {
+VerbOutput describe(const WorkList& list) {
   Values values;
-  std::string text;
+  VerbOutput output;
   for (const Work& work : list.works) {
     values.push_back(dry_value(work, list.threads));
-    text += dry_text(work, list.threads);
+    output.text.emplace_back(dry_text(work, list.threads));
   }
-  if (arguments.has("json")) return {json_report("render", arguments, std::move(values)), 0};
-  return {std::move(text), 0};
+  output.results = std::move(values);
+  return output;
 }
 
 VerbOutput render_all(const Arguments& arguments, const WorkList& list, ProgressMode mode) {

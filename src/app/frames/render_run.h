@@ -16,7 +16,7 @@ struct WorkList {
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request);
 
 /// --dry-run: frames, names and memory, as lines or as the object of --json.
-VerbOutput describe(const Arguments& arguments, const WorkList& list);
+VerbOutput describe(const WorkList& list);
 
 /// Renders scene after scene. The first failure or Ctrl-C ends it: whole frames and their records
 /// stay, the exit code is 6 or 130.

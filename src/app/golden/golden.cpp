@@ -8,8 +8,8 @@
 #include "app/files/outputs.h"
 #include "app/options/backend_choice.h"
 #include "app/options/option_values.h"
-#include "app/report/value.h"
 #include "base/file.h"
+#include "base/json.h"
 #include "collide/scene_timeline.h"
 #include "scene/load.h"
 
@@ -72,10 +72,9 @@ class RowReader {
   }
 
   std::string text(const char* key) {
-    const JsonValue* field = value_.find(key);
-    const auto text = field == nullptr ? std::nullopt : field->as_text();
-    if (!text || text->empty()) wrong(key, "is missing");
-    return text.value_or("");
+    std::string text = value_.text_of(key);
+    if (text.empty()) wrong(key, "is missing");
+    return text;
   }
 
   std::uint64_t whole(const char* key, std::uint64_t low, std::uint64_t high) {

@@ -5,15 +5,15 @@
 #include <algorithm>
 
 #include "app/options/option_values.h"
-#include "app/report/value.h"
+#include "base/table.h"
 #include "scene/reading/vocabulary.h"
 
 namespace flatray {
 namespace {
 
-ReportTable key_table(std::span<const KeyInfo> keys) {
-  ReportTable table{{"key", "takes", "default"}, {}};
-  for (const KeyInfo& key : keys) table.rows.push_back({key.name, key.takes, key.fallback});
+Table key_table(std::span<const KeyInfo> keys) {
+  Table table{{"key", "takes", "default"}, {}};
+  for (const KeyInfo& key : keys) table.add({key.name, key.takes, key.fallback});
   return table;
 }
 
@@ -40,7 +40,7 @@ std::string table_text(const TableInfo& table) {
   const std::string keys = table.keys.empty()
                                ? fmt::format("  has no keys; as in: {} = {{ {} = {{}} }}\n",
                                              kind_of(table), KindInfo::name(table))
-                               : aligned_text(key_table(table.keys), "  ");
+                               : aligned_text(key_table(table.keys), {"  "});
   return title_of(table) + "\n" + keys;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "app/report/value.h"
+#include "base/json.h"
 
 namespace flatray {
 

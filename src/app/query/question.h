@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/options/tracer_choice.h"
-#include "app/report/value.h"
+#include "base/json.h"
 #include "geom/ray.h"
 #include "trace/surfaces.h"
 

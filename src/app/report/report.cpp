@@ -43,9 +43,9 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
 
 void report_note(const std::string& line) { std::fputs((shown_text(line) + "\n").c_str(), stderr); }
 
-std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
-                        Fields of_all) {
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - arguments.read_at();
+namespace {
+
+Fields as_value(const Arguments& arguments) {
   Fields options;
   for (const auto& [name, given] : arguments.given()) {
     Values values(given.values.begin(), given.values.end());
@@ -54,20 +54,60 @@ std::string json_report(const char* verb, const Arguments& arguments, JsonValue 
                                                     : JsonValue(std::move(values)));
   }
   const std::vector<std::string>& operands = arguments.operands();
-  Fields report{{"schema", fmt::format("flatray.{}/1", verb)},
-                {"version", kVersion},
-                {"args", Fields{{"operands", Values(operands.begin(), operands.end())},
-                                {"options", std::move(options)}}},
-                {"results", JsonValue()},
-                {"timing", Fields{{"seconds", time.count()}}}};
-  report[3].second = std::move(results);  // lists copy what they begin with
-  std::move(of_all.begin(), of_all.end(), std::back_inserter(report));
-  return json_text(report) + "\n";
+  return {{"operands", Values(operands.begin(), operands.end())}, {"options", std::move(options)}};
+}
+
+// Written by parts, as the time is taken when the results are.
+std::string json_of(const char* verb, const Arguments& arguments, const JsonValue& results,
+                    const Fields& of_all) {
+  std::string text = json_text(Fields{{"schema", fmt::format("flatray.{}/1", verb)},
+                                      {"version", kVersion},
+                                      {"args", as_value(arguments)}});
+  text.back() = ',';
+  text += "\"results\":" + json_text(results) + ',';
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - arguments.read_at();
+  Fields rest{{"timing", Fields{{"seconds", time.count()}}}};
+  rest.insert(rest.end(), of_all.begin(), of_all.end());
+  text += json_text(rest).substr(1) + "\n";
+  return text;
+}
+
+bool is_null(const JsonValue& value) { return value.data.index() == 0; }
+
+}  // namespace
+
+std::string written(const char* verb, const Arguments& arguments, VerbOutput& output) {
+  if (arguments.has("json") && (output.table || !is_null(output.results))) {
+    if (is_null(output.results)) output.results = *std::move(output.table);
+    if (!output.problems.empty()) output.of_all.emplace_back("errors", as_values(output.problems));
+    return json_of(verb, arguments, output.results, output.of_all);
+  }
+  if (output.table && arguments.has("csv")) return csv_text(*output.table);
+  if (output.table && output.text.empty()) return aligned_text(*output.table);
+  std::string text;
+  for (const auto& part : output.text) {
+    const auto* table = std::get_if<Table>(&part);
+    text += table != nullptr ? aligned_text(*table) : std::get<std::string>(part);
+  }
+  return text;
+}
+
+std::string written(const char* verb, const Arguments& arguments, const Diagnostics& problems) {
+  if (!arguments.has("json")) return "";
+  return json_of(verb, arguments, failed_results(problems), {});
+}
+
+JsonValue failed_results(const Diagnostics& problems) {
+  return Fields{{"errors", as_values(problems)}};
 }
 
 std::string point_text(const Vec2& point) {
   return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
 }
+
+JsonValue as_value(const Vec2& point) { return Values{point.x(), point.y()}; }
+
+namespace {
 
 JsonValue as_value(const Diagnostic& diagnostic) {
   Fields fields;
@@ -83,6 +123,14 @@ JsonValue as_value(const Diagnostic& diagnostic) {
   fields.emplace_back("message", diagnostic.message);
   fields.emplace_back("hint", diagnostic.hint);
   return fields;
+}
+
+}  // namespace
+
+Values as_values(const Diagnostics& diagnostics) {
+  Values values;
+  for (const Diagnostic& one : diagnostics) values.push_back(as_value(one));
+  return values;
 }
 
 }  // namespace flatray

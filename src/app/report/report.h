@@ -1,9 +1,13 @@
 #pragma once
+#include <memory>
+#include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "app/options/arguments.h"
-#include "app/report/value.h"
 #include "base/result.h"
+#include "base/table.h"
 #include "geom/vec.h"
 
 namespace flatray {
@@ -21,15 +25,36 @@ void report_warnings(const Diagnostics& warnings, const Arguments& arguments);
 /// One line for people on standard error.
 void report_note(const std::string& line);
 
-/// The one object --json prints: schema "flatray.VERB/1", version, args, results, timing (seconds
-/// since the arguments were read), and what the verb tells of all results.
-std::string json_report(const char* verb, const Arguments& arguments, JsonValue results,
-                        Fields of_all = {});
+/// What a verb that ran has to say, built once and written in the form asked for. Mistakes are the
+/// failed Result instead; their Trouble decides the exit code.
+struct VerbOutput {
+  /// For people, one after the other; the table where there is nothing here.
+  std::vector<std::variant<std::string, Table>> text{};
+  JsonValue results{};  ///< of --json; null: the table, a failure's errors, or no JSON at all
+  Fields of_all{};      ///< beside the results
+  std::optional<Table> table{};  ///< of --csv
+  int exit_code = 0;             ///< 0, 1 (the answer is no) or interrupted_code()
+  Diagnostics problems{};  ///< that end the answer: told after it, as those of a failed Result
+  bool picture = false;    ///< the text is bytes of a file
+  std::shared_ptr<const void> kept{};  ///< what rows made when they are written are made of
+};
+
+/// In the form asked for; takes the results out of it. --json prints one object: schema "flatray.VERB/1", version, args, results,
+/// timing (seconds from when the arguments were read until this is written), what the verb tells of
+/// all results, and its problems as "errors".
+std::string written(const char* verb, const Arguments& arguments, VerbOutput& output);
+/// What --json prints of a verb that failed: "errors" for results; "" without --json.
+std::string written(const char* verb, const Arguments& arguments, const Diagnostics& problems);
+/// The results of a verb that failed.
+JsonValue failed_results(const Diagnostics& problems);
 
 /// A point as people read it: "(0.5, -2)".
 std::string point_text(const Vec2& point);
 
-/// A diagnostic as an object: file, line, column, message, hint.
-JsonValue as_value(const Diagnostic& diagnostic);
+/// As JSON: [x, y].
+JsonValue as_value(const Vec2& point);
+
+/// Diagnostics as objects: file, line, column, message, hint.
+Values as_values(const Diagnostics& diagnostics);
 
 }  // namespace flatray

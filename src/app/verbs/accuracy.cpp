@@ -79,9 +79,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
       return fail(std::move(written));
     files->emplace_back(*profile);
   }
-  if (!arguments.has("json")) return VerbOutput{result.summary, 0};
-  Fields fields{{"summary", result.summary}, {"files", std::move(*files)}};
-  return VerbOutput{json_report("accuracy", arguments, std::move(fields)), 0};
+  return VerbOutput{.text = {result.summary},
+                    .results = Fields{{"summary", result.summary}, {"files", std::move(*files)}}};
 }
 
 }  // namespace

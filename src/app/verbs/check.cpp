@@ -12,12 +12,6 @@ namespace {
 
 constexpr auto kOptions = with_scene_options({kJsonOption});
 
-Values as_values(const Diagnostics& diagnostics) {
-  Values values;
-  for (const Diagnostic& one : diagnostics) values.push_back(as_value(one));
-  return values;
-}
-
 std::string facts(const Scene& scene) {
   return fmt::format("{}, {}, {}, {} of {}x{}",
                      counted(scene.entities.size(), "entity", "entities"),
@@ -28,7 +22,7 @@ std::string facts(const Scene& scene) {
 Result<VerbOutput> run(const Arguments& arguments) {
   Values results;
   Diagnostics problems;
-  std::string text;
+  VerbOutput output;
   for (const std::string& path : arguments.operands()) {
     const Result<LoadedScene> loaded = load_input(arguments, path);
     const Diagnostics errors = loaded ? Diagnostics{} : loaded.error();
@@ -43,16 +37,14 @@ Result<VerbOutput> run(const Arguments& arguments) {
                              {"valid", errors.empty()},
                              {"errors", as_values(errors)},
                              {"warnings", as_values(warnings)}});
-    if (loaded) text += fmt::format("{}: valid, {}\n", shown_text(path), facts(loaded->scene));
+    if (loaded && !arguments.has("quiet"))
+      output.text.emplace_back(
+          fmt::format("{}: valid, {}\n", shown_text(path), facts(loaded->scene)));
     problems.insert(problems.end(), errors.begin(), errors.end());
   }
-  if (arguments.has("json")) {
-    text = json_report("check", arguments, std::move(results));
-  } else if (arguments.has("quiet")) {
-    text.clear();
-  }
-  const int code = problems.empty() ? 0 : report_failure(problems, "");
-  return VerbOutput{std::move(text), code};
+  output.results = std::move(results);
+  if (!problems.empty()) output.exit_code = report_failure(problems, "");
+  return output;
 }
 
 }  // namespace

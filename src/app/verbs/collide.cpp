@@ -70,11 +70,11 @@ double plain(double x) { return x + 0.0; }
 // What a method does not know is null.
 enum class Knows : std::uint8_t { all, times };
 
-ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetings,
-                          const Asked& asked, Knows knows = Knows::all) {
-  ReportTable table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
-                     "normal_y", "motion", "width"},
-                    {}};
+Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, const Asked& asked,
+                    Knows knows = Knows::all) {
+  Table table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
+               "normal_y", "motion", "width"},
+              {}};
   for (const Meeting& meeting : meetings) {
     const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
     if (!asked.shows(1 + times.low * scene.fps, 1 + times.high * scene.fps)) continue;
@@ -85,15 +85,14 @@ ReportTable meeting_table(const Scene& scene, const std::vector<Meeting>& meetin
     const auto known = [knows](JsonValue value) {
       return knows == Knows::all ? std::move(value) : JsonValue();
     };
-    table.rows.push_back({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
-                          known(certain ? name(kind) : "undecided"), times.low, times.high,
-                          1 + times.low * scene.fps, known(from), known(plain(point.x())),
-                          known(plain(point.y())), known(plain(normal.x())),
-                          known(plain(normal.y())),
-                          meeting.straight      ? "straight"
-                          : knows == Knows::all ? "changing"
-                                                : "by frames",
-                          known(width)});
+    table.add({scene.entities[meeting.a].name, scene.entities[meeting.b].name,
+               known(certain ? name(kind) : "undecided"), times.low, times.high,
+               1 + times.low * scene.fps, known(from), known(plain(point.x())),
+               known(plain(point.y())), known(plain(normal.x())), known(plain(normal.y())),
+               meeting.straight      ? "straight"
+               : knows == Knows::all ? "changing"
+                                     : "by frames",
+               known(width)});
   }
   return table;
 }
@@ -120,17 +119,17 @@ std::string left_out(const Scene& scene) {
                      comma_list(names), more == 0 ? "" : fmt::format(" and {} more", more));
 }
 
-ReportTable event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
-  ReportTable table{{"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
-                     "a_velocity_y", "b_velocity_x", "b_velocity_y"},
-                    {}};
+Table event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
+  Table table{{"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
+               "a_velocity_y", "b_velocity_x", "b_velocity_y"},
+              {}};
   for (const CollisionEvent& e : done.events) {
     const double frame = 1 + e.time * scene.fps;
     if (!asked.shows(frame, frame)) continue;
-    table.rows.push_back({scene.entities[e.a].name, scene.entities[e.b].name, e.time, frame,
-                          plain(e.point.x()), plain(e.point.y()), plain(e.normal.x()),
-                          plain(e.normal.y()), plain(e.velocity_a.x()), plain(e.velocity_a.y()),
-                          plain(e.velocity_b.x()), plain(e.velocity_b.y())});
+    table.add({scene.entities[e.a].name, scene.entities[e.b].name, e.time, frame,
+               plain(e.point.x()), plain(e.point.y()), plain(e.normal.x()), plain(e.normal.y()),
+               plain(e.velocity_a.x()), plain(e.velocity_a.y()), plain(e.velocity_b.x()),
+               plain(e.velocity_b.y())});
   }
   return table;
 }
@@ -158,20 +157,8 @@ std::string named_pairs(const Scene& scene,
   return comma_list(told) + (more == 0 ? "" : fmt::format(" ({} more)", more));
 }
 
-// A table, and why it ends before it should.
-struct Answer {
-  ReportTable table;
-  Diagnostics problems{};
-
-  Fields errors() const {
-    Values values;
-    for (const Diagnostic& problem : problems) values.push_back(as_value(problem));
-    return problems.empty() ? Fields{} : Fields{{"errors", std::move(values)}};
-  }
-};
-
-Result<Answer> events(const Arguments& arguments, const Timeline& timeline, const Asked& asked,
-                      std::optional<Response> response) {
+Result<VerbOutput> events(const Arguments& arguments, const Timeline& timeline, const Asked& asked,
+                          std::optional<Response> response) {
   const std::vector<std::string> fixed = arguments.list("fixed");
   const std::vector<std::string> known = names_of(timeline.scene().entities);
   for (const std::string& entity : fixed)
@@ -187,13 +174,14 @@ Result<Answer> events(const Arguments& arguments, const Timeline& timeline, cons
         fmt::format("in each other at the start, so that they respond only where they come "
                     "nearer: {}",
                     named_pairs(timeline.scene(), done.overlaps)));
-  Answer answer{event_table(timeline.scene(), done, asked)};
+  VerbOutput answer{.table = event_table(timeline.scene(), done, asked)};
   if (auto complete = check_complete(timeline.scene(), done, end, where); !complete)
     answer.problems = std::move(complete.error());
   return answer;
 }
 
-Result<Answer> meetings(const Arguments& arguments, const Timeline& timeline, const Asked& asked) {
+Result<VerbOutput> meetings(const Arguments& arguments, const Timeline& timeline,
+                            const Asked& asked) {
   const auto method = arguments.one_of("method", {"minkowski", "edge-rays", "boxes"});
   if (!method) return tl::unexpected(method.error());
   const Scene& scene = timeline.scene();
@@ -202,7 +190,7 @@ Result<Answer> meetings(const Arguments& arguments, const Timeline& timeline, co
       report_note("edge-rays knows polygons only, and neither how nor where they meet");
     const auto met = find_edge_ray_meetings(timeline, asked.last);
     if (!met) return tl::unexpected(met.error());
-    return Answer{meeting_table(scene, *met, asked, Knows::times)};
+    return VerbOutput{.table = meeting_table(scene, *met, asked, Knows::times)};
   }
   const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
   if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
@@ -213,7 +201,7 @@ Result<Answer> meetings(const Arguments& arguments, const Timeline& timeline, co
     report_note(note);
   const auto met = find_meetings(timeline, asked.last, outline, *width);
   if (!met) return tl::unexpected(met.error());
-  return Answer{meeting_table(scene, *met, asked)};
+  return VerbOutput{.table = meeting_table(scene, *met, asked)};
 }
 
 // Methods look for meetings of what goes on undisturbed.
@@ -243,10 +231,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!scene) return tl::unexpected(scene.error());
   if (arguments.has("table")) {
     if (auto checked = check_table(arguments); !checked) return fail(std::move(checked));
-    const auto tables = paper_table(*scene, arguments.where("table"));
-    if (!tables) return tl::unexpected(tables.error());
-    if (arguments.has("json")) return VerbOutput{json_report("collide", arguments, tables->json())};
-    return VerbOutput{tables->text()};
+    return paper_tables(*scene, arguments.where("table"));
   }
   const auto response = response_asked(arguments);
   if (!response) return tl::unexpected(response.error());
@@ -262,15 +247,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
   const Timeline timeline(*scene, *draws, asked_frames->last);
   const bool respond =
       asked ? **response != Response::none : !arguments.has("method") && responds(*scene);
-  const auto answer = respond ? events(arguments, timeline, *asked_frames, *response)
-                              : meetings(arguments, timeline, *asked_frames);
-  if (!answer) return tl::unexpected(answer.error());
-  const auto& [table, problems] = *answer;
-  return VerbOutput{arguments.has("json")
-                        ? json_report("collide", arguments, as_objects(table), answer->errors())
-                    : arguments.has("csv") ? csv_text(table)
-                                           : aligned_text(table),
-                    0, problems};
+  return respond ? events(arguments, timeline, *asked_frames, *response)
+                 : meetings(arguments, timeline, *asked_frames);
 }
 
 }  // namespace

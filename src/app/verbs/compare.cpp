@@ -182,11 +182,11 @@ std::string as_text(const Pair& pair, const Outcome& outcome, const Metric* metr
   return text;
 }
 
-Result<VerbOutput> report(const Arguments& arguments, const std::vector<Pair>& all,
+Result<VerbOutput> report(const std::vector<Pair>& all,
                           const std::vector<Result<Outcome>>& outcomes, const Metric* metric) {
   Diagnostics problems;
   Values values;
-  std::string text;
+  VerbOutput output;
   std::uint64_t differ = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!outcomes[i]) {
@@ -196,15 +196,15 @@ Result<VerbOutput> report(const Arguments& arguments, const std::vector<Pair>& a
     }
     if (outcomes[i]->difference.pixels != 0) ++differ;
     values.push_back(as_value(all[i], *outcomes[i], metric));
-    text += as_text(all[i], *outcomes[i], metric);
+    output.text.emplace_back(as_text(all[i], *outcomes[i], metric));
   }
   if (!problems.empty()) return tl::unexpected(std::move(problems));
-  if (arguments.has("json"))
-    text = json_report("compare", arguments,
-                       Fields{{"equal", differ == 0}, {"pictures", std::move(values)}});
-  else if (all.size() > 1)
-    text += fmt::format("{} pictures, {} of them different\n", all.size(), differ);
-  return VerbOutput{std::move(text), differ == 0 ? 0 : 1};
+  output.results = Fields{{"equal", differ == 0}, {"pictures", std::move(values)}};
+  if (all.size() > 1)
+    output.text.emplace_back(
+        fmt::format("{} pictures, {} of them different\n", all.size(), differ));
+  output.exit_code = differ == 0 ? 0 : 1;
+  return output;
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -224,7 +224,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   std::vector<Result<Outcome>> outcomes(all->size());
   parallel_for(outcomes.size(), *count,
                [&](std::size_t i) { outcomes[i] = measure((*all)[i], *metric, diff, outputs); });
-  return report(arguments, *all, outcomes, *metric);
+  return report(*all, outcomes, *metric);
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace {
 Result<VerbOutput> run(const Arguments& arguments) {
   const std::vector<std::string>& operands = arguments.operands();
   if (operands.front() == "words")
-    return VerbOutput{completion_lines(complete({operands.begin() + 1, operands.end()}))};
+    return VerbOutput{{completion_lines(complete({operands.begin() + 1, operands.end()}))}};
   std::string script = operands.size() == 1 ? completion_script(operands.front()) : "";
-  if (!script.empty()) return VerbOutput{std::move(script)};
+  if (!script.empty()) return VerbOutput{{std::move(script)}};
   return usage_error(named_place(operands.front()), "there is no script for this shell",
                      "say one of: " + comma_list(completed_shells()));
 }

@@ -40,7 +40,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (auto rebased = rebase_file_names(read->desc, input, folder); !rebased)
     return fail(std::move(rebased));
   std::string text = write_toml(read->desc);
-  if (output == "-") return VerbOutput{std::move(text)};
+  if (output == "-") return VerbOutput{{std::move(text)}};
   if (auto written = Outputs(arguments).write(output, text); !written)
     return fail(std::move(written));
   return VerbOutput{};

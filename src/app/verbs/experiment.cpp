@@ -214,21 +214,20 @@ Result<VerbOutput> run(const Arguments& arguments) {
   Monitors monitors;
   if ((*experiment)->name == std::string_view("backends")) expect_crashes_of_gl();
   const auto result = measure_all(arguments, **experiment, folder, monitors);
-  if (!result && interrupted()) return VerbOutput{"", report_interrupted(result.error())};
+  if (!result && interrupted()) return VerbOutput{.exit_code = report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
   if (auto held = claim->expect_held(); !held) return fail(std::move(held));
   auto files = write_files(*result, folder, Outputs(arguments));
   if (!files) return fail(std::move(files));
   for (const auto& monitor : monitors)
     if (auto forgotten = monitor->forget(); !forgotten) return fail(std::move(forgotten));
-  const int code = result->holds ? 0 : 1;
-  if (!arguments.has("json")) return VerbOutput{result->summary, code};
-  Fields fields{{"experiment", (*experiment)->name},
-                {"question", (*experiment)->question},
-                {"holds", result->holds},
-                {"summary", result->summary},
-                {"files", std::move(*files)}};
-  return VerbOutput{json_report("experiment", arguments, std::move(fields)), code};
+  return VerbOutput{.text = {result->summary},
+                    .results = Fields{{"experiment", (*experiment)->name},
+                                      {"question", (*experiment)->question},
+                                      {"holds", result->holds},
+                                      {"summary", result->summary},
+                                      {"files", std::move(*files)}},
+                    .exit_code = result->holds ? 0 : 1};
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ Result<std::vector<RenderPlan::Choice>> walls_of(const RenderJob& job) {
   return ray_wall_choices(job.scene, at(*timeline, frame), job.tracer);
 }
 
-Result<ReportTable> decisions(const RenderJob& job, unsigned threads) {
+Result<Table> decisions(const RenderJob& job, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
-  ReportTable table{{"part", "decision", "reason"}, {}};
+  Table table({"part", "decision", "reason"});
   const auto add = [&](std::string part, std::string decision, std::string reason) {
-    table.rows.push_back({std::move(part), std::move(decision), std::move(reason)});
+    table.add({std::move(part), std::move(decision), std::move(reason)});
   };
   const auto left_out = left_out_of_build();
   for (const MissingPart& part : missing_parts(job.scene, left_out))
@@ -73,24 +73,19 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (!request) return tl::unexpected(request.error());
   const auto jobs = make_jobs(arguments, *request);
   if (!jobs) return tl::unexpected(jobs.error());
-  Result<ReportTable> decided = decisions(jobs->front(), request->threads);
+  Result<Table> decided = decisions(jobs->front(), request->threads);
   if (!decided) return fail(std::move(decided));
-  ReportTable table = *std::move(decided);
+  Table& table = *decided;
   if (arguments.has("measure")) {
     RenderJob job = jobs->front();
     if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
-    auto savings = measured_savings(job);
-    if (!savings) return fail(std::move(savings));
-    auto walls = measured_walls(job);
-    if (!walls) return fail(std::move(walls));
-    for (Saving& saving : *walls) savings->push_back(std::move(saving));
-    for (Saving& saving : *savings)
-      table.rows.push_back(
-          {std::move(saving.part), std::move(saving.decision), std::move(saving.reason)});
+    for (const auto measure : {&measured_savings, &measured_walls}) {
+      const auto savings = measure(job);
+      if (!savings) return tl::unexpected(savings.error());
+      for (const auto& [part, decision, reason] : *savings) table.add({part, decision, reason});
+    }
   }
-  if (arguments.has("json"))
-    return VerbOutput{json_report("explain", arguments, as_objects(table))};
-  return VerbOutput{aligned_text(table)};
+  return VerbOutput{.table = std::move(table)};
 }
 
 }  // namespace

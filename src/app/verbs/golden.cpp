@@ -84,12 +84,12 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
     }
     if (!report || report->empty()) continue;
     ++differ;
-    output.text += *report + "\n";
+    output.text.emplace_back(*report + "\n");
   }
-  output.text +=
+  output.text.emplace_back(
       fmt::format("{}, {} of them different{}{}\n", counted(rows.size(), "golden"), differ,
                   not_judged == 0 ? "" : fmt::format(", {} not judged", not_judged),
-                  left_out == 0 ? "" : fmt::format(", {} not drawn: no GL here", left_out));
+                  left_out == 0 ? "" : fmt::format(", {} not drawn: no GL here", left_out)));
   output.exit_code = differ == 0 ? 0 : 1;
   if (!problems.empty()) output.exit_code = report_failure(problems, "");
   return output;
@@ -177,8 +177,9 @@ Result<VerbOutput> update(const Arguments& arguments, const fs::path& root,
   if (auto written = write_update(root, *update, Outputs(arguments)); !written)
     return fail(std::move(written));
   VerbOutput output;
-  for (const GoldenUpdate::Picture& picture : update->pictures) output.text += change_text(picture);
-  for (const GoldenRow& row : update->removed) output.text += row.file() + ": removed\n";
+  for (const GoldenUpdate::Picture& picture : update->pictures)
+    output.text.emplace_back(change_text(picture));
+  for (const GoldenRow& row : update->removed) output.text.emplace_back(row.file() + ": removed\n");
   return output;
 }
 

@@ -4,10 +4,10 @@ namespace flatray::verbs {
 namespace {
 
 Result<VerbOutput> run(const Arguments& arguments) {
-  if (arguments.operands().empty()) return VerbOutput{help_text()};
+  if (arguments.operands().empty()) return VerbOutput{{help_text()}};
   Result<std::string> page = help_page(arguments.operands().front());
   if (!page) return fail(std::move(page));
-  return VerbOutput{std::move(*page)};
+  return VerbOutput{{std::move(*page)}};
 }
 
 }  // namespace

@@ -177,30 +177,26 @@ Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
       if (!by_entity.empty()) sets.push_back(combine(ray, *operation, by_entity));
     }
   if (!any) return nothing_to_clip(arguments);
-  if (arguments.has("csv")) return VerbOutput{csv_text(csv_rows(sets)), 0};
+  VerbOutput output{.table = csv_rows(sets)};
   Values values;
-  std::string text;
   for (const HitSet& set : sets) {
     values.push_back(as_value(set));
-    text += text_of(set);
+    output.text.emplace_back(text_of(set));
   }
-  if (arguments.has("json")) return VerbOutput{json_report("hit", arguments, std::move(values)), 0};
-  return VerbOutput{std::move(text), 0};
+  output.results = std::move(values);
+  return output;
 }
 
-VerbOutput show(const Arguments& arguments, const std::vector<HitReport>& reports) {
-  if (arguments.has("csv")) return {csv_text(csv_rows(reports)), 0};
+VerbOutput show(const std::vector<HitReport>& reports) {
+  VerbOutput output{.of_all = {{"primitives", primitives_hit(reports)}},
+                    .table = csv_rows(reports)};
   Values values;
-  std::string text;
   for (const HitReport& report : reports) {
     values.push_back(as_value(report));
-    text += (text.empty() ? "" : "\n") + text_of(report);
+    output.text.emplace_back((output.text.empty() ? "" : "\n") + text_of(report));
   }
-  if (arguments.has("json"))
-    return {
-        json_report("hit", arguments, std::move(values), {{"primitives", primitives_hit(reports)}}),
-        0};
-  return {std::move(text), 0};
+  output.results = std::move(values);
+  return output;
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
@@ -219,8 +215,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
           reports.push_back(std::move(report));
   if (reports.empty()) return nothing_to_clip(arguments);
   if (arguments.has("svg"))
-    return VerbOutput{svg_of(*scene, *state, asked_about(*questions), reports)};
-  return show(arguments, reports);
+    return VerbOutput{{svg_of(*scene, *state, asked_about(*questions), reports)}};
+  return show(reports);
 }
 
 }  // namespace

@@ -18,41 +18,40 @@ namespace {
 constexpr Option kOptions[] = {kJsonOption};
 
 template <class Entries>
-ReportTable described(const Entries& entries) {
-  ReportTable table{{"name", "what"}, {}};
-  for (const auto* one : entries) table.rows.push_back({one->name, one->summary});
+Table described(const Entries& entries) {
+  Table table{{"name", "what"}, {}};
+  for (const auto* one : entries) table.add({one->name, one->summary});
   return table;
 }
 
-ReportTable listed(const std::vector<Listed>& entries) {
-  ReportTable table{{"name", "what"}, {}};
-  for (const Listed& one : entries) table.rows.push_back({one.name, one.usage});
+Table listed(const std::vector<Listed>& entries) {
+  Table table{{"name", "what"}, {}};
+  for (const Listed& one : entries) table.add({one.name, one.usage});
   return table;
 }
 
-ReportTable drawing_passes() {
-  ReportTable table{{"name"}, {}};
-  for (const Pass* one : flatray::passes()) table.rows.push_back({one->name});
+Table drawing_passes() {
+  Table table{{"name"}, {}};
+  for (const Pass* one : flatray::passes()) table.add({one->name});
   return table;
 }
 
-ReportTable studies() {
-  ReportTable table{{"name", "what"}, {}};
-  for (const Experiment* one : flatray::experiments())
-    table.rows.push_back({one->name, one->question});
+Table studies() {
+  Table table{{"name", "what"}, {}};
+  for (const Experiment* one : flatray::experiments()) table.add({one->name, one->question});
   return table;
 }
 
-ReportTable isas() {
-  ReportTable table{{"name", "what"}, {}};
+Table isas() {
+  Table table{{"name", "what"}, {}};
   for (const Isa one : available_isas())
-    table.rows.push_back({isa_name(one), one == active_isa() ? "running" : ""});
+    table.add({isa_name(one), one == active_isa() ? "running" : ""});
   return table;
 }
 
 struct Kind {
   const char* name;
-  ReportTable (*entries)();
+  Table (*entries)();
 };
 constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends()); }},
                            {"encoders", [] { return described(flatray::png_writers()); }},
@@ -74,18 +73,18 @@ std::vector<std::string> kind_names() { return names_of(kKinds); }
 Result<VerbOutput> run(const Arguments& arguments) {
   const std::string wanted = arguments.operands().empty() ? "" : arguments.operands().front();
   Fields all;
-  std::string text;
+  VerbOutput output;
   for (const Kind& kind : kKinds) {
     if (!wanted.empty() && wanted != kind.name) continue;
-    ReportTable table = kind.entries();
-    all.emplace_back(kind.name, as_objects(table));
+    Table table = kind.entries();
+    all.emplace_back(kind.name, table);
     table.columns.clear();
-    if (wanted.empty()) text += fmt::format("{}\n", kind.name);
-    text += aligned_text(table, wanted.empty() ? "  " : "");
+    if (wanted.empty()) output.text.emplace_back(fmt::format("{}\n", kind.name));
+    output.text.emplace_back(aligned_text(table, {wanted.empty() ? "  " : ""}));
   }
   if (all.empty()) return unknown_name(named_place("list"), "list", wanted, kind_names());
-  if (arguments.has("json")) text = json_report("list", arguments, std::move(all));
-  return VerbOutput{std::move(text)};
+  output.results = std::move(all);
+  return output;
 }
 
 }  // namespace

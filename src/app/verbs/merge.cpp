@@ -7,7 +7,6 @@
 #include "app/files/scene_input.h"
 #include "app/frames/light_files.h"
 #include "app/options/light_wish.h"
-#include "app/report/json_failure.h"
 #include "app/report/report.h"
 #include "app/verb.h"
 #include "base/counted.h"
@@ -41,12 +40,10 @@ constexpr Option kOptions[] = {
 // How the film's scene, or the command line, wants it shown.
 Result<LightSettings> look(const Arguments& arguments, const FilmFile& film) {
   LightSettings light;
-  const auto setting = parse_json(film.setting);
-  const JsonValue* exposure = setting ? setting->find("exposure") : nullptr;
-  if (exposure != nullptr) light.exposure = exposure->as_number();
-  if (const JsonValue* gamma = setting ? setting->find("gamma") : nullptr)
-    light.gamma = gamma->as_number().value_or(light.gamma);
-  std::string tone = setting ? setting->text_of("tone") : "";
+  const JsonValue setting = parse_json(film.setting);
+  light.exposure = setting.number_of("exposure");
+  light.gamma = setting.number_of("gamma").value_or(light.gamma);
+  std::string tone = setting.text_of("tone");
   if (const auto text = arguments.text("exposure")) {
     light.exposure = parse_number(*text);
     if (*text != "auto" && !(light.exposure && *light.exposure > 0 && *light.exposure <= 1e30))
@@ -155,13 +152,11 @@ Result<VerbOutput> run(const Arguments& arguments) {
                             record.error ? fmt::format(", error {:.2g}", *record.error)
                             : !report.scrambles.empty() && record.rounds == 0 ? ", no error yet"
                                                                               : ""));
-  if (!arguments.has("json")) return VerbOutput{};
-  return VerbOutput{json_report("merge", arguments,
-                                Fields{{"file", path.string()},
-                                       {"width", film->width},
-                                       {"height", film->height},
-                                       {"bytes", Hash().add(bytes).hex()},
-                                       {"light", as_value(record)}})};
+  return VerbOutput{.results = Fields{{"file", path.string()},
+                                      {"width", film->width},
+                                      {"height", film->height},
+                                      {"bytes", Hash().add(bytes).hex()},
+                                      {"light", as_value(record)}}};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <memory>
+
 #include "anim/rays.h"
 #include "app/answers/orbit_report.h"
 #include "app/files/scene_input.h"
@@ -167,64 +169,51 @@ Result<OrbitReport> follow_ray(const Arguments& arguments, const OrbitRoom& room
   return moving->follow(room, state, *speed, *bounces);
 }
 
-Result<std::vector<OrbitReport>> follow(const Arguments& arguments, const OrbitRoom& room,
-                                        const FrameState& frame,
-                                        std::optional<MovingRoom>& moving) {
+// What reports are written of: they name walls of the room, or of walls that move.
+struct Followed {
+  Scene scene;
+  FrameState frame;
+  OrbitRoom room{scene, frame};
+  std::optional<MovingRoom> moving{};
+  std::vector<OrbitReport> reports{};
+
+  Followed(Scene of, FrameState at) : scene(std::move(of)), frame(std::move(at)) {}
+};
+
+Result<void> follow(const Arguments& arguments, Followed& all) {
   const auto request = read_request(arguments);
   if (!request) return tl::unexpected(request.error());
   const auto speeds = read_speed(arguments);
   if (!speeds) return tl::unexpected(speeds.error());
-  const auto rays = chosen_rays(arguments, room.scene, frame);
+  const auto rays = chosen_rays(arguments, all.scene, all.frame);
   if (!rays) return tl::unexpected(rays.error());
-  std::vector<OrbitReport> reports;
   for (const RayState& ray : *rays) {
-    auto report = follow_ray(arguments, room, frame, ray, *request, *speeds, moving);
-    if (!report) return tl::unexpected(report.error());
+    auto report = follow_ray(arguments, all.room, all.frame, ray, *request, *speeds, all.moving);
+    if (!report) return fail(std::move(report));
     if (report->starts_badly)
-      report_note(room.scene.rays[ray.ray].name + " starts " + report->start);
-    reports.push_back(std::move(*report));
+      report_note(all.scene.rays[ray.ray].name + " starts " + report->start);
+    all.reports.push_back(std::move(*report));
   }
-  return reports;
-}
-
-bool any_timed(const std::vector<OrbitReport>& reports) {
-  return std::any_of(reports.begin(), reports.end(),
-                     [](const OrbitReport& report) { return report.clock.has_value(); });
-}
-
-// Row by row: a million of them would not be kept as values.
-std::string csv_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports) {
-  const bool timed = any_timed(reports);
-  const std::vector<std::string> columns = bounce_columns(timed);
-  std::string text = csv_line(Values(columns.begin(), columns.end()));
-  for (const OrbitReport& report : reports)
-    for (std::size_t i = 0; i < report.orbit.bounces.size(); ++i)
-      text += csv_line(bounce_row(room, report, i, timed));
-  return text;
+  return {};
 }
 
 Result<VerbOutput> run(const Arguments& arguments) {
-  const auto scene = load_only_input(arguments);
-  if (!scene) return tl::unexpected(scene.error());
-  const auto frame = frame_of(arguments, *scene);
-  if (!frame) return tl::unexpected(frame.error());
-  const OrbitRoom room(*scene, *frame);
-  std::optional<MovingRoom> moving;
-  const auto reports = follow(arguments, room, *frame, moving);
-  if (!reports) return tl::unexpected(reports.error());
-  if (arguments.has("svg")) return VerbOutput{svg_of(room, *reports)};
-  if (arguments.has("csv")) return VerbOutput{csv_of(room, *reports)};
+  auto scene = load_only_input(arguments);
+  if (!scene) return fail(std::move(scene));
+  auto frame = frame_of(arguments, *scene);
+  if (!frame) return fail(std::move(frame));
+  const auto all = std::make_shared<Followed>(*std::move(scene), *std::move(frame));
+  if (auto done = follow(arguments, *all); !done) return fail(std::move(done));
+  if (arguments.has("svg")) return VerbOutput{{svg_of(all->room, all->reports)}};
+  VerbOutput output{.table = bounce_table(all->room, all->reports), .kept = all};
   Values values;
-  std::string text;
-  for (const OrbitReport& report : *reports) {
-    if (arguments.has("json"))
-      values.push_back(as_value(room, report));
-    else
-      text += aligned_text(bounce_table(room, report, report.clock.has_value())) +
-              status_line(room, report);
+  for (const OrbitReport& report : all->reports) {
+    values.push_back(as_value(all->room, report));
+    output.text.emplace_back(bounce_table(all->room, {&report, 1}));
+    output.text.emplace_back(status_line(all->room, report));
   }
-  if (!arguments.has("json")) return VerbOutput{std::move(text)};
-  return VerbOutput{json_report("orbit", arguments, std::move(values))};
+  output.results = std::move(values);
+  return output;
 }
 
 }  // namespace

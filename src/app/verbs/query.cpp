@@ -77,7 +77,7 @@ Result<VerbOutput> run(const Arguments& arguments) {
   while (true) {
     const auto lines = stream->next();
     if (!lines) return tl::unexpected(lines.error());
-    if (lines->empty()) return VerbOutput{"", sound ? 0 : 1};
+    if (lines->empty()) return VerbOutput{.exit_code = sound ? 0 : 1};
     for (std::span<const StreamLine> rest = *lines; !rest.empty();) {
       const std::size_t wave = std::min(rest.size(), std::size_t{*count} * lines_at_once);
       const Answers answers = answer(rest.first(wave), *precision, *count);

@@ -58,7 +58,7 @@ Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, u
   const auto bytes = picture_bytes(job, job.frames.front(), threads);
   if (!bytes) return tl::unexpected(bytes.error());
   return VerbOutput{
-      .text = std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()),
+      .text = {std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size())},
       .picture = true};
 }
 
@@ -116,7 +116,7 @@ Result<VerbOutput> run(const Arguments& given) {
   }
   const auto list = work_list(*jobs, *request);
   if (!list) return tl::unexpected(list.error());
-  if (arguments.has("dry-run")) return describe(arguments, *list);
+  if (arguments.has("dry-run")) return describe(*list);
   const RenderJob& first = jobs->front();
   if (first.output.is_stdout() && arguments.has("json"))
     return usage_error(arguments.where("json"), "standard output is taken by the picture",

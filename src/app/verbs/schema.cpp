@@ -5,7 +5,9 @@
 namespace flatray::verbs {
 namespace {
 
-Result<VerbOutput> run(const Arguments&) { return VerbOutput{indented_json(scene_schema())}; }
+Result<VerbOutput> run(const Arguments&) {
+  return VerbOutput{{json_text(scene_schema(), {.indent = 2}) + "\n"}};
+}
 
 }  // namespace
 

@@ -4,7 +4,6 @@
 
 #include "app/answers/stability_reports.h"
 #include "app/files/chunk_log.h"
-#include "app/files/rounds.h"
 #include "app/files/scene_input.h"
 #include "app/options/option_values.h"
 #include "app/options/tracer_choice.h"
@@ -105,68 +104,34 @@ Result<Plan> read_plan(const Arguments& arguments) {
   return plan;
 }
 
-ChunkLog::Key key_of(const Plan& plan, const oracle::Family& family, const Tracer& tracer,
-                     std::uint64_t chunk) {
-  return {family.name, tracer.name, isa_name(active_isa()), plan.seed, chunk};
+// Those of `names` in a family of this run.
+std::vector<ChunkLog::Key> keys_of(const Plan& plan, const std::string& family,
+                                   const std::vector<std::string>& names) {
+  std::vector<ChunkLog::Key> keys;
+  for (const std::string& name : names)
+    keys.push_back({family, name, isa_name(active_isa()), plan.seed, 0});
+  return keys;
 }
 
-// The tracers that have not yet answered a chunk.
-std::vector<const Tracer*> still_open(const Plan& plan, const oracle::Family& family,
-                                      std::uint64_t chunk, const StabilityLog& log) {
-  std::vector<const Tracer*> open;
-  for (const Tracer* tracer : plan.tracers)
-    if (!log.has(key_of(plan, family, *tracer, chunk))) open.push_back(tracer);
-  return open;
+Result<void> run_family(const Plan& plan, const oracle::Family& family,
+                        const std::vector<ChunkLog::Key>& keys, StabilityLog& log) {
+  return log.run(keys, plan.chunks, plan.threads,
+                 [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
+                   std::vector<const Tracer*> asked;
+                   for (const std::size_t k : open) asked.push_back(plan.tracers[k]);
+                   return check_scenes(asked, family, plan.seed, chunk * kScenesAChunk,
+                                       kScenesAChunk);
+                 });
 }
 
-struct Chunk {
-  std::vector<const Tracer*> tracers;
-  std::vector<StabilityTally> tallies;
-};
-
-// Chunks not yet in the log; each is logged when it is there.
-Result<void> run_chunks(const Plan& plan, const oracle::Family& family, StabilityLog& log) {
-  return in_rounds(
-      plan.chunks, plan.threads,
-      [&](std::uint64_t number) { return !still_open(plan, family, number, log).empty(); },
-      [&](std::uint64_t number) {
-        Chunk chunk{still_open(plan, family, number, log), {}};
-        chunk.tallies =
-            check_scenes(chunk.tracers, family, plan.seed, number * kScenesAChunk, kScenesAChunk);
-        return chunk;
-      },
-      [&](std::uint64_t number, const Chunk& chunk, double seconds) -> Result<void> {
-        for (std::size_t k = 0; k < chunk.tracers.size(); ++k)
-          if (auto logged = log.add(key_of(plan, family, *chunk.tracers[k], number),
-                                    chunk.tallies[k], seconds);
-              !logged)
-            return logged;
-        return {};
-      });
-}
-
-ChunkLog::Key key_of(const Plan& plan, const PairFamily& family, std::size_t method,
-                     std::uint64_t chunk) {
-  return {StabilityRows::pairs(family), family.methods[method], isa_name(active_isa()), plan.seed,
-          chunk};
-}
-
-// Chunks not yet in the log.
-Result<void> run_pair_chunks(const Plan& plan, const PairFamily& family, std::uint64_t chunks,
-                             StabilityLog& log) {
-  return in_rounds(
-      chunks, plan.threads,
-      [&](std::uint64_t chunk) { return !log.has(key_of(plan, family, 0, chunk)); },
-      [&](std::uint64_t chunk) {
-        return check_pairs(family, plan.seed, chunk * kPairsAChunk, kPairsAChunk);
-      },
-      [&](std::uint64_t chunk, const std::vector<StabilityTally>& tallies,
-          double seconds) -> Result<void> {
-        // That of the first method last: it tells whether a chunk is done.
-        for (std::size_t k = family.methods.size(); k-- > 0;)
-          if (auto logged = log.add(key_of(plan, family, k, chunk), tallies[k], seconds); !logged)
-            return logged;
-        return {};
+Result<void> run_pair_family(const Plan& plan, const PairFamily& family, std::uint64_t chunks,
+                             const std::vector<ChunkLog::Key>& keys, StabilityLog& log) {
+  return log.run(
+      keys, chunks, plan.threads, [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
+        const auto all = check_pairs(family, plan.seed, chunk * kPairsAChunk, kPairsAChunk);
+        std::vector<StabilityTally> tallies;
+        for (const std::size_t k : open) tallies.push_back(all[k]);
+        return tallies;
       });
 }
 
@@ -179,22 +144,22 @@ Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
   const std::uint64_t chunks = (*pairs + kPairsAChunk - 1) / kPairsAChunk;
   auto log = StabilityLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  ReportTable table{{"family", "method", "pairs", "meet", "wrong", "missed", "invented",
-                     "other_class", "t_not_nearest_or_wide", "t_off", "first_wrong"},
-                    {}};
+  Table table{{"family", "method", "pairs", "meet", "wrong", "missed", "invented", "other_class",
+               "t_not_nearest_or_wide", "t_off", "first_wrong"},
+              {}};
   std::uint64_t wrong = 0;
   for (const PairFamily& family : plan.pair_families) {
-    if (auto done = run_pair_chunks(plan, family, chunks, *log); !done)
+    const auto keys = keys_of(plan, StabilityRows::pairs(family), family.methods);
+    if (auto done = run_pair_family(plan, family, chunks, keys, *log); !done)
       return fail(std::move(done));
-    for (std::size_t k = 0; k < family.methods.size(); ++k) {
-      const StabilityTally sum = log->sum(key_of(plan, family, k, 0), chunks);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const StabilityTally sum = log->sum(keys[k], chunks);
       wrong += sum.wrong + sum.off_by_more;
-      table.rows.push_back({family.name, family.methods[k], sum.rays, sum.hits, sum.wrong,
-                            sum.missed, sum.invented, sum.other_wall, sum.not_nearest,
-                            sum.off_by_more, sum.first_wrong});
+      table.add({family.name, family.methods[k], sum.rays, sum.hits, sum.wrong, sum.missed,
+                 sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more, sum.first_wrong});
     }
   }
-  return stability_output(arguments, table, wrong == 0);
+  return stability_output(std::move(table), wrong == 0);
 }
 
 // What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one at
@@ -259,26 +224,25 @@ Result<VerbOutput> run(const Arguments& arguments) {
   if (*what == "leaks") return report_leaks(arguments, request);
   auto log = StabilityLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  ReportTable table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented",
-                     "other_wall", "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one",
-                     "ns_a_query", "ns_of_chunks", "bytes_an_object", "first_wrong"},
-                    {}};
+  Table table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
+               "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query",
+               "ns_of_chunks", "bytes_an_object", "first_wrong"},
+              {}};
   std::uint64_t wrong = 0;
   for (const oracle::Family* family : plan->families) {
-    if (auto done = run_chunks(*plan, *family, *log); !done) return fail(std::move(done));
-    for (const Tracer* tracer : plan->tracers) {
-      const ChunkLog::Key key = key_of(*plan, *family, *tracer, 0);
+    const auto keys = keys_of(*plan, family->name, names_of(plan->tracers));
+    if (auto done = run_family(*plan, *family, keys, *log); !done) return fail(std::move(done));
+    for (const ChunkLog::Key& key : keys) {
       const StabilityTally sum = log->sum(key, plan->chunks);
       wrong += sum.wrong + sum.off_by_more;
-      table.rows.push_back({family->name, tracer->name, sum.rays, sum.hits, sum.wrong, sum.missed,
-                            sum.invented, sum.other_wall, sum.not_nearest, sum.off_by_more,
-                            known(sum, sum.worst_ulps), known(sum, sum.most_ulps()),
-                            share(sum.one_by_one, sum.watched), share(sum.nanoseconds, sum.timed),
-                            range_of_times(*log, key, plan->chunks), share(sum.bytes, sum.objects),
-                            sum.first_wrong});
+      table.add({family->name, key.tracer, sum.rays, sum.hits, sum.wrong, sum.missed, sum.invented,
+                 sum.other_wall, sum.not_nearest, sum.off_by_more, known(sum, sum.worst_ulps),
+                 known(sum, sum.most_ulps()), share(sum.one_by_one, sum.watched),
+                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, plan->chunks),
+                 share(sum.bytes, sum.objects), sum.first_wrong});
     }
   }
-  return stability_output(arguments, table, wrong == 0);
+  return stability_output(std::move(table), wrong == 0);
 }
 
 }  // namespace

@@ -177,11 +177,11 @@ Result<VerbOutput> run(const Arguments& arguments) {
   for (const std::string& folder : arguments.operands()) {
     FolderCheck check(folder, *count);
     if (auto done = check.run(); !done) return fail(std::move(done));
-    output.text += check.text();
+    output.text.emplace_back(check.text());
     values.push_back(check.value());
     if (!check.sound()) output.exit_code = 1;
   }
-  if (arguments.has("json")) output.text = json_report("verify", arguments, std::move(values));
+  output.results = std::move(values);
   return output;
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/counted.h"
+#include "base/table.h"
 #include "study/accuracy/accuracy_page.h"
-#include "study/table.h"
 
 namespace flatray {
 namespace {
@@ -19,18 +19,15 @@ std::string missing_words(const ChoiceReport& report) {
 }
 
 // Of people: what an error is, or is at most.
-Cell error_cell(const Outcome& outcome) {
-  return outcome.at_most ? Cell(fmt::format("<= {:.6g}", outcome.error)) : Cell(outcome.error);
+JsonValue error_cell(const Outcome& outcome) {
+  return outcome.at_most ? fmt::format("<= {:.6g}", outcome.error) : JsonValue(outcome.error);
 }
 
 // A part of an error, or that there is none such.
-Cell part_cell(const std::optional<double>& part) {
-  return part ? Cell(*part) : Cell(std::string("not defined"));
-}
+JsonValue part_cell(const std::optional<double>& part) { return cell_or("not defined", part); }
 
-Cell half_range_cell(const ChoiceReport& report, const AccuracyPoint& point) {
-  const auto half = half_range(report, point);
-  return half ? Cell(*half) : Cell(std::string("unknown"));
+JsonValue half_range_cell(const ChoiceReport& report, const AccuracyPoint& point) {
+  return cell_or("unknown", half_range(report, point));
 }
 
 Table points_table(std::span<const ChoiceReport> reports) {
@@ -54,9 +51,9 @@ Table choices_table(std::span<const ChoiceReport> reports) {
   Table table({"choice", "error_of", "unit", "reference", "left_out", "missing", "cut_by_budget",
                "rounds", "reference_seconds", "seconds"});
   for (const ChoiceReport& report : reports)
-    table.add({report.name, std::string(name(report.kind)), report.unit, report.reference,
-               report.left_out, missing_words(report), report.cut, std::uint64_t{report.rounds},
-               report.reference_seconds, report.seconds});
+    table.add({report.name, name(report.kind), report.unit, report.reference, report.left_out,
+               missing_words(report), report.cut, report.rounds, report.reference_seconds,
+               report.seconds});
   return table;
 }
 
@@ -65,7 +62,7 @@ Table orders_table(std::span<const ChoiceReport> reports) {
   for (const ChoiceReport& report : reports)
     for (const FittedOrder& order : report.orders)
       table.add({report.name, order.series, report.grows,
-                 std::string(order.law == Law::power ? "power" : "exponential"), order.slope});
+                 order.law == Law::power ? "power" : "exponential", order.slope});
   return table;
 }
 
@@ -76,10 +73,10 @@ Table settings_table(const ChoiceReport& report) {
   columns.insert(columns.end(), {"best", ""});
   Table table(columns);
   for (const AccuracyPoint& point : report.points) {
-    std::vector<Cell> row{point.setting, point.seconds, half_range_cell(report, point),
-                          error_cell(point.outcome)};
+    Values row{point.setting, point.seconds, half_range_cell(report, point),
+               error_cell(point.outcome)};
     for (const std::size_t k : kinds) row.push_back(part_cell(error_parts(report, point)[k]));
-    row.emplace_back(std::string(point.best ? "*" : ""));
+    row.emplace_back(point.best ? "*" : "");
     row.emplace_back(advice(report, point));
     table.add(std::move(row));
   }
@@ -96,7 +93,7 @@ std::string summary(std::span<const ChoiceReport> reports) {
     }
     text += fmt::format("  error: {}, {}; against {}\n", report.unit, name(report.kind),
                         report.reference);
-    text += settings_table(report).text();
+    text += aligned_text(settings_table(report), kBrief);
     for (const FittedOrder& order : report.orders) text += "  " + words(order, report.grows) + "\n";
     for (const std::string& line : remarks(report)) text += "  " + line + "\n";
     text += "\n";
@@ -151,13 +148,12 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
                                  const std::optional<Image>& shown) {
   ExperimentResult result;
-  const Table points = points_table(reports), choices = choices_table(reports);
-  const Table orders = orders_table(reports);
-  result.files.push_back({"accuracy.csv", points.csv()});
-  result.files.push_back(
-      {"accuracy.json",
-       json_document({{"scene", scene}},
-                     {{"choices", &choices}, {"orders", &orders}, {"points", &points}})});
+  const Table points = points_table(reports);
+  result.files.push_back(csv_file("accuracy", points));
+  result.files.push_back(json_file("accuracy", {{"scene", scene},
+                                                {"choices", choices_table(reports)},
+                                                {"orders", orders_table(reports)},
+                                                {"points", points}}));
   for (const ChoiceReport& report : reports)
     if (has_plot(report))
       result.files.push_back({fmt::format("accuracy_{}.svg", report.name), accuracy_plot(report)});

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "base/number_text.h"
+#include "base/table.h"
 #include "collide/broad_phase.h"
 #include "collide/meetings.h"
 #include "scene/responses.h"
 #include "study/plots/plot.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
-#include "study/table.h"
 
 namespace flatray {
 namespace {
@@ -119,7 +119,7 @@ ExperimentResult results(const ExperimentContext& context, const Choices& choice
                fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width,
                            film.height, context.scene.entities[0].name, duration),
                {std::move(part)});
-  result.files.push_back({"avoidance_times.csv", table.csv()});
+  result.files.push_back(csv_file("avoidance_times", table));
   add_map(result, "avoidance", plot_of(context, choices, times), context.threads,
           [&](std::size_t i) { return times[i] == kFree ? "" : number_text(times[i]); });
   return result;

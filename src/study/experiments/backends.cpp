@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <set>
 
+#include "base/table.h"
 #include "collide/scene_timeline.h"
 #include "image/compare.h"
 #include "render/backend.h"
 #include "study/accuracy/point_samples.h"
 #include "study/experiment.h"
-#include "study/table.h"
 
 namespace flatray {
 namespace {
@@ -43,13 +43,12 @@ class Study {
 
   ExperimentResult result() && {
     result_.holds = faults_ == 0;
-    result_.files.push_back({"backends.csv", table_.csv()});
-    result_.files.push_back(
-        {"backends.json", json_document({{"experiment", std::string("backends")},
-                                         {"scene", context_.scene.name},
-                                         {"faults", faults_}},
-                                        {{"frames", &table_}})});
-    result_.summary = table_.text();
+    result_.summary = aligned_text(table_, kBrief);
+    result_.files.push_back(csv_file("backends", table_));
+    result_.files.push_back(json_file("backends", {{"experiment", "backends"},
+                                                   {"scene", context_.scene.name},
+                                                   {"faults", faults_},
+                                                   {"frames", table_}}));
     for (const std::string& one : opened_) result_.summary += one + "\n";
     result_.summary +=
         faults_ == 0

@@ -6,12 +6,12 @@
 
 #include "base/parallel.h"
 #include "base/portable_math.h"
+#include "base/table.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 #include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/statistics/estimate.h"
-#include "study/table.h"
 #include "transport/reflection.h"
 
 namespace flatray {
@@ -124,7 +124,7 @@ class Study {
         fmt::format("Orbits {} apart at their start, and the error of doubles, beside exact ones",
                     context_.apart),
         std::move(measures_));
-    all.files.push_back({"divergence_bounces.csv", table_.csv()});
+    all.files.push_back(csv_file("divergence_bounces", table_));
     all.files.push_back({"divergence.svg", svg(plot_)});
     return all;
   }

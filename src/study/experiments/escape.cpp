@@ -4,10 +4,10 @@
 #include <map>
 
 #include "base/portable_math.h"
+#include "base/table.h"
 #include "study/plots/plot.h"
 #include "study/rooms/pixel_map.h"
 #include "study/rooms/survival.h"
-#include "study/table.h"
 
 namespace flatray {
 namespace {
@@ -52,7 +52,7 @@ class Basins {
       table.add({std::uint64_t{n}, gone_after_[n], remaining});
       plot.series[0].points.push_back({static_cast<double>(n), static_cast<double>(remaining)});
     }
-    all.files.push_back({"escape_times.csv", table.csv()});
+    all.files.push_back(csv_file("escape_times", table));
     all.files.push_back({"escape_times.svg", svg(plot)});
     add_map(all, "escape", map_of_basins(), context_.threads,
             [&](std::size_t i) { return bounces_text(pixels_[i]); });

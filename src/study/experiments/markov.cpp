@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/table.h"
 #include "study/experiment.h"
 #include "study/plots/state_graph.h"
 #include "study/statistics/absorption.h"
 #include "study/statistics/chain_walks.h"
-#include "study/table.h"
 
 namespace flatray {
 namespace {
@@ -41,19 +41,14 @@ class Study {
 
   ExperimentResult result() && {
     result_.holds = disagreements_ == 0;
-    const std::vector<std::pair<std::string, Cell>> values = {
-        {"experiment", std::string("markov")},
-        {"scene", context_.scene.name},
-        {"scene_hash", fmt::format("{:016x}", context_.scene.hash)},
-        {"seed", context_.seed},
-        {"count", context_.count},
-        {"largest_z", worst_},
-        {"disagreements", disagreements_}};
-    result_.files.push_back({"markov.csv", starts_.csv()});
-    result_.files.push_back({"markov_transitions.csv", transitions_.csv()});
-    result_.files.push_back(
-        {"markov.json",
-         json_document(values, {{"starts", &starts_}, {"transitions", &transitions_}})});
+    result_.files.push_back(csv_file("markov", starts_));
+    result_.files.push_back(csv_file("markov_transitions", transitions_));
+    Fields fields = head_of("markov", context_);
+    fields.insert(fields.end(), {{"largest_z", worst_},
+                                 {"disagreements", disagreements_},
+                                 {"starts", starts_},
+                                 {"transitions", transitions_}});
+    result_.files.push_back(json_file("markov", std::move(fields)));
     result_.summary = summary();
     return std::move(result_);
   }
@@ -64,7 +59,7 @@ class Study {
   struct Truth {
     std::optional<Absorption> given, drawn;
     double expected() const { return given ? given->expected.nearest() : kInfinity; }
-    std::vector<Cell> cells(const WalkPlan& plan) const {
+    Values cells(const WalkPlan& plan) const {
       return {
           plan.chain.name,
           plan.chain.states[plan.start],
@@ -101,14 +96,11 @@ class Study {
   }
 
   void add_start(const WalkPlan& plan, const Truth& truth, WalkCounts& all) {
-    std::vector<Cell> row = truth.cells(plan);
-    const auto add_cells = [&row](std::initializer_list<Cell> cells) {
-      row.insert(row.end(), cells);
-    };
+    Values row = truth.cells(plan);
     if (!truth.given || plan.walks == 0) {
       if (truth.given) ++disagreements_;  // what was not looked at has not been shown to agree
-      add_cells({"", "", "", "", std::uint64_t{0},
-                 truth.given ? "too many to observe" : "absorption is not certain"});
+      row.insert(row.end(), {"", "", "", "", std::uint64_t{0},
+                             truth.given ? "too many to observe" : "absorption is not certain"});
     } else {
       const WalkCounts counts = walk(plan, context_.threads);
       const auto walks = static_cast<double>(plan.walks);
@@ -116,7 +108,8 @@ class Study {
       const double difference = mean - truth.expected();
       const double error = std::sqrt(truth.given->variance.nearest() / walks);
       const double z = z_score(difference, error);
-      add_cells({mean, difference, error, z, plan.walks, verdict(z, counts.unfinished)});
+      row.insert(row.end(),
+                 {mean, difference, error, z, plan.walks, verdict(z, counts.unfinished)});
       all += counts;
     }
     starts_.add(std::move(row));
@@ -174,7 +167,8 @@ class Study {
     return fmt::format(
         "Steps to an absorbing state, {} walks from each start, seed {}\n\n{}\n"
         "Transitions taken, all starts together\n\n{}\n{}: largest |z| {:.3g}, {} allowed\n",
-        context_.count, context_.seed, starts_.text(), transitions_.text(),
+        context_.count, context_.seed, aligned_text(starts_, kBrief),
+        aligned_text(transitions_, kBrief),
         disagreements_ == 0 ? "agrees with the closed form" : "DISAGREES with the closed form",
         worst_, kSigmas);
   }

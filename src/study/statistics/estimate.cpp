@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/table.h"
+#include "base/table.h"
 
 namespace flatray {
 namespace {
 
 // Where the samples do not differ, rounding of the sums is all there is.
 constexpr double kRounding = 1e-12;
-
-Cell cell(const std::optional<double>& number) {
-  return number ? Cell(*number) : Cell(std::string());
-}
 
 std::optional<double> z(const Measure& measure) {
   if (!measure.expected || !measure.standard_error) return std::nullopt;
@@ -27,12 +23,10 @@ Table table_of(const std::vector<Measure>& measures) {
   Table table(
       {"measure", "value", "low", "high", "standard_error", "expected", "z", "agrees", "remark"});
   for (const Measure& one : measures) {
-    const std::optional<double> half = half_interval(one);
-    const auto end = [&](double sign) { return half ? Cell(one.value + sign * *half) : cell({}); };
     const bool known = std::isfinite(one.value);
-    table.add({one.name, known ? Cell(one.value) : cell({}), end(-1), end(1),
-               cell(one.standard_error), cell(one.expected), cell(z(one)), verdict(one),
-               known ? one.remark : "nothing was measured"});
+    table.add({one.name, known ? JsonValue(one.value) : "", end_cell(one, -1), end_cell(one, 1),
+               cell_or("", one.standard_error), cell_or("", one.expected), cell_or("", z(one)),
+               verdict(one), known ? one.remark : "nothing was measured"});
   }
   return table;
 }
@@ -98,6 +92,11 @@ std::optional<double> half_interval(const Measure& measure) {
   return student_95(measure.freedom) * *measure.standard_error;
 }
 
+JsonValue end_cell(const Measure& measure, double sign) {
+  const std::optional<double> half = half_interval(measure);
+  return half ? JsonValue(measure.value + sign * *half) : "";
+}
+
 bool agrees(const Measure& measure) {
   if (!measure.expected) return true;
   if (!std::isfinite(measure.value)) return false;
@@ -118,15 +117,11 @@ ExperimentResult measured(const ExperimentContext& context, const std::string& n
   const Table table = table_of(measures);
   ExperimentResult result;
   result.holds = std::all_of(measures.begin(), measures.end(), agrees);
-  result.files.push_back({name + ".csv", table.csv()});
-  result.files.push_back(
-      {name + ".json", json_document({{"experiment", name},
-                                      {"scene", context.scene.name},
-                                      {"scene_hash", fmt::format("{:016x}", context.scene.hash)},
-                                      {"seed", context.seed},
-                                      {"count", context.count}},
-                                     {{"measures", &table}})});
-  result.summary = fmt::format("{}\n\n{}", headline, table.text());
+  Fields fields = head_of(name, context);
+  fields.emplace_back("measures", table);
+  result.files.push_back(csv_file(name, table));
+  result.files.push_back(json_file(name, std::move(fields)));
+  result.summary = fmt::format("{}\n\n{}", headline, aligned_text(table, kBrief));
   if (!result.holds)
     result.summary += fmt::format(
         "\nDISAGREES: not what must come out, or more than {} standard errors from it\n",

@@ -30,8 +30,9 @@ std::vector<std::string> named_walls(const Scene& scene, unsigned frame) {
   const OrbitReport report =
       follow_moving(room, walls, "ball", {{1, 1}, {4, 3}}, (frame - 1) / scene.fps, {6});
   std::vector<std::string> names;
-  for (const Values& row : bounce_table(room, report, true).rows)
+  bounce_table(room, {&report, 1}).each_row([&](const Values& row) {
     names.push_back(row[6].as_text().value_or("") + " " + json_text(row[7]));
+  });
   return names;
 }
 

@@ -108,7 +108,7 @@ TEST_F(Verbs, CompareOfLightTellsOfLight) {
   EXPECT_EQ(read_png(path("d/x.pfm.png"))->pixels.front(), 255);
 }
 
-constexpr const char* kScene = R"(flatray = 1
+constexpr const char* kBoxScene = R"(flatray = 1
 film = { size = [16, 10], world = [[0, 0], [16, 10]] }
 [[entity]]
 name = "box"
@@ -117,7 +117,7 @@ fill = "#336699"
 )";
 
 TEST_F(Verbs, GoldenUpdateNeedsAReasonAndSomeoneWhoLooks) {
-  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kScene)));
+  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kBoxScene)));
   EXPECT_EQ(golden({"update", "box"}), 2);
   EXPECT_EQ(golden({"update", "box", "--why", "  "}), 2);
   ::setenv("CI", "true", 1);
@@ -130,7 +130,7 @@ TEST_F(Verbs, GoldenUpdateNeedsAReasonAndSomeoneWhoLooks) {
 }
 
 TEST_F(Verbs, GoldenCheckPassesUntilThePictureChanges) {
-  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kScene)));
+  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kBoxScene)));
   EXPECT_EQ(golden({"check"}), 3);
   EXPECT_EQ(golden({"update", "box", "--why", "new"}), 0);
   EXPECT_EQ(
@@ -138,7 +138,7 @@ TEST_F(Verbs, GoldenCheckPassesUntilThePictureChanges) {
       "golden_images/box/frame_0001.png: new\n  look:   out/golden/box/frame_0001/sheet.png\n");
   EXPECT_EQ(golden({"check"}), 0);
   EXPECT_EQ(out_, "1 golden, 0 of them different\n");
-  std::string text = kScene;
+  std::string text = kBoxScene;
   text.replace(text.find("#336699"), 7, "#33669a");
   ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", text));
   EXPECT_EQ(golden({"check", "box"}), 1);
@@ -150,8 +150,8 @@ TEST_F(Verbs, GoldenCheckPassesUntilThePictureChanges) {
 }
 
 TEST_F(Verbs, GoldenCheckNamesWhatIsMissing) {
-  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kScene)));
-  ASSERT_TRUE(write_file(folder_ / "scenes/other.toml", std::string(kScene)));
+  ASSERT_TRUE(write_file(folder_ / "scenes/box.toml", std::string(kBoxScene)));
+  ASSERT_TRUE(write_file(folder_ / "scenes/other.toml", std::string(kBoxScene)));
   EXPECT_EQ(golden({"update", "box", "--why", "new"}), 0);
   EXPECT_EQ(golden({"check", "other"}), 3);
   ASSERT_TRUE(write_file(folder_ / "golden_images/stray.png", std::string("x")));

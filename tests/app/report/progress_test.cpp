@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "app/frames/render_job.h"
-#include "app/report/value.h"
 
 namespace flatray {
 namespace {
@@ -62,13 +61,6 @@ TEST(Spread, UsesNoMoreThreadsThanThereAre) {
   // Frames of 1.6 x 10^9 pixels are drawn one after another.
   EXPECT_EQ(spread(job_of(40'000, 40'000), 100, 8).frames_at_once, 1U);
   EXPECT_EQ(spread(job_of(40'000, 40'000), 100, 8).threads_each, 8U);
-}
-
-TEST(JsonValue, TextStandsLeftWhateverItsName) {
-  EXPECT_EQ(aligned_text({{"a long name", "n"}, {{"x", "text"}, {"yy", "t"}}}),
-            "a long name  n\nx            text\nyy           t\n");
-  EXPECT_EQ(aligned_text({{"number", "w"}, {{1.5, "t"}, {20, "u"}}}),
-            "number  w\n   1.5  t\n    20  u\n");
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/value.h"
+#include "base/json.h"
 
 namespace flatray {
 namespace {

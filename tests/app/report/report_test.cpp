@@ -1,0 +1,72 @@
+#include "app/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace flatray {
+namespace {
+
+Arguments asked(std::string option) {
+  return {{{std::move(option), {"--it", {}}}}, {"scene.toml"}};
+}
+
+std::string written(const std::string& option, VerbOutput output) {
+  return written("test", asked(option), output);
+}
+
+JsonValue json_written(VerbOutput output) {
+  const auto json = parse_json(written("json", std::move(output)));
+  return json ? *json : JsonValue("no JSON");
+}
+
+Table two_rows() { return Table({"name", "t"}, {{"a", 0.5}, {"b", JsonValue()}}); }
+
+TEST(Report, ATableAloneIsTheAnswerInEveryForm) {
+  EXPECT_EQ(written("quiet", {.table = two_rows()}), "name    t\na     0.5\nb\n");
+  EXPECT_EQ(written("csv", {.table = two_rows()}), "name,t\na,0.5\nb,\n");
+  const JsonValue json = json_written({.table = two_rows()});
+  EXPECT_EQ(json_text(*json.find("results")), R"([{"name":"a","t":0.5},{"name":"b","t":null}])");
+}
+
+TEST(Report, TextIsOfPartsAndResultsAreTheirOwn) {
+  const VerbOutput output{.text = {"before\n", two_rows(), "after\n"},
+                          .results = Fields{{"rows", two_rows()}},
+                          .of_all = {{"more", 1}}};
+  EXPECT_EQ(written("quiet", output), "before\nname    t\na     0.5\nb\nafter\n");
+  const JsonValue json = json_written(output);
+  EXPECT_EQ(json_text(*json.find("results")),
+            R"({"rows":[{"name":"a","t":0.5},{"name":"b","t":null}]})");
+  EXPECT_EQ(json.text_of("schema"), "flatray.test/1");
+  EXPECT_EQ(json_text(*json.find("args")),
+            R"({"operands":["scene.toml"],"options":{"json":true}})");
+  EXPECT_EQ(json.whole_of("more"), 1U);
+}
+
+TEST(Report, WithoutResultsThereIsNoJson) { EXPECT_EQ(written("json", {.exit_code = 130}), ""); }
+
+// Rows that are made when they are written take their time, too.
+TEST(Report, SecondsAreThoseUntilItIsWritten) {
+  Table slow({"n"});
+  slow.made = [](const Table::EachRow& each) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    each({1});
+  };
+  const JsonValue json = json_written({.table = std::move(slow)});
+  EXPECT_GE(json.find("timing")->number_of("seconds").value_or(0), 0.03);
+}
+
+TEST(Report, WhatIsWrongIsToldAsErrors) {
+  const Diagnostics problems{{named_place("scene.toml"), "is odd", "mend it"}};
+  const JsonValue ended = json_written({.table = two_rows(), .problems = problems});
+  const std::string errors = R"([{"file":"scene.toml","message":"is odd","hint":"mend it"}])";
+  EXPECT_EQ(json_text(*ended.find("errors")), errors);
+  const auto failed = parse_json(written("test", asked("json"), problems));
+  ASSERT_TRUE(failed);
+  EXPECT_EQ(json_text(*failed->find("results")->find("errors")), errors);
+  EXPECT_EQ(written("test", asked("csv"), problems), "");
+}
+
+}  // namespace
+}  // namespace flatray
