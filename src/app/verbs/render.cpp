@@ -142,7 +142,9 @@ extern const Verb render = {
     "  flatray render scene.toml --profile scene.profile --error 0.002\n"
     "  flatray render scene.toml --view visibility:3,4 -o lit.png\n"
     "  flatray render lamps.toml --error 0.01 --error-image error.pfm -o lit.png\n"
-    "  flatray render lamps.toml --rays 100000000 -o lit.film --resume\n",
+    "  flatray render lamps.toml --rays 100000000 -o lit.film --resume\n"
+    "  flatray render scene.toml -f 1..240 -o video.mp4 -j 4\n"
+    "  flatray render scene.toml -o - --format y4m | ffmpeg -i - video.mkv\n",
     "nothing rendered",
     &run,
     nullptr,
