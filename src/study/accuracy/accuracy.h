@@ -129,8 +129,8 @@ struct AccuracyContext {
 /// Seconds of a budget that a reference may take.
 inline double reference_budget(const AccuracyContext& context) { return 0.6 * context.seconds; }
 
-/// The frame in the middle of the scene, which settings are measured on, and its picture; none where it
-/// cannot be drawn.
+/// The frame in the middle of the scene, which settings are measured on, and its picture, of few rays
+/// of light; none where it cannot be drawn.
 unsigned middle_frame(const Scene& scene);
 Result<DrawList> middle_list(const AccuracyContext& context);
 std::optional<Image> picture_of(const AccuracyContext& context);

@@ -69,7 +69,7 @@ std::string hex(const Light& light) {
 
 Light light_of_hex(const std::string& hex) {
   const auto part = [&](std::size_t at) -> double {
-    return linear_from_srgb(static_cast<std::uint8_t>(std::stoul(hex.substr(at, 2), nullptr, 16)));
+    return light_of(static_cast<double>(std::stoul(hex.substr(at, 2), nullptr, 16)));
   };
   return {part(1), part(3), part(5)};
 }

@@ -270,7 +270,7 @@ class PlotDrawing {
   }
 
   void below() {
-    double y = has_names_ ? name_at_.y() + kLine : name_at_.y();
+    double y = has_names_ ? name_at_.y() + 1.2 * kLine : name_at_.y();
     for (const std::string& words : lines_of(plot_.caption, out_.size.x() - 2 * kRight)) {
       out_.marks.push_back(Drawing::Words{{kRight, y}, words});
       y += kLine;
