@@ -1,4 +1,4 @@
-// needs: formats/toml shapes/sector
+// needs: formats/toml shapes/sector shapes/segment
 #include "support/pictures.h"
 
 namespace flatray {
@@ -18,6 +18,27 @@ TEST(FilmShape, AWholeSectorHasNoSeam) {
     EXPECT_EQ(image.pixels[pixel], 0x33) << inner;
     EXPECT_EQ(image.pixels[pixel + 3 * 10], 0xff) << inner;
   }
+}
+
+// What a level line of 16 pixels by 2 is on the film, drawn with dashes and gaps of these lengths.
+double dashed_area(double length) {
+  const std::string text = std::to_string(length);
+  const Scene scene = scene_of(
+      "flatray = 1\nfilm = { size = [20, 20], world = [[0, 0], [20, 20]] }\n[[entity]]\n"
+      "shape = { segment = { from = [2, 10], to = [18, 10] } }\n"
+      "stroke = { width = 2, caps = 'butt', dashes = [" +
+      text + ", " + text + "] }\n");
+  const DrawList list = *draw_list(make_plan(scene, false), Timeline(scene, 0, 1), 1);
+  double twice = 0;
+  for (const DrawItem& item : list.items)
+    if (const auto* path = std::get_if<FillPath>(&item.region))
+      for (const Segment& edge : path->edges) twice += cross(edge.a, edge.b);
+  return std::abs(0.5 * twice);
+}
+
+TEST(FilmShape, DashesAreDrawnUnlessTheyRepeatWithinAQuarterOfAPixel) {
+  for (const double length : {2.0, 0.5, 0.125}) EXPECT_NEAR(dashed_area(length), 16, 1e-9);
+  EXPECT_NEAR(dashed_area(0.0625), 32, 1e-9);
 }
 
 }  // namespace

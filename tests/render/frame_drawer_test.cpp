@@ -101,6 +101,18 @@ TEST(FrameDrawer, WhatLiesBesideWhatMovesIsKept) {
   }
 }
 
+// Its own columns are 45 to 54; a pixel on either side is for rounding.
+TEST(FrameDrawer, ADiscThatTakesAnotherColourIsDrawnInItsColumnsAndOneOnEitherSide) {
+  DrawList list{128, 64, {1, 1, 1, 1}, Coverage::area, {}};
+  list.items.push_back({FillRing{{50, 30}, 5}, {1, 0, 0, 1}});
+  const auto change = [](int frame, DrawList& drawn) {
+    drawn.items[0].colour.b = frame % 2 == 0 ? 0.0F : 1.0F;
+  };
+  const std::vector<std::uint64_t> kept = kept_pixels(list, change);
+  for (std::size_t frame = 1; frame < kept.size(); ++frame)
+    EXPECT_EQ(kept[frame], (128U - 12) * 64) << frame;
+}
+
 TEST(FrameDrawer, WhatMovesLowestLeavesWhatLiesAboveItBeside) {
   const auto lowest = [](int frame, DrawList& list) {
     list.items.front() = {FillRing{{20.0 + 9 * frame, 30.25}, 12.5}, {1, 0, 0, 1}};

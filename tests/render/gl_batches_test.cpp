@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "render/gl/batches.h"
 #include "render/gl/grid.h"
 #include "render/gl/outlines.h"
@@ -178,6 +181,31 @@ TEST(GlOutlines, ACircleKeepsWithinAStepOfTheGrid) {
       }
     }
   }
+}
+
+TEST(GlOutlines, ACircleIsFineWhereverABoxLiesOnIt) {
+  constexpr double kRadius = 5000;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 0.1 + 2 * std::numbers::pi * i / 16;
+    const Vec2 on = kRadius * Vec2(std::cos(angle), std::sin(angle)), half(50, 50);
+    const Bounds box{on - half, on + half};
+    const Ring ring = circle_ring({0, 0}, kRadius, box);
+    int inside = 0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec2 middle = 0.5 * (ring[k] + ring[(k + 1) % ring.size()]);
+      if (!meet(box, {middle, middle})) continue;
+      EXPECT_LE(kRadius - middle.norm(), 1.01 / 256) << angle;
+      ++inside;
+    }
+    EXPECT_GE(inside, 2) << angle;
+  }
+}
+
+TEST(GlOutlines, ACircleThatIsWhollySeenHasEqualSides) {
+  const Ring ring = circle_ring({50, 50}, 30, {{0, 0}, {100, 100}});
+  const double side = (ring[1] - ring[0]).norm();
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    EXPECT_NEAR((ring[(k + 1) % ring.size()] - ring[k]).norm(), side, 1e-9) << k;
 }
 
 TEST(GlOutlines, ClampingKeepsWindingInside) {

@@ -73,6 +73,17 @@ TEST(Strokes, AMiterOverItsLimitIsABevel) {
             area_of(sharp, {1, LineJoin::bevel, LineCap::butt}) + 1);
 }
 
+// A turn whose cosine is 7/25 has a miter of 5/4 times the width: 2 = (5/4)^2 (1 + 7/25) in doubles, too.
+TEST(Strokes, AMiterAtItsLimitIsKept) {
+  const Chain bend{{{2, 4}, {8, 4}, {9.75, 10}}};
+  const double bevel = area_of(bend, {1, LineJoin::bevel, LineCap::butt}),
+               below = area_of(bend, {1, LineJoin::miter, LineCap::butt, 1.2499999}),
+               limit = area_of(bend, {1, LineJoin::miter, LineCap::butt, 1.25});
+  EXPECT_EQ(below, bevel);
+  // A triangle: two sides of 3/4, the tangent of half the turn, and 24/25, the sine of their angle.
+  EXPECT_NEAR(limit - bevel, 0.5 * 0.75 * 0.75 * 0.96, 1e-4);
+}
+
 TEST(Strokes, ADotHasItsCapsOrNothing) {
   const Chain dot{{{10, 10}, {10, 10}}};
   EXPECT_EQ(area_of(dot, {2, LineJoin::round, LineCap::butt}), 0);

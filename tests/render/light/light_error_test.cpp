@@ -143,6 +143,18 @@ TEST(LightGoals, AreNotReachedInTheDark) {
   EXPECT_EQ(traced(scene, told).rounds.count(), 3U);
 }
 
+// In the dark an error that is asked for is waited for in eight rounds; who asks for none has them all.
+TEST(LightGoals, OfNoErrorAreAllRoundsInTheDarkToo) {
+  const Scene scene = scene_of(
+      "flatray = 1\nfilm = { size = [4, 4], world = [[-4, -4], [4, 4]] }\n[light]\nrays = 2500000\n"
+      "scrambles = 16\n[[lamp]]\nsource = { ray = {} }\nat = [9, 9]\n");
+  LightGoal told;
+  told.told = [](const TracedLight&, std::optional<double>) {};
+  EXPECT_EQ(traced(scene, told).rounds.count(), 10U);
+  told.error = 0.1;
+  EXPECT_EQ(traced(scene, told).rounds.count(), 8U);
+}
+
 TEST(LightErrors, AreThoseOfStudent) {
   // Means 8.5 and spreads of 1 to 16: the variance of the mean is 17 * 16 / 12 / 16.
   std::vector<std::vector<std::int64_t>> scrambles;
