@@ -40,6 +40,21 @@ TEST(Effort, LanesLeaveNoMoreThanOneRayInAHundredAmongWallsInGeneralPosition) {
     EXPECT_LE(find_tracer(name)->build(walls)->left_by_lanes(rays_within(1)), 40U) << name;
 }
 
+TEST(Effort, CountsTheWallThatIsMet) {
+  const Surfaces walls = short_walls(200, 1);
+  const RayBatch rays = rays_within(1);
+  for (const char* name : {"brute", "grid"}) {
+    const auto ready = find_tracer(name)->build(walls);
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < 256; ++i) {
+      if (!ready->nearest_of_one(rays.ray(i))) continue;
+      ASSERT_GE(ready->tested_of_one(rays.ray(i)), 1U) << name << ' ' << i;
+      ++met;
+    }
+    EXPECT_GE(met, 64U);
+  }
+}
+
 // Two walls far off make one cell of all others.
 TEST(Effort, ACrowdedCellIsDividedSoThatFewOfItsWallsAreTested) {
   Surfaces walls = short_walls(2000, 0.002);
