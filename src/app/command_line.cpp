@@ -38,17 +38,31 @@ std::vector<const Verb*> all_verbs() {
 #undef FLATRAY_ENTRY
 }
 
+namespace {
+
+// What all verbs have.
+struct CommonOptions : Arguments {
+  ResourceLimits limits;
+  std::string root;
+  bool sandbox = false;
+
+  void rows(OptionTable& row, std::span<const Option> own) {
+    if (!own.empty() && !has_own_root(own))
+      row("--root DIR", "read and write nothing outside of this folder", root);
+    if (!own.empty())
+      row("--sandbox", "let the kernel refuse all other files: flatray help safety", sandbox);
+    limits.rows(row);
+    row("-h, --help", "show this");
+  }
+};
+
+}  // namespace
+
 std::vector<Option> options_of(const Verb& verb) {
-  std::vector<Option> options(verb.options.begin(), verb.options.end());
-  if (!verb.options.empty() && !has_own_root(verb))
-    options.push_back({"root", '\0', "DIR", "read and write nothing outside of this folder"});
-  if (!verb.options.empty())
-    options.push_back({"sandbox", '\0', "",
-                       "let the kernel refuse all other files: flatray help safety",
-                       OptionKind::flag});
-  options.insert(
-      options.end(),
-      {kMaxSecondsOption, kMaxMemoryOption, {"help", 'h', "", "show this", OptionKind::flag}});
+  std::vector<Option> options = verb.command.options();
+  OptionTable common;
+  CommonOptions().rows(common, options);
+  options.insert(options.end(), common.options().begin(), common.options().end());
   return options;
 }
 
@@ -83,26 +97,30 @@ int print(const std::string& text, int code) {
       "");
 }
 
-Result<Arguments> parse(const Verb& verb, std::vector<std::string> words) {
+// With all that is wrong with them but the values of options.
+Arguments parse(const Verb& verb, const std::vector<std::string>& words) {
   const std::vector<Option> options = options_of(verb);
-  Result<Arguments> arguments = parse_arguments(options, std::move(words), [](const char* name) {
+  Arguments parsed = parse_arguments(options, words, [](const char* name) {
     // Help in the environment would turn every render into a success that draws nothing.
     const bool asks_help = std::string_view(name) == "FLATRAY_HELP";
     return asks_help ? nullptr : static_cast<const char*>(std::getenv(name));
   });
-  if (!arguments || arguments->has("help")) return arguments;
-  if (!verb.options.empty()) arguments = with_project_config(options, std::move(*arguments));
-  if (!arguments) return arguments;
-  const std::size_t count = arguments->operands().size();
-  const std::string hint = fmt::format("flatray {} {}", verb.name, verb.operands);
-  if (count < verb.least_operands)
-    return usage_error(named_place(verb.name), fmt::format("needs {}", verb.operands), hint);
+  if (parsed.has("help")) return parsed;
+  // What follows an unknown option may be its value.
+  const std::size_t count =
+      parsed.problems.empty() ? parsed.operands().size() : verb.least_operands;
+  if (!verb.command.options().empty()) add_project_config(options, parsed);
+  parsed.keep_one_format();
+  const auto wrong = [&](std::string message) {
+    parsed.problems.push_back({named_place(verb.name), std::move(message),
+                               fmt::format("flatray {} {}", verb.name, verb.operands),
+                               Trouble::usage});
+  };
+  if (count < verb.least_operands) wrong(fmt::format("needs {}", verb.operands));
   if (count > verb.most_operands)
-    return usage_error(named_place(verb.name),
-                       fmt::format("does not take '{}'", arguments->operands()[verb.most_operands]),
-                       hint);
-  if (auto inside = check_root(verb, *arguments); !inside) return fail(std::move(inside));
-  return arguments;
+    wrong(fmt::format("does not take '{}'", parsed.operands()[verb.most_operands]));
+  check_root(verb, parsed);
+  return parsed;
 }
 
 // Variables of the environment that mean nothing here, most likely misspelt.
@@ -128,19 +146,25 @@ Diagnostics unknown_variables() {
   return warnings;
 }
 
-int answer(const Verb& verb, std::vector<std::string> words) {
-  const Result<Arguments> arguments = parse(verb, std::move(words));
-  if (!arguments) return report_failure(arguments.error(), verb.undone);
-  if (arguments->has("help")) return print(help_text(verb), 0);
-  report_warnings(unknown_variables(), *arguments);
-  if (const auto entered = enter_sandbox(verb, *arguments); !entered)
+int answer(const Verb& verb, const std::vector<std::string>& words) {
+  const Arguments arguments = parse(verb, words);
+  Diagnostics problems = arguments.problems;
+  if (arguments.has("help") && problems.empty()) return print(help_text(verb), 0);
+  report_warnings(unknown_variables(), arguments);
+  CommonOptions common;
+  OptionTable table(arguments, problems);
+  common.rows(table, verb.command.options());
+  const Ready run = verb.command.read(arguments, problems);
+  const auto failed = [&](const Diagnostics& why) {
+    return print(written(verb.name, arguments, why), report_failure(why, verb.undone));
+  };
+  if (!problems.empty()) return failed(problems);
+  if (const auto entered = enter_sandbox(verb, arguments); !entered)
     return report_failure(entered.error(), verb.undone);
-  Result<VerbOutput> output =
-      limit_resources(*arguments).and_then([&] { return verb.run(*arguments); });
-  if (!output)
-    return print(written(verb.name, *arguments, output.error()),
-                 report_failure(output.error(), verb.undone));
-  std::string text = written(verb.name, *arguments, *output);
+  limit_resources(common.limits);
+  Result<VerbOutput> output = run();
+  if (!output) return failed(output.error());
+  std::string text = written(verb.name, arguments, *output);
   if (!output->picture) text = shown_lines(std::move(text));
   const int code = print(text, output->exit_code);
   if (output->problems.empty() || code != output->exit_code) return code;
@@ -148,9 +172,9 @@ int answer(const Verb& verb, std::vector<std::string> words) {
 }
 
 // Who stops a run, stops what goes on from it, too, even where all was done meanwhile.
-int run_verb(const Verb& verb, std::vector<std::string> words) {
+int run_verb(const Verb& verb, const std::vector<std::string>& words) {
   catch_interrupts(verb.kept);
-  const int code = answer(verb, std::move(words));
+  const int code = answer(verb, words);
   if (!interrupted() || code > 1) return code;
   report_note(fmt::format("flatray: {}, when all was done", interruption()));
   return interrupted_code();
@@ -170,7 +194,7 @@ int run_command_line(std::vector<std::string> words) {
   const Verb* verb = find_verb(first);
   if (verb == nullptr) return report_failure(unknown_verb(first), "");
   words.erase(words.begin());
-  return run_verb(*verb, std::move(words));
+  return run_verb(*verb, words);
 }
 
 }  // namespace flatray

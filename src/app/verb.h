@@ -1,9 +1,8 @@
 #pragma once
-#include <span>
 #include <string>
 #include <vector>
 
-#include "app/options/arguments.h"
+#include "app/options/option_table.h"
 #include "app/report/report.h"
 
 namespace flatray {
@@ -15,10 +14,9 @@ struct Verb {
   const char* operands;  ///< as shown in the usage line: "SCENE..."
   const char* summary;   ///< one line, no full stop
   std::size_t least_operands, most_operands;
-  std::span<const Option> options;
-  const char* examples;  ///< lines of `flatray help VERB`, "" for none
-  const char* undone;    ///< what a failure leaves: "nothing rendered", "" for nothing to say
-  Result<VerbOutput> (*run)(const Arguments&);
+  Command command;
+  const char* examples;   ///< lines of `flatray help VERB`, "" for none
+  const char* undone;     ///< what a failure leaves: "nothing rendered", "" for nothing to say
   Words words = nullptr;  ///< what the first operand may be, where that is a list of names
   /// What a run that is stopped leaves to go on from; null: nothing, and it is stopped at once.
   const char* kept = nullptr;

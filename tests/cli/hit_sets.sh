@@ -54,6 +54,6 @@ says out 'ray: 1 part, length 0.5'
 run 0 hit pill.toml --ray 0,1,1,0 --against pill
 says out 't from 0.5 to 3.5'
 run 2 hit row.toml --ray 0,1,1,0 --op unoin
-says err 'there are: union, intersection, difference'
+says err 'say union, intersection, difference'
 run 2 hit row.toml --ray 0,1,1,0 --op union --svg
 finish

@@ -22,6 +22,20 @@ printf 'v 0 0\nv 4 4\nv 4 0\nv 0 4\nf 1 2 3 4\n' > crossing.obj
 run 4 check crossing.obj
 says err "crossing.obj:5:1: error: edges of this face cross"
 
+# All mistakes of a command line are told together, those of words and those of values.
+run 2 orbit scene.toml --bounces x --frame 0 --corner bak --nosuch -o
+for one in "--bounces: error: 'x' is not a whole number" '--frame: error: 0 is out of range' \
+  "--corner: error: unknown value 'bak' (did you mean 'back'?)" '--nosuch: error: unknown option' \
+  'flatray: 5 errors'; do says err "$one"; done
+
+# Of two ways to print both are named; what is said nearer counts.
+for two in 'json csv' 'json svg' 'csv svg'; do
+  run 2 hit scene.toml --ray 0,4,1,0 --${two% *} --${two#* }
+  says err "--${two#* }: error: does not go with --${two% *}"
+done
+FLATRAY_JSON=1 run 0 hit scene.toml --ray 0,4,1,0 --csv
+says out 'ray,against,edge'
+
 # One rule of frames.
 run 0 render scene.toml -f 6 --size 8x6 -o six.png
 run 0 collide scene.toml -f 6

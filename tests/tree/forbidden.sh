@@ -75,8 +75,6 @@ rule 'a merge left half done' text '.' "$none" '^(<<<<<<<|>>>>>>>)( |$)' '<<<<<<
 rule 'paths of one machine' text '.' '^\.git$' \
   '(^|[^A-Za-z0-9_.}])/(work|root|home|mnt|Users)/[a-z]' \
   'path = "/home/me/scene.toml"' 'see tests/root/a and $prefix/home/x'
-rule 'CLI11 belongs to the command line' code "$sources" '^src/app/options/[a-z_]+\.cpp$' \
-  '#include <CLI/' '#include <CLI/CLI.hpp>' '#include <Eigen/Core>'
 rule 'toml++ belongs to one scene format' code "$sources" '^src/scene/formats/[a-z_]+\.cpp$' \
   '#include <toml\+\+/' '#include <toml++/toml.h>' '#include <Eigen/Core>'
 rule 'nlohmann-json stays out of headers and of the geometry' code "$sources" \

@@ -11,8 +11,6 @@
 namespace flatray {
 namespace {
 
-constexpr const char* kNames[] = {"union", "intersection", "difference"};
-
 IntervalSet inside(const std::vector<HitReport>& reports) {
   std::vector<Range> parts;
   for (const HitReport& report : reports)
@@ -21,14 +19,6 @@ IntervalSet inside(const std::vector<HitReport>& reports) {
 }
 
 }  // namespace
-
-std::vector<std::string> hit_operation_names() { return {std::begin(kNames), std::end(kNames)}; }
-
-std::optional<HitOperation> hit_operation(const std::string& name) {
-  const auto found = std::find(std::begin(kNames), std::end(kNames), name);
-  if (found == std::end(kNames)) return std::nullopt;
-  return static_cast<HitOperation>(found - std::begin(kNames));
-}
 
 HitSet combine(const NamedRay& ray, HitOperation operation,
                const std::vector<std::vector<HitReport>>& by_entity) {

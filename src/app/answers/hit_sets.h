@@ -1,6 +1,6 @@
 #pragma once
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/answers/hit_report.h"
@@ -10,9 +10,10 @@ namespace flatray {
 
 /// What `flatray hit --op` may ask of the parts of a ray inside entities.
 enum class HitOperation { in_any, in_all, in_first_alone };
-/// union, intersection, difference.
-std::vector<std::string> hit_operation_names();
-std::optional<HitOperation> hit_operation(const std::string& name);
+inline constexpr std::pair<const char*, HitOperation> kHitOperations[] = {
+    {"union", HitOperation::in_any},
+    {"intersection", HitOperation::in_all},
+    {"difference", HitOperation::in_first_alone}};
 
 /// The parts of one ray inside several entities, taken together.
 struct HitSet {

@@ -18,11 +18,8 @@ VerbOutput stability_output(Table table, bool sound) {
 }
 
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request) {
-  const auto rays = arguments.whole("leaks", 1, 1, std::uint64_t{1} << 40);
-  if (!rays) return tl::unexpected(rays.error());
-  const auto places = chosen_names(arguments, "places", "place", names_of(room_places()));
-  if (!places) return tl::unexpected(places.error());
-  const std::uint64_t blocks = (*rays + kRaysALeakBlock - 1) / kRaysALeakBlock;
+  const std::uint64_t blocks = (*request.leaks + kRaysALeakBlock - 1) / kRaysALeakBlock;
+  const std::vector<std::string>& places = request.places;
   auto log = LeakLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
   Table table{{"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
@@ -30,7 +27,7 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
               {}};
   bool sound = true;
   for (const RoomPlace& place : room_places()) {
-    if (std::find(places->begin(), places->end(), place.name) == places->end()) continue;
+    if (std::find(places.begin(), places.end(), place.name) == places.end()) continue;
     for (const Tracer* tracer : request.tracers) {
       const ChunkLog::Key key{place.name, tracer->name, isa_name(active_isa()), request.seed, 0};
       auto done = log->run({key}, blocks, request.threads, [&](std::uint64_t block, const auto&) {

@@ -89,7 +89,7 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
 }
 
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
-  const auto scene = load_only_input(arguments);
+  const auto scene = load_only_input(arguments, request.scene);
   if (!scene) return tl::unexpected(scene.error());
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
   Table table{{"ray", "leg", "near", "x", "y", "distance", "ulps"}, {}};

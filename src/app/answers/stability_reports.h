@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "app/files/scene_input.h"
 #include "app/report/report.h"
 #include "app/verb.h"
 #include "study/experiment.h"
@@ -15,6 +16,9 @@ struct StabilityRequest {
       false;  ///< by --tracer; else those that claim to be exact alone decide the exit code
   std::uint64_t seed = 1;
   unsigned threads = 1;
+  std::optional<std::uint64_t> leaks{};  ///< rays of each room, of --leaks
+  std::vector<std::string> places{};     ///< where rooms stand
+  SceneOptions scene{};
 };
 
 /// All tracers that this machine has; says on standard error what it lacks.

@@ -1,70 +1,49 @@
 #pragma once
-#include <algorithm>
-#include <array>
-
 #include "anim/frame_state.h"
-#include "app/options/arguments.h"
+#include "app/options/option_table.h"
+#include "base/parallel.h"
 #include "scene/load.h"
 
 namespace flatray {
 
-/// Options several verbs have, so that they mean the same everywhere.
-inline constexpr Option kDefineOption = {"define", 'D', "KEY=VALUE",
-                                         "change a key of the scene, as -D film.size=[64,64]",
-                                         OptionKind::list};
-inline constexpr Option kMaxPixelsOption = {"max-pixels", '\0', "N",
-                                            "most pixels a picture may have (default 268435456)"};
-inline constexpr Option kMaxEntitiesOption = {
-    "max-entities", '\0', "N", "most entities a scene may have, copies too (default 1000000)"};
-inline constexpr Option kMaxCornersOption = {
-    "max-corners", '\0', "N",
-    "most corners a scene may have, copies too, and draw in a frame (default 33554432)"};
-inline constexpr Option kMaxBytesOption = {
-    "max-bytes", '\0', "N", "most bytes of a scene and all its files (default 1073741824)"};
-inline constexpr Option kMaxDepthOption = {
-    "max-depth", '\0', "N", "most groups in groups, and files in files (default 64)"};
-inline constexpr Option kSeedOption = {"seed", '\0', "N",
-                                       "seed of all draws instead of the scene's"};
-inline constexpr Option kThreadsOption = {"jobs", 'j', "N",
-                                          "threads (default: all of the machine)"};
-inline constexpr Option kForceOption = {
-    "force", '\0', "", "also replace inputs, and what no such command wrote", OptionKind::flag};
-inline constexpr Option kFrameOption = {"frame", 'f', "K",
-                                        "frame whose positions are used (default 1)"};
-inline constexpr Option kJsonOption = {"json", '\0', "", "print one JSON object", OptionKind::flag};
-inline constexpr Option kCsvOption = {"csv", '\0', "", "print comma-separated values",
-                                      OptionKind::flag};
-inline constexpr Option kQuietOption = {"quiet", 'q', "", "print no warnings and no summary",
-                                        OptionKind::flag};
+// Rows that several verbs have, so that they mean the same everywhere.
+inline constexpr SharedRow kForceRow = {"--force",
+                                        "also replace inputs, and what no such command wrote"};
+inline constexpr SharedRow kJsonRow = {"--json", "print one JSON object"};
+inline constexpr SharedRow kCsvRow = {"--csv", "print comma-separated values"};
+inline constexpr SharedRow kQuietRow = {"-q, --quiet", "print no warnings and no summary"};
+inline constexpr std::uint64_t kMostSeed = ~std::uint64_t{0} >> 1;  ///< what a TOML integer holds
 
-/// A verb's own options and those of every verb that reads scenes.
-template <std::size_t count>
-constexpr auto with_scene_options(const Option (&own)[count]) {
-  constexpr std::array kShared = {kDefineOption,     kMaxPixelsOption, kMaxEntitiesOption,
-                                  kMaxCornersOption, kMaxDepthOption,  kMaxBytesOption,
-                                  kQuietOption};
-  std::array<Option, count + kShared.size()> all{};
-  std::copy(kShared.begin(), kShared.end(), std::copy(own, own + count, all.begin()));
-  return all;
-}
+/// -j: all threads of the machine without it.
+void row_of_threads(OptionTable& row, unsigned& threads);
+/// -f of verbs that show one frame.
+void row_of_frame(OptionTable& row, unsigned& frame);
 
-/// --max-pixels, --seed, -j as given, or their defaults.
-Result<std::uint64_t> max_pixels(const Arguments& arguments);
-Result<std::uint64_t> seed(const Arguments& arguments, const Scene& scene);
-Result<unsigned> threads(const Arguments& arguments);
+/// What verbs that read scenes are told of them.
+struct SceneOptions {
+  std::vector<Override> overrides;
+  LoadLimits limits{.threads = hardware_threads()};
+  std::optional<std::uint64_t> seed;  ///< instead of the scene's
+
+  void rows(OptionTable& row);
+  /// --seed, of what the scene draws; or of all that the verb draws besides.
+  void row_of_seed(OptionTable& row);
+  void row_of_seed(OptionTable& row, std::uint64_t& all_draws, std::uint64_t most = kMostSeed);
+  std::uint64_t seed_of(const Scene& scene) const { return seed.value_or(scene.seed); }
+};
 
 /// Loads a scene with the -D of the command line, then `more`. Its warnings are not printed yet.
-Result<LoadedScene> load_input(const Arguments& arguments, const std::string& path,
+Result<LoadedScene> load_input(const SceneOptions& options, const std::string& path,
                                const std::vector<Override>& more = {});
 
 /// The same with the scene's description.
-Result<ReadScene> read_input(const Arguments& arguments, const std::string& path,
+Result<ReadScene> read_input(const SceneOptions& options, const std::string& path,
                              const std::vector<Override>& more = {});
 
 /// The same for verbs of one scene: the first operand, its warnings printed.
-Result<Scene> load_only_input(const Arguments& arguments);
+Result<Scene> load_only_input(const Arguments& arguments, const SceneOptions& options);
 
-/// State of the scene at --frame with --seed.
-Result<FrameState> frame_of(const Arguments& arguments, const Scene& scene);
+/// State of the scene at a frame with --seed.
+Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame);
 
 }  // namespace flatray

@@ -94,37 +94,16 @@ Result<Profile> read_profile(const std::string& path) {
   return profile;
 }
 
-// A number of 0 or more given to an option; infinity where none is.
-Result<double> limit(const Arguments& arguments, const char* option) {
-  const auto text = arguments.text(option);
-  if (!text) return kInfinity;
-  const bool of_time = std::string_view(option) == "time";
-  const auto number = of_time ? parse_seconds(*text) : parse_number(*text);
-  if (!number || !(*number >= 0))
-    return usage_error(arguments.where(option), "is not a number of 0 or more", "say 0.001");
-  return *number;
+template <std::optional<double> (*parse)(std::string_view)>
+Result<double> at_least_0(const std::string& text, const Place& where) {
+  const auto number = parse(text);
+  if (number && *number >= 0) return *number;
+  return usage_error(where, "is not a number of 0 or more", "say 0.001");
 }
 
 struct Wish {
   double error, seconds;
 };
-
-Result<Wish> read_wish(const Arguments& arguments) {
-  if (!arguments.has("error") && !arguments.has("time"))
-    return usage_error(arguments.where("profile"), "needs --error or --time",
-                       "say --error 0.001, or --time 0.1");
-  if (arguments.operands().size() != 1)
-    return usage_error(arguments.where("profile"), "goes with one scene only",
-                       "render the scenes one by one");
-  for (const char* other : {"backend", "samples", "view", "size", "seed"})
-    if (arguments.has(other))
-      return usage_error(arguments.where(other), "does not go with --profile",
-                         "leave one of them out");
-  const auto error = limit(arguments, "error"), seconds = limit(arguments, "time");
-  if (!error) return tl::unexpected(error.error());
-  if (!seconds) return tl::unexpected(seconds.error());
-  return Wish{*error, *seconds};
-}
 
 // The cheapest that is near enough; without an error asked for, the nearest that is cheap enough.
 Result<Way> choose(const Profile& profile, const Wish& wish) {
@@ -160,16 +139,6 @@ Result<Way> choose(const Profile& profile, const Wish& wish) {
       fmt::format("say --error {:.2g}", 1.1 * nearest->error));
 }
 
-Arguments with_options(const Arguments& arguments, const Way& way) {
-  auto given = arguments.given();
-  for (const auto& [name, value] : way.options) {
-    Arguments::Given& one = given[name];
-    if (one.origin.empty()) one.origin = "--profile";
-    one.values.push_back(value);
-  }
-  return {std::move(given), arguments.operands()};
-}
-
 }  // namespace
 
 std::string profile_text(const Scene& scene, std::span<const ChoiceReport> reports) {
@@ -193,24 +162,40 @@ std::string profile_text(const Scene& scene, std::span<const ChoiceReport> repor
   return text;
 }
 
-Result<Arguments> with_profile(const Arguments& arguments) {
-  const auto path = arguments.text("profile");
-  if (!path) return arguments;
-  const auto wish = read_wish(arguments);
-  if (!wish) return tl::unexpected(wish.error());
-  const auto profile = read_profile(*path);
+void ProfileOptions::rows(OptionTable& row, LightWish& light) {
+  row("--profile FILE", "written by flatray accuracy: choose by it how to draw", file);
+  row("--error E",
+      "light: rays until its relative error is E; with --profile: the cheapest way to draw so");
+  row("--time S",
+      "light: rays for S seconds a frame; with --profile: the nearest way to draw that takes S");
+  if (!row.has("profile")) return light.read_ends(row);
+  row.read("error", error, &at_least_0<&parse_number>);
+  row.read("time", seconds, &at_least_0<&parse_seconds>);
+  if (!row.has("error") && !row.has("time"))
+    row.problem("profile", "needs --error or --time", "say --error 0.001, or --time 0.1");
+  if (!row.operand(1).empty())
+    row.problem("profile", "goes with one scene only", "render the scenes one by one");
+  row.excludes("profile", {"backend", "samples", "view", "size", "seed"});
+}
+
+Result<void> choose_by_profile(Arguments& arguments, const ProfileOptions& options,
+                               const SceneOptions& scene) {
+  if (options.file.empty()) return {};
+  const auto profile = read_profile(options.file);
   if (!profile) return tl::unexpected(profile.error());
-  const auto scene = load_input(arguments, arguments.operands()[0]);
-  if (!scene) return tl::unexpected(scene.error());
-  if (hash_of(scene->scene) != profile->hash)
+  const auto loaded = load_input(scene, arguments.operands()[0]);
+  if (!loaded) return tl::unexpected(loaded.error());
+  if (hash_of(loaded->scene) != profile->hash)
     return fail(profile->head, "is of another scene, of another state of it, or of another size",
                 "measure it as it is to be drawn: flatray accuracy SCENE --profile FILE");
-  const auto way = choose(*profile, *wish);
+  const auto way =
+      choose(*profile, {options.error.value_or(kInfinity), options.seconds.value_or(kInfinity)});
   if (!way) return tl::unexpected(way.error());
   if (!arguments.has("quiet"))
     report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame", way->words,
                             way->at_most ? "at most " : "", way->error, way->seconds));
-  return with_options(arguments, *way);
+  for (const auto& [name, value] : way->options) arguments.add(name, {"--profile", {value}});
+  return {};
 }
 
 }  // namespace flatray

@@ -2,7 +2,8 @@
 #include <span>
 #include <string>
 
-#include "app/options/arguments.h"
+#include "app/files/scene_input.h"
+#include "app/options/light_wish.h"
 #include "study/accuracy/accuracy.h"
 
 namespace flatray {
@@ -11,20 +12,21 @@ namespace flatray {
 /// about the scene, then one for each measured way to draw it.
 std::string profile_text(const Scene& scene, std::span<const ChoiceReport> reports);
 
-inline constexpr Option kProfileOption = {"profile", '\0', "FILE",
-                                          "written by flatray accuracy: choose by it how to draw"};
-inline constexpr Option kErrorOption = {
-    "error", '\0', "E",
-    "light: rays until its relative error is E; with --profile: the cheapest way to draw so"};
-inline constexpr Option kTimeOption = {
-    "time", '\0', "S",
-    "light: rays for S seconds a frame; with --profile: the nearest way to draw that takes S"};
+/// --profile, --error and --time.
+struct ProfileOptions {
+  std::string file;                      ///< "": none
+  std::optional<double> error, seconds;  ///< asked of it
 
-/// The arguments with --backend, --samples and -D as the profile they name says; as they are
-/// without one. Says on standard error what it has chosen, unless --quiet.
+  /// Where it is none, `light` takes --error and --time.
+  void rows(OptionTable& row, LightWish& light);
+};
+
+/// Adds --backend, --samples and -D to the arguments as the profile says, if there is one. Says on
+/// standard error what it has chosen, unless --quiet.
 ///
-/// Error   Trouble::usage where options do not go together; Trouble::invalid, with the line of the
-///         profile, where that is none, is of another scene, or has nothing so good.
-Result<Arguments> with_profile(const Arguments& arguments);
+/// Error   Trouble::invalid, with the line of the profile, where that is none, is of another scene, or
+///         has nothing so good.
+Result<void> choose_by_profile(Arguments& arguments, const ProfileOptions& options,
+                               const SceneOptions& scene);
 
 }  // namespace flatray

@@ -11,45 +11,35 @@
 #include "render/coverage/unseen.h"
 
 namespace flatray {
-namespace {
-
-// Takes the value of a Result, or keeps its problems and leaves `out` as it is.
-template <class To, class From>
-void take(Result<From> result, To& out, Diagnostics& problems) {
-  if (result)
-    out = std::move(*result);
-  else
-    problems.insert(problems.end(), result.error().begin(), result.error().end());
+void RenderRequest::row_of_size(OptionTable& row) {
+  row("--size WxH", "size of the pictures instead of the scene's");
 }
 
-}  // namespace
+void RenderRequest::read_size(OptionTable& row) {
+  row.read("size", size, [this](const std::string& text, const Place& where) {
+    return parse_size(text, where, scene.limits.max_pixels);
+  });
+}
 
-Result<RenderRequest> read_request(const Arguments& arguments) {
-  RenderRequest request;
-  Diagnostics problems;
-  std::uint64_t limit = 0;
-  take(max_pixels(arguments), limit, problems);
-  take(threads(arguments), request.threads, problems);
-  if (const auto text = arguments.text("size"); text && limit > 0)
-    take(parse_size(*text, arguments.where("size"), limit), request.size, problems);
-  if (const auto text = arguments.text("frames"))
-    take(parse_frames(*text, arguments.where("frames")), request.frames, problems);
-  if (const auto text = arguments.text("shard"))
-    take(parse_shard(*text, arguments.where("shard")), request.shard, problems);
-  request.resume = arguments.has("resume");
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  return request;
+void RenderRequest::row_of_format(OptionTable& row) {
+  row("--format NAME", "format where the name does not say it: flatray list pictures",
+      &picture_format_names);
+  std::optional<std::string> word;
+  row.read("format", word, &as_text);
+  row.read("output", output, [&](const std::string& text, const Place& where) {
+    return OutputPattern::parse(text, word, where);
+  });
+  if (!row.has("output")) row.read("format", format, &picture_format);
 }
 
 namespace {
 
-Result<OutputPattern> output_of(const Arguments& arguments, bool sequence) {
-  const std::optional<std::string> format = arguments.text("format");
-  if (const auto text = arguments.text("output"))
-    return OutputPattern::parse(*text, format, arguments.where("output"));
-  const auto known = picture_format(format.value_or("png"), arguments.where("format"));
-  if (!known) return tl::unexpected(known.error());
-  return OutputPattern::standard(sequence, **known);
+Result<OutputPattern> output_of(const RenderRequest& request, bool sequence) {
+  if (request.output) return *request.output;
+  if (request.format != nullptr) return OutputPattern::standard(sequence, *request.format);
+  return picture_format("png", named_place("--format")).map([&](const PictureFormat* png) {
+    return OutputPattern::standard(sequence, *png);
+  });
 }
 
 // One file holds all frames, or is not there.
@@ -99,7 +89,7 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
     return usage_error(arguments.where("frames"),
                        fmt::format("there is no frame {} in {}", frames.back(), scene.name),
                        fmt::format("its lines are frames 1 to {}", scene.frames));
-  const auto output = output_of(arguments, frames.size() > 1);
+  const auto output = output_of(request, frames.size() > 1);
   if (!output) return tl::unexpected(output.error());
   if (auto fits = check_places(arguments, *output, frames.size()); !fits)
     return fail(std::move(fits));
@@ -109,8 +99,7 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
     if (!plain) return fail(std::move(plain));
     name = std::move(*plain);
   }
-  const auto seeded = seed(arguments, scene);
-  if (!seeded) return tl::unexpected(seeded.error());
+  const std::uint64_t seed = request.scene.seed_of(scene);
   RenderJob job{.scene = std::move(scene),
                 .name = name,
                 .output = *output,
@@ -118,11 +107,11 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
                 .last_frame = frames.back(),
                 .shard = request.shard,
                 .crop = std::nullopt,
-                .seed = *seeded,
-                .keep_all = arguments.has("keep-all")};
-  if (const auto text = arguments.text("crop")) {
+                .seed = seed,
+                .keep_all = request.keep_all};
+  if (request.crop) {
     const FilmSize film{job.scene.film.width, job.scene.film.height};
-    const auto crop = parse_crop(*text, arguments.where("crop"), film);
+    const auto crop = parse_crop(*request.crop, arguments.where("crop"), film);
     if (!crop) return tl::unexpected(crop.error());
     job.crop = *crop;
   }
@@ -140,7 +129,7 @@ Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const Rende
         {"film.size", fmt::format("[{}, {}]", request.size->width, request.size->height)});
   std::set<std::string> names;
   for (const std::string& path : arguments.operands()) {
-    Result<LoadedScene> loaded = load_input(arguments, path, size);
+    Result<LoadedScene> loaded = load_input(request.scene, path, size);
     if (loaded) report_warnings(loaded->warnings, arguments);
     Result<RenderJob> job = loaded ? make_job(arguments, request, std::move(loaded->scene))
                                    : Result<RenderJob>(fail(std::move(loaded)));

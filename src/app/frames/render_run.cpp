@@ -185,9 +185,9 @@ class Run {
 }  // namespace
 
 Result<WorkList> work_list(const std::vector<RenderJob>& jobs, const RenderRequest& request) {
-  WorkList list{{}, request.threads};
+  WorkList list{{}, request.threads()};
   for (const RenderJob& job : jobs) {
-    Result<Work> work = plan_work(job, request.resume, request.threads);
+    Result<Work> work = plan_work(job, request.resume, request.threads());
     if (!work) return fail(std::move(work));
     list.works.push_back(std::move(*work));
   }

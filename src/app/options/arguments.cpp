@@ -32,29 +32,38 @@ Place Arguments::where(std::string_view name) const {
   return found->second.place ? found->second.place : named_place(found->second.origin);
 }
 
-Result<std::uint64_t> Arguments::whole(std::string_view name, std::uint64_t otherwise,
-                                       std::uint64_t low, std::uint64_t high) const {
-  const std::optional<std::string> given = text(name);
-  if (!given) return otherwise;
-  const std::optional<std::uint64_t> value = parse_whole(*given);
-  if (!value)
-    return usage_error(where(name), fmt::format("'{}' is not a whole number", *given),
-                       fmt::format("say a number from {} to {}", low, high));
-  if (*value < low || *value > high)
-    return usage_error(where(name), fmt::format("{} is out of range", *given),
-                       fmt::format("say a number from {} to {}", low, high));
-  return *value;
+void Arguments::add(const std::string& name, Given given) {
+  Given& one = given_.try_emplace(name, Given{given.origin, {}, given.place}).first->second;
+  std::move(given.values.begin(), given.values.end(), std::back_inserter(one.values));
 }
 
-Result<std::string> Arguments::one_of(std::string_view name,
-                                      const std::vector<std::string>& words) const {
-  const std::string given = text(name).value_or(words.front());
-  if (std::find(words.begin(), words.end(), given) != words.end()) return given;
-  const std::string near = nearest_word(given, words);
-  return usage_error(where(name),
-                     fmt::format("unknown value '{}'{}", given,
+void Arguments::keep_one_format() {
+  std::vector<const char*> nearest;
+  int least = 3;
+  for (const char* format : {"json", "csv", "svg"}) {
+    const auto found = given_.find(format);
+    if (found == given_.end()) continue;
+    const int distance = found->second.origin.starts_with("--") ? 0 : found->second.place ? 2 : 1;
+    if (distance < least) nearest.clear();
+    if (distance <= least) nearest.push_back(format);
+    least = std::min(least, distance);
+  }
+  for (const char* format : {"json", "csv", "svg"})
+    if (std::find(nearest.begin(), nearest.end(), format) == nearest.end()) given_.erase(format);
+  for (std::size_t i = 1; i < nearest.size(); ++i)
+    problems.push_back({where(nearest[i]), fmt::format("does not go with --{}", nearest[0]),
+                        "each is all that is printed: leave one of them out", Trouble::usage});
+}
+
+Result<std::size_t> word_of(const std::string& text, const Place& where,
+                            const std::vector<std::string>& known) {
+  const auto found = std::find(known.begin(), known.end(), text);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  const std::string near = nearest_word(text, known);
+  return usage_error(where,
+                     fmt::format("unknown value '{}'{}", text,
                                  near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
-                     fmt::format("say {}", comma_list(words)));
+                     fmt::format("say {}", comma_list(known)));
 }
 
 namespace {
@@ -81,15 +90,13 @@ tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const st
                      known.empty() ? "there is none" : "there are: " + listed(known));
 }
 
-Result<std::vector<std::string>> chosen_names(const Arguments& arguments, const char* option,
+Result<std::vector<std::string>> chosen_names(std::string_view text, const Place& where,
                                               const char* what,
                                               const std::vector<std::string>& known) {
-  const auto text = arguments.text(option);
-  if (!text) return known;
   std::vector<std::string> names;
-  for (const std::string_view word : split(*text, ',')) {
+  for (const std::string_view word : split(text, ',')) {
     if (std::find(known.begin(), known.end(), word) == known.end())
-      return unknown_name(arguments.where(option), what, std::string(word), known);
+      return unknown_name(where, what, std::string(word), known);
     if (std::find(names.begin(), names.end(), word) == names.end()) names.emplace_back(word);
   }
   return names;

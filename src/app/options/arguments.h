@@ -26,10 +26,10 @@ using Words = std::vector<std::string> (*)();
 /// from the environment
 /// (`--max-pixels` from FLATRAY_MAX_PIXELS) are all made of this row.
 struct Option {
-  const char* name;     ///< long name without dashes: "max-pixels"
+  std::string name;     ///< long name without dashes: "max-pixels"
   char letter;          ///< short name; '\0' for none
-  const char* metavar;  ///< what stands for the value in the help: "N", "png|hdr"; "" for a flag
-  const char* help;     ///< one line, no full stop
+  std::string metavar;  ///< what stands for the value in the help: "N", "png|hdr"; "" for a flag
+  std::string help;     ///< one line, no full stop
   OptionKind kind = OptionKind::text;
   Words words = nullptr;  ///< its values, where they are names
 };
@@ -63,15 +63,17 @@ class Arguments {
   std::optional<std::string> text(std::string_view name) const;
   /// Values of a list option in order.
   std::vector<std::string> list(std::string_view name) const;
-  /// A whole number in [low, high], `otherwise` if not given.
-  /// Error   Trouble::usage naming option and range.
-  Result<std::uint64_t> whole(std::string_view name, std::uint64_t otherwise, std::uint64_t low,
-                              std::uint64_t high) const;
-  /// One of `words`; the first of them if not given.
-  /// Error   Trouble::usage with the nearest word.
-  Result<std::string> one_of(std::string_view name, const std::vector<std::string>& words) const;
   /// Where an option's value comes from, for messages.
   Place where(std::string_view name) const;
+
+  /// Gives an option a value more.
+  void add(const std::string& name, Given given);
+  /// Where two ways to print are given, the one said nearer counts: the command line before the
+  /// environment, and this before a file. Two said alike are a mistake.
+  void keep_one_format();
+
+  /// What is wrong with the words, to be told with what is wrong with their values.
+  Diagnostics problems{};
 
  private:
   std::map<std::string, Given, std::less<>> given_;
@@ -84,11 +86,11 @@ class Arguments {
 ///
 /// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a
 ///         flag is set by 1, true, yes or on, and not by 0, false, no, off; empty counts as unset).
-/// Error   Trouble::usage, all mistakes together: unknown options with the nearest known one,
-///         missing values, options given twice.
+///         Its `problems`: unknown options with the nearest known one, missing values, options given
+///         twice.
 using Environment = const char* (*)(const char* name);
-Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,
-                                  Environment environment);
+Arguments parse_arguments(std::span<const Option> options, const std::vector<std::string>& words,
+                          Environment environment);
 
 /// Names of registered entries, or of pointers to them.
 template <class Entries>
@@ -113,10 +115,31 @@ inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,
 tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
                                          const std::vector<std::string>& known);
 
-/// The names between commas that an option gives, each once; all `known` without the option.
-/// Error   a name that is not known.
-Result<std::vector<std::string>> chosen_names(const Arguments& arguments, const char* option,
+/// The names between commas, each once. Error   those that are not known.
+Result<std::vector<std::string>> chosen_names(std::string_view text, const Place& where,
                                               const char* what,
                                               const std::vector<std::string>& known);
+
+/// The number of a word among those known.
+/// Error   Trouble::usage with the nearest one.
+Result<std::size_t> word_of(const std::string& text, const Place& where,
+                            const std::vector<std::string>& known);
+
+/// Reads a name: to which of the registered entries it points. Error   a name that is not known.
+template <class Entries>
+auto entry_called(const char* what, const Entries& entries) {
+  return [=](const std::string& name, const Place& where) -> Result<decltype(&*entries.front())> {
+    for (const auto& entry : entries)
+      if (name == entry->name) return &*entry;
+    return unknown_name(where, what, name, names_of(entries));
+  };
+}
+
+/// Reads names between commas, each once. Error   the names that are not known.
+inline auto names_among(const char* what, std::vector<std::string> known) {
+  return [=](const std::string& text, const Place& where) {
+    return chosen_names(text, where, what, known);
+  };
+}
 
 }  // namespace flatray

@@ -18,13 +18,11 @@ const Backend* find_backend(const std::string& name) {
   return nullptr;
 }
 
-Result<unsigned> samples(const Arguments& arguments, const std::string& backend) {
-  const auto word = arguments.one_of("samples", {"4", "16", "64"});
-  if (!word) return tl::unexpected(word.error());
-  if (arguments.has("samples") && backend == kSoftware)
-    return usage_error(arguments.where("samples"), "the software back end takes no samples",
-                       "its coverage is exact; say --backend gl, or leave out --samples");
-  return static_cast<unsigned>(std::stoul(*word));
+Result<std::string> read_backend(const std::string& text, const Place& where) {
+  if (const auto problem = if_left_out(where, "backend", text))
+    return tl::unexpected(Diagnostics{*problem});
+  const std::vector<std::string> known = backend_names();
+  return word_of(text, where, known).map([&](std::size_t i) { return known[i]; });
 }
 
 }  // namespace
@@ -36,21 +34,24 @@ std::vector<std::string> backend_names() {
   return names;
 }
 
-Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
+void BackendOptions::rows(OptionTable& row) {
+  constexpr Word<unsigned> kSamples[] = {{"4", 4}, {"16", 16}, {"64", 64}};
+  row("--backend NAME", "what draws: software, gl, osmesa, egl, auto", name, &read_backend,
+      &backend_names);
+  row("--samples", "samples of a pixel, for the GL back ends", samples, kSamples);
+  if (row.has("samples") && name == kSoftware)
+    row.problem("samples", "the software back end takes no samples",
+                "its coverage is exact; say --backend gl, or leave out --samples");
+}
+
+Result<std::shared_ptr<const Renderer>> chosen_renderer(const BackendOptions& options,
                                                         unsigned threads) {
-  const std::string asked = arguments.text("backend").value_or("");
-  if (const auto problem = if_left_out(arguments.where("backend"), "backend", asked))
-    return tl::unexpected(Diagnostics{*problem});
-  const Result<std::string> name = arguments.one_of("backend", backend_names());
-  if (!name) return tl::unexpected(name.error());
-  const Result<unsigned> count = samples(arguments, *name);
-  if (!count) return tl::unexpected(count.error());
-  const Backend* backend = find_backend(*name == "auto" ? "gl" : *name);
-  if (*name == kSoftware || backend == nullptr) return nullptr;
+  const Backend* backend = find_backend(options.name == "auto" ? "gl" : options.name);
+  if (options.name == kSoftware || backend == nullptr) return nullptr;
   expect_crashes_of_gl();
-  Result<std::unique_ptr<Renderer>> opened = backend->open({threads, *count});
+  Result<std::unique_ptr<Renderer>> opened = backend->open({threads, options.samples});
   if (opened) return std::shared_ptr<const Renderer>(std::move(*opened));
-  if (*name == "auto") return nullptr;
+  if (options.name == "auto") return nullptr;
   return fail(std::move(opened));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "app/options/arguments.h"
+#include "app/options/option_table.h"
 #include "render/backend.h"
 
 namespace flatray {
@@ -9,17 +9,18 @@ namespace flatray {
 /// What --backend may be: the default first.
 std::vector<std::string> backend_names();
 
-inline constexpr Option kBackendOption = {
-    "backend",        '\0',
-    "NAME",           "what draws: software (default), gl, osmesa, egl, auto",
-    OptionKind::text, &backend_names};
-inline constexpr Option kSamplesOption = {"samples", '\0', "4|16|64",
-                                          "samples of a pixel, for the GL back ends (default 4)"};
+/// --backend and --samples.
+struct BackendOptions {
+  std::string name = "software";
+  unsigned samples = 4;
 
-/// The renderer that --backend and --samples name, opened; null for the software back end, which
-/// needs none. `auto`: GL where it is to be had.
-/// Error   Trouble::usage; Trouble::unavailable, and what to install.
-Result<std::shared_ptr<const Renderer>> chosen_renderer(const Arguments& arguments,
+  void rows(OptionTable& row);
+};
+
+/// The renderer that they name, opened; null for the software back end, which needs none. `auto`: GL
+/// where it is to be had.
+/// Error   Trouble::unavailable, and what to install.
+Result<std::shared_ptr<const Renderer>> chosen_renderer(const BackendOptions& options,
                                                         unsigned threads);
 
 /// A registered back end by its name, opened.

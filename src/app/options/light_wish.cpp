@@ -12,23 +12,11 @@ namespace {
 
 constexpr std::uint64_t kMostRays = FilmRounds::kMost * kLightRound;
 
-// --error and --time choose from a profile where there is one.
-Result<void> read_ends(const Arguments& arguments, LightWish& wish) {
-  if (arguments.has("profile")) return {};
-  if (const auto text = arguments.text("error")) {
-    const auto error = parse_number(*text);
-    if (!error || !(*error > 0))
-      return usage_error(arguments.where("error"), "is not a number above 0",
-                         "say 0.01 for a picture within one part in a hundred");
-    wish.error = *error;
-  }
-  if (const auto text = arguments.text("time")) {
-    const auto seconds = parse_seconds(*text);
-    if (!seconds || !(*seconds > 0))
-      return usage_error(arguments.where("time"), "is not a time above 0", "say 60 or 1.5s");
-    wish.seconds = *seconds;
-  }
-  return {};
+Result<double> parse_error(const std::string& text, const Place& where) {
+  const auto error = parse_number(text);
+  if (error && *error > 0) return *error;
+  return usage_error(where, "is not a number above 0",
+                     "say 0.01 for a picture within one part in a hundred");
 }
 
 Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
@@ -80,34 +68,23 @@ Result<void> fits_error_image(const Arguments& arguments, const RenderJob& job) 
 
 }  // namespace
 
-std::vector<std::string> estimator_words() { return {"forward", "backward", "auto"}; }
+void LightWish::rows(OptionTable& row) {
+  constexpr Word<LightEstimator> kEstimators[] = {{"forward", LightEstimator::forward},
+                                                  {"backward", LightEstimator::backward},
+                                                  {"auto", LightEstimator::automatic}};
+  row("--rays N", "rays of all lamps of a frame, instead of the scene's", rays, 1, kMostRays);
+  row("--estimator", "how light is followed, instead of the scene's", estimator, kEstimators);
+  row("--ray-shard I/N", "into a film: only every N-th round of rays, from the I-th on", shard,
+      &parse_shard);
+  row(kErrorImageRow);
+  row.read("error-image", error_image, [](const std::string& text, const Place& where) {
+    return OutputPattern::parse(text, std::nullopt, where);
+  });
+}
 
-Result<LightWish> read_light_wish(const Arguments& arguments) {
-  LightWish wish;
-  Diagnostics problems;
-  const auto note = [&](const auto& result) {
-    if (!result) problems.insert(problems.end(), result.error().begin(), result.error().end());
-    return result.has_value();
-  };
-  if (const auto rays = arguments.whole("rays", 0, 1, kMostRays); note(rays) && *rays > 0)
-    wish.rays = *rays;
-  if (arguments.has("estimator"))
-    if (const auto word = arguments.one_of("estimator", estimator_words()); note(word))
-      wish.estimator = *word == "backward"  ? LightEstimator::backward
-                       : *word == "forward" ? LightEstimator::forward
-                                            : LightEstimator::automatic;
-  note(read_ends(arguments, wish));
-  if (const auto text = arguments.text("ray-shard"))
-    if (const auto shard = parse_shard(*text, arguments.where("ray-shard")); note(shard))
-      wish.shard = *shard;
-  if (const auto text = arguments.text("error-image"))
-    if (const auto image =
-            OutputPattern::parse(*text, std::nullopt, arguments.where("error-image"));
-        note(image))
-      wish.error_image = *image;
-  wish.resume = arguments.has("resume");
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  return wish;
+void LightWish::read_ends(OptionTable& row) {
+  row.read("error", error, &parse_error);
+  row.read("time", seconds, time_up_to(kInfinity));
 }
 
 Result<void> wish_light(const Arguments& arguments, const LightWish& wish, RenderJob& job) {

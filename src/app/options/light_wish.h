@@ -3,27 +3,15 @@
 
 #include "app/files/output_pattern.h"
 #include "app/frames/frames.h"
-#include "app/options/arguments.h"
+#include "app/options/option_table.h"
 #include "render/light/light_run.h"
 
 namespace flatray {
 
 struct RenderJob;
 
-inline constexpr Option kRaysOption = {"rays", '\0', "N",
-                                       "rays of all lamps of a frame, instead of the scene's"};
-std::vector<std::string> estimator_words();
-inline constexpr Option kEstimatorOption = {
-    "estimator",
-    '\0',
-    "WAY",
-    "how light is followed, instead of the scene's: forward, backward, auto",
-    OptionKind::text,
-    &estimator_words};
-inline constexpr Option kRayShardOption = {
-    "ray-shard", '\0', "I/N", "into a film: only every N-th round of rays, from the I-th on"};
-inline constexpr Option kErrorImageOption = {
-    "error-image", '\0', "PATTERN", "where the error of light goes: half of 95 % intervals"};
+inline constexpr SharedRow kErrorImageRow = {
+    "--error-image PATTERN", "where the error of light goes: half of 95 % intervals"};
 
 /// What the command line says of light.
 struct LightWish {
@@ -39,10 +27,12 @@ struct LightWish {
     return rays || estimator || seconds < kInfinity || error > 0 || shard.count > 1 || error_image;
   }
   LightGoal goal() const { return {shard.index, shard.count, seconds, error, {}}; }
-};
 
-/// Error   Trouble::usage: every option that is wrong by itself.
-Result<LightWish> read_light_wish(const Arguments& arguments);
+  /// --rays and what follows it.
+  void rows(OptionTable& row);
+  /// --error and --time, rows told before.
+  void read_ends(OptionTable& row);
+};
 
 /// Gives a job its wish, and its scene the rays and scrambles for it. A film has whole rounds, so that
 /// more can be added.

@@ -24,6 +24,15 @@ std::optional<double> parse_seconds(std::string_view text) {
   return parse_number(text);
 }
 
+Result<double> parse_time(std::string_view text, const Place& where, double most) {
+  const auto seconds = parse_seconds(text);
+  if (!seconds || !(*seconds > 0))
+    return usage_error(where, "is not a time above 0", "say 60 or 1.5s");
+  if (*seconds > most)
+    return usage_error(where, "is too long a time", fmt::format("say {}s at most", most));
+  return *seconds;
+}
+
 std::vector<std::string_view> split(std::string_view text, char at) {
   std::vector<std::string_view> pieces;
   for (;;) {
@@ -102,17 +111,12 @@ Result<Ray> parse_ray(std::string_view text, const Place& where) {
   return Ray{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
 
-Result<std::vector<Override>> parse_overrides(const std::vector<std::string>& texts,
-                                              const Place& where) {
-  std::vector<Override> overrides;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-      return usage_error(where, fmt::format("'{}' is not key=value", text),
-                         "as -D film.background='\"#000000\"'");
-    overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
-  }
-  return overrides;
+Result<Override> parse_override(const std::string& text, const Place& where) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return usage_error(where, fmt::format("'{}' is not key=value", text),
+                       "as -D film.background='\"#000000\"'");
+  return Override{text.substr(0, equals), text.substr(equals + 1)};
 }
 
 }  // namespace flatray

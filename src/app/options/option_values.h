@@ -18,6 +18,8 @@ std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 /// "60s" or "60".
 std::optional<double> parse_seconds(std::string_view text);
+/// Error   Trouble::usage: not above 0 and at most `most`.
+Result<double> parse_time(std::string_view text, const Place& where, double most);
 
 /// Most pixels --max-pixels may allow: what the 32-bit sizes of the PNG writer hold, four channels,
 /// one pixel wide.
@@ -37,8 +39,15 @@ Result<PixelBox> parse_crop(std::string_view text, const Place& where, const Fil
 Result<Ray> parse_ray(std::string_view text, const Place& where);
 
 /// "key=value".
-Result<std::vector<Override>> parse_overrides(const std::vector<std::string>& texts,
-                                              const Place& where);
+Result<Override> parse_override(const std::string& text, const Place& where);
+
+/// Reads a time above 0: "60s" or "60".
+inline auto time_up_to(double most) {
+  return [=](const std::string& text, const Place& where) { return parse_time(text, where, most); };
+}
+
+/// What needs no reading.
+inline Result<std::string> as_text(const std::string& text, const Place&) { return text; }
 
 /// Pieces of `text` between the characters `at`; words with commas between.
 std::vector<std::string_view> split(std::string_view text, char at);

@@ -1,10 +1,7 @@
-// The only file that includes CLI11, which takes seconds to compile. It splits words into options
-// and operands; what they mean is ours.
+// Tells options from operands among the words of a command line, as GNU programs do.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <deque>
 
 #include "app/options/arguments.h"
 
@@ -13,137 +10,124 @@ namespace {
 
 using Given = Arguments::Given;
 
-// What CLI11 writes into while it parses; a deque, since it keeps references.
-struct Slot {
-  const Option* option;
-  std::vector<std::string> values;
-  CLI::Option* parsed;
-};
-
-std::string spelling(const Option& option) {
-  return option.letter == '\0' ? fmt::format("--{}", option.name)
-                               : fmt::format("-{},--{}", option.letter, option.name);
-}
-
-std::deque<Slot> declare(CLI::App& parser, std::span<const Option> options,
-                         std::vector<std::string>& operands) {
-  parser.set_help_flag();
-  parser.allow_extras();
-  std::deque<Slot> slots;
-  for (const Option& option : options) {
-    Slot& slot = slots.emplace_back(Slot{&option, {}, nullptr});
-    if (option.kind == OptionKind::flag)
-      slot.parsed = parser.add_flag(spelling(option))->disable_flag_override();
-    else
-      slot.parsed = parser.add_option(spelling(option), slot.values)
-                        ->expected(1)
-                        ->allow_extra_args(false)
-                        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  }
-  parser.add_option("operands", operands);
-  return slots;
-}
-
 std::string long_name(const Option& option) { return fmt::format("--{}", option.name); }
 
-Diagnostic unknown_option(const std::string& word, std::span<const Option> options) {
-  const std::string bare = word.substr(0, word.find('='));
-  std::vector<std::string> known;
-  for (const Option& option : options) known.push_back(long_name(option));
-  const std::string near = nearest_word(bare, known);
-  return {named_place(bare),
-          near.empty() ? "unknown option" : fmt::format("unknown option (did you mean {}?)", near),
-          "", Trouble::usage};
-}
+class WordReader {
+ public:
+  explicit WordReader(std::span<const Option> options) : options_(options) {}
 
-// nullopt: the word means neither yes nor no.
-std::optional<bool> truth(const std::string& word) {
-  for (const char* yes : {"1", "true", "yes", "on"})
-    if (word == yes) return true;
-  for (const char* no : {"0", "false", "no", "off"})
-    if (word == no) return false;
-  return std::nullopt;
-}
-
-void read_environment(const Option& option, Environment environment,
-                      std::map<std::string, Given, std::less<>>& given, Diagnostics& problems) {
-  const std::string name = environment_name(option);
-  const char* value = environment(name.c_str());
-  if (value == nullptr || *value == '\0' || given.count(option.name) != 0) return;
-  if (option.kind == OptionKind::flag) {
-    const std::optional<bool> set = truth(value);
-    if (!set)
-      problems.push_back({named_place(name), fmt::format("'{}' is neither yes nor no", value),
-                          "say 1 or 0", Trouble::usage});
-    if (set.value_or(false)) given[option.name] = {name, {}};
-    return;
+  void read(const std::vector<std::string>& words) {
+    for (next_ = words.begin(), end_ = words.end(); next_ != end_;) {
+      const std::string& word = *next_++;
+      if (word == "--") {
+        operands.insert(operands.end(), next_, end_);
+        next_ = end_;
+      } else if (word.size() < 2 || word[0] != '-') {
+        operands.push_back(word);
+      } else if (word[1] == '-') {
+        read_long(word);
+      } else {
+        read_letters(word);
+      }
+    }
   }
-  given[option.name] = {name, {value}};
-}
 
-// A value that is itself an option was most likely meant as one: `-o --quiet`.
-bool is_option(const std::string& word, std::span<const Option> options) {
-  return std::any_of(options.begin(), options.end(),
-                     [&](const Option& option) { return word == long_name(option); });
-}
-
-void check_slot(const Slot& slot, std::span<const Option> options, Diagnostics& problems) {
-  const Place where = named_place(long_name(*slot.option));
-  for (const std::string& value : slot.values)
-    if (is_option(value, options))
-      problems.push_back(
-          {where, fmt::format("needs a value {}, not the option {}", slot.option->metavar, value),
-           "", Trouble::usage});
-  if (slot.option->kind == OptionKind::text && slot.values.size() > 1)
-    problems.push_back({where,
-                        fmt::format("is given {} times: '{}' and '{}'", slot.values.size(),
-                                    slot.values[0], slot.values[1]),
-                        "say it once", Trouble::usage});
-}
-
-// What CLI11 says when it stops, in our words: its own begin with the option.
-tl::unexpected<Diagnostics> not_divided(const std::deque<Slot>& slots,
-                                        const CLI::ParseError& error) {
-  const std::string what = error.what();
-  for (const Slot& slot : slots) {
-    const std::string name = slot.option->name;
-    if (what.starts_with(long_name(*slot.option) + ":"))
-      return usage_error(named_place(long_name(*slot.option)),
-                         fmt::format("needs a value {}", slot.option->metavar),
-                         fmt::format("say --{} {}", name, slot.option->metavar));
-    if (what.starts_with(name + " "))
-      return usage_error(named_place(long_name(*slot.option)), "takes no value",
-                         fmt::format("say --{} alone, or leave it out", name));
+  void read(const Option& option, const std::string& variable, const std::string& value) {
+    if (value.empty() || given.contains(option.name)) return;
+    const auto is_one_of = [&](std::initializer_list<const char*> words) {
+      return std::find(words.begin(), words.end(), value) != words.end();
+    };
+    if (option.kind != OptionKind::flag)
+      given[option.name] = {variable, {value}};
+    else if (is_one_of({"1", "true", "yes", "on"}))
+      given[option.name] = {variable, {}};
+    else if (!is_one_of({"0", "false", "no", "off"}))
+      wrong(variable, fmt::format("'{}' is neither yes nor no", value), "say 1 or 0");
   }
-  return usage_error({}, what);
-}
+
+  std::map<std::string, Given, std::less<>> given;
+  std::vector<std::string> operands;
+  Diagnostics problems;
+
+ private:
+  void wrong(const std::string& where, std::string message, std::string hint = {}) {
+    problems.push_back({named_place(where), std::move(message), std::move(hint), Trouble::usage});
+  }
+
+  template <class Fits>
+  const Option* find(const Fits& fits) const {
+    const auto found = std::find_if(options_.begin(), options_.end(), fits);
+    return found == options_.end() ? nullptr : &*found;
+  }
+  const Option* named(std::string_view word) const {
+    return find([&](const Option& option) { return long_name(option) == word; });
+  }
+
+  void read_long(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    const Option* option = named(word.substr(0, equals));
+    if (option == nullptr) return unknown(word.substr(0, equals));
+    if (equals == std::string::npos) return give(*option, std::nullopt);
+    give(*option, word.substr(equals + 1));
+  }
+
+  // "-q", "-qf3", "-f 3".
+  void read_letters(const std::string& word) {
+    for (std::size_t i = 1; i < word.size(); ++i) {
+      const Option* option = find([&](const Option& one) { return one.letter == word[i]; });
+      if (option == nullptr) return unknown(word.substr(0, word.find('=')));
+      const bool flag = option->kind == OptionKind::flag;
+      give(*option,
+           flag || i + 1 == word.size() ? std::nullopt : std::optional(word.substr(i + 1)));
+      if (!flag) return;
+    }
+  }
+
+  void unknown(const std::string& word) {
+    std::vector<std::string> known;
+    for (const Option& option : options_) known.push_back(long_name(option));
+    const std::string near = nearest_word(word, known);
+    wrong(word,
+          near.empty() ? "unknown option" : fmt::format("unknown option (did you mean {}?)", near));
+  }
+
+  void give(const Option& option, std::optional<std::string> value) {
+    const std::string name = long_name(option);
+    if (option.kind == OptionKind::flag) {
+      if (value) wrong(name, "takes no value", fmt::format("say {} alone, or leave it out", name));
+      given[option.name] = {name, {}};
+      return;
+    }
+    const std::string needed = fmt::format("needs a value {}", option.metavar);
+    if (!value && next_ == end_)
+      return wrong(name, needed, fmt::format("say {} {}", name, option.metavar));
+    // One that is itself an option was most likely meant as one: `-o --quiet`.
+    if (const std::string& text = value ? *value : *next_; named(text) != nullptr)
+      return wrong(name, fmt::format("{}, not the option {}", needed, text));
+    Given& one = given.try_emplace(option.name, Given{name, {}}).first->second;
+    one.values.push_back(value ? *std::move(value) : *next_++);
+    if (option.kind == OptionKind::text && one.values.size() == 2)
+      wrong(name, fmt::format("is given 2 times: '{}' and '{}'", one.values[0], one.values[1]),
+            "say it once");
+  }
+
+  std::span<const Option> options_;
+  std::vector<std::string>::const_iterator next_, end_;
+};
 
 }  // namespace
 
-Result<Arguments> parse_arguments(std::span<const Option> options, std::vector<std::string> words,
-                                  Environment environment) {
-  CLI::App parser;
-  std::vector<std::string> operands;
-  std::deque<Slot> slots = declare(parser, options, operands);
-  std::reverse(words.begin(), words.end());  // as CLI11 wants them
-  try {
-    parser.parse(std::move(words));
-  } catch (const CLI::ParseError& error) {  // CLI11 reports no other way
-    return not_divided(slots, error);
+Arguments parse_arguments(std::span<const Option> options, const std::vector<std::string>& words,
+                          Environment environment) {
+  WordReader reader(options);
+  reader.read(words);
+  for (const Option& option : options) {
+    const std::string variable = environment_name(option);
+    if (const char* value = environment(variable.c_str())) reader.read(option, variable, value);
   }
-  Diagnostics problems;
-  for (const std::string& word : parser.remaining())
-    if (word != "--")  // CLI11 counts it among what it does not know
-      problems.push_back(unknown_option(word, options));
-  std::map<std::string, Given, std::less<>> given;
-  for (Slot& slot : slots) {
-    check_slot(slot, options, problems);
-    if (slot.parsed->count() > 0)
-      given[slot.option->name] = {long_name(*slot.option), std::move(slot.values)};
-    read_environment(*slot.option, environment, given, problems);
-  }
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  return Arguments(std::move(given), std::move(operands));
+  Arguments arguments(std::move(reader.given), std::move(reader.operands));
+  arguments.problems = std::move(reader.problems);
+  return arguments;
 }
 
 }  // namespace flatray

@@ -37,7 +37,8 @@ Named::Kind kind_of(std::string_view metavar, const fs::path& path) {
 // All but "-".
 std::vector<Named> named_by(const Verb& verb, const Arguments& arguments) {
   std::vector<Named> all;
-  if (has_own_root(verb))
+  const std::vector<Option> options = verb.command.options();
+  if (has_own_root(options))
     return {{arguments.text("root").value_or("."), arguments.where("root"),
              Named::Kind::folder_written}};
   const std::vector<std::string>& operands = arguments.operands();
@@ -45,8 +46,8 @@ std::vector<Named> named_by(const Verb& verb, const Arguments& arguments) {
     if (const std::string what = operand_word(verb, i); names_path(what) && operands[i] != "-")
       all.push_back({operands[i], named_place(operands[i]), kind_of(what, operands[i])});
   bool has_output = false;
-  for (const Option& option : verb.options) {
-    has_output = has_output || option.name == std::string_view("output");
+  for (const Option& option : options) {
+    has_output = has_output || option.name == "output";
     if (!names_path(option.metavar)) continue;
     for (const std::string& path : arguments.list(option.name))
       if (path != "-")
@@ -90,9 +91,9 @@ std::string operand_word(const Verb& verb, std::size_t index) {
   return word.substr(0, word.find("..."));
 }
 
-bool has_own_root(const Verb& verb) {
-  return std::any_of(verb.options.begin(), verb.options.end(),
-                     [](const Option& option) { return option.name == std::string_view("root"); });
+bool has_own_root(std::span<const Option> own) {
+  return std::any_of(own.begin(), own.end(),
+                     [](const Option& option) { return option.name == "root"; });
 }
 
 bool names_path(std::string_view metavar) {
@@ -101,17 +102,14 @@ bool names_path(std::string_view metavar) {
   return metavar.ends_with(".png") || metavar.starts_with("OUT");
 }
 
-Result<void> check_root(const Verb& verb, const Arguments& arguments) {
+void check_root(const Verb& verb, Arguments& arguments) {
   const auto root = arguments.text("root");
-  if (!root || has_own_root(verb)) return {};
-  Diagnostics problems;
+  if (!root || has_own_root(verb.command.options())) return;
   for (const Named& one : named_by(verb, arguments))
     if (!path_beneath(*root, one.path))
-      problems.push_back({one.where,
-                          fmt::format("'{}' lies outside of --root {}", one.path.string(), *root),
-                          "name a place in that folder", Trouble::usage});
-  if (!problems.empty()) return tl::unexpected(std::move(problems));
-  return {};
+      arguments.problems.push_back(
+          {one.where, fmt::format("'{}' lies outside of --root {}", one.path.string(), *root),
+           "name a place in that folder", Trouble::usage});
 }
 
 Result<void> enter_sandbox(const Verb& verb, const Arguments& arguments) {

@@ -32,83 +32,44 @@ std::optional<std::string> text_of(const Value& value) {
   return std::nullopt;
 }
 
-class Config {
- public:
-  Config(std::span<const Option> options, std::filesystem::path folder)
-      : options_(options), folder_(std::move(folder)) {}
-
-  Diagnostics problems;
-
-  // What a key gives; nullopt where it is wrong, a flag not set, or for another verb.
-  std::optional<std::vector<std::string>> values(const Member& member) {
-    if (std::find(known_.begin(), known_.end(), member.key) == known_.end()) {
-      problems.push_back(unknown_word(member.where, "option", member.key, known_));
-      return std::nullopt;
-    }
-    const auto option = std::find_if(options_.begin(), options_.end(),
-                                     [&](const Option& one) { return member.key == one.name; });
-    if (option == options_.end()) return std::nullopt;
-    if (option->kind == OptionKind::flag) return flag(member);
-    if (option->kind == OptionKind::list && member.value.kind == Value::Kind::array)
-      return list(member);
-    const std::optional<std::string> text = text_of(member.value);
-    if (text && names_path(option->metavar) && !path_beneath(folder_, *text))
-      return refuse_place(member, *text);
-    if (text) return std::vector{*text};
-    return refuse(member, "a number or string");
-  }
-
- private:
-  using Values = std::optional<std::vector<std::string>>;
-
-  Values flag(const Member& member) {
-    if (member.value.kind != Value::Kind::boolean) return refuse(member, "true or false");
-    return member.value.text == "true" ? Values(std::in_place) : std::nullopt;
-  }
-  Values list(const Member& member) {
-    std::vector<std::string> all;
-    for (const Value& item : member.value.items) {
-      const std::optional<std::string> text = text_of(item);
-      if (!text) return refuse(member, "a list of strings");
-      all.push_back(*text);
-    }
-    return all;
-  }
-  // Whoever wrote the folder is not the one who runs a program in it.
-  std::nullopt_t refuse_place(const Member& member, const std::string& path) {
-    problems.push_back({member.value.where,
-                        fmt::format("{} is '{}', outside of this folder", member.key, path),
-                        fmt::format("say --{} {} on the command line", member.key, path)});
-    return std::nullopt;
-  }
-  std::nullopt_t refuse(const Member& member, const char* expected) {
-    problems.push_back(
-        {member.value.where,
-         fmt::format("{} is {}, not {}", member.key, kind_name(member.value.kind), expected),
-         "write it as on the command line, without the dashes"});
-    return std::nullopt;
-  }
-
-  std::span<const Option> options_;
-  std::filesystem::path folder_;
-  const std::vector<std::string> known_ = all_options();
+struct Wrong {
+  std::string message, hint;
 };
 
-// As on the command line: the options are wrong, not the scene.
-tl::unexpected<Diagnostics> refused(Diagnostics problems) {
-  for (Diagnostic& problem : problems) problem.trouble = Trouble::usage;
-  return tl::unexpected(std::move(problems));
+// What a key of that option gives; nullopt for a flag that is not set.
+tl::expected<std::optional<std::vector<std::string>>, Wrong> values_of(
+    const Option& option, const Value& value, const std::filesystem::path& folder) {
+  const auto is_not = [&](const char* expected) {
+    return tl::unexpected(
+        Wrong{fmt::format("{} is {}, not {}", option.name, kind_name(value.kind), expected),
+              "write it as on the command line, without the dashes"});
+  };
+  std::vector<std::string> texts;
+  if (option.kind == OptionKind::flag) {
+    if (value.kind != Value::Kind::boolean) return is_not("true or false");
+    return value.text == "true" ? std::optional(texts) : std::nullopt;
+  }
+  const bool is_list = option.kind == OptionKind::list && value.kind == Value::Kind::array;
+  for (const Value& item : is_list ? std::span(value.items) : std::span(&value, 1)) {
+    const std::optional<std::string> text = text_of(item);
+    if (!text) return is_not(is_list ? "a list of strings" : "a number or string");
+    // Whoever wrote the folder is not the one who runs a program in it.
+    if (names_path(option.metavar) && !path_beneath(folder, *text))
+      return tl::unexpected(
+          Wrong{fmt::format("{} is '{}', outside of this folder", option.name, *text),
+                fmt::format("say --{} {} on the command line", option.name, *text)});
+    texts.push_back(*text);
+  }
+  return texts;
 }
 
-}  // namespace
-
-Result<Arguments> with_project_config(std::span<const Option> options, Arguments arguments,
-                                      const std::filesystem::path& file) {
+// Its text as a table; nullopt where there is none.
+Result<std::optional<SceneDesc>> read_config(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   std::error_code missing;
   const Format* toml = find_format("toml");
   if (toml == nullptr || fs::symlink_status(file, missing).type() == fs::file_type::not_found)
-    return arguments;
+    return std::nullopt;
   // A pipe could keep the reader for ever, and messages quote what is read.
   if (!fs::is_regular_file(file, missing) || !path_beneath(folder_of(file), file))
     return fail(named_place(file.string()), "is not a plain file of this folder",
@@ -116,16 +77,33 @@ Result<Arguments> with_project_config(std::span<const Option> options, Arguments
   Result<std::string> text = read_file(file, {kMostConfigBytes});
   if (!text) return fail(std::move(text));
   if (text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
-  Result<SceneDesc> parsed =
-      toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)), {});
-  if (!parsed) return refused(std::move(parsed).error());
-  Config config(options, folder_of(file));
-  auto given = arguments.given();
-  for (const Member& member : parsed->root.members)
-    if (auto values = config.values(member); values && !arguments.has(member.key))
-      given[member.key] = {file.string(), std::move(*values), member.value.where};
-  if (!config.problems.empty()) return refused(std::move(config.problems));
-  return Arguments(std::move(given), arguments.operands());
+  return toml->read(std::make_shared<const SourceText>(file.string(), std::move(*text)), {});
+}
+
+}  // namespace
+
+void add_project_config(std::span<const Option> options, Arguments& arguments,
+                        const std::filesystem::path& file) {
+  const auto parsed = read_config(file);
+  Diagnostics problems = parsed ? Diagnostics{} : parsed.error();
+  const std::vector<std::string> known = all_options();
+  for (const Member& member : parsed&&* parsed ? (*parsed)->root.members : std::vector<Member>{}) {
+    const auto option = std::find_if(options.begin(), options.end(),
+                                     [&](const Option& one) { return member.key == one.name; });
+    if (!std::binary_search(known.begin(), known.end(), member.key)) {
+      problems.push_back(unknown_word(member.where, "option", member.key, known));
+    } else if (option != options.end()) {
+      const auto values = values_of(*option, member.value, folder_of(file));
+      if (!values)
+        problems.push_back({member.value.where, values.error().message, values.error().hint});
+      else if (*values && !arguments.has(member.key))
+        arguments.add(member.key, {file.string(), **values, member.value.where});
+    }
+  }
+  for (Diagnostic& problem : problems) {
+    if (problem.trouble != Trouble::missing) problem.trouble = Trouble::usage;
+    arguments.problems.push_back(std::move(problem));
+  }
 }
 
 }  // namespace flatray

@@ -9,11 +9,10 @@ namespace flatray {
 inline constexpr const char* kProjectConfig = "flatray.toml";
 
 /// Adds what `file` says of options that neither the command line nor the environment gives; keys
-/// of other verbs are passed over. A file that is not there says nothing.
-///
-/// Error   Trouble::missing where it cannot be read or is not a plain file; Trouble::usage with the place
-///         of each key that is not an option and each value that is not one.
-Result<Arguments> with_project_config(std::span<const Option> options, Arguments arguments,
-                                      const std::filesystem::path& file = kProjectConfig);
+/// of other verbs are passed over. A file that is not there says nothing. To the problems of the
+/// arguments: Trouble::missing where it cannot be read or is not a plain file; Trouble::usage with the
+/// place of each key that is not an option and each value that is not one.
+void add_project_config(std::span<const Option> options, Arguments& arguments,
+                        const std::filesystem::path& file = kProjectConfig);
 
 }  // namespace flatray

@@ -13,14 +13,8 @@ namespace {
 // Below the program does not even say what is wrong.
 constexpr double kLeastMemory = 0x1p24;
 
-Result<double> seconds(const Arguments& arguments, const std::string& text) {
-  const auto seconds = parse_seconds(text);
-  if (seconds && *seconds > 0 && *seconds <= 1e9) return *seconds;
-  return usage_error(arguments.where("max-seconds"), "is not a time above 0", "say 60 or 1.5s");
-}
-
 // "2G", of powers of 1024.
-Result<double> bytes(const Arguments& arguments, std::string text) {
+Result<double> parse_bytes(std::string text, const Place& where) {
   constexpr std::string_view kUnits = "KMGT";
   double unit = 1;
   if (const std::size_t at = text.empty() ? kUnits.npos : kUnits.find(text.back());
@@ -30,27 +24,26 @@ Result<double> bytes(const Arguments& arguments, std::string text) {
   }
   const auto number = parse_number(text);
   if (number && *number * unit >= kLeastMemory && *number * unit <= 0x1p60) return *number * unit;
-  return usage_error(arguments.where("max-memory"), "is not a size of 16M or more",
-                     "say 500M, 2G or 2147483648");
+  return usage_error(where, "is not a size of 16M or more", "say 500M, 2G or 2147483648");
 }
 
 }  // namespace
 
-Result<void> limit_resources(const Arguments& arguments) {
-  if (const auto text = arguments.text("max-memory")) {
-    const auto most = bytes(arguments, *text);
-    if (!most) return tl::unexpected(most.error());
+void ResourceLimits::rows(OptionTable& row) {
+  row("--max-seconds S", "end after S seconds with what is done, exit code 124", seconds,
+      time_up_to(1e9));
+  row("--max-memory BYTES", "take no more memory, as 500M or 2G, exit code 124 beyond", bytes,
+      &parse_bytes);
+}
+
+void limit_resources(const ResourceLimits& limits) {
+  if (limits.bytes) {
     rlimit limit{};
     ::getrlimit(RLIMIT_DATA, &limit);
-    limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(*most));
+    limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(*limits.bytes));
     ::setrlimit(RLIMIT_DATA, &limit);
   }
-  if (const auto text = arguments.text("max-seconds")) {
-    const auto most = seconds(arguments, *text);
-    if (!most) return tl::unexpected(most.error());
-    limit_seconds(*most);
-  }
-  return {};
+  if (limits.seconds) limit_seconds(*limits.seconds);
 }
 
 std::uint64_t memory_limit() {

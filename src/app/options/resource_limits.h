@@ -1,19 +1,19 @@
 #pragma once
 #include <cstdint>
 
-#include "app/options/arguments.h"
+#include "app/options/option_table.h"
 
 namespace flatray {
 
 /// What every verb may use at most; on top of what each verb counts by itself (flatray help limits).
-inline constexpr Option kMaxSecondsOption = {
-    "max-seconds", '\0', "S", "end after S seconds with what is done, exit code 124"};
-inline constexpr Option kMaxMemoryOption = {
-    "max-memory", '\0', "BYTES", "take no more memory, as 500M or 2G, exit code 124 beyond"};
+struct ResourceLimits {
+  std::optional<double> seconds, bytes;
+
+  void rows(OptionTable& row);
+};
 
 /// Sets the limits that are given, for the program from now on.
-/// Error   Trouble::usage.
-Result<void> limit_resources(const Arguments& arguments);
+void limit_resources(const ResourceLimits& limits);
 
 /// Bytes the program may still take as was said, or as the shell says; very many without a limit.
 std::uint64_t memory_limit();

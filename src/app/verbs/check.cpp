@@ -10,7 +10,14 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions = with_scene_options({kJsonOption});
+struct Options : Arguments {
+  SceneOptions scene;
+
+  void rows(OptionTable& row) {
+    row(kJsonRow);
+    scene.rows(row);
+  }
+};
 
 std::string facts(const Scene& scene) {
   return fmt::format("{}, {}, {}, {} of {}x{}",
@@ -19,12 +26,12 @@ std::string facts(const Scene& scene) {
                      counted(scene.frames, "frame"), scene.film.width, scene.film.height);
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
+Result<VerbOutput> run(const Options& options) {
   Values results;
   Diagnostics problems;
   VerbOutput output;
-  for (const std::string& path : arguments.operands()) {
-    const Result<LoadedScene> loaded = load_input(arguments, path);
+  for (const std::string& path : options.operands()) {
+    const Result<LoadedScene> loaded = load_input(options.scene, path);
     const Diagnostics errors = loaded ? Diagnostics{} : loaded.error();
     Diagnostics warnings;
     if (loaded) {
@@ -32,12 +39,12 @@ Result<VerbOutput> run(const Arguments& arguments) {
       const Diagnostics unseen = unseen_in(loaded->scene, loaded->scene.seed);
       warnings.insert(warnings.end(), unseen.begin(), unseen.end());
     }
-    report_warnings(warnings, arguments);
+    report_warnings(warnings, options);
     results.push_back(Fields{{"scene", path},
                              {"valid", errors.empty()},
                              {"errors", as_values(errors)},
                              {"warnings", as_values(warnings)}});
-    if (loaded && !arguments.has("quiet"))
+    if (loaded && !options.has("quiet"))
       output.text.emplace_back(
           fmt::format("{}: valid, {}\n", shown_text(path), facts(loaded->scene)));
     problems.insert(problems.end(), errors.begin(), errors.end());
@@ -54,9 +61,8 @@ extern const Verb check = {"check",
                            "read scenes and report every mistake, without drawing",
                            1,
                            10'000,
-                           kOptions,
+                           kCommand<Options, &run>,
                            "  flatray check scenes/*.toml\n",
-                           "",
-                           &run};
+                           ""};
 
 }  // namespace flatray::verbs

@@ -9,7 +9,6 @@
 #include "app/options/option_values.h"
 #include "app/report/report.h"
 #include "app/verb.h"
-#include "base/check.h"
 #include "collide/edge_ray_meetings.h"
 #include "collide/scene_timeline.h"
 #include "collide/simulate.h"
@@ -18,21 +17,45 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions = with_scene_options(
-    {{"last", '\0', "K", "frame at which to stop (default: the scene's last)"},
-     {"frames", 'f', "LIST", "only what happens while one of these frames is shown"},
-     {"method", '\0', "minkowski|edge-rays|boxes",
-      "exact (default), as the paper's rays in each frame, or of bounding boxes"},
-     {"response", '\0', "none|mark|stop|bounce|slide|remove",
-      "what those do that meet, instead of what the scene says"},
-     {"fixed", '\0', "NAME", "with --response: an entity that nothing moves; may be said again",
-      OptionKind::list},
-     {"table", '\0', "", "the paper's tables 4 and 5 beside what they should say",
-      OptionKind::flag},
-     kSeedOption,
-     kThreadsOption,
-     kJsonOption,
-     kCsvOption});
+enum class Method : std::uint8_t { minkowski, edge_rays, boxes };
+constexpr Word<Method> kMethods[] = {
+    {"minkowski", Method::minkowski}, {"edge-rays", Method::edge_rays}, {"boxes", Method::boxes}};
+
+struct Options : Arguments {
+  SceneOptions scene;
+  std::optional<unsigned> last;
+  std::optional<std::vector<unsigned>> frames;
+  Method method = Method::minkowski;
+  std::optional<Response> response;
+  std::vector<std::string> fixed;
+  bool table = false;
+
+  void rows(OptionTable& row) {
+    row("--last K", "frame at which to stop, instead of the scene's last", last, 1, kLastFrame);
+    row("-f, --frames LIST", "only what happens while one of these frames is shown", frames,
+        &parse_frames);
+    row("--method", "exact, as the paper's rays in each frame, or of bounding boxes", method,
+        kMethods);
+    row("--response", "what those do that meet, instead of what the scene says", response,
+        kResponses);
+    row.each("--fixed NAME", "with --response: an entity that nothing moves; may be said again",
+             fixed, &as_text);
+    row("--table", "the paper's tables 4 and 5 beside what they should say", table);
+    scene.row_of_seed(row);
+    row_of_threads(row, scene.limits.threads);
+    row(kJsonRow);
+    row(kCsvRow);
+    scene.rows(row);
+    if (table)
+      return row.excludes("table", {"last", "frames", "method", "response", "fixed", "csv"});
+    row.excludes("frames", {"last"});
+    // Methods look for meetings of what goes on undisturbed.
+    if (row.has("method") && response && response != Response::none)
+      row.problem("method", "does not go with --response", "say flatray help collide");
+    if (row.has("fixed") && !row.has("response"))
+      row.problem("fixed", "needs --response", "say flatray help collide");
+  }
+};
 
 // The frames asked for; none: all there are.
 struct Asked {
@@ -48,20 +71,11 @@ struct Asked {
   }
 };
 
-Result<Asked> frames_asked(const Arguments& arguments, const Scene& scene) {
-  if (!arguments.has("frames")) {
-    const auto last = arguments.whole("last", scene.frames, 1, kLastFrame);
-    if (!last) return tl::unexpected(last.error());
-    return Asked{{}, static_cast<unsigned>(*last)};
-  }
-  if (arguments.has("last"))
-    return usage_error(arguments.where("last"), "does not go with --frames",
-                       "leave one of them out");
-  auto frames = parse_frames(*arguments.text("frames"), arguments.where("frames"));
-  if (!frames) return tl::unexpected(frames.error());
-  const unsigned last = frames->back();
+Asked frames_asked(const Options& options, const Scene& scene) {
+  if (!options.frames) return {{}, options.last.value_or(scene.frames)};
+  const unsigned last = options.frames->back();
   const bool shows_next = last != scene.frames && last < kLastFrame;
-  return Asked{*std::move(frames), shows_next ? last + 1 : last};
+  return {*options.frames, shows_next ? last + 1 : last};
 }
 
 // Without the sign of a zero, which rounding leaves.
@@ -134,18 +148,6 @@ Table event_table(const Scene& scene, const Simulation& done, const Asked& asked
   return table;
 }
 
-// What --response says; nullopt where it is not given.
-Result<std::optional<Response>> response_asked(const Arguments& arguments) {
-  if (!arguments.has("response")) return std::nullopt;
-  std::vector<std::string> words;
-  for (const auto& [word, meaning] : kResponses) words.emplace_back(word);
-  const auto word = arguments.one_of("response", words);
-  if (!word) return tl::unexpected(word.error());
-  for (const auto& [name, meaning] : kResponses)
-    if (*word == name) return meaning;
-  unreachable();
-}
-
 // At most three of many: "a and b", more separated by commas.
 std::string named_pairs(const Scene& scene,
                         std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
@@ -157,19 +159,18 @@ std::string named_pairs(const Scene& scene,
   return comma_list(told) + (more == 0 ? "" : fmt::format(" ({} more)", more));
 }
 
-Result<VerbOutput> events(const Arguments& arguments, const Timeline& timeline, const Asked& asked,
-                          std::optional<Response> response) {
-  const std::vector<std::string> fixed = arguments.list("fixed");
+Result<VerbOutput> events(const Options& options, const Timeline& timeline, const Asked& asked) {
   const std::vector<std::string> known = names_of(timeline.scene().entities);
-  for (const std::string& entity : fixed)
+  for (const std::string& entity : options.fixed)
     if (std::find(known.begin(), known.end(), entity) == known.end())
-      return unknown_name(arguments.where("fixed"), "entity", entity, known);
-  const auto bodies = bodies_of(timeline, response, fixed);
+      return unknown_name(options.where("fixed"), "entity", entity, known);
+  const auto bodies = bodies_of(timeline, options.response, options.fixed);
   if (!bodies) return tl::unexpected(bodies.error());
   const double end = (asked.last - 1) / timeline.scene().fps;
   const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
-  const Place where = response ? arguments.where("response") : where_responds(timeline.scene());
-  if (!done.overlaps.empty() && !arguments.has("quiet"))
+  const Place where =
+      options.response ? options.where("response") : where_responds(timeline.scene());
+  if (!done.overlaps.empty() && !options.has("quiet"))
     report_note(
         fmt::format("in each other at the start, so that they respond only where they come "
                     "nearer: {}",
@@ -180,75 +181,42 @@ Result<VerbOutput> events(const Arguments& arguments, const Timeline& timeline, 
   return answer;
 }
 
-Result<VerbOutput> meetings(const Arguments& arguments, const Timeline& timeline,
-                            const Asked& asked) {
-  const auto method = arguments.one_of("method", {"minkowski", "edge-rays", "boxes"});
-  if (!method) return tl::unexpected(method.error());
+Result<VerbOutput> meetings(const Options& options, const Timeline& timeline, const Asked& asked) {
   const Scene& scene = timeline.scene();
-  if (*method == "edge-rays") {
-    if (!arguments.has("quiet"))
+  if (options.method == Method::edge_rays) {
+    if (!options.has("quiet"))
       report_note("edge-rays knows polygons only, and neither how nor where they meet");
     const auto met = find_edge_ray_meetings(timeline, asked.last);
     if (!met) return tl::unexpected(met.error());
     return VerbOutput{.table = meeting_table(scene, *met, asked, Knows::times)};
   }
-  const Outline outline = *method == "boxes" ? Outline::box : Outline::own;
+  const Outline outline = options.method == Method::boxes ? Outline::box : Outline::own;
   if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
-  const auto width = threads(arguments);
-  if (!width) return tl::unexpected(width.error());
   if (const std::string note = left_out(scene);
-      outline == Outline::own && !note.empty() && !arguments.has("quiet"))
+      outline == Outline::own && !note.empty() && !options.has("quiet"))
     report_note(note);
-  const auto met = find_meetings(timeline, asked.last, outline, *width);
+  const auto met = find_meetings(timeline, asked.last, outline, options.scene.limits.threads);
   if (!met) return tl::unexpected(met.error());
   return VerbOutput{.table = meeting_table(scene, *met, asked)};
 }
 
 // Methods look for meetings of what goes on undisturbed.
-Result<void> check_method(const Arguments& arguments, const Scene& scene,
-                          const std::optional<Response>& response) {
-  if (!arguments.has("method") || response == Response::none) return {};
-  if (response)
-    return usage_error(arguments.where("method"), "does not go with --response",
-                       "say flatray help collide");
-  if (!responds(scene)) return {};
+Result<void> check_method(const Options& options, const Scene& scene) {
+  if (!options.has("method") || options.response || !responds(scene)) return {};
   return usage_error(where_responds(scene),
                      "entities respond to contact, and --method looks at what goes on undisturbed",
                      "say --response none with it, or leave --method out");
 }
 
-// The paper's tables are of the boxes alone, as text or JSON.
-Result<void> check_table(const Arguments& arguments) {
-  for (const char* other : {"last", "frames", "method", "response", "fixed", "csv"})
-    if (arguments.has(other))
-      return usage_error(arguments.where(other), "does not go with --table",
-                         "leave one of them out");
-  return {};
-}
-
-Result<VerbOutput> run(const Arguments& arguments) {
-  const auto scene = load_only_input(arguments);
+Result<VerbOutput> run(const Options& options) {
+  const auto scene = load_only_input(options, options.scene);
   if (!scene) return tl::unexpected(scene.error());
-  if (arguments.has("table")) {
-    if (auto checked = check_table(arguments); !checked) return fail(std::move(checked));
-    return paper_tables(*scene, arguments.where("table"));
-  }
-  const auto response = response_asked(arguments);
-  if (!response) return tl::unexpected(response.error());
-  const bool asked = response->has_value();
-  if (auto checked = check_method(arguments, *scene, *response); !checked)
-    return fail(std::move(checked));
-  if (!asked && arguments.has("fixed"))
-    return usage_error(arguments.where("fixed"), "needs --response", "say flatray help collide");
-  const auto draws = seed(arguments, *scene);
-  if (!draws) return tl::unexpected(draws.error());
-  const auto asked_frames = frames_asked(arguments, *scene);
-  if (!asked_frames) return tl::unexpected(asked_frames.error());
-  const Timeline timeline(*scene, *draws, asked_frames->last);
-  const bool respond =
-      asked ? **response != Response::none : !arguments.has("method") && responds(*scene);
-  return respond ? events(arguments, timeline, *asked_frames, *response)
-                 : meetings(arguments, timeline, *asked_frames);
+  if (options.table) return paper_tables(*scene, options.where("table"));
+  if (auto checked = check_method(options, *scene); !checked) return fail(std::move(checked));
+  const Asked asked = frames_asked(options, *scene);
+  const Timeline timeline(*scene, options.scene.seed_of(*scene), asked.last);
+  const bool respond = options.response ? *options.response != Response::none : responds(*scene);
+  return respond ? events(options, timeline, asked) : meetings(options, timeline, asked);
 }
 
 }  // namespace
@@ -259,13 +227,12 @@ extern const Verb collide = {
     "say when the entities of a scene meet, and where",
     1,
     1,
-    kOptions,
+    kCommand<Options, &run>,
     "  flatray collide scenes/paper/case_two.toml\n"
     "  flatray collide scenes/paper/case_two.toml --table\n"
     "  flatray collide scenes/collision/cradle.toml\n"
     "  flatray collide scenes/collision/cradle.toml --response stop --fixed wall\n"
     "  flatray collide scenes/tutorial/11_journey.toml -f 30..60 --csv\n",
-    "nothing looked for",
-    &run};
+    "nothing looked for"};
 
 }  // namespace flatray::verbs

@@ -7,6 +7,7 @@
 
 #include "app/files/outputs.h"
 #include "app/files/scene_input.h"
+#include "app/options/option_values.h"
 #include "app/report/difference_text.h"
 #include "app/report/report.h"
 #include "app/verb.h"
@@ -25,13 +26,23 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> metric_names() { return names_of(metrics()); }
 
-constexpr Option kOptions[] = {
-    {"metric", '\0', "NAME", "also print this number: flatray list metrics", OptionKind::text,
-     &metric_names},
-    {"diff", '\0', "OUT.png", "write the difference x16; of two folders, a folder"},
-    kForceOption,
-    kThreadsOption,
-    kJsonOption,
+Result<const Metric*> metric_called(const std::string& name, const Place& where) {
+  return word_of(name, where, metric_names()).map([](std::size_t i) { return metrics()[i]; });
+}
+
+struct Options : Arguments {
+  const Metric* metric = nullptr;
+  std::optional<fs::path> diff;
+  unsigned threads = 1;
+
+  void rows(OptionTable& row) {
+    row("--metric NAME", "also print this number: flatray list metrics", metric, &metric_called,
+        &metric_names);
+    row("--diff OUT.png", "write the difference x16; of two folders, a folder", diff, &as_text);
+    row(kForceRow);
+    row_of_threads(row, threads);
+    row(kJsonRow);
+  }
 };
 
 struct Pair {
@@ -148,15 +159,6 @@ Result<Outcome> measure(const Pair& pair, const Metric* metric, const std::optio
   return outcome;
 }
 
-Result<const Metric*> chosen_metric(const Arguments& arguments) {
-  if (!arguments.has("metric")) return nullptr;
-  const std::vector<std::string> names = metric_names();
-  const Result<std::string> name = arguments.one_of("metric", names);
-  if (!name) return tl::unexpected(name.error());
-  return metrics()[static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) -
-                                            names.begin())];
-}
-
 JsonValue as_value(const Pair& pair, const Outcome& outcome, const Metric* metric) {
   const Difference& difference = outcome.difference;
   Fields fields = {{"actual", pair.actual.string()},  {"expected", pair.expected.string()},
@@ -207,24 +209,19 @@ Result<VerbOutput> report(const std::vector<Pair>& all,
   return output;
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const Result<const Metric*> metric = chosen_metric(arguments);
-  if (!metric) return tl::unexpected(metric.error());
-  const Result<unsigned> count = threads(arguments);
-  if (!count) return tl::unexpected(count.error());
-  const auto all = pairs(arguments.operands()[0], arguments.operands()[1]);
+Result<VerbOutput> run(const Options& options) {
+  const auto all = pairs(options.operands()[0], options.operands()[1]);
   if (!all) return tl::unexpected(all.error());
-  std::optional<fs::path> diff;
-  if (const auto text = arguments.text("diff")) diff = *text;
-  Outputs outputs(arguments);
+  Outputs outputs(options);
   for (const Pair& pair : *all) {
     outputs.add_input(pair.actual);
     outputs.add_input(pair.expected);
   }
   std::vector<Result<Outcome>> outcomes(all->size());
-  parallel_for(outcomes.size(), *count,
-               [&](std::size_t i) { outcomes[i] = measure((*all)[i], *metric, diff, outputs); });
-  return report(*all, outcomes, *metric);
+  parallel_for(outcomes.size(), options.threads, [&](std::size_t i) {
+    outcomes[i] = measure((*all)[i], options.metric, options.diff, outputs);
+  });
+  return report(*all, outcomes, options.metric);
 }
 
 }  // namespace
@@ -234,10 +231,9 @@ extern const Verb compare = {"compare",
                              "say whether two pictures, or two folders of pictures, are equal",
                              2,
                              2,
-                             kOptions,
+                             kCommand<Options, &run>,
                              "  flatray compare out/a.png out/b.png --diff out/diff.png\n"
                              "  flatray compare out/demo out/demo_of_yesterday --metric psnr\n",
-                             "nothing compared",
-                             &run};
+                             "nothing compared"};
 
 }  // namespace flatray::verbs

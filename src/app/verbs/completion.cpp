@@ -6,8 +6,8 @@
 namespace flatray::verbs {
 namespace {
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const std::vector<std::string>& operands = arguments.operands();
+Result<VerbOutput> run(const NoOptions& options) {
+  const std::vector<std::string>& operands = options.operands();
   if (operands.front() == "words")
     return VerbOutput{{completion_lines(complete({operands.begin() + 1, operands.end()}))}};
   std::string script = operands.size() == 1 ? completion_script(operands.front()) : "";
@@ -24,13 +24,12 @@ extern const Verb completion = {
     "print the script by which bash, zsh or fish completes command lines",
     1,
     10'000,
-    {},
+    kCommand<NoOptions, &run>,
     "  source <(flatray completion bash)              # in ~/.bashrc\n"
     "  source <(flatray completion zsh)               # in ~/.zshrc, after compinit\n"
     "  flatray completion fish | source               # in ~/.config/fish/config.fish\n"
     "  flatray completion words -- flatray render --  # what the scripts ask\n",
     "",
-    &run,
     &completed_shells};
 
 }  // namespace flatray::verbs

@@ -14,34 +14,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kOptions = with_scene_options({kForceOption});
+struct Options : Arguments {
+  SceneOptions scene;
 
-Result<void> check_output(const Arguments& arguments, const fs::path& output) {
+  void rows(OptionTable& row) {
+    row(kForceRow);
+    scene.rows(row);
+  }
+};
+
+Result<void> check_output(const Arguments& options, const fs::path& output) {
   if (output == "-") return {};
   if (output.extension() != ".toml")
     return usage_error(named_place(output.string()), "scenes are written as TOML",
                        fmt::format("say {}.toml", output.stem().string()));
   std::error_code error;
-  if (fs::symlink_status(output, error).type() != fs::file_type::not_found &&
-      !arguments.has("force"))
+  if (fs::symlink_status(output, error).type() != fs::file_type::not_found && !options.has("force"))
     return fail(named_place(output.string()), "is there already", "--force writes over it",
                 Trouble::output);
-  return Outputs(arguments).allow(output, "");
+  return Outputs(options).allow(output, "");
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const std::string& input = arguments.operands()[0];
-  const fs::path output = arguments.operands()[1];
-  if (auto checked = check_output(arguments, output); !checked) return fail(std::move(checked));
-  Result<ReadScene> read = read_input(arguments, input);
+Result<VerbOutput> run(const Options& options) {
+  const std::string& input = options.operands()[0];
+  const fs::path output = options.operands()[1];
+  if (auto checked = check_output(options, output); !checked) return fail(std::move(checked));
+  Result<ReadScene> read = read_input(options.scene, input);
   if (!read) return fail(std::move(read));
-  report_warnings(read->loaded.warnings, arguments);
+  report_warnings(read->loaded.warnings, options);
   const fs::path folder = output == "-" ? fs::path() : output.parent_path();
   if (auto rebased = rebase_file_names(read->desc, input, folder); !rebased)
     return fail(std::move(rebased));
   std::string text = write_toml(read->desc);
   if (output == "-") return VerbOutput{{std::move(text)}};
-  if (auto written = Outputs(arguments).write(output, text); !written)
+  if (auto written = Outputs(options).write(output, text); !written)
     return fail(std::move(written));
   return VerbOutput{};
 }
@@ -53,10 +59,9 @@ extern const Verb convert = {"convert",
                              "write a scene of any format as TOML; comments are left out",
                              2,
                              2,
-                             kOptions,
+                             kCommand<Options, &run>,
                              "  flatray convert scenes/imported/castle.obj castle.toml\n"
                              "  flatray convert scene.toml - -D film.size=[64,64] > small.toml\n",
-                             "nothing written",
-                             &run};
+                             "nothing written"};
 
 }  // namespace flatray::verbs

@@ -17,14 +17,22 @@ namespace {
 
 constexpr std::size_t kMeasuredFrames = 24;
 
-constexpr auto kOptions =
-    with_scene_options({{"measure", '\0', "",
-                         "draw the frames, write nothing, and say what is saved", OptionKind::flag},
-                        {"frames", 'f', "LIST", "frames to measure (default: the first 24)"},
-                        {"keep-all", '\0', "", "as if nothing were left out", OptionKind::flag},
-                        {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
-                        kThreadsOption,
-                        kJsonOption});
+struct Options : Arguments {
+  RenderRequest request;
+  bool measure = false;
+
+  void rows(OptionTable& row) {
+    row("--measure", "draw the frames, write nothing, and say what is saved", measure);
+    row("-f, --frames LIST", "frames to measure (default: the first 24)", request.frames,
+        &parse_frames);
+    row("--keep-all", "as if nothing were left out", request.keep_all);
+    request.row_of_size(row);
+    row_of_threads(row, request.scene.limits.threads);
+    row(kJsonRow);
+    request.scene.rows(row);
+    request.read_size(row);
+  }
+};
 
 // What the rays of the first frame are traced by.
 Result<std::vector<RenderPlan::Choice>> walls_of(const RenderJob& job) {
@@ -68,17 +76,16 @@ Result<Table> decisions(const RenderJob& job, unsigned threads) {
   return table;
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const auto request = read_request(arguments);
-  if (!request) return tl::unexpected(request.error());
-  const auto jobs = make_jobs(arguments, *request);
+Result<VerbOutput> run(const Options& options) {
+  const auto jobs = make_jobs(options, options.request);
   if (!jobs) return tl::unexpected(jobs.error());
-  Result<Table> decided = decisions(jobs->front(), request->threads);
+  Result<Table> decided = decisions(jobs->front(), options.request.threads());
   if (!decided) return fail(std::move(decided));
   Table& table = *decided;
-  if (arguments.has("measure")) {
+  if (options.measure) {
     RenderJob job = jobs->front();
-    if (!request->frames && job.frames.size() > kMeasuredFrames) job.frames.resize(kMeasuredFrames);
+    if (!options.request.frames && job.frames.size() > kMeasuredFrames)
+      job.frames.resize(kMeasuredFrames);
     for (const auto measure : {&measured_savings, &measured_walls}) {
       const auto savings = measure(job);
       if (!savings) return tl::unexpected(savings.error());
@@ -95,10 +102,9 @@ extern const Verb explain = {"explain",
                              "show what a render of the scene would do and leave out, and why",
                              1,
                              1,
-                             kOptions,
+                             kCommand<Options, &run>,
                              "  flatray explain scenes/demo.toml\n"
                              "  flatray explain --measure -f 1..48 scenes/demo.toml\n",
-                             "",
-                             &run};
+                             ""};
 
 }  // namespace flatray::verbs

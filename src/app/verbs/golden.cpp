@@ -19,15 +19,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Option kOptions[] = {
-    {"why", '\0', "TEXT", "update: reason the pictures change, kept in the manifest"},
-    {"frames", 'f', "LIST",
-     "update: the scene's goldens from now on, as 1,12 (default: as before)"},
-    {"size", '\0', "WxH", "update: size of the pictures (default: the scene's)"},
-    {"backend", '\0', "NAME", "update: software (default) or gl, whose goldens stand beside"},
-    {"root", '\0', "DIR", "folder that holds scenes and golden_images (default: this one)"},
-    kForceOption,
-    kThreadsOption,
+constexpr Word<std::string_view> kBackends[] = {{"software", "software"}, {"gl", "gl"}};
+
+struct Options : Arguments {
+  GoldenRequest request;
+  std::string root = ".";
+  unsigned threads = 1;
+
+  std::span<const std::string> names() const { return std::span(operands()).subspan(1); }
+
+  void rows(OptionTable& row) {
+    row("--why TEXT", "update: reason the pictures change, kept in the manifest", request.why);
+    row("-f, --frames LIST",
+        "update: the scene's goldens from now on, as 1,12 (default: as before)", request.frames,
+        &parse_frames);
+    row("--size WxH", "update: size of the pictures, instead of the scene's", request.size,
+        [](const std::string& text, const Place& where) {
+          return parse_size(text, where, kMostPixels);
+        });
+    row("--backend", "update: what draws; goldens of gl stand beside", request.backend, kBackends);
+    row("--root DIR", "folder that holds scenes and golden_images", root);
+    row(kForceRow);
+    row_of_threads(row, threads);
+    const std::string action = row.operand(0);
+    if (action == "check")
+      for (const char* option : {"why", "frames", "size", "backend"})
+        if (row.has(option)) row.problem(option, "belongs to golden update");
+    if (action == "update") expect_update(row);
+  }
+
+ private:
+  void expect_update(OptionTable& row) const {
+    const auto wrong = [&](const char* what, std::string message, std::string hint) {
+      row.keep({{named_place(what), std::move(message), std::move(hint), Trouble::usage}});
+    };
+    if (const char* ci = std::getenv("CI"); ci != nullptr && *ci != '\0')
+      wrong("CI", "goldens are not accepted by a machine",
+            "run this where someone looks at the pictures, and commit them");
+    const std::string scene = row.operand(1);
+    if (scene.empty() || !row.operand(2).empty())
+      return wrong("golden update", "needs one scene", "flatray golden update SCENE --why \"...\"");
+    if (request.why.find_first_not_of(" \t") == std::string::npos)
+      wrong("--why", "a golden is accepted for a reason",
+            fmt::format("flatray golden update {} --why \"...\"", scene));
+  }
 };
 
 // Rows of the scenes named, or all.
@@ -95,23 +130,18 @@ VerbOutput check_rows(const fs::path& root, const std::vector<GoldenRow>& rows, 
   return output;
 }
 
-Result<VerbOutput> check(const Arguments& arguments, const fs::path& root,
-                         std::span<const std::string> names) {
-  for (const char* option : {"why", "frames", "size", "backend"})
-    if (arguments.has(option))
-      return usage_error(arguments.where(option), "belongs to golden update");
-  const Result<unsigned> count = threads(arguments);
-  if (!count) return tl::unexpected(count.error());
+Result<VerbOutput> check(const Options& options) {
+  const fs::path root = options.root;
   const Result<std::vector<GoldenRow>> all = read_goldens(root);
   if (!all) return tl::unexpected(all.error());
-  const Result<std::vector<GoldenRow>> rows = chosen_rows(root, *all, names);
+  const Result<std::vector<GoldenRow>> rows = chosen_rows(root, *all, options.names());
   if (!rows) return tl::unexpected(rows.error());
   Diagnostics strays;
-  if (names.empty())
+  if (options.names().empty())
     for (const std::string& file : stray_goldens(root, *all))
       strays.push_back({named_place(file), "has no row in the manifest",
                         "delete it, or accept its scene by flatray golden update"});
-  return check_rows(root, *rows, *count, Outputs(arguments), std::move(strays));
+  return check_rows(root, *rows, options.threads, Outputs(options), std::move(strays));
 }
 
 std::string change_text(const GoldenUpdate::Picture& picture) {
@@ -125,32 +155,6 @@ std::string change_text(const GoldenUpdate::Picture& picture) {
                      picture.before ? " (before, after, difference x16)" : "");
 }
 
-Result<GoldenRequest> read_request(const Arguments& arguments, const fs::path& root,
-                                   const std::string& name) {
-  GoldenRequest request;
-  request.why = arguments.text("why").value_or("");
-  if (request.why.find_first_not_of(" \t") == std::string::npos)
-    return usage_error(named_place("--why"), "a golden is accepted for a reason",
-                       fmt::format("flatray golden update {} --why \"...\"", name));
-  if (const auto text = arguments.text("frames")) {
-    Result<std::vector<unsigned>> frames = parse_frames(*text, arguments.where("frames"));
-    if (!frames) return fail(std::move(frames));
-    request.frames = std::move(*frames);
-  }
-  if (const auto text = arguments.text("size")) {
-    const auto size = parse_size(*text, arguments.where("size"), kMostPixels);
-    if (!size) return tl::unexpected(size.error());
-    request.size = *size;
-  }
-  const Result<std::string> backend = arguments.one_of("backend", {"software", "gl"});
-  if (!backend) return tl::unexpected(backend.error());
-  request.backend = *backend;
-  Result<std::string> scene = find_scene(root, name);
-  if (!scene) return fail(std::move(scene));
-  request.scene = std::move(*scene);
-  return request;
-}
-
 // No manifest yet is a project without goldens; a bad one stays an error.
 Result<std::vector<GoldenRow>> rows_so_far(const fs::path& root) {
   Result<std::vector<GoldenRow>> rows = read_goldens(root);
@@ -160,21 +164,17 @@ Result<std::vector<GoldenRow>> rows_so_far(const fs::path& root) {
   return rows;
 }
 
-Result<VerbOutput> update(const Arguments& arguments, const fs::path& root,
-                          std::span<const std::string> names) {
-  if (const char* ci = std::getenv("CI"); ci != nullptr && *ci != '\0')
-    return usage_error(named_place("CI"), "goldens are not accepted by a machine",
-                       "run this where someone looks at the pictures, and commit them");
-  if (names.size() != 1)
-    return usage_error(named_place("golden update"), "needs one scene",
-                       "flatray golden update SCENE --why \"...\"");
-  const Result<GoldenRequest> request = read_request(arguments, root, names.front());
-  if (!request) return tl::unexpected(request.error());
+Result<VerbOutput> update(const Options& options) {
+  const fs::path root = options.root;
+  GoldenRequest request = options.request;
+  Result<std::string> scene = find_scene(root, options.names().front());
+  if (!scene) return fail(std::move(scene));
+  request.scene = *std::move(scene);
   const Result<std::vector<GoldenRow>> rows = rows_so_far(root);
   if (!rows) return tl::unexpected(rows.error());
-  const Result<GoldenUpdate> update = plan_update(root, *rows, *request);
+  const Result<GoldenUpdate> update = plan_update(root, *rows, request);
   if (!update) return tl::unexpected(update.error());
-  if (auto written = write_update(root, *update, Outputs(arguments)); !written)
+  if (auto written = write_update(root, *update, Outputs(options)); !written)
     return fail(std::move(written));
   VerbOutput output;
   for (const GoldenUpdate::Picture& picture : update->pictures)
@@ -183,12 +183,10 @@ Result<VerbOutput> update(const Arguments& arguments, const fs::path& root,
   return output;
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const std::string& action = arguments.operands().front();
-  const std::span<const std::string> names = std::span(arguments.operands()).subspan(1);
-  const fs::path root = arguments.text("root").value_or(".");
-  if (action == "check") return check(arguments, root, names);
-  if (action == "update") return update(arguments, root, names);
+Result<VerbOutput> run(const Options& options) {
+  const std::string& action = options.operands().front();
+  if (action == "check") return check(options);
+  if (action == "update") return update(options);
   const std::string near = nearest_word(action, {"check", "update"});
   return usage_error(named_place("golden"), fmt::format("cannot '{}'", action),
                      near.empty() ? "say check or update" : fmt::format("did you mean {}?", near));
@@ -202,11 +200,10 @@ extern const Verb golden = {
     "compare committed pictures with what the scenes draw, or accept new ones",
     1,
     10'000,
-    kOptions,
+    kCommand<Options, &run>,
     "  flatray golden check\n"
     "  flatray golden check chamber/hall\n"
     "  flatray golden update chamber/hall --why \"walls are drawn thicker\" -f 3\n",
-    "no golden changed",
-    &run};
+    "no golden changed"};
 
 }  // namespace flatray::verbs

@@ -3,9 +3,9 @@
 namespace flatray::verbs {
 namespace {
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  if (arguments.operands().empty()) return VerbOutput{{help_text()}};
-  Result<std::string> page = help_page(arguments.operands().front());
+Result<VerbOutput> run(const NoOptions& options) {
+  if (options.operands().empty()) return VerbOutput{{help_text()}};
+  Result<std::string> page = help_page(options.operands().front());
   if (!page) return fail(std::move(page));
   return VerbOutput{{std::move(*page)}};
 }
@@ -17,12 +17,11 @@ extern const Verb help = {"help",
                           "explain a verb, a topic, a table or a shape of scenes",
                           0,
                           1,
-                          {},
+                          kCommand<NoOptions, &run>,
                           "  flatray help render\n"
                           "  flatray help frames\n"
                           "  flatray help entity\n",
                           "",
-                          &run,
                           &help_names};
 
 }  // namespace flatray::verbs

@@ -15,21 +15,39 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions = with_scene_options(
-    {{"ray", 'r', "x,y,dx,dy", "this ray, against every entity"},
-     {"from", '\0', "ENTITY", "the edges of this entity as rays"},
-     {"against", '\0', "ENTITY", "against this entity only"},
-     {"domain", '\0', "line|ray|segment", "part of the line that counts (edges: segment)"},
-     {"op", '\0', "OP",
-      "instead of each hit the parts of a ray inside any entity (union), all of them "
-      "(intersection), "
-      "or that of --against and no other (difference)",
-      OptionKind::text, &hit_operation_names},
-     kFrameOption,
-     kSeedOption,
-     {"svg", '\0', "", "print a diagram, what lies inside thick", OptionKind::flag},
-     kJsonOption,
-     kCsvOption});
+constexpr Word<const Range*> kDomains[] = {
+    {"line", &kLine}, {"ray", &kRay}, {"segment", &kSegment}};
+
+struct Options : Arguments {
+  SceneOptions scene;
+  std::optional<Ray> ray;
+  std::string from, against;
+  const Range* domain = nullptr;
+  std::optional<HitOperation> operation;
+  unsigned frame = 1;
+
+  void rows(OptionTable& row) {
+    row("-r, --ray x,y,dx,dy", "this ray, against every entity", ray, &parse_ray);
+    row("--from ENTITY", "the edges of this entity as rays", from);
+    row("--against ENTITY", "against this entity only", against);
+    row("--domain", "part of the line that counts (edges: segment)", domain, kDomains);
+    row("--op",
+        "instead of each hit the parts of a ray inside any entity, all of them, or that of "
+        "--against "
+        "and no other",
+        operation, kHitOperations);
+    row_of_frame(row, frame);
+    scene.row_of_seed(row);
+    row("--svg", "print a diagram, what lies inside thick");
+    row(kJsonRow);
+    row(kCsvRow);
+    scene.rows(row);
+    row.excludes("ray", {"from"});
+    row.excludes("op", {"svg"});
+    if (operation == HitOperation::in_first_alone && against.empty())
+      row.problem("op", "needs an entity to take the others from", "add --against ENTITY");
+  }
+};
 
 // Rays and what they are clipped against.
 struct Question {
@@ -38,23 +56,22 @@ struct Question {
   Range within = kRay;
 };
 
-Result<std::uint32_t> find_entity(const Arguments& arguments, const char* option,
-                                  const Scene& scene) {
-  const std::string wanted = *arguments.text(option);
+Result<std::uint32_t> find_entity(const Options& options, const char* option, const Scene& scene) {
+  const std::string wanted = *options.text(option);
   std::vector<std::string> known;
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i) {
     if (scene.entities[i].name == wanted) return i;
     known.push_back(scene.entities[i].name);
   }
-  return unknown_name(arguments.where(option), "entity of the scene", wanted, known);
+  return unknown_name(options.where(option), "entity of the scene", wanted, known);
 }
 
 // All entities, or the one of --against; never the one the rays come from.
-Result<std::vector<std::uint32_t>> targets(const Arguments& arguments, const Scene& scene,
+Result<std::vector<std::uint32_t>> targets(const Options& options, const Scene& scene,
                                            std::optional<std::uint32_t> from) {
   std::vector<std::uint32_t> entities;
-  if (arguments.has("against")) {
-    const auto entity = find_entity(arguments, "against", scene);
+  if (options.has("against")) {
+    const auto entity = find_entity(options, "against", scene);
     if (!entity) return tl::unexpected(entity.error());
     return std::vector{*entity};
   }
@@ -63,62 +80,49 @@ Result<std::vector<std::uint32_t>> targets(const Arguments& arguments, const Sce
   return entities;
 }
 
-Result<Range> domain(const Arguments& arguments, const char* otherwise) {
-  const std::string wanted = arguments.text("domain").value_or(otherwise);
-  if (wanted == "line") return kLine;
-  if (wanted == "ray") return kRay;
-  if (wanted == "segment") return kSegment;
-  return usage_error(arguments.where("domain"), fmt::format("unknown domain '{}'", wanted),
-                     "say line, ray or segment");
-}
-
-Result<Question> ask(const Arguments& arguments, const Scene& scene, std::vector<NamedRay> rays,
+Result<Question> ask(const Options& options, const Scene& scene, std::vector<NamedRay> rays,
                      std::optional<std::uint32_t> from) {
-  auto against = targets(arguments, scene, from);
+  auto against = targets(options, scene, from);
   if (!against) return fail(std::move(against));
-  const auto within = domain(arguments, from ? "segment" : "ray");
-  if (!within) return tl::unexpected(within.error());
-  return Question{std::move(rays), std::move(*against), *within};
+  return Question{std::move(rays), std::move(*against),
+                  options.domain ? *options.domain
+                  : from         ? kSegment
+                                 : kRay};
 }
 
 // What the scene itself asks: its edge rays and its rays.
-Result<std::vector<Question>> scene_questions(const Arguments& arguments, const Scene& scene,
+Result<std::vector<Question>> scene_questions(const Options& options, const Scene& scene,
                                               const FrameState& state) {
   std::vector<Question> questions;
-  for (const EdgeRays& pair : scene.edge_rays) {
-    const auto within = domain(arguments, "segment");
-    if (!within) return tl::unexpected(within.error());
-    questions.push_back({edge_rays(scene, state, pair.from), {pair.against}, *within});
-  }
+  for (const EdgeRays& pair : scene.edge_rays)
+    questions.push_back({edge_rays(scene, state, pair.from),
+                         {pair.against},
+                         options.domain ? *options.domain : kSegment});
   std::vector<NamedRay> rays;
   for (const RayState& ray : ray_states(scene, state))
     rays.push_back({scene.rays[ray.ray].name, ray.start});
   if (rays.empty()) return questions;
-  auto question = ask(arguments, scene, std::move(rays), std::nullopt);
+  auto question = ask(options, scene, std::move(rays), std::nullopt);
   if (!question) return fail(std::move(question));
   questions.push_back(std::move(*question));
   return questions;
 }
 
-Result<std::vector<Question>> read_questions(const Arguments& arguments, const Scene& scene,
+Result<std::vector<Question>> read_questions(const Options& options, const Scene& scene,
                                              const FrameState& state) {
   std::optional<std::uint32_t> from;
   std::vector<NamedRay> rays;
-  if (arguments.has("ray") && arguments.has("from"))
-    return usage_error(arguments.where("from"), "does not go with --ray", "say one of them");
-  if (const auto text = arguments.text("ray")) {
-    const auto ray = parse_ray(*text, arguments.where("ray"));
-    if (!ray) return tl::unexpected(ray.error());
-    rays.push_back({"ray", *ray});
-  } else if (arguments.has("from")) {
-    const auto entity = find_entity(arguments, "from", scene);
+  if (options.ray) {
+    rays.push_back({"ray", *options.ray});
+  } else if (options.has("from")) {
+    const auto entity = find_entity(options, "from", scene);
     if (!entity) return tl::unexpected(entity.error());
     from = *entity;
     rays = edge_rays(scene, state, *from);
   } else {
-    return scene_questions(arguments, scene, state);
+    return scene_questions(options, scene, state);
   }
-  auto question = ask(arguments, scene, std::move(rays), from);
+  auto question = ask(options, scene, std::move(rays), from);
   if (!question) return fail(std::move(question));
   return std::vector{std::move(*question)};
 }
@@ -141,8 +145,8 @@ std::vector<std::uint32_t> operands_of(HitOperation operation, const Question& q
   return entities;
 }
 
-tl::unexpected<Diagnostics> nothing_to_clip(const Arguments& arguments) {
-  if (!arguments.has("ray") && !arguments.has("from"))
+tl::unexpected<Diagnostics> nothing_to_clip(const Options& options) {
+  if (!options.has("ray") && !options.has("from"))
     return usage_error(named_place("hit"), "there is no ray to ask about",
                        "say --ray x,y,dx,dy, or --from ENTITY --against ENTITY");
   return usage_error(named_place("hit"),
@@ -152,31 +156,22 @@ tl::unexpected<Diagnostics> nothing_to_clip(const Arguments& arguments) {
 }
 
 // --op: what is left of each ray, by the entities that have an inside.
-Result<VerbOutput> show_sets(const Arguments& arguments, const Scene& scene,
-                             const FrameState& state, const std::vector<Question>& questions) {
-  const std::string wanted = *arguments.text("op");
-  const auto operation = hit_operation(wanted);
-  if (!operation)
-    return unknown_name(arguments.where("op"), "operation", wanted, hit_operation_names());
-  if (*operation == HitOperation::in_first_alone && !arguments.has("against"))
-    return usage_error(arguments.where("op"), "needs an entity to take the others from",
-                       "add --against ENTITY");
-  if (arguments.has("svg"))
-    return usage_error(arguments.where("svg"), "does not go with --op", "leave one of them out");
+Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const FrameState& state,
+                             const std::vector<Question>& questions) {
   std::optional<std::uint32_t> from;
-  if (arguments.has("from")) from = find_entity(arguments, "from", scene).value();
+  if (options.has("from")) from = find_entity(options, "from", scene).value();
   std::vector<HitSet> sets;
   bool any = false;
   for (const Question& question : questions)
     for (const NamedRay& ray : question.rays) {
       std::vector<std::vector<HitReport>> by_entity;
-      for (const std::uint32_t entity : operands_of(*operation, question, scene, from))
+      for (const std::uint32_t entity : operands_of(*options.operation, question, scene, from))
         by_entity.push_back(hit_reports(scene, state, ray, entity, question.within));
       any = any || std::any_of(by_entity.begin(), by_entity.end(),
                                [](const auto& reports) { return !reports.empty(); });
-      if (!by_entity.empty()) sets.push_back(combine(ray, *operation, by_entity));
+      if (!by_entity.empty()) sets.push_back(combine(ray, *options.operation, by_entity));
     }
-  if (!any) return nothing_to_clip(arguments);
+  if (!any) return nothing_to_clip(options);
   VerbOutput output{.table = csv_rows(sets)};
   Values values;
   for (const HitSet& set : sets) {
@@ -199,22 +194,22 @@ VerbOutput show(const std::vector<HitReport>& reports) {
   return output;
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const auto scene = load_only_input(arguments);
+Result<VerbOutput> run(const Options& options) {
+  const auto scene = load_only_input(options, options.scene);
   if (!scene) return tl::unexpected(scene.error());
-  const auto state = frame_of(arguments, *scene);
+  const auto state = frame_of(options.scene, *scene, options.frame);
   if (!state) return tl::unexpected(state.error());
-  const auto questions = read_questions(arguments, *scene, *state);
+  const auto questions = read_questions(options, *scene, *state);
   if (!questions) return tl::unexpected(questions.error());
-  if (arguments.has("op")) return show_sets(arguments, *scene, *state, *questions);
+  if (options.operation) return show_sets(options, *scene, *state, *questions);
   std::vector<HitReport> reports;
   for (const Question& question : *questions)
     for (const NamedRay& ray : question.rays)
       for (const std::uint32_t entity : question.against)
         for (HitReport& report : hit_reports(*scene, *state, ray, entity, question.within))
           reports.push_back(std::move(report));
-  if (reports.empty()) return nothing_to_clip(arguments);
-  if (arguments.has("svg"))
+  if (reports.empty()) return nothing_to_clip(options);
+  if (options.has("svg"))
     return VerbOutput{{svg_of(*scene, *state, asked_about(*questions), reports)}};
   return show(reports);
 }
@@ -226,12 +221,11 @@ extern const Verb hit = {"hit",
                          "show which parts of rays lie inside each shape, edge by edge",
                          1,
                          1,
-                         kOptions,
+                         kCommand<Options, &run>,
                          "  flatray hit scenes/paper/case_one.toml --from ray --against polygon\n"
                          "  flatray hit scene.toml --ray 1,2,22,10 --domain line --json\n"
                          "  flatray hit scene.toml --ray 1,2,22,10 --svg > hit.svg\n"
                          "  flatray hit scene.toml --ray 1,2,22,10 --op intersection\n",
-                         "",
-                         &run};
+                         ""};
 
 }  // namespace flatray::verbs

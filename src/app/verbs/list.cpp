@@ -15,7 +15,9 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr Option kOptions[] = {kJsonOption};
+struct Options : Arguments {
+  void rows(OptionTable& row) { row(kJsonRow); }
+};
 
 template <class Entries>
 Table described(const Entries& entries) {
@@ -70,8 +72,8 @@ constexpr Kind kKinds[] = {{"backends", [] { return described(flatray::backends(
 
 std::vector<std::string> kind_names() { return names_of(kKinds); }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const std::string wanted = arguments.operands().empty() ? "" : arguments.operands().front();
+Result<VerbOutput> run(const Options& options) {
+  const std::string wanted = options.operands().empty() ? "" : options.operands().front();
   Fields all;
   VerbOutput output;
   for (const Kind& kind : kKinds) {
@@ -94,10 +96,9 @@ extern const Verb list = {"list",
                           "show what is registered, as shapes, formats, tracers and experiments",
                           0,
                           1,
-                          kOptions,
+                          kCommand<Options, &run>,
                           "  flatray list shapes\n",
                           "",
-                          &run,
                           &kind_names};
 
 }  // namespace flatray::verbs

@@ -13,9 +13,16 @@
 namespace flatray::verbs {
 namespace {
 
-constexpr std::array kOptions = {
-    Option{"precision", '\0', "double|certified", "of orbits: certified proves every bounce"},
-    kBitsOption, kTracerOption, kThreadsOption};
+struct Options : Arguments {
+  Precision precision;
+  unsigned threads = 1;
+
+  void rows(OptionTable& row) {
+    precision.rows(row);
+    row_of_threads(row, threads);
+  }
+};
+
 // Questions are answered in waves, whose answers are written before the next: long answers, of
 // orbits, make a wave short.
 constexpr std::size_t kLinesATask = 16, kTasksAThread = 8;
@@ -63,14 +70,10 @@ Result<void> write(const Answers& answers) {
   return fail(named_place("standard output"), "cannot write", "", Trouble::output);
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const auto precision = chosen_precision(arguments);
-  if (!precision) return tl::unexpected(precision.error());
-  if (precision->certified)
+Result<VerbOutput> run(const Options& options) {
+  if (options.precision.certified)
     if (auto able = can_certify(); !able) return tl::unexpected(able.error());
-  const auto count = threads(arguments);
-  if (!count) return tl::unexpected(count.error());
-  auto stream = LineStream::open(arguments.operands().empty() ? "-" : arguments.operands().front());
+  auto stream = LineStream::open(options.operands().empty() ? "-" : options.operands().front());
   if (!stream) return tl::unexpected(stream.error());
   bool sound = true;
   std::size_t lines_at_once = kLinesATask * kTasksAThread;
@@ -79,8 +82,8 @@ Result<VerbOutput> run(const Arguments& arguments) {
     if (!lines) return tl::unexpected(lines.error());
     if (lines->empty()) return VerbOutput{.exit_code = sound ? 0 : 1};
     for (std::span<const StreamLine> rest = *lines; !rest.empty();) {
-      const std::size_t wave = std::min(rest.size(), std::size_t{*count} * lines_at_once);
-      const Answers answers = answer(rest.first(wave), *precision, *count);
+      const std::size_t wave = std::min(rest.size(), std::size_t{options.threads} * lines_at_once);
+      const Answers answers = answer(rest.first(wave), options.precision, options.threads);
       if (auto written = write(answers); !written) return tl::unexpected(written.error());
       for (const char one : answers.sound) sound = sound && one != 0;
       lines_at_once = size_of(answers) > kLongAnswers ? 1 : kLinesATask * kTasksAThread;
@@ -97,11 +100,10 @@ extern const Verb query = {
     "answer geometry questions, one JSON object a line",
     0,
     1,
-    kOptions,
+    kCommand<Options, &run>,
     "  echo '{\"op\":\"clip\",\"polygon\":[[0,0],[1,0],[1,1]],\"origin\":[-1,0.5],"
     "\"direction\":[1,0]}' | flatray query\n"
     "  flatray query questions.jsonl -j 2 > answers.jsonl\n",
-    "",
-    &run};
+    ""};
 
 }  // namespace flatray::verbs

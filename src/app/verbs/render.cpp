@@ -7,49 +7,90 @@
 #include "app/options/backend_choice.h"
 #include "app/options/resource_limits.h"
 #include "app/options/tracer_choice.h"
-#include "app/options/view_choice.h"
 #include "app/report/report.h"
 #include "base/left_out.h"
+#include "base/number_text.h"
 
 namespace flatray::verbs {
 namespace {
 
-constexpr auto kOptions = with_scene_options(
-    {{"output", 'o', "PATTERN", "where to: out/frame_####.png, {scene}, - for standard output"},
-     {"frames", 'f', "LIST", "frames, as 1..240:2,300 (default: all of the scene)"},
-     kThreadsOption,
-     {"size", '\0', "WxH", "size of the pictures instead of the scene's"},
-     {"crop", '\0', "x0,y0,x1,y1", "only this part, pixels from the top left"},
-     kBackendOption,
-     kSamplesOption,
-     kProfileOption,
-     kErrorOption,
-     kTimeOption,
-     kRaysOption,
-     kEstimatorOption,
-     kRayShardOption,
-     kErrorImageOption,
-     kViewOption,
-     kTracerOption,
-     kSeedOption,
-     {"shard", '\0', "I/N", "only every N-th of the frames, from the I-th on, I from 0"},
-     {"resume", '\0', "", "keep frames already written whole for this very scene, rays of films",
-      OptionKind::flag},
-     {"dry-run", '\0', "", "say what would be written and write nothing", OptionKind::flag},
-     {"keep-all", '\0', "", "draw also what the plan would leave out; same pictures",
-      OptionKind::flag},
-     {"format", '\0', "NAME", "format where the name does not say it: flatray list pictures",
-      OptionKind::text, &picture_format_names},
-     kForceOption,
-     {"progress", '\0', "auto|always|never", "always: plain lines without a terminal, too"},
-     kJsonOption});
+constexpr Word<ProgressMode> kProgress[] = {{"auto", ProgressMode::automatic},
+                                            {"always", ProgressMode::always},
+                                            {"never", ProgressMode::never}};
 
-Result<ProgressMode> progress_mode(const Arguments& arguments) {
-  const auto word = arguments.one_of("progress", {"auto", "always", "never"});
-  if (!word) return tl::unexpected(word.error());
-  if (*word == "never" || arguments.has("quiet")) return ProgressMode::never;
-  return *word == "always" ? ProgressMode::always : ProgressMode::automatic;
+Result<Vec2> read_point(std::string_view text, const std::string& view, const Place& where) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  const auto x = parse_number(parts[0]);
+  const auto y = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+  if (!x || !y)
+    return usage_error(where, fmt::format("'{}' is not a point", text),
+                       fmt::format("say {}:x,y with two numbers", view));
+  return Vec2(*x, *y);
 }
+
+Result<ViewRequest> parse_view(const std::string& text, const Place& where) {
+  const std::string name = text.substr(0, text.find(':'));
+  const auto view = entry_called("view", views())(name, where);
+  if (!view) return tl::unexpected(view.error());
+  ViewRequest request{*view, {0, 0}};
+  const bool has_point = name.size() < text.size();
+  if (has_point != (*view)->takes_point)
+    return usage_error(where, has_point ? "takes no point" : "needs a point",
+                       has_point ? "say " + name : fmt::format("say {}:x,y", name));
+  if (!has_point) return request;
+  const auto point = read_point(std::string_view(text).substr(name.size() + 1), name, where);
+  if (!point) return tl::unexpected(point.error());
+  request.point = *point;
+  return request;
+}
+
+std::vector<std::string> view_names() { return names_of(views()); }
+
+struct Options : Arguments {
+  RenderRequest request;
+  BackendOptions backend;
+  ProfileOptions profile;
+  LightWish light;
+  std::optional<ViewRequest> view;
+  const Tracer* tracer = nullptr;
+  bool dry_run = false;
+  ProgressMode progress = ProgressMode::automatic;
+
+  void rows(OptionTable& row) {
+    SceneOptions& scene = request.scene;
+    row("-o, --output PATTERN", "where to: out/frame_####.png, {scene}, - for standard output");
+    row("-f, --frames LIST", "frames, as 1..240:2,300 (default: all of the scene)", request.frames,
+        &parse_frames);
+    row_of_threads(row, scene.limits.threads);
+    request.row_of_size(row);
+    row("--crop x0,y0,x1,y1", "only this part, pixels from the top left", request.crop);
+    backend.rows(row);
+    profile.rows(row, light);
+    light.rows(row);
+    row("--view VIEW",
+        "instead of a picture one ray a pixel: hits, depth, intervals, visibility:x,y", view,
+        &parse_view, &view_names);
+    row_of_tracer(row, tracer);
+    scene.row_of_seed(row);
+    row("--shard I/N", "only every N-th of the frames, from the I-th on, I from 0", request.shard,
+        &parse_shard);
+    row("--resume", "keep frames already written whole for this very scene, rays of films",
+        request.resume);
+    row("--dry-run", "say what would be written and write nothing", dry_run);
+    row("--keep-all", "draw also what the plan would leave out; same pictures", request.keep_all);
+    request.row_of_format(row);
+    row(kForceRow);
+    row("--progress", "always: plain lines without a terminal, too", progress, kProgress);
+    row(kJsonRow);
+    scene.rows(row);
+    request.read_size(row);
+    light.resume = request.resume;
+    if (row.has("view") && row.has("backend"))
+      row.problem("view", "is drawn by rays, not by a back end", "leave out --backend");
+    if (view) expect_tracer_of_view(row, tracer, *view->view);
+    if (row.has("quiet")) progress = ProgressMode::never;
+  }
+};
 
 Result<VerbOutput> to_stdout(const Arguments& arguments, const RenderJob& job, unsigned threads) {
   if (job.frames.empty())
@@ -69,61 +110,65 @@ Result<void> fits_in_memory(const Arguments& arguments, const RenderJob& job) {
                        "say a smaller --size or --crop");
 }
 
-// Of --backend auto: a back end that does not add light is not the one of choice for lamps.
-bool wants_software(const Arguments& arguments, const RenderJob& job) {
-  return arguments.text("backend") == "auto" && !job.scene.lamps.empty();
+// What the options say of a job's drawing.
+Result<void> complete(const Options& options, const std::shared_ptr<const Renderer>& renderer,
+                      RenderJob& job) {
+  job.tracer = options.tracer;
+  // A back end that does not add light is not the one of choice for lamps.
+  if (renderer != nullptr && options.backend.name == "auto" && !job.scene.lamps.empty())
+    report_warnings(
+        {{options.where("backend"),
+          fmt::format("the lamps of '{}' are drawn by the software back end", job.scene.name),
+          "GL adds no light"}},
+        options);
+  else
+    job.renderer = renderer;
+  job.view = options.view;
+  if (job.view && job.output.format().of_picture == nullptr)
+    return usage_error(options.where("view"), "has no light for an HDR picture",
+                       "write a PNG file");
+  return wish_light(options, options.light, job).and_then([&] {
+    return fits_in_memory(options, job);
+  });
 }
 
-Result<VerbOutput> run(const Arguments& given) {
+// What a profile chooses, as if it had been given.
+Result<Options> with_profile(Options options) {
+  if (auto chosen = choose_by_profile(options, options.profile, options.request.scene); !chosen)
+    return fail(std::move(chosen));
+  Diagnostics problems;
+  OptionTable table(options, problems);
+  options.backend.rows(table);
+  options.request.scene.overrides.clear();
+  options.request.scene.rows(table);
+  if (!problems.empty()) return tl::unexpected(std::move(problems));
+  return options;
+}
+
+Result<VerbOutput> run(const Options& given) {
   const auto chosen = with_profile(given);
   if (!chosen) return tl::unexpected(chosen.error());
-  const Arguments& arguments = *chosen;
-  const auto request = read_request(arguments);
-  if (!request) return tl::unexpected(request.error());
-  const auto light = read_light_wish(arguments);
-  if (!light) return tl::unexpected(light.error());
-  const auto mode = progress_mode(arguments);
-  if (!mode) return tl::unexpected(mode.error());
-  auto jobs = make_jobs(arguments, *request);
+  const Options& options = *chosen;
+  const RenderRequest& request = options.request;
+  auto jobs = make_jobs(options, request);
   if (!jobs) return tl::unexpected(jobs.error());
   for (const RenderJob& job : *jobs)
     if (auto able = can_draw(job.scene, left_out_of_build()); !able) return fail(std::move(able));
-  const auto renderer = chosen_renderer(arguments, request->threads);
+  const auto renderer = chosen_renderer(options.backend, request.threads());
   if (!renderer) return tl::unexpected(renderer.error());
-  const auto view = chosen_view(arguments);
-  if (!view) return tl::unexpected(view.error());
-  const auto tracer = chosen_tracer(arguments);
-  if (!tracer) return tl::unexpected(tracer.error());
-  if (*view)
-    if (auto can = check_tracer_of_view(arguments, *tracer, *(*view)->view); !can)
-      return fail(std::move(can));
-  for (RenderJob& job : *jobs) {
-    job.tracer = *tracer;
-    if (*renderer != nullptr && wants_software(arguments, job))
-      report_warnings(
-          {{arguments.where("backend"),
-            fmt::format("the lamps of '{}' are drawn by the software back end", job.scene.name),
-            "GL adds no light"}},
-          arguments);
-    else
-      job.renderer = *renderer;
-    job.view = *view;
-    if (*view && job.output.format().of_picture == nullptr)
-      return usage_error(arguments.where("view"), "has no light for an HDR picture",
-                         "write a PNG file");
-    if (auto wished = wish_light(arguments, *light, job); !wished) return fail(std::move(wished));
-    if (auto fits = fits_in_memory(arguments, job); !fits) return fail(std::move(fits));
-  }
-  const auto list = work_list(*jobs, *request);
+  for (RenderJob& job : *jobs)
+    if (auto completed = complete(options, *renderer, job); !completed)
+      return fail(std::move(completed));
+  const auto list = work_list(*jobs, request);
   if (!list) return tl::unexpected(list.error());
-  if (arguments.has("dry-run")) return describe(*list);
+  if (options.dry_run) return describe(*list);
   const RenderJob& first = jobs->front();
-  if (first.output.is_stdout() && arguments.has("json"))
-    return usage_error(arguments.where("json"), "standard output is taken by the picture",
+  if (first.output.is_stdout() && options.has("json"))
+    return usage_error(options.where("json"), "standard output is taken by the picture",
                        "leave out --json, or write to a file");
   if (first.output.is_stdout() && !first.output.format().is_video())
-    return to_stdout(arguments, first, request->threads);
-  return render_all(arguments, *list, *mode);
+    return to_stdout(options, first, request.threads());
+  return render_all(options, *list, options.progress);
 }
 
 }  // namespace
@@ -134,7 +179,7 @@ extern const Verb render = {
     "draw frames of scenes into picture files",
     1,
     10'000,
-    kOptions,
+    kCommand<Options, &run>,
     "  flatray render scenes/demo.toml\n"
     "  flatray render scene.toml -f 3 -o hall.png\n"
     "  flatray render scene.toml -o 'out/frame_####.png' -j 4 --resume\n"
@@ -146,7 +191,6 @@ extern const Verb render = {
     "  flatray render scene.toml -f 1..240 -o video.mp4 -j 4\n"
     "  flatray render scene.toml -o - --format y4m | ffmpeg -i - video.mkv\n",
     "nothing rendered",
-    &run,
     nullptr,
     "frames written are whole, and the same command with --resume goes on"};
 

@@ -5,7 +5,7 @@
 namespace flatray::verbs {
 namespace {
 
-Result<VerbOutput> run(const Arguments&) {
+Result<VerbOutput> run(const NoOptions&) {
   return VerbOutput{{json_text(scene_schema(), {.indent = 2}) + "\n"}};
 }
 
@@ -16,11 +16,10 @@ extern const Verb schema = {"schema",
                             "print the JSON Schema of scenes, by which editors check and complete",
                             0,
                             0,
-                            {},
+                            kCommand<NoOptions, &run>,
                             "  flatray schema > scene.schema.json\n"
                             "  first line of a scene, for Even Better TOML and taplo:\n"
                             "  #:schema ./scene.schema.json\n",
-                            "",
-                            &run};
+                            ""};
 
 }  // namespace flatray::verbs

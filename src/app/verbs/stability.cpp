@@ -21,136 +21,146 @@ std::vector<std::string> place_names() { return names_of(room_places()); }
 
 std::vector<std::string> pair_family_names() { return names_of(pair_families()); }
 
-// What is checked where no tracer is named; the others are wrong now and then.
-std::vector<std::string> exact_tracers() {
-  std::vector<std::string> names;
-  for (const Tracer* tracer : tracers())
-    if (tracer->exact) names.emplace_back(tracer->name);
-  return names;
-}
-
 std::vector<std::string> all_family_names() {
   std::vector<std::string> names = family_names();
   for (std::string& name : pair_family_names()) names.push_back(std::move(name));
   return names;
 }
 
-constexpr auto kOptions = with_scene_options(
-    {{"families", '\0', "NAME,NAME",
-      "only these families of inputs, as docs/NUMERICS.md names them; with --pairs, families of "
-      "pairs",
-      OptionKind::text, &all_family_names},
-     {"tracer", '\0', "NAME,NAME", "these tracers instead of all exact ones", OptionKind::text,
-      &tracer_names},
-     {"count", '\0', "N",
-      "rays of each family for each tracer, in chunks of 16384 (default 100000)"},
-     {"leaks", '\0', "N",
-      "instead, for each tracer N rays aimed at the vertices of each sealed room, in blocks of "
-      "1024"},
-     {"places", '\0', "NAME,NAME", "of --leaks: only where these rooms stand", OptionKind::text,
-      &place_names},
-     {"pairs", '\0', "N",
-      "instead, N moving pairs of each family, in chunks of 1024, against exact contacts"},
-     {"catalogue", '\0', "", "instead, the catalogue of stiff cases by id, for all tracers",
-      OptionKind::flag},
-     {"sweep", '\0', "", "instead, scales and offsets from 2^-1000 to 2^1000, for all tracers",
-      OptionKind::flag},
-     {"seed", '\0', "N", "seed of all draws (default 1)"},
-     {"output", 'o', "FOLDER",
-      "where its files go: stability.csv, or leaks.csv, a row a chunk, from which a run with the "
-      "same seed goes on"},
-     kForceOption,
-     kThreadsOption,
-     kJsonOption});
-
-// What to check; a chunk of a family is named by its number.
-struct Plan {
-  std::vector<const oracle::Family*> families;
-  std::vector<PairFamily> pair_families;  // with --pairs instead of `families`
-  std::vector<const Tracer*> tracers;
-  std::uint64_t seed = 1, chunks = 1;
-  unsigned threads = 1;
-};
-
-Result<Plan> read_plan(const Arguments& arguments) {
-  Plan plan;
-  const bool pairs = arguments.has("pairs");
-  const auto families =
-      chosen_names(arguments, "families", "family", pairs ? pair_family_names() : family_names());
-  if (!families) return tl::unexpected(families.error());
-  const auto names = chosen_names(arguments, "tracer", "tracer", tracer_names());
-  if (!names) return tl::unexpected(names.error());
-  const auto seed = arguments.whole("seed", 1, 0, ~std::uint64_t{0});
-  if (!seed) return tl::unexpected(seed.error());
-  const auto count = arguments.whole("count", 100'000, 1, std::uint64_t{1} << 40);
-  if (!count) return tl::unexpected(count.error());
-  const auto width = threads(arguments);
-  if (!width) return tl::unexpected(width.error());
-  const auto chosen = [&](const auto& family) {
-    return std::find(families->begin(), families->end(), family.name) != families->end();
-  };
-  for (const oracle::Family& family : oracle::families())
-    if (!pairs && chosen(family)) plan.families.push_back(&family);
-  for (PairFamily& family : flatray::pair_families())
-    if (pairs && chosen(family)) plan.pair_families.push_back(std::move(family));
-  for (const std::string& name : arguments.has("tracer") ? *names : exact_tracers()) {
-    const auto tracer = usable_tracer(name, arguments.where("tracer"));
-    if (!tracer) return tl::unexpected(tracer.error());
-    plan.tracers.push_back(*tracer);
-  }
-  plan.seed = *seed;
-  plan.chunks = (*count + kRaysAChunk - 1) / kRaysAChunk;
-  plan.threads = *width;
-  return plan;
+// What is checked where no tracer is named; the others are wrong now and then.
+std::vector<const Tracer*> exact_tracers() {
+  std::vector<const Tracer*> exact;
+  for (const Tracer* tracer : tracers())
+    if (tracer->exact) exact.push_back(tracer);
+  return exact;
 }
 
+Result<std::vector<const Tracer*>> tracers_called(const std::string& text, const Place& where) {
+  const auto names = chosen_names(text, where, "tracer", tracer_names());
+  if (!names) return tl::unexpected(names.error());
+  std::vector<const Tracer*> chosen;
+  for (const std::string& name : *names) {
+    const auto tracer = usable_tracer(name, where);
+    if (!tracer) return tl::unexpected(tracer.error());
+    chosen.push_back(*tracer);
+  }
+  return chosen;
+}
+
+struct Options : Arguments {
+  StabilityRequest request{.tracers = exact_tracers(), .places = place_names()};
+  std::vector<std::string> families;
+  std::uint64_t count = 100'000;
+  std::optional<std::uint64_t> pairs;
+  bool catalogue = false, sweep = false;
+
+  std::uint64_t chunks() const { return (count + kRaysAChunk - 1) / kRaysAChunk; }
+  bool chooses(const std::string& family) const {
+    return std::find(families.begin(), families.end(), family) != families.end();
+  }
+
+  void rows(OptionTable& row) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
+    auto& [tracers, named, seed, threads, leaks, places, scene] = request;
+    row("--families NAME,NAME",
+        "only these families of inputs, as docs/NUMERICS.md names them; with --pairs, families of "
+        "pairs",
+        &all_family_names);
+    row("--tracer NAME,NAME", "these tracers instead of all exact ones", tracers, &tracers_called,
+        &tracer_names);
+    row("--count N", "rays of each family for each tracer, in chunks of 16384", count, 1, kMost);
+    row("--leaks N",
+        "instead, for each tracer N rays aimed at the vertices of each sealed room, in blocks of "
+        "1024",
+        leaks, 1, kMost);
+    row("--places NAME,NAME", "of --leaks: only where these rooms stand", places,
+        names_among("place", places), &place_names);
+    row("--pairs N",
+        "instead, N moving pairs of each family, in chunks of 1024, against exact contacts", pairs,
+        1, kMost);
+    row("--catalogue", "instead, the catalogue of stiff cases by id, for all tracers", catalogue);
+    row("--sweep", "instead, scales and offsets from 2^-1000 to 2^1000, for all tracers", sweep);
+    scene.row_of_seed(row, seed, ~std::uint64_t{0});
+    row("-o, --output FOLDER",
+        "where its files go: stability.csv, or leaks.csv, a row a chunk, from which a run with the "
+        "same seed goes on");
+    row(kForceRow);
+    row_of_threads(row, threads);
+    row(kJsonRow);
+    scene.rows(row);
+    families = pairs ? pair_family_names() : family_names();
+    row.read("families", families, names_among("family", families));
+    named = row.has("tracer");
+    scene.limits.threads = threads;
+    expect_one_thing(row);
+  }
+
+ private:
+  // What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one at
+  // most.
+  void expect_one_thing(OptionTable& row) {
+    const bool scene_given = !row.operand(0).empty();
+    std::string what = scene_given ? "a scene" : "";
+    for (const char* other : {"catalogue", "sweep", "leaks", "pairs"}) {
+      if (!row.has(other)) continue;
+      if (!what.empty())
+        return row.problem(other, "does not go with " + what, "leave one of them out");
+      what = "--" + std::string(other);
+    }
+    if (!request.leaks && row.has("places"))
+      row.problem("places", "is about --leaks", "leave it out");
+    if (what.empty()) return;
+    for (const char* other : {"families", "count"})
+      if (row.has(other) && !(pairs && std::string_view(other) == "families"))
+        row.problem(other, "is about the families of inputs", "leave it out");
+    row.excludes("pairs", {"tracer"});
+  }
+};
+
 // Those of `names` in a family of this run.
-std::vector<ChunkLog::Key> keys_of(const Plan& plan, const std::string& family,
+std::vector<ChunkLog::Key> keys_of(const Options& options, const std::string& family,
                                    const std::vector<std::string>& names) {
   std::vector<ChunkLog::Key> keys;
   for (const std::string& name : names)
-    keys.push_back({family, name, isa_name(active_isa()), plan.seed, 0});
+    keys.push_back({family, name, isa_name(active_isa()), options.request.seed, 0});
   return keys;
 }
 
-Result<void> run_family(const Plan& plan, const oracle::Family& family,
+Result<void> run_family(const Options& options, const oracle::Family& family,
                         const std::vector<ChunkLog::Key>& keys, StabilityLog& log) {
-  return log.run(keys, plan.chunks, plan.threads,
+  return log.run(keys, options.chunks(), options.request.threads,
                  [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
                    std::vector<const Tracer*> asked;
-                   for (const std::size_t k : open) asked.push_back(plan.tracers[k]);
-                   return check_scenes(asked, family, plan.seed, chunk * kScenesAChunk,
+                   for (const std::size_t k : open) asked.push_back(options.request.tracers[k]);
+                   return check_scenes(asked, family, options.request.seed, chunk * kScenesAChunk,
                                        kScenesAChunk);
                  });
 }
 
-Result<void> run_pair_family(const Plan& plan, const PairFamily& family, std::uint64_t chunks,
+Result<void> run_pair_family(const Options& options, const PairFamily& family, std::uint64_t chunks,
                              const std::vector<ChunkLog::Key>& keys, StabilityLog& log) {
-  return log.run(
-      keys, chunks, plan.threads, [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
-        const auto all = check_pairs(family, plan.seed, chunk * kPairsAChunk, kPairsAChunk);
-        std::vector<StabilityTally> tallies;
-        for (const std::size_t k : open) tallies.push_back(all[k]);
-        return tallies;
-      });
+  return log.run(keys, chunks, options.request.threads,
+                 [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
+                   const auto all = check_pairs(family, options.request.seed, chunk * kPairsAChunk,
+                                                kPairsAChunk);
+                   std::vector<StabilityTally> tallies;
+                   for (const std::size_t k : open) tallies.push_back(all[k]);
+                   return tallies;
+                 });
 }
 
-Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
-  if (arguments.has("tracer"))
-    return usage_error(arguments.where("tracer"), "does not go with --pairs",
-                       "leave one of them out");
-  const auto pairs = arguments.whole("pairs", 1, 1, std::uint64_t{1} << 40);
-  if (!pairs) return tl::unexpected(pairs.error());
-  const std::uint64_t chunks = (*pairs + kPairsAChunk - 1) / kPairsAChunk;
-  auto log = StabilityLog::open(arguments.text("output"), Outputs(arguments));
+Result<VerbOutput> run_pairs(const Options& options) {
+  const std::uint64_t chunks = (*options.pairs + kPairsAChunk - 1) / kPairsAChunk;
+  auto log = StabilityLog::open(options.text("output"), Outputs(options));
   if (!log) return fail(std::move(log));
   Table table{{"family", "method", "pairs", "meet", "wrong", "missed", "invented", "other_class",
                "t_not_nearest_or_wide", "t_off", "first_wrong"},
               {}};
   std::uint64_t wrong = 0;
-  for (const PairFamily& family : plan.pair_families) {
-    const auto keys = keys_of(plan, StabilityRows::pairs(family), family.methods);
-    if (auto done = run_pair_family(plan, family, chunks, keys, *log); !done)
+  for (const PairFamily& family : pair_families()) {
+    if (!options.chooses(family.name)) continue;
+    const auto keys = keys_of(options, StabilityRows::pairs(family), family.methods);
+    if (auto done = run_pair_family(options, family, chunks, keys, *log); !done)
       return fail(std::move(done));
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const StabilityTally sum = log->sum(keys[k], chunks);
@@ -160,28 +170,6 @@ Result<VerbOutput> run_pairs(const Arguments& arguments, const Plan& plan) {
     }
   }
   return stability_output(std::move(table), wrong == 0);
-}
-
-// What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one at
-// most.
-Result<std::string> what_to_do(const Arguments& arguments) {
-  std::string what = arguments.operands().empty() ? "families" : "scene";
-  for (const char* other : {"catalogue", "sweep", "leaks", "pairs"}) {
-    if (!arguments.has(other)) continue;
-    if (what != "families")
-      return usage_error(arguments.where(other),
-                         "does not go with " + (what == "scene" ? "a scene" : "--" + what),
-                         "leave one of them out");
-    what = other;
-  }
-  if (what != "leaks" && arguments.has("places"))
-    return usage_error(arguments.where("places"), "is about --leaks", "leave it out");
-  if (what != "families")
-    for (const char* other : {"families", "count"})
-      if (arguments.has(other) && !(what == "pairs" && std::string(other) == "families"))
-        return usage_error(arguments.where(other), "is about the families of inputs",
-                           "leave it out");
-  return what;
 }
 
 // Part of a whole, of that which was counted: chunks of before have fewer counts.
@@ -208,41 +196,39 @@ JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
   return tally.timed == tally.rays ? JsonValue(ulps) : JsonValue("unknown");
 }
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const auto what = what_to_do(arguments);
-  if (!what) return tl::unexpected(what.error());
-  const auto plan = read_plan(arguments);
-  if (!plan) return tl::unexpected(plan.error());
-  const bool named = arguments.has("tracer");
-  StabilityRequest request{plan->tracers, named, plan->seed, plan->threads};
-  if (*what == "scene") return report_margins(arguments, request);
-  if (!named && *what != "families" && *what != "leaks" && *what != "pairs")
-    request.tracers = tracers_at_hand();
-  if (*what == "catalogue") return report_catalogue(arguments, request);
-  if (*what == "sweep") return report_sweep(arguments, request);
-  if (*what == "pairs") return run_pairs(arguments, *plan);
-  if (*what == "leaks") return report_leaks(arguments, request);
-  auto log = StabilityLog::open(arguments.text("output"), Outputs(arguments));
+Result<VerbOutput> run_families(const Options& options) {
+  auto log = StabilityLog::open(options.text("output"), Outputs(options));
   if (!log) return fail(std::move(log));
   Table table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
                "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query",
                "ns_of_chunks", "bytes_an_object", "first_wrong"},
               {}};
   std::uint64_t wrong = 0;
-  for (const oracle::Family* family : plan->families) {
-    const auto keys = keys_of(*plan, family->name, names_of(plan->tracers));
-    if (auto done = run_family(*plan, *family, keys, *log); !done) return fail(std::move(done));
+  for (const oracle::Family& family : oracle::families()) {
+    if (!options.chooses(family.name)) continue;
+    const auto keys = keys_of(options, family.name, names_of(options.request.tracers));
+    if (auto done = run_family(options, family, keys, *log); !done) return fail(std::move(done));
     for (const ChunkLog::Key& key : keys) {
-      const StabilityTally sum = log->sum(key, plan->chunks);
+      const StabilityTally sum = log->sum(key, options.chunks());
       wrong += sum.wrong + sum.off_by_more;
-      table.add({family->name, key.tracer, sum.rays, sum.hits, sum.wrong, sum.missed, sum.invented,
+      table.add({family.name, key.tracer, sum.rays, sum.hits, sum.wrong, sum.missed, sum.invented,
                  sum.other_wall, sum.not_nearest, sum.off_by_more, known(sum, sum.worst_ulps),
                  known(sum, sum.most_ulps()), share(sum.one_by_one, sum.watched),
-                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, plan->chunks),
+                 share(sum.nanoseconds, sum.timed), range_of_times(*log, key, options.chunks()),
                  share(sum.bytes, sum.objects), sum.first_wrong});
     }
   }
   return stability_output(std::move(table), wrong == 0);
+}
+
+Result<VerbOutput> run(const Options& options) {
+  if (!options.operands().empty()) return report_margins(options, options.request);
+  if (options.pairs) return run_pairs(options);
+  if (options.request.leaks) return report_leaks(options, options.request);
+  if (!options.catalogue && !options.sweep) return run_families(options);
+  StabilityRequest request = options.request;
+  if (!request.named) request.tracers = tracers_at_hand();
+  return options.catalogue ? report_catalogue(options, request) : report_sweep(options, request);
 }
 
 }  // namespace
@@ -253,7 +239,7 @@ extern const Verb stability = {
     "compare tracers and contacts with exact arithmetic on inputs made to be hard",
     0,
     1,
-    kOptions,
+    kCommand<Options, &run>,
     "  flatray stability --count 1000000 -o out/stability\n"
     "  flatray stability --families vertex,edge --tracer grid,float\n"
     "  flatray stability --families tangents,arc-ends,ellipses\n"
@@ -263,7 +249,6 @@ extern const Verb stability = {
     "  flatray stability --sweep -o out/stability\n"
     "  flatray stability scenes/chamber/hall.toml   # which of its rays are near a decision\n",
     "",
-    &run,
     nullptr,
     kRowsKept};
 

@@ -23,7 +23,14 @@ bool is_picture(const fs::path& extension) {
   return format != nullptr && !format->is_video();  // videos have no record
 }
 
-constexpr Option kOptions[] = {kThreadsOption, kJsonOption};
+struct Options : Arguments {
+  unsigned threads = 1;
+
+  void rows(OptionTable& row) {
+    row_of_threads(row, threads);
+    row(kJsonRow);
+  }
+};
 
 // What is wrong with one file.
 struct Finding {
@@ -169,13 +176,11 @@ class FolderCheck {
   std::vector<Finding> findings_;
 };
 
-Result<VerbOutput> run(const Arguments& arguments) {
-  const auto count = threads(arguments);
-  if (!count) return tl::unexpected(count.error());
+Result<VerbOutput> run(const Options& options) {
   VerbOutput output;
   Values values;
-  for (const std::string& folder : arguments.operands()) {
-    FolderCheck check(folder, *count);
+  for (const std::string& folder : options.operands()) {
+    FolderCheck check(folder, options.threads);
     if (auto done = check.run(); !done) return fail(std::move(done));
     output.text.emplace_back(check.text());
     values.push_back(check.value());
@@ -193,10 +198,9 @@ extern const Verb verify = {
     "say whether frames, blocks and rows in a folder are as their records say; writes nothing",
     1,
     10'000,
-    kOptions,
+    kCommand<Options, &run>,
     "  flatray verify out/demo\n"
     "  flatray verify out/demo --json | jq '.results[].problems'\n",
-    "nothing judged",
-    &run};
+    "nothing judged"};
 
 }  // namespace flatray::verbs

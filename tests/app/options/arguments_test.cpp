@@ -5,7 +5,7 @@
 namespace flatray {
 namespace {
 
-constexpr Option kOptions[] = {
+const Option kOptions[] = {
     {"output", 'o', "PATTERN", ""}, {"jobs", 'j', "N", ""},
     {"max-pixels", '\0', "N", ""},  {"define", 'D', "KEY=VALUE", "", OptionKind::list},
     {"ray", '\0', "x,y,dx,dy", ""}, {"quiet", 'q', "", "", OptionKind::flag}};
@@ -21,16 +21,15 @@ const char* everything(const char* name) {
   return nullptr;
 }
 
-Result<Arguments> parse(std::vector<std::string> words, Environment environment = &nothing) {
-  return parse_arguments(kOptions, std::move(words), environment);
+Arguments parse(std::vector<std::string> words, Environment environment = &nothing) {
+  return parse_arguments(kOptions, words, environment);
 }
 
 std::string problem(std::vector<std::string> words) {
-  const auto parsed = parse(std::move(words));
-  if (parsed) return "accepted";
-  for (const Diagnostic& one : parsed.error())
+  const Arguments parsed = parse(std::move(words));
+  for (const Diagnostic& one : parsed.problems)
     if (one.trouble != Trouble::usage) return "wrong trouble";
-  return format(parsed.error());
+  return parsed.problems.empty() ? "accepted" : format(parsed.problems);
 }
 
 TEST(Arguments, OptionsAndOperandsStandInAnyOrder) {
@@ -40,57 +39,69 @@ TEST(Arguments, OptionsAndOperandsStandInAnyOrder) {
       {"a.toml", "-q", "b.toml", "-ox.png"},
       {"--output=x.png", "a.toml", "--quiet", "b.toml"}};
   for (const auto& words : orders) {
-    const auto arguments = parse(words);
-    ASSERT_TRUE(arguments) << words[0];
-    EXPECT_EQ(arguments->operands(), (std::vector<std::string>{"a.toml", "b.toml"}));
-    EXPECT_EQ(arguments->text("output"), "x.png");
-    EXPECT_TRUE(arguments->has("quiet"));
-    EXPECT_FALSE(arguments->has("jobs"));
+    const Arguments arguments = parse(words);
+    ASSERT_TRUE(arguments.problems.empty()) << words[0];
+    EXPECT_EQ(arguments.operands(), (std::vector<std::string>{"a.toml", "b.toml"}));
+    EXPECT_EQ(arguments.text("output"), "x.png");
+    EXPECT_TRUE(arguments.has("quiet"));
+    EXPECT_FALSE(arguments.has("jobs"));
   }
 }
 
 TEST(Arguments, ValuesMayBeginWithAMinusAndDashDashEndsOptions) {
-  const auto arguments = parse({"--ray", "-1,2,3,4", "-o", "-", "--", "-q"});
-  ASSERT_TRUE(arguments);
-  EXPECT_EQ(arguments->text("ray"), "-1,2,3,4");
-  EXPECT_EQ(arguments->text("output"), "-");
-  EXPECT_EQ(arguments->operands(), std::vector<std::string>{"-q"});
-  EXPECT_FALSE(arguments->has("quiet"));
+  const Arguments arguments = parse({"--ray", "-1,2,3,4", "-o", "-", "--", "-q"});
+  ASSERT_TRUE(arguments.problems.empty());
+  EXPECT_EQ(arguments.text("ray"), "-1,2,3,4");
+  EXPECT_EQ(arguments.text("output"), "-");
+  EXPECT_EQ(arguments.operands(), std::vector<std::string>{"-q"});
+  EXPECT_FALSE(arguments.has("quiet"));
 }
 
 TEST(Arguments, ALoneMinusIsAnOperand) {
-  const auto arguments = parse({"-", "-q"});
-  ASSERT_TRUE(arguments);
-  EXPECT_EQ(arguments->operands(), std::vector<std::string>{"-"});
+  const Arguments arguments = parse({"-", "-q"});
+  ASSERT_TRUE(arguments.problems.empty());
+  EXPECT_EQ(arguments.operands(), std::vector<std::string>{"-"});
 }
 
 TEST(Arguments, AListOptionTakesOneValueEachTime) {
-  const auto arguments = parse({"-D", "a=1", "scene.toml", "-D", "b=2", "-Dc=3"});
-  ASSERT_TRUE(arguments);
-  EXPECT_EQ(arguments->list("define"), (std::vector<std::string>{"a=1", "b=2", "c=3"}));
-  EXPECT_EQ(arguments->operands(), std::vector<std::string>{"scene.toml"});
+  const Arguments arguments = parse({"-D", "a=1", "scene.toml", "-D", "b=2", "-Dc=3"});
+  ASSERT_TRUE(arguments.problems.empty());
+  EXPECT_EQ(arguments.list("define"), (std::vector<std::string>{"a=1", "b=2", "c=3"}));
+  EXPECT_EQ(arguments.operands(), std::vector<std::string>{"scene.toml"});
+}
+
+TEST(Arguments, LettersOfFlagsStandTogetherBeforeAValue) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"-qo", "x.png"}, {"-qox.png"}}) {
+    const Arguments arguments = parse(words);
+    EXPECT_TRUE(arguments.problems.empty());
+    EXPECT_TRUE(arguments.has("quiet"));
+    EXPECT_EQ(arguments.text("output"), "x.png");
+  }
+  EXPECT_NE(problem({"-qz"}).find("-qz: error: unknown option"), std::string::npos);
 }
 
 TEST(Arguments, FlagsWinOverTheEnvironment) {
-  const auto arguments = parse({"-j", "2"}, &everything);
-  ASSERT_TRUE(arguments);
-  EXPECT_EQ(*arguments->whole("jobs", 1, 1, 99), 2U);
-  EXPECT_EQ(*arguments->whole("max-pixels", 5, 1, 999), 100U);
-  EXPECT_TRUE(arguments->has("quiet"));
-  EXPECT_FALSE(arguments->has("output")) << "an empty variable counts as unset";
+  const Arguments arguments = parse({"-j", "2"}, &everything);
+  EXPECT_EQ(arguments.text("jobs"), "2");
+  EXPECT_EQ(arguments.text("max-pixels"), "100");
+  EXPECT_TRUE(arguments.has("quiet"));
+  EXPECT_FALSE(arguments.has("output")) << "an empty variable counts as unset";
 }
 
-TEST(Arguments, TheBuiltInValueComesLast) {
-  EXPECT_EQ(*parse({}, &everything)->whole("jobs", 1, 1, 99), 7U);
-  EXPECT_EQ(*parse({})->whole("jobs", 1, 1, 99), 1U);
-}
-
-TEST(Arguments, AMistakeInTheEnvironmentNamesTheVariable) {
-  const auto arguments = parse({}, &everything);
-  const auto refused = arguments->whole("max-pixels", 5, 1, 99);
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(format(refused.error()),
-            "FLATRAY_MAX_PIXELS: error: 100 is out of range\n    say a number from 1 to 99\n");
+TEST(Arguments, OfWaysToPrintTheOneSaidNearerCounts) {
+  using Given = Arguments::Given;
+  const Given here{"--csv", {}}, there{"FLATRAY_JSON", {}};
+  Arguments near({{"csv", here}, {"json", there}}, {});
+  near.keep_one_format();
+  EXPECT_TRUE(near.problems.empty());
+  EXPECT_TRUE(near.has("csv"));
+  EXPECT_FALSE(near.has("json"));
+  Arguments alike({{"csv", here}, {"json", {"--json", {}}}}, {});
+  alike.keep_one_format();
+  EXPECT_EQ(format(alike.problems),
+            "--csv: error: does not go with --json\n    each is all that is printed: leave one of "
+            "them out\n");
 }
 
 TEST(Arguments, AnUnknownOptionNamesTheNearest) {
@@ -115,11 +126,13 @@ TEST(Arguments, AMissingValueIsAUsageError) {
   EXPECT_NE(problem({"--quiet=perhaps"}), "accepted");
 }
 
-TEST(Arguments, NumbersAreDigitsInRange) {
-  for (const char* bad : {"", "0", "-1", "1.5", "1e3", "99999999999999999999", " 1", "100"})
-    EXPECT_FALSE(parse({std::string("--jobs=") + bad}).and_then([](const Arguments& given) {
-      return given.whole("jobs", 1, 1, 99);
-    })) << bad;
+TEST(Arguments, ValuesThatAreMissingAreToldWithAllElse) {
+  const std::string all = problem({"--quiet=3", "--zzzz", "-o"});
+  EXPECT_NE(all.find("--quiet: error: takes no value"), std::string::npos) << all;
+  EXPECT_NE(all.find("--zzzz: error: unknown option"), std::string::npos) << all;
+  EXPECT_NE(all.find("--output: error: needs a value PATTERN\n    say --output PATTERN"),
+            std::string::npos)
+      << all;
 }
 
 }  // namespace

@@ -81,13 +81,19 @@ TEST(OptionValues, ARayIsFourNumbers) {
 }
 
 TEST(OptionValues, AnOverrideIsCutAtItsFirstEquals) {
-  const auto overrides = parse_overrides({"a.b=c=d", "x="}, {});
-  ASSERT_TRUE(overrides);
-  EXPECT_EQ((*overrides)[0].key, "a.b");
-  EXPECT_EQ((*overrides)[0].value, "c=d");
-  EXPECT_EQ((*overrides)[1].value, "");
-  EXPECT_FALSE(parse_overrides({"novalue"}, {}));
-  EXPECT_FALSE(parse_overrides({"=5"}, {}));
+  const auto override = parse_override("a.b=c=d", {});
+  ASSERT_TRUE(override);
+  EXPECT_EQ(override->key, "a.b");
+  EXPECT_EQ(override->value, "c=d");
+  EXPECT_EQ(parse_override("x=", {})->value, "");
+  EXPECT_FALSE(parse_override("novalue", {}));
+  EXPECT_FALSE(parse_override("=5", {}));
+}
+
+TEST(OptionValues, ATimeIsAboveZeroAndUpToItsLimit) {
+  EXPECT_EQ(parse_time("1.5s", {}, 60).value(), 1.5);
+  EXPECT_EQ(parse_time("60", {}, 60).value(), 60);
+  for (const char* bad : {"0", "-1s", "x", "", "61s"}) EXPECT_FALSE(parse_time(bad, {}, 60)) << bad;
 }
 
 }  // namespace

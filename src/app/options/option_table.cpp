@@ -1,0 +1,110 @@
+#include "app/options/option_table.h"
+
+#include <fmt/core.h>
+
+#include <bit>
+#include <limits>
+
+#include "app/options/option_values.h"
+#include "base/number_text.h"
+
+namespace flatray {
+namespace {
+
+// Large powers of two as such: nobody reads 1099511627776.
+std::string shown(std::uint64_t value) {
+  constexpr int kReadable = 20;
+  const int power = std::countr_zero(value + 1);
+  if (std::has_single_bit(value) && std::countr_zero(value) > kReadable)
+    return fmt::format("2^{}", std::countr_zero(value));
+  if (std::has_single_bit(value + 1) && power > kReadable) return fmt::format("2^{}-1", power);
+  return std::to_string(value);
+}
+
+// "-j, --jobs N".
+Option option_of(std::string_view spelling, std::string help, Words words) {
+  const std::size_t name = spelling.find("--") + 2;
+  const std::size_t end = std::min(spelling.find(' ', name), spelling.size());
+  const std::string_view metavar = spelling.substr(std::min(end + 1, spelling.size()));
+  return {std::string(spelling.substr(name, end - name)),
+          name > 2 ? spelling[1] : '\0',
+          std::string(metavar),
+          std::move(help),
+          metavar.empty() ? OptionKind::flag : OptionKind::text,
+          words};
+}
+
+}  // namespace
+
+std::string range_text(std::uint64_t low, std::uint64_t high, const std::string& otherwise) {
+  const bool any = low == 0 && high == std::numeric_limits<std::uint64_t>::max();
+  const std::string range = any ? "" : fmt::format("{} to {}", shown(low), shown(high));
+  const std::string last = otherwise.empty() ? "" : "default " + otherwise;
+  return fmt::format(" ({}{}{})", range, range.empty() || last.empty() ? "" : ", ", last);
+}
+
+std::string default_text(double value) { return number_text(value); }
+
+std::string OptionTable::operand(std::size_t index) const {
+  if (given_ == nullptr || index >= given_->operands().size()) return {};
+  return given_->operands()[index];
+}
+
+void OptionTable::operator()(const char* spelling, std::string help, Words words) {
+  options_.push_back(option_of(spelling, std::move(help), words));
+}
+
+void OptionTable::operator()(const char* spelling, std::string help, bool& member) {
+  (*this)(spelling, std::move(help));
+  member = member || has(options_.back().name);
+}
+
+void OptionTable::operator()(const char* spelling, std::string help, std::string& member) {
+  (*this)(spelling, member.empty() ? help : help + fmt_default(member));
+  if (has(options_.back().name)) member = *given_->text(options_.back().name);
+}
+
+void OptionTable::operator()(const char* spelling, std::string help,
+                             std::optional<std::string>& member) {
+  (*this)(spelling, std::move(help));
+  if (has(options_.back().name)) member = given_->text(options_.back().name);
+}
+
+std::optional<std::uint64_t> OptionTable::whole(std::uint64_t low, std::uint64_t high) {
+  const std::string& name = options_.back().name;
+  if (!has(name)) return std::nullopt;
+  const std::string text = *given_->text(name);
+  const std::optional<std::uint64_t> value = parse_whole(text);
+  if (value && *value >= low && *value <= high) return value;
+  problem(name,
+          value ? fmt::format("{} is out of range", text)
+                : fmt::format("'{}' is not a whole number", text),
+          fmt::format("say a number from {} to {}", low, high));
+  return std::nullopt;
+}
+
+std::optional<std::size_t> OptionTable::word(const std::vector<std::string>& known) {
+  const std::string& name = options_.back().name;
+  if (!has(name)) return std::nullopt;
+  const auto index = word_of(*given_->text(name), given_->where(name), known);
+  if (index) return *index;
+  keep(index.error());
+  return std::nullopt;
+}
+
+void OptionTable::problem(std::string_view name, std::string message, std::string hint) {
+  if (given_ != nullptr)
+    keep({{given_->where(name), std::move(message), std::move(hint), Trouble::usage}});
+}
+
+void OptionTable::excludes(std::string_view name, std::initializer_list<const char*> others) {
+  for (const char* other : others)
+    if (has(name) && has(other))
+      problem(other, fmt::format("does not go with --{}", name), "leave one of them out");
+}
+
+void OptionTable::keep(const Diagnostics& problems) {
+  if (problems_ != nullptr) problems_->insert(problems_->end(), problems.begin(), problems.end());
+}
+
+}  // namespace flatray
