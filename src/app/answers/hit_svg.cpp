@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kMargin = 0.08, kTurn = 0x1.921fb54442d18p+2;
 constexpr int kChords = 96;  // of a circle
-constexpr Plot::Point kGap{NAN, NAN};
 
 Vec2 at(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
 Plot::Point point(const Vec2& place) { return {place.x(), place.y()}; }
@@ -31,7 +30,7 @@ void add_outline(const Scene& scene, const FrameState& state, std::uint32_t enti
       box.add(corner);
       walls.points.push_back(point(corner));
     }
-    walls.points.push_back(kGap);
+    walls.points.push_back(Plot::gap());
   };
   for (const OutlineEdge& edge : outline(shape))
     add({place(shape.vertices[edge.from]), place(shape.vertices[edge.to])});
@@ -79,7 +78,7 @@ std::string svg_of(const Scene& scene, const FrameState& state,
     const auto add = [&](Plot::Series& to, const Range& part) {
       if (part.low <= part.high)
         to.points.insert(to.points.end(),
-                         {point(at(ray, part.low)), point(at(ray, part.high)), kGap});
+                         {point(at(ray, part.low)), point(at(ray, part.high)), Plot::gap()});
     };
     add(rays, shown);
     origins.points.push_back({ray.origin.x(), ray.origin.y(), 0, report.ray.name});

@@ -9,7 +9,6 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kMostNumbers = 60;
-constexpr Plot::Point kGap{NAN, NAN};
 
 // All walls as one line with gaps.
 Plot::Series walls_of(const OrbitRoom& room) {
@@ -19,7 +18,7 @@ Plot::Series walls_of(const OrbitRoom& room) {
     for (const std::uint32_t surface : *numbers) {
       for (const Vec2& point : wall_outline(walls, surface))
         lines.points.push_back({point.x(), point.y()});
-      lines.points.push_back(kGap);
+      lines.points.push_back(Plot::gap());
     }
   return lines;
 }
@@ -34,7 +33,7 @@ void add(Plot& plot, const OrbitReport& report, std::size_t number) {
   Vec2 last = orbit.start;
   for (const OrbitLine& part : lines) {
     const auto& [a, b] = part.line;
-    if (a != last) path.points.insert(path.points.end(), {kGap, {a.x(), a.y()}});
+    if (a != last) path.points.insert(path.points.end(), {Plot::gap(), {a.x(), a.y()}});
     path.points.push_back({b.x(), b.y()});
     last = b;
   }

@@ -200,13 +200,12 @@ std::string accuracy_plot(const ChoiceReport& report) {
     plot.series.push_back({series.empty() ? "settings" : series, {}, true});
     for (const AccuracyPoint& point : report.points) {
       if (point.series != series) continue;
-      plot.series.back().points.push_back(plot_point(report, point, 1));
-      plot.series.back().points.back().label = label_of(point);
-      by_number = by_number || !label_of(point).starts_with(point.setting);
-      if (const std::string words = advice(report, point); !words.empty()) {
-        plot.notes.push_back({point.seconds, point.outcome.error, ""});
-        plot.caption += fmt::format("Ringed: {}, {}. ", point.setting, words);
-      }
+      Plot::Point& shown = plot.series.back().points.emplace_back(plot_point(report, point, 1));
+      shown.label = label_of(point);
+      by_number = by_number || !shown.label.starts_with(point.setting);
+      const std::string words = advice(report, point);
+      shown.ringed = !words.empty();
+      if (shown.ringed) plot.caption += fmt::format("Ringed: {}, {}. ", point.setting, words);
     }
   }
   plot.series.push_back(best_of(report, 1, "axis"));

@@ -56,12 +56,6 @@ class PlotDrawing {
       if (series.points.size() > (series.marks ? 0 : 1) && !series.name.empty())
         name(series, ink, look);
     }
-    for (const Plot::Note& note : plot_.notes) {
-      if (!shown({note.x, note.y})) continue;
-      const Vec2 at = place(note.x, note.y);
-      out_.marks.push_back(Drawing::Disc{at, 6, {"text"}});
-      if (!note.words.empty()) labels.add(at, note.words);
-    }
     labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
     for (const auto& [colour, words] : plot_.kinds) {
@@ -213,6 +207,7 @@ class PlotDrawing {
           stroke({ends[0], ends[1]}, {ink});
         }
       mark(at, ink, number, series.width);
+      if (point.ringed) out_.marks.push_back(Drawing::Disc{at, 6, {"text"}});
       labels.keep_free(at);
       if (!point.label.empty()) labels.add(at, point.label);
     }

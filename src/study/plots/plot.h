@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,24 +20,20 @@ struct Plot {
     double x, y, half = 0;  ///< half of the interval of y
     std::string label{};    ///< words beside it
     double half_x = 0;      ///< half of the interval of x
+    bool ringed = false;
   };
+  /// Parts a line.
+  static Point gap() { return {std::numeric_limits<double>::quiet_NaN(), 0}; }
   struct Series {
     std::string name;  ///< in the legend; "" is not
-    /// A point that is no number parts the line.
     std::vector<Point> points;
     bool marks = false;  ///< points with their intervals; else a line
     std::string ink{};   ///< instead of the next one of series_ink
     double width = 1.5;  ///< of the line; half of the radius of a mark
   };
   std::vector<Series> series;
-  bool log_y = false;  ///< points with y <= 0 are left out
-  bool log_x = false;  ///< likewise
-  /// A ring round a point of a series, and words beside it.
-  struct Note {
-    double x, y;
-    std::string words;
-  };
-  std::vector<Note> notes{};
+  bool log_y = false;     ///< points with y <= 0 are left out
+  bool log_x = false;     ///< likewise
   std::string caption{};  ///< below
   /// Pixels that stand for places of the axes, which are these bounds.
   struct Map {

@@ -68,7 +68,8 @@ TEST(Plot, PointsLieAtTheirNumbersOnTheAxes) {
 TEST(Plot, LogarithmsAreEvenlySpacedAndTheirTicksArePowersOfTen) {
   Plot plot{"t",  "x", "y", {{"", {{1e-4, 1}, {1e-2, 100}, {1, 1e4}, {-1, 5}, {5, 0}}, true}},
             true, true};
-  plot.notes.push_back({1e-2, 100, "here"});
+  plot.series[0].points[1].label = "here";
+  plot.series[0].points[1].ringed = true;
   const std::string text = svg(plot);
   const auto points = places(text, "<circle cx=\"([0-9.]+)\" cy=\"([0-9.]+)\" r=\"3\"");
   ASSERT_EQ(points.size(), 3U) << "what is not above 0 is left out";
@@ -182,7 +183,7 @@ TEST(Plot, IntervalsLieWithinTheAxes) {
 
 TEST(Plot, LinesEndAtTheAxes) {
   Plot plot{
-      "t", "x", "y", {{"", {{-5, 0.5}, {0.5, 0.5}, {0.5, 9}, {NAN, NAN}, {0.2, -3}, {0.2, 0.1}}}}};
+      "t", "x", "y", {{"", {{-5, 0.5}, {0.5, 0.5}, {0.5, 9}, Plot::gap(), {0.2, -3}, {0.2, 0.1}}}}};
   plot.window = Bounds{{0, 0}, {1, 1}};
   std::vector<std::vector<Vec2>> ways;
   for (const auto& mark : drawing_of(plot).marks)
