@@ -102,8 +102,8 @@ class TallyLog {
     for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
   }
-  /// Adds what is not there of chunks 0 to `chunks` - 1 of each of `keys`, whatever their chunk, in rounds
-  /// of `threads` (app/files/rounds.h): `check(chunk, open)` gives tallies of those numbered in `open`.
+  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, in rounds
+  /// (app/files/rounds.h): `check(chunk, open)` gives tallies of the keys numbered in `open`.
   template <class Check>
   Result<void> run(const std::vector<ChunkLog::Key>& keys, std::uint64_t chunks, unsigned threads,
                    const Check& check) {
