@@ -70,8 +70,8 @@ Plot::Bar bar_of(std::string label, double most, const std::function<Light(doubl
 /// log(1 + number) of that of `most`; 0 where that is 0.
 double log_share(double number, double most);
 
-/// A plot as files NAME.svg and NAME.png, that of 1000 pixels on its longer side, and of more where
-/// not every pixel of a map would be seen else.
+/// A plot as files NAME.svg and NAME.png, that of 1000 pixels on its longer side, and of up to 4000
+/// where not every pixel of a map would be seen else.
 void add_plot(ExperimentResult& result, const std::string& name, const Plot& plot,
               unsigned threads);
 

@@ -31,12 +31,14 @@ std::vector<Tick> ticks(double low, double high, double most, double step) {
       if (span / (factor * power) <= most) step = factor * power;
   }
   std::vector<Tick> all;
-  for (double k = std::ceil(low / step); k * step <= high; ++k)
-    all.push_back({k * step, tick_words(k * step)});
+  const double first = std::ceil(low / step);
+  if (!(step > 0) || !(std::fabs(first) < 0x1p52)) return all;  // doubles there have no such steps
+  for (double k = first; k * step <= high; ++k) all.push_back({k * step, tick_words(k * step)});
   return all;
 }
 
 std::vector<Tick> log_ticks(double low, double high, double most) {
+  if (!std::isfinite(low) || !std::isfinite(high)) return {};
   const double step = std::max(1.0, std::ceil((high - low) / most));
   std::vector<Tick> all;
   for (double k = std::floor(low / step) * step; k <= high; k += step)

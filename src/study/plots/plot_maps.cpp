@@ -38,6 +38,10 @@ Plot::Bar bar_of(std::string label, double most, const std::function<Light(doubl
     return colour(1 - static_cast<double>(i) / (kSteps - 1));
   };
   Plot::Bar bar{std::move(label), image_of(1, kSteps, light), {}};
+  if (!(most > 0)) {  // all there is is 0
+    bar.ticks.emplace_back(0, "0");
+    return bar;
+  }
   std::vector<double> numbers{0};
   const bool counts = part_of && most == std::floor(most);  // which have no parts
   for (const Tick& tick :
@@ -79,7 +83,7 @@ void add_plot(ExperimentResult& result, const std::string& name, const Plot& plo
   double scale = kPixels / drawing.size.maxCoeff();
   for (const auto& mark : drawing.marks)
     if (const auto* picture = std::get_if<Drawing::Picture>(&mark); plot.map && picture) {
-      scale = std::max(scale, plot.map->image.width / picture->size.x());
+      scale = std::clamp(plot.map->image.width / picture->size.x(), scale, 4 * scale);
       break;
     }
   result.files.push_back({name + ".svg", svg(drawing)});

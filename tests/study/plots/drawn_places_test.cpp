@@ -213,6 +213,18 @@ TEST(Plot, AColourBarEndsAtTheNumbersOfTheData) {
   EXPECT_EQ(even.strip.at(0, 255)[0], 0) << "black below";
 }
 
+// Found by a wedge in whose picture no ray is reflected.
+TEST(Plot, ABarOfNothingButZerosAndAxesFarFromTheOriginHaveFewTicks) {
+  const auto share = [](double number) { return log_share(number, 0); };
+  for (const Plot::Bar& bar : {bar_of("b", 0, &heat), bar_of("b", 0, &heat, share)}) {
+    ASSERT_EQ(bar.ticks.size(), 1U);
+    EXPECT_EQ(bar.ticks.front(), (std::pair<double, std::string>(0, "0")));
+  }
+  EXPECT_TRUE(ticks(0x1p60, 0x1p60 + 512, 6).empty());
+  EXPECT_TRUE(ticks(1, 1, 6).size() <= 1);
+  EXPECT_TRUE(log_ticks(-kInfinity, 3, 6).empty());
+}
+
 // The picture's pixels are those of the map, its corners at the ends of the axes.
 TEST(Plot, AMapIsDrawnPixelByPixelInBothWriters) {
   Plot plot{"t", "x", "y", {}};
