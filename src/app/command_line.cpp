@@ -159,8 +159,7 @@ int answer(const Verb& verb, const std::vector<std::string>& words) {
     return print(written(verb.name, arguments, why), report_failure(why, verb.undone));
   };
   if (!problems.empty()) return failed(problems);
-  if (const auto entered = enter_sandbox(verb, arguments); !entered)
-    return report_failure(entered.error(), verb.undone);
+  if (const auto entered = enter_sandbox(verb, arguments); !entered) return failed(entered.error());
   limit_resources(common.limits);
   Result<VerbOutput> output = run();
   if (!output) return failed(output.error());

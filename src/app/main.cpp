@@ -1,7 +1,11 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <tuple>
 
 #include "app/interrupt.h"
 #include "app/options/resource_limits.h"
@@ -40,10 +44,19 @@ int report(const std::exception_ptr& error) {
 // Before any object outside of functions is made, which may lack memory, too.
 [[gnu::constructor(101)]] void prepare() { std::set_terminate(&end_at_once); }
 
+// A file that is opened must not get the number of standard output or error where these are closed:
+// messages would be written into it. What stands there instead fails to be read or written as before.
+void hold_closed_files() {
+  for (int file = 0; file <= 2; ++file)
+    if (::fcntl(file, F_GETFD) < 0)
+      std::ignore = ::open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
+    hold_closed_files();
     flatray::survive_file_limits();
     flatray::throw_where_numbers_lack_memory();
     return flatray::run_command_line({argv + (argc > 0 ? 1 : 0), argv + argc});

@@ -64,11 +64,12 @@ Descriptor moved_up(Descriptor file) {
 
 }  // namespace
 
-Result<ChildProgram> ChildProgram::start(std::vector<std::string> words, const Descriptor& output) {
+Result<ChildProgram> ChildProgram::start(std::vector<std::string> words, const Descriptor& output,
+                                         const char* remedy) {
   const std::string name = words.front();
   const auto cannot_start = [&](int error) {
-    return fail(named_place(name), fmt::format("cannot be started: {}", std::strerror(error)), "",
-                Trouble::unavailable);
+    return fail(named_place(name), fmt::format("cannot be started: {}", std::strerror(error)),
+                error == ENOENT ? remedy : "", Trouble::unavailable);
   };
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0) return cannot_start(errno);
@@ -114,7 +115,10 @@ Result<void> ChildProgram::finish(bool (*stop)()) {
   for (;;) {
     const pid_t ended = ::waitpid(process_, &status, stop == nullptr ? 0 : WNOHANG);
     if (ended == process_) break;
-    if (ended < 0 && errno != EINTR) return cannot("wait for", name_, errno, Trouble::output);
+    if (ended < 0 && errno != EINTR) {
+      process_ = -1;  // it is gone, and its number may be another's
+      return cannot("wait for", name_, errno, Trouble::output);
+    }
     if (stop == nullptr) continue;
     if (stop()) ::kill(process_, SIGKILL);
     std::this_thread::sleep_for(kPause);

@@ -16,8 +16,10 @@ class ChildProgram {
  public:
   /// Starts `words[0]`, found on PATH, with the others and "/dev/fd/3" as arguments: `output`, by
   /// whatever name it has or had. No shell reads them.
-  /// Error   Trouble::unavailable where it cannot be started, with the system's reason.
-  static Result<ChildProgram> start(std::vector<std::string> words, const Descriptor& output);
+  /// Error   Trouble::unavailable where it cannot be started, with the system's reason, and with
+  ///         `remedy` where there is no such program.
+  static Result<ChildProgram> start(std::vector<std::string> words, const Descriptor& output,
+                                    const char* remedy = "");
   ChildProgram(ChildProgram&& other) noexcept;
   ChildProgram& operator=(ChildProgram&&) = delete;
   ~ChildProgram();

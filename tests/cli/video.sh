@@ -124,6 +124,13 @@ nothing_left "SIGINT while drawing"
 kill -0 "$(cat ffmpeg.pid)" 2> /dev/null && fail "ffmpeg still runs"
 
 # Where it is not installed.
+
+# Started with signals of children ignored, or without the three standard files, as some daemons do.
+fake 'cat > "$file"'
+env --ignore-signal=CHLD "$flatray" render box.toml -f 1..3 -o child.mp4 -q --force || fail "a child's end is not heard"
+timeout 60 "$flatray" render box.toml -f 1..3 -o closed.mp4 <&- >&- 2>&- || fail "without standard files"
+cmp -s child.mp4 closed.mp4 || fail "standard files are written into the video"
+rm child.mp4 closed.mp4
 rm bin/ffmpeg
 for tool in bash cat grep sed find head mktemp; do ln -sf "$(PATH=$system command -v $tool)" bin/$tool; done
 PATH=$work/bin

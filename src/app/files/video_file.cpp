@@ -40,17 +40,16 @@ std::vector<std::string> words_for(const PictureFormat& format) {
 
 Result<VideoFile> VideoFile::begin(const PictureFormat& format, const std::filesystem::path& path) {
   ::signal(SIGPIPE, SIG_IGN);  // who reads no more is told as an error of the write
+  ::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
   VideoFile video(path);
   if (path == "-") return video;
   auto file = NewFile::begin(path);
   if (!file) return fail(std::move(file));
   video.file_.emplace(std::move(*file));
   if (format.by_ffmpeg.empty()) return video;
-  auto program = ChildProgram::start(words_for(format), video.file_->descriptor());
-  if (!program) {
-    program.error().front().hint = "apt install ffmpeg; without it, say -o video.y4m";
-    return at(path, std::move(program).error());
-  }
+  auto program = ChildProgram::start(words_for(format), video.file_->descriptor(),
+                                     "apt install ffmpeg; without it, say -o video.y4m");
+  if (!program) return at(path, std::move(program).error());
   video.program_.emplace(std::move(*program));
   return video;
 }

@@ -11,6 +11,7 @@
 #include "render/coverage/unseen.h"
 
 namespace flatray {
+
 void RenderRequest::row_of_size(OptionTable& row) {
   row("--size WxH", "size of the pictures instead of the scene's");
 }

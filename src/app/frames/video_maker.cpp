@@ -49,8 +49,11 @@ class VideoMaker {
       collect();
     }
     if (goes_on()) write();
-    if (goes_on())
-      if (auto finished = file_.finish(); !finished) result_.problems = std::move(finished).error();
+    if (goes_on()) {
+      auto finished = file_.finish();
+      whole_ = finished.has_value();
+      if (!whole_) result_.problems = std::move(finished).error();
+    }
     return result();
   }
 
@@ -105,8 +108,7 @@ class VideoMaker {
       result_.encoded += lane.encoder.encoded();
     }
     if (interrupted()) result_.problems.clear();  // as it may end the program, too
-    const bool whole = goes_on() && result_.written.size() == frames_.size();
-    if (!whole) result_.written.clear(), result_.seconds.clear();
+    if (!whole_) result_.written.clear(), result_.seconds.clear();
     for (FrameRecord& record : result_.written) record.bytes = hash_.hex();
     return std::move(result_);
   }
@@ -120,7 +122,8 @@ class VideoMaker {
   const FrameSequence sequence_;
   std::deque<Lane> lanes_;  // which are never moved
   std::deque<Encoded> waiting_;
-  Hash hash_;  ///< of all parts
+  Hash hash_;           ///< of all parts
+  bool whole_ = false;  ///< the file has its name
   JobResult result_;
 };
 

@@ -57,11 +57,18 @@ struct Outcome {
   const char* unit = "levels";
 };
 
+bool is_read(const PictureFormat& format) {
+  return format.read_picture != nullptr || format.read_light != nullptr;
+}
+
 std::vector<std::string> pictures_below(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const fs::path& path : files_below(folder))
-    if (const fs::path kind = path.extension(); kind == ".png" || kind == ".hdr" || kind == ".pfm")
+  for (const fs::path& path : files_below(folder)) {
+    const std::string kind = path.extension().string();
+    const PictureFormat* format = kind.empty() ? nullptr : find_picture_format(kind.substr(1));
+    if (format != nullptr && is_read(*format))
       names.push_back(path.lexically_relative(folder).generic_string());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -100,14 +107,13 @@ Result<std::vector<Pair>> pairs(const std::string& a, const std::string& b) {
 
 struct Picture {
   Image image;
-  std::optional<LinearImage> light;  // of an HDR or PFM
+  std::optional<LinearImage> light;  // of a format that holds it
 };
 
 Result<Picture> read_picture(const std::string& path, bool named) {
   ReadLimits limits{.bytes = kMostPictureBytes, .pipes = named};
   for (const PictureFormat* format : picture_formats())
-    if (format->read_picture != nullptr || format->read_light != nullptr)
-      limits.begins.push_back(format->beginning);
+    if (is_read(*format)) limits.begins.push_back(format->beginning);
   const Result<std::string> content = read_file(path, limits);
   if (!content) return tl::unexpected(content.error());
   const auto bytes = std::as_bytes(std::span(*content));
@@ -117,7 +123,9 @@ Result<Picture> read_picture(const std::string& path, bool named) {
     if (!light) return fail(std::move(light));
     return Picture{develop(*light), std::move(*light)};
   }
-  Result<Image> image = decode_png(bytes, path);
+  Result<Image> image = format != nullptr && format->read_picture != nullptr
+                            ? format->read_picture(bytes, path)
+                            : decode_png(bytes, path);
   if (!image) return fail(std::move(image));
   return Picture{std::move(*image), std::nullopt};
 }

@@ -37,7 +37,7 @@ class Basins {
       if (pixel.kind == Kind::escape) ++escaped_;
       if (pixel.kind == Kind::absorbed) ++exits_[exit_of(pixel)];
       if (pixel.kind == Kind::limit) continue;
-      if (pixel.bounces >= gone_after_.size()) gone_after_.resize(pixel.bounces + 1);
+      if (pixel.bounces >= gone_after_.size()) gone_after_.resize(std::size_t{pixel.bounces} + 1);
       ++gone_after_[pixel.bounces];
     }
   }

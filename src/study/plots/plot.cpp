@@ -59,6 +59,7 @@ class PlotDrawing {
     labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
     for (const auto& [colour, words] : plot_.kinds) {
+      if (is_legend_full()) break;
       const Vec2 at = next_name(words);
       out_.marks.push_back(
           Drawing::Path{box_of(at - Vec2(20, 6), at + Vec2(-6, 6)), {"axis", colour}, true});
@@ -68,6 +69,7 @@ class PlotDrawing {
   }
 
  private:
+  bool is_legend_full() const { return name_at_.y() > high_.y() + (3.4 + kMostRows) * kLine; }
   bool shown(const Plot::Point& point) const {
     return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0) &&
            (!plot_.log_x || point.x > 0);
@@ -202,7 +204,8 @@ class PlotDrawing {
       if (!Bounds{low_ - Vec2(1, 1), high_ + Vec2(1, 1)}.contains(at)) continue;
       for (const Vec2& half : {Vec2(0, point.half), Vec2(point.half_x, 0)})
         if (half != Vec2(0, 0)) {
-          const Vec2 ends[] = {end_of(point, -half), end_of(point, half)};
+          Vec2 ends[] = {end_of(point, -half), end_of(point, half)};
+          for (Vec2& end : ends) end = end.cwiseMax(low_).cwiseMin(high_);
           for (const Vec2& end : ends) labels.keep_free(end);
           stroke({ends[0], ends[1]}, {ink});
         }
@@ -243,7 +246,7 @@ class PlotDrawing {
     return at;
   }
   void name(const Plot::Series& series, const std::string& ink, std::size_t number) {
-    if (name_at_.y() > high_.y() + (3.4 + kMostRows) * kLine) return;
+    if (is_legend_full()) return;
     const Vec2 at = next_name(series.name) - Vec2(6, 0);
     if (series.marks) return mark(at - Vec2(9, 0), ink, number, series.width);
     stroke({at - Vec2(22, 0), at}, {ink, "", series.width, number});
