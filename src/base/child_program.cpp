@@ -14,6 +14,8 @@
 #include <cstring>
 #include <thread>
 
+#include "base/in_flight.h"
+
 namespace flatray {
 namespace {
 
@@ -81,6 +83,7 @@ Result<ChildProgram> ChildProgram::start(std::vector<std::string> words, const D
   words.push_back(fmt::format("/dev/fd/{}", kOutput));
   const Spawn spawn(read_end.get(), program.said_.get(), file.get());
   if (const int error = spawn(program.process_, words); error != 0) return cannot_start(error);
+  set_program_in_flight(program.process_);
   return program;
 }
 
@@ -92,6 +95,7 @@ ChildProgram::ChildProgram(ChildProgram&& other) noexcept
 
 ChildProgram::~ChildProgram() {
   if (process_ < 0) return;
+  set_program_in_flight(-1);
   ::kill(process_, SIGKILL);
   while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }
@@ -116,6 +120,7 @@ Result<void> ChildProgram::finish(bool (*stop)()) {
     const pid_t ended = ::waitpid(process_, &status, stop == nullptr ? 0 : WNOHANG);
     if (ended == process_) break;
     if (ended < 0 && errno != EINTR) {
+      set_program_in_flight(-1);
       process_ = -1;  // it is gone, and its number may be another's
       return cannot("wait for", name_, errno, Trouble::output);
     }
@@ -123,6 +128,7 @@ Result<void> ChildProgram::finish(bool (*stop)()) {
     if (stop()) ::kill(process_, SIGKILL);
     std::this_thread::sleep_for(kPause);
   }
+  set_program_in_flight(-1);
   process_ = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   const std::string words = last_words();

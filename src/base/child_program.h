@@ -29,12 +29,12 @@ class ChildProgram {
   /// Ends its input and waits for its end, which comes at once where `stop` says so.
   /// Error   Trouble::output: how it ended, and the last line that it said.
   Result<void> finish(bool (*stop)() = nullptr);
+  /// The last line that it said; "" where it was silent.
+  std::string last_words() const;
 
  private:
   ChildProgram(std::string name, Descriptor input, Descriptor said)
       : name_(std::move(name)), input_(std::move(input)), said_(std::move(said)) {}
-  std::string last_words() const;
-
   std::string name_;
   Descriptor input_;  ///< the end of its pipe
   Descriptor said_;   ///< a file without a name: its standard output and error

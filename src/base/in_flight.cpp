@@ -1,5 +1,6 @@
 #include "base/in_flight.h"
 
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,8 +15,9 @@ namespace {
 // many as there can be threads; a file without a place would only be left for remove_leftovers().
 std::array<std::atomic<const InFlight*>, 1024> files{};
 std::atomic<bool> ending{false};
+std::atomic<int> program{-1};
 static_assert(std::atomic<const InFlight*>::is_always_lock_free &&
-              std::atomic<bool>::is_always_lock_free);
+              std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 bool is_same_file(int file, const char* path) {
   struct stat open {
@@ -48,8 +50,11 @@ void InFlight::remove() const {
   ::unlink(path_.c_str());
 }
 
+void set_program_in_flight(int process) { program = process; }
+
 void remove_in_flight() {
   ending = true;
+  if (const int process = program; process > 0) ::kill(process, SIGKILL);
   for (const std::atomic<const InFlight*>& one : files)
     if (const InFlight* file = one) file->remove();
 }

@@ -24,7 +24,10 @@ class InFlight {
   std::size_t slot_;
 };
 
-/// Removes the temporary files of all threads. A signal handler may call it; the program must end
+/// A program that works on such a file, by its process number, and ends with this one; none: -1.
+void set_program_in_flight(int process);
+
+/// Ends that program and removes the temporary files of all threads. A signal handler may call it; the program must end
 /// next, since a thread that was writing one waits for ever.
 void remove_in_flight();
 

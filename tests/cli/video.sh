@@ -125,6 +125,23 @@ kill -0 "$(cat ffmpeg.pid)" 2> /dev/null && fail "ffmpeg still runs"
 
 # Where it is not installed.
 
+# It ends well and has written nothing, or says that it could not: so it is on a full disk.
+fake 'cat > /dev/null'
+run 6 render box.toml -f 1..3 -o full.mp4
+says err "it wrote nothing"
+fake 'cat > "$file"; echo "No space left on device" >&2'
+run 6 render box.toml -f 1..3 -o full.mp4
+says err "it said: No space left on device"
+nothing_left "on a full disk"
+# One that never reads does not outlive a forced end.
+fake 'echo $$ > ffmpeg.pid; exec sleep 600'
+timeout -s INT 1 "$flatray" render box.toml -f 1..3 --size 2000x2000 -o never.mp4 2> /dev/null && fail "was not stopped"
+for ((i = 0; i < 50; i++)); do kill -0 "$(cat ffmpeg.pid)" 2> /dev/null || break; sleep 0.1; done
+kill -0 "$(cat ffmpeg.pid)" 2> /dev/null && fail "ffmpeg that never reads still runs"
+run 0 render box.toml -f 1..3 -o frames.apng --quiet
+run 4 compare frames.apng frames.apng
+says err "is an animated PNG of 3 frames"
+
 # Started with signals of children ignored, or without the three standard files, as some daemons do.
 fake 'cat > "$file"'
 env --ignore-signal=CHLD "$flatray" render box.toml -f 1..3 -o child.mp4 -q --force || fail "a child's end is not heard"

@@ -70,9 +70,15 @@ Result<void> VideoFile::add(std::span<const std::byte> bytes) {
 }
 
 Result<void> VideoFile::finish() {
-  if (program_)
+  if (program_) {
     if (auto ended = program_->finish(&interrupted); !ended)
       return at(path_, std::move(ended).error());
+    // It ends with 0 on a full disk, too. What it says are errors, or nothing.
+    const std::string words = program_->last_words();
+    if (!words.empty() || ::lseek(file_->descriptor().get(), 0, SEEK_END) <= 0)
+      return fail(named_place(path_.string()), "ffmpeg ended before it was whole",
+                  words.empty() ? "it wrote nothing" : "it said: " + words, Trouble::output);
+  }
   if (!file_) return {};
   if (auto kept = file_->flush(); !kept) return kept;
   if (auto named = file_->take_name(); !named) return named;

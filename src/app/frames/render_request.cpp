@@ -76,9 +76,11 @@ Result<void> check_places(const Arguments& arguments, const OutputPattern& outpu
                        output.is_stdout() ? "choose one, as -f 1, or say --format y4m"
                                           : "say frame_####.png, or choose one frame, as -f 1");
   if (scenes > 1 && !output.has_scene())
-    return usage_error(arguments.where("output"),
-                       fmt::format("has no place for the names of {} scenes", scenes),
-                       "say {scene} in it, as out/{scene}/####.png");
+    return usage_error(
+        arguments.where("output"), fmt::format("has no place for the names of {} scenes", scenes),
+        output.is_stdout() ? "choose one scene"
+        : video ? "say {scene} in it, as out/{scene}." + std::string(output.format().name)
+                : "say {scene} in it, as out/{scene}/####.png");
   return {};
 }
 
