@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # unused_features.sh [--must] BUILDS ROOT [FEW]: no scene pays for what it does not use. A scene takes at most 1 % more
-# instructions in the release build, with all its parts, than in the build FEW (minimal, which has only what draws boxes),
+# instructions in the release build, with all its parts, than in the build FEW (few: what draws boxes, and our PNG encoder),
 # and gives the same bytes. Scenes: those written here, and the first frame of all shipped ones that FEW can draw.
 # Where there is no valgrind, or a build is missing, the check is skipped (exit 77); with --must, or where CI is set, it fails
 # then. A build that is older than its sources is brought up to date.
@@ -9,7 +9,7 @@ must=${CI:-}
 [[ $1 != --must ]] || { must=1 && shift; }
 builds=$(cd "$1" && pwd)
 root=$(cd "$2" && pwd)
-few=${3:-minimal}
+few=${3:-few}
 skip() {
   [[ -z $must ]] || { echo "FAIL: $1" && exit 1; }
   echo "skipped: $1"

@@ -85,9 +85,10 @@ Result<std::optional<SceneDesc>> read_config(const std::filesystem::path& file) 
 void add_project_config(std::span<const Option> options, Arguments& arguments,
                         const std::filesystem::path& file) {
   const auto parsed = read_config(file);
+  if (parsed && !*parsed) return;
   Diagnostics problems = parsed ? Diagnostics{} : parsed.error();
   const std::vector<std::string> known = all_options();
-  for (const Member& member : parsed&&* parsed ? (*parsed)->root.members : std::vector<Member>{}) {
+  for (const Member& member : parsed ? (*parsed)->root.members : std::vector<Member>{}) {
     const auto option = std::find_if(options.begin(), options.end(),
                                      [&](const Option& one) { return member.key == one.name; });
     if (!std::binary_search(known.begin(), known.end(), member.key)) {
