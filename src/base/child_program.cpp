@@ -49,6 +49,7 @@ class Spawn {
 
   int operator()(pid_t& process, std::vector<std::string>& words) const {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     return ::posix_spawnp(&process, arguments[0], &files_, &attributes_, arguments.data(), environ);

@@ -65,8 +65,11 @@ class VideoMaker {
     for (std::size_t i = first; i < end; ++i) {
       const auto start = std::chrono::steady_clock::now();
       Result<const Encoded*> made = source_.encode(frames_[i], lane.encoder);
-      if (!made) lane.problems = std::move(made).error();
-      if (!made || *made == nullptr) return;
+      if (!made) {
+        lane.problems = made.error();
+        return;
+      }
+      if (*made == nullptr) return;
       lane.drawn.push_back(**made);
       lane.seconds.push_back(
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -136,7 +136,7 @@ auto entry_called(const char* what, const Entries& entries) {
 }
 
 /// Reads names between commas, each once. Error   the names that are not known.
-inline auto names_among(const char* what, std::vector<std::string> known) {
+inline auto names_among(const char* what, const std::vector<std::string>& known) {
   return [=](const std::string& text, const Place& where) {
     return chosen_names(text, where, what, known);
   };

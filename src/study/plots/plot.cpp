@@ -239,7 +239,7 @@ class PlotDrawing {
     if (name_at_.x() + width > out_.size.x() && name_at_.x() > kRight) {
       name_at_ = {kRight, name_at_.y() + kLine};
     }
-    const Vec2 at = name_at_ + Vec2(28, 0);
+    Vec2 at = name_at_ + Vec2(28, 0);
     out_.marks.push_back(Drawing::Words{at, words});
     name_at_.x() += width;
     has_names_ = true;

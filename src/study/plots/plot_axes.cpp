@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "base/portable_math.h"
 #include "study/plots/drawing.h"
@@ -33,7 +34,8 @@ std::vector<Tick> ticks(double low, double high, double most, double step) {
   std::vector<Tick> all;
   const double first = std::ceil(low / step);
   if (!(step > 0) || !(std::fabs(first) < 0x1p52)) return all;  // doubles there have no such steps
-  for (double k = first; k * step <= high; ++k) all.push_back({k * step, tick_words(k * step)});
+  for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) * step <= high; ++k)
+    all.push_back({static_cast<double>(k) * step, tick_words(static_cast<double>(k) * step)});
   return all;
 }
 
@@ -41,8 +43,9 @@ std::vector<Tick> log_ticks(double low, double high, double most) {
   if (!std::isfinite(low) || !std::isfinite(high)) return {};
   const double step = std::max(1.0, std::ceil((high - low) / most));
   std::vector<Tick> all;
-  for (double k = std::floor(low / step) * step; k <= high; k += step)
+  for (auto number = static_cast<int>(std::floor(low / step)); number * step <= high; ++number)
     for (const int factor : {1, 2, 5}) {
+      const double k = number * step;
       const double at = k + log10_of(factor);
       if (at < low || at > high || (factor > 1 && high - low > most / 3)) continue;
       // Not factor * 10^k: its digits are those of a decimal.

@@ -100,9 +100,9 @@ void add_map(ExperimentResult& result, const std::string& name, const Plot& plot
     text += "," + number_text(bounds.low.x() + (x + 0.5) * step.x());
   for (std::size_t i = 0; 3 * i < image.pixels.size(); ++i) {
     const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t row = i / width;
     if (i % width == 0)
-      text +=
-          "\n" + number_text(bounds.high.y() - (static_cast<double>(i / width) + 0.5) * step.y());
+      text += "\n" + number_text(bounds.high.y() - (static_cast<double>(row) + 0.5) * step.y());
     text += "," + cell(i);
   }
   result.files.push_back({name + "_pixels.csv", text + "\n"});
