@@ -11,8 +11,7 @@ namespace {
 
 // The quotient rounded to the nearest, halves up; `under` is positive.
 constexpr std::int32_t rounded(std::int32_t over, std::int32_t under) {
-  const std::int32_t twice = under / 2;
-  const std::int32_t sum = over + twice;
+  const std::int32_t sum = over + under / 2;
   return sum >= 0 ? sum / under : -((under - 1 - sum) / under);
 }
 
