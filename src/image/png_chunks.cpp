@@ -167,6 +167,8 @@ Result<PngHeader> read_png_chunks(std::span<const std::byte> bytes, const std::s
       png->palette_at = reader.data_at(), png->palette_size = chunk->data.size();
     } else if (type == "tRNS") {
       png->alpha = true;
+    } else if (type == "acTL" && chunk->data.size() == 8) {
+      png->frames = number_at(chunk->data, 0);
     } else if (is_critical(type) && type != "IEND") {
       return reader.wrong("PNG needs what is not known here", "save it as a plain PNG");
     }

@@ -16,6 +16,7 @@ struct PngHeader {
   int bit_depth = 0, colour_type = 0;
   bool interlaced = false;
   bool alpha = false;                            ///< an alpha channel, or a transparent colour
+  std::uint32_t frames = 1;                      ///< of an animated PNG; the pixels are the first
   std::size_t palette_at = 0, palette_size = 0;  ///< bytes of PLTE in the file
   std::vector<char> deflated;                    ///< all IDAT chunks joined
 

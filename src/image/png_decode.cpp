@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <memory>
 
 #include "base/check.h"
@@ -59,6 +61,9 @@ Result<Image> decode_png(std::span<const std::byte> bytes, const std::string& na
                          std::uint64_t max_pixels) {
   Result<PngHeader> png = read_png_chunks(bytes, name, max_pixels);
   if (!png) return fail(std::move(png));
+  if (png->frames > 1)
+    return fail(named_place(name), fmt::format("is an animated PNG of {} frames", png->frames),
+                "give pictures of single frames");
   const auto damaged = [&] {
     return fail(named_place(name), "PNG pixels cannot be unpacked",
                 "the file is damaged: write it again");

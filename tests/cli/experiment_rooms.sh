@@ -17,7 +17,8 @@ kill -INT $running
 wait $running
 code=$?
 ((code == 130)) || fail "stopped with exit code $code, expected 130"
-grep -q "stopped after" half.txt || fail "nothing was said of the stop"
+# A block that takes longer than the grace after a signal, as under sanitizers, is left: then none are counted.
+grep -q "interrupted.*; blocks done are kept" half.txt || fail "nothing was said of the stop"
 exists half/mean-free-path.blocks
 run 6 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 says err "was kept by another run: its count is 100000000, not 20000"

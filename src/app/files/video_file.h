@@ -19,6 +19,8 @@ class VideoFile {
 
   /// The bytes of the next part. Error   Trouble::output, with what the program said.
   Result<void> add(std::span<const std::byte> bytes);
+  /// Whether it is a file, which is there whole or not at all, and not standard output.
+  bool is_file() const { return file_.has_value(); }
   /// Gives it its name.
   Result<void> finish();
 

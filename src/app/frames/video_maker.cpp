@@ -13,8 +13,8 @@ namespace flatray {
 namespace {
 
 // A thread that draws, from one turn to the next, and what it has drawn in this one.
-struct Lane {
-  Lane(const RenderJob& job, unsigned threads) : encoder(job, threads, &interrupted) {}
+struct DrawingThread {
+  DrawingThread(const RenderJob& job, unsigned threads) : encoder(job, threads, &interrupted) {}
   FrameEncoder encoder;
   std::vector<Encoded> drawn{};
   std::vector<double> seconds{};
@@ -33,18 +33,18 @@ class VideoMaker {
         file_(std::move(file)),
         sequence_{job.picture().width, job.picture().height, frames.size(), job.scene.fps} {
     for (unsigned i = 0; i < spread.frames_at_once; ++i)
-      lanes_.emplace_back(job, spread.threads_each);
+      threads_.emplace_back(job, spread.threads_each);
   }
 
-  // While the lanes draw, one more thread writes what they drew before.
+  // While these threads draw, one more thread writes what they drew before.
   JobResult operator()() {
-    const std::size_t count = lanes_.size();
+    const std::size_t count = threads_.size();
     for (std::size_t first = 0; first < frames_.size() && goes_on(); first += count * turn_) {
       parallel_for(count + 1, static_cast<unsigned>(count) + 1, [&](std::size_t i) {
         if (i == count)
           write();
         else
-          draw(lanes_[i], first + i * turn_);
+          draw(threads_[i], first + i * turn_);
       });
       collect();
     }
@@ -60,29 +60,29 @@ class VideoMaker {
  private:
   bool goes_on() const { return result_.problems.empty() && !interrupted(); }
 
-  void draw(Lane& lane, std::size_t first) const {
+  void draw(DrawingThread& thread, std::size_t first) const {
     const std::size_t end = std::min(first + turn_, frames_.size());
     for (std::size_t i = first; i < end; ++i) {
       const auto start = std::chrono::steady_clock::now();
-      Result<const Encoded*> made = source_.encode(frames_[i], lane.encoder);
+      Result<const Encoded*> made = source_.encode(frames_[i], thread.encoder);
       if (!made) {
-        lane.problems = made.error();
+        thread.problems = made.error();
         return;
       }
       if (*made == nullptr) return;
-      lane.drawn.push_back(**made);
-      lane.seconds.push_back(
+      thread.drawn.push_back(**made);
+      thread.seconds.push_back(
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
   }
 
-  // What the lanes have drawn becomes what is to be written.
+  // What the threads have drawn becomes what is to be written.
   void collect() {
-    for (Lane& lane : lanes_) {
-      std::move(lane.drawn.begin(), lane.drawn.end(), std::back_inserter(waiting_));
-      result_.seconds.insert(result_.seconds.end(), lane.seconds.begin(), lane.seconds.end());
-      if (result_.problems.empty()) result_.problems = std::move(lane.problems);
-      lane.drawn.clear(), lane.seconds.clear();
+    for (DrawingThread& thread : threads_) {
+      std::move(thread.drawn.begin(), thread.drawn.end(), std::back_inserter(waiting_));
+      result_.seconds.insert(result_.seconds.end(), thread.seconds.begin(), thread.seconds.end());
+      if (result_.problems.empty()) result_.problems = std::move(thread.problems);
+      thread.drawn.clear(), thread.seconds.clear();
     }
   }
 
@@ -106,12 +106,12 @@ class VideoMaker {
   JobResult result() {
     result_.drawn = source_.drawn();
     result_.encoded = source_.encoded();
-    for (const Lane& lane : lanes_) {
-      result_.drawn += lane.encoder.counts();
-      result_.encoded += lane.encoder.encoded();
+    for (const DrawingThread& thread : threads_) {
+      result_.drawn += thread.encoder.counts();
+      result_.encoded += thread.encoder.encoded();
     }
     if (interrupted()) result_.problems.clear();  // as it may end the program, too
-    if (!whole_) result_.written.clear(), result_.seconds.clear();
+    if (!whole_ && file_.is_file()) result_.written.clear(), result_.seconds.clear();
     for (FrameRecord& record : result_.written) record.bytes = hash_.hex();
     return std::move(result_);
   }
@@ -123,7 +123,7 @@ class VideoMaker {
   const std::function<void()>& done_;
   VideoFile file_;
   const FrameSequence sequence_;
-  std::deque<Lane> lanes_;  // which are never moved
+  std::deque<DrawingThread> threads_;  // which are never moved
   std::deque<Encoded> waiting_;
   Hash hash_;           ///< of all parts
   bool whole_ = false;  ///< the file has its name

@@ -28,10 +28,11 @@ Result<void> fits_scene(const Arguments& arguments, const RenderJob& job) {
         return usage_error(arguments.where(option), "needs --profile, or lamps in the scene",
                            "flatray accuracy SCENE --profile FILE writes one");
   if (no_light && (film || job.light.any()))
-    return usage_error(arguments.where(film                  ? "output"
-                                       : job.light.rays      ? "rays"
-                                       : job.light.estimator ? "estimator"
-                                                             : "error-image"),
+    return usage_error(arguments.where(film                    ? "output"
+                                       : job.light.rays        ? "rays"
+                                       : job.light.estimator   ? "estimator"
+                                       : job.light.error_image ? "error-image"
+                                                               : "ray-shard"),
                        job.view ? "is of light, which --view does not show"
                                 : "is of light, and the scene has no lamp",
                        job.view ? "leave one of them out" : "add [[lamp]] source = { point = {} }");

@@ -110,21 +110,6 @@ struct Picture {
   std::optional<LinearImage> light;  // of a format that holds it
 };
 
-// Frames of an animated PNG: a chunk before the pixels tells them. Needs   a PNG that is whole.
-std::uint32_t frames_of(std::string_view png) {
-  const auto number = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    for (const char byte : png.substr(at, 4))
-      value = value << 8U | static_cast<unsigned char>(byte);
-    return value;
-  };
-  for (std::size_t at = 8; at + 12 < png.size(); at += 12 + std::size_t{number(at)}) {
-    if (png.substr(at + 4, 4) == "acTL") return number(at + 8);
-    if (png.substr(at + 4, 4) == "IDAT") break;
-  }
-  return 1;
-}
-
 Result<Picture> read_picture(const std::string& path, bool named) {
   ReadLimits limits{.bytes = kMostPictureBytes, .pipes = named};
   for (const PictureFormat* format : picture_formats())
@@ -142,9 +127,6 @@ Result<Picture> read_picture(const std::string& path, bool named) {
                             ? format->read_picture(bytes, path)
                             : decode_png(bytes, path);
   if (!image) return fail(std::move(image));
-  if (const std::uint32_t frames = frames_of(*content); frames > 1)
-    return fail(named_place(path), fmt::format("is an animated PNG of {} frames", frames),
-                "compare pictures of single frames");
   return Picture{std::move(*image), std::nullopt};
 }
 

@@ -34,8 +34,13 @@ std::vector<Tick> ticks(double low, double high, double most, double step) {
   std::vector<Tick> all;
   const double first = std::ceil(low / step);
   if (!(step > 0) || !(std::fabs(first) < 0x1p52)) return all;  // doubles there have no such steps
-  for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) * step <= high; ++k)
-    all.push_back({static_cast<double>(k) * step, tick_words(static_cast<double>(k) * step)});
+  // Far from 0 as many digits as neighbours need to differ.
+  const double largest = std::max(std::fabs(low), std::fabs(high));
+  const int digits = std::clamp(static_cast<int>(log10_of(largest / step)) + 2, 6, 17);
+  for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) * step <= high; ++k) {
+    const double at = static_cast<double>(k) * step;
+    all.push_back({at, tick_words(at, digits)});
+  }
   return all;
 }
 

@@ -22,15 +22,57 @@ bool overlap(const Bounds& a, const Bounds& b) {
          b.low.y() < a.high.y();
 }
 
+// Boxes within a frame, sorted into cells, so that a box is asked only against those near it.
+class TakenBoxes {
+ public:
+  TakenBoxes(const Vec2& low, const Vec2& high) : low_(low) {
+    columns_ = cell(high).x() + 1;
+    rows_ = cell(high).y() + 1;
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  }
+  void add(const Bounds& box) {
+    visit(box, [&](std::vector<Bounds>& boxes) {
+      boxes.push_back(box);
+      return false;
+    });
+  }
+  bool overlaps(const Bounds& box) {
+    return visit(box, [&](const std::vector<Bounds>& boxes) {
+      return std::any_of(boxes.begin(), boxes.end(),
+                         [&](const Bounds& one) { return overlap(one, box); });
+    });
+  }
+
+ private:
+  static constexpr double kCell = 32;
+  Eigen::Vector2i cell(const Vec2& point) const {
+    const Vec2 place = (point - low_) / kCell;
+    return place.array().floor().max(-1.0).min(1e4).matrix().cast<int>();
+  }
+  // Until one of the cells that a box lies in says so; whether one did.
+  template <class Visitor>
+  bool visit(const Bounds& box, const Visitor& visitor) {
+    const Eigen::Vector2i from = cell(box.low), to = cell(box.high);
+    for (int row = std::max(from.y(), 0); row <= std::min(to.y(), rows_ - 1); ++row)
+      for (int column = std::max(from.x(), 0); column <= std::min(to.x(), columns_ - 1); ++column)
+        if (visitor(cells_[static_cast<std::size_t>(row * columns_ + column)])) return true;
+    return false;
+  }
+
+  Vec2 low_;
+  int columns_, rows_;
+  std::vector<std::vector<Bounds>> cells_;
+};
+
 // Which part of words that stand on that side is left of where they begin.
 double anchor(const Vec2& side) { return side.x() > 0 ? 0 : side.x() < 0 ? 1 : 0.5; }
 
 }  // namespace
 
 void PointLabels::draw(Drawing& onto) const {
-  std::vector<Bounds> taken;
+  TakenBoxes taken(low_, high_);
   for (const Vec2& point : points_)
-    taken.push_back({point - Vec2(kMark, kMark), point + Vec2(kMark, kMark)});
+    taken.add({point - Vec2(kMark, kMark), point + Vec2(kMark, kMark)});
   for (const Label& label : labels_)
     [&] {
       for (const double away : kAway)
@@ -40,11 +82,9 @@ void PointLabels::draw(Drawing& onto) const {
           const Vec2 low = at - Vec2(anchor(side) * width + kGap, kHalfHeight);
           const Bounds box{low, low + Vec2(width + 2 * kGap, 2 * kHalfHeight)};
           if (box.low.x() < low_.x() || box.high.x() > high_.x() || box.low.y() < low_.y() ||
-              box.high.y() > high_.y() ||
-              std::any_of(taken.begin(), taken.end(),
-                          [&](const Bounds& one) { return overlap(one, box); }))
+              box.high.y() > high_.y() || taken.overlaps(box))
             continue;
-          taken.push_back(box);
+          taken.add(box);
           if (away > kNear)
             onto.marks.push_back(
                 Drawing::Path{{label.at + 4 * side, at - 2 * side}, {"axis", "", 0.7}});
