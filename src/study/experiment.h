@@ -73,10 +73,11 @@ struct ExperimentResult {
     std::string name;  ///< what comes before the extension may hold anything
     std::string content;
   };
-  std::vector<File> files;
-  std::string summary;
+  std::vector<File> files{};
+  std::string summary{};
   bool holds = true;
   std::vector<Measure> measures{};
+  Table table{};  ///< of the measures, a row each
 };
 
 /// Files of a table and of an object, an item a line with infinity and NaN null.

@@ -52,6 +52,34 @@ TEST(Query, TheFirstWallIsTheNearestAndTheLowestOfEqualOnes) {
             R"({"wall":null})");
 }
 
+// An ellipse of half-diameters 3 and 2, and the parabola y = x^2.
+TEST(Query, EllipsesAndBezierCurvesAreWalls) {
+  const auto nearest = [](const std::string& wall, const std::string& ray) {
+    return answer(R"({"op":"nearest","walls":[)" + wall + R"(],)" + ray + "}");
+  };
+  const std::string ellipse = R"({"ellipse":{"center":[1,0],"u":[3,0],"v":[0,2]}})";
+  EXPECT_EQ(nearest(ellipse, R"("origin":[1,0],"direction":[0.5,0])"),
+            R"({"wall":0,"t":6,"point":[4,0],"class":"through"})");
+  EXPECT_EQ(
+      nearest(R"({"bezier":[[-1,1],[0,-1],[1,1]]})", R"("origin":[0.5,1],"direction":[0,-1])"),
+      R"({"wall":0,"t":0.75,"point":[0.5,0.25],"class":"through"})");
+  // From one focus of an ellipse to the other and back.
+  const std::string orbit = answer(
+      R"({"op":"orbit","walls":[{"ellipse":{"center":[0,0],"u":[5,0],"v":[0,4]}}],"origin":[-3,0],)"
+      R"("direction":[3,4],"bounces":1})");
+  EXPECT_NE(orbit.find(R"("end":"limit")"), std::string::npos) << orbit;
+  const std::pair<const char*, const char*> cases[] = {
+      {R"({"ellipse":{"center":[0,0],"u":[1,2],"v":[2,4]}})", "u and v that are parallel"},
+      {R"({"ellipse":{"center":[0,0],"u":[1,2]}})", "needs a center and two half-diameters"},
+      {R"({"bezier":[[0,0],[1,1]]})", "walls[0].bezier: is not a list of 3 or 4 control points"},
+      {R"({"bezier":[[0,0],[1,1],[2,2]]})", "lies on a line: say a segment"},
+      {R"({"bezier":[[0,0],[1,1],[2,0]],"circle":{"center":[0,0],"radius":1}})", "one of them"}};
+  for (const auto& [wall, message] : cases) {
+    const std::string said = nearest(wall, R"("origin":[0,0],"direction":[1,0])");
+    EXPECT_NE(said.find(message), std::string::npos) << said;
+  }
+}
+
 TEST(Query, ThePapersBoxesMeetAt571Of635) {
   EXPECT_EQ(answer(R"({"op":"contact","a":{"polygon":[[250,200],[314,200],[314,328],[250,328]],)"
                    R"("velocity":[635,178]},"b":{"polygon":[[885,378],[949,378],[949,506],)"

@@ -60,8 +60,8 @@ SweepResults::SweepResults(std::string experiment, Sweep sweep)
 
 void SweepResults::add(const std::string& value, const ExperimentResult& result) {
   for (const Measure& one : result.measures)
-    table_.add({value, one.name, one.value, end_cell(one, -1), end_cell(one, 1),
-                cell_or("", one.expected), verdict(one)});
+    table_.add({value, one.name, one.value, end_cell(one, -1), end_cell(one, 1), one.expected,
+                verdict(one)});
   holds_ = holds_ && result.holds;
   found_.emplace_back(value, result.measures);
 }
@@ -98,6 +98,7 @@ ExperimentResult SweepResults::result() && {
   all.summary =
       fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, aligned_text(table_, kBrief));
   all.holds = holds_;
+  all.table = std::move(table_);
   return all;
 }
 

@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <set>
 
 #include "base/diagnostic.h"
 #include "geom/polygon.h"
+#include "geom/predicates.h"
 #include "scene/outlines/arcs.h"
 
 namespace flatray {
@@ -175,6 +177,11 @@ Circle Question::disc(std::string_view name) {
   return read_circle(*value, std::string(name));
 }
 
+void Question::read_whole(const JsonValue& value, const std::string& where, Surfaces& walls) {
+  check_fields(value, where, {"center", "radius"});
+  walls.add(read_circle(value, where));
+}
+
 void Question::read_arc(const JsonValue& value, const std::string& where, Surfaces& walls) {
   check_fields(value, where, {"center", "radius", "towards", "from", "to"});
   const Circle circle = read_circle(value, where);
@@ -217,32 +224,59 @@ void Question::read_degrees(const JsonValue& value, const std::string& where, co
   walls.add(Arc{circle, Arc::Extent::between, first, last});
 }
 
+void Question::read_ellipse(const JsonValue& value, const std::string& where, Surfaces& walls) {
+  check_fields(value, where, {"center", "u", "v"});
+  std::array<Vec2, 3> points;
+  const std::array names = {"center", "u", "v"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const JsonValue* point = value.find(names[i]);
+    if (point == nullptr) return mistake(where, "needs a center and two half-diameters u and v");
+    points[i] = read_point(*point, where + "." + names[i]);
+  }
+  if (cross_sign(points[1], points[2]) == Sign::zero)
+    return mistake(where, "has half-diameters u and v that are parallel");
+  walls.add(Arc{{points[0], points[1], points[2]}, Arc::Extent::whole, {0, 0}, {0, 0}});
+}
+
+void Question::read_bezier(const JsonValue& value, const std::string& where, Surfaces& walls) {
+  const auto* items = std::get_if<Values>(&value.data);
+  if (items == nullptr || (items->size() != 3 && items->size() != 4))
+    return mistake(where, "is not a list of 3 or 4 control points");
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < items->size(); ++i)
+    points.push_back(read_point((*items)[i], fmt::format("{}[{}]", where, i)));
+  if (!sound()) return;
+  const Bezier curve(points);
+  if (is_on_one_line(curve)) return mistake(where, "lies on a line: say a segment");
+  walls.add(curve);
+}
+
+void Question::read_segment(const JsonValue& value, const std::string& where, Surfaces& walls) {
+  const auto* ends = std::get_if<Values>(&value.data);
+  if (ends == nullptr || ends->size() != 2) return mistake(where, "is not a pair of points");
+  walls.add(Segment{read_point((*ends)[0], where + "[0]"), read_point((*ends)[1], where + "[1]")});
+}
+
 void Question::read_wall(const JsonValue& value, const std::string& where, Surfaces& walls) {
-  check_fields(value, where, {"segment", "circle", "arc"});
-  const JsonValue* circle = value.find("circle");
-  const JsonValue* arc = value.find("arc");
-  const JsonValue* segment = value.find("segment");
-  if ((circle != nullptr) + (arc != nullptr) + (segment != nullptr) > 1)
-    mistake(where, "is a segment, a circle or an arc: one of them");
-  if (arc != nullptr) return read_arc(*arc, where + ".arc", walls);
-  if (circle != nullptr) {
-    check_fields(*circle, where + ".circle", {"center", "radius"});
-    walls.add(read_circle(*circle, where + ".circle"));
-    return;
-  }
-  if (segment == nullptr) {
+  using Read = void (Question::*)(const JsonValue&, const std::string&, Surfaces&);
+  static constexpr std::pair<const char*, Read> kKinds[] = {{"segment", &Question::read_segment},
+                                                            {"circle", &Question::read_whole},
+                                                            {"arc", &Question::read_arc},
+                                                            {"ellipse", &Question::read_ellipse},
+                                                            {"bezier", &Question::read_bezier}};
+  std::vector<std::string> names;
+  for (const auto& [name, read] : kKinds) names.emplace_back(name);
+  check_fields(value, where, names);
+  std::size_t found = 0;
+  for (const auto& [name, read] : kKinds)
+    if (const JsonValue* wall = value.find(name); wall != nullptr && ++found == 1)
+      (this->*read)(*wall, where + "." + name, walls);
+  if (found > 1)
+    mistake(where, "is a segment, a circle, an arc, an ellipse or a bezier: one of them");
+  if (found == 0)
     mistake(where,
-            "is not a wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...} or "
-            "{\"arc\": ...}");
-    return;
-  }
-  const auto* ends = std::get_if<Values>(&segment->data);
-  if (ends == nullptr || ends->size() != 2) {
-    mistake(where + ".segment", "is not a pair of points");
-    return;
-  }
-  walls.add(Segment{read_point((*ends)[0], where + ".segment[0]"),
-                    read_point((*ends)[1], where + ".segment[1]")});
+            "is not a wall: say {\"segment\": [[x1, y1], [x2, y2]]}, {\"circle\": ...}, "
+            "{\"arc\": ...}, {\"ellipse\": ...} or {\"bezier\": ...}");
 }
 
 Surfaces Question::walls(std::string_view name) {

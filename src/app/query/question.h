@@ -46,8 +46,9 @@ class Question {
   /// {"center":[x,y],"radius":r}
   Circle disc(std::string_view name);
   /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}},
-  /// {"arc":{"center":[x,y],"radius":r,"towards":[hx,hy]}}, {"arc":{...,"from":deg,"to":deg}}, ...],
-  /// numbered in this order.
+  /// {"arc":{"center":[x,y],"radius":r,"towards":[hx,hy]}}, {"arc":{...,"from":deg,"to":deg}},
+  /// {"ellipse":{"center":[x,y],"u":[ux,uy],"v":[vx,vy]}}, {"bezier":[[x,y],...]}, ...], numbered in
+  /// this order.
   Surfaces walls(std::string_view name);
 
   /// Says what is wrong, and where: "direction: is missing".
@@ -66,6 +67,10 @@ class Question {
   std::vector<Vec2> read_polygon(const JsonValue& value, const std::string& where);
   Circle read_circle(const JsonValue& value, const std::string& where);
   void read_spin(const JsonValue& value, const std::string& where, Moving& body);
+  void read_whole(const JsonValue& value, const std::string& where, Surfaces& walls);
+  void read_ellipse(const JsonValue& value, const std::string& where, Surfaces& walls);
+  void read_bezier(const JsonValue& value, const std::string& where, Surfaces& walls);
+  void read_segment(const JsonValue& value, const std::string& where, Surfaces& walls);
   void read_arc(const JsonValue& value, const std::string& where, Surfaces& walls);
   void read_degrees(const JsonValue& value, const std::string& where, const Circle& circle,
                     Surfaces& walls);

@@ -196,6 +196,7 @@ Result<VerbOutput> run(const Options& options) {
                     .results = Fields{{"experiment", experiment.name},
                                       {"question", experiment.question},
                                       {"holds", result->holds},
+                                      {"measures", result->table},
                                       {"summary", result->summary},
                                       {"files", std::move(*files)}},
                     .exit_code = result->holds ? 0 : 1};

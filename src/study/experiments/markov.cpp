@@ -156,7 +156,7 @@ class Study {
   }
 
   static StateGraph graph(const MarkovChain& chain, const StepMatrix& shown) {
-    StateGraph graph{chain.name, chain.states, {}};
+    StateGraph graph{"States of chain " + chain.name, chain.states, {}};
     for (std::size_t i = 0; i < shown.size(); ++i)
       for (std::size_t j = 0; j < shown.size(); ++j)
         if (shown[i][j].sign() != Sign::zero) graph.arrows.push_back({i, j, label(shown[i][j])});

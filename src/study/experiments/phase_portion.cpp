@@ -21,7 +21,7 @@ std::vector<Plot::Point> portions(const std::vector<BoundaryPoint>& points) {
   double count = 0, next = 1;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int x = std::clamp(static_cast<int>(points[i].along * kCells), 0, kCells - 1);
-    const int y = std::clamp(static_cast<int>((1 + points[i].sine) * 0.5F * kCells), 0, kCells - 1);
+    const int y = std::clamp(static_cast<int>((1 + points[i].sine) * 0.5 * kCells), 0, kCells - 1);
     const auto cell = static_cast<std::size_t>(y * kCells + x);
     if (!seen[cell]) ++count;
     seen[cell] = true;

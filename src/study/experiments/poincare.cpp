@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/counted.h"
+#include "base/npy.h"
 #include "base/number_text.h"
 #include "base/portable_math.h"
 #include "study/plots/plot.h"
@@ -16,7 +17,6 @@ namespace {
 constexpr std::uint64_t kRandomOrbits = 64;
 constexpr int kWidth = 820, kHeight = 410;  // one to one in the picture of 1000 pixels
 constexpr std::size_t kMostNames = 12;
-constexpr std::size_t kRows = 100'000;  // of points listed, evenly over all
 
 // Light of every point on black: colours tell orbits apart, and add where orbits share a pixel.
 Image light_of(const BoundaryOrbits& found) {
@@ -25,7 +25,7 @@ Image light_of(const BoundaryOrbits& found) {
   for (std::size_t i = 0; i < found.points.size(); ++i)
     for (const BoundaryPoint& point : found.points[i]) {
       const int x = std::clamp(static_cast<int>(point.along * kWidth), 0, kWidth - 1);
-      const int y = std::clamp(static_cast<int>((1 - point.sine) * 0.5F * kHeight), 0, kHeight - 1);
+      const int y = std::clamp(static_cast<int>((1 - point.sine) * 0.5 * kHeight), 0, kHeight - 1);
       sum[static_cast<std::size_t>(y * kWidth + x)] += nth_colour(i);
       ++points;
     }
@@ -52,16 +52,29 @@ Plot plot_of(const BoundaryOrbits& found) {
   return plot;
 }
 
-std::string list(const BoundaryOrbits& found) {
-  std::size_t points = 0;
-  for (const auto& orbit : found.points) points += orbit.size();
-  const std::size_t every = std::max<std::size_t>(1, (points + kRows - 1) / kRows);
+// All points, as text and as numbers.
+void add_points(ExperimentResult& result, const BoundaryOrbits& found) {
+  std::uint64_t rows = 0;
+  for (const auto& orbit : found.points) rows += orbit.size();
+  using Kind = NpyTable::Kind;
+  NpyTable numbers({{"orbit", Kind::whole},
+                    {"bounce", Kind::whole},
+                    {"along", Kind::real},
+                    {"sine", Kind::real}},
+                   rows);
   std::string text = "orbit,bounce,along,sine\n";
-  for (std::size_t i = 0; i < found.points.size(); ++i)
-    for (std::size_t k = 0; k < found.points[i].size(); k += every)
-      text += fmt::format("{},{},{},{}\n", i + 1, k + 1, found.points[i][k].along,
-                          found.points[i][k].sine);
-  return text;
+  for (std::uint64_t i = 0; i < found.points.size(); ++i)
+    for (std::uint64_t k = 0; k < found.points[i].size(); ++k) {
+      const BoundaryPoint& point = found.points[i][k];
+      fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i + 1, k + 1,
+                     number_text(point.along), number_text(point.sine));
+      numbers.add(i + 1);
+      numbers.add(k + 1);
+      numbers.add(point.along);
+      numbers.add(point.sine);
+    }
+  result.files.push_back({"poincare_points.csv", std::move(text)});
+  result.files.push_back({"poincare_points.npy", std::move(numbers).take()});
 }
 
 // Runs of bounces: drawn orbits as they are, independent of each other; orbits asked for in stretches.
@@ -75,19 +88,18 @@ std::vector<Stretch> square_sines(const BoundaryOrbits& found) {
       const std::size_t begin = part * orbit.size() / here;
       const std::size_t end = (part + 1) * orbit.size() / here;
       double squares = 0;
-      for (std::size_t i = begin; i < end; ++i)
-        squares += static_cast<double>(orbit[i].sine) * static_cast<double>(orbit[i].sine);
+      for (std::size_t i = begin; i < end; ++i) squares += orbit[i].sine * orbit[i].sine;
       if (end > begin) all.push_back({squares, static_cast<double>(end - begin)});
     }
   }
   return all;
 }
 
-// Whether an orbit comes round to the same bounces for ever: as far as its points are kept, and its
-// doubles rounded, and without drift.
+// Whether an orbit comes round to the same bounces for ever, as far as doubles are rounded, and without
+// drift.
 bool is_closed(const std::vector<BoundaryPoint>& points) {
   const auto is_near = [](const BoundaryPoint& a, const BoundaryPoint& b) {
-    constexpr float kNear = 0x1p-22F;  // floats up to 1, and as much again
+    constexpr double kNear = 0x1p-22;  // far below what is seen, far above rounding
     return std::fabs(a.along - b.along) <= kNear && std::fabs(a.sine - b.sine) <= kNear;
   };
   std::size_t round = 1;
@@ -130,7 +142,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                fmt::format("Bounces of {} by place along the walls and sine of the angle",
                            counted(found->points.size(), "orbit")),
                {mean_square_sine(*found)});
-  result.files.push_back({"poincare_points.csv", list(*found)});
+  add_points(result, *found);
   add_plot(result, "poincare", plot_of(*found), context.threads);
   return result;
 }

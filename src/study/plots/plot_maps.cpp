@@ -49,7 +49,7 @@ Plot::Bar bar_of(std::string label, double most, const std::function<Light(doubl
     const double number = part_of ? portable::pow(10, tick.at) : tick.at;
     if (!counts || number > 0.999) numbers.push_back(number);
   }
-  numbers.push_back(most);
+  if (numbers.back() != most) numbers.push_back(most);
   // Both ends, and between them those that have room.
   constexpr double kRoom = 0.07;
   double last = -1;

@@ -60,7 +60,7 @@ Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const R
       const auto count = static_cast<std::size_t>(block[i++]);
       std::vector<BoundaryPoint>& points = all.points.emplace_back();
       for (const std::size_t end = i + count; i < end; i += 2)
-        points.push_back({static_cast<float>(block[i]), static_cast<float>(block[i + 1])});
+        points.push_back({block[i], block[i + 1]});
     }
   return all;
 }

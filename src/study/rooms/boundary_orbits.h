@@ -6,7 +6,7 @@ namespace flatray {
 /// Where on the walls an orbit bounces: how far along them, as a share of all walls, and the sine
 /// of the angle at which it leaves, in the sense of the walls. Reflection keeps areas in it.
 struct BoundaryPoint {
-  float along, sine;
+  double along, sine;
 };
 
 struct BoundaryOrbits {

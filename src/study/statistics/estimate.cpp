@@ -24,9 +24,9 @@ Table table_of(const std::vector<Measure>& measures) {
       {"measure", "value", "low", "high", "standard_error", "expected", "z", "agrees", "remark"});
   for (const Measure& one : measures) {
     const bool known = std::isfinite(one.value);
-    table.add({one.name, known ? JsonValue(one.value) : "", end_cell(one, -1), end_cell(one, 1),
-               cell_or("", one.standard_error), cell_or("", one.expected), cell_or("", z(one)),
-               verdict(one), known ? one.remark : "nothing was measured"});
+    table.add({one.name, known ? JsonValue(one.value) : JsonValue(), end_cell(one, -1),
+               end_cell(one, 1), one.standard_error, one.expected, z(one), verdict(one),
+               known ? one.remark : "nothing was measured"});
   }
   return table;
 }
@@ -94,7 +94,7 @@ std::optional<double> half_interval(const Measure& measure) {
 
 JsonValue end_cell(const Measure& measure, double sign) {
   const std::optional<double> half = half_interval(measure);
-  return half ? JsonValue(measure.value + sign * *half) : "";
+  return half ? JsonValue(measure.value + sign * *half) : JsonValue();
 }
 
 bool agrees(const Measure& measure) {
@@ -107,21 +107,20 @@ bool agrees(const Measure& measure) {
                          *allowed + kRounding * std::fabs(*measure.expected);
 }
 
-std::string verdict(const Measure& measure) {
-  if (!measure.expected || !(measure.standard_error || measure.allowed)) return "";
+std::optional<std::string> verdict(const Measure& measure) {
+  if (!measure.expected || !(measure.standard_error || measure.allowed)) return {};
   return agrees(measure) ? "yes" : "no";
 }
 
 ExperimentResult measured(const ExperimentContext& context, const std::string& name,
                           const std::string& headline, std::vector<Measure> measures) {
-  const Table table = table_of(measures);
-  ExperimentResult result;
+  ExperimentResult result{.table = table_of(measures)};
   result.holds = std::all_of(measures.begin(), measures.end(), agrees);
   Fields fields = head_of(name, context);
-  fields.emplace_back("measures", table);
-  result.files.push_back(csv_file(name, table));
+  fields.emplace_back("measures", result.table);
+  result.files.push_back(csv_file(name, result.table));
   result.files.push_back(json_file(name, std::move(fields)));
-  result.summary = fmt::format("{}\n\n{}", headline, aligned_text(table, kBrief));
+  result.summary = fmt::format("{}\n\n{}", headline, aligned_text(result.table, kBrief));
   if (!result.holds)
     result.summary += fmt::format(
         "\nDISAGREES: not what must come out, or more than {} standard errors from it\n",

@@ -48,14 +48,14 @@ double half_of_rms(double count);
 
 /// Half of the interval that covers the truth in 95 % of all runs; none without a standard error.
 std::optional<double> half_interval(const Measure& measure);
-/// Its end in a table, of sign -1 or 1; "" where there is none.
+/// Its end in a table, of sign -1 or 1; null where there is none.
 JsonValue end_cell(const Measure& measure, double sign);
 
 /// Whether a measure lies near enough to what is expected, where anything is: by its standard error,
 /// or as far as rounding is allowed to take it.
 bool agrees(const Measure& measure);
-/// That in a word: "yes" or "no", "" where it cannot be said.
-std::string verdict(const Measure& measure);
+/// That in a word: "yes" or "no", nothing where it cannot be said.
+std::optional<std::string> verdict(const Measure& measure);
 
 /// Result of an experiment whose answer is a list of measures: NAME.csv, NAME.json, and the table
 /// as text after `headline`.

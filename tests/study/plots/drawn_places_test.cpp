@@ -207,6 +207,9 @@ TEST(Plot, AColourBarEndsAtTheNumbersOfTheData) {
   const Plot::Bar by_log =
       bar_of("b", 200, &heat, [](double number) { return log_share(number, 200); });
   EXPECT_EQ(by_log.ticks.back(), (std::pair<double, std::string>(1, "200")));
+  const std::vector<std::pair<double, std::string>> whole = {
+      {0, "0"}, {0.25, "1"}, {0.5, "2"}, {0.75, "3"}, {1, "4"}};
+  EXPECT_EQ(bar_of("b", 4, &heat).ticks, whole) << "each number once";
   for (const auto& [part, words] : by_log.ticks)
     EXPECT_NEAR(part, std::log(1 + std::stod(words)) / std::log(201), 1e-9) << words;
   EXPECT_EQ(even.strip.at(0, 0)[2], 255) << "white on top";

@@ -23,7 +23,7 @@ TEST(Allowances, OfSumsAreRoundingAlone) {
   EXPECT_FALSE(agrees({"m", 1 + 1e-10, 0, 1}));
   EXPECT_FALSE(agrees({"m", 1 + 1e-10, {}, 1, kInfinity, 0}));
   EXPECT_TRUE(agrees({"m", 2, {}, 1})) << "nothing can be said";
-  EXPECT_EQ(verdict({"m", 2, {}, 1}), "");
+  EXPECT_EQ(verdict({"m", 2, {}, 1}), std::nullopt);
 }
 
 // The box and what flies in it; the discs `a` and `b` lie in each other by a part of the radius.
