@@ -50,6 +50,9 @@ class OrbitTracer {
   /// What was built: what finds the walls, and why it; what knows the walls near an origin.
   const TracerChoice& choice() const { return choice_; }
   const Accelerator& walls() const { return *tracer_; }
+  /// What it was built of.
+  const Surfaces& surfaces() const { return walls_; }
+  std::span<const Material> materials() const { return materials_; }
   const WallCells& origin_cells() const { return origins_.cells(); }
 
  private:
