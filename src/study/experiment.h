@@ -49,6 +49,7 @@ struct ExperimentContext {
   PixelMap map = PixelMap::usual;
   RunMonitor* monitor = nullptr;
   Starts starts = Starts::random;
+  std::optional<std::uint64_t> symbols{};  ///< bounces of the longest periodic orbit
 };
 
 /// A number found, beside what must come out where that is known.
@@ -97,6 +98,7 @@ inline JsonValue cell_or(const char* none, const std::optional<double>& number) 
 struct ExperimentUses {
   bool count = false, bounces = false, apart = false, map = false, seed = false, starts = false;
   bool resume = false;  ///< it works in blocks
+  bool symbols = false;
 };
 
 struct Experiment {

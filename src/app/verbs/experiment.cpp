@@ -33,7 +33,7 @@ struct Options : Arguments {
   const Experiment* experiment = nullptr;
   std::string output;
   std::uint64_t seed = 1, count = 1'000'000;
-  std::optional<std::uint64_t> bounces;
+  std::optional<std::uint64_t> bounces, symbols;
   double apart = 1e-9;
   PixelMap map = PixelMap::usual;
   Starts starts = Starts::random;
@@ -45,7 +45,7 @@ struct Options : Arguments {
   }
 
   void rows(OptionTable& row) {
-    constexpr std::uint64_t kMostTries = std::uint64_t{1} << 40;
+    constexpr std::uint64_t kMostTries = std::uint64_t{1} << 40, kMostSymbols = 32;
     row("-o, --output FOLDER", "where its files go (default out/NAME)", output);
     row("--count N", "how many to try", count, 1, kMostTries);
     row("-n, --bounces N", "of one orbit; each experiment has its own default", bounces, 1,
@@ -56,6 +56,8 @@ struct Options : Arguments {
         "how starts that are drawn are spread: each by itself, or evenly together, which has a "
         "smaller error where orbits are short",
         starts, kStarts);
+    row("--symbols N", "bounces of the longest periodic orbit (default 6)", symbols, 1,
+        kMostSymbols);
     row("--sweep KEY=A..B:STEP", "run once for each value of a key of the scene, also KEY=V,V,...",
         sweep, &parse_sweep);
     row("--resume", "keep what is done, and go on from what was kept", resume);
@@ -75,9 +77,10 @@ struct Options : Arguments {
     if (!found) return row.keep(found.error());
     experiment = *found;
     const ExperimentUses& uses = experiment->uses;
-    const std::pair<const char*, bool> all[] = {
-        {"count", uses.count}, {"bounces", uses.bounces}, {"apart", uses.apart},  {"map", uses.map},
-        {"seed", uses.seed},   {"starts", uses.starts},   {"resume", uses.resume}};
+    const std::pair<const char*, bool> all[] = {{"count", uses.count},   {"bounces", uses.bounces},
+                                                {"apart", uses.apart},   {"map", uses.map},
+                                                {"seed", uses.seed},     {"starts", uses.starts},
+                                                {"resume", uses.resume}, {"symbols", uses.symbols}};
     std::string used;
     for (const auto& [name, is_used] : all)
       if (is_used) used += (used.empty() ? "--" : ", --") + std::string(name);
@@ -123,7 +126,8 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
                                          .apart = options.apart,
                                          .map = options.map,
                                          .monitor = monitors.back().get(),
-                                         .starts = options.starts});
+                                         .starts = options.starts,
+                                         .symbols = options.symbols});
   if (auto finished = monitors.back()->finish(); !finished) return fail(std::move(finished));
   return result;
 }
@@ -152,7 +156,7 @@ int report_interrupted(const Diagnostics& why) {
 Fields asked_of(const Arguments& options) {
   Fields fields{{"scene", options.operands()[1]}};
   for (const char* option :
-       {"define", "seed", "count", "bounces", "apart", "map", "starts", "sweep"})
+       {"define", "seed", "count", "bounces", "apart", "map", "starts", "symbols", "sweep"})
     if (options.has(option)) fields.emplace_back(option, comma_list(options.list(option)));
   return fields;
 }
@@ -215,6 +219,7 @@ extern const Verb experiment = {
     "  flatray experiment lyapunov scenes/chamber/sinai.toml "
     "--sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.05\n"
     "  flatray experiment mean-free-path scenes/chamber/hall.toml --bounces 1 --starts quasi\n"
+    "  flatray experiment periodic scenes/chamber/three_discs_6.toml --symbols 10\n"
     "  flatray experiment markov scenes/markov/runner.toml --seed 2\n",
     "nothing measured",
     &experiment_names,

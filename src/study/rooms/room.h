@@ -34,10 +34,10 @@ class Room {
   /// quasi-random ones are spread evenly in both (study/rooms/starts.h).
   OrbitStart draw_start(std::uint64_t seed, std::uint64_t number,
                         Starts starts = Starts::random) const;
+  /// The side of a wall on which orbits are (geom/primitives/wall.h); nullopt: both.
+  std::optional<Sign> inner_side(std::uint32_t surface) const;
 
  private:
-  std::optional<Sign> inner_side(std::uint32_t surface) const;  // nullopt: both
-
   const Scene& scene_;
   FrameState state_;
   World world_;

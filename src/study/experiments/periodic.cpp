@@ -1,0 +1,271 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/counted.h"
+#include "base/portable_math.h"
+#include "study/periodic/cycle_expansion.h"
+#include "study/periodic/periodic_plots.h"
+#include "study/periodic/symmetry.h"
+#include "study/periodic/words.h"
+#include "study/statistics/estimate.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kUsualSymbols = 6;
+constexpr double kMostReduced = 1 << 18;  // words looked through for reduced ones
+constexpr Verdict kVerdicts[] = {Verdict::proven, Verdict::family, Verdict::pruned,
+                                 Verdict::undecided, Verdict::not_found};
+
+JsonValue low_of(const std::optional<Near>& number) {
+  return number ? JsonValue(number->low()) : "";
+}
+JsonValue high_of(const std::optional<Near>& number) {
+  return number ? JsonValue(number->high()) : "";
+}
+JsonValue middle_of(const std::optional<Near>& number) {
+  return number ? JsonValue(number->value()) : "";
+}
+
+// How neighbours go, where that is proven.
+const char* stability_of(const ClosedOrbit& orbit) {
+  if (orbit.verdict == Verdict::family) return "parabolic";
+  if (orbit.verdict != Verdict::proven) return "";
+  if (orbit.eigenvalue()) return "hyperbolic";
+  const auto inside = (Near(4) - orbit.trace * orbit.trace).sign();
+  return inside == Sign::positive ? "elliptic" : "parabolic or nearly";
+}
+
+class PeriodicOrbits {
+ public:
+  PeriodicOrbits(const ExperimentContext& context, const MirrorRoom& room, std::size_t symbols,
+                 std::vector<ClosedOrbit> orbits)
+      : context_(context),
+        room_(room),
+        symbols_(symbols),
+        orbits_(std::move(orbits)),
+        symmetries_(symmetries(room)) {
+    for (const ClosedOrbit& orbit : orbits_) {
+      ++counts_[orbit.word.size()][orbit.verdict];
+      ++totals_[orbit.verdict];
+    }
+    expand();
+  }
+
+  ExperimentResult result() const {
+    ExperimentResult all = measured(context_, "periodic", headline(), measures());
+    const Table counts = table_of_counts();
+    all.summary += "\n" + aligned_text(counts, kBrief);
+    all.files.push_back(csv_file("periodic_orbits", table_of_orbits()));
+    all.files.push_back(csv_file("periodic_counts", counts));
+    if (!means_.empty()) {
+      const Table means = table_of_means();
+      all.summary += "\n" + aligned_text(means);
+      all.files.push_back(csv_file("periodic_expansion", means));
+    }
+    const std::vector<const ClosedOrbit*> shown = one_of_those_alike();
+    if (!shown.empty()) {
+      add_plot(all, "periodic", plot_of_orbits(room_, shown), context_.threads);
+      add_plot(all, "periodic_stability", plot_of_stability(shown), context_.threads);
+    }
+    return all;
+  }
+
+ private:
+  std::string headline() const {
+    std::string walls;
+    for (std::size_t i = 0; i < room_.mirrors.size(); ++i)
+      walls +=
+          fmt::format("{}{} {}", i > 0 ? ", " : "", i + 1, wall_name(room_.mirrors[i].surface));
+    std::string words = fmt::format("Closed orbits of up to {} by the walls they bounce off: {}",
+                                    counted(symbols_, "bounce"), walls);
+    words += fmt::format("\n{} of the room, but for rounding; {}",
+                         counted(symmetries_.size(), "symmetry", "symmetries"), expansion_words_);
+    return words;
+  }
+
+  std::string wall_name(std::uint32_t surface) const {
+    const SurfaceOwner& owner = room_.room.owner(surface);
+    const Scene& scene = context_.scene;
+    const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
+    std::string name = owner.kind == SurfaceOwner::Kind::entity ? scene.entities[owner.index].name
+                       : chamber                                ? scene.chambers[owner.index].name
+                                 : scene.chambers[owner.index].pillars[owner.pillar].name;
+    return owner.edge >= 0 ? fmt::format("{} {}", name, owner.edge + 1) : name;
+  }
+
+  std::uint64_t total(Verdict verdict) const {
+    const auto one = totals_.find(verdict);
+    return one == totals_.end() ? 0 : one->second;
+  }
+
+  // A mean over all orbits needs all of them, and that each wall may follow every other.
+  void expand() {
+    const bool discs = std::all_of(room_.mirrors.begin(), room_.mirrors.end(),
+                                   [](const Mirror& one) { return one.is_disc(); });
+    if (!discs || total(Verdict::proven) != orbits_.size() || orbits_.empty()) {
+      expansion_words_ =
+          "no cycle expansion: that is for rooms of discs alone, where no word is pruned";
+      return;
+    }
+    std::vector<Cycle> cycles = reduced_cycles();
+    expansion_words_ =
+        fmt::format("cycle expansion by {} that symmetry leaves", counted(cycles.size(), "orbit"));
+    if (cycles.empty()) {
+      expansion_words_ = "cycle expansion by all orbits, not reduced by symmetry";
+      for (const ClosedOrbit& orbit : orbits_)
+        cycles.push_back({orbit.word.size(), orbit.length.value(), orbit.eigenvalue()->value()});
+    }
+    means_ = cycle_means(cycles, symbols_);
+  }
+
+  // None where there is no symmetry, or one that cannot be made use of.
+  std::vector<Cycle> reduced_cycles() {
+    std::vector<Cycle> cycles;
+    const auto mirrors = static_cast<double>(room_.mirrors.size());
+    double tried = static_cast<double>(symmetries_.size());
+    for (std::size_t n = 0; n < symbols_; ++n) tried *= mirrors - 1;
+    if (symmetries_.size() < 2 || !are_told_apart(symmetries_) || tried > kMostReduced) return {};
+    for (std::size_t n = 1; n <= symbols_; ++n) {
+      const auto words = reduced_words(symmetries_, room_.mirrors.size(), n);
+      if (!words) return {};
+      for (const ReducedWord& reduced : *words) {
+        const ClosedOrbit whole = disc_orbit(room_, reduced.word);
+        if (whole.verdict != Verdict::proven || !whole.eigenvalue()) return {};
+        const auto parts = static_cast<double>(reduced.parts);
+        const double size =
+            portable::exp(portable::log(std::fabs(whole.eigenvalue()->value())) / parts);
+        const bool negative = (n % 2 == 1) != reduced.turned;
+        cycles.push_back({n, whole.length.value() / parts, negative ? -size : size});
+        ++reduced_[n];
+      }
+    }
+    return cycles;
+  }
+
+  std::vector<Measure> measures() const {
+    std::vector<Measure> all;
+    for (const Verdict verdict : kVerdicts) {
+      const bool orbits = verdict == Verdict::proven || verdict == Verdict::family;
+      Measure one{fmt::format("{}{}", orbits ? "orbits " : "words ", name_of(verdict)),
+                  static_cast<double>(total(verdict))};
+      one.remark = "counted";
+      if (one.value > 0) all.push_back(one);
+    }
+    if (means_.empty()) return all;
+    const std::size_t from = means_.size() - std::min<std::size_t>(3, means_.size());
+    const auto add = [&](const char* name, double CycleMeans::*of) {
+      Measure one{name, means_.back().*of};
+      one.remark = "not proven: orbits";
+      for (std::size_t i = from; i < means_.size(); ++i)
+        one.remark += fmt::format("{} up to {} give {:.12g}", i > from ? "," : "",
+                                  means_[i].bounces, means_[i].*of);
+      all.push_back(one);
+    };
+    add("escape_rate", &CycleMeans::escape_rate);
+    add("escape_rate_per_bounce", &CycleMeans::escape_rate_bounce);
+    add("mean_flight", &CycleMeans::flight);
+    add("lyapunov", &CycleMeans::lyapunov);
+    return all;
+  }
+
+  Table table_of_counts() const {
+    std::vector<std::string> columns{"bounces"};
+    std::vector<Verdict> seen;
+    for (const Verdict verdict : kVerdicts)
+      if (total(verdict) > 0) {
+        seen.push_back(verdict);
+        columns.emplace_back(name_of(verdict));
+      }
+    if (!reduced_.empty()) columns.emplace_back("by symmetry, proven");
+    Table table(columns);
+    for (std::size_t n = 1; n <= symbols_; ++n) {
+      Values row{std::uint64_t{n}};
+      const auto of = counts_.find(n);
+      for (const Verdict verdict : seen) {
+        const bool some = of != counts_.end() && of->second.contains(verdict);
+        row.emplace_back(some ? of->second.at(verdict) : std::uint64_t{0});
+      }
+      if (!reduced_.empty())
+        row.emplace_back(reduced_.contains(n) ? reduced_.at(n) : std::uint64_t{0});
+      table.add(std::move(row));
+    }
+    return table;
+  }
+
+  Table table_of_means() const {
+    Table table(
+        {"cut off after", "escape_rate", "escape_rate_per_bounce", "mean_flight", "lyapunov"});
+    for (const CycleMeans& one : means_)
+      table.add({std::uint64_t{one.bounces}, one.escape_rate, one.escape_rate_bounce, one.flight,
+                 one.lyapunov});
+    return table;
+  }
+
+  Table table_of_orbits() const {
+    Table table({"word", "bounces", "verdict", "words_alike", "length", "length_low", "length_high",
+                 "stability", "eigenvalue", "eigenvalue_low", "eigenvalue_high", "why"});
+    for (const ClosedOrbit& orbit : orbits_) {
+      const auto length = orbit.is_there() ? std::optional(orbit.length) : std::nullopt;
+      const auto value = orbit.is_there() ? orbit.eigenvalue() : std::nullopt;
+      table.add({room_.text(orbit.word), std::uint64_t{orbit.word.size()},
+                 std::string(name_of(orbit.verdict)),
+                 std::uint64_t{words_alike(orbit.word, symmetries_)}, middle_of(length),
+                 low_of(length), high_of(length), stability_of(orbit), middle_of(value),
+                 low_of(value), high_of(value), orbit.why});
+    }
+    return table;
+  }
+
+  // Of words alike the least; of several orbits of one word all.
+  std::vector<const ClosedOrbit*> one_of_those_alike() const {
+    std::vector<const ClosedOrbit*> all;
+    for (const ClosedOrbit& orbit : orbits_) {
+      if (!orbit.is_there()) continue;
+      const bool least =
+          std::all_of(symmetries_.begin(), symmetries_.end(), [&](const Symmetry& by) {
+            return least_turn(orbit.word) <= least_turn(taken(orbit.word, by));
+          });
+      if (least) all.push_back(&orbit);
+    }
+    return all;
+  }
+
+  const ExperimentContext& context_;
+  const MirrorRoom& room_;
+  std::size_t symbols_;
+  std::vector<ClosedOrbit> orbits_;
+  std::vector<Symmetry> symmetries_;
+  std::map<std::size_t, std::map<Verdict, std::uint64_t>> counts_;
+  std::map<Verdict, std::uint64_t> totals_;
+  std::map<std::size_t, std::uint64_t> reduced_;
+  std::vector<CycleMeans> means_;
+  std::string expansion_words_;
+};
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto plain = expect_not_periodic(context); !plain) return fail(std::move(plain));
+  const Room room(context.scene);
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  const auto mirrors = MirrorRoom::of(room);
+  if (!mirrors) return tl::unexpected(mirrors.error());
+  const auto symbols = static_cast<std::size_t>(context.symbols.value_or(kUsualSymbols));
+  auto orbits = orbits_by_word(context, *mirrors, symbols);
+  if (!orbits) return tl::unexpected(orbits.error());
+  return PeriodicOrbits(context, *mirrors, symbols, std::move(*orbits)).result();
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment periodic = {
+    "periodic",
+    "Which orbits close, by the walls in order, and what do they say of the room?",
+    &run,
+    {.symbols = true}};
+}  // namespace experiment_entries
+
+}  // namespace flatray

@@ -1,0 +1,58 @@
+#include "study/periodic/periodic_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "study/rooms/wall_places.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kMostShown = 7;  // as many as there are colours
+
+Plot::Series line_through(std::string name, const std::vector<Vec2>& points, bool closed) {
+  Plot::Series series{std::move(name), {}};
+  for (const Vec2& point : points) series.points.push_back({point.x(), point.y()});
+  if (closed) series.points.push_back(series.points.front());
+  return series;
+}
+
+}  // namespace
+
+Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*>& orbits) {
+  Plot plot{"The shortest periodic orbits, by their walls in order", "x", "y", {}};
+  plot.equal = true;
+  for (const Mirror& mirror : room.mirrors) {
+    Plot::Series wall = line_through("", wall_outline(room.room.walls(), mirror.surface), false);
+    wall.ink = "axis";
+    wall.width = 2.5;
+    plot.series.push_back(std::move(wall));
+  }
+  std::vector<const ClosedOrbit*> sorted = orbits;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const ClosedOrbit* a, const ClosedOrbit* b) {
+    return a->length.value() < b->length.value() * (1 - 1e-9);
+  });
+  for (std::size_t i = 0; i < std::min(kMostShown, sorted.size()); ++i)
+    plot.series.push_back(line_through(room.text(sorted[i]->word), sorted[i]->points, true));
+  return plot;
+}
+
+Plot plot_of_stability(const std::vector<const ClosedOrbit*>& orbits) {
+  Plot plot{
+      "Instability of the periodic orbits", "length", "size of the larger eigenvalue", {}, true};
+  std::map<std::size_t, Plot::Series> by_bounces;
+  for (const ClosedOrbit* orbit : orbits) {
+    const auto value = orbit->eigenvalue();
+    if (!value) continue;
+    const std::size_t bounces = orbit->word.size();
+    Plot::Series& series = by_bounces[bounces];
+    series.name = std::to_string(bounces) + " bounces";
+    series.marks = true;
+    series.points.push_back({orbit->length.value(), std::fabs(value->value())});
+  }
+  for (auto& [bounces, series] : by_bounces) plot.series.push_back(std::move(series));
+  return plot;
+}
+
+}  // namespace flatray
