@@ -92,11 +92,14 @@ std::vector<ClosedOrbit> drawn_orbits(const MirrorRoom& room, const Word& word) 
                       judged.length, judged.trace,    std::move(judged.points)};
     if (is_new(orbit, found, period)) found.push_back(std::move(orbit));
   }
-  if (found.empty() && period == word.size()) found.push_back({word, Verdict::not_found});
-  return found;
+  if (!found.empty() || period < word.size()) return found;
+  if (is_ruled_out(room, word))
+    return {{word, Verdict::pruned, "all places on its walls are ruled out"}};
+  return {{word, Verdict::not_found}};
 }
 
 std::vector<ClosedOrbit> closed_orbits(const MirrorRoom& room, const Word& word) {
+  if (word.size() == 1) return {{word, Verdict::pruned, "no straight line comes back"}};
   const auto any = [&](auto is) {
     return std::any_of(word.begin(), word.end(),
                        [&](std::uint8_t one) { return is(room.mirrors[one]); });

@@ -38,6 +38,10 @@ std::vector<ClosedOrbit> closed_orbits(const MirrorRoom& room, const Word& word)
 ClosedOrbit straight_orbit(const MirrorRoom& room, const Word& word);
 /// The same, of discs, one at least, and straight walls.
 ClosedOrbit disc_orbit(const MirrorRoom& room, const Word& word);
+/// Whether every closed polygon of the word's walls is ruled out, by ever smaller boxes of places along
+/// curves: nowhere is its length stationary, or it runs past an end, or a wall is in its way. Words in which
+/// a curve follows itself at once are not looked at.
+bool is_ruled_out(const MirrorRoom& room, const Word& word);
 /// The same, of any walls.
 std::vector<ClosedOrbit> drawn_orbits(const MirrorRoom& room, const Word& word);
 

@@ -125,6 +125,13 @@ bool StationaryPolygon::improve() {
   return false;
 }
 
+bool StationaryPolygon::may_be_within(const std::vector<Near>& box) {
+  places_ = box;
+  const Derivatives all = derivatives(bounces_, box);
+  return std::all_of(all.first.begin(), all.first.end(),
+                     [](const Near& slope) { return !slope.sign(); });
+}
+
 // With C near the inverse of the second derivatives H, and f the gradient: if -C f + (1 - C H) Q lies
 // inside Q, for H anywhere in the box Q about here, one solution and no other lies in Q.
 bool StationaryPolygon::prove() {

@@ -39,6 +39,10 @@ class StationaryPolygon {
   /// Source  R. Krawczyk (1969); S. M. Rump, Verification methods (2010), section 13.
   bool prove();
 
+  /// Takes places within a box of q about where the bounces are. Gives   false where the length is
+  /// proven not to be stationary anywhere in it.
+  bool may_be_within(const std::vector<Near>& box);
+
   const std::vector<CurvedBounce>& bounces() const { return bounces_; }
   std::vector<CurvedBounce>& bounces() { return bounces_; }
   CurvePlace place(std::size_t i) const { return curve_place(bounces_[i], places_[i]); }

@@ -164,6 +164,21 @@ TEST(PeriodicOrbits, ThatArePrunedAreNotFoundByOtherMeans) {
   EXPECT_GT(tried, 50U);
 }
 
+// Boxes of places know nothing of shortest polygons either: they rule out no orbit that is there.
+TEST(PeriodicOrbits, ThatAreThereAreNotRuledOutByBoxes) {
+  const Found found(sinai("0.25"), 4);
+  std::size_t ruled_out = 0;
+  for (const ClosedOrbit& one : found.orbits) {
+    if (!is_ruled_out(found.mirrors, one.word)) continue;
+    ++ruled_out;
+    EXPECT_EQ(one.verdict, Verdict::pruned) << found.mirrors.text(one.word);
+  }
+  EXPECT_GT(ruled_out, 10U);
+  const Found stadium_orbits(stadium(), 3);
+  EXPECT_EQ(stadium_orbits.of("124").verdict, Verdict::pruned);
+  EXPECT_EQ(stadium_orbits.count(3, Verdict::proven), 8U);
+}
+
 // Discs that stand in a row: the middle one is in the way of the outer two.
 TEST(PeriodicOrbits, BehindADiscArePruned) {
   const auto disc = [](const char* centre) {
