@@ -62,7 +62,7 @@ double Solids::Solid::area() const {
 }
 
 Solids::Solid Solids::solid(const Shape& shape, const Pose& place, const SurfaceOwner& owner) {
-  Solid solid{owner, {}, {}, {}, {}};
+  Solid solid{owner, {}, {}, {}, {}, false};
   for (std::size_t i = 0; i < shape.piece_count(); ++i)
     solid.pieces.push_back(posed_piece(shape, i, place));
   for (const Circle& circle : shape.circles) solid.circles.push_back(posed(circle, place));
@@ -87,10 +87,12 @@ Solids::Solids(const Scene& scene, const FrameState& state) {
     const Chamber& chamber = scene.chambers[i];
     chambers_.push_back(solid(scene.shapes[chamber.shape], world_pose(state),
                               {Kind::chamber, i, 0, kNoEdge, chamber.material}));
-    for (std::uint32_t j = 0; j < chamber.pillars.size(); ++j)
+    for (std::uint32_t j = 0; j < chamber.pillars.size(); ++j) {
       obstacles_.push_back(solid(scene.shapes[chamber.pillars[j].shape],
                                  pillar_pose(state, chamber.pillars[j]),
                                  {Kind::pillar, i, j, kNoEdge, chamber.pillars[j].material}));
+      obstacles_.back().copy = chamber.pillars[j].copy_of.has_value();
+    }
   }
 }
 
@@ -112,7 +114,7 @@ double Solids::free_area() const {
   double sum = 0;
   for (const Solid& chamber : chambers_) sum += chamber.area();
   for (const Solid& obstacle : obstacles_)
-    if (obstacle.owner.kind == SurfaceOwner::Kind::pillar) sum -= obstacle.area();
+    if (obstacle.owner.kind == SurfaceOwner::Kind::pillar && !obstacle.copy) sum -= obstacle.area();
   return sum;
 }
 

@@ -19,7 +19,7 @@ class Solids {
   bool in_chamber(const Vec2& point) const;
 
   bool has_chamber() const { return !chambers_.empty(); }
-  /// Of the chambers less that of their pillars, which must lie apart inside them.
+  /// Of the chambers less that of their pillars, which must lie apart inside them; of those in copies once.
   double free_area() const;
 
  private:
@@ -29,6 +29,7 @@ class Solids {
     std::vector<Circle> circles;
     std::vector<ArcPath> paths;  // closed, in the world
     World outline;               // of these
+    bool copy = false;           // of another pillar, so that its area is counted
     bool holds(const Vec2& point) const;
     double area() const;
   };

@@ -130,7 +130,7 @@ class Follower {
     const auto in = rounded_out(way, flight_.size());
     const auto out = rounded_out(flight_.direction(), flight_.size());
     if (!point || !t || !up || !in || !out) return false;
-    orbit_.bounces.push_back({wall, *point, *t, *up, *in, *out});
+    orbit_.bounces.push_back({wall, *point, *t, *up, *in, *out, flight_.cell()});
     flown_ = none_;
     return true;
   }
@@ -149,15 +149,18 @@ class Follower {
 
   bool cross(const Prospect& next) {
     const Pair<Number> start = flight_.point();
+    const CellIndex before = flight_.cell();
     const auto left = flight_.cross_over(next);
     if (!left) return false;
+    const CellIndex step{flight_.cell().a - before.a, flight_.cell().b - before.b};
     fly(start, *left, flight_.direction());
     const auto from = rounded(*left), to = rounded(flight_.point());
     if (!from || !to) return false;
-    orbit_.crossings.push_back({orbit_.bounces.size(), *from, *to});
-    const auto t = flight_.cross_on(next, [&](const Vec2& out, const Vec2& in) {
-      orbit_.crossings.push_back({orbit_.bounces.size(), out, in});
-    });
+    orbit_.crossings.push_back({orbit_.bounces.size(), *from, *to, step});
+    const auto t =
+        flight_.cross_on(next, [&](const Vec2& out, const Vec2& in, const CellIndex& by) {
+          orbit_.crossings.push_back({orbit_.bounces.size(), out, in, by});
+        });
     if (!t) return false;
     flown_ = flown_ + *t;
     if (flight_.circles())

@@ -15,6 +15,7 @@ struct CertifiedOrbit {
     double t;      ///< since the last one, in the start's directions, or the largest double
     Vec2 normal;   ///< unit, towards the side the ray came from
     Vec2 in, out;  ///< unit directions before and after it
+    CellIndex cell{};
   };
   std::vector<Bounce> bounces;
   OrbitEnd end = OrbitEnd::limit;

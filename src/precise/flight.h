@@ -100,13 +100,15 @@ class Flight {
     const auto met = meeting_point(walls_.segment(next.walls.front()));
     if (!met) return std::nullopt;
     point_ = *met;
-    for (const std::uint32_t surface : next.walls) {
-      const PeriodicWalls::Side& side = *periodic_.find(surface);
-      const Number way = course_.make(side.far) - course_.make(side.near), none = course_.make(0);
-      const Pair<Number> shift = side.axis == 0 ? Pair<Number>{way, none} : Pair<Number>{none, way};
+    const auto left = periodic_.left_by(
+        next.walls, [&](const PeriodicWalls::Side& side) { return leads_out(side.surface); });
+    if (!left) return std::nullopt;
+    for (const PeriodicWalls::Side* side : left->all()) {
+      const Pair<Number> shift = pair(side->to()) - pair(side->from());
       course_.moment = course_.moment + cross(shift, course_.direction);
       point_ = point_ + shift;
-      left_ = side.opposite;
+      left_ = side->opposite;
+      cell_ += side->step;
     }
     course_.here = dot(point_ - pair(course_.about), course_.direction);
     circles_ = crossings_ > 0 && is_same(point_, first_entry_);
@@ -115,7 +117,7 @@ class Flight {
   }
 
   /// After it has crossed one wall: crosses the same again and again, as long as all else that could be
-  /// met lies on one side of its way, and tells see(from, to) of each time. Gives the t that takes, 0
+  /// met lies on one side of its way, and tells see(from, to, step) of each time. Gives the t that takes, 0
   /// where the next flight must be looked at; nullopt where Number cannot tell the points.
   template <class See>
   std::optional<Number> cross_on(const Prospect& last, const See& see) {
@@ -123,15 +125,16 @@ class Flight {
     if (last.walls.size() != 1) return none;
     const PeriodicWalls::Side& side = *periodic_.find(last.walls.front());
     const int along = 1 - side.axis;
+    if (side.axis < 0 || side.from()[along] != side.to()[along]) return none;
     const Pair<Number>& d = course_.direction;
-    const Number way = course_.make(side.near) - course_.make(side.far);
+    const Number way = course_.make(side.from()[side.axis]) - course_.make(side.to()[side.axis]);
     const Number t = way / (side.axis == 0 ? d.x : d.y);  // of one cell
     const Number step = t * (along == 0 ? d.x : d.y);
     Number& place = along == 0 ? point_.x : point_.y;
     const Number first = place;
     const auto heading = step.sign();
     if (!heading || *heading == Sign::zero) return none;
-    const std::optional<double> end = end_of_free(along, place, *heading);
+    const std::optional<double> end = end_of_free(side.wall, along, place, *heading);
     if (!end) return none;
     const auto cells = ((course_.make(*end) - first) / step).nearest();
     if (!cells || !(*cells > 2)) return none;
@@ -141,10 +144,10 @@ class Flight {
       place = first + course_.make(i) * step;
       const auto at = place.nearest();
       if (!at) return std::nullopt;
-      Vec2 from(*at, *at), to(*at, *at);
-      from[side.axis] = side.near;
-      to[side.axis] = side.far;
-      see(from, to);
+      Vec2 from = side.from(), to = side.to();
+      from[along] = to[along] = *at;
+      see(from, to, side.step);
+      cell_ += side.step;
     }
     const Number back = side.axis == 0 ? -(way * d.y) : way * d.x;  // way back across d
     course_.moment = course_.moment + course_.make(count) * back;
@@ -181,8 +184,9 @@ class Flight {
     return walls_.visit(surface, [&](const auto& wall) { return course_.normal(wall, point_); });
   }
 
-  /// Where the last bounce was, or where it came in by a periodic wall.
+  /// Where the last bounce was, or where it came in by a periodic wall; in which cell that is.
   const Pair<Number>& point() const { return point_; }
+  const CellIndex& cell() const { return cell_; }
   const Pair<Number>& direction() const { return course_.direction; }
   const Number& moment() const { return course_.moment; }
   /// d.d, which no mirror changes.
@@ -268,20 +272,19 @@ class Flight {
 
   // Of a periodic wall; nullopt where Number cannot tell.
   std::optional<bool> leads_out(std::uint32_t surface) const {
-    const PeriodicWalls::Side& side = *periodic_.find(surface);
-    const auto sign = (side.axis == 0 ? course_.direction.x : course_.direction.y).sign();
-    return sign ? std::optional(static_cast<double>(*sign) * side.out > 0) : std::nullopt;
+    const Segment& wall = periodic_.find(surface)->wall;
+    const auto turn = cross(pair(wall.b) - pair(wall.a), course_.direction).sign();
+    return turn ? std::optional(*turn == Sign::negative) : std::nullopt;
   }
 
-  // How far from a place on an axis nothing can be met in any cell: up to the walls across that axis, and to
-  // all that is not periodic. nullopt in between.
-  std::optional<double> end_of_free(int axis, const Number& place, Sign heading) const {
-    Bounds others, cell;
-    for (std::uint32_t i = 0; i < walls_.size(); ++i) {
-      Bounds& box = periodic_.has(i) ? cell : others;
-      box.add(walls_.visit(i, [](const auto& wall) { return bounds_of(wall); }));
-    }
-    double low = cell.low[axis], high = cell.high[axis];
+  // Up to where on an axis nothing can be met in any cell but the wall crossed; nullopt beside what can.
+  std::optional<double> end_of_free(const Segment& wall, int axis, const Number& place,
+                                    Sign heading) const {
+    Bounds others;
+    for (std::uint32_t i = 0; i < walls_.size(); ++i)
+      if (!periodic_.has(i))
+        others.add(walls_.visit(i, [](const auto& one) { return bounds_of(one); }));
+    double low = std::min(wall.a[axis], wall.b[axis]), high = std::max(wall.a[axis], wall.b[axis]);
     if (!others.empty()) {
       if ((course_.make(others.low[axis]) - place).sign() == Sign::positive)
         high = others.low[axis];
@@ -388,6 +391,7 @@ class Flight {
   Course<Number, Make> course_;
   Pair<Number> point_;
   std::uint32_t left_ = kNoSurface;
+  CellIndex cell_{};
   std::uint32_t crossings_ = 0;  // since the last bounce
   Pair<Number> first_entry_;     // to which the first of them led
   bool circles_ = false;

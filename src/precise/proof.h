@@ -28,18 +28,6 @@ inline bool is_end(const Prospect& next, const Orbit& orbit) {
   unreachable();
 }
 
-/// Whether an orbit crosses the periodic walls that lie ahead.
-inline bool crosses_same(const Crossing& crossing, const PeriodicWalls& periodic,
-                         const Prospect& next) {
-  Vec2 way(0, 0);
-  for (const std::uint32_t surface : next.walls) {
-    const PeriodicWalls::Side& side = *periodic.find(surface);
-    way[side.axis] = side.far - side.near;
-  }
-  const Vec2 crossed = crossing.to - crossing.from;
-  return sign_of(crossed.x()) == sign_of(way.x()) && sign_of(crossed.y()) == sign_of(way.y());
-}
-
 /// The orbit followed in numbers that make(double) gives, as Flight has them.
 template <class Number, class Make>
 Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& orbit,
@@ -54,8 +42,11 @@ Proof prove(const Surfaces& walls, const PeriodicWalls& periodic, const Orbit& o
       return crossing != orbit.crossings.end() && crossing->bounces == proven;
     };
     for (; flight.crosses(next); next = flight.next(), ++crossing) {
-      if (!crossed() || !crosses_same(*crossing, periodic, next)) return {{proven, false}, true};
+      if (!crossed()) return {{proven, false}, true};
+      CellIndex cell = flight.cell();
       if (!flight.cross_over(next)) return {{proven, false}, false};
+      cell += crossing->step;
+      if (cell != flight.cell()) return {{proven, false}, true};
       if (flight.circles())
         return {{proven, proven == bounces && crossing + 1 == orbit.crossings.end() &&
                              orbit.end == OrbitEnd::escape},

@@ -214,6 +214,10 @@ struct Chamber {
     std::optional<Paint> fill;
     std::optional<Stroke> stroke;
     Place where;
+    /// Of a disc that stands across periodic walls: the one of which this is a copy, as it reaches
+    /// into the cell from a neighbour; the copies follow all others.
+    bool across = false;
+    std::optional<std::uint32_t> copy_of;
   };
   std::vector<Pillar> pillars;
   Place where;

@@ -21,9 +21,9 @@ class OrbitKeeper : public OrbitSink {
   void bounce(std::size_t number, const Bounce& bounce) override {
     orbits_[number].bounces.push_back(bounce);
   }
-  void cross(std::size_t number, const Vec2& from, const Vec2& to) override {
+  void cross(std::size_t number, const Vec2& from, const Vec2& to, const CellIndex& step) override {
     Orbit& orbit = orbits_[number];
-    orbit.crossings.push_back({orbit.bounces.size(), from, to});
+    orbit.crossings.push_back({orbit.bounces.size(), from, to, step});
   }
   void end(std::size_t number, const OrbitStop& stop) override {
     Orbit& orbit = orbits_[number];

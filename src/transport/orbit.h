@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "trace/surfaces.h"
 #include "trace/tracer.h"
+#include "transport/periodic_walls.h"
 
 namespace flatray {
 
@@ -33,6 +34,8 @@ struct Bounce {
   double path_length;  ///< from the start, world units
   Vec2 normal;         ///< unit, towards the side the ray came from
   Vec2 in, out;        ///< directions before and after it, as long as that of the start
+  CellIndex cell{};    ///< between periodic walls: the copy of the cell in which it is, by which
+                       ///< lattice vectors the point is away from where it would be in the plane
 
   /// Radians between the ray and the normal, [0, pi/2].
   double incidence() const;
@@ -42,6 +45,7 @@ struct Bounce {
 struct Crossing {
   std::size_t bounces;  ///< that were before it
   Vec2 from, to;        ///< on the wall left by, on that opposite
+  CellIndex step;       ///< from the cell left to that entered
 };
 
 struct Orbit {
@@ -79,7 +83,7 @@ struct OrbitRules {
 /// a straight wall just left is excluded by its number, a circle only in the root
 /// stood on. No epsilon.
 ///
-/// Needs   `materials` by surface, periodic those of one upright box at most; a direction that is
+/// Needs   `materials` by surface, periodic those of one cell at most (PeriodicWalls); a direction that is
 ///         not zero.
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
 ///         of one, is a corner without a bounce; a start along a straight wall ends as `along`. A

@@ -31,6 +31,7 @@ struct OrbitTracer::Flight {
   double moment = 0;        // about the circle left, as it was when it was first met in a row
   double before = 0;        // part of the next t that was flown before ray.origin
   std::uint64_t bounces = 0;
+  CellIndex cell{};
   std::uint32_t crossings = 0;  // since the last bounce
   Vec2 entry{0, 0};             // to which the first of them led
   bool circles = false;         // came back there: it does so for ever
@@ -149,7 +150,8 @@ class OrbitTracer::Wave {
   bool cross(Flight& flight, const Vec2& point, std::span<const std::uint32_t> surfaces, double t) {
     const auto entry = orbits_.periodic_.cross(point, flight.ray.direction, surfaces);
     if (!entry) return false;
-    sink_.cross(flight.number, point, entry->point);
+    sink_.cross(flight.number, point, entry->point, entry->step);
+    flight.cell += entry->step;
     flight.ray.origin = entry->point;
     flight.left = {entry->surface, Root::none};
     flight.before += t;
@@ -170,7 +172,7 @@ class OrbitTracer::Wave {
     flight.ray.origin = point;
     if (!reflection) return stop(flight, OrbitEnd::along, {wall.surface});
     report(flight, {wall.surface, point, flight.before + t, flight.path_length(),
-                    reflection->normal, flight.ray.direction, reflection->direction});
+                    reflection->normal, flight.ray.direction, reflection->direction, flight.cell});
     flight.before = 0;
     flight.crossings = 0;
     flight.ray.direction = reflection->direction;

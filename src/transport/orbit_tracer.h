@@ -30,7 +30,8 @@ class OrbitSink {
   /// Orbit `number` was reflected; its bounces come in order, those of other orbits in between.
   virtual void bounce(std::size_t number, const Bounce& bounce) = 0;
   /// Orbit `number` left by a periodic wall and goes on from that opposite.
-  virtual void cross(std::size_t, const Vec2& /*from*/, const Vec2& /*to*/) {}
+  virtual void cross(std::size_t, const Vec2& /*from*/, const Vec2& /*to*/,
+                     const CellIndex& /*step*/) {}
   virtual void end(std::size_t number, const OrbitStop& stop) = 0;
 };
 
@@ -54,6 +55,7 @@ class OrbitTracer {
   const Surfaces& surfaces() const { return walls_; }
   std::span<const Material> materials() const { return materials_; }
   const WallCells& origin_cells() const { return origins_.cells(); }
+  const PeriodicWalls& periodic() const { return periodic_; }
 
  private:
   struct Flight;

@@ -1,33 +1,109 @@
 #include "transport/periodic_walls.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "base/check.h"
+#include "geom/error_free.h"
+#include "geom/predicates.h"
+#include "transport/near_doubles.h"
 
 namespace flatray {
+namespace {
+
+DoubleDouble add(const DoubleDouble& sum, double x) {
+  const DoubleDouble next = two_sum(sum.hi, x);
+  return two_sum(next.hi, next.lo + sum.lo);
+}
+
+// x + to - from, rounded once.
+double moved(double x, double from, double to) {
+  return from == to ? x : add(add({x, 0}, to), -from).hi;
+}
+
+// The place on a segment that is nearest to another, rounded once: there may be far more doubles than where
+// it comes from.
+Vec2 on_line(const Segment& wall, const Vec2& place) {
+  const Vec2 edge = wall.b - wall.a;
+  const double share = edge.dot(place - wall.a) / edge.dot(edge);
+  const auto at = [&](int axis) {
+    const DoubleDouble whole = two_sum(wall.b[axis], -wall.a[axis]);
+    DoubleDouble sum{wall.a[axis], 0};
+    if (is_exact_product(share, whole.hi)) {
+      const DoubleDouble way = two_product(share, whole.hi);
+      sum = add(add(add(sum, way.hi), way.lo), share * whole.lo);
+    }
+    return sum.hi;
+  };
+  return {at(0), at(1)};
+}
+
+// Whether walls are the edges of a ring of four or six, in order.
+bool is_ring(std::span<const PeriodicWalls::Side> sides) {
+  const std::size_t count = sides.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (sides[i].wall.b != sides[(i + 1) % count].wall.a) return false;
+  return count == 4 || count == 6;
+}
+
+// How far a place lies inside an edge, negative beyond it.
+double depth(const Segment& wall, const Vec2& place) {
+  const Vec2 edge = wall.b - wall.a;
+  return cross(edge, place - wall.a) / std::sqrt(edge.dot(edge));
+}
+
+// The whole circles that reach over the walls of a cell and come in copies: a single one is no part of what
+// the cell repeats.
+std::vector<Ellipse> discs_across(const Surfaces& walls,
+                                  std::span<const PeriodicWalls::Side> sides) {
+  std::vector<Ellipse> across, copied;
+  for (const Arc& arc : walls.arcs) {
+    if (arc.extent != Arc::Extent::whole || !arc.curve.is_circle()) continue;
+    const auto reaches = [&](const PeriodicWalls::Side& side) {
+      return depth(side.wall, arc.curve.centre) < arc.curve.u.x();
+    };
+    if (std::any_of(sides.begin(), sides.end(), reaches)) across.push_back(arc.curve);
+  }
+  const auto radius = [](const Ellipse& disc) { return disc.u.x(); };
+  std::stable_sort(across.begin(), across.end(),
+                   [&](const Ellipse& a, const Ellipse& b) { return radius(a) < radius(b); });
+  for (std::size_t i = 0; i < across.size(); ++i)
+    if ((i > 0 && radius(across[i - 1]) == radius(across[i])) ||
+        (i + 1 < across.size() && radius(across[i + 1]) == radius(across[i])))
+      copied.push_back(across[i]);
+  return copied;
+}
+
+}  // namespace
 
 PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> materials) {
   if (materials.empty()) return;
-  Bounds box;
-  for (std::uint32_t i = 0; i < walls.size(); ++i) {
-    if (materials[i] != Material::periodic) continue;
-    FLATRAY_CHECK(walls.segment_slot(i) != kNoSurface);
-    box.add(bounds_of(walls.segment(i)));
-    sides_.push_back({i, i, 0, 0, 0, 0});
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
+    if (materials[i] == Material::periodic && walls.segment_slot(i) != kNoSurface)
+      sides_.push_back({i, i, walls.segment(i), {}, {}, -1});
+  // So small and so far away that the doubles do not tell its corners apart: nothing leads out.
+  if (!is_ring(sides_)) sides_.clear();
+  if (sides_.empty()) return;
+  const std::size_t count = sides_.size(), half = count / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Side& other = sides_[(i + half) % count];
+    Side& side = sides_[i];
+    side.opposite = other.surface;
+    side.far = other.wall;
+    for (const int axis : {0, 1})
+      if (side.wall.a[axis] == side.wall.b[axis]) side.axis = axis;
   }
-  for (Side& side : sides_) {
-    const Segment& wall = walls.segment(side.surface);
-    side.axis = wall.a.x() == wall.b.x() ? 0 : 1;
-    const double place = wall.a[side.axis];
-    const bool low = place == box.low[side.axis];
-    FLATRAY_CHECK(place == wall.b[side.axis] && (low || place == box.high[side.axis]));
-    side.out = low ? -1 : 1;
-    side.near = place;
-    side.far = low ? box.high[side.axis] : box.low[side.axis];
+  // Beyond edge 1 lies cell (1, 0), beyond edge 2 cell (0, 1); in a ring of six the three neighbours in
+  // turn are a - b, a, b.
+  const CellIndex first = count == 4 ? CellIndex{0, -1} : CellIndex{1, -1};
+  const std::array<CellIndex, 3> steps{first, {1, 0}, {0, 1}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    sides_[i].step = steps[i];
+    sides_[(i + half) % count].step = {-steps[i].a, -steps[i].b};
   }
-  for (Side& side : sides_)
-    for (const Side& other : sides_)
-      if (other.axis == side.axis && other.out != side.out) side.opposite = other.surface;
+  for (std::size_t i : {1U, 2U})
+    for (const int axis : {0, 1})
+      lattice_[i - 1][axis] = sides_[i].from()[axis] - sides_[i].to()[axis];
+  discs_ = discs_across(walls, sides_);
 }
 
 const PeriodicWalls::Side* PeriodicWalls::find(std::uint32_t surface) const {
@@ -38,20 +114,56 @@ const PeriodicWalls::Side* PeriodicWalls::find(std::uint32_t surface) const {
 
 bool PeriodicWalls::leads_out(std::uint32_t surface, const Vec2& direction) const {
   const Side* side = find(surface);
-  return side != nullptr && side->out * direction[side->axis] > 0;
+  return side != nullptr && turn_from_edge(side->wall.a, side->wall.b, direction) == Sign::negative;
 }
 
 std::optional<PeriodicWalls::Entry> PeriodicWalls::cross(
     const Vec2& point, const Vec2& direction, std::span<const std::uint32_t> surfaces) const {
-  std::optional<Entry> entry;
-  for (const std::uint32_t surface : surfaces) {
-    if (!leads_out(surface, direction)) continue;
-    const Side& side = *find(surface);
-    if (!entry) entry = Entry{point, surface};
-    entry->point[side.axis] = side.far;
-    entry->surface = side.opposite;
+  const auto left = left_by(surfaces, [&](const Side& side) {
+    return std::optional(leads_out(side.surface, direction));
+  });
+  if (left->count == 0) return std::nullopt;
+  Entry entry{point, kNoSurface, {}};
+  for (const Side* side : left->all()) {
+    for (const int axis : {0, 1})
+      entry.point[axis] = moved(entry.point[axis], side->from()[axis], side->to()[axis]);
+    if (side->axis < 0) entry.point = on_line(side->far, entry.point);
+    entry.surface = side->opposite;
+    entry.step += side->step;
   }
+  for (const Side* side : left->all())
+    if (side->axis >= 0) entry.point[side->axis] = side->to()[side->axis];
+  const auto inner = inside(entry.point, left->all().back()->far);
+  if (!inner) return std::nullopt;
+  entry.point = *inner;
   return entry;
+}
+
+bool PeriodicWalls::may_stand(const Vec2& point) const {
+  return std::all_of(sides_.begin(), sides_.end(),
+                     [&](const Side& side) {
+                       return orientation(side.wall.a, side.wall.b, point) != Sign::negative;
+                     }) &&
+         std::all_of(discs_.begin(), discs_.end(), [&](const Ellipse& disc) {
+           return curve_side(point, disc) == Sign::positive;
+         });
+}
+
+// Copies of a disc are rounded, too: what goes round one may come in under another by as much, and is moved
+// along the wall then.
+std::optional<Vec2> PeriodicWalls::inside(const Vec2& place, const Segment& wall) const {
+  const auto accepted = [&](const Vec2& point) { return may_stand(point); };
+  if (const auto near = nearest_double(place, accepted)) return near;
+  if (discs_.empty()) return std::nullopt;
+  constexpr double kUlp = 0x1p-52;
+  constexpr int kMost = 16;  // ulps of the wall's corners
+  const double size = std::max(wall.a.cwiseAbs().maxCoeff(), wall.b.cwiseAbs().maxCoeff());
+  const Vec2 edge = wall.b - wall.a;
+  const Vec2 step = size * kUlp / std::sqrt(edge.dot(edge)) * edge;
+  for (int i = 1; i <= kMost; ++i)
+    for (const int way : {i, -i})
+      if (const auto near = nearest_double(place + way * step, accepted)) return near;
+  return std::nullopt;
 }
 
 }  // namespace flatray

@@ -1,10 +1,12 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "geom/bounds.h"
+#include "geom/ray.h"
 #include "scene/scene.h"
 #include "trace/surfaces.h"
 
@@ -14,16 +16,42 @@ namespace flatray {
 /// far as anyone can wait.
 inline constexpr std::uint32_t kMostCrossings = 1U << 18;
 
-/// The walls of an upright box of which opposite ones are the same: a torus.
+/// Which copy of a periodic cell: how many times each of its two lattice vectors lies between it and
+/// the cell as given.
+struct CellIndex {
+  std::int64_t a = 0, b = 0;
+
+  CellIndex& operator+=(const CellIndex& step) {
+    a += step.a;
+    b += step.b;
+    return *this;
+  }
+  bool operator==(const CellIndex&) const = default;
+};
+
+/// The walls of a cell that fills the plane by translations, of which opposite ones are the same: a
+/// torus. A cell is a convex polygon of four or six edges whose corners lie opposite each other about
+/// one point.
 class PeriodicWalls {
  public:
   struct Side {
     std::uint32_t surface, opposite;
-    int axis;               // across it
-    double out, near, far;  // sign of the way out; places of it and of the opposite one on the axis
+    Segment wall, far;  ///< counter-clockwise; that opposite
+    CellIndex step;     ///< to the cell that lies beyond it
+    int axis;           ///< across which it stands upright; -1 of a wall that is oblique
+
+    /// What crossing it adds to a place is to() - from(), as exact numbers.
+    const Vec2& from() const { return wall.a; }
+    const Vec2& to() const { return far.b; }
+  };
+  /// The walls that are left by at once, in turn: two where a ray goes through a corner of the cell.
+  struct Left {
+    std::array<const Side*, 2> sides{};
+    std::size_t count = 0;
+    std::span<const Side* const> all() const { return {sides.data(), count}; }
   };
 
-  /// Needs   the periodic ones of `walls` to be the sides of one upright box, or none. No materials
+  /// Needs   the periodic ones of `walls` to be the edges of one cell in order, or none. No materials
   ///         mean none.
   PeriodicWalls(const Surfaces& walls, std::span<const Material> materials);
 
@@ -31,20 +59,64 @@ class PeriodicWalls {
   /// nullptr of any other wall.
   const Side* find(std::uint32_t surface) const;
   bool has(std::uint32_t surface) const { return find(surface) != nullptr; }
-  /// Whether a direction leads out of the box by a wall; not along it.
+  /// Whether a direction leads out of the cell by a wall; not along it. Exact.
   bool leads_out(std::uint32_t surface, const Vec2& direction) const;
+
+  /// By which of the walls that a ray meets at once it leaves, and by which then in the corner that this
+  /// leads to.
+  ///
+  /// Needs   leads_out(side) to say whether its direction does, nullopt where that cannot be told.
+  template <class LeadsOut>
+  std::optional<Left> left_by(std::span<const std::uint32_t> surfaces,
+                              const LeadsOut& leads_out) const;
 
   /// Where a ray that arrives at a point of some of them goes on.
   struct Entry {
-    Vec2 point;
+    Vec2 point;  ///< on the closed inner side of all walls of the cell, and outside all its discs
     std::uint32_t surface;  ///< the wall it comes in by, the last one where it was in a corner
+    CellIndex step;         ///< from the cell that it left
   };
-  /// Gives   nothing where none of them leads out.
+  /// Gives   nothing where none of them leads out, or where no double within a few ulps will do.
+  /// Error   of an upright wall the place along it exact; of others two ulps of the largest coordinate.
   std::optional<Entry> cross(const Vec2& point, const Vec2& direction,
                              std::span<const std::uint32_t> surfaces) const;
 
+  /// Its two lattice vectors, rounded once: where the cell of index (1, 0) lies, that of (0, 1).
+  const std::array<Vec2, 2>& lattice() const { return lattice_; }
+
  private:
-  std::vector<Side> sides_;
+  std::optional<Vec2> inside(const Vec2& place, const Segment& wall) const;
+  bool may_stand(const Vec2& point) const;
+
+  std::vector<Side> sides_;  // in order round the cell
+  std::array<Vec2, 2> lattice_{Vec2(0, 0), Vec2(0, 0)};
+  std::vector<Ellipse> discs_;  // that reach over its walls, each with the copies that do
 };
+
+template <class LeadsOut>
+std::optional<PeriodicWalls::Left> PeriodicWalls::left_by(std::span<const std::uint32_t> surfaces,
+                                                          const LeadsOut& leads_out) const {
+  const std::size_t count = sides_.size();
+  Left left;
+  for (const std::uint32_t surface : surfaces) {
+    const Side* first = find(surface);
+    if (first == nullptr) continue;
+    const std::optional<bool> out = leads_out(*first);
+    if (!out) return std::nullopt;
+    if (!*out) continue;
+    left = {{first}, 1};
+    if (surfaces.size() == 1) return left;
+    // Its end that the others share is taken to the other end of the wall opposite.
+    const auto at = static_cast<std::size_t>(first - sides_.data());
+    const Side& next = sides_[(at + 1) % count];
+    const bool at_end = std::find(surfaces.begin(), surfaces.end(), next.surface) != surfaces.end();
+    const Side& second = sides_[(at + count / 2 + (at_end ? count - 1 : 1)) % count];
+    const std::optional<bool> too = leads_out(second);
+    if (!too) return std::nullopt;
+    if (*too) left = {{first, &second}, 2};
+    return left;
+  }
+  return left;
+}
 
 }  // namespace flatray

@@ -77,7 +77,7 @@ says err 'scenes are written as TOML'
 says err 'no name to refer to'
 # What check refuses is not converted.
 run 4 convert "$root/scenes/chamber/lorentz.toml" pillar.toml -D chamber.0.pillars.0.shape.circle.radius=90
-says err "does not stand in the chamber"
+says err "overlap"
 absent pillar.toml
 run 3 convert absent.toml new.toml
 run 6 convert plain.toml plain.toml/x.toml

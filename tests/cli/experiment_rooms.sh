@@ -55,12 +55,17 @@ says err "it takes --bounces, --map, --resume"
 scene box.toml 1
 run 4 experiment lyapunov box.toml
 says err "has no chamber"
-# A pillar that stands across a periodic wall is refused by all, and one that touches it by none.
+# A disc that stands across a periodic wall is met in its copies by all; other pillars there are refused by all, and discs
+# whose copies overlap.
 lorentz=$root/scenes/chamber/lorentz.toml
 for verb in check orbit explain "experiment mean-free-path"; do
-  run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.at=[0.4, 0]'
-  says err "does not stand in the chamber"
   run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.shape={ segment = { from = [0.5, 0.5], to = [1.5, 0.5] } }'
+  says err "does not stand in the chamber"
+  run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.shape={ circle = { radius = 0.6 } }'
+  says err "overlap"
+  run 4 $verb "$lorentz" -D 'chamber.0.pillars.0.at=[2, 0]'
+  says err "does not stand in the chamber"
 done
+run 0 check "$lorentz" -D 'chamber.0.pillars.0.at=[0.4, 0]'
 run 0 check "$lorentz" -D 'chamber.0.pillars.0.at=[0.25, 0]'
 finish

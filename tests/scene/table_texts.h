@@ -61,6 +61,7 @@ inline constexpr TableText kTables[] = {
      "}\n[[edge_rays]]\nfrom = \"a\"\nagainst = \"a\"\n@"},
     {"markov.c", "flatray = 1\n[markov.c]\nA = { A = 1 }\n@"},
     {"box", "flatray = 1\n[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1], @ } }"},
+    {"cell", "flatray = 1\n[[entity]]\nshape = { cell = { a = [1, 0], b = [0, 1], @ } }"},
     {"circle", "flatray = 1\n[[entity]]\nshape = { circle = { radius = 1, @ } }"},
     {"convex",
      "flatray = 1\n[[entity]]\nshape = { convex = { points = [[0, 0], [1, 0], [0, 1]], @ } }"},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/primitives/wall.h"
 #include "transport/chambers.h"
 
 namespace flatray {
@@ -9,10 +10,12 @@ namespace {
 
 // A box of periodic walls and discs in it.
 struct Torus {
-  Surfaces walls = ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  std::vector<Material> materials{4, Material::periodic};
+  Surfaces walls;
+  std::vector<Material> materials;
 
-  explicit Torus(const std::vector<Circle>& discs) {
+  explicit Torus(const std::vector<Circle>& discs,
+                 const std::vector<Vec2>& cell = {{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      : walls(ring(cell)), materials(cell.size(), Material::periodic) {
     for (const Circle& disc : discs) walls.add(disc);
     materials.resize(walls.size(), Material::mirror);
   }
@@ -89,6 +92,87 @@ TEST(PeriodicWalls, StopWhereAMirrorMeetsThem) {
   const Torus torus({{{0, 0}, 0.25}, {{1, 0}, 0.25}, {{0, 1}, 0.25}, {{1, 1}, 0.25}});
   EXPECT_EQ(torus.orbit({{0.5, 0.5}, {0.5, -0.25}}, 1).end, OrbitEnd::corner);
   EXPECT_EQ(torus.orbit({{0.5, 0.5}, {0.5, 0.3125}}, 50).end, OrbitEnd::limit);
+}
+
+// Cells of the triangular lattice a, b, with a disc of radius 1 about each of its points.
+constexpr double kSpacing = 2.2;
+const Vec2 kA(kSpacing, 0), kB(1.1, 1.905255888325765);
+
+Torus hexagon() {
+  const double x = 0.5 * kSpacing, y = 0.6350852961085884;
+  return Torus({{{0, 0}, 1}}, {{0, -2 * y}, {x, -y}, {x, y}, {0, 2 * y}, {-x, y}, {-x, -y}});
+}
+Torus rhombus() {
+  const std::vector<Vec2> at = {-0.5 * kA - 0.5 * kB, 0.5 * kA - 0.5 * kB, 0.5 * kA + 0.5 * kB,
+                                0.5 * kB - 0.5 * kA};
+  return Torus({{at[0], 1}, {at[1], 1}, {at[2], 1}, {at[3], 1}}, at);
+}
+
+// `origin` is where a disc stands.
+void expect_orbit_of_plane(const Torus& torus, const Vec2& origin) {
+  constexpr int kReach = 20;
+  Surfaces plane;
+  for (int j = -kReach; j <= kReach; ++j)
+    for (int i = -kReach; i <= kReach; ++i) plane.add(Circle{origin + i * kA + j * kB, 1});
+  const PeriodicWalls walls(torus.walls, torus.materials);
+  const Vec2 a = walls.lattice()[0], b = walls.lattice()[1];
+  EXPECT_LT((a - kA).norm() + (b - kB).norm(), 1e-15);
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 0.37 + 0.41 * k;
+    const Ray start{origin + (kA + kB) / 3, {std::cos(angle), std::sin(angle)}};
+    const Orbit there = in_mirrors(plane, start, 6);
+    const Orbit here = torus.orbit(start, 6);
+    ASSERT_EQ(here.bounces.size(), there.bounces.size()) << k;
+    for (std::size_t i = 0; i < here.bounces.size(); ++i) {
+      const CellIndex& cell = here.bounces[i].cell;
+      const Vec2 unfolded =
+          here.bounces[i].point + static_cast<double>(cell.a) * a + static_cast<double>(cell.b) * b;
+      EXPECT_LT((unfolded - there.bounces[i].point).norm(), 1e-8);
+    }
+  }
+}
+
+TEST(PeriodicWalls, OfAHexagonMakeTheOrbitOfThePlaneByTheCellOfEachBounce) {
+  expect_orbit_of_plane(hexagon(), {0, 0});
+}
+TEST(PeriodicWalls, CarryDiscsOverTheCornersOfAnObliqueCell) {
+  expect_orbit_of_plane(rhombus(), -0.5 * kA - 0.5 * kB);
+}
+
+// Exact: no start of a flight lies in a disc, or outside the cell.
+TEST(PeriodicWalls, LetNoOrbitIntoADiscOrOutOfTheCell) {
+  for (const Torus& torus : {hexagon(), rhombus()}) {
+    const auto expect_free = [&](const Vec2& point) {
+      for (std::uint32_t i = 0; i < torus.walls.size(); ++i)
+        torus.walls.visit(i, [&](const auto& wall) {
+          EXPECT_NE(side_of(wall, point),
+                    torus.materials[i] == Material::periodic ? Sign::negative : inside_of(wall));
+        });
+    };
+    for (int k = 0; k < 5; ++k) {
+      const Orbit orbit = torus.orbit({{0, torus.walls.size() == 8 ? 0.0 : 1.1}, {1, 0.3 * k}}, 400);
+      EXPECT_EQ(orbit.end, OrbitEnd::limit);
+      for (const Bounce& bounce : orbit.bounces) expect_free(bounce.point);
+      for (const Crossing& crossing : orbit.crossings) {
+        expect_free(crossing.from);
+        expect_free(crossing.to);
+      }
+    }
+  }
+}
+
+// The corner (0, 2) belongs to three cells: what goes up to the left there is led through two of them.
+TEST(PeriodicWalls, AreCrossedInACornerOfAHexagon) {
+  const Torus torus({{{0, 0}, 1}}, {{0, -2}, {2, -1}, {2, 1}, {0, 2}, {-2, 1}, {-2, -1}});
+  const Orbit right = torus.orbit({{-0.25, 1.25}, {1, 3}}, 1);
+  const Orbit left = torus.orbit({{0.25, 1.25}, {-1, 3}}, 1);
+  EXPECT_EQ(right.crossings.at(0).from, Vec2(0, 2));
+  EXPECT_EQ(right.crossings.at(0).to, Vec2(-2, -1));
+  EXPECT_EQ(right.crossings.at(0).step, (CellIndex{0, 1}));
+  EXPECT_EQ(left.crossings.at(0).from, Vec2(0, 2));
+  EXPECT_EQ(left.crossings.at(0).to, Vec2(2, -1));
+  EXPECT_EQ(left.crossings.at(0).step, (CellIndex{-1, 1}));
+  EXPECT_NE(left.bounces.at(0).cell, right.bounces.at(0).cell);
 }
 
 TEST(OrbitLines, EndAtBouncesAndCrossings) {

@@ -76,8 +76,8 @@ Orbit as_orbit(CertifiedOrbit exact, const Ray& start) {
   double length = 0;
   for (const CertifiedOrbit::Bounce& one : exact.bounces) {
     length += one.t * speed;
-    orbit.bounces.push_back(
-        {one.surface, one.point, one.t, length, one.normal, speed * one.in, speed * one.out});
+    orbit.bounces.push_back({one.surface, one.point, one.t, length, one.normal, speed * one.in,
+                             speed * one.out, one.cell});
   }
   if (orbit.end == OrbitEnd::limit && !exact.bounces.empty()) orbit.out = exact.bounces.back().out;
   return orbit;
@@ -174,6 +174,17 @@ OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const
 
 namespace {
 
+JsonValue whole(std::int64_t number) {
+  JsonValue value;
+  value.data = number;
+  return value;
+}
+
+bool is_periodic(const OrbitRoom& room) {
+  return std::find(room.materials.begin(), room.materials.end(), Material::periodic) !=
+         room.materials.end();
+}
+
 Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
   const Bounce& bounce = report.orbit.bounces[i];
   const SurfaceOwner& owner = report.world->owner(bounce.surface);
@@ -191,6 +202,7 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
              report.clock         ? "unknown"
              : i < report.certain ? "yes"
                                   : "no"};
+  if (is_periodic(room)) row.insert(row.end(), {whole(bounce.cell.a), whole(bounce.cell.b)});
   if (!timed) return row;
   row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
   row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
@@ -205,6 +217,7 @@ Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports) 
   const bool timed = std::any_of(reports.begin(), reports.end(), [](const OrbitReport& report) {
     return report.clock.has_value();
   });
+  if (is_periodic(room)) table.columns.insert(table.columns.end(), {"cell_a", "cell_b"});
   if (timed) table.columns.insert(table.columns.end(), {"time", "speed"});
   table.made = [&room, reports, timed](const Table::EachRow& each) {
     for (const OrbitReport& report : reports)
@@ -233,6 +246,10 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"out", as_value(orbit.out)},
       {"end_point", stands_somewhere ? as_value(orbit.end_point) : JsonValue()},
       {"end_walls", walls_text(room.scene, *report.world, orbit.end_surfaces)}};
+  if (is_periodic(room)) {
+    const auto lattice = PeriodicWalls(room.world.surfaces, room.materials).lattice();
+    fields.emplace_back("lattice", Values{as_value(lattice[0]), as_value(lattice[1])});
+  }
   if (!report.clock) return fields;
   fields.emplace_back("start_time", report.clock->start);
   fields.emplace_back("end_time", report.clock->end);

@@ -1,5 +1,7 @@
 #include "app/files/scene_input.h"
 
+#include <algorithm>
+
 #include "app/options/option_values.h"
 #include "app/report/report.h"
 #include "collide/pillars.h"
@@ -56,9 +58,13 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
   Result<ReadScene> read = read_scene(path, overrides, options.limits, options.seed);
   if (!read) return read;
   const Scene& scene = read->loaded.scene;
-  // What leaves by a periodic wall in the middle of a pillar would come in where none is.
-  if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic)
+  // What leaves by a periodic wall in the middle of a pillar would come in where none is, or in a copy.
+  if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic) {
     if (auto inside = expect_pillars_inside(scene); !inside) return fail(std::move(inside));
+    const auto& pillars = scene.chambers.front().pillars;
+    if (std::any_of(pillars.begin(), pillars.end(), [](const auto& one) { return one.across; }))
+      if (auto apart = expect_pillars_apart(scene); !apart) return fail(std::move(apart));
+  }
   return read;
 }
 

@@ -1,5 +1,6 @@
 #include "scene/keys/look_keys.h"
 #include "scene/keys/scene_keys.h"
+#include "scene/outlines/lattice_cell.h"
 
 namespace flatray {
 namespace {
@@ -36,19 +37,6 @@ void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
   chamber.shape = *shape;
 }
 
-// Four edges along the axes.
-bool is_upright_box(const Shape& shape) {
-  const std::vector<Vec2>& at = shape.vertices;
-  if (at.size() != 4 || shape.piece_count() != 1 || !shape.segments.empty() ||
-      !shape.circles.empty() || !shape.arc_paths.empty() || !shape.beziers.empty())
-    return false;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 edge = at[(i + 1) % 4] - at[i];
-    if ((edge.x() == 0) == (edge.y() == 0)) return false;
-  }
-  return true;
-}
-
 constexpr Word<Material> kChamberMaterials[] = {
     {"absorb", Material::absorb}, {"mirror", Material::mirror}, {"periodic", Material::periodic}};
 
@@ -74,10 +62,12 @@ void read_chamber(Builder& builder, const Value& table) {
     chamber.stroke = kDefaultStroke;
   const Member* shape = table.find("shape");
   if (chamber.material == Material::periodic && shape != nullptr &&
-      builder.in.problems.size() == problems &&
-      !is_upright_box(builder.scene.shapes[chamber.shape]))
-    builder.in.problem(shape->value.where, "walls that are not an upright box cannot be periodic",
-                       "write shape = { box = { min = [0, 0], max = [1, 1] } }");
+      builder.in.problems.size() == problems) {
+    if (auto fault = cell_fault(builder.scene.shapes[chamber.shape]))
+      builder.in.problem(shape->value.where, std::move(fault->message), std::move(fault->hint));
+    else
+      add_copies_of_discs(builder.scene, chamber);
+  }
   builder.scene.chambers.push_back(std::move(chamber));
 }
 

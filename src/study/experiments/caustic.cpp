@@ -52,7 +52,7 @@ class Lines : public OrbitSink {
     last_ = bounce.point;
     see(bounce.out);
   }
-  void cross(std::size_t, const Vec2& from, const Vec2& to) override {
+  void cross(std::size_t, const Vec2& from, const Vec2& to, const CellIndex&) override {
     density_.add(last_, from);
     last_ = to;
   }

@@ -49,7 +49,7 @@ class Crossed : public OrbitSink {
     note();
     next_ += (next_ + 3) / 4;
   }
-  void cross(std::size_t, const Vec2& from, const Vec2& to) override {
+  void cross(std::size_t, const Vec2& from, const Vec2& to, const CellIndex&) override {
     density_.add(last_, from);
     last_ = to;
   }

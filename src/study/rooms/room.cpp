@@ -32,7 +32,10 @@ Room::Room(const Scene& scene)
       materials_(world_.materials()) {
   before_.push_back(0);
   for (std::uint32_t i = 0; i < walls().size(); ++i) {
-    const double sides = materials_[i] == Material::periodic ? 0 : inner_side(i) ? 1 : 2;
+    counted_.push_back(counted_wall(i));
+    has_copies_ |= counted_.back() != i;
+    const bool passed = materials_[i] == Material::periodic || counted_.back() != i;
+    const double sides = passed ? 0 : inner_side(i) ? 1 : 2;
     before_.push_back(before_.back() + sides * wall_length(walls(), i));
   }
   orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
@@ -58,11 +61,28 @@ bool Room::has_start(const Vec2& point) const {
   return solids_.in_chamber(point) && !solids_.holder(point);
 }
 
+// Copies of discs, a wall each, come after what they are copies of.
+std::uint32_t Room::counted_wall(std::uint32_t surface) const {
+  const SurfaceOwner& owner = world_.owner(surface);
+  if (owner.kind != SurfaceOwner::Kind::pillar) return surface;
+  const auto& copy_of = scene_.chambers[owner.index].pillars[owner.pillar].copy_of;
+  if (!copy_of) return surface;
+  for (std::uint32_t i = 0;; ++i)
+    if (world_.owner(i).kind == owner.kind && world_.owner(i).pillar == *copy_of) return i;
+}
+
+// The wall or that of its copies of which a place lies in the cell.
+std::uint32_t Room::wall_in_cell(std::uint32_t surface, double position) const {
+  for (std::uint32_t i = surface; has_copies_ && i < walls().size(); ++i)
+    if (counted_[i] == surface && solids_.in_chamber(wall_point(walls(), i, position))) return i;
+  return surface;
+}
+
 double Room::place_of(const Bounce& bounce) const {
   const std::uint32_t wall = bounce.surface;
   const bool second =
       !inner_side(wall) && bounce.normal.dot(wall_normal(walls(), wall, bounce.point)) < 0;
-  return before_[wall] + wall_position(walls(), wall, bounce.point) +
+  return before_[counted_[wall]] + wall_position(walls(), wall, bounce.point) +
          (second ? wall_length(walls(), wall) : 0);
 }
 
@@ -77,14 +97,16 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
     const UnitPoint at = even ? quasi_point(seed, number) : UnitPoint{draw(0), draw(1)};
     const double along = at.x * perimeter(), sine = 2 * at.y - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
-    const auto surface = static_cast<std::uint32_t>(above - before_.begin() - 1);
-    const double length = wall_length(walls(), surface), within = along - before_[surface];
+    const auto drawn = static_cast<std::uint32_t>(above - before_.begin() - 1);
+    const double length = wall_length(walls(), drawn), within = along - before_[drawn];
+    const std::uint32_t surface = wall_in_cell(drawn, within);
     const bool second = within > length && !inner_side(surface);  // bounced off on both sides
     const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
     const Vec2 place = wall_point(walls(), surface, second ? within - length : within);
     const auto origin = nearest_double(
         place, [&](const Vec2& point) { return side_of_wall(walls(), surface, point) != -side; });
     if (!origin) continue;
+    if (has_copies_ && !solids_.in_chamber(*origin)) continue;
     const Vec2 normal = static_cast<double>(side) * wall_normal(walls(), surface, *origin);
     const Vec2 direction =
         std::sqrt((1 - sine) * (1 + sine)) * normal + sine * Vec2(-normal.y(), normal.x());

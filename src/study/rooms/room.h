@@ -24,7 +24,7 @@ class Room {
   /// Whether orbits that start there are in the room: on a wall, or in the free.
   bool has_start(const Vec2& point) const;
 
-  /// Length of all walls but periodic ones, those bounced off on both sides twice.
+  /// Length of all walls but periodic ones, those bounced off on both sides twice, those in copies once.
   double perimeter() const { return before_.back(); }
   /// How far along all of them a bounce lies.
   double place_of(const Bounce& bounce) const;
@@ -38,12 +38,17 @@ class Room {
   std::optional<Sign> inner_side(std::uint32_t surface) const;
 
  private:
+  std::uint32_t counted_wall(std::uint32_t surface) const;
+  std::uint32_t wall_in_cell(std::uint32_t surface, double position) const;
+
   const Scene& scene_;
   FrameState state_;
   World world_;
   Solids solids_;
   std::vector<Material> materials_;
-  std::vector<double> before_;  // length of the walls before each
+  std::vector<double> before_;          // length of the walls before each
+  std::vector<std::uint32_t> counted_;  // by surface: itself, or that of which it is a copy
+  bool has_copies_ = false;
   std::unique_ptr<OrbitTracer> orbits_;
 };
 

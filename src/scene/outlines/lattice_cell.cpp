@@ -1,0 +1,135 @@
+#include "scene/outlines/lattice_cell.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/number_text.h"
+#include "geom/error_free.h"
+
+namespace flatray {
+namespace {
+
+bool is_one_polygon(const Shape& shape) {
+  const std::size_t corners = shape.vertices.size();
+  return (corners == 4 || corners == 6) && shape.piece_count() == 1 && shape.segments.empty() &&
+         shape.circles.empty() && shape.arc_paths.empty() && shape.beziers.empty();
+}
+
+// Whether two corners have the middle of two others, and by how much not.
+std::array<double, 2> apart(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  std::array<double, 2> off{};
+  for (const int axis : {0, 1}) {
+    const DoubleDouble one = two_sum(a[axis], b[axis]), other = two_sum(c[axis], d[axis]);
+    off[static_cast<std::size_t>(axis)] = (one.hi - other.hi) + (one.lo - other.lo);
+  }
+  return off;
+}
+
+// How far inside each edge a place lies: the least of them.
+double least_depth(const Shape& cell, const Vec2& place) {
+  double least = kInfinity;
+  for (std::size_t i = 0; i < cell.vertices.size(); ++i) {
+    const Vec2 &a = cell.vertices[i], &b = cell.vertices[(i + 1) % cell.vertices.size()];
+    const Vec2 edge = b - a;
+    least = std::min(least, cross(edge, Vec2(place - a)) / std::sqrt(edge.dot(edge)));
+  }
+  return least;
+}
+
+// x + n (b - a) + m (d - c), nearly without error before it is rounded.
+double shifted(double x, int n, double a, double b, int m, double c, double d) {
+  DoubleDouble sum{x, 0};
+  const auto add = [&](int times, double y) {
+    for (int i = 0; i < std::abs(times); ++i) {
+      const DoubleDouble next = two_sum(sum.hi, times < 0 ? -y : y);
+      sum = two_sum(next.hi, next.lo + sum.lo);
+    }
+  };
+  add(n, b);
+  add(-n, a);
+  add(m, d);
+  add(-m, c);
+  return sum.hi;
+}
+
+// A place as many lattice vectors on.
+Vec2 moved_to(const Shape& cell, const Vec2& place, int n, int m) {
+  // The wall opposite edge 1 is as far back as cell (1, 0) is away, that of edge 2 as cell (0, 1).
+  const std::size_t half = cell.vertices.size() / 2;
+  const Vec2 &a_to = cell.vertices[1], &a_from = cell.vertices[(2 + half) % (2 * half)];
+  const Vec2 &b_to = cell.vertices[2], &b_from = cell.vertices[(3 + half) % (2 * half)];
+  const auto at = [&](int axis) {
+    return shifted(place[axis], n, a_from[axis], a_to[axis], m, b_from[axis], b_to[axis]);
+  };
+  return {at(0), at(1)};
+}
+
+}  // namespace
+
+std::optional<CellFault> cell_fault(const Shape& shape) {
+  if (!is_one_polygon(shape))
+    return CellFault{"walls that are not a polygon of four or six corners cannot be periodic",
+                     "write shape = { box = { min = [0, 0], max = [1, 1] } }, or cell = { a = [1, "
+                     "0], b = [0.5, 1] }"};
+  const std::vector<Vec2>& at = shape.vertices;
+  const std::size_t half = at.size() / 2;
+  for (std::size_t i = 1; i < half; ++i) {
+    const auto off = apart(at[i], at[i + half], at[0], at[half]);
+    if (off[0] == 0 && off[1] == 0) continue;
+    const auto text = [](const Vec2& point) {
+      return fmt::format("({}, {})", number_text(point.x()), number_text(point.y()));
+    };
+    return CellFault{
+        fmt::format(
+            "walls of which opposite ones are not the same cannot be periodic: the corner {} "
+            "is ({}, {}) off where {} asks for it",
+            text(at[i + half]), number_text(off[0]), number_text(off[1]), text(at[i])),
+        "corners must lie opposite each other about one point, as those of cell = { a = [1, 0], b "
+        "= [0.5, 1] } do"};
+  }
+  return std::nullopt;
+}
+
+void add_copies_of_discs(Scene& scene, Chamber& chamber) {
+  const Shape cell = scene.shapes[chamber.shape];
+  // Copies that only touch the cell cost little; none that reaches in may be missing for rounding.
+  constexpr double kGenerous = 1 + 0x1p-30;
+  const std::size_t count = chamber.pillars.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Chamber::Pillar pillar = chamber.pillars[i];
+    const Shape disc = scene.shapes[pillar.shape];
+    if (disc.circles.size() != 1 || disc.piece_count() > 0 || !disc.arc_paths.empty() ||
+        !disc.segments.empty() || !disc.beziers.empty())
+      continue;
+    const double radius = disc.circles.front().radius;
+    const Vec2 local = disc.circles.front().centre;
+    if (pillar.angle != 0 && !local.isZero(0)) continue;
+    // Of centre and place the one that is 0 stays it, so that what is in a corner stays exact.
+    const bool in_shape = pillar.at.isZero(0);
+    const Vec2 from = pillar.at, centre = from + local;
+    const double depth = least_depth(cell, centre);
+    if (!(depth < radius && depth > -radius)) continue;
+    chamber.pillars[i].across = true;
+    pillar.across = true;
+    pillar.copy_of = static_cast<std::uint32_t>(i);
+    for (int n = -2; n <= 2; ++n)
+      for (int m = -2; m <= 2; ++m) {
+        const Vec2 place = moved_to(cell, in_shape ? local : from, n, m);
+        const Vec2 there = in_shape ? place : Vec2(place + local);
+        if ((n == 0 && m == 0) || !(least_depth(cell, there) > -kGenerous * radius)) continue;
+        if (in_shape) {
+          Shape moved = disc;
+          moved.circles.front().centre = place;
+          pillar.shape = static_cast<ShapeId>(scene.shapes.size());
+          scene.shapes.push_back(std::move(moved));
+        } else {
+          pillar.at = place;
+        }
+        chamber.pillars.push_back(pillar);
+      }
+  }
+}
+
+}  // namespace flatray
