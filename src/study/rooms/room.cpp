@@ -7,6 +7,7 @@
 
 #include "base/counted.h"
 #include "base/philox.h"
+#include "base/portable_math.h"
 #include "collide/pillars.h"
 #include "geom/predicates.h"
 #include "study/rooms/starts.h"
@@ -114,6 +115,23 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
     const Root root =
         walls().visit(surface, [&](const auto& wall) { return root_left(wall, side); });
     return {{*origin, direction}, {surface, root}};
+  }
+}
+
+OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const {
+  constexpr double kTurn = 0x1.921fb54442d18p+2;
+  Bounds box;
+  for (const Chamber& chamber : scene_.chambers)
+    box.add(shape_bounds(scene_.shapes[chamber.shape], world_pose(state_)));
+  for (std::uint32_t attempt = 0;; attempt += 3) {
+    const auto draw = [&](std::uint32_t which) {
+      return unit_double(
+          random_bits(seed, Stream::experiment, number >> 32, number, attempt + which));
+    };
+    const Vec2 place = box.low + Vec2(draw(0), draw(1)).cwiseProduct(box.size());
+    if (!solids_.in_chamber(place) || solids_.holder(place)) continue;
+    const double angle = kTurn * draw(2);
+    return {{place, {portable::cos(angle), portable::sin(angle)}}, {}};
   }
 }
 

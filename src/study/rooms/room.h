@@ -36,6 +36,9 @@ class Room {
                         Starts starts = Starts::random) const;
   /// The side of a wall on which orbits are (geom/primitives/wall.h); nullopt: both.
   std::optional<Sign> inner_side(std::uint32_t surface) const;
+  /// A start in the free part of a closed chamber, uniform in place and direction: the measure that flight
+  /// keeps, so that what is seen along its orbit does not depend on the time. Of speed 1.
+  OrbitStart draw_free_start(std::uint64_t seed, std::uint64_t number) const;
 
  private:
   std::uint32_t counted_wall(std::uint32_t surface) const;

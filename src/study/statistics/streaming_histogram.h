@@ -1,0 +1,35 @@
+#pragma once
+#include <span>
+
+#include "base/table.h"
+#include "study/experiment.h"
+
+namespace flatray {
+
+/// How numbers are spread, counted as they come: it needs no more memory for 10^9 of them than for
+/// ten. Bins are equally wide; what lies above the last is counted there, too, by itself.
+class StreamingHistogram {
+ public:
+  StreamingHistogram(double low, double high, std::size_t bins);
+
+  /// Needs   a number that is not below the first bin.
+  void add(double number);
+  double count() const;  ///< of all
+  double above() const { return counts_.back(); }
+
+  /// A row for each bin: its ends, how many, their density; the last up to infinity without one.
+  Table table() const;
+  /// Pearson's sum of (counted - even)^2 / even over the bins, if numbers were equally likely in all.
+  double chi_squared_of_even() const;
+
+  /// As numbers, for blocks.
+  std::size_t size() const { return counts_.size(); }
+  const Numbers& numbers() const { return counts_; }
+  void add_counts(std::span<const double> numbers);
+
+ private:
+  double low_, width_;
+  Numbers counts_;  // one more than there are bins
+};
+
+}  // namespace flatray

@@ -1,0 +1,42 @@
+#include "study/statistics/streaming_histogram.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace flatray {
+namespace {
+
+TEST(StreamingHistogram, CountsByBinAndWhatLiesAbove) {
+  StreamingHistogram counts(0, 2, 4);
+  for (const double number : {0.0, 0.25, 0.5, 1.75, 2.0, 99.0}) counts.add(number);
+  EXPECT_EQ(counts.numbers(), (Numbers{2, 1, 0, 1, 2}));
+  EXPECT_EQ(counts.above(), 2);
+  const Table table = counts.table();
+  ASSERT_EQ(table.rows.size(), 5U);
+  EXPECT_EQ(csv_text(table).substr(0, 40), "from,to,count,density\n0,0.5,2,0.66666666");
+}
+
+TEST(StreamingHistogram, OfPartsIsThatOfTheWhole) {
+  StreamingHistogram whole(0, 1, 8), parts(0, 1, 8);
+  for (int part = 0; part < 3; ++part) {
+    StreamingHistogram some(0, 1, 8);
+    for (int i = 0; i < 100; ++i) {
+      const double number = 0.0137 * i * (part + 1) - std::floor(0.0137 * i * (part + 1));
+      some.add(number);
+      whole.add(number);
+    }
+    parts.add_counts(some.numbers());
+  }
+  EXPECT_EQ(parts.numbers(), whole.numbers());
+}
+
+// 3 and 5 where 4 each are even: 1/4 + 1/4.
+TEST(StreamingHistogram, TellsHowFarFromEvenItIs) {
+  StreamingHistogram counts(0, 2, 2);
+  for (int i = 0; i < 8; ++i) counts.add(i < 3 ? 0.5 : 1.5);
+  EXPECT_DOUBLE_EQ(counts.chi_squared_of_even(), 0.5);
+}
+
+}  // namespace
+}  // namespace flatray
