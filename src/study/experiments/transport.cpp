@@ -1,0 +1,359 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "study/plots/plot.h"
+#include "study/rooms/flight_tail.h"
+#include "study/statistics/estimate.h"
+#include "study/statistics/blocks.h"
+#include "study/statistics/streaming_histogram.h"
+
+namespace flatray {
+namespace {
+
+constexpr double kPi = 0x1.921fb54442d18p+1;
+constexpr std::uint64_t kBounces = 256;       // of one orbit
+constexpr std::uint64_t kFewestBounces = 64;  // so that few orbits are much shorter than the mean
+
+// What is looked at of each orbit: places and directions at times `step` apart, and how these differ
+// over lags of up to a quarter of them.
+struct Times {
+  double step;
+  std::size_t samples, lags;
+  double lag(std::size_t i) const { return step * static_cast<double>(i); }
+};
+// Of `bounces` flights of a mean length the sum is shorter than two thirds once in some ten thousand orbits;
+// those are told.
+Times times_of(double mean_flight, std::uint64_t bounces) {
+  constexpr double kMostSamples = 512, kInFlight = 4;
+  const double end = mean_flight * static_cast<double>(bounces) * 2 / 3;
+  const double step = std::max(mean_flight / kInFlight, end / kMostSamples);
+  const auto samples = static_cast<std::size_t>(end / step) / 8 * 8;
+  return {step, samples + 1, samples / 4 + 1};
+}
+
+// Of one orbit, or a mean over many: by lag, from all times at which it can begin.
+struct Lags {
+  Numbers x, y, velocity, kubo;  // squares of displacements; v(0) v(t); v(0) (r(t) - r(0))
+};
+
+Lags lags_of(std::span<const Vec2> places, std::span<const Vec2> ways, std::size_t lags) {
+  Lags all;
+  for (std::size_t lag = 0; lag < lags; ++lag) {
+    const std::size_t begins = places.size() - lag;
+    double x = 0, y = 0, velocity = 0, kubo = 0;
+    for (std::size_t i = 0; i < begins; ++i) {
+      const Vec2 moved = places[i + lag] - places[i];
+      x += moved.x() * moved.x();
+      y += moved.y() * moved.y();
+      velocity += ways[i].dot(ways[i + lag]);
+      // Forward from the beginning and back from the end, which is the same by symmetry.
+      kubo += 0.5 * (ways[i] + ways[i + lag]).dot(moved);
+    }
+    const auto number = static_cast<double>(begins);
+    all.x.push_back(x / number);
+    all.y.push_back(y / number);
+    all.velocity.push_back(velocity / number);
+    all.kubo.push_back(kubo / number);
+  }
+  return all;
+}
+
+// What is asked of the lags of an orbit, each a mean over orbits.
+enum Asked : std::size_t {
+  einstein,
+  einstein_x,
+  einstein_y,
+  green_kubo,
+  unsettled,
+  logarithm,
+  kAsked
+};
+
+// The slope of D(t), the Green-Kubo integral up to t, over log t from 1/8 of the lags on.
+double slope_over_log(const Numbers& kubo, const Times& times) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t i = (times.lags - 1) / 8; i < times.lags; ++i) {
+    const double x = portable::log(times.lag(i)), y = 0.5 * kubo[i], weight = 1 / times.lag(i);
+    n += weight;
+    sx += weight * x;
+    sy += weight * y;
+    sxx += weight * x * x;
+    sxy += weight * x * y;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+std::array<double, kAsked> asked_of(const Lags& lags, const Times& times) {
+  const std::size_t last = times.lags - 1, half = last / 2;
+  const double time = times.lag(last) - times.lag(half);
+  const double x = (lags.x[last] - lags.x[half]) / (2 * time);
+  const double y = (lags.y[last] - lags.y[half]) / (2 * time);
+  return {0.5 * (x + y),
+          x,
+          y,
+          0.5 * lags.kubo[half],
+          0.5 * (lags.kubo[last] - lags.kubo[half]),
+          slope_over_log(lags.kubo, times)};
+}
+
+// The lags of many orbits: sums, and of squares, so that each has an error.
+class LagSums {
+ public:
+  explicit LagSums(std::size_t lags) : lags_(lags), sums_(1 + 6 * lags, 0.0) {}
+  void add(const Lags& orbit) {
+    ++sums_[0];
+    for (std::size_t i = 0; i < lags_; ++i) {
+      const double values[] = {orbit.x[i] + orbit.y[i], orbit.velocity[i], 0.5 * orbit.kubo[i]};
+      for (std::size_t k = 0; k < 3; ++k) {
+        sums_[1 + 6 * i + 2 * k] += values[k];
+        sums_[2 + 6 * i + 2 * k] += values[k] * values[k];
+      }
+    }
+  }
+  void add_sums(std::span<const double> numbers) {
+    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += numbers[i];
+  }
+  const Numbers& numbers() const { return sums_; }
+  /// The mean square displacement, the correlation of velocities, the Green-Kubo integral.
+  Plot::Point point(std::size_t which, std::size_t lag, double time) const {
+    const double n = sums_[0], mean = sums_[1 + 6 * lag + 2 * which] / n;
+    const double square = sums_[2 + 6 * lag + 2 * which] / n - mean * mean;
+    return {time, mean, student_95(n - 1) * std::sqrt(std::max(square, 0.0) / (n - 1))};
+  }
+
+ private:
+  std::size_t lags_;
+  Numbers sums_;
+};
+
+struct Distributions {
+  StreamingHistogram flights, sines;
+  explicit Distributions(double mean_flight) : flights(0, 16 * mean_flight, 256), sines(0, 1, 64) {}
+};
+
+// Orbits as they are made: where they are at the times, in the plane.
+class Walks : public OrbitSink {
+ public:
+  Walks(const Room& room, const Times& times, double mean_flight,
+        std::span<const OrbitStart> starts, std::uint64_t bounces)
+      : lattice_(room.orbits().periodic().lattice()),
+        times_(times),
+        bounces_(bounces),
+        distributions_(mean_flight) {
+    for (const OrbitStart& start : starts) walks_.push_back({start.ray.origin, {}, {}});
+  }
+  void bounce(std::size_t number, const Bounce& bounce) override {
+    Walk& walk = walks_[number];
+    const Vec2 here = bounce.point + static_cast<double>(bounce.cell.a) * lattice_[0] +
+                      static_cast<double>(bounce.cell.b) * lattice_[1];
+    const double end = times_.lag(times_.samples - 1);
+    for (; walk.places.size() < times_.samples; walk.ways.push_back(bounce.in)) {
+      const double time = times_.lag(walk.places.size());
+      if (time > bounce.path_length) break;
+      walk.places.push_back(walk.last + (time - walk.length) * bounce.in);
+    }
+    // Bounces up to a time that does not depend on them, and the flights that set off from these.
+    if (bounce.path_length <= end) distributions_.sines.add(portable::sin(bounce.incidence()));
+    if (walk.length > 0 && walk.length <= end)
+      distributions_.flights.add(bounce.path_length - walk.length);
+    if (walk.length > 0) walk.longest = std::max(walk.longest, bounce.path_length - walk.length);
+    walk.last = here;
+    walk.length = bounce.path_length;
+  }
+  void end(std::size_t, const OrbitStop&) override {}
+
+  Numbers numbers() const {
+    std::array<RatioSums, kAsked> asked{};
+    LagSums sums(times_.lags);
+    double left_out = 0;
+    std::vector<double> longest;
+    for (const Walk& walk : walks_) {
+      longest.push_back(walk.longest);
+      if (walk.places.size() < times_.samples) {
+        ++left_out;
+        continue;
+      }
+      const Lags lags = lags_of(walk.places, walk.ways, times_.lags);
+      sums.add(lags);
+      const auto found = asked_of(lags, times_);
+      for (std::size_t i = 0; i < kAsked; ++i) asked[i].add(found[i], 1);
+    }
+    FlightTail tail;
+    tail.add(longest, bounces_);
+    Numbers all{left_out};
+    tail.append_to(all);
+    for (const RatioSums& one : asked) one.append_to(all);
+    for (const Numbers* more :
+         {&sums.numbers(), &distributions_.flights.numbers(), &distributions_.sines.numbers()})
+      all.insert(all.end(), more->begin(), more->end());
+    return all;
+  }
+
+ private:
+  struct Walk {
+    Vec2 last;
+    std::vector<Vec2> places, ways;
+    double length = 0, longest = 0;
+  };
+  const std::array<Vec2, 2>& lattice_;
+  Times times_;
+  std::uint64_t bounces_;
+  std::vector<Walk> walks_;
+  Distributions distributions_;
+};
+
+// All blocks together.
+struct Transport {
+  Times times;
+  double mean_flight, left_out = 0;
+  FlightTail tail{};
+  std::array<RatioSums, kAsked> asked{};
+  LagSums lags{times.lags};
+  Distributions distributions{mean_flight};
+
+  void add(std::span<const double> block) {
+    left_out += block[0];
+    tail += FlightTail::from(block.subspan(1));
+    std::size_t at = 1 + FlightTail::kNumbers;
+    for (RatioSums& one : asked) {
+      one += RatioSums::from(block.subspan(at));
+      at += 6;
+    }
+    lags.add_sums(block.subspan(at));
+    distributions.flights.add_counts(block.subspan(at += lags.numbers().size()));
+    distributions.sines.add_counts(block.subspan(at + distributions.flights.size()));
+  }
+};
+
+// Whether the Green-Kubo integral still changes from one half of the lags to all, by more than chance.
+bool is_settled(const Transport& all) {
+  const RatioSums& change = all.asked[unsettled];
+  return std::fabs(change.ratio()) <= kAllowedErrors * change.standard_error();
+}
+
+std::vector<Measure> measures_of(const Transport& all, bool bounded) {
+  std::vector<Measure> measures;
+  if (bounded) {
+    const char* why =
+        is_settled(all) ? "" : "no error: velocities are still correlated; say more --bounces";
+    const std::pair<Asked, const char*> names[] = {{einstein, "diffusion_einstein"},
+                                                   {einstein_x, "diffusion_einstein_x"},
+                                                   {einstein_y, "diffusion_einstein_y"},
+                                                   {green_kubo, "diffusion_green_kubo"}};
+    for (const auto& [which, name] : names) {
+      Measure& one = measures.emplace_back(all.asked[which].measure(name));
+      one.remark = *why != 0 ? why
+                   : which == green_kubo
+                       ? fmt::format("cut at t = {:.4g}", all.times.lag((all.times.lags - 1) / 2))
+                       : fmt::format("slope from t = {:.4g} to {:.4g}",
+                                     all.times.lag((all.times.lags - 1) / 2),
+                                     all.times.lag(all.times.lags - 1));
+      if (*why != 0) one.standard_error.reset();
+    }
+  } else {
+    Measure& slope = measures.emplace_back(all.asked[logarithm].measure("diffusion_per_log_time"));
+    slope.standard_error.reset();
+    slope.remark = fmt::format(
+        "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
+        all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1));
+  }
+  measures.push_back({"sines_off_even", all.distributions.sines.chi_squared_of_even() / 63});
+  measures.back().remark =
+      "chi-squared a degree of freedom; bounces of an orbit are not independent";
+  measures.push_back({"orbits_left_out", all.left_out});
+  measures.back().remark = "too short, as they met a corner or had short flights";
+  return measures;
+}
+
+Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
+  Plot plot;
+  plot.title = std::move(title);
+  plot.x_label = "time, at speed 1";
+  plot.y_label = std::move(label);
+  Plot::Series& mean = plot.series.emplace_back(Plot::Series{"mean over orbits and times", {}});
+  for (std::size_t i = 0; i < all.times.lags; ++i)
+    mean.points.push_back(all.lags.point(which, i, all.times.lag(i)));
+  return plot;
+}
+
+void add_files(ExperimentResult& result, const Transport& all, const ExperimentContext& context) {
+  Table table({"time", "mean_square_displacement", "its_half_interval", "velocity_correlation",
+               "velocity_half_interval", "green_kubo", "green_kubo_half_interval"});
+  for (std::size_t i = 0; i < all.times.lags; ++i) {
+    Values row{all.times.lag(i)};
+    for (std::size_t which = 0; which < 3; ++which) {
+      const Plot::Point point = all.lags.point(which, i, all.times.lag(i));
+      row.insert(row.end(), {point.y, point.half});
+    }
+    table.add(std::move(row));
+  }
+  result.files.push_back(csv_file("transport_lags", table));
+  result.files.push_back(csv_file("transport_flights", all.distributions.flights.table()));
+  result.files.push_back(csv_file("transport_sines", all.distributions.sines.table()));
+  add_plot(result, "transport_displacement",
+           curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>"), context.threads);
+  add_plot(result, "transport_velocity", curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>"),
+           context.threads);
+  add_plot(result, "transport_green_kubo",
+           curve(all, 2, "Green-Kubo integral of the velocity autocorrelation", "D(t)"),
+           context.threads);
+}
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
+  const Room room(context.scene);
+  const Place where = context.scene.chambers.front().where;
+  if (!room.orbits().periodic().any())
+    return fail(where, "nothing diffuses in a room with walls all round",
+                "give the chamber material = \"periodic\"");
+  const double area = room.solids().free_area();
+  if (!(area > 0 && std::isfinite(area)))
+    return fail(where, fmt::format("the chamber encloses an area of {:.6g}", area),
+                "give it an outline larger than its pillars");
+  const auto plan = plan_orbits(context, kBounces);
+  if (!plan) return tl::unexpected(plan.error());
+  if (plan->bounces < kFewestBounces)
+    return fail(
+        named_place("--bounces"), "too few to see how an orbit goes on",
+        fmt::format("say --bounces {} or more, and --count of many times as many", kFewestBounces),
+        Trouble::usage);
+  const double mean_flight = kPi * area / room.perimeter();
+  Transport all{times_of(mean_flight, plan->bounces), mean_flight};
+  const Blocks blocks = Blocks::of(plan->orbits);
+  auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
+    std::vector<OrbitStart> starts;
+    for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
+      starts.push_back(room.draw_free_start(context.seed, i));
+    Walks walks(room, all.times, mean_flight, starts, plan->bounces);
+    room.orbits().follow(starts, plan->bounces, walks);
+    return walks.numbers();
+  });
+  if (!found) return fail(std::move(found));
+  for (const Numbers& block : *found) all.add(block);
+  const std::string unbounded = no_error_of_flights(room, all.tail);
+  ExperimentResult result = measured(
+      context, "transport",
+      fmt::format("{} of {} orbits over t = {:.4g} at speed 1, mean flight {:.6g}: {}", "Diffusion",
+                  plan->orbits, all.times.lag(all.times.samples - 1), mean_flight,
+                  unbounded.empty() ? "the mean square displacement grows like 4 D t"
+                                    : "it grows like t log t, there is no D (" + unbounded + ")"),
+      measures_of(all, unbounded.empty()));
+  add_files(result, all, context);
+  return result;
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment transport = {
+    "transport",
+    "How fast does a ray spread between periodic walls, and how are its flights spread?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .resume = true}};
+}  // namespace experiment_entries
+
+}  // namespace flatray
