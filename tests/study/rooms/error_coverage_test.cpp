@@ -1,4 +1,4 @@
-// needs: shapes/box shapes/capsule shapes/circle
+// needs: shapes/box shapes/capsule shapes/cell shapes/circle
 // Printed errors are what they say: over many seeds their intervals hold the truth as often as 95 % has
 // it, and their errors are as large as what is off. Truth is a closed form, or a much longer run.
 #include <gtest/gtest.h>
@@ -64,6 +64,24 @@ TEST(ErrorCoverage, OfMeanFreePaths) {
       expect_cover("mean-free-path", "mean_free_path",
                    {.scene = scene, .count = 1280, .bounces = 10, .starts = starts}, std::nullopt,
                    times(1000, 100));
+}
+
+// The triangular gas with a gap of 0.3: benchmarks/lorentz_diffusion, 0.2483 +- 0.0004.
+TEST(ErrorCoverage, OfDiffusionCoefficients) {
+  const Scene scene = scene_of(
+      "film = { size = [8, 8] }\n[[chamber]]\nmaterial = \"periodic\"\nshape = { cell = { a = "
+      "[2.3, 0], "
+      "b = [1.15, 1.9918584287042087], sides = 6 } }\npillars = [{ shape = { circle = { radius = 1 "
+      "} } }]\n");
+  Runs einstein, kubo;
+  for (std::uint64_t seed = 1; seed <= times(1000, 60); ++seed) {
+    const auto found =
+        run("transport", {.scene = scene, .seed = seed, .count = 12'800, .bounces = 128});
+    einstein.add(measure(found, "diffusion_einstein"), 0.248332);
+    kubo.add(measure(found, "diffusion_green_kubo"), 0.248332);
+  }
+  einstein.expect_cover("diffusion_einstein");
+  kubo.expect_cover("diffusion_green_kubo");
 }
 
 TEST(ErrorCoverage, OfExponents) {
