@@ -77,13 +77,13 @@ void put_form(double* record, const Ellipse& curve) {
 class FirstDeed : public OrbitSink {
  public:
   void bounce(std::size_t, const Bounce& bounce) override { bounced = bounce; }
-  void cross(std::size_t, const Vec2& from, const Vec2& to) override {
-    crossings.emplace_back(from, to);
+  void cross(std::size_t, const Vec2& from, const Vec2& to, const CellIndex& step) override {
+    crossings.push_back({0, from, to, step});
   }
   void end(std::size_t, const OrbitStop& stop) override { stopped = stop; }
 
   std::optional<Bounce> bounced;
-  std::vector<std::pair<Vec2, Vec2>> crossings;
+  std::vector<Crossing> crossings;
   OrbitStop stopped;
 };
 
@@ -110,6 +110,7 @@ struct Progress {
   double length = 0;            // of the path to the last bounce
   double before = 0;            // of the flight since then, to the last crossing
   std::uint32_t crossings = 0;  // since then
+  CellIndex cell{};
   bool exact = false;           // the next flight, whatever the lanes say
 };
 
@@ -166,7 +167,8 @@ class FastOrbits::Wave {
       const double t = orbit.before + t_[i];
       return bounce(orbit,
                     {orbits_.surfaces_[static_cast<std::size_t>(wall_[i])], to.point(i), t,
-                     orbit.length + t, Vec2(nx_[i], ny_[i]), from.direction(i), to.direction(i)});
+                     orbit.length + t, Vec2(nx_[i], ny_[i]), from.direction(i), to.direction(i),
+                     orbit.cell});
     }
     if (event == flights::kCrossed) return cross(orbit, to, i);
     const auto wall = static_cast<std::size_t>(wall_[i]);
@@ -188,7 +190,10 @@ class FastOrbits::Wave {
     const double* wall =
         orbits_.records_.data() + static_cast<std::size_t>(wall_[i]) * Record::kRecord;
     const Vec2 entry = to.point(i), shift(wall[Record::kShiftX], wall[Record::kShiftY]);
-    sink_.cross(orbit.number, entry - shift, entry);
+    const CellIndex& step =
+        orbits_.exact_.periodic().find(orbits_.surfaces_[static_cast<std::size_t>(wall_[i])])->step;
+    sink_.cross(orbit.number, entry - shift, entry, step);
+    orbit.cell += step;
     orbit.before += t_[i];
     return ++orbit.crossings < kMostCrossings ||
            stop(orbit, {OrbitEnd::escape, to.direction(i), entry});
@@ -201,12 +206,16 @@ class FastOrbits::Wave {
     FirstDeed deed;
     const OrbitStart start{{from.point(i), from.direction(i)}, left_of(from.left[i])};
     orbits_.exact_.follow(std::span(&start, 1), 1, deed);
-    for (const auto& [left, entered] : deed.crossings) sink_.cross(orbit.number, left, entered);
+    for (const Crossing& one : deed.crossings) {
+      sink_.cross(orbit.number, one.from, one.to, one.step);
+      orbit.cell += one.step;
+    }
     if (!deed.bounced) return stop(orbit, std::move(deed.stopped));
     Bounce& met = *deed.bounced;
     met.t = orbit.before + met.path_length;
     met.path_length = orbit.length + met.t;
     met.in = from.direction(i);
+    met.cell = orbit.cell;
     met.out = unit(met.out);
     to.set(i, met.point, met.out, slot_left(met));
     orbit.exact = unsure;
@@ -323,20 +332,14 @@ double FastOrbits::reach(const Vec2& out) const {
 }
 
 void FastOrbits::join_periodic() {
-  const Surfaces& walls = exact_.surfaces();
-  const PeriodicWalls periodic(walls, exact_.materials());
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     double* record = records_.data() + i * Record::kRecord;
     if (record[Record::kEvent] != flights::kCrossed) continue;
-    const Segment& wall = walls.segment(surfaces_[i]);
-    const Vec2 normal(record[Record::kNormalX], record[Record::kNormalY]);
-    const Vec2 middle = 0.5 * wall.a + 0.5 * wall.b;
-    auto entry = periodic.cross(middle, normal, std::span(&surfaces_[i], 1));
-    if (!entry) entry = periodic.cross(middle, -normal, std::span(&surfaces_[i], 1));
+    const PeriodicWalls::Side& side = *exact_.periodic().find(surfaces_[i]);
     record[Record::kBend] = 0;
-    record[Record::kShiftX] = entry->point.x() - middle.x();
-    record[Record::kShiftY] = entry->point.y() - middle.y();
-    record[Record::kNextLeft] = slots_[entry->surface];
+    record[Record::kShiftX] = side.to().x() - side.from().x();
+    record[Record::kShiftY] = side.to().y() - side.from().y();
+    record[Record::kNextLeft] = slots_[side.opposite];
   }
 }
 
