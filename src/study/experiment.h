@@ -38,6 +38,9 @@ enum class PixelMap : std::uint8_t {
 /// How starts that are drawn are spread: each by itself, or evenly together.
 enum class Starts : std::uint8_t { random, quasi };
 
+/// How orbits are followed: deciding exactly, in lanes of doubles (transport/fast_orbits.h), or proven.
+enum class OrbitPrecision : std::uint8_t { exact, fast, certified };
+
 /// What an experiment is run with.
 struct ExperimentContext {
   const Scene& scene;
@@ -50,6 +53,7 @@ struct ExperimentContext {
   RunMonitor* monitor = nullptr;
   Starts starts = Starts::random;
   std::optional<std::uint64_t> symbols{};  ///< bounces of the longest periodic orbit
+  OrbitPrecision precision = OrbitPrecision::exact;
 };
 
 /// A number found, beside what must come out where that is known.
@@ -99,6 +103,7 @@ struct ExperimentUses {
   bool count = false, bounces = false, apart = false, map = false, seed = false, starts = false;
   bool resume = false;  ///< it works in blocks
   bool symbols = false;
+  bool precision = false;  ///< it is a mean over orbits
 };
 
 struct Experiment {

@@ -12,6 +12,7 @@
 #include "app/report/report.h"
 #include "app/verb.h"
 #include "base/number_text.h"
+#include "precise/certified_orbit.h"
 
 namespace flatray::verbs {
 namespace {
@@ -20,6 +21,9 @@ std::vector<std::string> experiment_names() { return names_of(flatray::experimen
 
 constexpr Word<PixelMap> kMaps[] = {
     {"usual", PixelMap::usual}, {"position", PixelMap::position}, {"angle", PixelMap::angle}};
+constexpr Word<OrbitPrecision> kPrecisions[] = {{"fast", OrbitPrecision::fast},
+                                                {"exact", OrbitPrecision::exact},
+                                                {"certified", OrbitPrecision::certified}};
 constexpr Word<Starts> kStarts[] = {{"random", Starts::random}, {"quasi", Starts::quasi}};
 
 Result<double> parse_apart(const std::string& text, const Place& where) {
@@ -37,6 +41,7 @@ struct Options : Arguments {
   double apart = 1e-9;
   PixelMap map = PixelMap::usual;
   Starts starts = Starts::random;
+  OrbitPrecision precision = OrbitPrecision::exact;
   std::optional<Sweep> sweep;
   bool resume = false;
 
@@ -58,6 +63,11 @@ struct Options : Arguments {
         starts, kStarts);
     row("--symbols N", "bounces of the longest periodic orbit (default 6)", symbols, 1,
         kMostSymbols);
+    row("--precision",
+        "of orbits of means: fast ones are reflected in doubles, and some of them audited; "
+        "certified "
+        "ones proven",
+        precision, kPrecisions);
     row("--sweep KEY=A..B:STEP", "run once for each value of a key of the scene, also KEY=V,V,...",
         sweep, &parse_sweep);
     row("--resume", "keep what is done, and go on from what was kept", resume);
@@ -77,10 +87,10 @@ struct Options : Arguments {
     if (!found) return row.keep(found.error());
     experiment = *found;
     const ExperimentUses& uses = experiment->uses;
-    const std::pair<const char*, bool> all[] = {{"count", uses.count},   {"bounces", uses.bounces},
-                                                {"apart", uses.apart},   {"map", uses.map},
-                                                {"seed", uses.seed},     {"starts", uses.starts},
-                                                {"resume", uses.resume}, {"symbols", uses.symbols}};
+    const std::pair<const char*, bool> all[] = {
+        {"count", uses.count},   {"bounces", uses.bounces},     {"apart", uses.apart},
+        {"map", uses.map},       {"seed", uses.seed},           {"starts", uses.starts},
+        {"resume", uses.resume}, {"precision", uses.precision}, {"symbols", uses.symbols}};
     std::string used;
     for (const auto& [name, is_used] : all)
       if (is_used) used += (used.empty() ? "--" : ", --") + std::string(name);
@@ -102,6 +112,7 @@ Fields setting_of(const Options& options, const Scene& scene) {
           {"apart", options.apart},
           {"map", static_cast<int>(options.map)},
           {"starts", static_cast<int>(options.starts)},
+          {"precision", static_cast<int>(options.precision)},
           {"version", kVersion}};
 }
 
@@ -127,7 +138,8 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
                                          .map = options.map,
                                          .monitor = monitors.back().get(),
                                          .starts = options.starts,
-                                         .symbols = options.symbols});
+                                         .symbols = options.symbols,
+                                         .precision = options.precision});
   if (auto finished = monitors.back()->finish(); !finished) return fail(std::move(finished));
   return result;
 }
@@ -155,8 +167,8 @@ int report_interrupted(const Diagnostics& why) {
 // What the results in a folder depend on, as it is asked for.
 Fields asked_of(const Arguments& options) {
   Fields fields{{"scene", options.operands()[1]}};
-  for (const char* option :
-       {"define", "seed", "count", "bounces", "apart", "map", "starts", "symbols", "sweep"})
+  for (const char* option : {"define", "seed", "count", "bounces", "apart", "map", "starts",
+                             "precision", "symbols", "sweep"})
     if (options.has(option)) fields.emplace_back(option, comma_list(options.list(option)));
   return fields;
 }
@@ -181,6 +193,8 @@ class MadeFolder {
 
 Result<VerbOutput> run(const Options& options) {
   const Experiment& experiment = *options.experiment;
+  if (options.precision == OrbitPrecision::certified)
+    if (auto able = can_certify(); !able) return fail(std::move(able));
   // Two that are at work in one folder, and not of the same, would replace each other's results.
   const MadeFolder made(options.folder());
   const auto claim = Claim::take(options.folder(), experiment.name, json_text(asked_of(options)),

@@ -7,6 +7,7 @@
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "study/rooms/flight_tail.h"
+#include "study/rooms/followed.h"
 #include "study/rooms/starts.h"
 #include "study/rooms/wall_places.h"
 #include "study/statistics/blocks.h"
@@ -62,7 +63,7 @@ class Growth : public OrbitSink {
     State& state = states_[number];
     const double bend = curvature(walls_, bounce.surface, bounce.point, bounce.normal);
     state.tangent.fly(bounce.t / extent_);
-    state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / portable::cos(bounce.incidence()));
+    state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / cosine(bounce));
     const double grown = state.tangent.restore();
     state.longest = std::max(state.longest, bounce.t);
     ++state.bounces;
@@ -103,6 +104,10 @@ class Growth : public OrbitSink {
   }
 
  private:
+  // Of the angle between a ray and the normal.
+  static double cosine(const Bounce& bounce) {
+    return std::fabs(bounce.in.dot(bounce.normal)) / std::sqrt(bounce.in.squaredNorm());
+  }
   struct State {
     Tangent tangent;
     std::uint64_t bounces = 0;
@@ -222,20 +227,28 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Grown grown = together(*found, context.starts);
   const Law law = law_of(room.walls(), grown.sums[of_doubling]);
   const double power = grown.sums[of_power].ratio() / portable::log(2);
+  std::vector<Measure> measures = exponents(room, grown, law, power);
+  for (Measure& one :
+       audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
+    measures.push_back(std::move(one));
   return measured(context, "lyapunov",
                   fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits: {}",
                               grown.sums[of_hits].y, plan->orbits, words(law, power)),
-                  exponents(room, grown, law, power));
+                  std::move(measures));
 }
 
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment lyapunov = {
-    "lyapunov",
-    "How fast do two orbits part that start next to each other?",
-    &run,
-    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
+extern const Experiment lyapunov = {"lyapunov",
+                                    "How fast do two orbits part that start next to each other?",
+                                    &run,
+                                    {.count = true,
+                                     .bounces = true,
+                                     .seed = true,
+                                     .starts = true,
+                                     .resume = true,
+                                     .precision = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/rooms/flight_tail.h"
+#include "study/rooms/followed.h"
 #include "study/rooms/starts.h"
 #include "study/statistics/blocks.h"
 
@@ -83,14 +84,18 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   Measure path = sums.measure("mean_free_path", expected);
   path.remark = no_error_of_flights(room, tail);
   if (!path.remark.empty()) path.standard_error.reset();
+  std::vector<Measure> measures{std::move(path),
+                                {"orbits_escaped", escaped, {}, 0, kInfinity, 0},
+                                {"orbits_into_corners", corners}};
+  for (Measure& one :
+       audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
+    measures.push_back(std::move(one));
   return measured(
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
                   "{:.6g}, P = {:.6g}",
                   sums.y, plan->orbits, area, room.perimeter()),
-      {std::move(path),
-       {"orbits_escaped", escaped, {}, 0, kInfinity, 0},
-       {"orbits_into_corners", corners}});
+      std::move(measures));
 }
 
 }  // namespace
@@ -100,7 +105,12 @@ extern const Experiment mean_free_path = {
     "mean-free-path",
     "How far does a ray fly between two walls, and is that pi A / P?",
     &run,
-    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
+    {.count = true,
+     .bounces = true,
+     .seed = true,
+     .starts = true,
+     .resume = true,
+     .precision = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -55,6 +55,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     if (!even.points.empty()) measures.push_back({"if_everywhere_alike", even.points.back().y});
     plot.series.push_back(std::move(even));
   }
+  measures.insert(measures.end(), found->audit.begin(), found->audit.end());
   ExperimentResult result =
       measured(context, "phase_portion",
                fmt::format("Part of {} x {} cells of walls and sines that each orbit comes to",
@@ -67,11 +68,15 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment phase_portion = {
-    "phase-portion",
-    "How much of phase space does one orbit come to?",
-    &run,
-    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
+extern const Experiment phase_portion = {"phase-portion",
+                                         "How much of phase space does one orbit come to?",
+                                         &run,
+                                         {.count = true,
+                                          .bounces = true,
+                                          .seed = true,
+                                          .starts = true,
+                                          .resume = true,
+                                          .precision = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

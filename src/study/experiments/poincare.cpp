@@ -137,11 +137,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   const auto found = boundary_orbits(context, room, kRandomOrbits);
   if (!found) return tl::unexpected(found.error());
+  std::vector<Measure> measures{mean_square_sine(*found)};
+  measures.insert(measures.end(), found->audit.begin(), found->audit.end());
   ExperimentResult result =
       measured(context, "poincare",
                fmt::format("Bounces of {} by place along the walls and sine of the angle",
                            counted(found->points.size(), "orbit")),
-               {mean_square_sine(*found)});
+               std::move(measures));
   add_points(result, *found);
   add_plot(result, "poincare", plot_of(*found), context.threads);
   return result;
@@ -150,11 +152,15 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment poincare = {
-    "poincare",
-    "Where along the walls do orbits bounce, and at which angles?",
-    &run,
-    {.count = true, .bounces = true, .seed = true, .starts = true, .resume = true}};
+extern const Experiment poincare = {"poincare",
+                                    "Where along the walls do orbits bounce, and at which angles?",
+                                    &run,
+                                    {.count = true,
+                                     .bounces = true,
+                                     .seed = true,
+                                     .starts = true,
+                                     .resume = true,
+                                     .precision = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "study/rooms/followed.h"
 #include "study/statistics/blocks.h"
 
 namespace flatray {
@@ -42,7 +43,7 @@ Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const R
                                        std::uint64_t random_orbits) {
   auto watched = orbits_to_watch(context, room, random_orbits);
   if (!watched) return fail(std::move(watched));
-  BoundaryOrbits all{std::move(*watched), {}};
+  BoundaryOrbits all{std::move(*watched), {}, {}};
   const std::vector<OrbitStart>& starts = all.orbits.starts;
   const std::uint64_t bounces =
       context.bounces.value_or((context.count + starts.size() - 1) / starts.size());
@@ -51,10 +52,11 @@ Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const R
     const auto some =
         std::span(starts).subspan(blocks.begin(block), blocks.end(block) - blocks.begin(block));
     Points points(room, some);
-    room.orbits().follow(some, bounces, points);
+    follow_starts(context, room, some, bounces, points);
     return points.numbers();
   });
   if (!found) return tl::unexpected(found.error());
+  all.audit = audit(context, room, starts, bounces);
   for (const Numbers& block : *found)
     for (std::size_t i = 0; i < block.size();) {
       const auto count = static_cast<std::size_t>(block[i++]);

@@ -12,6 +12,7 @@ struct BoundaryPoint {
 struct BoundaryOrbits {
   NamedOrbits orbits;
   std::vector<std::vector<BoundaryPoint>> points;  ///< by orbit
+  std::vector<Measure> audit;                      ///< of fast ones
 };
 
 /// Orbits of the scene's rays, or `random_orbits`, that share the bounces of the context's count.

@@ -30,6 +30,7 @@ Room::Room(const Scene& scene)
       state_(at(Timeline(scene, scene.seed, 1), 1)),
       world_(build_world(scene, state_)),
       solids_(scene, state_),
+      places_(walls()),
       materials_(world_.materials()) {
   before_.push_back(0);
   for (std::uint32_t i = 0; i < walls().size(); ++i) {
@@ -37,9 +38,12 @@ Room::Room(const Scene& scene)
     has_copies_ |= counted_.back() != i;
     const bool passed = materials_[i] == Material::periodic || counted_.back() != i;
     const double sides = passed ? 0 : inner_side(i) ? 1 : 2;
-    before_.push_back(before_.back() + sides * wall_length(walls(), i));
+    before_.push_back(before_.back() + sides * places_.length(i));
   }
   orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
+  const bool closed =
+      !scene.chambers.empty() && has_area(scene.shapes[scene.chambers.front().shape]);
+  fast_ = std::make_unique<FastOrbits>(*orbits_, closed);
 }
 
 // A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
@@ -83,8 +87,8 @@ double Room::place_of(const Bounce& bounce) const {
   const std::uint32_t wall = bounce.surface;
   const bool second =
       !inner_side(wall) && bounce.normal.dot(wall_normal(walls(), wall, bounce.point)) < 0;
-  return before_[counted_[wall]] + wall_position(walls(), wall, bounce.point) +
-         (second ? wall_length(walls(), wall) : 0);
+  return before_[counted_[wall]] + places_.position(wall, bounce.point) +
+         (second ? places_.length(wall) : 0);
 }
 
 OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts starts) const {
@@ -99,11 +103,11 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
     const double along = at.x * perimeter(), sine = 2 * at.y - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto drawn = static_cast<std::uint32_t>(above - before_.begin() - 1);
-    const double length = wall_length(walls(), drawn), within = along - before_[drawn];
+    const double length = places_.length(drawn), within = along - before_[drawn];
     const std::uint32_t surface = wall_in_cell(drawn, within);
     const bool second = within > length && !inner_side(surface);  // bounced off on both sides
     const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
-    const Vec2 place = wall_point(walls(), surface, second ? within - length : within);
+    const Vec2 place = places_.point(surface, second ? within - length : within);
     const auto origin = nearest_double(
         place, [&](const Vec2& point) { return side_of_wall(walls(), surface, point) != -side; });
     if (!origin) continue;
@@ -194,14 +198,6 @@ Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t us
                 fmt::format("say --count {} or more, or fewer --bounces", 2 * kShifts * bounces),
                 Trouble::usage);
   return plan;
-}
-
-void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
-                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink) {
-  std::vector<OrbitStart> starts;
-  for (std::uint64_t i = begin; i < end; ++i)
-    starts.push_back(room.draw_start(context.seed, i, context.starts));
-  room.orbits().follow(starts, bounces, sink);
 }
 
 }  // namespace flatray

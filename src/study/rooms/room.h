@@ -1,7 +1,8 @@
 #pragma once
 #include "anim/solids.h"
 #include "study/experiment.h"
-#include "transport/orbit_tracer.h"
+#include "study/rooms/wall_places.h"
+#include "transport/fast_orbits.h"
 
 namespace flatray {
 
@@ -19,6 +20,7 @@ class Room {
   const FrameState& state() const { return state_; }
   const Solids& solids() const { return solids_; }
   const OrbitTracer& orbits() const { return *orbits_; }
+  const FastOrbits& fast_orbits() const { return *fast_; }
   const std::vector<Material>& materials() const { return materials_; }  ///< by surface
 
   /// Whether orbits that start there are in the room: on a wall, or in the free.
@@ -48,11 +50,13 @@ class Room {
   FrameState state_;
   World world_;
   Solids solids_;
+  WallPlaces places_;
   std::vector<Material> materials_;
   std::vector<double> before_;          // length of the walls before each
   std::vector<std::uint32_t> counted_;  // by surface: itself, or that of which it is a copy
   bool has_copies_ = false;
   std::unique_ptr<OrbitTracer> orbits_;
+  std::unique_ptr<FastOrbits> fast_;
 };
 
 /// Whether orbits stay within a scene: one chamber, and mirrors alone.
@@ -68,9 +72,5 @@ struct OrbitPlan {
 };
 /// Error   too few orbits for their error to be known.
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces);
-
-/// Follows the orbits [begin, end) of starts drawn as the context has it.
-void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
-                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink);
 
 }  // namespace flatray

@@ -22,6 +22,8 @@ class LineWay {
   Vec2 normal_at(const Vec2& point) const { return normal_near(wall_, point) / sweep_; }
   double curvature_at(const Vec2&) const { return 0; }
   double parameter(const Vec2& point) const { return length(point - wall_.a); }
+  bool is_even() const { return true; }
+  double speed(double) const { return 1; }
   double length_to(double past) const { return std::min(past, sweep_); }
   double parameter_at(double position) const { return position; }
   std::vector<Vec2> outline() const { return {wall_.a, wall_.b}; }
@@ -31,25 +33,60 @@ class LineWay {
   double sweep_;
 };
 
-// The length of a way at a speed, up to a parameter. Simpson's rule: as exact as doubles for what is smooth and
-// periodic, near it elsewhere.
-template <class Speed>
-double length_at(const Speed& speed, double past) {
-  constexpr int kParts = 256;
-  double sum = speed(0.0) + speed(past);
-  for (int i = 1; i < kParts; ++i) sum += (i % 2 == 1 ? 4 : 2) * speed(past * i / kParts);
-  return sum * std::fabs(past) / (3 * kParts);
+// The length of a short piece of a way: Gauss's rule of 8 places (Abramowitz and Stegun 25.4.30).
+template <class Way>
+double length_between(const Way& way, double from, double to) {
+  constexpr double kPlaces[][2] = {{0.1834346424956498, 0.3626837833783620},
+                                   {0.5255324099163290, 0.3137066458778873},
+                                   {0.7966664774136267, 0.2223810344533745},
+                                   {0.9602898564975363, 0.1012285362903763}};
+  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+  double sum = 0;
+  for (const auto& [place, weight] : kPlaces)
+    sum += weight * (way.speed(middle - half * place) + way.speed(middle + half * place));
+  return std::fabs(half) * sum;
 }
 
-// Where on a way `position` is passed, by bisection.
+// Lengths up to the ends of equal parts of a way, by their parameter.
+constexpr std::size_t kPieces = 64;
 template <class Way>
-double passed_at(const Way& way, double position) {
-  double low = 0, high = 1;
-  for (int i = 0; i < 52; ++i) {
-    const double middle = 0.5 * (low + high);
-    (way.length_to(middle * way.sweep()) < position ? low : high) = middle;
+std::vector<double> lengths_along(const Way& way) {
+  std::vector<double> lengths{0};
+  if (way.is_even()) return lengths;
+  const double part = way.sweep() / kPieces;
+  for (std::size_t i = 0; i < kPieces; ++i) {
+    const auto from = static_cast<double>(i) * part;
+    lengths.push_back(lengths.back() + length_between(way, from, from + part));
   }
-  return low * way.sweep();
+  return lengths;
+}
+
+template <class Way>
+double length_to(const Way& way, std::span<const double> lengths, double past) {
+  if (way.is_even()) return way.length_to(past);
+  const double part = way.sweep() / kPieces;
+  const auto i = static_cast<std::size_t>(std::clamp(past / part, 0.0, kPieces - 1.0));
+  const double from = static_cast<double>(i) * part;
+  return lengths[i] +
+         (past / part < static_cast<double>(i) ? -1 : 1) * length_between(way, from, past);
+}
+
+// Where on a way `position` is passed: in the part that the lengths say, by Newton's method.
+template <class Way>
+double passed_at(const Way& way, std::span<const double> lengths, double position) {
+  constexpr int kSteps = 5;
+  if (way.is_even()) return way.parameter_at(position);
+  const auto above = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, position);
+  const auto i = static_cast<std::size_t>(above - lengths.begin() - 1);
+  const double part = way.sweep() / kPieces, from = static_cast<double>(i) * part;
+  double share = (position - lengths[i]) / (lengths[i + 1] - lengths[i]);
+  for (int step = 0; step < kSteps; ++step) {
+    const double at = from + share * part, speed = way.speed(at) * std::fabs(part);
+    if (!(speed > 0)) break;
+    share += (position - lengths[i] - length_between(way, from, at)) / speed;
+    share = std::clamp(share, 0.0, 1.0);
+  }
+  return from + share * part;
 }
 
 // A curved wall by its parameter: centre + cos a u + sin a v, from `from` over `sweep`, which is
@@ -81,12 +118,12 @@ class ArcWay {
       const Vec2 out = point - curve_.centre;
       return out / flatray::length(out);
     }
-    const Vec2 along = tangent(parameter(point)), across(along.y(), -along.x());
+    const Vec2 along = tangent_at(point), across(along.y(), -along.x());
     return (cross(curve_.u, curve_.v) < 0 ? -1 : 1) * across / flatray::length(across);
   }
   double curvature_at(const Vec2& point) const {
     if (curve_.is_circle()) return 1 / curve_.u.x();
-    const double fast = speed(parameter(point));
+    const double fast = flatray::length(tangent_at(point));
     return std::fabs(cross(curve_.u, curve_.v)) / (fast * fast * fast);
   }
   std::vector<Vec2> outline() const {
@@ -103,21 +140,26 @@ class ArcWay {
     // Just before the beginning, by rounding, is the beginning.
     return std::fabs(ahead) > 0.5 * (std::fabs(sweep_) + kTurn) ? 0 : ahead;
   }
-  double length_to(double past) const {
-    if (curve_.is_circle()) return curve_.u.x() * std::fabs(past);
-    return length_at([this](double at) { return speed(at); }, past);
-  }
+  // Whether lengths are in proportion to the parameter.
+  bool is_even() const { return curve_.is_circle(); }
+  double length_to(double past) const { return curve_.u.x() * std::fabs(past); }
   double parameter_at(double position) const {
-    if (curve_.is_circle()) return (sweep_ < 0 ? -position : position) / curve_.u.x();
-    return passed_at(*this, position);
+    return (sweep_ < 0 ? -position : position) / curve_.u.x();
   }
+  double speed(double past) const { return flatray::length(tangent(past)); }
 
  private:
+  // By the coordinates along u and v of a point, which are the cosine and sine of its parameter.
+  Vec2 tangent_at(const Vec2& point) const {
+    const Vec2 from = point - curve_.centre;
+    const double c = cross(from, curve_.v), s = cross(curve_.u, from);
+    return (c * curve_.v - s * curve_.u) *
+           ((cross(curve_.u, curve_.v) < 0 ? -1 : 1) / std::sqrt(c * c + s * s));
+  }
   double angle_of(const Vec2& from) const {
     return portable::atan2(cross(curve_.u, from), cross(from, curve_.v)) +
            (cross(curve_.u, curve_.v) < 0 ? kTurn / 2 : 0);
   }
-  double speed(double past) const { return flatray::length(tangent(past)); }
 
   Ellipse curve_;
   double from_ = 0, sweep_;
@@ -144,10 +186,10 @@ class BezierWay {
     return std::fabs(cross(rate, Vec2(bend(0), bend(1)))) / (speed * speed * speed);
   }
   double parameter(const Vec2& point) const { return parameter_near(wall_, point); }
-  double length_to(double past) const {
-    return length_at([this](double s) { return length(tangent_at(wall_, s)); }, past);
-  }
-  double parameter_at(double position) const { return passed_at(*this, position); }
+  bool is_even() const { return false; }
+  double speed(double s) const { return length(tangent_at(wall_, s)); }
+  double length_to(double) const { return 0; }  // of even ways alone, as the next
+  double parameter_at(double) const { return 0; }
   std::vector<Vec2> outline() const {
     constexpr int kParts = 64;
     std::vector<Vec2> points;
@@ -171,17 +213,27 @@ auto along(const Surfaces& walls, std::uint32_t surface, const Use& use) {
 
 }  // namespace
 
-double wall_length(const Surfaces& walls, std::uint32_t surface) {
-  return along(walls, surface, [](const auto& way) { return way.length_to(way.sweep()); });
+WallPlaces::WallPlaces(const Surfaces& walls) : walls_(walls) {
+  for (std::uint32_t i = 0; i < walls.size(); ++i)
+    lengths_.push_back(along(walls, i, [](const auto& way) { return lengths_along(way); }));
 }
 
-Vec2 wall_point(const Surfaces& walls, std::uint32_t surface, double position) {
-  return along(walls, surface, [&](const auto& way) { return way.at(way.parameter_at(position)); });
+double WallPlaces::length(std::uint32_t surface) const {
+  return along(walls_, surface, [&](const auto& way) {
+    return way.is_even() ? way.length_to(way.sweep()) : lengths_[surface].back();
+  });
 }
 
-double wall_position(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
-  return along(walls, surface,
-               [&](const auto& way) { return way.length_to(way.parameter(point)); });
+Vec2 WallPlaces::point(std::uint32_t surface, double position) const {
+  return along(walls_, surface, [&](const auto& way) {
+    return way.at(passed_at(way, lengths_[surface], position));
+  });
+}
+
+double WallPlaces::position(std::uint32_t surface, const Vec2& point) const {
+  return along(walls_, surface, [&](const auto& way) {
+    return length_to(way, lengths_[surface], way.parameter(point));
+  });
 }
 
 Vec2 wall_normal(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {
@@ -190,6 +242,7 @@ Vec2 wall_normal(const Surfaces& walls, std::uint32_t surface, const Vec2& point
 
 double curvature(const Surfaces& walls, std::uint32_t surface, const Vec2& point,
                  const Vec2& normal) {
+  if (walls.segment_slot(surface) != kNoSurface) return 0;
   return along(walls, surface, [&](const auto& way) {
     return (way.normal_at(point).dot(normal) > 0 ? 1 : -1) * way.curvature_at(point);
   });

@@ -29,23 +29,24 @@ Surfaces walls_of_all_kinds() {
 TEST(WallPlaces, LengthsAreThoseOfTheCurves) {
   constexpr double kPerimeter = 9.688448220547675;  // 4 a E(e) for 2 and 1
   const Surfaces walls = walls_of_all_kinds();
-  EXPECT_NEAR(wall_length(walls, 0), kPerimeter, 1e-9);
-  EXPECT_NEAR(wall_length(walls, 1), kPerimeter, 1e-9);
-  EXPECT_NEAR(wall_length(walls, 2), 0.25 * kPerimeter, 1e-7);
-  EXPECT_NEAR(wall_length(walls, 3), 0.75 * kPerimeter, 1e-7);
-  EXPECT_NEAR(wall_length(walls, 4), kHalfTurn, 1e-14);
-  EXPECT_NEAR(wall_length(walls, 5), 3 * kHalfTurn, 1e-14);
-  EXPECT_NEAR(wall_length(walls, 6), kHalfTurn, 1e-14);
-  EXPECT_EQ(wall_length(walls, 7), 5);
+  EXPECT_NEAR(WallPlaces(walls).length(0), kPerimeter, 1e-9);
+  EXPECT_NEAR(WallPlaces(walls).length(1), kPerimeter, 1e-9);
+  EXPECT_NEAR(WallPlaces(walls).length(2), 0.25 * kPerimeter, 1e-7);
+  EXPECT_NEAR(WallPlaces(walls).length(3), 0.75 * kPerimeter, 1e-7);
+  EXPECT_NEAR(WallPlaces(walls).length(4), kHalfTurn, 1e-14);
+  EXPECT_NEAR(WallPlaces(walls).length(5), 3 * kHalfTurn, 1e-14);
+  EXPECT_NEAR(WallPlaces(walls).length(6), kHalfTurn, 1e-14);
+  EXPECT_EQ(WallPlaces(walls).length(7), 5);
 }
 
 TEST(WallPlaces, APointByItsPositionHasThatPosition) {
   const Surfaces walls = walls_of_all_kinds();
   for (std::uint32_t wall = 0; wall < walls.size(); ++wall) {
-    const double length = wall_length(walls, wall);
+    const double length = WallPlaces(walls).length(wall);
     for (const double share : {0.0, 0.01, 0.2, 0.5, 0.77, 0.99}) {
-      const Vec2 point = wall_point(walls, wall, share * length);
-      EXPECT_NEAR(wall_position(walls, wall, point), share * length, 1e-7) << wall << " " << share;
+      const Vec2 point = WallPlaces(walls).point(wall, share * length);
+      EXPECT_NEAR(WallPlaces(walls).position(wall, point), share * length, 1e-7)
+          << wall << " " << share;
       if (walls.segment_slot(wall) != kNoSurface) continue;
       const Ellipse curve = walls.arc(wall).curve;  // (u, v)-coordinates on the unit circle
       const double area = cross(curve.u, curve.v);
@@ -62,9 +63,10 @@ TEST(WallPlaces, NormalsAndCurvatureAreThoseOfNeighbours) {
   constexpr double kStep = 1e-3;
   for (std::uint32_t wall = 0; wall < 7; ++wall)
     for (const double share : {0.1, 0.3, 0.6, 0.8}) {
-      const double s = share * wall_length(walls, wall);
-      const Vec2 before = wall_point(walls, wall, s - kStep), point = wall_point(walls, wall, s),
-                 after = wall_point(walls, wall, s + kStep), way = after - before;
+      const double s = share * WallPlaces(walls).length(wall);
+      const Vec2 before = WallPlaces(walls).point(wall, s - kStep),
+                 point = WallPlaces(walls).point(wall, s),
+                 after = WallPlaces(walls).point(wall, s + kStep), way = after - before;
       EXPECT_NEAR(way.norm(), 2 * kStep, 1e-8);
       const Vec2 normal = wall_normal(walls, wall, point);
       EXPECT_NEAR(normal.norm(), 1, 1e-15);
@@ -93,8 +95,8 @@ TEST(WallPlaces, OutlinesGoFromEndToEndOnTheWall) {
     ASSERT_GT(points.size(), 20U);
     double length = 0;
     for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    EXPECT_NEAR(length, wall_length(walls, wall), 2e-3 * length) << wall;
-    EXPECT_LT((points.front() - wall_point(walls, wall, 0)).norm(), 1e-13);
+    EXPECT_NEAR(length, WallPlaces(walls).length(wall), 2e-3 * length) << wall;
+    EXPECT_LT((points.front() - WallPlaces(walls).point(wall, 0)).norm(), 1e-13);
   }
 }
 

@@ -41,14 +41,14 @@ TEST(WallPlaces, GoRoundASquareAndACircle) {
   Surfaces walls;
   walls.add(Segment{{1, 0}, {1, 2}});
   walls.add(Circle{{0, 0}, 2});
-  EXPECT_EQ(wall_length(walls, 0), 2);
-  EXPECT_EQ(wall_position(walls, 0, {1, 0.5}), 0.5);
-  EXPECT_EQ(wall_point(walls, 0, 0.5), Vec2(1, 0.5));
+  EXPECT_EQ(WallPlaces(walls).length(0), 2);
+  EXPECT_EQ(WallPlaces(walls).position(0, {1, 0.5}), 0.5);
+  EXPECT_EQ(WallPlaces(walls).point(0, 0.5), Vec2(1, 0.5));
   EXPECT_EQ(wall_normal(walls, 0, {1, 1}), Vec2(-1, 0));
   EXPECT_EQ(curvature(walls, 0, {1, 1}, {-1, 0}), 0);
-  const double quarter = wall_length(walls, 1) / 4;
-  EXPECT_NEAR(wall_position(walls, 1, {0, -2}), 3 * quarter, 1e-14);
-  EXPECT_NEAR((wall_point(walls, 1, quarter) - Vec2(0, 2)).norm(), 0, 1e-15);
+  const double quarter = WallPlaces(walls).length(1) / 4;
+  EXPECT_NEAR(WallPlaces(walls).position(1, {0, -2}), 3 * quarter, 1e-14);
+  EXPECT_NEAR((WallPlaces(walls).point(1, quarter) - Vec2(0, 2)).norm(), 0, 1e-15);
   EXPECT_EQ(curvature(walls, 1, {0, 2}, {0, 1}), 0.5);
   EXPECT_EQ(curvature(walls, 1, {0, 2}, {0, -1}), -0.5);
 }

@@ -1,0 +1,169 @@
+#include "study/rooms/followed.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/counted.h"
+#include "base/parallel.h"
+#include "precise/certified_orbit.h"
+#include "study/rooms/starts.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kAuditedOrbits = 64;
+constexpr std::uint64_t kAuditedBounces = 60;
+// Of the room: an orbit as near as that to the certified one meets the same wall next, unless it passes an
+// end or a tangent as near.
+constexpr double kSamePlace = 0x1p-32;
+// Of a first flight, in units of 2^-53 of the room, times the cosine of the incidence: the start of the flight
+// on its wall, the point met and the wall's own numbers are some ulps off each.
+constexpr double kRoundingOfFlight = 64;
+
+void follow_certified(const Room& room, const OrbitStart& start, std::size_t number,
+                      std::uint64_t bounces, OrbitSink& sink) {
+  const auto orbit = certified_orbit(room.walls(), start.ray, bounces, {room.materials()});
+  if (!orbit) return sink.end(number, {});
+  const double speed = std::sqrt(start.ray.direction.squaredNorm());
+  double length = 0;
+  auto crossing = orbit->crossings.begin();
+  for (std::size_t i = 0; i <= orbit->bounces.size(); ++i) {
+    for (; crossing != orbit->crossings.end() && crossing->bounces == i; ++crossing)
+      sink.cross(number, crossing->from, crossing->to);
+    if (i == orbit->bounces.size()) break;
+    const CertifiedOrbit::Bounce& one = orbit->bounces[i];
+    length += one.t * speed;
+    sink.bounce(number, {one.surface, one.point, one.t, length, one.normal, one.in, one.out});
+  }
+  sink.end(number, {orbit->end, orbit->out, orbit->end_point, orbit->end_surfaces});
+}
+
+class Bounces : public OrbitSink {
+ public:
+  void bounce(std::size_t, const Bounce& bounce) override { all.push_back(bounce); }
+  void end(std::size_t, const OrbitStop&) override {}
+  std::vector<Bounce> all;
+};
+
+// One start, followed three times.
+struct Followed {
+  std::size_t proven = 0;                       // bounces of the certified orbit
+  std::size_t fast_right = 0, exact_right = 0;  // bounces as its own
+  bool wrong = false;  // fast left it though it was still at the same place
+  double first = 0;    // how much first flights differ
+};
+
+double distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
+
+// Bounces on the same walls, and near the same places.
+std::size_t right_bounces(const std::vector<Bounce>& orbit, const CertifiedOrbit& truth,
+                          double size) {
+  std::size_t right = 0;
+  while (right < orbit.size() && right < truth.bounces.size() &&
+         orbit[right].surface == truth.bounces[right].surface &&
+         distance(orbit[right].point, truth.bounces[right].point) < kHorizonShare * size)
+    ++right;
+  return right;
+}
+
+Followed follow_thrice(const Room& room, const OrbitStart& start, std::uint64_t bounces,
+                       double size) {
+  Bounces fast, exact;
+  room.fast_orbits().follow(std::span(&start, 1), bounces, fast);
+  room.orbits().follow(std::span(&start, 1), bounces, exact);
+  const auto truth = certified_orbit(room.walls(), start.ray, bounces, {room.materials()});
+  Followed found;
+  if (!truth || truth->bounces.empty()) return found;
+  found.proven = truth->bounces.size();
+  found.fast_right = right_bounces(fast.all, *truth, size);
+  found.exact_right = right_bounces(exact.all, *truth, size);
+  const std::size_t right = found.fast_right;
+  found.wrong = right < found.proven &&
+                (right == 0 || distance(fast.all[right - 1].point,
+                                        truth->bounces[right - 1].point) < kSamePlace * size);
+  if (right > 0) {
+    const CertifiedOrbit::Bounce& first = truth->bounces.front();
+    const double t = first.t * std::sqrt(start.ray.direction.squaredNorm());
+    found.first = std::fabs(fast.all.front().t - t) * std::fabs(first.in.dot(first.normal)) /
+                  (0x1p-53 * size);
+  }
+  return found;
+}
+
+}  // namespace
+
+void follow_starts(const ExperimentContext& context, const Room& room,
+                   std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink) {
+  if (context.precision == OrbitPrecision::exact)
+    return room.orbits().follow(starts, bounces, sink);
+  if (context.precision == OrbitPrecision::fast) {
+    room.fast_orbits().follow(starts, bounces, sink);
+    return;
+  }
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    follow_certified(room, starts[i], i, bounces, sink);
+}
+
+void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
+                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink) {
+  std::vector<OrbitStart> starts;
+  for (std::uint64_t i = begin; i < end; ++i)
+    starts.push_back(room.draw_start(context.seed, i, context.starts));
+  follow_starts(context, room, starts, bounces, sink);
+}
+
+std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
+                                       std::uint64_t orbits) {
+  std::vector<OrbitStart> starts;
+  if (context.precision != OrbitPrecision::fast) return starts;
+  const std::uint64_t count = std::min(orbits, kAuditedOrbits);
+  for (std::uint64_t i = 0; i < count; ++i)
+    starts.push_back(room.draw_start(context.seed, i * (orbits / count), context.starts));
+  return starts;
+}
+
+std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
+                           std::span<const OrbitStart> starts, std::uint64_t bounces) {
+  if (context.precision != OrbitPrecision::fast) return {};
+  if (const std::string& why = room.fast_orbits().obstacle(); !why.empty()) {
+    Measure none{"audit_orbits", 0};
+    none.remark = "all orbits are exact: " + why;
+    return {none};
+  }
+  if (!can_certify()) {
+    Measure none{"audit_orbits", 0};
+    none.remark = "no audit: the module of certified orbits is not there";
+    return {none};
+  }
+  const std::uint64_t limit = std::min(bounces, kAuditedBounces);
+  const double size = bounds_of(room.walls()).size().maxCoeff();
+  std::vector<Followed> all(std::min<std::size_t>(starts.size(), kAuditedOrbits));
+  parallel_for(all.size(), context.threads, [&](std::size_t i) {
+    all[i] = follow_thrice(room, starts[i * (starts.size() / all.size())], limit, size);
+  });
+  double proven = 0, fast = 0, exact = 0, wrong = 0, first = 0;
+  for (const Followed& one : all) {
+    proven += static_cast<double>(one.proven);
+    fast += static_cast<double>(one.fast_right);
+    exact += static_cast<double>(one.exact_right);
+    wrong += one.wrong ? 1 : 0;
+    first = std::max(first, one.first);
+  }
+  const auto count = static_cast<double>(all.size());
+  std::vector<Measure> measures{{"audit_orbits", count},
+                                {"audit_bounces_certified", proven / count},
+                                {"audit_bounces_right_fast", fast / count},
+                                {"audit_bounces_right_exact", exact / count},
+                                {"audit_parted_at_once", wrong, {}, 0, kInfinity, 0},
+                                {"audit_first_flight", first, {}, 0, kInfinity, kRoundingOfFlight}};
+  measures[0].remark = "followed fast, exactly and certified from the same start";
+  measures[1].remark = "of an orbit, at most " + counted(limit, "bounce");
+  measures[2].remark = "on the walls of the certified one, within 1 % of the room";
+  measures[4].remark = "from within 2^-32 of the room, which rounding does not explain";
+  measures[5].remark = "largest difference, 2^-53 of the room";
+  return measures;
+}
+
+}  // namespace flatray

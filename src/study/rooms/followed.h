@@ -1,0 +1,30 @@
+#pragma once
+#include "study/rooms/room.h"
+
+namespace flatray {
+
+/// Follows orbits in the precision of the context: fast or exact as the room's own tracers do, or certified,
+/// every one as far as it is proven.
+///
+/// Needs   starts in the room; can_certify() where the precision is certified.
+void follow_starts(const ExperimentContext& context, const Room& room,
+                   std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink);
+
+/// The same of the orbits [begin, end) of starts drawn as the context has it.
+void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
+                  std::uint64_t end, std::uint64_t bounces, OrbitSink& sink);
+
+/// Some of many starts, evenly over them, for an audit.
+std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
+                                       std::uint64_t orbits);
+
+/// What fast orbits are worth: some starts followed fast, in exact decisions, and certified, as far as the
+/// latter two can tell. Nothing where the context's precision is not fast.
+///
+/// Gives   bounces until fast and exact orbits are 1 % of the room off, or on another wall, which is when
+///         rounding has grown to the size of the room; how many did so before (must be 0); by how much
+///         first flights differ, in 2^-53 of the room. Why the room is followed exactly, where it is.
+std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
+                           std::span<const OrbitStart> starts, std::uint64_t bounces);
+
+}  // namespace flatray
