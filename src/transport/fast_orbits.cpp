@@ -135,7 +135,7 @@ class FastOrbits::Wave {
     rays.set(lane, ray.origin, unit(ray.direction),
              on_wall ? orbits_.slots_[left.surface] + (enters(left.root) ? 0.5 : 0) : -1);
     progress_[lane] = {next_++};
-    progress_[lane].exact = left.root == Root::both;  // else lanes tell whether it starts on a wall
+    progress_[lane].exact = on_wall ? left.root == Root::both : orbits_.is_at_wall(ray.origin);
   }
 
   // All rays to their next walls; from the last to the first, so that one behind can take the place of
@@ -329,6 +329,23 @@ double FastOrbits::reach(const Vec2& out) const {
       for (const double y : {box.low.y(), box.high.y()}) most = std::max(most, out.dot(Vec2(x, y)));
   }
   return most;
+}
+
+// Or so near the line or curve of one that it may be.
+bool FastOrbits::is_at_wall(const Vec2& point) const {
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const double* wall = records_.data() + i * Record::kRecord;
+    if (static_cast<int>(i) < walls_.segments) {
+      const Vec2 normal(wall[Record::kNormalX], wall[Record::kNormalY]);
+      if (std::fabs(normal.dot(point) - wall[Record::kOffset]) < walls_.near) return true;
+      continue;
+    }
+    const double x = point.x() - wall[Record::kCentreX], y = point.y() - wall[Record::kCentreY];
+    const double a = wall[Record::kFormXx] * x + wall[Record::kFormXy] * y;
+    const double b = wall[Record::kFormYx] * x + wall[Record::kFormYy] * y;
+    if (std::fabs(a * a + b * b - 1) < 4 * kUndecided) return true;
+  }
+  return false;
 }
 
 void FastOrbits::join_periodic() {

@@ -48,6 +48,7 @@ class FastOrbits {
   void add_segments(bool hull);
   void add_curves(bool circles);
   void join_periodic();
+  bool is_at_wall(const Vec2& point) const;
   double reach(const Vec2& out) const;
 
   const OrbitTracer& exact_;

@@ -12,7 +12,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-double draw(std::uint64_t item, std::uint32_t which) {
+double drawn(std::uint64_t item, std::uint32_t which) {
   return unit_double(random_bits(23, Stream::test, 0, item, which));
 }
 
@@ -35,10 +35,10 @@ struct Chamber {
 
   explicit Chamber(std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
-      const double place = 3 * draw(i, 0);
+      const double place = 3 * drawn(i, 0);
       const Ray ray = i % 4 == 0
                           ? Ray{{place, place}, {-1, -1}}
-                          : Ray{{place, 8 * draw(i, 1)}, {draw(i, 2) - 0.5, draw(i, 3) - 0.5}};
+                          : Ray{{place, 8 * drawn(i, 1)}, {drawn(i, 2) - 0.5, drawn(i, 3) - 0.5}};
       starts.push_back(ray);
       ox.push_back(ray.origin.x()), oy.push_back(ray.origin.y());
       dx.push_back(ray.direction.x()), dy.push_back(ray.direction.y());

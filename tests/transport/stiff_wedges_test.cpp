@@ -82,7 +82,7 @@ TEST(StiffCases, C5WedgeOfANanoradian) {
   EXPECT_EQ(k, 100'000U);
 }
 
-bool inside_closed(const std::vector<Vec2>& convex, const Vec2& point) {
+bool inside_ring(const std::vector<Vec2>& convex, const Vec2& point) {
   for (std::size_t i = 0; i < convex.size(); ++i)
     if (orientation(convex[i], convex[(i + 1) % convex.size()], point) == Sign::negative)
       return false;
@@ -96,7 +96,7 @@ TEST(StiffCases, C6ClosedAcuteCorner) {
     const Orbit orbit = in_mirrors(ring(triangle), {{5, 0.5}, aim}, 25);
     int near = 0;
     for (const Bounce& bounce : orbit.bounces) {
-      EXPECT_TRUE(inside_closed(triangle, bounce.point));
+      EXPECT_TRUE(inside_ring(triangle, bounce.point));
       near += bounce.point.norm() < 1e-14 ? 1 : 0;
     }
     EXPECT_NEAR(near, kHalfTurn / std::atan(1.0 / 6), 1);

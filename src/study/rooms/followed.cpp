@@ -68,10 +68,10 @@ std::size_t right_bounces(const std::vector<Bounce>& orbit, const CertifiedOrbit
   return right;
 }
 
-Followed follow_thrice(const Room& room, const OrbitStart& start, std::uint64_t bounces,
-                       double size) {
+Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitStart& start,
+                       std::uint64_t bounces, double size) {
   Bounces fast, exact;
-  room.fast_orbits().follow(std::span(&start, 1), bounces, fast);
+  orbits.follow(std::span(&start, 1), bounces, fast);
   room.orbits().follow(std::span(&start, 1), bounces, exact);
   const auto truth = certified_orbit(room.walls(), start.ray, bounces, {room.materials()});
   Followed found;
@@ -127,7 +127,13 @@ std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const R
 std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
                            std::span<const OrbitStart> starts, std::uint64_t bounces) {
   if (context.precision != OrbitPrecision::fast) return {};
-  if (const std::string& why = room.fast_orbits().obstacle(); !why.empty()) {
+  return audit_of(room.fast_orbits(), context, room, starts, bounces);
+}
+
+std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext& context,
+                              const Room& room, std::span<const OrbitStart> starts,
+                              std::uint64_t bounces) {
+  if (const std::string& why = orbits.obstacle(); !why.empty()) {
     Measure none{"audit_orbits", 0};
     none.remark = "all orbits are exact: " + why;
     return {none};
@@ -141,7 +147,7 @@ std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
   const double size = bounds_of(room.walls()).size().maxCoeff();
   std::vector<Followed> all(std::min<std::size_t>(starts.size(), kAuditedOrbits));
   parallel_for(all.size(), context.threads, [&](std::size_t i) {
-    all[i] = follow_thrice(room, starts[i * (starts.size() / all.size())], limit, size);
+    all[i] = follow_thrice(orbits, room, starts[i * (starts.size() / all.size())], limit, size);
   });
   double proven = 0, fast = 0, exact = 0, wrong = 0, first = 0;
   for (const Followed& one : all) {

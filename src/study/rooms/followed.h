@@ -26,5 +26,9 @@ std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const R
 ///         first flights differ, in 2^-53 of the room. Why the room is followed exactly, where it is.
 std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
                            std::span<const OrbitStart> starts, std::uint64_t bounces);
+/// The same of any fast orbits, beside exact and certified ones of the room.
+std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext& context,
+                              const Room& room, std::span<const OrbitStart> starts,
+                              std::uint64_t bounces);
 
 }  // namespace flatray
