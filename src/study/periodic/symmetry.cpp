@@ -24,8 +24,9 @@ Mark mark_of(const Surfaces& walls, const Mirror& mirror) {
     const Vec2 centre = mirror.arc->curve.centre;
     return {false, true, radius, centre, {centre, centre}};
   }
-  const double length = wall_length(walls, mirror.surface);
-  const auto at = [&](double part) { return wall_point(walls, mirror.surface, part * length); };
+  const WallPlaces places(walls);
+  const double length = places.length(mirror.surface);
+  const auto at = [&](double part) { return places.point(mirror.surface, part * length); };
   return {!mirror.arc, false, radius, at(0.5), {at(0), at(1)}};
 }
 

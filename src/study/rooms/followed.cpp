@@ -31,11 +31,12 @@ void follow_certified(const Room& room, const OrbitStart& start, std::size_t num
   auto crossing = orbit->crossings.begin();
   for (std::size_t i = 0; i <= orbit->bounces.size(); ++i) {
     for (; crossing != orbit->crossings.end() && crossing->bounces == i; ++crossing)
-      sink.cross(number, crossing->from, crossing->to);
+      sink.cross(number, crossing->from, crossing->to, crossing->step);
     if (i == orbit->bounces.size()) break;
     const CertifiedOrbit::Bounce& one = orbit->bounces[i];
     length += one.t * speed;
-    sink.bounce(number, {one.surface, one.point, one.t, length, one.normal, one.in, one.out});
+    sink.bounce(number,
+                {one.surface, one.point, one.t, length, one.normal, one.in, one.out, one.cell});
   }
   sink.end(number, {orbit->end, orbit->out, orbit->end_point, orbit->end_surfaces});
 }

@@ -79,7 +79,7 @@ std::uint32_t Room::counted_wall(std::uint32_t surface) const {
 // The wall or that of its copies of which a place lies in the cell.
 std::uint32_t Room::wall_in_cell(std::uint32_t surface, double position) const {
   for (std::uint32_t i = surface; has_copies_ && i < walls().size(); ++i)
-    if (counted_[i] == surface && solids_.in_chamber(wall_point(walls(), i, position))) return i;
+    if (counted_[i] == surface && solids_.in_chamber(places_.point(i, position))) return i;
   return surface;
 }
 
