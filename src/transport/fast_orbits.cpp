@@ -111,7 +111,7 @@ struct Progress {
   double before = 0;            // of the flight since then, to the last crossing
   std::uint32_t crossings = 0;  // since then
   CellIndex cell{};
-  bool exact = false;           // the next flight, whatever the lanes say
+  bool exact = false;  // the next flight, whatever the lanes say
 };
 
 }  // namespace
@@ -165,10 +165,9 @@ class FastOrbits::Wave {
     if (unsure || orbit.exact) return fly_exactly(from, to, i, unsure);
     if (event == flights::kBounced) {
       const double t = orbit.before + t_[i];
-      return bounce(orbit,
-                    {orbits_.surfaces_[static_cast<std::size_t>(wall_[i])], to.point(i), t,
-                     orbit.length + t, Vec2(nx_[i], ny_[i]), from.direction(i), to.direction(i),
-                     orbit.cell});
+      return bounce(orbit, {orbits_.surfaces_[static_cast<std::size_t>(wall_[i])], to.point(i), t,
+                            orbit.length + t, Vec2(nx_[i], ny_[i]), from.direction(i),
+                            to.direction(i), orbit.cell});
     }
     if (event == flights::kCrossed) return cross(orbit, to, i);
     const auto wall = static_cast<std::size_t>(wall_[i]);

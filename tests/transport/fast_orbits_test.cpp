@@ -22,7 +22,8 @@ struct Closed {
   std::vector<OrbitStart> starts(std::size_t count) const {
     std::vector<OrbitStart> all;
     for (std::size_t i = 0; i < count; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(count), angle = 0.1 + 6 * share;
+      const double share = static_cast<double>(i) / static_cast<double>(count),
+                   angle = 0.1 + 6 * share;
       all.push_back({{{0.05 + 0.1 * share, 0.1}, {3 * std::cos(angle), 3 * std::sin(angle)}}});
     }
     return all;

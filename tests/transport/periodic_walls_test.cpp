@@ -150,7 +150,8 @@ TEST(PeriodicWalls, LetNoOrbitIntoADiscOrOutOfTheCell) {
         });
     };
     for (int k = 0; k < 5; ++k) {
-      const Orbit orbit = torus.orbit({{0, torus.walls.size() == 8 ? 0.0 : 1.1}, {1, 0.3 * k}}, 400);
+      const Orbit orbit =
+          torus.orbit({{0, torus.walls.size() == 8 ? 0.0 : 1.1}, {1, 0.3 * k}}, 400);
       EXPECT_EQ(orbit.end, OrbitEnd::limit);
       for (const Bounce& bounce : orbit.bounces) expect_free(bounce.point);
       for (const Crossing& crossing : orbit.crossings) {

@@ -7,8 +7,8 @@
 #include "base/portable_math.h"
 #include "study/plots/plot.h"
 #include "study/rooms/flight_tail.h"
-#include "study/statistics/estimate.h"
 #include "study/statistics/blocks.h"
+#include "study/statistics/estimate.h"
 #include "study/statistics/streaming_histogram.h"
 
 namespace flatray {
