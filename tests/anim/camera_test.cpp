@@ -74,8 +74,13 @@ TEST(Camera, EveryKindOfContentIsShown) {
   entity.shape = 3;
   scene.entities.push_back(entity);
   Chamber room;
-  room.pillars.push_back(
-      {.name = "p", .shape = 1, .at = {-5, 5}, .fill = {}, .stroke = {}, .where = {}});
+  room.pillars.push_back({.name = "p",
+                          .shape = 1,
+                          .at = {-5, 5},
+                          .fill = {},
+                          .stroke = {},
+                          .where = {},
+                          .copy_of = {}});
   scene.chambers.push_back(room);
   RayPath ray;
   ray.at = {3, 40};
@@ -140,8 +145,13 @@ Scene dyadic_scene() {
   scene.shapes.push_back(disc);
   Chamber room;
   room.shape = 2;
-  room.pillars.push_back(
-      {.name = "p", .shape = 3, .at = {5, 5}, .fill = {}, .stroke = {}, .where = {}});
+  room.pillars.push_back({.name = "p",
+                          .shape = 3,
+                          .at = {5, 5},
+                          .fill = {},
+                          .stroke = {},
+                          .where = {},
+                          .copy_of = {}});
   scene.chambers.push_back(room);
   scene.camera.velocity = {2.5, 0.75};
   return scene;

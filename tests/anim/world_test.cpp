@@ -108,15 +108,21 @@ TEST(World, ChambersAndPillarsFollowTheEntities) {
   scene.shapes.push_back(box({0, 0}, {20, 10}));
   Chamber room;
   room.shape = 1;
-  room.pillars.push_back(
-      {.name = "a", .shape = 0, .at = {2, 2}, .fill = {}, .stroke = {}, .where = {}});
+  room.pillars.push_back({.name = "a",
+                          .shape = 0,
+                          .at = {2, 2},
+                          .fill = {},
+                          .stroke = {},
+                          .where = {},
+                          .copy_of = {}});
   room.pillars.push_back({.name = "b",
                           .shape = 0,
                           .at = {9, 9},
                           .material = Material::absorb,
                           .fill = {},
                           .stroke = {},
-                          .where = {}});
+                          .where = {},
+                          .copy_of = {}});
   scene.chambers = {room};
   const World world = world_of(scene);
   ASSERT_EQ(world.owners.size(), 16U);
