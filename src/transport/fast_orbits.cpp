@@ -124,7 +124,7 @@ class FastOrbits::Wave {
 
   FlightCounts run() {
     while (used_ < kWave && next_ < starts_.size()) set_off(rays_[0], used_++);
-    for (int turn = 0; used_ > 0; turn = 1 - turn) fly(rays_[turn], rays_[1 - turn]);
+    for (std::size_t turn = 0; used_ > 0; turn = 1 - turn) fly(rays_[turn], rays_[1 - turn]);
     return counts_;
   }
 
