@@ -95,6 +95,7 @@ Result<void> expect_pillars_apart(const Scene& scene) {
   for (const Chamber& chamber : scene.chambers) {
     const std::vector<MovingShape> bodies = pillar_bodies(scene, chamber, state);
     std::vector<Bounds> boxes;
+    boxes.reserve(bodies.size());
     for (const MovingShape& body : bodies) boxes.push_back(shape_bounds(*body.shape, body.place));
     for (const auto& [a, b] : overlapping_pairs(boxes))
       if (overlap(bodies[a], bodies[b]))

@@ -97,7 +97,7 @@ class Flight {
   /// Goes on from the walls opposite the periodic ones that it is known to meet next, and gives the
   /// point where it met them; nullopt where Number cannot tell it.
   std::optional<Pair<Number>> cross_over(const Prospect& next) {
-    const auto met = meeting_point(walls_.segment(next.walls.front()));
+    auto met = meeting_point(walls_.segment(next.walls.front()));
     if (!met) return std::nullopt;
     point_ = *met;
     const auto left = periodic_.left_by(
@@ -138,9 +138,10 @@ class Flight {
     if (!end) return none;
     const auto cells = ((course_.make(*end) - first) / step).nearest();
     if (!cells || !(*cells > 2)) return none;
-    const double count = std::min(std::floor(*cells) - 1, double{kMostCrossings} - crossings_);
+    const auto count = static_cast<std::uint32_t>(
+        std::min(std::floor(*cells) - 1, double{kMostCrossings} - crossings_));
     if ((course_.make(*end) - first - course_.make(count) * step).sign() != *heading) return none;
-    for (double i = 1; i <= count; ++i) {
+    for (std::uint32_t i = 1; i <= count; ++i) {
       place = first + course_.make(i) * step;
       const auto at = place.nearest();
       if (!at) return std::nullopt;
@@ -152,7 +153,7 @@ class Flight {
     const Number back = side.axis == 0 ? -(way * d.y) : way * d.x;  // way back across d
     course_.moment = course_.moment + course_.make(count) * back;
     course_.here = dot(point_ - pair(course_.about), course_.direction);
-    crossings_ += static_cast<std::uint32_t>(count);
+    crossings_ += count;
     return course_.make(count) * t;
   }
 
@@ -161,8 +162,7 @@ class Flight {
 
   /// Where a wall is met that the ray is known to meet next, in a corner.
   std::optional<Pair<Number>> corner_at(std::uint32_t surface) const {
-    if (const auto end =
-            walls_.visit(surface, [&](const auto& wall) { return end_of(wall, surface); }))
+    if (auto end = walls_.visit(surface, [&](const auto& wall) { return end_of(wall, surface); }))
       return end;
     Flight there(*this);
     if (there.bounce(surface)) return there.point_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
 #include "transport/near_doubles.h"
@@ -84,6 +85,7 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
   if (!is_ring(sides_)) sides_.clear();
   if (sides_.empty()) return;
   const std::size_t count = sides_.size(), half = count / 2;
+  FLATRAY_CHECK(half > 0);
   for (std::size_t i = 0; i < count; ++i) {
     const Side& other = sides_[(i + half) % count];
     Side& side = sides_[i];
@@ -153,7 +155,7 @@ bool PeriodicWalls::may_stand(const Vec2& point) const {
 // along the wall then.
 std::optional<Vec2> PeriodicWalls::inside(const Vec2& place, const Segment& wall) const {
   const auto accepted = [&](const Vec2& point) { return may_stand(point); };
-  if (const auto near = nearest_double(place, accepted)) return near;
+  if (auto near = nearest_double(place, accepted)) return near;
   if (discs_.empty()) return std::nullopt;
   constexpr double kUlp = 0x1p-52;
   constexpr int kMost = 16;  // ulps of the wall's corners
@@ -162,7 +164,7 @@ std::optional<Vec2> PeriodicWalls::inside(const Vec2& place, const Segment& wall
   const Vec2 step = size * kUlp / std::sqrt(edge.dot(edge)) * edge;
   for (int i = 1; i <= kMost; ++i)
     for (const int way : {i, -i})
-      if (const auto near = nearest_double(place + way * step, accepted)) return near;
+      if (auto near = nearest_double(place + way * step, accepted)) return near;
   return std::nullopt;
 }
 

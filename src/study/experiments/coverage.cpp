@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "base/counted.h"
 #include "study/plots/line_density.h"
 #include "study/plots/palette.h"
@@ -23,8 +25,8 @@ struct Grid {
 Grid grid_of(const Room& room) {
   const Bounds& window = room.state().window;
   const double longer = window.size().maxCoeff() / kCells;
-  Grid grid{std::max(1, static_cast<int>(window.size().x() / longer + 0.5)),
-            std::max(1, static_cast<int>(window.size().y() / longer + 0.5)),
+  Grid grid{std::max(1, static_cast<int>(std::floor(window.size().x() / longer + 0.5))),
+            std::max(1, static_cast<int>(std::floor(window.size().y() / longer + 0.5))),
             {}};
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {

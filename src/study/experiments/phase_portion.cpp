@@ -22,7 +22,7 @@ std::vector<Plot::Point> portions(const std::vector<BoundaryPoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int x = std::clamp(static_cast<int>(points[i].along * kCells), 0, kCells - 1);
     const int y = std::clamp(static_cast<int>((1 + points[i].sine) * 0.5 * kCells), 0, kCells - 1);
-    const auto cell = static_cast<std::size_t>(y * kCells + x);
+    const auto cell = static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
     if (!seen[cell]) ++count;
     seen[cell] = true;
     const auto bounces = static_cast<double>(i + 1);

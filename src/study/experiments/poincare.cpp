@@ -26,7 +26,7 @@ Image light_of(const BoundaryOrbits& found) {
     for (const BoundaryPoint& point : found.points[i]) {
       const int x = std::clamp(static_cast<int>(point.along * kWidth), 0, kWidth - 1);
       const int y = std::clamp(static_cast<int>((1 - point.sine) * 0.5 * kHeight), 0, kHeight - 1);
-      sum[static_cast<std::size_t>(y * kWidth + x)] += nth_colour(i);
+      sum[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)] += nth_colour(i);
       ++points;
     }
   // What a pixel would have if points filled the section evenly is a third of full light; a single
@@ -66,8 +66,8 @@ void add_points(ExperimentResult& result, const BoundaryOrbits& found) {
   for (std::uint64_t i = 0; i < found.points.size(); ++i)
     for (std::uint64_t k = 0; k < found.points[i].size(); ++k) {
       const BoundaryPoint& point = found.points[i][k];
-      fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i + 1, k + 1,
-                     number_text(point.along), number_text(point.sine));
+      text += fmt::format("{},{},{},{}\n", i + 1, k + 1, number_text(point.along),
+                          number_text(point.sine));
       numbers.add(i + 1);
       numbers.add(k + 1);
       numbers.add(point.along);
