@@ -287,9 +287,9 @@ class Flight {
     double low = std::min(wall.a[axis], wall.b[axis]), high = std::max(wall.a[axis], wall.b[axis]);
     if (!others.empty()) {
       if ((course_.make(others.low[axis]) - place).sign() == Sign::positive)
-        high = others.low[axis];
+        high = std::min(high, others.low[axis]);
       else if ((place - course_.make(others.high[axis])).sign() == Sign::positive)
-        low = others.high[axis];
+        low = std::max(low, others.high[axis]);
       else
         return std::nullopt;
     }

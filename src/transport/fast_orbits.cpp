@@ -169,6 +169,8 @@ class FastOrbits::Wave {
                             orbit.length + t, Vec2(nx_[i], ny_[i]), from.direction(i),
                             to.direction(i), orbit.cell});
     }
+    if (event == flights::kCrossed && orbits_.exact_.periodic().in_disc_across(to.point(i)))
+      return fly_exactly(from, to, i, true);
     if (event == flights::kCrossed) return cross(orbit, to, i);
     const auto wall = static_cast<std::size_t>(wall_[i]);
     if (event == flights::kAbsorbed)

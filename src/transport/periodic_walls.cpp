@@ -146,9 +146,13 @@ bool PeriodicWalls::may_stand(const Vec2& point) const {
                      [&](const Side& side) {
                        return orientation(side.wall.a, side.wall.b, point) != Sign::negative;
                      }) &&
-         std::all_of(discs_.begin(), discs_.end(), [&](const Ellipse& disc) {
-           return curve_side(point, disc) == Sign::positive;
-         });
+         !in_disc_across(point);
+}
+
+bool PeriodicWalls::in_disc_across(const Vec2& point) const {
+  return std::any_of(discs_.begin(), discs_.end(), [&](const Ellipse& disc) {
+    return curve_side(point, disc) != Sign::positive;
+  });
 }
 
 // Copies of a disc are rounded, too: what goes round one may come in under another by as much, and is moved

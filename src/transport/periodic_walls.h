@@ -81,6 +81,9 @@ class PeriodicWalls {
   std::optional<Entry> cross(const Vec2& point, const Vec2& direction,
                              std::span<const std::uint32_t> surfaces) const;
 
+  /// Whether a point is on or in one of the discs that stand across its walls. Exact.
+  bool in_disc_across(const Vec2& point) const;
+
   /// Its two lattice vectors, rounded once: where the cell of index (1, 0) lies, that of (0, 1).
   const std::array<Vec2, 2>& lattice() const { return lattice_; }
 

@@ -73,6 +73,7 @@ TEST(Query, EllipsesAndBezierCurvesAreWalls) {
       {R"({"ellipse":{"center":[0,0],"u":[1,2]}})", "needs a center and two half-diameters"},
       {R"({"bezier":[[0,0],[1,1]]})", "walls[0].bezier: is not a list of 3 or 4 control points"},
       {R"({"bezier":[[0,0],[1,1],[2,2]]})", "lies on a line: say a segment"},
+      {R"({"bezier":[[0,0],[1e308,1e308],[-1e308,1e308],[1,0]]})", "reaches beyond 1e200"},
       {R"({"bezier":[[0,0],[1,1],[2,0]],"circle":{"center":[0,0],"radius":1}})", "one of them"}};
   for (const auto& [wall, message] : cases) {
     const std::string said = nearest(wall, R"("origin":[0,0],"direction":[1,0])");

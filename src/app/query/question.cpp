@@ -246,6 +246,9 @@ void Question::read_bezier(const JsonValue& value, const std::string& where, Sur
   for (std::size_t i = 0; i < items->size(); ++i)
     points.push_back(read_point((*items)[i], fmt::format("{}[{}]", where, i)));
   if (!sound()) return;
+  constexpr double kMostOfBezier = 1e200;  // beyond which products of its forms overflow
+  for (const Vec2& point : points)
+    if (point.cwiseAbs().maxCoeff() > kMostOfBezier) return mistake(where, "reaches beyond 1e200");
   const Bezier curve(points);
   if (is_on_one_line(curve)) return mistake(where, "lies on a line: say a segment");
   walls.add(curve);

@@ -27,14 +27,26 @@ std::array<double, 2> apart(const Vec2& a, const Vec2& b, const Vec2& c, const V
   return off;
 }
 
-// How far inside each edge a place lies: the least of them.
+// How far inside an edge a place lies.
+double depth_in(const Shape& cell, std::size_t i, const Vec2& place) {
+  const Vec2 &a = cell.vertices[i], &b = cell.vertices[(i + 1) % cell.vertices.size()];
+  const Vec2 edge = b - a;
+  return cross(edge, Vec2(place - a)) / std::sqrt(edge.dot(edge));
+}
+// The least of all edges.
 double least_depth(const Shape& cell, const Vec2& place) {
   double least = kInfinity;
-  for (std::size_t i = 0; i < cell.vertices.size(); ++i) {
-    const Vec2 &a = cell.vertices[i], &b = cell.vertices[(i + 1) % cell.vertices.size()];
-    const Vec2 edge = b - a;
-    least = std::min(least, cross(edge, Vec2(place - a)) / std::sqrt(edge.dot(edge)));
-  }
+  for (std::size_t i = 0; i < cell.vertices.size(); ++i)
+    least = std::min(least, depth_in(cell, i, place));
+  return least;
+}
+
+// How deep a cell is across the pair of edges that is closest together.
+double depth_of(const Shape& cell) {
+  const std::size_t count = cell.vertices.size();
+  double least = kInfinity;
+  for (std::size_t i = 0; i < count / 2; ++i)
+    least = std::min(least, depth_in(cell, i, cell.vertices[(i + count / 2) % count]));
   return least;
 }
 
@@ -110,10 +122,11 @@ void add_copies_of_discs(Scene& scene, Chamber& chamber) {
     const bool in_shape = pillar.at.isZero(0);
     const Vec2 from = pillar.at, centre = from + local;
     const double depth = least_depth(cell, centre);
-    if (!(depth < radius && depth > -radius)) continue;
-    chamber.pillars[i].across = true;
+    // One that reaches farther than the next cell but one is no pillar across walls, and refused.
+    if (!(depth < radius && depth > -radius && radius <= depth_of(cell))) continue;
     pillar.across = true;
     pillar.copy_of = static_cast<std::uint32_t>(i);
+    chamber.pillars[i].across = true;
     for (int n = -2; n <= 2; ++n)
       for (int m = -2; m <= 2; ++m) {
         const Vec2 place = moved_to(cell, in_shape ? local : from, n, m);

@@ -106,7 +106,10 @@ class PeriodicOrbits {
   void expand() {
     const bool discs = std::all_of(room_.mirrors.begin(), room_.mirrors.end(),
                                    [](const Mirror& one) { return one.is_disc(); });
-    if (!discs || total(Verdict::proven) != orbits_.size() || orbits_.empty()) {
+    const bool unstable = std::all_of(orbits_.begin(), orbits_.end(), [](const ClosedOrbit& one) {
+      return one.verdict == Verdict::proven && one.eigenvalue();
+    });
+    if (!discs || !unstable || orbits_.empty()) {
       expansion_words_ =
           "no cycle expansion: that is for rooms of discs alone, where no word is pruned";
       return;

@@ -52,10 +52,13 @@ Plot plot_of(const BoundaryOrbits& found) {
   return plot;
 }
 
-// All points, as text and as numbers.
+// All points, as text and as numbers; of more than ten million every so many.
 void add_points(ExperimentResult& result, const BoundaryOrbits& found) {
-  std::uint64_t rows = 0;
-  for (const auto& orbit : found.points) rows += orbit.size();
+  constexpr std::uint64_t kMostRows = 10'000'000;
+  std::uint64_t all = 0, rows = 0;
+  for (const auto& orbit : found.points) all += orbit.size();
+  const std::uint64_t every = std::max<std::uint64_t>(1, (all + kMostRows - 1) / kMostRows);
+  for (const auto& orbit : found.points) rows += (orbit.size() + every - 1) / every;
   using Kind = NpyTable::Kind;
   NpyTable numbers({{"orbit", Kind::whole},
                     {"bounce", Kind::whole},
@@ -64,7 +67,7 @@ void add_points(ExperimentResult& result, const BoundaryOrbits& found) {
                    rows);
   std::string text = "orbit,bounce,along,sine\n";
   for (std::uint64_t i = 0; i < found.points.size(); ++i)
-    for (std::uint64_t k = 0; k < found.points[i].size(); ++k) {
+    for (std::uint64_t k = 0; k < found.points[i].size(); k += every) {
       const BoundaryPoint& point = found.points[i][k];
       text += fmt::format("{},{},{},{}\n", i + 1, k + 1, number_text(point.along),
                           number_text(point.sine));

@@ -101,6 +101,8 @@ std::array<double, kAsked> asked_of(const Lags& lags, const Times& times) {
 }
 
 // The lags of many orbits: sums, and of squares, so that each has an error.
+constexpr double kMostLeftOut = 0.02;  // of the orbits
+
 class LagSums {
  public:
   explicit LagSums(std::size_t lags) : lags_(lags), sums_(1 + 6 * lags, 0.0) {}
@@ -334,6 +336,12 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   });
   if (!found) return fail(std::move(found));
   for (const Numbers& block : *found) all.add(block);
+  if (all.left_out > kMostLeftOut * static_cast<double>(plan->orbits))
+    return fail(where,
+                fmt::format("{:.0f} of {} orbits are too short, as they met a corner or had short "
+                            "flights: the others tell nothing of all",
+                            all.left_out, plan->orbits),
+                "look at some of them with flatray orbit");
   const std::string unbounded = no_error_of_flights(room, all.tail);
   ExperimentResult result = measured(
       context, "transport",

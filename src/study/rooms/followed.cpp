@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::uint64_t kAuditedOrbits = 64;
 constexpr std::uint64_t kAuditedBounces = 60;
+// What a certified orbit of the audit may take: more tells little, and could take minutes.
+constexpr unsigned kAuditedBits = 2048;
+constexpr std::uint64_t kAuditedWork = std::uint64_t{1} << 22;
 // Of the room: an orbit as near as that to the certified one meets the same wall next, unless it passes an
 // end or a tangent as near.
 constexpr double kSamePlace = 0x1p-32;
@@ -74,7 +77,8 @@ Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitSt
   Bounces fast, exact;
   orbits.follow(std::span(&start, 1), bounces, fast);
   room.orbits().follow(std::span(&start, 1), bounces, exact);
-  const auto truth = certified_orbit(room.walls(), start.ray, bounces, {room.materials()});
+  const auto truth = certified_orbit(room.walls(), start.ray, bounces,
+                                     {room.materials(), kAuditedBits, kAuditedWork});
   Followed found;
   if (!truth || truth->bounces.empty()) return found;
   found.proven = truth->bounces.size();
@@ -148,6 +152,7 @@ std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext&
   const double size = bounds_of(room.walls()).size().maxCoeff();
   std::vector<Followed> all(std::min<std::size_t>(starts.size(), kAuditedOrbits));
   parallel_for(all.size(), context.threads, [&](std::size_t i) {
+    if (context.monitor != nullptr && context.monitor->stopped()) return;
     all[i] = follow_thrice(orbits, room, starts[i * (starts.size() / all.size())], limit, size);
   });
   double proven = 0, fast = 0, exact = 0, wrong = 0, first = 0;
