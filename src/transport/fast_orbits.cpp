@@ -211,7 +211,7 @@ class FastOrbits::Wave {
       sink_.cross(orbit.number, one.from, one.to, one.step);
       orbit.cell += one.step;
     }
-    if (!deed.bounced) return stop(orbit, std::move(deed.stopped));
+    if (!deed.bounced) return stop(orbit, deed.stopped);
     Bounce& met = *deed.bounced;
     met.t = orbit.before + met.path_length;
     met.path_length = orbit.length + met.t;

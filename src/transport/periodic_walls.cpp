@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/check.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
 #include "transport/near_doubles.h"
@@ -85,7 +84,6 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
   if (!is_ring(sides_)) sides_.clear();
   if (sides_.empty()) return;
   const std::size_t count = sides_.size(), half = count / 2;
-  FLATRAY_CHECK(half > 0);
   for (std::size_t i = 0; i < count; ++i) {
     const Side& other = sides_[(i + half) % count];
     Side& side = sides_[i];
@@ -100,7 +98,7 @@ PeriodicWalls::PeriodicWalls(const Surfaces& walls, std::span<const Material> ma
   const std::array<CellIndex, 3> steps{first, {1, 0}, {0, 1}};
   for (std::size_t i = 0; i < 3; ++i) {
     sides_[i].step = steps[i];
-    sides_[(i + half) % count].step = {-steps[i].a, -steps[i].b};
+    sides_[i + half < count ? i + half : 0].step = {-steps[i].a, -steps[i].b};
   }
   for (std::size_t i : {1U, 2U})
     for (const int axis : {0, 1})
