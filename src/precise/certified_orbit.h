@@ -68,6 +68,7 @@ inline constexpr double kHorizonShare = 0.01;
 /// Bounces from the first on that the orbit of the same start in doubles has on the same walls and
 /// near the same points. Where they are fewer than those of `exact`, what follows is noise; of more
 /// bounces than these nothing is said.
-std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact, const Orbit& plain);
+std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact,
+                      std::span<const Bounce> plain);
 
 }  // namespace flatray

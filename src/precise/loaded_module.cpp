@@ -35,13 +35,14 @@ Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
   return certified_module().module->certify(walls, start, bounces, rules);
 }
 
-std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact, const Orbit& plain) {
+std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact,
+                      std::span<const Bounce> plain) {
   const double far = kHorizonShare * bounds_of(walls).size().maxCoeff();
   const auto near = [&](const CertifiedOrbit::Bounce& there, const Bounce& here) {
     return there.surface == here.surface && (there.point - here.point).stableNorm() < far;
   };
-  const auto parted = std::mismatch(exact.bounces.begin(), exact.bounces.end(),
-                                    plain.bounces.begin(), plain.bounces.end(), near);
+  const auto parted =
+      std::mismatch(exact.bounces.begin(), exact.bounces.end(), plain.begin(), plain.end(), near);
   return static_cast<std::uint64_t>(parted.first - exact.bounces.begin());
 }
 

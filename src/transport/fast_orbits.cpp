@@ -191,8 +191,7 @@ class FastOrbits::Wave {
     const double* wall =
         orbits_.records_.data() + static_cast<std::size_t>(wall_[i]) * Record::kRecord;
     const Vec2 entry = to.point(i), shift(wall[Record::kShiftX], wall[Record::kShiftY]);
-    const CellIndex& step =
-        orbits_.exact_.periodic().find(orbits_.surfaces_[static_cast<std::size_t>(wall_[i])])->step;
+    const CellIndex& step = orbits_.steps_[static_cast<std::size_t>(wall_[i])];
     sink_.cross(orbit.number, entry - shift, entry, step);
     orbit.cell += step;
     orbit.before += t_[i];
@@ -350,6 +349,7 @@ bool FastOrbits::is_at_wall(const Vec2& point) const {
 }
 
 void FastOrbits::join_periodic() {
+  steps_.resize(surfaces_.size());
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     double* record = records_.data() + i * Record::kRecord;
     if (record[Record::kEvent] != flights::kCrossed) continue;
@@ -358,6 +358,7 @@ void FastOrbits::join_periodic() {
     record[Record::kShiftX] = side.to().x() - side.from().x();
     record[Record::kShiftY] = side.to().y() - side.from().y();
     record[Record::kNextLeft] = slots_[side.opposite];
+    steps_[i] = side.step;
   }
 }
 

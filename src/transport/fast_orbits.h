@@ -57,6 +57,7 @@ class FastOrbits {
   std::vector<double> records_;          // by slot
   std::vector<std::uint32_t> surfaces_;  // by slot
   std::vector<double> slots_;            // by surface
+  std::vector<CellIndex> steps_;         // by slot: to the cell beyond a periodic wall
   flights::Walls walls_{};
   flights::Fly fly_;
 };

@@ -301,10 +301,10 @@ TEST(CertifiedOrbit, TheHorizonOfDoublesLiesWhereTheirOrbitIsOffTheRoom) {
   const Orbit plain = trace_orbit(walls, std::vector(walls.size(), Material::mirror), start, 100);
   const auto truth = certified_orbit(walls, start, 100);
   ASSERT_TRUE(truth);
-  const std::uint64_t reached = horizon(walls, *truth, plain);
+  const std::uint64_t reached = horizon(walls, *truth, plain.bounces);
   EXPECT_GT(reached, 20U);
   EXPECT_LE(reached, proven_bounces(walls, plain).bounces);
-  EXPECT_EQ(horizon(walls, *truth, Orbit{}), 0U);
+  EXPECT_EQ(horizon(walls, *truth, {}), 0U);
 }
 
 TEST(CertifiedOrbit, AStartOnTheTangentOfACircleGoesOn) {

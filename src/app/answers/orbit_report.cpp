@@ -146,7 +146,7 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
     report.rational = exact->rational;
     report.decided = exact->decided;
     const Orbit plain = trace_orbit(walls, room.materials, start, exact->bounces.size());
-    report.horizon = horizon(walls, *exact, plain);
+    report.horizon = horizon(walls, *exact, plain.bounces);
     report.orbit = as_orbit(std::move(*exact), start);
     report.certain = report.orbit.bounces.size();
     report.certified = true;

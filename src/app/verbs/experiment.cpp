@@ -64,9 +64,8 @@ struct Options : Arguments {
     row("--symbols N", "bounces of the longest periodic orbit (default 6)", symbols, 1,
         kMostSymbols);
     row("--precision",
-        "how orbits of means are followed: fast in doubles, with some of them audited; exact, wall "
-        "by "
-        "wall; certified, bounce by bounce",
+        "how orbits of means are followed: fast in doubles, with some of them audited; "
+        "exact, wall by wall; certified, bounce by bounce",
         precision, kPrecisions);
     row("--sweep KEY=A..B:STEP", "run once for each value of a key of the scene, also KEY=V,V,...",
         sweep, &parse_sweep);

@@ -102,7 +102,7 @@ class Study {
     plot_.series.push_back(std::move(error));
     const auto bounces = [](std::uint64_t n) { return static_cast<double>(n); };
     measures_.push_back({name + ": doubles within 1 % of the room until bounce",
-                         bounces(horizon(room_.walls(), trio.exact, trio.plain))});
+                         bounces(horizon(room_.walls(), trio.exact, trio.plain.bounces))});
     measures_.push_back({name + ": walls of doubles right until bounce", bounces(same)});
     measures_.push_back({name + ": bounces of doubles proven", bounces(proven)});
     measures_.push_back({name + ": bits of the exact orbit", bounces(trio.exact.bits)});

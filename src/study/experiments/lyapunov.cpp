@@ -242,13 +242,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 namespace experiment_entries {
 extern const Experiment lyapunov = {"lyapunov",
                                     "How fast do two orbits part that start next to each other?",
-                                    &run,
-                                    {.count = true,
-                                     .bounces = true,
-                                     .seed = true,
-                                     .starts = true,
-                                     .resume = true,
-                                     .precision = true}};
+                                    &run, kUsesOfOrbitMeans};
 }  // namespace experiment_entries
 
 }  // namespace flatray

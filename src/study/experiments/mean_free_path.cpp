@@ -102,15 +102,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 namespace experiment_entries {
 extern const Experiment mean_free_path = {
-    "mean-free-path",
-    "How far does a ray fly between two walls, and is that pi A / P?",
-    &run,
-    {.count = true,
-     .bounces = true,
-     .seed = true,
-     .starts = true,
-     .resume = true,
-     .precision = true}};
+    "mean-free-path", "How far does a ray fly between two walls, and is that pi A / P?", &run,
+    kUsesOfOrbitMeans};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -68,15 +68,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 }  // namespace
 
 namespace experiment_entries {
-extern const Experiment phase_portion = {"phase-portion",
-                                         "How much of phase space does one orbit come to?",
-                                         &run,
-                                         {.count = true,
-                                          .bounces = true,
-                                          .seed = true,
-                                          .starts = true,
-                                          .resume = true,
-                                          .precision = true}};
+extern const Experiment phase_portion = {
+    "phase-portion", "How much of phase space does one orbit come to?", &run, kUsesOfOrbitMeans};
 }  // namespace experiment_entries
 
 }  // namespace flatray

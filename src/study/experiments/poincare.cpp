@@ -157,13 +157,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 namespace experiment_entries {
 extern const Experiment poincare = {"poincare",
                                     "Where along the walls do orbits bounce, and at which angles?",
-                                    &run,
-                                    {.count = true,
-                                     .bounces = true,
-                                     .seed = true,
-                                     .starts = true,
-                                     .resume = true,
-                                     .precision = true}};
+                                    &run, kUsesOfOrbitMeans};
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -18,13 +18,12 @@ struct Mark {
   Vec2 middle, ends[2];
 };
 
-Mark mark_of(const Surfaces& walls, const Mirror& mirror) {
+Mark mark_of(const WallPlaces& places, const Mirror& mirror) {
   const double radius = mirror.arc ? mirror.arc->curve.u.x() : 0;
   if (mirror.arc && mirror.arc->extent == Arc::Extent::whole) {
     const Vec2 centre = mirror.arc->curve.centre;
     return {false, true, radius, centre, {centre, centre}};
   }
-  const WallPlaces places(walls);
   const double length = places.length(mirror.surface);
   const auto at = [&](double part) { return places.point(mirror.surface, part * length); };
   return {!mirror.arc, false, radius, at(0.5), {at(0), at(1)}};
@@ -139,7 +138,7 @@ std::vector<Symmetry> symmetries(const MirrorRoom& room) {
   Vec2 about(0, 0);
   for (const Mirror& mirror : room.mirrors) {
     if (mirror.arc && !mirror.arc->curve.is_circle()) return all;
-    marks.push_back(mark_of(room.room.walls(), mirror));
+    marks.push_back(mark_of(room.room.places(), mirror));
     about += marks.back().middle / static_cast<double>(room.mirrors.size());
   }
   const auto far = [&](const Mark& mark) { return (mark.middle - about).squaredNorm(); };

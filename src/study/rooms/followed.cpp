@@ -53,24 +53,13 @@ class Bounces : public OrbitSink {
 
 // One start, followed three times.
 struct Followed {
-  std::size_t proven = 0;                       // bounces of the certified orbit
-  std::size_t fast_right = 0, exact_right = 0;  // bounces as its own
+  std::size_t proven = 0;                         // bounces of the certified orbit
+  std::uint64_t fast_right = 0, exact_right = 0;  // bounces as its own
   bool wrong = false;  // fast left it though it was still at the same place
   double first = 0;    // how much first flights differ
 };
 
 double distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
-
-// Bounces on the same walls, and near the same places.
-std::size_t right_bounces(const std::vector<Bounce>& orbit, const CertifiedOrbit& truth,
-                          double size) {
-  std::size_t right = 0;
-  while (right < orbit.size() && right < truth.bounces.size() &&
-         orbit[right].surface == truth.bounces[right].surface &&
-         distance(orbit[right].point, truth.bounces[right].point) < kHorizonShare * size)
-    ++right;
-  return right;
-}
 
 Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitStart& start,
                        std::uint64_t bounces, double size) {
@@ -82,9 +71,9 @@ Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitSt
   Followed found;
   if (!truth || truth->bounces.empty()) return found;
   found.proven = truth->bounces.size();
-  found.fast_right = right_bounces(fast.all, *truth, size);
-  found.exact_right = right_bounces(exact.all, *truth, size);
-  const std::size_t right = found.fast_right;
+  found.fast_right = horizon(room.walls(), *truth, fast.all);
+  found.exact_right = horizon(room.walls(), *truth, exact.all);
+  const std::uint64_t right = found.fast_right;
   found.wrong = right < found.proven &&
                 (right == 0 || distance(fast.all[right - 1].point,
                                         truth->bounces[right - 1].point) < kSamePlace * size);

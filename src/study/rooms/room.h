@@ -19,6 +19,7 @@ class Room {
   const SurfaceOwner& owner(std::uint32_t surface) const { return world_.owner(surface); }
   const FrameState& state() const { return state_; }
   const Solids& solids() const { return solids_; }
+  const WallPlaces& places() const { return places_; }
   const OrbitTracer& orbits() const { return *orbits_; }
   const FastOrbits& fast_orbits() const { return *fast_; }
   const std::vector<Material>& materials() const { return materials_; }  ///< by surface
@@ -58,6 +59,14 @@ class Room {
   std::unique_ptr<OrbitTracer> orbits_;
   std::unique_ptr<FastOrbits> fast_;
 };
+
+/// What experiments look at that are means over orbits of starts drawn in a room.
+inline constexpr ExperimentUses kUsesOfOrbitMeans{.count = true,
+                                                  .bounces = true,
+                                                  .seed = true,
+                                                  .starts = true,
+                                                  .resume = true,
+                                                  .precision = true};
 
 /// Whether orbits stay within a scene: one chamber, and mirrors alone.
 Result<void> expect_closed(const ExperimentContext& context);
