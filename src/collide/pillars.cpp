@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "collide/broad_phase.h"
 #include "collide/outline_contact.h"
+#include "scene/outlines/lattice_cell.h"
 #include "scene/outlines/outline.h"
 
 namespace flatray {
@@ -103,6 +104,12 @@ Result<void> expect_pillars_apart(const Scene& scene) {
             chamber.where,
             fmt::format("{} and {} overlap", named(chamber.pillars[a]), named(chamber.pillars[b])),
             kMovePillar);
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      if (pillar.across && scene.shapes[pillar.shape].circles.front().radius >
+                               cell_depth(scene.shapes[chamber.shape]))
+        return fail(
+            chamber.where, named(pillar) + " reaches over more cells than those that are looked at",
+            "write lattice vectors closer to a right angle: those of the same lattice will do");
   }
   return {};
 }

@@ -41,15 +41,6 @@ double least_depth(const Shape& cell, const Vec2& place) {
   return least;
 }
 
-// How deep a cell is across the pair of edges that is closest together.
-double depth_of(const Shape& cell) {
-  const std::size_t count = cell.vertices.size();
-  double least = kInfinity;
-  for (std::size_t i = 0; i < count / 2; ++i)
-    least = std::min(least, depth_in(cell, i, cell.vertices[(i + count / 2) % count]));
-  return least;
-}
-
 // x + n (b - a) + m (d - c), nearly without error before it is rounded.
 double shifted(double x, int n, double a, double b, int m, double c, double d) {
   DoubleDouble sum{x, 0};
@@ -104,6 +95,14 @@ std::optional<CellFault> cell_fault(const Shape& shape) {
   return std::nullopt;
 }
 
+double cell_depth(const Shape& cell) {
+  const std::size_t half = cell.vertices.size() / 2;
+  double least = kInfinity;
+  for (std::size_t i = 0; i < half; ++i)
+    least = std::min(least, depth_in(cell, i, cell.vertices[(i + half) % (2 * half)]));
+  return least;
+}
+
 void add_copies_of_discs(Scene& scene, Chamber& chamber) {
   const Shape cell = scene.shapes[chamber.shape];
   // Copies that only touch the cell cost little; none that reaches in may be missing for rounding.
@@ -122,8 +121,7 @@ void add_copies_of_discs(Scene& scene, Chamber& chamber) {
     const bool in_shape = pillar.at.isZero(0);
     const Vec2 from = pillar.at, centre = from + local;
     const double depth = least_depth(cell, centre);
-    // One that reaches farther than the next cell but one is no pillar across walls, and refused.
-    if (!(depth < radius && depth > -radius && radius <= depth_of(cell))) continue;
+    if (!(depth < radius && depth > -radius)) continue;
     pillar.across = true;
     pillar.copy_of = static_cast<std::uint32_t>(i);
     chamber.pillars[i].across = true;

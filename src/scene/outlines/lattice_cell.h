@@ -14,8 +14,13 @@ struct CellFault {
 /// one point, exactly for the doubles: then each edge is that opposite, moved by exact numbers.
 std::optional<CellFault> cell_fault(const Shape& shape);
 
+/// How far apart the two opposite edges are that are closest together.
+/// Needs   a shape without a fault.
+double cell_depth(const Shape& cell);
+
 /// Adds to the pillars of a chamber with periodic walls the copies of its discs that stand across
-/// these, from every cell out of which one reaches into this.
+/// these, from every cell out of which one reaches into this: up to two away, which is all where the radius
+/// is at most the cell's depth.
 ///
 /// Needs   a shape without a fault. Discs that are off the middle of their shape and turned are not
 ///         looked at.
