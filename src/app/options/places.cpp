@@ -105,6 +105,11 @@ bool names_path(std::string_view metavar) {
 void check_root(const Verb& verb, Arguments& arguments) {
   const auto root = arguments.text("root");
   if (!root || has_own_root(verb.command.options())) return;
+  if (std::error_code error; !fs::is_directory(*root, error)) {
+    arguments.problems.push_back({arguments.where("root"), fmt::format("'{}' is no folder", *root),
+                                  "name the folder that all files lie in", Trouble::usage});
+    return;
+  }
   for (const Named& one : named_by(verb, arguments))
     if (!path_beneath(*root, one.path))
       arguments.problems.push_back(

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <set>
 
 #include "app/help/version.h"
 #include "base/counted.h"
@@ -30,9 +31,13 @@ int exit_code(const Diagnostics& problems) {
 }
 
 int report_failure(const Diagnostics& problems, const std::string& undone) {
-  const std::string closing = fmt::format("flatray: {}{}{}", counted(problems.size(), "error"),
+  // A file that two scenes name, or a scene given twice, has its mistakes told once.
+  std::set<std::string> told;
+  for (const Diagnostic& one : problems)
+    if (const auto [text, is_new] = told.insert(format({one})); is_new)
+      std::fputs(text->c_str(), stderr);
+  const std::string closing = fmt::format("flatray: {}{}{}", counted(told.size(), "error"),
                                           undone.empty() ? "" : ", ", undone);
-  std::fputs(format(problems).c_str(), stderr);
   report_note(closing);
   return exit_code(problems);
 }

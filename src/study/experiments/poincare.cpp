@@ -33,8 +33,11 @@ Image light_of(const BoundaryOrbits& found) {
   // point is seen.
   const double scale = std::min(1.0, 0.33 * kWidth * kHeight / std::max(points, 1.0));
   return image_of(kWidth, kHeight, [&](std::size_t i) {
-    const auto shown = [&](double light) { return 1 - portable::exp(-2 * scale * light); };
-    return Light{shown(sum[i].r), shown(sum[i].g), shown(sum[i].b)};
+    const double most = std::max({sum[i].r, sum[i].g, sum[i].b});
+    if (most == 0) return Light{};
+    // All of a pixel by one factor: the colour of an orbit stays its own, however often it comes by.
+    const double part = (1 - portable::exp(-2 * scale * most)) / most;
+    return Light{part * sum[i].r, part * sum[i].g, part * sum[i].b};
   });
 }
 
