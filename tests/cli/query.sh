@@ -59,6 +59,29 @@ for id in 1 2 3; do
   [[ $line == *"\"id\":$id,"* ]] || fail "to question $id: $line"
 done
 
+exec {COPROC[1]}>&-
+wait "$COPROC_PID"
+
+# An answer does not wait for those to questions after it, which take minutes.
+question 1 2 > slow.jsonl
+for ((i = 0; i < 100; ++i)); do
+  echo '{"op":"orbit","walls":[{"circle":{"center":[0,0],"radius":1}},{"circle":{"center":[0.1,0.2],"radius":0.3}}],"origin":[0.9,0.1],"direction":[0.3,1],"bounces":1000000}'
+done >> slow.jsonl
+coproc SLOW { exec "$flatray" query slow.jsonl 2> none.txt; }
+read -r -t 30 line <&"${SLOW[0]}" || fail 'an answer waits for slow questions after it'
+[[ $line == *'"id":1,'* ]] || fail "before slow questions: $line"
+kill "$SLOW_PID"
+wait "$SLOW_PID" 2> none.txt
+
+# Between periodic walls, proven as well where there is MPFR.
+echo '{"op":"orbit","walls":[{"circle":{"center":[0,0],"radius":0.5}}],"cell":[[-1,-1],[1,-1],[1,1],[-1,1]],"origin":[0.75,0],"direction":[1,0],"bounces":2}' > cell.jsonl
+run 0 query cell.jsonl
+says out '"cells":[[1,0],[0,0]],"lattice":[[2,0],[0,2]],"certain":2'
+if "$flatray" query --precision certified /dev/null 2> none.txt; then
+  run 0 query --precision certified cell.jsonl
+  says out '"points":[[-0.5,0],[0.5,0]],"end":"limit","out":null,"cells":[[1,0],[0,0]],"lattice":[[2,0],[0,2]],"certain":2'
+fi
+
 # 11 MB of questions in 30 MB of address space.
 if [[ -z $sanitizers ]]; then
   many() { local i; for ((i = 0; i < 20; ++i)); do cat many.jsonl; done; }

@@ -1,5 +1,6 @@
 #include "transport/orbit.h"
 
+#include "app/query/periodic_cell.h"
 #include "app/query/query.h"
 #include "geom/clip_range.h"
 #include "precise/certified_orbit.h"
@@ -12,47 +13,62 @@ constexpr std::uint64_t kMostBounces = 1'000'000;  // an answer is one line in m
 
 JsonValue as_json(const Vec2& point) { return Values{point.x(), point.y()}; }
 
+JsonValue as_json(const CellIndex& cell) {
+  JsonValue a, b;
+  a.data = cell.a;
+  b.data = cell.b;
+  return Values{a, b};
+}
+
 // Of either kind of orbit: what is the same.
-template <class Bounces>
-Fields path(const Bounces& bounces, const char* end, JsonValue out) {
-  Values numbers, points;
-  for (const auto& bounce : bounces) {
-    numbers.emplace_back(bounce.surface);
+template <class Path>
+Fields path(const QuestionRoom& room, const Path& orbit, const char* end) {
+  Values numbers, points, cells;
+  const PeriodicWalls periodic(room.walls, room.materials);
+  for (const auto& bounce : orbit.bounces) {
+    numbers.emplace_back(room.numbers[bounce.surface]);
     points.push_back(as_json(bounce.point));
+    if (periodic.any()) cells.push_back(as_json(bounce.cell));
   }
-  return {{"walls", std::move(numbers)},
-          {"points", std::move(points)},
-          {"end", end},
-          {"out", std::move(out)}};
-}
-
-void add_corner(Fields& fields, const Vec2& corner, const std::vector<std::uint32_t>& walls) {
-  fields.emplace_back("corner", as_json(corner));
-  fields.emplace_back("corner_walls", Values(walls.begin(), walls.end()));
-}
-
-Fields in_doubles(const Surfaces& walls, const Ray& ray, std::uint64_t bounces,
-                  const Tracer* tracer) {
-  const std::vector<Material> mirrors(walls.size(), Material::mirror);
-  const Orbit orbit = trace_orbit(walls, mirrors, ray, bounces, {CornerRule::stop, tracer});
   const bool escapes = orbit.end == OrbitEnd::escape;
-  Fields fields = path(orbit.bounces, name(orbit.end), escapes ? as_json(orbit.out) : JsonValue());
-  if (orbit.end == OrbitEnd::corner) add_corner(fields, orbit.end_point, orbit.end_surfaces);
-  const bool exact = tracer == nullptr || tracer->exact;
-  fields.emplace_back("certain", exact ? proven_bounces(walls, orbit).bounces : std::uint64_t{0});
+  Fields fields{{"walls", std::move(numbers)},
+                {"points", std::move(points)},
+                {"end", end},
+                {"out", escapes ? as_json(orbit.out) : JsonValue()}};
+  if (orbit.end == OrbitEnd::corner) {
+    Values corner_walls;
+    for (const std::uint32_t wall : orbit.end_surfaces)
+      corner_walls.emplace_back(room.numbers[wall]);
+    fields.emplace_back("corner", as_json(orbit.end_point));
+    fields.emplace_back("corner_walls", std::move(corner_walls));
+  }
+  if (!periodic.any()) return fields;
+  fields.emplace_back("cells", std::move(cells));
+  fields.emplace_back("lattice",
+                      Values{as_json(periodic.lattice()[0]), as_json(periodic.lattice()[1])});
   return fields;
 }
 
-Fields certified(const Surfaces& walls, const Ray& ray, std::uint64_t bounces, Question& question) {
-  const auto orbit = certified_orbit(walls, ray, bounces, {{}, question.precision().most_bits});
+Fields in_doubles(const QuestionRoom& room, const Ray& ray, std::uint64_t bounces,
+                  const Tracer* tracer) {
+  const Orbit orbit =
+      trace_orbit(room.walls, room.materials, ray, bounces, {CornerRule::stop, tracer});
+  Fields fields = path(room, orbit, name(orbit.end));
+  const bool exact = tracer == nullptr || tracer->exact;
+  fields.emplace_back("certain", exact ? proven_bounces(room.walls, orbit, room.materials).bounces
+                                       : std::uint64_t{0});
+  return fields;
+}
+
+Fields certified(const QuestionRoom& room, const Ray& ray, std::uint64_t bounces,
+                 Question& question) {
+  const auto orbit =
+      certified_orbit(room.walls, ray, bounces, {room.materials, question.precision().most_bits});
   if (!orbit) {
     question.mistake("precision", orbit.error().front().message);
     return {};
   }
-  const bool escapes = orbit->end == OrbitEnd::escape;
-  Fields fields = path(orbit->bounces, orbit->decided ? name(orbit->end) : "undecided",
-                       escapes ? as_json(orbit->out) : JsonValue());
-  if (orbit->end == OrbitEnd::corner) add_corner(fields, orbit->end_point, orbit->end_surfaces);
+  Fields fields = path(room, *orbit, orbit->decided ? name(orbit->end) : "undecided");
   fields.emplace_back("certain", std::uint64_t{orbit->bounces.size()});
   if (orbit->bits > 0) fields.emplace_back("bits", orbit->bits);
   if (orbit->rational) fields.emplace_back("rational", true);
@@ -61,15 +77,19 @@ Fields certified(const Surfaces& walls, const Ray& ray, std::uint64_t bounces, Q
 
 Fields answer(Question& question) {
   const Ray ray = question.ray();
-  const Surfaces walls = question.walls("walls");
+  Surfaces walls = question.walls("walls");
+  const QuestionRoom room = question.has("cell") ? periodic_room(question, std::move(walls))
+                                                 : plain_room(std::move(walls));
   const std::uint64_t bounces = question.whole("bounces");
   if (bounces > kMostBounces) question.mistake("bounces", "are a million at most");
   if (question.sound() && is_zero(ray.direction))
     question.mistake("direction", "is zero: an orbit needs somewhere to go");
+  if (question.sound() && !is_in_cell(room, ray.origin))
+    question.mistake("origin", "lies outside the cell");
   if (!question.sound()) return {};
   return question.precision().certified
-             ? certified(walls, ray, bounces, question)
-             : in_doubles(walls, ray, bounces, question.precision().tracer);
+             ? certified(room, ray, bounces, question)
+             : in_doubles(room, ray, bounces, question.precision().tracer);
 }
 
 }  // namespace

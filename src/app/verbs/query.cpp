@@ -1,7 +1,10 @@
 #include "app/query/query.h"
 
 #include <cstdio>
+#include <mutex>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "app/files/scene_input.h"
 #include "app/options/tracer_choice.h"
@@ -23,51 +26,55 @@ struct Options : Arguments {
   }
 };
 
-// Questions are answered in waves, whose answers are written before the next: long answers, of
-// orbits, make a wave short.
-constexpr std::size_t kLinesATask = 16, kTasksAThread = 8;
+// Questions are answered in waves, so that few answers wait for one before them: long ones, of orbits,
+// make a wave short.
+constexpr std::size_t kLinesAThread = 128;
 constexpr std::size_t kLongAnswers = std::size_t{1} << 22;
-
-// Answers to `lines`, in their order; whether all were questions.
-struct Answers {
-  std::vector<std::string> texts;
-  std::vector<char> sound;
-};
 
 bool is_blank(const StreamLine& line) {
   return !line.too_long && line.text.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-Answers answer(std::span<const StreamLine> lines, const Precision& precision, unsigned threads) {
-  const std::size_t tasks = (lines.size() + kLinesATask - 1) / kLinesATask;
-  Answers answers{std::vector<std::string>(tasks), std::vector<char>(tasks, 1)};
-  parallel_for(tasks, std::min<unsigned>(threads, static_cast<unsigned>(tasks)),
-               [&](std::size_t task) {
-                 const std::size_t last = std::min(lines.size(), (task + 1) * kLinesATask);
-                 for (std::size_t i = task * kLinesATask; i < last; ++i) {
-                   if (is_blank(lines[i])) continue;
-                   const Answer one = lines[i].too_long ? answer_to_long_line(LineStream::kLongest)
-                                                        : answer_line(lines[i].text, precision);
-                   answers.texts[task] += one.line;
-                   answers.texts[task] += '\n';
-                   if (!one.ok) answers.sound[task] = 0;
-                 }
-               });
-  return answers;
-}
+// Answers of a wave: each is written as soon as those to all questions before it are.
+class AnswersInOrder {
+ public:
+  explicit AnswersInOrder(std::size_t count) : answers_(count) {}
 
-std::size_t size_of(const Answers& answers) {
-  std::size_t size = 0;
-  for (const std::string& text : answers.texts) size += text.size();
-  return size;
-}
+  void put(std::size_t number, Answer answer) {
+    const std::lock_guard lock(mutex_);
+    sound_ = sound_ && answer.ok;
+    size_ += answer.line.size();
+    answers_[number] = std::move(answer.line);
+    if (number != written_) return;
+    for (; written_ < answers_.size() && answers_[written_]; ++written_) {
+      const std::string line = *std::exchange(answers_[written_], std::nullopt);
+      works_ = works_ && std::fwrite(line.data(), 1, line.size(), stdout) == line.size();
+    }
+    works_ = works_ && std::fflush(stdout) == 0;
+  }
 
-Result<void> write(const Answers& answers) {
-  bool written = true;
-  for (const std::string& text : answers.texts)
-    written = written && std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return {};
-  return fail(named_place("standard output"), "cannot write", "", Trouble::output);
+  // Once all are there.
+  bool sound() const { return sound_; }
+  std::size_t size() const { return size_; }
+  Result<void> written() const {
+    if (works_) return {};
+    return fail(named_place("standard output"), "cannot write", "", Trouble::output);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::optional<std::string>> answers_;
+  std::size_t written_ = 0, size_ = 0;
+  bool sound_ = true, works_ = true;
+};
+
+// Of a line, with its end; of a blank one nothing.
+Answer answer(const StreamLine& line, const Precision& precision) {
+  if (is_blank(line)) return {"", true};
+  Answer answer =
+      line.too_long ? answer_to_long_line(LineStream::kLongest) : answer_line(line.text, precision);
+  answer.line += '\n';
+  return answer;
 }
 
 Result<VerbOutput> run(const Options& options) {
@@ -76,17 +83,19 @@ Result<VerbOutput> run(const Options& options) {
   auto stream = LineStream::open(options.operands().empty() ? "-" : options.operands().front());
   if (!stream) return tl::unexpected(stream.error());
   bool sound = true;
-  std::size_t lines_at_once = kLinesATask * kTasksAThread;
+  std::size_t lines_a_thread = kLinesAThread;
   while (true) {
     const auto lines = stream->next();
     if (!lines) return tl::unexpected(lines.error());
     if (lines->empty()) return VerbOutput{.exit_code = sound ? 0 : 1};
     for (std::span<const StreamLine> rest = *lines; !rest.empty();) {
-      const std::size_t wave = std::min(rest.size(), std::size_t{options.threads} * lines_at_once);
-      const Answers answers = answer(rest.first(wave), options.precision, options.threads);
-      if (auto written = write(answers); !written) return tl::unexpected(written.error());
-      for (const char one : answers.sound) sound = sound && one != 0;
-      lines_at_once = size_of(answers) > kLongAnswers ? 1 : kLinesATask * kTasksAThread;
+      const std::size_t wave = std::min(rest.size(), options.threads * lines_a_thread);
+      AnswersInOrder answers(wave);
+      parallel_for(wave, options.threads,
+                   [&](std::size_t i) { answers.put(i, answer(rest[i], options.precision)); });
+      if (auto written = answers.written(); !written) return tl::unexpected(written.error());
+      sound = sound && answers.sound();
+      lines_a_thread = answers.size() > kLongAnswers ? 1 : kLinesAThread;
       rest = rest.subspan(wave);
     }
   }
