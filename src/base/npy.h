@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,10 @@ class NpyTable {
  private:
   std::string bytes_;
 };
+
+/// Counts in rows as a file of the same format: an array of two dimensions, <u8.
+/// Needs   as many counts as rows times columns.
+std::string npy_grid(std::span<const std::uint64_t> counts, std::uint64_t rows,
+                     std::uint64_t columns);
 
 }  // namespace flatray

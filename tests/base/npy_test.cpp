@@ -40,5 +40,14 @@ TEST(Npy, HoldsAHeadOfWholeLinesOfSixtyFourBytesAndTheBitsOfEachCell) {
   EXPECT_EQ(std::bit_cast<double>(word(3)), 0x1p-1074);
 }
 
+TEST(Npy, AGridHasItsRowsAndColumnsInTheHead) {
+  const std::uint64_t counts[] = {1, 2, 3, 4, 5, 6};
+  const std::string bytes = npy_grid(counts, 2, 3);
+  EXPECT_NE(bytes.find("{'descr': '<u8', 'fortran_order': False, 'shape': (2, 3), }"),
+            std::string::npos);
+  ASSERT_EQ(bytes.size() % 64, 48U);
+  EXPECT_EQ(bytes[bytes.size() - 8], 6);
+}
+
 }  // namespace
 }  // namespace flatray

@@ -7,6 +7,7 @@
 #include "study/rooms/followed.h"
 #include "study/rooms/starts.h"
 #include "study/statistics/blocks.h"
+#include "study/statistics/streaming_histogram.h"
 
 namespace flatray {
 namespace {
@@ -14,19 +15,26 @@ namespace {
 constexpr std::uint64_t kBounces =
     100;  // of one orbit: many orbits, so that their mean has an error
 constexpr double kPi = 0x1.921fb54442d18p+1;
+// How flights are spread: over so many mean ones, the longer ones together.
+constexpr double kMostOfMean = 16;
+constexpr std::size_t kBins = 256;
 
 // By orbit: the way flown and the flights it is made of.
 class Flights : public OrbitSink {
  public:
-  Flights(Starts starts, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces)
+  Flights(Starts starts, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces,
+          const StreamingHistogram& none)
       : starts_(starts),
         begin_(begin),
         bounces_(bounces),
         lengths_(end - begin),
         flights_(end - begin),
-        longest_(end - begin) {}
+        longest_(end - begin),
+        spread_(none) {}
   void bounce(std::size_t number, const Bounce& bounce) override {
-    longest_[number] = std::max(longest_[number], bounce.path_length - lengths_[number]);
+    const double flight = bounce.path_length - lengths_[number];
+    spread_.add(flight);
+    longest_[number] = std::max(longest_[number], flight);
     lengths_[number] = bounce.path_length;
     ++flights_[number];
   }
@@ -43,6 +51,7 @@ class Flights : public OrbitSink {
     tail.add(longest_, bounces_);
     tail.append_to(all);
     sums.append_to(all);
+    all.insert(all.end(), spread_.numbers().begin(), spread_.numbers().end());
     return all;
   }
 
@@ -52,35 +61,43 @@ class Flights : public OrbitSink {
   std::uint64_t bounces_;
   std::vector<double> lengths_, flights_, longest_;
   double escaped_ = 0, corners_ = 0;
+  StreamingHistogram spread_;
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  if (const double area = room.solids().free_area(); !(area > 0 && std::isfinite(area)))
+  const double area = room.solids().free_area();
+  if (!(area > 0 && std::isfinite(area)))
     return fail(context.scene.chambers.front().where,
                 fmt::format("the chamber encloses an area of {:.6g}", area),
                 "give it an outline that is closed, larger than its pillars");
   const auto plan = plan_orbits(context, kBounces);
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);
-  auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Flights flights(context.starts, blocks.begin(block), blocks.end(block), plan->bounces);
-    follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, flights);
-    return flights.numbers();
-  });
-  if (!found) return fail(std::move(found));
+  const double expected = kPi * area / room.perimeter();
+  const StreamingHistogram none(0, kMostOfMean * expected, kBins);
+  StreamingHistogram spread = none;
   StartSums all(context.starts);
   FlightTail tail;
   double escaped = 0, corners = 0;
-  for (const Numbers& block : *found) {
-    escaped += block[0];
-    corners += block[1];
-    tail += FlightTail::from(std::span(block).subspan(2));
-    all += StartSums::from(context.starts, std::span(block).subspan(2 + FlightTail::kNumbers));
-  }
+  auto ran = fold_blocks(
+      context, blocks.count(),
+      [&](std::size_t block) {
+        Flights flights(context.starts, blocks.begin(block), blocks.end(block), plan->bounces,
+                        none);
+        follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, flights);
+        return flights.numbers();
+      },
+      [&](std::span<const double> block) {
+        escaped += block[0];
+        corners += block[1];
+        tail += FlightTail::from(block = block.subspan(2));
+        all += StartSums::from(context.starts, block = block.subspan(FlightTail::kNumbers));
+        spread.add_counts(block.subspan(StartSums::size(context.starts)));
+      });
+  if (!ran) return fail(std::move(ran));
   const RatioSums sums = all.all();
-  const double area = room.solids().free_area(), expected = kPi * area / room.perimeter();
   Measure path = sums.measure("mean_free_path", expected);
   path.remark = no_error_of_flights(room, tail);
   if (!path.remark.empty()) path.standard_error.reset();
@@ -90,12 +107,14 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   for (Measure& one :
        audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
     measures.push_back(std::move(one));
-  return measured(
+  ExperimentResult result = measured(
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
                   "{:.6g}, P = {:.6g}",
                   sums.y, plan->orbits, area, room.perimeter()),
       std::move(measures));
+  spread.add_files(result, "mean_free_path_flights");
+  return result;
 }
 
 }  // namespace

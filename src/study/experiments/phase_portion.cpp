@@ -15,23 +15,32 @@ constexpr std::uint64_t kRandomOrbits = 8;
 constexpr int kCells = 100;  // along the walls, and of the sine
 
 // Shares of the cells an orbit has come to, after 1, 2, 4, ... bounces and all of them.
-std::vector<Plot::Point> portions(const std::vector<BoundaryPoint>& points) {
-  std::vector<bool> seen(kCells * kCells);
-  std::vector<Plot::Point> curve;
-  double count = 0, next = 1;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const int x = std::clamp(static_cast<int>(points[i].along * kCells), 0, kCells - 1);
-    const int y = std::clamp(static_cast<int>((1 + points[i].sine) * 0.5 * kCells), 0, kCells - 1);
+class Portions : public BoundaryWatch {
+ public:
+  void see(const BoundaryPoint& point) override {
+    const int x = std::clamp(static_cast<int>(point.along * kCells), 0, kCells - 1);
+    const int y = std::clamp(static_cast<int>((1 + point.sine) * 0.5 * kCells), 0, kCells - 1);
     const auto cell = static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
-    if (!seen[cell]) ++count;
-    seen[cell] = true;
-    const auto bounces = static_cast<double>(i + 1);
-    if (bounces < next && i + 1 < points.size()) continue;
-    curve.push_back({bounces, count / (kCells * kCells)});
-    next = std::ceil(next * 1.25);
+    if (!seen_[cell]) ++count_;
+    seen_[cell] = true;
+    if (++bounces_ < next_) return;
+    add_to(curve_);
+    next_ = std::ceil(next_ * 1.25);
   }
-  return curve;
-}
+  Numbers numbers() const override {
+    Numbers all = curve_;
+    if (bounces_ > 0 && all[all.size() - 2] != bounces_) add_to(all);
+    return all;
+  }
+
+ private:
+  void add_to(Numbers& curve) const {
+    curve.insert(curve.end(), {bounces_, count_ / (kCells * kCells)});
+  }
+  std::vector<bool> seen_ = std::vector<bool>(kCells * kCells);
+  Numbers curve_;
+  double count_ = 0, next_ = 1, bounces_ = 0;
+};
 
 // What bounces come to that are independent and uniform.
 double filled(double bounces) { return 1 - portable::exp(-bounces / (kCells * kCells)); }
@@ -39,15 +48,20 @@ double filled(double bounces) { return 1 - portable::exp(-bounces / (kCells * kC
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const auto found = boundary_orbits(context, room, kRandomOrbits);
-  if (!found) return tl::unexpected(found.error());
+  const auto orbits = boundary_orbits(context, room, kRandomOrbits);
+  if (!orbits) return tl::unexpected(orbits.error());
   Plot plot{"Part of phase space an orbit comes to", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
-  for (std::size_t i = 0; i < found->points.size(); ++i) {
-    plot.series.push_back({found->orbits.names[i], portions(found->points[i])});
-    const auto& curve = plot.series.back().points;
-    measures.push_back({found->orbits.names[i], curve.empty() ? 0 : curve.back().y});
-  }
+  const auto audit = watch_bounces(
+      context, room, *orbits, [] { return std::make_unique<Portions>(); },
+      [&](std::size_t orbit, std::span<const double> curve) {
+        Plot::Series& series =
+            plot.series.emplace_back(Plot::Series{orbits->orbits.names[orbit], {}});
+        for (std::size_t i = 0; i < curve.size(); i += 2)
+          series.points.push_back({curve[i], curve[i + 1]});
+        measures.push_back({series.name, curve.empty() ? 0 : curve.back()});
+      });
+  if (!audit) return tl::unexpected(audit.error());
   if (!plot.series.empty()) {
     Plot::Series even{"if it came everywhere alike", {}};
     for (const Plot::Point& point : plot.series.front().points)
@@ -55,7 +69,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     if (!even.points.empty()) measures.push_back({"if_everywhere_alike", even.points.back().y});
     plot.series.push_back(std::move(even));
   }
-  measures.insert(measures.end(), found->audit.begin(), found->audit.end());
+  measures.insert(measures.end(), audit->begin(), audit->end());
   ExperimentResult result =
       measured(context, "phase_portion",
                fmt::format("Part of {} x {} cells of walls and sines that each orbit comes to",

@@ -237,9 +237,30 @@ bool is_settled(const Transport& all) {
   return std::fabs(change.ratio()) <= kAllowedErrors * change.standard_error();
 }
 
-std::vector<Measure> measures_of(const Transport& all, bool bounded) {
+// How the mean square displacement grows.
+enum class Growth {
+  linear,       // 4 D t
+  logarithmic,  // t log t: flights of any length between curved walls
+  unknown  // flights of any length between straight walls, which part neighbours no faster than a power
+};
+
+// Of the mean square displacement from a half of the lags on, as if it grew like t^power.
+Measure power_of_displacement(const Transport& all) {
+  const std::size_t last = all.times.lags - 1, half = last / 2;
+  const auto log_at = [&](std::size_t lag) { return portable::log(all.lags.point(0, lag, 0).y); };
+  Measure power{"power_of_displacement",
+                (log_at(last) - log_at(half)) /
+                    (portable::log(all.times.lag(last)) - portable::log(all.times.lag(half)))};
+  power.remark = fmt::format(
+      "no error: walls are straight, and no law is known to fit; from t = "
+      "{:.4g} to {:.4g}",
+      all.times.lag(half), all.times.lag(last));
+  return power;
+}
+
+std::vector<Measure> measures_of(const Transport& all, Growth growth) {
   std::vector<Measure> measures;
-  if (bounded) {
+  if (growth == Growth::linear) {
     const char* why =
         is_settled(all) ? "" : "no error: velocities are still correlated; say more --bounces";
     const std::pair<Asked, const char*> names[] = {{einstein, "diffusion_einstein"},
@@ -256,6 +277,8 @@ std::vector<Measure> measures_of(const Transport& all, bool bounded) {
                                      all.times.lag(all.times.lags - 1));
       if (*why != 0) one.standard_error.reset();
     }
+  } else if (growth == Growth::unknown) {
+    measures.push_back(power_of_displacement(all));
   } else {
     Measure& slope = measures.emplace_back(all.asked[logarithm].measure("diffusion_per_log_time"));
     slope.standard_error.reset();
@@ -269,6 +292,12 @@ std::vector<Measure> measures_of(const Transport& all, bool bounded) {
   measures.push_back({"orbits_left_out", all.left_out});
   measures.back().remark = "too short, as they met a corner or had short flights";
   return measures;
+}
+
+std::string words(Growth growth, const std::string& unbounded) {
+  if (growth == Growth::linear) return "the mean square displacement grows like 4 D t";
+  const std::string none = "there is no D (" + unbounded + ")";
+  return growth == Growth::logarithmic ? "it grows like t log t, " + none : none;
 }
 
 Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
@@ -294,8 +323,8 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
     table.add(std::move(row));
   }
   result.files.push_back(csv_file("transport_lags", table));
-  result.files.push_back(csv_file("transport_flights", all.distributions.flights.table()));
-  result.files.push_back(csv_file("transport_sines", all.distributions.sines.table()));
+  all.distributions.flights.add_files(result, "transport_flights");
+  all.distributions.sines.add_files(result, "transport_sines");
   add_plot(result, "transport_displacement",
            curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>"), context.threads);
   add_plot(result, "transport_velocity", curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>"),
@@ -326,16 +355,18 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const double mean_flight = kPi * area / room.perimeter();
   Transport all{times_of(mean_flight, plan->bounces), mean_flight};
   const Blocks blocks = Blocks::of(plan->orbits);
-  auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    std::vector<OrbitStart> starts;
-    for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
-      starts.push_back(room.draw_free_start(context.seed, i));
-    Walks walks(room, all.times, mean_flight, starts, plan->bounces);
-    room.orbits().follow(starts, plan->bounces, walks);
-    return walks.numbers();
-  });
-  if (!found) return fail(std::move(found));
-  for (const Numbers& block : *found) all.add(block);
+  auto ran = fold_blocks(
+      context, blocks.count(),
+      [&](std::size_t block) {
+        std::vector<OrbitStart> starts;
+        for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
+          starts.push_back(room.draw_free_start(context.seed, i));
+        Walks walks(room, all.times, mean_flight, starts, plan->bounces);
+        room.orbits().follow(starts, plan->bounces, walks);
+        return walks.numbers();
+      },
+      [&](const Numbers& block) { all.add(block); });
+  if (!ran) return fail(std::move(ran));
   if (all.left_out > kMostLeftOut * static_cast<double>(plan->orbits))
     return fail(where,
                 fmt::format("{:.0f} of {} orbits are too short, as they met a corner or had short "
@@ -343,13 +374,15 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                             all.left_out, plan->orbits),
                 "look at some of them with flatray orbit");
   const std::string unbounded = no_error_of_flights(room, all.tail);
-  ExperimentResult result = measured(
-      context, "transport",
-      fmt::format("{} of {} orbits over t = {:.4g} at speed 1, mean flight {:.6g}: {}", "Diffusion",
-                  plan->orbits, all.times.lag(all.times.samples - 1), mean_flight,
-                  unbounded.empty() ? "the mean square displacement grows like 4 D t"
-                                    : "it grows like t log t, there is no D (" + unbounded + ")"),
-      measures_of(all, unbounded.empty()));
+  const Growth growth = unbounded.empty()                    ? Growth::linear
+                        : room.walls().curve_numbers.empty() ? Growth::unknown
+                                                             : Growth::logarithmic;
+  ExperimentResult result =
+      measured(context, "transport",
+               fmt::format("{} of {} orbits over t = {:.4g} at speed 1, mean flight {:.6g}: {}",
+                           "Diffusion", plan->orbits, all.times.lag(all.times.samples - 1),
+                           mean_flight, words(growth, unbounded)),
+               measures_of(all, growth));
   add_files(result, all, context);
   return result;
 }

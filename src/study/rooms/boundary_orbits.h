@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+#include <memory>
+
 #include "study/rooms/scene_orbits.h"
 
 namespace flatray {
@@ -9,14 +12,27 @@ struct BoundaryPoint {
   double along, sine;
 };
 
-struct BoundaryOrbits {
-  NamedOrbits orbits;
-  std::vector<std::vector<BoundaryPoint>> points;  ///< by orbit
-  std::vector<Measure> audit;                      ///< of fast ones
+/// Looks at the bounces of one orbit as they come, and keeps what it is asked to find.
+class BoundaryWatch {
+ public:
+  virtual ~BoundaryWatch() = default;
+  virtual void see(const BoundaryPoint& point) = 0;
+  virtual Numbers numbers() const = 0;
 };
 
-/// Orbits of the scene's rays, or `random_orbits`, that share the bounces of the context's count.
+/// Orbits of the scene's rays, or drawn ones, that share the bounces of the context's count.
+struct BoundaryOrbits {
+  NamedOrbits orbits;
+  std::uint64_t bounces;  ///< of each, unless it ends
+};
 Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const Room& room,
                                        std::uint64_t random_orbits);
+
+/// Follows them, each with a watch of its own, in blocks (study/statistics/blocks.h).
+/// Gives   the audit of fast orbits; what each watch found to `take`, in the order of the orbits.
+Result<std::vector<Measure>> watch_bounces(
+    const ExperimentContext& context, const Room& room, const BoundaryOrbits& orbits,
+    const std::function<std::unique_ptr<BoundaryWatch>()>& make_watch,
+    const std::function<void(std::size_t orbit, std::span<const double> found)>& take);
 
 }  // namespace flatray

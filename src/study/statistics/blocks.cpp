@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <atomic>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "base/counted.h"
 #include "base/parallel.h"
@@ -18,25 +20,61 @@ class NoMonitor : public RunMonitor {
   bool stopped() override { return false; }
 };
 
-}  // namespace
+// Results as they come, handed on in order.
+class InOrder {
+ public:
+  explicit InOrder(const std::function<void(Numbers&&)>& take) : take_(take) {}
 
-Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
-                                        const std::function<Numbers(std::size_t)>& task) {
+  void put(std::size_t block, Numbers&& result) {
+    const std::lock_guard lock(mutex_);
+    early_.emplace(block, std::move(result));
+    ++there_;
+    for (; !early_.empty() && early_.begin()->first == next_; ++next_)
+      take_(std::move(early_.extract(early_.begin()).mapped()));
+  }
+  std::size_t there() const { return there_; }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::size_t, Numbers> early_;  // whose turn has not come
+  std::size_t next_ = 0, there_ = 0;
+  const std::function<void(Numbers&&)>& take_;
+};
+
+Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
+                          const std::function<Numbers(std::size_t)>& task,
+                          const std::function<void(Numbers&&)>& take) {
   NoMonitor silent;
   RunMonitor& monitor = context.monitor != nullptr ? *context.monitor : silent;
-  std::vector<Numbers> results(count);
-  std::atomic<std::size_t> finished{0};
+  InOrder results(take);
   monitor.begin(count);
   parallel_for(count, context.threads, [&](std::size_t block) {
     auto known = monitor.kept(block);
     if (!known && monitor.stopped()) return;
-    results[block] = known ? std::move(*known) : task(block);
-    monitor.done(block, results[block]);
-    ++finished;
+    Numbers result = known ? std::move(*known) : task(block);
+    monitor.done(block, result);
+    results.put(block, std::move(result));
   });
-  if (finished == count) return results;
+  if (results.there() == count) return {};
   return fail(named_place(context.scene.name),
-              fmt::format("stopped after {} of {}", finished.load(), counted(count, "block")));
+              fmt::format("stopped after {} of {}", results.there(), counted(count, "block")));
+}
+
+}  // namespace
+
+Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
+                                        const std::function<Numbers(std::size_t)>& task) {
+  std::vector<Numbers> results;
+  auto ran = run_in_order(context, count, task,
+                          [&](Numbers&& result) { results.push_back(std::move(result)); });
+  if (!ran) return fail(std::move(ran));
+  return results;
+}
+
+Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
+                         const std::function<Numbers(std::size_t)>& task,
+                         const std::function<void(const Numbers&)>& take) {
+  return run_in_order(context, count, task, take);
 }
 
 }  // namespace flatray

@@ -14,6 +14,14 @@ namespace flatray {
 Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
                                         const std::function<Numbers(std::size_t)>& task);
 
+/// The same, each result given to `take` in the order of the blocks as soon as those before are, and
+/// not kept: memory does not grow with the number of blocks.
+///
+/// Needs   `take` to be called by one thread at a time, whichever.
+Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
+                         const std::function<Numbers(std::size_t)>& task,
+                         const std::function<void(const Numbers&)>& take);
+
 /// `items` cut into blocks of one size, the last one smaller.
 struct Blocks {
   std::uint64_t items, size;

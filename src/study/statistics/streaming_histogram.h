@@ -19,6 +19,8 @@ class StreamingHistogram {
 
   /// A row for each bin: its ends, how many, their density; the last up to infinity without one.
   Table table() const;
+  /// NAME.csv of these rows, and NAME.npy (base/npy.h).
+  void add_files(ExperimentResult& result, const std::string& name) const;
   /// Pearson's sum of (counted - even)^2 / even over the bins, if numbers were equally likely in all.
   double chi_squared_of_even() const;
 
@@ -28,6 +30,9 @@ class StreamingHistogram {
   void add_counts(std::span<const double> numbers);
 
  private:
+  double from(std::size_t bin) const { return low_ + width_ * static_cast<double>(bin); }
+  double density(std::size_t bin, double all) const;
+
   double low_, width_;
   Numbers counts_;  // one more than there are bins
 };

@@ -92,6 +92,19 @@ TEST(Transport, OfAnInfiniteHorizonGrowsByTheLogarithmOfTime) {
   EXPECT_LT(slope.value, 1.8 * limit);
 }
 
+// A wind-tree: between straight walls t log t is not claimed.
+TEST(Transport, BetweenStraightWallsClaimsNoLaw) {
+  const Scene scene = periodic("box = { min = [0, 0], max = [2, 2] }",
+                               "{ shape = { box = { min = [0.5, 0.5], max = [1.5, 1.25] } } }");
+  const ExperimentResult result =
+      run("transport", {.scene = scene, .count = 200'000, .bounces = 128});
+  const Measure power = measure(result, "power_of_displacement");
+  EXPECT_FALSE(power.standard_error);
+  EXPECT_GT(power.value, 0.8);
+  EXPECT_LE(power.value, 2);
+  EXPECT_EQ(result.summary.find("log"), std::string::npos) << result.summary;
+}
+
 TEST(Transport, IsRefusedWhereNothingSpreads) {
   const auto result = experiment("transport").run({.scene = sinai("0.25")});
   ASSERT_FALSE(result);
