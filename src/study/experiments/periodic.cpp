@@ -21,13 +21,13 @@ constexpr Verdict kVerdicts[] = {Verdict::proven, Verdict::family, Verdict::prun
                                  Verdict::undecided, Verdict::not_found};
 
 JsonValue low_of(const std::optional<Near>& number) {
-  return number ? JsonValue(number->low()) : "";
+  return number ? JsonValue(number->low()) : JsonValue();
 }
 JsonValue high_of(const std::optional<Near>& number) {
-  return number ? JsonValue(number->high()) : "";
+  return number ? JsonValue(number->high()) : JsonValue();
 }
 JsonValue middle_of(const std::optional<Near>& number) {
-  return number ? JsonValue(number->value()) : "";
+  return number ? JsonValue(number->value()) : JsonValue();
 }
 
 // How neighbours go, where that is proven.
@@ -249,7 +249,26 @@ class PeriodicOrbits {
   std::string expansion_words_;
 };
 
+// Words are of mirrors: what else rays meet would only stand in their way.
+Result<void> expect_mirrors(const Scene& scene) {
+  const auto no_mirror = [](const Place& where, const std::string& name) {
+    return fail(where, fmt::format("{} absorbs or is glass, and words are of mirrors", name),
+                "leave it out, or say material = \"mirror\"");
+  };
+  for (const Chamber& chamber : scene.chambers)
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      if (pillar.material != Material::mirror)
+        return no_mirror(pillar.where, pillar.name.empty()
+                                           ? "a pillar"
+                                           : fmt::format("pillar '{}'", pillar.name));
+  for (const Entity& entity : scene.entities)
+    if (entity.material && *entity.material != Material::mirror)
+      return no_mirror(entity.where, fmt::format("entity '{}'", entity.name));
+  return {};
+}
+
 Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto mirrors = expect_mirrors(context.scene); !mirrors) return fail(std::move(mirrors));
   if (auto plain = expect_not_periodic(context); !plain) return fail(std::move(plain));
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));

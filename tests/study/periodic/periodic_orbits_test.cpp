@@ -229,6 +229,23 @@ TEST(Periodic, RefusesWhatItCannotProve) {
   EXPECT_FALSE(experiment("periodic").run({other}).has_value());
 }
 
+TEST(Periodic, RefusesWhatIsNoMirrorByItsPlace) {
+  const Scene pillar =
+      room("box = { min = [0, 0], max = [1, 1] }",
+           "{ name = \"pit\", material = \"absorb\", shape = { circle = { centre = "
+           "[0.5, 0.5], radius = 0.2 } } }");
+  const Scene entity = scene_of(
+      "[[entity]]\nname = \"lens\"\nmaterial = { glass = { index = 1.5 } }\n"
+      "shape = { circle = { centre = [0, 0], radius = 1 } }\n");
+  for (const auto& [scene, what] :
+       {std::pair(&pillar, "pillar 'pit'"), {&entity, "entity 'lens'"}}) {
+    const auto refused = experiment("periodic").run({*scene});
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_NE(refused.error().front().message.find(what), std::string::npos);
+    EXPECT_NE(format(refused.error()).find("room.toml:"), std::string::npos);
+  }
+}
+
 // The same bytes whatever the number of threads.
 TEST(Periodic, DoesNotDependOnThreads) {
   const Scene scene = stadium();
