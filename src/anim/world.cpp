@@ -16,8 +16,9 @@ void add_segment(World& world, const Vec2& a, const Vec2& b, const SurfaceOwner&
 }
 
 // Between the points at which it is drawn to begin and end, so that what is joined to it has no gap.
-PathEdge arc_in_world(const EllipseArc& arc, const Pose& place) {
-  const Vec2 from = place(arc.start()), to = place(arc.end());
+PathEdge arc_in_world(const PathWall& wall, const Pose& place) {
+  const EllipseArc& arc = *wall.arc;
+  const Vec2 from = place(wall.from), to = place(wall.to);
   const Ellipse curve = curve_of(arc, place);
   const bool whole = arc.is_whole();
   const bool is_flat = cross_sign(curve.u, curve.v) == Sign::zero;
@@ -34,13 +35,35 @@ PathEdge arc_in_world(const EllipseArc& arc, const Pose& place) {
           forward};
 }
 
+PathEdge in_world(const PathWall& wall, const Pose& place) {
+  return wall.arc ? arc_in_world(wall, place)
+                  : PathEdge{place(wall.from), place(wall.to), std::nullopt};
+}
+
+void add_edge(World& world, const PathEdge& edge, const SurfaceOwner& owner) {
+  if (edge.arc)
+    world.add(*edge.arc, owner);
+  else
+    add_segment(world, edge.from, edge.to, owner);
+}
+
 void add_path(World& world, const ArcPath& path, const Pose& place, SurfaceOwner owner) {
   for (const PathEdge& edge : path_in_world(path, place).edges) {
     owner.edge = edge.number;
-    if (edge.arc)
-      world.add(*edge.arc, owner);
-    else
-      add_segment(world, edge.from, edge.to, owner);
+    add_edge(world, edge, owner);
+  }
+}
+
+// The walls of a chamber, cut where it has holes.
+void add_walls(World& world, const Scene& scene, std::uint32_t chamber, const Pose& place) {
+  const Chamber& room = scene.chambers[chamber];
+  SurfaceOwner owner{SurfaceOwner::Kind::chamber, chamber, 0, kNoEdge, room.material};
+  if (room.parts.empty()) return add_shape(world, scene.shapes[room.shape], place, owner);
+  for (const WallPart& part : room.parts) {
+    owner.edge = part.edge;
+    owner.hole = part.hole;
+    owner.material = part.hole == kNoEntry ? room.material : Material::hole;
+    add_edge(world, in_world(part.wall, place), owner);
   }
 }
 
@@ -78,22 +101,10 @@ Ellipse curve_of(const EllipseArc& arc, const Pose& place) {
 }
 
 CurvedPath path_in_world(const ArcPath& path, const Pose& place) {
-  const auto is_point = [](const EllipseArc& arc) { return arc.u == arc.v && arc.u == Vec2(0, 0); };
-  const std::size_t count = path.arcs.size();
   CurvedPath there{{}, path.closed};
-  const auto add = [&](PathEdge edge) {
-    edge.number = static_cast<int>(there.edges.size());
-    there.edges.push_back(edge);
-  };
-  const auto add_line = [&](const Vec2& from, const Vec2& to) {
-    if (from != to) add({place(from), place(to), std::nullopt});
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!is_point(path.arcs[i])) add(arc_in_world(path.arcs[i], place));
-    if (i + 1 < count)
-      add_line(path.arcs[i].end(), path.arcs[i + 1].start());
-    else if (path.closed && !path.is_ellipse())
-      add_line(path.arcs[i].end(), path.arcs[0].start());
+  for (const PathWall& wall : walls_of(path)) {
+    there.edges.push_back(in_world(wall, place));
+    there.edges.back().number = static_cast<int>(there.edges.size()) - 1;
   }
   return there;
 }
@@ -156,8 +167,7 @@ World build_world(const Scene& scene, const FrameState& state, WorldOf of) {
   }
   for (std::uint32_t i = 0; i < scene.chambers.size(); ++i) {
     const Chamber& chamber = scene.chambers[i];
-    add_shape(world, scene.shapes[chamber.shape], world_pose(state),
-              {Kind::chamber, i, 0, kNoEdge, chamber.material});
+    add_walls(world, scene, i, world_pose(state));
     for (std::uint32_t j = 0; j < chamber.pillars.size(); ++j)
       add_shape(world, scene.shapes[chamber.pillars[j].shape],
                 pillar_pose(state, chamber.pillars[j]),

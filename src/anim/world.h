@@ -14,7 +14,8 @@ struct SurfaceOwner {
   /// Of the shape as given; the number of a lone segment; of arcs and the lines that join them, in
   /// turn; kNoEdge for a circle.
   std::int32_t edge;
-  Material material;  ///< of an entity without one: absorbs
+  Material material;              ///< of an entity without one: absorbs
+  std::uint32_t hole = kNoEntry;  ///< of the chamber: what of the edge is this hole
 };
 
 /// The walls of one frame in world coordinates, each with its owner.

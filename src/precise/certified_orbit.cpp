@@ -110,8 +110,10 @@ class Follower {
     if (next.kind == Prospect::Kind::escape)
       return finish(OrbitEnd::escape, rounded_out(flight_.direction(), flight_.size()), orbit_.out);
     if (flight_.crosses(next)) return cross(next);
-    if (absorbs(next)) return stop(OrbitEnd::absorbed, next);
-    if (next.kind == Prospect::Kind::corner) return stop(OrbitEnd::corner, next);
+    if (!rules_.materials.empty())
+      if (auto takers = taken_by(rules_.materials, next.walls); !takers.empty())
+        return stop(OrbitEnd::absorbed, std::move(takers));
+    if (next.kind == Prospect::Kind::corner) return stop(OrbitEnd::corner, next.walls);
     return bounce(next.walls.front());
   }
 
@@ -140,13 +142,6 @@ class Follower {
     flown_ = flown_ + dot(to - from, way) / flight_.size();
   }
 
-  bool absorbs(const Prospect& next) const {
-    return !rules_.materials.empty() &&
-           std::all_of(next.walls.begin(), next.walls.end(), [&](std::uint32_t wall) {
-             return rules_.materials[wall] == Material::absorb;
-           });
-  }
-
   bool cross(const Prospect& next) {
     const Pair<Number> start = flight_.point();
     const CellIndex before = flight_.cell();
@@ -168,10 +163,10 @@ class Follower {
     return true;
   }
 
-  bool stop(OrbitEnd end, const Prospect& next) {
-    const auto point = flight_.corner_at(next.walls.front());
+  bool stop(OrbitEnd end, std::vector<std::uint32_t> walls) {
+    const auto point = flight_.corner_at(walls.front());
     if (!point || !finish(end, rounded(*point), orbit_.end_point)) return false;
-    orbit_.end_surfaces = next.walls;
+    orbit_.end_surfaces = std::move(walls);
     return true;
   }
 

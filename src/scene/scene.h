@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/source_text.h"
-#include "geom/ellipse.h"
 #include "geom/primitives/bezier.h"
 #include "scene/paint.h"
+#include "scene/wall_parts.h"
 
 namespace flatray {
 
@@ -108,13 +108,6 @@ struct MarkovUse {
   std::optional<StateId> hit;  ///< state it is in from the first frame after it met another
   std::vector<std::vector<Look>>
       looks;  ///< by StateId: its sub-states in order, one a frame; may be empty
-};
-
-/// What a ray does on arrival.
-enum class Material {
-  absorb,
-  mirror,
-  periodic  ///< of a chamber that is an upright box: who leaves by one wall enters by that opposite
 };
 
 /// A way of straight edges, every one longer than 0. A closed one ends where it begins.
@@ -220,6 +213,9 @@ struct Chamber {
     std::optional<std::uint32_t> copy_of;
   };
   std::vector<Pillar> pillars;
+  std::vector<WallHole> holes;
+  std::vector<WallPart> parts;  ///< of all walls, in turn, where there are holes
+  Shape kept;                   ///< lines along what the holes leave
   Place where;
   std::uint64_t order = 0;
 };

@@ -26,7 +26,10 @@ constexpr double kSmall = 0x1p-1018;
 class Flight {
  public:
   Flight(const MovingWalls& walls, const Ray& start, double from, const MovingLimits& limits)
-      : walls_(walls), limits_(limits), mover_{start.origin, start.direction, {from, 0}} {
+      : walls_(walls),
+        materials_(walls.world.materials()),
+        limits_(limits),
+        mover_{start.origin, start.direction, {from, 0}} {
     done_.orbit.start = start.origin;
     done_.orbit.direction = start.direction;
     done_.velocity = start.direction;
@@ -44,7 +47,6 @@ class Flight {
   const Leg& leg_now(std::uint32_t surface) const {
     return leg_at(walls_.legs(surface), mover_.since);
   }
-  Material material(std::uint32_t surface) const { return walls_.world.owner(surface).material; }
   const Surfaces& surfaces() const { return walls_.world.surfaces; }
 
   // Whether it can set off.
@@ -100,7 +102,7 @@ class Flight {
     met.reserve(hits.size());
     for (const MovingHit& one : hits) met.push_back(one.surface);
     if (hits.size() > 1 || hit.at_end) return arrives(hit, there, std::move(met));
-    if (material(hit.surface) != Material::mirror) return arrives(hit, there, std::move(met));
+    if (materials_[hit.surface] != Material::mirror) return arrives(hit, there, std::move(met));
     const std::vector<NearWall> near = near_walls(hit, there);
     const auto stands = nearest_double(there.at, [&](const Vec2& at) {
       return may_stand({at, there.velocity, there.since}, hit, near);
@@ -256,9 +258,9 @@ class Flight {
   // At what does not reflect it.
   bool arrives(const MovingHit& hit, const Mover& there, std::vector<std::uint32_t> met) {
     goes_to(hit.time, there);
-    const bool absorbed = std::all_of(
-        met.begin(), met.end(), [&](std::uint32_t i) { return material(i) == Material::absorb; });
-    return stop(absorbed ? OrbitEnd::absorbed : OrbitEnd::corner, std::move(met));
+    std::vector<std::uint32_t> takers = taken_by(materials_, met);
+    return takers.empty() ? stop(OrbitEnd::corner, std::move(met))
+                          : stop(OrbitEnd::absorbed, std::move(takers));
   }
 
   bool reaches_end() {
@@ -279,6 +281,7 @@ class Flight {
   }
 
   const MovingWalls& walls_;
+  const std::vector<Material> materials_;
   const MovingLimits limits_;
   Mover mover_;
   StoodOn left_;

@@ -1,5 +1,6 @@
 #include "transport/orbit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/check.h"
@@ -54,6 +55,17 @@ const char* name(OrbitEnd end) {
       return "along";
   }
   unreachable();
+}
+
+std::vector<std::uint32_t> taken_by(std::span<const Material> materials,
+                                    std::span<const std::uint32_t> walls) {
+  const auto is = [&](Material material) {
+    return [&materials, material](std::uint32_t wall) { return materials[wall] == material; };
+  };
+  const auto hole = std::find_if(walls.begin(), walls.end(), is(Material::hole));
+  if (hole != walls.end()) return {*hole};
+  if (!std::all_of(walls.begin(), walls.end(), is(Material::absorb))) return {};
+  return {walls.begin(), walls.end()};
 }
 
 double Bounce::incidence() const {

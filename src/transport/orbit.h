@@ -13,7 +13,7 @@ namespace flatray {
 enum class OrbitEnd {
   limit,     ///< all bounces asked for were made
   escape,    ///< nothing lies ahead; between periodic walls, not in 2^18 crossings
-  absorbed,  ///< arrived at a surface that absorbs
+  absorbed,  ///< arrived at a surface that absorbs, or at a hole
   corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
   along      ///< starts on a straight wall and runs along it
 };
@@ -25,6 +25,11 @@ enum class CornerRule {
   back   ///< it returns the way it came, which is the limit from both sides where walls meet at
          ///< pi / m, m even; listed as a bounce off the lowest wall of the corner
 };
+
+/// Who takes a ray that arrives at all of some walls at once: a hole alone, whose ends belong to it, else
+/// all of them where all absorb; none where it is reflected or meets a corner.
+std::vector<std::uint32_t> taken_by(std::span<const Material> materials,
+                                    std::span<const std::uint32_t> walls);
 
 /// One reflection.
 struct Bounce {
@@ -52,10 +57,11 @@ struct Orbit {
   Vec2 start, direction;
   std::vector<Bounce> bounces;
   OrbitEnd end = OrbitEnd::limit;
-  Vec2 out{0, 0};                           ///< unit direction after the last bounce
-  Vec2 end_point{0, 0};                     ///< where it was absorbed or met the corner
-  std::vector<std::uint32_t> end_surfaces;  ///< the absorbing surface; the walls of the corner
-  std::vector<Crossing> crossings{};        ///< in order
+  Vec2 out{0, 0};        ///< unit direction after the last bounce
+  Vec2 end_point{0, 0};  ///< where it was absorbed or met the corner
+  std::vector<std::uint32_t>
+      end_surfaces;                   ///< the absorbing surface or hole; the walls of the corner
+  std::vector<Crossing> crossings{};  ///< in order
 };
 
 /// One straight part of an orbit.
@@ -88,7 +94,7 @@ struct OrbitRules {
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
 ///         of one, is a corner without a bounce; a start along a straight wall ends as `along`. A
 ///         circle reflects on both sides; touched in one point it is passed by, and on its outer side
-///         left from a start on it along its tangent, that of a chamber too. A corner whose walls all absorb absorbs. With 0 bounces only the start is
+///         left from a start on it along its tangent, that of a chamber too. A corner whose walls all absorb absorbs, and so does one at the end of a hole. With 0 bounces only the start is
 ///         looked at. Periodic walls are crossed, in a corner of theirs two at a time; with them
 ///         every other corner stops.
 /// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on

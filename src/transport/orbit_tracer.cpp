@@ -139,11 +139,12 @@ class OrbitTracer::Wave {
         cross(flight, origin.point, origin.corner, hit.t))
       return !(flight.circles || flight.crossings == kMostCrossings) ||
              stop(flight, OrbitEnd::escape, {});
-    const bool absorbed = is_all(origin.corner, Material::absorb);
-    if (!absorbed && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any())
+    std::vector<std::uint32_t> takers = taken_by(orbits_.materials_, origin.corner);
+    if (takers.empty() && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any())
       return turn_back(flight, origin, hit.t);
     flight.ray.origin = origin.point;
-    return stop(flight, absorbed ? OrbitEnd::absorbed : OrbitEnd::corner, std::move(origin.corner));
+    if (takers.empty()) return stop(flight, OrbitEnd::corner, std::move(origin.corner));
+    return stop(flight, OrbitEnd::absorbed, std::move(takers));
   }
 
   // Goes on from the opposite walls; false where none of these leads out.

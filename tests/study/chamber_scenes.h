@@ -28,6 +28,12 @@ inline Scene stadium(const std::string& half_length = "1") {
               ", 0], radius = 1 }");
 }
 
+/// A chamber with holes in its walls.
+inline Scene with_holes(const std::string& shape, const std::string& holes) {
+  return scene_of("film = { size = [24, 20] }\n[[chamber]]\nname = \"room\"\nshape = { " + shape +
+                  " }\nholes = [" + holes + "]\n");
+}
+
 /// Sinai's torus: a disc in a box of which opposite sides are one.
 inline Scene torus(const std::string& radius) {
   return scene_of(

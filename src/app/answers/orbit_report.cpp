@@ -122,8 +122,17 @@ std::string precision_text(const OrbitReport& report) {
   return text;
 }
 
-const char* end_text(const OrbitReport& report) {
-  return report.decided ? name(report.orbit.end) : "undecided";
+// By which it left the room.
+const WallHole* hole_of(const OrbitRoom& room, const OrbitReport& report) {
+  const std::vector<std::uint32_t>& walls = report.orbit.end_surfaces;
+  const SurfaceOwner* owner = walls.empty() ? nullptr : &report.world->owner(walls.front());
+  if (report.orbit.end != OrbitEnd::absorbed || owner->hole == kNoEntry) return nullptr;
+  return &room.scene.chambers[owner->index].holes[owner->hole];
+}
+
+const char* end_text(const OrbitRoom& room, const OrbitReport& report) {
+  if (!report.decided) return "undecided";
+  return hole_of(room, report) != nullptr ? "hole" : name(report.orbit.end);
 }
 
 }  // namespace
@@ -242,10 +251,11 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"bounces", bounce_table(room, {&report, 1})},
       {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
       {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
-      {"end", end_text(report)},
+      {"end", end_text(room, report)},
       {"out", as_value(orbit.out)},
       {"end_point", stands_somewhere ? as_value(orbit.end_point) : JsonValue()},
       {"end_walls", walls_text(room.scene, *report.world, orbit.end_surfaces)}};
+  if (const WallHole* hole = hole_of(room, report)) fields.emplace_back("hole", hole->name);
   if (is_periodic(room)) {
     const auto lattice = PeriodicWalls(room.world.surfaces, room.materials).lattice();
     fields.emplace_back("lattice", Values{as_value(lattice[0]), as_value(lattice[1])});
@@ -259,9 +269,13 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
 
 std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   const Orbit& orbit = report.orbit;
-  std::string text = fmt::format("{}: {} after {}", report.ray, end_text(report),
+  std::string text = fmt::format("{}: {} after {}", report.ray, end_text(room, report),
                                  counted(orbit.bounces.size(), "bounce"));
-  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
+  if (const WallHole* hole = hole_of(room, report))
+    text = fmt::format("{}: left by {} after {}, at {} of {}", report.ray, hole->name,
+                       counted(orbit.bounces.size(), "bounce"), point_text(orbit.end_point),
+                       walls_text(room.scene, *report.world, orbit.end_surfaces));
+  else if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
     text += fmt::format(" at {}, {}", point_text(orbit.end_point),
                         walls_text(room.scene, *report.world, orbit.end_surfaces));
   else if (report.decided)

@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 const Scatterer* scatterer_of(const Scene& scene, const SurfaceOwner& owner) {
   using Kind = SurfaceOwner::Kind;
+  if (owner.hole != kNoEntry) return nullptr;
   const ScattererId id = owner.kind == Kind::entity ? scene.entities[owner.index].scatterer
                          : owner.kind == Kind::chamber
                              ? scene.chambers[owner.index].scatterer

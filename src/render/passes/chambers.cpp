@@ -14,8 +14,11 @@ void draw(DrawContext& context) {
   for (const Chamber& chamber : scene.chambers) {
     context.place(chamber.layer, chamber.order, chamber.where);
     context.fade(chamber.opacity, [&] {
+      const bool whole = chamber.holes.empty();
       context.add_shape(scene.shapes[chamber.shape], world_pose(context.state), chamber.fill,
-                        chamber.stroke);
+                        whole ? chamber.stroke : std::nullopt);
+      if (!whole)
+        context.add_shape(chamber.kept, world_pose(context.state), std::nullopt, chamber.stroke);
       for (const Chamber::Pillar& pillar : chamber.pillars)
         context.add_shape(scene.shapes[pillar.shape], pillar_pose(context.state, pillar),
                           pillar.fill, pillar.stroke);

@@ -1,10 +1,14 @@
+#include <algorithm>
+
 #include "scene/keys/look_keys.h"
 #include "scene/keys/scene_keys.h"
+#include "scene/outlines/holes.h"
 #include "scene/outlines/lattice_cell.h"
 
 namespace flatray {
 namespace {
 
+using Hole = WallHole;
 using Pillar = Chamber::Pillar;
 
 constexpr Key<Pillar> kPillarKeys[] = {
@@ -26,6 +30,43 @@ void read_pillars(Builder& builder, const Field& field, Chamber& chamber) {
       pillar.fill = default_fill(builder.scene, pillar.scatterer, kPillarColour);
     chamber.pillars.push_back(std::move(pillar));
   });
+}
+
+constexpr Key<Hole> kHoleKeys[] = {
+    kNameKey<Hole>,
+    {{"edge", "whole number", "0"}, &set_integer<&Hole::edge, 0, 1'000'000'000>},
+    {{"from", "number", kRequired}, &set<&Hole::from>},
+    {{"to", "number", kRequired}, &set<&Hole::to>},
+};
+
+void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
+  each_table(builder, field, [&](const Value& table) {
+    Hole hole;
+    hole.where = table.where;
+    read_keys<Hole>(builder, table, "hole", kHoleKeys, hole);
+    if (hole.name.empty()) hole.name = fmt::format("hole {}", chamber.holes.size() + 1);
+    if (!(hole.from >= 0 && hole.from < hole.to && hole.from <= 1))
+      builder.in.problem(table.where, "the hole is nowhere",
+                         "from and to are shares of the wall: 0 <= from < to <= 1; round a circle "
+                         "to may lie beyond 1");
+    chamber.holes.push_back(std::move(hole));
+  });
+}
+
+// Once the shape and all holes are read without a problem.
+void cut_walls_of(Builder& builder, Chamber& chamber) {
+  const Shape& shape = builder.scene.shapes[chamber.shape];
+  const Hole& first = chamber.holes.front();
+  const bool open = !shape.segments.empty() || !shape.beziers.empty() ||
+                    std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
+                                [](const ArcPath& path) { return !path.closed; });
+  if (open)
+    return builder.in.problem(first.where, "the walls are lines, which enclose nothing",
+                              "leave the hole out of them");
+  if (chamber.material == Material::periodic)
+    return builder.in.problem(first.where, "periodic walls have no holes",
+                              "leave material = \"periodic\" out");
+  for (Diagnostic& one : cut_walls(shape, chamber)) builder.in.problems.push_back(std::move(one));
 }
 
 void read_walls(Builder& builder, const Field& field, Chamber& chamber) {
@@ -50,6 +91,7 @@ constexpr Key<Chamber> kChamberKeys[] = {
     kOpacityKey<Chamber>,
     kLayerKey<Chamber>,
     {{"pillars", "[{ shape = ... }, ...]", "[]"}, &read_pillars},
+    {{"holes", "[{ from = 0.2, to = 0.3 }, ...]", "[]"}, &read_holes},
 };
 
 void read_chamber(Builder& builder, const Value& table) {
@@ -61,6 +103,8 @@ void read_chamber(Builder& builder, const Value& table) {
   if (table.find("fill") == nullptr && table.find("stroke") == nullptr)
     chamber.stroke = kDefaultStroke;
   const Member* shape = table.find("shape");
+  if (!chamber.holes.empty() && builder.in.problems.size() == problems)
+    cut_walls_of(builder, chamber);
   if (chamber.material == Material::periodic && shape != nullptr &&
       builder.in.problems.size() == problems) {
     if (auto fault = cell_fault(builder.scene.shapes[chamber.shape]))
@@ -82,7 +126,8 @@ void read_chambers(Builder& builder, const Field& field, Scene&) {
 
 std::vector<TableInfo> chamber_tables() {
   return {{"chamber", key_infos<Chamber>(kChamberKeys)},
-          {"chamber.pillars", key_infos<Pillar>(kPillarKeys)}};
+          {"chamber.pillars", key_infos<Pillar>(kPillarKeys)},
+          {"chamber.holes", key_infos<Hole>(kHoleKeys)}};
 }
 
 }  // namespace flatray

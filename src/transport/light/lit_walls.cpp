@@ -5,6 +5,7 @@
 #include "base/check.h"
 #include "transport/light/order.h"
 #include "transport/near_doubles.h"
+#include "transport/orbit.h"
 
 namespace flatray {
 
@@ -92,9 +93,9 @@ Departure LitWalls::depart(const LightHit& met, const Arrival& arrival, double u
 
 bool LitWalls::all_absorb(const LightRay& ray, const LightHit& met) const {
   const std::vector<std::uint32_t> corner = exact_origins_.after(ray.ray, met.hit).corner;
-  return std::all_of(corner.begin(), corner.end(), [&](std::uint32_t i) {
-    return scatterers_[i] == nullptr && materials_[i] == Material::absorb;
-  });
+  const bool scatter = std::any_of(corner.begin(), corner.end(),
+                                   [&](std::uint32_t i) { return scatterers_[i] != nullptr; });
+  return !scatter && !taken_by(materials_, corner).empty();
 }
 
 Vec2 LitWalls::beyond(const LightHit& met) const {

@@ -1,0 +1,200 @@
+#include "scene/outlines/holes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "scene/outlines/outline.h"
+
+namespace flatray {
+namespace {
+
+using Hole = WallHole;
+
+struct Edge {
+  PathWall wall;
+  std::int32_t number;
+
+  bool is_round() const { return wall.arc && wall.arc->is_whole(); }
+  Vec2 at(double share) const {
+    if (share == 0) return wall.from;
+    if (share == 1 && !is_round()) return wall.to;
+    return wall.arc ? wall.arc->at(wall.arc->from + share * wall.arc->sweep)
+                    : Vec2(wall.from + share * (wall.to - wall.from));
+  }
+};
+
+// In turn, as far as the shape has them so. Of what is no line, which has no inside.
+std::vector<Edge> edges_of(const Shape& shape) {
+  std::vector<Edge> edges;
+  for (const OutlineEdge& edge : outline(shape))
+    edges.push_back(
+        {{shape.vertices[edge.from], shape.vertices[edge.to], std::nullopt}, edge.number});
+  for (const Circle& circle : shape.circles) {
+    const EllipseArc arc{circle.centre, {circle.radius, 0}, {0, circle.radius}};
+    edges.push_back({{arc.start(), arc.end(), arc}, kNoEdge});
+  }
+  for (const ArcPath& path : shape.arc_paths) {
+    std::int32_t number = 0;
+    for (PathWall& wall : walls_of(path)) edges.push_back({std::move(wall), number++});
+  }
+  return edges;
+}
+
+// A hole by where it is along an edge in the edge's own direction.
+struct Gap {
+  double from, to;
+  std::uint32_t hole;
+};
+
+// Arcs are counted counter-clockwise about their centre, whichever way a path goes along them.
+Gap gap_of(const Edge& edge, const Hole& hole, std::uint32_t number) {
+  const auto& arc = edge.wall.arc;
+  const bool backward = arc && (arc->sweep > 0) != (cross(arc->u, arc->v) > 0);
+  const double all = hole.to > 1 ? 2 : 1;  // over the beginning of a whole curve
+  return backward ? Gap{all - hole.to, all - hole.from, number} : Gap{hole.from, hole.to, number};
+}
+
+// Of one edge, between places on it; what follows begins at the doubles at which it ends.
+class Cut {
+ public:
+  Cut(const Edge& edge, double begin, std::vector<WallPart>& parts)
+      : edge_(edge), at_(begin), point_(edge.at(begin)), parts_(parts) {}
+
+  void go_to(double share, const Vec2& point, std::uint32_t hole) {
+    std::optional<EllipseArc> arc = edge_.wall.arc;
+    if (arc)
+      arc = EllipseArc{arc->centre, arc->u, arc->v, arc->from + at_ * arc->sweep,
+                       (share - at_) * arc->sweep};
+    if (point != point_ || hole != kNoEntry)
+      parts_.push_back({{point_, point, arc}, edge_.number, hole});
+    at_ = share;
+    point_ = point;
+  }
+
+ private:
+  const Edge& edge_;
+  double at_;
+  Vec2 point_;
+  std::vector<WallPart>& parts_;
+};
+
+void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPart>& parts) {
+  if (gaps.empty()) {
+    parts.push_back({edge.wall, edge.number, kNoEntry});
+    return;
+  }
+  const double begin = edge.is_round() ? gaps.front().from : 0;
+  Cut cut(edge, begin, parts);
+  for (const Gap& gap : gaps) {
+    cut.go_to(gap.from, edge.at(gap.from), kNoEntry);
+    cut.go_to(gap.to, edge.at(gap.to), gap.hole);
+  }
+  cut.go_to(begin + 1, edge.is_round() ? edge.at(begin) : edge.wall.to, kNoEntry);
+}
+
+// The runs of what holes leave, to be drawn as lines that go round corners.
+std::vector<ArcPath> runs_of(const std::vector<WallPart>& parts) {
+  const auto point = [](const Vec2& at) { return EllipseArc{at, {0, 0}, {0, 0}, 0, 0}; };
+  std::vector<ArcPath> runs;
+  const Vec2* end = nullptr;
+  for (const auto& [wall, edge, hole] : parts) {
+    if (hole != kNoEntry) {
+      end = nullptr;
+      continue;
+    }
+    if (end == nullptr || *end != wall.from) runs.push_back({{}, false});
+    std::vector<EllipseArc>& arcs = runs.back().arcs;
+    if (wall.arc) {
+      arcs.push_back(*wall.arc);
+    } else {
+      if (arcs.empty()) arcs.push_back(point(wall.from));
+      arcs.push_back(point(wall.to));
+    }
+    end = &wall.to;
+  }
+  if (end != nullptr && runs.size() > 1 && *end == parts.front().wall.from &&
+      parts.front().hole == kNoEntry) {
+    std::vector<EllipseArc>&first = runs.front().arcs, &last = runs.back().arcs;
+    last.insert(last.end(), first.begin(), first.end());
+    first = std::move(last);
+    runs.pop_back();
+  }
+  return runs;
+}
+
+class Fitting {
+ public:
+  Fitting(const std::vector<Edge>& edges, const Chamber& chamber)
+      : edges_(edges), chamber_(chamber), gaps_(edges.size()) {}
+
+  Diagnostics problems;
+
+  std::vector<std::vector<Gap>> gaps() {
+    for (std::uint32_t i = 0; i < chamber_.holes.size(); ++i) add(i);
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      std::vector<Gap>& some = gaps_[k];
+      std::sort(some.begin(), some.end(),
+                [](const Gap& a, const Gap& b) { return a.from < b.from; });
+      for (std::size_t i = 0; i + 1 < some.size(); ++i) check_apart(some[i], some[i + 1], 0);
+      if (some.size() > 1) check_apart(some.back(), some.front(), 1);
+    }
+    return std::move(gaps_);
+  }
+
+ private:
+  void add(std::uint32_t number) {
+    const Hole& hole = chamber_.holes[number];
+    std::size_t found = edges_.size();
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      if (std::max(edges_[k].number, 0) != hole.edge) continue;
+      if (found < edges_.size())
+        return problem(hole, fmt::format("edge {} is in several parts", hole.edge),
+                       "write the shape so that nothing touches this edge within");
+      found = k;
+    }
+    if (found == edges_.size())
+      return problem(hole, fmt::format("the walls have no edge {}", hole.edge),
+                     fmt::format("they are numbered from 0 to {}", last_number()));
+    const Edge& edge = edges_[found];
+    if (!(hole.to <= 1) && !edge.is_round())
+      return problem(hole, "the hole reaches beyond its edge", "to is at most 1");
+    if (!(hole.to - hole.from < 1) && edge.is_round())
+      return problem(hole, "the hole takes all of its wall", "leave a part of it");
+    const Gap gap = gap_of(edge, hole, number);
+    if (edge.at(gap.from) == edge.at(gap.to))
+      return problem(hole, "the ends of the hole are the same doubles", "make it larger");
+    gaps_[found].push_back(gap);
+  }
+  std::int32_t last_number() const {
+    std::int32_t last = 0;
+    for (const Edge& edge : edges_) last = std::max(last, edge.number);
+    return last;
+  }
+  void check_apart(const Gap& one, const Gap& next, double round) {
+    if (one.to <= next.from + round) return;
+    problem(chamber_.holes[std::max(one.hole, next.hole)], "two holes of one wall overlap",
+            "write them as one, or let one end where the other begins");
+  }
+  void problem(const Hole& hole, std::string message, std::string hint) {
+    problems.push_back({hole.where, std::move(message), std::move(hint)});
+  }
+
+  const std::vector<Edge>& edges_;
+  const Chamber& chamber_;
+  std::vector<std::vector<Gap>> gaps_;
+};
+
+}  // namespace
+
+Diagnostics cut_walls(const Shape& shape, Chamber& chamber) {
+  const std::vector<Edge> edges = edges_of(shape);
+  Fitting fitting(edges, chamber);
+  const std::vector<std::vector<Gap>> gaps = fitting.gaps();
+  if (!fitting.problems.empty()) return std::move(fitting.problems);
+  for (std::size_t k = 0; k < edges.size(); ++k) cut_edge(edges[k], gaps[k], chamber.parts);
+  chamber.kept.arc_paths = runs_of(chamber.parts);
+  return {};
+}
+
+}  // namespace flatray
