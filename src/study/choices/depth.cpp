@@ -38,10 +38,12 @@ struct Fates {
 // From anywhere in each pixel: their centres may lie on a few orbits together.
 std::vector<PixelOutcome> followed(const Fates& fates, std::uint64_t bounces, unsigned threads) {
   const Film& film = fates.scene.film;
-  auto pixels = trace_places({.scene = fates.scene, .threads = threads}, *fates.room, bounces,
-                             PixelMap::position, pixel_count(film), [&](std::uint64_t pixel) {
-                               return drawn_in_pixel(film, pixel, fates.seed);
-                             });
+  const ExperimentContext context{.scene = fates.scene, .threads = threads};
+  const PlaceStarts starts(context, *fates.room, PixelMap::position);
+  const std::uint64_t count = pixel_count(film);
+  auto pixels = trace_outcomes(
+      context, *fates.room, bounces, count, count,
+      [&](std::uint64_t pixel) { return starts[drawn_in_pixel(film, pixel, fates.seed)]; });
   FLATRAY_CHECK(pixels.has_value());  // nothing stops it
   return std::move(*pixels);
 }

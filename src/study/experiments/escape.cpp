@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "base/portable_math.h"
 #include "base/table.h"
 #include "study/plots/plot.h"
-#include "study/rooms/pixel_map.h"
+#include "study/rooms/exits.h"
+#include "study/rooms/followed.h"
 #include "study/rooms/survival.h"
 
 namespace flatray {
@@ -14,22 +16,24 @@ namespace {
 
 using Kind = PixelOutcome::Kind;
 
-constexpr std::uint64_t kBounces = 1000;
+constexpr std::uint64_t kBounces = 1000, kAudited = 64;
 constexpr Light kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
 
-// Who absorbed a ray: an entity, pillar or chamber, as one number.
-using Exit = std::pair<SurfaceOwner::Kind, std::uint64_t>;
+// Who absorbed a ray: an entity, pillar or chamber, or a hole of it.
+using Exit = std::tuple<SurfaceOwner::Kind, std::uint64_t, std::uint32_t>;
 
 class Basins {
  public:
   /// `pixels`, and what starts from anywhere in the picture.
   Basins(const ExperimentContext& context, const Room& room, std::uint64_t bounces,
-         std::vector<PixelOutcome> pixels, std::span<const PixelOutcome> drawn)
-      : context_(context), room_(room), bounces_(bounces), pixels_(std::move(pixels)) {
+         std::span<const PixelOutcome> pixels, std::span<const PixelOutcome> drawn)
+      : context_(context), room_(room), bounces_(bounces), pixels_(pixels) {
     for (const PixelOutcome& one : drawn)
       if (one.kind != Kind::solid)
         drawn_.push_back({static_cast<double>(one.bounces), one.length, gone(one)});
     survival_ = survival(drawn_);
+    if (!holes_of(room).empty())
+      exits_by_hole_.emplace(context, room, drawn, late_start(survival_));
     for (const PixelOutcome& pixel : pixels_) {
       if (pixel.kind == Kind::solid) continue;
       ++free_;
@@ -42,8 +46,10 @@ class Basins {
     }
   }
 
-  ExperimentResult result() const {
-    ExperimentResult all = measured(context_, "escape", headline(), measures());
+  ExperimentResult result(std::vector<Measure> audit) const {
+    std::vector<Measure> numbers = measures();
+    std::move(audit.begin(), audit.end(), std::back_inserter(numbers));
+    ExperimentResult all = measured(context_, "escape", headline(), std::move(numbers));
     Table table({"bounces", "escaped", "remaining"});
     Plot plot{"Orbits that remain", "bounces", "orbits", {{"remaining", {}, true}}, true};
     std::uint64_t remaining = free_;
@@ -56,18 +62,24 @@ class Basins {
     all.files.push_back({"escape_times.svg", svg(plot)});
     add_map(all, "escape", map_of_basins(), context_.threads,
             [&](std::size_t i) { return bounces_text(pixels_[i]); });
+    if (!exits_by_hole_) return all;
+    all.files.push_back(csv_file("escape_exits", exits_by_hole_->table()));
+    add_plot(all, "escape_exit_places", exits_by_hole_->plot_of_places(), context_.threads);
+    add_plot(all, "escape_exit_sines", exits_by_hole_->plot_of_sines(), context_.threads);
     return all;
   }
 
  private:
   Exit exit_of(const PixelOutcome& pixel) const {
     const SurfaceOwner& owner = room_.owner(pixel.surface);
-    return {owner.kind, owner.kind == SurfaceOwner::Kind::pillar ? owner.pillar : owner.index};
+    return {owner.kind, owner.kind == SurfaceOwner::Kind::pillar ? owner.pillar : owner.index,
+            owner.hole};
   }
 
   std::string exit_name(const Exit& exit) const {
-    const auto& [kind, index] = exit;
+    const auto& [kind, index, hole] = exit;
     const Scene& scene = context_.scene;
+    if (hole != kNoEntry) return scene.chambers[index].holes[hole].name;
     return kind == SurfaceOwner::Kind::entity    ? scene.entities[index].name
            : kind == SurfaceOwner::Kind::chamber ? scene.chambers[index].name
                                                  : scene.chambers[0].pillars[index].name;
@@ -89,6 +101,8 @@ class Basins {
     all.push_back(share("into the open", escaped_));
     all.push_back(share("trapped", trapped_));
     add_decay(all);
+    if (exits_by_hole_)
+      for (Measure& one : exits_by_hole_->measures()) all.push_back(std::move(one));
     return all;
   }
 
@@ -175,7 +189,8 @@ class Basins {
   const ExperimentContext& context_;
   const Room& room_;
   std::uint64_t bounces_;
-  std::vector<PixelOutcome> pixels_;
+  std::span<const PixelOutcome> pixels_;
+  std::optional<Exits> exits_by_hole_;
   std::vector<Departure> drawn_;
   Survival survival_;
   std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0;
@@ -186,17 +201,26 @@ class Basins {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  const bool holes = !holes_of(room).empty();
+  if (!holes && context.starts != Starts::random)
+    return fail(named_place("--starts"), "without holes starts are drawn in the picture",
+                "leave --starts out", Trouble::usage);
   const Film& film = context.scene.film;
   const std::uint64_t bounces = context.bounces.value_or(kBounces), count = pixel_count(film);
-  auto all = trace_places(
-      context, room, bounces, PixelMap::angle, count + context.count, [&](std::uint64_t i) {
-        return i < count ? pixel_centre(film, i) : drawn_place(context.seed, i - count);
-      });
-  if (!all) return fail(std::move(all));
-  const std::vector<PixelOutcome> drawn(all->begin() + static_cast<std::ptrdiff_t>(count),
-                                        all->end());
-  all->resize(count);
-  return Basins(context, room, bounces, std::move(*all), drawn).result();
+  const PlaceStarts places(context, room, PixelMap::angle);
+  const auto start = [&](std::uint64_t i) -> std::optional<OrbitStart> {
+    if (i < count) return places[pixel_centre(film, i)];
+    if (holes) return room.draw_start(context.seed, i - count, context.starts);
+    return places[drawn_place(context.seed, i - count)];
+  };
+  const auto all = trace_outcomes(context, room, bounces, count + context.count, count, start);
+  if (!all) return tl::unexpected(all.error());
+  const std::span<const PixelOutcome> outcomes(*all);
+  std::vector<OrbitStart> audited;
+  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(context.count, kAudited); ++i)
+    if (const auto one = start(count + i)) audited.push_back(*one);
+  return Basins(context, room, bounces, outcomes.first(count), outcomes.subspan(count))
+      .result(audit(context, room, audited, bounces));
 }
 
 }  // namespace
@@ -206,7 +230,13 @@ extern const Experiment escape = {
     "escape",
     "Where does a ray from each pixel leave, and after how many bounces?",
     &run,
-    {.count = true, .bounces = true, .map = true, .seed = true, .resume = true}};
+    {.count = true,
+     .bounces = true,
+     .map = true,
+     .seed = true,
+     .starts = true,
+     .resume = true,
+     .precision = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

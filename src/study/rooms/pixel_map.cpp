@@ -1,8 +1,11 @@
 #include "study/rooms/pixel_map.h"
 
+#include <cmath>
+
 #include "anim/rays.h"
 #include "base/philox.h"
 #include "base/portable_math.h"
+#include "study/rooms/followed.h"
 #include "study/statistics/blocks.h"
 #include "transport/reflection.h"
 
@@ -10,86 +13,62 @@ namespace flatray {
 namespace {
 
 using Kind = PixelOutcome::Kind;
-constexpr std::size_t kColumns = 6;
+constexpr std::size_t kColumns = 9;
 constexpr double kHalfTurn = 0x1.921fb54442d18p+1;
 
-// Pixels of one block. Solid ones start no orbit.
+// Orbits of one block. Places that are solid start none.
 class Outcomes : public OrbitSink {
  public:
-  explicit Outcomes(const Room& room) : room_(room) {}
-
-  void add(const Ray& start) {
-    const Solids& solids = room_.solids();
-    const bool free = !solids.holder(start.origin) && solids.in_chamber(start.origin);
+  void add(const std::optional<OrbitStart>& start) {
     pixels_.emplace_back();
-    if (!free) return;
-    starts_.push_back({start});
+    if (!start) return;
+    starts_.push_back(*start);
     numbers_.push_back(pixels_.size() - 1);
   }
-  Numbers follow(std::uint64_t bounces) {
-    room_.orbits().follow(starts_, bounces, *this);
-    Numbers all;
+  template <class Follow>
+  void append_to(Numbers& all, const Follow& follow) {
+    follow(starts_, *this);
     for (const PixelOutcome& pixel : pixels_)
-      all.insert(all.end(),
-                 {static_cast<double>(pixel.kind), static_cast<double>(pixel.bounces),
-                  static_cast<double>(pixel.surface), pixel.length, pixel.out.x(), pixel.out.y()});
-    return all;
+      all.insert(all.end(), {static_cast<double>(pixel.kind), static_cast<double>(pixel.bounces),
+                             static_cast<double>(pixel.surface), pixel.length, pixel.out.x(),
+                             pixel.out.y(), pixel.at.x(), pixel.at.y(), pixel.way});
   }
 
   void bounce(std::size_t number, const Bounce& bounce) override {
     PixelOutcome& pixel = pixels_[numbers_[number]];
     ++pixel.bounces;
     pixel.surface = bounce.surface;
-    pixel.length = bounce.path_length;
+    pixel.length = pixel.way = bounce.path_length;
+    pixel.at = bounce.point;
   }
   void end(std::size_t number, const OrbitStop& stop) override {
     PixelOutcome& pixel = pixels_[numbers_[number]];
     pixel.out = stop.out;
+    const Vec2 from = pixel.bounces > 0 ? pixel.at : starts_[number].ray.origin;
     pixel.kind = stop.end == OrbitEnd::limit    ? Kind::limit
                  : stop.end == OrbitEnd::escape ? Kind::escape
                                                 : Kind::absorbed;
-    if (pixel.kind == Kind::absorbed) pixel.surface = stop.surfaces.front();
+    if (pixel.kind != Kind::absorbed) return;
+    pixel.surface = stop.surfaces.front();
+    pixel.at = stop.point;
+    pixel.way += std::sqrt((pixel.at - from).squaredNorm());
   }
 
  private:
-  const Room& room_;
   std::vector<PixelOutcome> pixels_;
   std::vector<OrbitStart> starts_;
   std::vector<std::size_t> numbers_;  // pixel of each start
 };
 
-PixelOutcome outcome(std::span<const double> six) {
-  return {static_cast<Kind>(six[0]),
-          static_cast<std::uint32_t>(six[1]),
-          static_cast<std::uint32_t>(six[2]),
-          six[3],
-          {six[4], six[5]}};
+PixelOutcome outcome(std::span<const double> nine) {
+  return {static_cast<Kind>(nine[0]),
+          static_cast<std::uint32_t>(nine[1]),
+          static_cast<std::uint32_t>(nine[2]),
+          nine[3],
+          {nine[4], nine[5]},
+          {nine[6], nine[7]},
+          nine[8]};
 }
-
-// Starts of the places of a picture.
-class PlaceStarts {
- public:
-  PlaceStarts(const Room& room, PixelMap map) : window_(room.state().window), map_(map) {
-    const std::vector<RayState> rays = ray_states(room.scene(), room.state());
-    ray_ = rays.empty() ? Ray{window_.centre(), {1, 0}} : rays.front().start;
-    ray_.direction = unit(ray_.direction);
-  }
-  Ray operator[](const UnitPoint& place) const {
-    const auto [x, y] = place;
-    const Vec2 size = window_.size(), &d = ray_.direction;
-    if (map_ == PixelMap::position)
-      return {{window_.low.x() + x * size.x(), window_.high.y() - y * size.y()}, d};
-    const double angle = (0.5 - y) * kHalfTurn;
-    const double c = portable::cos(angle), s = portable::sin(angle);
-    return {ray_.origin + (x - 0.5) * size.x() * Vec2(d.y(), -d.x()),
-            {c * d.x() - s * d.y(), c * d.y() + s * d.x()}};
-  }
-
- private:
-  const Bounds& window_;
-  PixelMap map_;
-  Ray ray_;
-};
 
 // The place of a pixel that is so far across and down in it.
 UnitPoint in_pixel(const Film& film, std::uint64_t pixel, double across, double down) {
@@ -99,6 +78,30 @@ UnitPoint in_pixel(const Film& film, std::uint64_t pixel, double across, double 
 }
 
 }  // namespace
+
+PlaceStarts::PlaceStarts(const ExperimentContext& context, const Room& room, PixelMap usual)
+    : room_(room),
+      window_(room.state().window),
+      map_(context.map == PixelMap::usual ? usual : context.map) {
+  const std::vector<RayState> rays = ray_states(room.scene(), room.state());
+  ray_ = rays.empty() ? Ray{window_.centre(), {1, 0}} : rays.front().start;
+  ray_.direction = unit(ray_.direction);
+}
+
+std::optional<OrbitStart> PlaceStarts::operator[](const UnitPoint& place) const {
+  const auto [x, y] = place;
+  const Vec2 size = window_.size(), &d = ray_.direction;
+  Ray start{{window_.low.x() + x * size.x(), window_.high.y() - y * size.y()}, d};
+  if (map_ != PixelMap::position) {
+    const double angle = (0.5 - y) * kHalfTurn;
+    const double c = portable::cos(angle), s = portable::sin(angle);
+    start = {ray_.origin + (x - 0.5) * size.x() * Vec2(d.y(), -d.x()),
+             {c * d.x() - s * d.y(), c * d.y() + s * d.x()}};
+  }
+  const Solids& solids = room_.solids();
+  if (solids.holder(start.origin) || !solids.in_chamber(start.origin)) return std::nullopt;
+  return OrbitStart{start};
+}
 
 std::uint64_t pixel_count(const Film& film) {
   return static_cast<std::uint64_t>(film.width) * static_cast<std::uint64_t>(film.height);
@@ -120,16 +123,22 @@ UnitPoint drawn_place(std::uint64_t seed, std::uint64_t number) {
   return {draw(0), draw(1)};
 }
 
-Result<std::vector<PixelOutcome>> trace_places(
-    const ExperimentContext& context, const Room& room, std::uint64_t bounces, PixelMap usual,
-    std::uint64_t count, const std::function<UnitPoint(std::uint64_t)>& place) {
-  const PlaceStarts starts(room, context.map == PixelMap::usual ? usual : context.map);
+Result<std::vector<PixelOutcome>> trace_outcomes(
+    const ExperimentContext& context, const Room& room, std::uint64_t bounces, std::uint64_t count,
+    std::uint64_t exact, const std::function<std::optional<OrbitStart>(std::uint64_t)>& start) {
   const Blocks blocks{count, 1024};
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Outcomes outcomes(room);
+    Outcomes first, others;
     for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
-      outcomes.add(starts[place(i)]);
-    return outcomes.follow(bounces);
+      (i < exact ? first : others).add(start(i));
+    Numbers all;
+    first.append_to(all, [&](const auto& starts, OrbitSink& sink) {
+      room.orbits().follow(starts, bounces, sink);
+    });
+    others.append_to(all, [&](const auto& starts, OrbitSink& sink) {
+      follow_starts(context, room, starts, bounces, sink);
+    });
+    return all;
   });
   if (!found) return tl::unexpected(found.error());
   std::vector<PixelOutcome> outcomes;
@@ -163,8 +172,10 @@ std::string bounces_text(const PixelOutcome& pixel) {
 Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
                                                std::uint64_t bounces, PixelMap usual) {
   const Film& film = context.scene.film;
-  return trace_places(context, room, bounces, usual, pixel_count(film),
-                      [&](std::uint64_t pixel) { return pixel_centre(film, pixel); });
+  const std::uint64_t count = pixel_count(film);
+  const PlaceStarts starts(context, room, usual);
+  return trace_outcomes(context, room, bounces, count, count,
+                        [&](std::uint64_t pixel) { return starts[pixel_centre(film, pixel)]; });
 }
 
 }  // namespace flatray

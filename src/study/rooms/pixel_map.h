@@ -19,14 +19,31 @@ struct PixelOutcome {
   std::uint32_t surface = kNoSurface;
   double length = 0;  ///< of the path to the last bounce
   Vec2 out{0, 0};     ///< direction at the end
+  Vec2 at{0, 0};      ///< where it was absorbed, or bounced last
+  double way = 0;     ///< of the path up to there
 };
 
-/// One orbit from each of some places of the picture, (0, 0) its upper left corner and (1, 1) its lower
-/// right one, as the context's map says, or `usual`. A scene without rays has one from the middle of its
-/// window to the right. Orbits that end in a corner count as absorbed by its lowest wall.
-Result<std::vector<PixelOutcome>> trace_places(
-    const ExperimentContext& context, const Room& room, std::uint64_t bounces, PixelMap usual,
-    std::uint64_t count, const std::function<UnitPoint(std::uint64_t)>& place);
+/// Where orbits set off of places of the picture, (0, 0) its upper left corner and (1, 1) its lower right
+/// one, as the context's map says, or `usual`. A scene without rays has one from the middle of its window
+/// to the right.
+class PlaceStarts {
+ public:
+  PlaceStarts(const ExperimentContext& context, const Room& room, PixelMap usual);
+  /// None where the place lies in an obstacle, or outside the chamber.
+  std::optional<OrbitStart> operator[](const UnitPoint& place) const;
+
+ private:
+  const Room& room_;
+  const Bounds& window_;
+  PixelMap map_;
+  Ray ray_;
+};
+
+/// `count` orbits, each from where `start` has it: the first `exact` of them exactly decided, the others in
+/// the precision of the context. Orbits that end in a corner count as absorbed by its lowest wall.
+Result<std::vector<PixelOutcome>> trace_outcomes(
+    const ExperimentContext& context, const Room& room, std::uint64_t bounces, std::uint64_t count,
+    std::uint64_t exact, const std::function<std::optional<OrbitStart>(std::uint64_t)>& start);
 
 /// The centre of a pixel; any place in it; any place of the picture. Drawn by their number.
 UnitPoint pixel_centre(const Film& film, std::uint64_t pixel);

@@ -91,7 +91,8 @@ double Room::place_of(const Bounce& bounce) const {
          (second ? places_.length(wall) : 0);
 }
 
-OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts starts) const {
+OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint64_t number,
+                               Starts starts) const {
   for (std::uint32_t attempt = 0;; attempt += 4) {
     const auto draw = [&](std::uint32_t which) {
       return unit_double(
@@ -100,7 +101,7 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
     // Where rounding leaves no place to start from, a draw that depends on no other is as good.
     const bool even = starts == Starts::quasi && attempt == 0;
     const UnitPoint at = even ? quasi_point(seed, number) : UnitPoint{draw(0), draw(1)};
-    const double along = at.x * perimeter(), sine = 2 * at.y - 1;
+    const double along = all.from + at.x * (all.to - all.from), sine = 2 * at.y - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto drawn = static_cast<std::uint32_t>(above - before_.begin() - 1);
     const double length = places_.length(drawn), within = along - before_[drawn];
@@ -120,6 +121,14 @@ OrbitStart Room::draw_start(std::uint64_t seed, std::uint64_t number, Starts sta
         walls().visit(surface, [&](const auto& wall) { return root_left(wall, side); });
     return {{*origin, direction}, {surface, root}};
   }
+}
+
+Left Room::left_by(const Bounce& bounce) const {
+  const Vec2 positive = wall_normal(walls(), bounce.surface, bounce.point);
+  const Sign side = bounce.normal.dot(positive) < 0 ? Sign::negative : Sign::positive;
+  return walls().visit(bounce.surface, [&](const auto& wall) {
+    return Left{bounce.surface, root_left(wall, side)};
+  });
 }
 
 OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const {
@@ -145,7 +154,9 @@ Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
               "add a [[chamber]], or give entities material = \"mirror\"");
 }
 
-Result<void> expect_closed(const ExperimentContext& context) {
+namespace {
+
+Result<void> expect_no_other_way_out(const ExperimentContext& context) {
   const Scene& scene = context.scene;
   const Place place = named_place(scene.name);
   if (scene.chambers.empty())
@@ -170,6 +181,23 @@ Result<void> expect_closed(const ExperimentContext& context) {
                 "write what stands in the chamber as its pillars: their areas count");
   if (auto inside = expect_pillars_inside(scene); !inside) return inside;
   return expect_pillars_apart(scene);
+}
+
+}  // namespace
+
+Result<void> expect_closed(const ExperimentContext& context) {
+  if (!context.scene.chambers.empty() && !context.scene.chambers.front().holes.empty())
+    return fail(context.scene.chambers.front().holes.front().where,
+                "the chamber has holes, and orbits leave it", "ask for escape or recurrence");
+  return expect_no_other_way_out(context);
+}
+
+Result<void> expect_holes(const ExperimentContext& context) {
+  const Scene& scene = context.scene;
+  if (scene.chambers.empty() || scene.chambers.front().holes.empty())
+    return fail(named_place(scene.name), "the chamber has no holes to come back to",
+                "add holes = [{ edge = 0, from = 0.4, to = 0.5 }]");
+  return expect_no_other_way_out(context);
 }
 
 Result<void> expect_not_periodic(const ExperimentContext& context) {

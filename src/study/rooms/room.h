@@ -36,7 +36,15 @@ class Room {
   /// uniform in length of wall and in the sine of the angle. One for each number under one seed;
   /// quasi-random ones are spread evenly in both (study/rooms/starts.h).
   OrbitStart draw_start(std::uint64_t seed, std::uint64_t number,
-                        Starts starts = Starts::random) const;
+                        Starts starts = Starts::random) const {
+    return draw_start_in({0, perimeter()}, seed, number, starts);
+  }
+  /// The same on a hole alone.
+  OrbitStart draw_entry(std::uint32_t hole, std::uint64_t seed, std::uint64_t number) const {
+    return draw_start_in({before_[hole], before_[hole + 1]}, seed, number, Starts::random);
+  }
+  /// What has just left a wall by a bounce.
+  Left left_by(const Bounce& bounce) const;
   /// The side of a wall on which orbits are (geom/primitives/wall.h); nullopt: both.
   std::optional<Sign> inner_side(std::uint32_t surface) const;
   /// A start in the free part of a closed chamber, uniform in place and direction: the measure that flight
@@ -44,6 +52,11 @@ class Room {
   OrbitStart draw_free_start(std::uint64_t seed, std::uint64_t number) const;
 
  private:
+  struct Stretch {
+    double from, to;  // of all walls, by length
+  };
+  OrbitStart draw_start_in(const Stretch& walls, std::uint64_t seed, std::uint64_t number,
+                           Starts starts) const;
   std::uint32_t counted_wall(std::uint32_t surface) const;
   std::uint32_t wall_in_cell(std::uint32_t surface, double position) const;
 
@@ -70,6 +83,8 @@ inline constexpr ExperimentUses kUsesOfOrbitMeans{.count = true,
 
 /// Whether orbits stay within a scene: one chamber, and mirrors alone.
 Result<void> expect_closed(const ExperimentContext& context);
+/// Whether they leave by holes of the chamber alone, and there are some.
+Result<void> expect_holes(const ExperimentContext& context);
 /// Refused where opposite walls are one, by what asks where exact orbits or straight lines go.
 Result<void> expect_not_periodic(const ExperimentContext& context);
 /// Whether it has walls at all.

@@ -188,10 +188,15 @@ Survival survival(std::span<const Departure> orbits) {
   return first.law == Law::undecided ? last : first;
 }
 
+// What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.
+std::optional<double> late_start(const Survival& found) {
+  if (found.law != Survival::Law::exponential) return std::nullopt;
+  return found.start + std::ceil(found.start / 2);
+}
+
 std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
                                   std::uint64_t limit) {
-  // What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.
-  const double start = found.start + std::ceil(found.start / 2);
+  const double start = *late_start(found);
   double last = 0;
   RatioSums leaving;  // of those that are there before a bounce
   for (const Departure& one : orbits) {

@@ -32,6 +32,10 @@ struct Survival {
 /// Needs   orbits independent of each other.
 Survival survival(std::span<const Departure> orbits);
 
+/// From how many bounces on what is left of the beginning is small beside chance; none where the law is not
+/// exponential.
+std::optional<double> late_start(const Survival& found);
+
 /// Rates of an exponential decay by bounce and by length, with errors, from a start so late that what is
 /// left of the beginning is small beside them. By length it is where the sum of e^(rate length) over those
 /// that leave at bounce n depends on n no more: how lengths are spread then does not matter, as it does

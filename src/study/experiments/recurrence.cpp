@@ -1,0 +1,163 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "base/table.h"
+#include "study/rooms/exits.h"
+#include "study/rooms/flight_tail.h"
+#include "study/rooms/followed.h"
+#include "study/rooms/survival.h"
+
+namespace flatray {
+namespace {
+
+using Kind = PixelOutcome::Kind;
+
+constexpr std::uint64_t kBounces = 1'000'000, kAudited = 64;
+constexpr double kPi = 0x1.921fb54442d18p+1;
+constexpr double kLeastIndex = 4;  // as of FlightTail: from 2 on there is a variance
+
+class Returns {
+ public:
+  Returns(const ExperimentContext& context, const Room& room, std::span<const PixelOutcome> orbits)
+      : context_(context), room_(room), part_(length_of(room, holes_of(room)) / room.perimeter()) {
+    std::vector<Departure> departures;
+    std::vector<double> times;
+    for (const PixelOutcome& one : orbits) {
+      const bool back = one.kind == Kind::absorbed;
+      departures.push_back({static_cast<double>(one.bounces), one.length, back});
+      if (!back) {
+        ++away_;
+        continue;
+      }
+      times.push_back(one.bounces + 1.0);
+      arrivals_.add(times.back(), 1);
+      ways_.add(one.way, 1);
+      if (one.bounces >= back_at_.size()) back_at_.resize(std::size_t{one.bounces} + 1);
+      ++back_at_[one.bounces];
+    }
+    law_ = survival(departures);
+    tail_.add(times, 1);
+  }
+
+  ExperimentResult result(std::vector<Measure> audit) const {
+    std::vector<Measure> all = measures();
+    std::move(audit.begin(), audit.end(), std::back_inserter(all));
+    ExperimentResult found = measured(context_, "recurrence", headline(), std::move(all));
+    Table table({"arrivals", "returned", "still_away", "exponential_law"});
+    Plot plot{"Orbits still away from where they set off",
+              "arrivals at walls, by their mean until the return",
+              "share of the orbits",
+              {{"orbits", {}, false}, {"e^-t", {}, false}}};
+    plot.log_y = true;
+    double away = arrivals_.samples + away_;
+    const double all_orbits = away;
+    for (std::size_t n = 0; n < back_at_.size(); ++n) {
+      if (back_at_[n] == 0) continue;
+      away -= back_at_[n];
+      const double arrivals = static_cast<double>(n) + 1, t = arrivals * part_;
+      const double law = portable::exp(-t);
+      table.add({arrivals, back_at_[n], away, law});
+      plot.series[0].points.push_back({t, away / all_orbits});
+      if (law * all_orbits >= 1) plot.series[1].points.push_back({t, law});
+    }
+    found.files.push_back(csv_file("recurrence_times", table));
+    add_plot(found, "recurrence", plot, context_.threads);
+    return found;
+  }
+
+ private:
+  std::vector<Measure> measures() const {
+    Measure arrivals = arrivals_.measure("mean_arrivals", 1 / part_);
+    const double holes = part_ * room_.perimeter();
+    Measure way = ways_.measure("mean_way", kPi * room_.solids().free_area() / holes);
+    const std::string why = no_error();
+    for (Measure* one : {&arrivals, &way}) {
+      one->remark = why.empty() ? "until the return; expected by Kac's lemma" : why;
+      if (!why.empty()) one->standard_error.reset();
+    }
+    return {arrivals, way, {"orbits_still_away", away_}, {"index_of_long_times", tail_.index()}};
+  }
+
+  std::string no_error() const {
+    if (away_ > 0)
+      return fmt::format("too small: {:.0f} orbits are still away after all bounces", away_);
+    const double index = tail_.index();
+    if (index == 0) return "no error: too few orbits to tell whether times have a variance";
+    if (index >= kLeastIndex || law_.law == Survival::Law::exponential) return "";
+    return fmt::format(
+        "no error: times longer than t fall about like t^-{:.1f}, and have no variance that could "
+        "be relied on",
+        index);
+  }
+
+  std::string headline() const {
+    using Law = Survival::Law;
+    const std::string fits =
+        law_.freedom == 0              ? "too few to tell how they fall"
+        : law_.law == Law::exponential ? fmt::format("fall like e^(-{:.4g} n)", law_.rate)
+        : law_.law == Law::power       ? fmt::format("fall like (n + 1)^-{:.3g}", law_.power)
+                                 : "fall like neither an exponential nor a power, or like both";
+    return fmt::format(
+        "{:.0f} orbits set off from the holes, which are {:.6g} of the walls, and come back to "
+        "them; those still away after n bounces {}",
+        arrivals_.samples + away_, part_, fits);
+  }
+
+  const ExperimentContext& context_;
+  const Room& room_;
+  double part_, away_ = 0;
+  RatioSums arrivals_, ways_;
+  FlightTail tail_;
+  Survival law_;
+  std::vector<double> back_at_;  // by number of bounces
+};
+
+// On the holes, uniform in their length.
+class Entries {
+ public:
+  explicit Entries(const Room& room) : room_(room), holes_(holes_of(room)) {
+    for (const std::uint32_t hole : holes_)
+      before_.push_back(before_.back() + room.places().length(hole));
+  }
+  OrbitStart operator()(std::uint64_t seed, std::uint64_t number) const {
+    const double along = before_.back() * drawn_place(seed, number).x;
+    const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
+    // Another number, so that the place on the hole is another draw.
+    return room_.draw_entry(holes_[static_cast<std::size_t>(above - before_.begin() - 1)], seed,
+                            number + (std::uint64_t{1} << 48));
+  }
+
+ private:
+  const Room& room_;
+  std::vector<std::uint32_t> holes_;
+  std::vector<double> before_{0};
+};
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  if (auto holes = expect_holes(context); !holes) return fail(std::move(holes));
+  const Room room(context.scene);
+  const Entries entries(room);
+  const std::uint64_t bounces = context.bounces.value_or(kBounces);
+  const auto start = [&](std::uint64_t i) { return entries(context.seed, i); };
+  const auto orbits = trace_outcomes(context, room, bounces, context.count, 0, start);
+  if (!orbits) return tl::unexpected(orbits.error());
+  std::vector<OrbitStart> audited;
+  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(context.count, kAudited); ++i)
+    audited.push_back(start(i));
+  return Returns(context, room, *orbits).result(audit(context, room, audited, bounces));
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment recurrence = {
+    "recurrence",
+    "After how long does what sets off from the holes of a room come back to them?",
+    &run,
+    {.count = true, .bounces = true, .seed = true, .resume = true, .precision = true}};
+}  // namespace experiment_entries
+
+}  // namespace flatray

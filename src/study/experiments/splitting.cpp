@@ -1,0 +1,249 @@
+#include "study/rooms/splitting.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/portable_math.h"
+#include "base/table.h"
+#include "study/plots/plot.h"
+#include "study/rooms/followed.h"
+#include "study/statistics/blocks.h"
+#include "study/statistics/estimate.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kGroups = 32;
+constexpr std::uint64_t kPilot = 2000, kPilotBounces = 100'000, kMostLevels = 1000,
+                        kLeastOrbits = 100;
+constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
+constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
+
+class Made : public OrbitSink {
+ public:
+  explicit Made(std::size_t count) : bounces(count) {}
+  void bounce(std::size_t number, const Bounce&) override { ++bounces[number]; }
+  void end(std::size_t, const OrbitStop&) override {}
+  std::vector<std::uint64_t> bounces;
+};
+
+// Levels that leave about a quarter each, told by a few orbits that the groups do not use.
+Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room) {
+  std::vector<OrbitStart> starts;
+  for (std::uint64_t i = 0; i < kPilot; ++i)
+    starts.push_back(room.draw_start(context.seed, (std::uint64_t{1} << 40) + i));
+  Made made(starts.size());
+  follow_starts(context, room, starts, kPilotBounces, made);
+  std::sort(made.bounces.begin(), made.bounces.end(), std::greater<>());
+  const auto quarter = static_cast<std::size_t>(kLeftAtLevel * kPilot);
+  const std::uint64_t step = std::max<std::uint64_t>(made.bounces[quarter], 1);
+  if (step >= kPilotBounces)
+    return fail(named_place(context.scene.name), "hardly any orbit leaves",
+                "splitting is for rooms that orbits leave by holes or gaps");
+  const auto those = std::count_if(made.bounces.begin(), made.bounces.end(),
+                                   [&](std::uint64_t one) { return one >= step; });
+  const double stay = std::max(static_cast<double>(those) / kPilot, 1.0 / kPilot);
+  const auto usual = static_cast<std::uint64_t>(
+      std::ceil(portable::log(kLeftAtEnd) / portable::log(std::min(stay, 0.9))));
+  const std::uint64_t levels =
+      context.bounces ? (*context.bounces + step - 1) / step : std::max<std::uint64_t>(usual, 4);
+  const SplittingPlan plan{context.count / (kGroups * levels), levels, step, levels / 3,
+                           context.apart};
+  if (levels < 4 || levels > kMostLevels)
+    return fail(named_place("--bounces"), fmt::format("{} levels of {} bounces", levels, step),
+                fmt::format("ask for {} to {} bounces", 4 * step, kMostLevels * step),
+                Trouble::usage);
+  if (plan.orbits < kLeastOrbits)
+    return fail(named_place("--count"),
+                fmt::format("{} orbits a group at each of {} levels", plan.orbits, levels),
+                fmt::format("say --count {} or more", kLeastOrbits * kGroups * levels),
+                Trouble::usage);
+  return plan;
+}
+
+// Sums of e^(rate way) over what is left at the two levels, weighted; where they are alike is the rate.
+class ByLength {
+ public:
+  ByLength(const std::vector<SplitGroup>& groups, const SplittingPlan& plan)
+      : groups_(groups), plan_(plan) {
+    for (const SplitGroup& one : groups)
+      for (const double way : one.last) longest_ = std::max(longest_, way);
+  }
+
+  Measure measure() const {
+    double low = 0, high = 0x1p-10 / longest_;
+    while (high * longest_ < 600 && sum(high) < 0) high *= 2;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (sum(middle) < 0 ? low : high) = middle;
+    }
+    Measure found{"escape_rate_per_length", 0.5 * (low + high)};
+    constexpr double kStep = 0x1p-20;
+    const double slope = (sum(found.value * (1 + kStep)) - sum(found.value * (1 - kStep))) /
+                         (2 * kStep * found.value);
+    double squares = 0;
+    for (const SplitGroup& one : groups_) squares += of(one, found.value) * of(one, found.value);
+    const auto count = static_cast<double>(groups_.size());
+    found.standard_error = std::sqrt(squares * count / (count - 1)) / std::fabs(slope);
+    return found;
+  }
+
+ private:
+  double weight(const std::vector<double>& ways, double share, double rate) const {
+    double sum = 0;
+    for (const double way : ways) sum += portable::exp(rate * (way - longest_));
+    return ways.empty() ? 0 : share * sum / static_cast<double>(ways.size());
+  }
+  double of(const SplitGroup& one, double rate) const {
+    return weight(one.last, one.share.back(), rate) -
+           weight(one.first, one.share[plan_.first], rate);
+  }
+  double sum(double rate) const {
+    double all = 0;
+    for (const SplitGroup& one : groups_) all += of(one, rate);
+    return all;
+  }
+
+  const std::vector<SplitGroup>& groups_;
+  const SplittingPlan& plan_;
+  double longest_ = 0;
+};
+
+class Report {
+ public:
+  Report(const ExperimentContext& context, const SplittingPlan& plan,
+         std::vector<SplitGroup> groups)
+      : context_(context), plan_(plan), groups_(std::move(groups)) {}
+
+  ExperimentResult result() const {
+    Table table({"bounces", "left", "standard_error"});
+    Plot plot{"Orbits that are left, by splitting",
+              "bounces",
+              "share of all orbits",
+              {{"left", {}, true}}};
+    plot.log_y = true;
+    for (std::size_t level = 0; level < plan_.levels; ++level) {
+      const Measure left = share(level);
+      const double n = static_cast<double>((level + 1) * plan_.bounces);
+      table.add(
+          {n, left.value, left.standard_error ? JsonValue(*left.standard_error) : JsonValue()});
+      plot.series[0].points.push_back({n, left.value, half_interval(left).value_or(0)});
+    }
+    ExperimentResult all = measured(context_, "splitting", headline(), measures());
+    all.files.push_back(csv_file("splitting_levels", table));
+    add_plot(all, "splitting", plot, context_.threads);
+    return all;
+  }
+
+ private:
+  Measure share(std::size_t level) const {
+    RatioSums sums;
+    for (const SplitGroup& one : groups_) sums.add(one.share[level], 1);
+    Measure left = sums.measure("left");
+    if (!left.standard_error ||
+        *left.standard_error * std::sqrt(sums.samples) > kWidest * left.value)
+      left.standard_error.reset();
+    return left;
+  }
+
+  // Between two levels, by what the groups differ by.
+  Measure rate(std::size_t first, std::size_t last) const {
+    RatioSums sums;
+    for (const SplitGroup& one : groups_) sums.add(one.share[last], one.share[first]);
+    const double bounces = static_cast<double>((last - first) * plan_.bounces);
+    const double ratio = sums.ratio();
+    Measure found{"escape_rate_per_bounce", -portable::log(ratio) / bounces,
+                  sums.standard_error() / ratio / bounces};
+    found.freedom = kGroups - 1;
+    return found;
+  }
+
+  // The two halves of the levels agree.
+  bool is_exponential() const {
+    const std::size_t last = plan_.levels - 1, middle = (plan_.first + last) / 2;
+    const Measure a = rate(plan_.first, middle), b = rate(middle, last);
+    return std::fabs(a.value - b.value) <=
+           kAllowedErrors * std::sqrt(*a.standard_error * *a.standard_error +
+                                      *b.standard_error * *b.standard_error);
+  }
+
+  std::vector<Measure> measures() const {
+    Measure left = share(plan_.levels - 1);
+    left.name = fmt::format("left_after_{}_bounces", plan_.levels * plan_.bounces);
+    left.remark = left.standard_error
+                      ? fmt::format("relative error {:.2g}", *left.standard_error / left.value)
+                      : "no error: the groups differ too much; clones part too late, or --count is "
+                        "too small";
+    double ancestors = 0;
+    for (const SplitGroup& one : groups_) ancestors += one.ancestors / kGroups;
+    std::vector<Measure> all{left};
+    if (left.value > 0) {
+      const std::size_t last = plan_.levels - 1;
+      Measure by_bounce = rate(plan_.first, last);
+      Measure by_length = ByLength(groups_, plan_).measure();
+      by_length.freedom = kGroups - 1;
+      const bool exponential = is_exponential();
+      for (Measure* one : {&by_bounce, &by_length}) {
+        one->remark = fmt::format("from bounce {} to {}", (plan_.first + 1) * plan_.bounces,
+                                  plan_.levels * plan_.bounces);
+        if (!left.standard_error || !exponential) one->standard_error.reset();
+        if (!exponential) one->remark = "no rate: earlier and later levels differ";
+        all.push_back(std::move(*one));
+      }
+    }
+    all.push_back({"orbits_followed", static_cast<double>(kGroups * plan_.orbits * plan_.levels)});
+    all.back().remark =
+        fmt::format("as many without splitting would leave {:.2g}", all.back().value * left.value);
+    all.push_back({"ancestors_of_a_group", ancestors});
+    all.back().remark =
+        fmt::format("of {} starts, those from which its last orbits come", plan_.orbits);
+    return all;
+  }
+
+  std::string headline() const {
+    return fmt::format(
+        "{} groups of {} orbits, split at {} levels of {} bounces; clones are turned by up to "
+        "{:.3g} "
+        "at their wall (--apart)",
+        kGroups, plan_.orbits, plan_.levels, plan_.bounces, plan_.apart);
+  }
+
+  const ExperimentContext& context_;
+  const SplittingPlan& plan_;
+  std::vector<SplitGroup> groups_;
+};
+
+Result<ExperimentResult> run(const ExperimentContext& context) {
+  const Room room(context.scene);
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
+  if (auto plane = expect_not_periodic(context); !plane) return fail(std::move(plane));
+  const auto plan = plan_of(context, room);
+  if (!plan) return tl::unexpected(plan.error());
+  auto found = run_blocks(context, kGroups, [&](std::size_t group) {
+    return split_group(context, room, *plan, group).numbers();
+  });
+  if (!found) return fail(std::move(found));
+  std::vector<SplitGroup> groups;
+  for (const Numbers& block : *found) groups.push_back(SplitGroup::from(block));
+  return Report(context, *plan, std::move(groups)).result();
+}
+
+}  // namespace
+
+namespace experiment_entries {
+extern const Experiment splitting = {
+    "splitting",
+    "How many orbits are left in an open room when a plain ensemble sees none?",
+    &run,
+    {.count = true,
+     .bounces = true,
+     .apart = true,
+     .seed = true,
+     .resume = true,
+     .precision = true}};
+}  // namespace experiment_entries
+
+}  // namespace flatray

@@ -1,0 +1,36 @@
+#pragma once
+#include "study/rooms/room.h"
+
+namespace flatray {
+
+/// How a room is looked at by splitting.
+struct SplittingPlan {
+  std::uint64_t orbits;  ///< of each group, at every level
+  std::uint64_t levels;
+  std::uint64_t bounces;  ///< from a level to the next
+  std::uint64_t first;    ///< of the two levels whose ways are kept; the other is the last
+  double apart;           ///< radians by which clones are turned, at most
+};
+
+/// What one group of orbits comes to.
+struct SplitGroup {
+  std::vector<double> share;        ///< estimate of what is left, by level from the first on
+  std::vector<double> first, last;  ///< ways of the orbits left at the plan's two levels
+  double ancestors = 0;             ///< of its orbits, of which those of the last level come
+
+  Numbers numbers() const;
+  static SplitGroup from(std::span<const double> numbers);
+};
+
+/// Follows a group of starts by the measure that reflection keeps from level to level. Those that are
+/// left at a level are drawn from with repetition, as many as at first, and each of these is turned by a
+/// random angle at the wall where it stands, as a clone that sets off alike stays alike for ever.
+///
+/// Gives   shares whose mean over many groups is what is left of all orbits, where turning by `apart`
+///         does not change it: the error is of the order of its square where orbits part.
+/// Source  fixed splitting with a fixed number of orbits: Kahn and Harris 1951; unbiased, as Del Moral
+///         (Feynman-Kac Formulae, 2004, theorem 7.4.2) has it.
+SplitGroup split_group(const ExperimentContext& context, const Room& room,
+                       const SplittingPlan& plan, std::uint64_t group);
+
+}  // namespace flatray
