@@ -27,77 +27,177 @@ double nearest(const Long& x) {
   return std::fmod(low / std::fabs(high - low), 2) == 0 ? low : high;
 }
 
+// Where the line of the way meets a wall.
+struct Met {
+  Long t;
+  bool at_end = false;
+};
+
 class Walker {
  public:
-  Walker(const Surfaces& walls, const Ray& start, unsigned bits)
+  Walker(const Surfaces& walls, const Ray& start, unsigned bits,
+         std::span<const Material> materials)
       : walls_(walls),
+        materials_(materials.begin(), materials.end()),
         bits_(bits),
         point_(place(start.origin)),
         way_(place(start.direction)),
         soon_(number(std::ldexp(1.0, -static_cast<int>(bits / 4 < 1000 ? bits / 4 : 1000)))),
-        same_(1 - number(std::ldexp(1.0, -static_cast<int>(bits / 2 < 1000 ? bits / 2 : 1000)))) {}
+        small_(number(std::ldexp(1.0, -static_cast<int>(bits / 2 < 1000 ? bits / 2 : 1000)))) {
+    materials_.resize(walls.size(), Material::mirror);
+    Place sum = place({0, 0});
+    for (std::uint32_t i = 0; i < walls.size(); ++i)
+      if (materials_[i] == Material::periodic) {
+        cell_.push_back(i);
+        sum = sum + place(walls.segment(i).a);
+      }
+    if (!cell_.empty()) middle_ = number(1) / static_cast<unsigned>(cell_.size()) * sum;
+  }
 
-  std::optional<LongOrbit::Bounce> bounce() {
-    std::optional<Long> first;
-    std::uint32_t met = 0;
-    for (std::uint32_t i = 0; i < walls_.size(); ++i)
-      for (const Long& t : walls_.visit(i, [&](const auto& wall) { return times(wall); }))
-        if (t > soon_ && (!first || t < *first * same_)) {
-          first = t;
-          met = i;
-        }
-    if (!first) return std::nullopt;
-    point_ = point_ + *first * way_;
-    const Place normal = walls_.visit(met, [&](const auto& wall) { return normal_of(wall); });
+  // The next wall that is not crossed, without what becomes of the way there.
+  std::optional<LongOrbit::Bounce> next() {
+    constexpr int kMostCrossings = 1 << 18;
+    std::optional<Place> entry;  // where the first wall crossed led
+    for (int crossings = 0; crossings < kMostCrossings; ++crossings) {
+      const auto first = first_met();
+      if (!first) return std::nullopt;
+      point_ = point_ + first->t * way_;
+      if (first->crossed) {
+        point_ = point_ + shift(first->surface);
+        if (entry && is_small(point_ - *entry)) return std::nullopt;
+        if (!entry) entry = point_;
+        continue;
+      }
+      const Vec2 point(nearest(point_.x), nearest(point_.y));
+      const Place beyond = point_ - place(point);
+      return LongOrbit::Bounce{
+          first->surface, point, {nearest(beyond.x), nearest(beyond.y)}, first->corner};
+    }
+    return std::nullopt;
+  }
+
+  void turn(std::uint32_t surface) {
+    const Place normal = walls_.visit(surface, [&](const auto& wall) { return normal_of(wall); });
     const Long twice = 2 * dot(way_, normal) / dot(normal, normal);
     way_ = way_ - twice * normal;
-    return LongOrbit::Bounce{met, {nearest(point_.x), nearest(point_.y)}};
   }
 
  private:
+  struct First {
+    Long t;
+    std::uint32_t surface;
+    bool corner, crossed;  // crossed: all that are met there are periodic
+  };
+  std::optional<First> first_met() const {
+    std::optional<First> first;
+    for (std::uint32_t i = 0; i < walls_.size(); ++i) {
+      const bool periodic = materials_[i] == Material::periodic;
+      if (periodic && !leads_out(walls_.segment(i))) continue;
+      for (const Met& met : walls_.visit(i, [&](const auto& wall) { return times(wall); })) {
+        if (periodic ? met.t < -soon_ : met.t <= soon_) continue;
+        const Long beyond = first ? Long(met.t - first->t) : Long(-1);
+        if (first && beyond > small_ * abs(first->t) + small_) continue;
+        const bool together = first && abs(beyond) <= small_ * abs(first->t) + small_;
+        if (!together) {
+          first = First{met.t, i, met.at_end, periodic};
+          continue;
+        }
+        first->corner |= met.at_end || first->surface != i;
+        first->crossed &= periodic;
+      }
+    }
+    return first;
+  }
+
+  bool leads_out(const Segment& wall) const {
+    const Place along = place(wall.b) - place(wall.a);
+    const Long inward = cross(along, middle_ - place(wall.a)), turn = cross(along, way_);
+    return sgn(turn) != 0 && sgn(turn) != sgn(inward);
+  }
+  // From a wall of the cell to that opposite.
+  Place shift(std::uint32_t surface) const {
+    const auto at = std::find(cell_.begin(), cell_.end(), surface) - cell_.begin();
+    const auto count = cell_.size();
+    const auto far = cell_[(static_cast<std::size_t>(at) + count / 2) % count];
+    return place(walls_.segment(far).b) - place(walls_.segment(surface).a);
+  }
+  bool is_small(const Place& v) const { return abs(v.x) <= small_ && abs(v.y) <= small_; }
+
   Long number(double x) const { return {x, bits_}; }
   Place place(const Vec2& v) const { return {number(v.x()), number(v.y())}; }
 
-  std::vector<Long> times(const Segment& wall) const {
-    const Place along = place(wall.b) - place(wall.a), to = place(wall.a) - point_;
-    const Long across = cross(way_, along);
-    if (sgn(across) == 0) return {};
+  std::vector<Met> times(const Segment& wall) const {
+    return times_between(place(wall.a), place(wall.b));
+  }
+  std::vector<Met> times_between(const Place& a, const Place& b) const {
+    const Place along = b - a, to = a - point_;
+    const Long across = cross(way_, along), size = dot(way_, way_);
+    if (across * across <= small_ * small_ * size * dot(along, along)) {
+      const Long beside = cross(to, way_);
+      if (beside * beside > small_ * small_ * size * (1 + dot(to, to))) return {};
+      return {{dot(to, way_) / size, true}, {dot(b - point_, way_) / size, true}};
+    }
     const Long part = cross(to, way_) / across;
-    if (part < 0 || part > 1) return {};
-    return {cross(to, along) / across};
+    if (part < -small_ || part > 1 + small_) return {};
+    return {{cross(to, along) / across, part <= small_ || part >= 1 - small_}};
   }
 
-  std::vector<Long> times(const Arc& arc) const {
+  std::vector<Met> times(const Arc& arc) const {
     const Place from = in_circle(arc.curve, point_ - place(arc.curve.centre));
     const Place way = in_circle(arc.curve, way_);
     const Long a = dot(way, way), b = dot(way, from);
     const Long quarter = b * b - a * (dot(from, from) - 1);
-    if (sgn(quarter) <= 0) return {};
+    std::vector<Met> times = joints(arc);
+    if (quarter <= small_ * a) return times;
     const Long root = sqrt(quarter);
-    std::vector<Long> times;
     for (const Long& t : {Long((-b - root) / a), Long((root - b) / a)})
-      if (is_on(arc, point_ + t * way_)) times.push_back(t);
+      if (const auto at_end = end_of(arc, point_ + t * way_)) times.push_back({t, *at_end});
     return times;
+  }
+  // What joins ends that are not on the curve to it.
+  std::vector<Met> joints(const Arc& arc) const {
+    std::vector<Met> met;
+    if (arc.extent != Arc::Extent::between) return met;
+    const Place centre = place(arc.curve.centre);
+    for (const Vec2& end : {arc.from, arc.to}) {
+      const Place to = place(end) - centre, form = in_circle(arc.curve, to);
+      const Long size = sqrt(dot(form, form));
+      if (abs(size - 1) <= small_) continue;
+      for (const Met& one : times_between(place(end), centre + 1 / size * to))
+        met.push_back({one.t, true});
+    }
+    return met;
   }
 
   // Of the line of the way with a curve: its time and the parameter of the curve, between places where
   // what is beside the way changes its sign.
   struct OnCurve {
     Long t, s;
+    bool at_end;
   };
   std::vector<OnCurve> meetings(const Bezier& wall) const {
     constexpr int kParts = 256;
     const auto beside = [&](const Long& s) { return cross(way_, point_at(wall, s) - point_); };
+    const Long size = dot(way_, way_);
     std::vector<OnCurve> found;
+    const auto add = [&](const Long& s, bool at_end) {
+      found.push_back({dot(way_, point_at(wall, s) - point_) / size, s, at_end});
+    };
+    for (const int end : {0, 1})
+      if (abs(beside(number(end))) <= small_ * size) add(number(end), true);
     for (int i = 0; i < kParts; ++i) {
       Long low = number(i) / kParts, high = number(i + 1) / kParts;
       const int from = sgn(beside(low));
       if (from == 0 || from == sgn(beside(high))) continue;
-      for (mp_bitcnt_t halvings = 0; halvings < bits_; ++halvings) {
+      for (mp_bitcnt_t halvings = 0; halvings < std::min<mp_bitcnt_t>(bits_, 60); ++halvings) {
         const Long middle = (low + high) / 2;
         (sgn(beside(middle)) == from ? low : high) = middle;
       }
-      found.push_back({dot(way_, point_at(wall, high) - point_) / dot(way_, way_), high});
+      for (mp_bitcnt_t right = 32; right < bits_; right *= 2) {  // by Newton's rule
+        const std::vector<Place> chord = divided(points_of(wall), high, 2);
+        high -= beside(high) / (wall.degree * cross(way_, chord[1] - chord[0]));
+      }
+      if (high > small_ && high < 1 - small_) add(high, false);
     }
     return found;
   }
@@ -116,9 +216,9 @@ class Walker {
   Place point_at(const Bezier& wall, const Long& s) const {
     return divided(points_of(wall), s, 1)[0];
   }
-  std::vector<Long> times(const Bezier& wall) const {
-    std::vector<Long> times;
-    for (const OnCurve& met : meetings(wall)) times.push_back(met.t);
+  std::vector<Met> times(const Bezier& wall) const {
+    std::vector<Met> times;
+    for (const OnCurve& met : meetings(wall)) times.push_back({met.t, met.at_end});
     return times;
   }
 
@@ -129,13 +229,22 @@ class Walker {
     return {cross(w, v) / whole, cross(u, w) / whole};
   }
 
-  // A point of the curve is on an arc if it is to the right of the chord from end to end.
-  bool is_on(const Arc& arc, const Place& point) const {
-    if (arc.extent == Arc::Extent::whole) return true;
-    if (arc.extent == Arc::Extent::half)
-      return sgn(dot(point - place(arc.curve.centre), place(arc.from))) >= 0;
-    const Place from = place(arc.from);
-    return sgn(cross(place(arc.to) - from, point - from)) <= 0;
+  // Whether a point of the curve of an arc on it is an end; nullopt of one that is not on it.
+  std::optional<bool> end_of(const Arc& arc, const Place& point) const {
+    if (arc.extent == Arc::Extent::whole) return false;
+    const Place to = point - place(arc.curve.centre);
+    if (arc.extent == Arc::Extent::half) return sign_of_end(dot(to, place(arc.from)));
+    const Place from = place(arc.from) - place(arc.curve.centre),
+                last = place(arc.to) - place(arc.curve.centre);
+    const auto begun = sign_of_end(cross(from, to)), open = sign_of_end(cross(to, last));
+    const bool reflex = sgn(cross(from, last)) < 0;
+    if (reflex ? !begun && !open : !begun || !open) return std::nullopt;
+    return (begun.value_or(false) && dot(from, to) > 0) ||
+           (open.value_or(false) && dot(last, to) > 0);
+  }
+  // Of what is negative outside: whether it is 0.
+  std::optional<bool> sign_of_end(const Long& x) const {
+    return x < -small_ ? std::nullopt : std::optional(x <= small_);
   }
 
   Place normal_of(const Segment& wall) const {
@@ -159,22 +268,33 @@ class Walker {
   }
 
   const Surfaces& walls_;
+  std::vector<Material> materials_;
+  std::vector<std::uint32_t> cell_;  // its walls, in order
   mp_bitcnt_t bits_;
   Place point_, way_;
-  Long soon_;  // what is met before is the wall just left
-  Long same_;  // within this share of a time two walls are met together
+  Place middle_;  // of the cell
+  Long soon_;     // what is met before is the wall just left
+  Long small_;    // what is 0
 };
 
 }  // namespace
 
-LongOrbit long_orbit(const Surfaces& walls, const Ray& start, std::uint64_t bounces,
-                     unsigned bits) {
+LongOrbit long_orbit(const Surfaces& walls, const Ray& start, std::uint64_t bounces, unsigned bits,
+                     std::span<const Material> materials) {
   LongOrbit orbit;
-  Walker walker(walls, start, bits);
+  Walker walker(walls, start, bits, materials);
   while (orbit.bounces.size() < bounces) {
-    const auto bounce = walker.bounce();
-    if (!bounce) break;
-    orbit.bounces.push_back(*bounce);
+    const auto next = walker.next();
+    if (!next) {
+      orbit.end = LongOrbit::End::escape;
+      break;
+    }
+    orbit.bounces.push_back(*next);
+    if (!materials.empty() && materials[next->surface] == Material::absorb) {
+      orbit.end = LongOrbit::End::absorbed;
+      break;
+    }
+    walker.turn(next->surface);
   }
   return orbit;
 }
