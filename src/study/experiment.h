@@ -69,6 +69,8 @@ struct Measure {
   /// none where nothing can be said of that.
   std::optional<double> allowed{};
   std::string remark{};  ///< what the error is estimated from, or why there is none
+  /// Of its interval, beyond Student's t, where what it is estimated from is skewed.
+  double widening = 1;
 };
 
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with

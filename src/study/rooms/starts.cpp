@@ -43,7 +43,7 @@ void StartSums::append_to(Numbers& numbers) const {
 StartSums StartSums::from(Starts starts, std::span<const double> numbers) {
   StartSums sums(starts);
   for (std::size_t i = 0; i < sums.sums_.size(); ++i)
-    sums.sums_[i] = RatioSums::from(numbers.subspan(6 * i, 6));
+    sums.sums_[i] = RatioSums::from(numbers.subspan(RatioSums::kNumbers * i));
   return sums;
 }
 

@@ -30,7 +30,7 @@ class StartSums {
   RatioSums all() const;
 
   /// As numbers, for blocks.
-  static std::size_t size(Starts starts) { return 6 * samples_of(starts); }
+  static std::size_t size(Starts starts) { return RatioSums::kNumbers * samples_of(starts); }
   void append_to(Numbers& numbers) const;
   /// Needs   size() numbers.
   static StartSums from(Starts starts, std::span<const double> numbers);

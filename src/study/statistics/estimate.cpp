@@ -40,7 +40,17 @@ double chi_squared(double freedom, double normal) {
 }  // namespace
 
 void RatioSums::add(double sample_x, double sample_y) {
-  *this += {1, sample_x, sample_y, sample_x * sample_x, sample_x * sample_y, sample_y * sample_y};
+  const double square_x = sample_x * sample_x, square_y = sample_y * sample_y;
+  *this += {1,
+            sample_x,
+            sample_y,
+            square_x,
+            sample_x * sample_y,
+            square_y,
+            square_x * sample_x,
+            square_x * sample_y,
+            sample_x * square_y,
+            square_y * sample_y};
 }
 
 RatioSums& RatioSums::operator+=(const RatioSums& other) {
@@ -50,6 +60,10 @@ RatioSums& RatioSums::operator+=(const RatioSums& other) {
   xx += other.xx;
   xy += other.xy;
   yy += other.yy;
+  xxx += other.xxx;
+  xxy += other.xxy;
+  xyy += other.xyy;
+  yyy += other.yyy;
   return *this;
 }
 
@@ -59,18 +73,30 @@ double RatioSums::standard_error() const {
   return std::sqrt(std::max(squares, 0.0) * samples / (samples - 1)) / std::fabs(y);
 }
 
-void RatioSums::append_to(Numbers& numbers) const {
-  numbers.insert(numbers.end(), {samples, x, y, xx, xy, yy});
+double RatioSums::widening() const {
+  constexpr double z = 1.959963984540054, part = (z * z * (z * z + 2) - 3) / 18;
+  const double r = ratio(), squares = xx - 2 * r * xy + r * r * yy;
+  if (!(squares > 0)) return 1;
+  const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
+  const double skewness2 = cubes * cubes / (squares * squares * squares) * samples;
+  const double by_chance = 6 / samples;
+  return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);
 }
 
-RatioSums RatioSums::from(std::span<const double> six) {
-  return {six[0], six[1], six[2], six[3], six[4], six[5]};
+void RatioSums::append_to(Numbers& numbers) const {
+  numbers.insert(numbers.end(), {samples, x, y, xx, xy, yy, xxx, xxy, xyy, yyy});
+}
+
+RatioSums RatioSums::from(std::span<const double> n) {
+  return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]};
 }
 
 Measure RatioSums::measure(std::string name, std::optional<double> expected) const {
   if (samples < 2)
     return {std::move(name), ratio(), {}, {}, 0, {}, "no error: of one sample alone"};
-  return {std::move(name), ratio(), standard_error(), expected, samples - 1};
+  Measure one{std::move(name), ratio(), standard_error(), expected, samples - 1};
+  one.widening = widening();
+  return one;
 }
 
 double student_95(double freedom) {
@@ -89,7 +115,7 @@ double half_of_rms(double count) { return std::sqrt(count / chi_squared_5(count)
 
 std::optional<double> half_interval(const Measure& measure) {
   if (!measure.standard_error || !std::isfinite(measure.value)) return std::nullopt;
-  return student_95(measure.freedom) * *measure.standard_error;
+  return student_95(measure.freedom) * measure.widening * *measure.standard_error;
 }
 
 JsonValue end_cell(const Measure& measure, double sign) {
@@ -119,7 +145,7 @@ ExperimentResult measured(const ExperimentContext& context, const std::string& n
   Fields fields = head_of(name, context);
   fields.emplace_back("measures", result.table);
   result.files.push_back(csv_file(name, result.table));
-  result.files.push_back(json_file(name, std::move(fields)));
+  result.files.push_back(json_file(name, fields));
   result.summary = fmt::format("{}\n\n{}", headline, aligned_text(result.table, kBrief));
   if (!result.holds)
     result.summary += fmt::format(

@@ -1,6 +1,7 @@
 // needs: shapes/box shapes/capsule shapes/cell shapes/circle
 // Printed errors are what they say: over many seeds their intervals hold the truth as often as 95 % has
 // it, and their errors are as large as what is off. Truth is a closed form, or a much longer run.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,13 +30,15 @@ class Runs {
     }
     const double z = (found.value - truth) / *found.standard_error;
     ++runs_;
+    sum_ += z;
     squares_ += z * z / (found.freedom > 2 ? found.freedom / (found.freedom - 2) : 3);
     if (std::fabs(found.value - truth) <= *half_interval(found)) ++held_;
   }
   // Within three and a half deviations of 95 % of a hundred runs that is 88 and more; errors twice as
   // large, or half as large, are found by the squares.
   void expect_cover(const std::string& what, double most_silent = 0.1) const {
-    ::testing::Test::RecordProperty(what + " held", static_cast<int>(held_));
+    fmt::print("{:<40} {:5} runs, {:5.1f} % held, mean z {:5.2f}\n", what, runs_,
+               100 * held_ / runs_, sum_ / runs_);
     EXPECT_LE(silent_, most_silent * (runs_ + silent_)) << what;
     EXPECT_GE(held_, 0.95 * runs_ - 3.5 * std::sqrt(0.95 * 0.05 * runs_))
         << what << " of " << runs_;
@@ -45,7 +48,7 @@ class Runs {
   }
 
  private:
-  double runs_ = 0, held_ = 0, silent_ = 0, squares_ = 0;
+  double runs_ = 0, held_ = 0, silent_ = 0, squares_ = 0, sum_ = 0;
 };
 
 void expect_cover(const char* name, const char* number, ExperimentContext context,
@@ -294,6 +297,24 @@ TEST(ErrorCoverage, OfStretchesThatDoNotDependOnEachOther) {
   }
   all.expect_cover("stretches");
   EXPECT_GT(silent, 800);
+}
+
+// Exponential numbers, of skewness 2: Student's t alone holds 92.6 % of means of 30 of them, and
+// widened intervals 93.8 %: the skewness of so few is told too small.
+TEST(ErrorCoverage, OfSkewedSamples) {
+  constexpr std::uint64_t kRuns = 4000;
+  int held = 0, held_by_t = 0;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    RatioSums sums;
+    for (std::uint64_t i = 0; i < 30; ++i) sums.add(-std::log1p(-unit(seed, i, 77)), 1);
+    const Measure found = sums.measure("mean");
+    const double off = std::fabs(found.value - 1);
+    if (off <= *half_interval(found)) ++held;
+    if (off <= student_95(found.freedom) * *found.standard_error) ++held_by_t;
+  }
+  EXPECT_GT(held, held_by_t + 0.006 * kRuns);
+  EXPECT_GT(held, 0.93 * kRuns);
+  EXPECT_LT(held, 0.96 * kRuns);
 }
 
 TEST(Stretches, TooFewHaveNoErrorAndSayWhy) {
