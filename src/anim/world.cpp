@@ -59,7 +59,7 @@ void add_walls(World& world, const Scene& scene, std::uint32_t chamber, const Po
   const Chamber& room = scene.chambers[chamber];
   SurfaceOwner owner{SurfaceOwner::Kind::chamber, chamber, 0, kNoEdge, room.material};
   if (room.parts.empty()) return add_shape(world, scene.shapes[room.shape], place, owner);
-  for (const WallPart& part : room.parts) {
+  for (const WallPiece& part : room.parts) {
     owner.edge = part.edge;
     owner.hole = part.hole;
     owner.material = part.hole == kNoEntry ? room.material : Material::hole;

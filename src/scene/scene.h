@@ -214,7 +214,7 @@ struct Chamber {
   };
   std::vector<Pillar> pillars;
   std::vector<WallHole> holes;
-  std::vector<WallPart> parts;  ///< of all walls, in turn, where there are holes
+  std::vector<WallPiece> parts;  ///< of all walls, in turn, where there are holes
   Shape kept;                   ///< lines along what the holes leave
   Place where;
   std::uint64_t order = 0;

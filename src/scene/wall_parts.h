@@ -25,7 +25,7 @@ struct WallHole {
 };
 
 /// What an edge is cut into by its holes.
-struct WallPart {
+struct WallPiece {
   PathWall wall;
   std::int32_t edge;
   std::uint32_t hole;  ///< of the chamber; kNoEntry: of none

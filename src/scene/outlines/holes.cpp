@@ -58,7 +58,7 @@ Gap gap_of(const Edge& edge, const Hole& hole, std::uint32_t number) {
 // Of one edge, between places on it; what follows begins at the doubles at which it ends.
 class Cut {
  public:
-  Cut(const Edge& edge, double begin, std::vector<WallPart>& parts)
+  Cut(const Edge& edge, double begin, std::vector<WallPiece>& parts)
       : edge_(edge), at_(begin), point_(edge.at(begin)), parts_(parts) {}
 
   void go_to(double share, const Vec2& point, std::uint32_t hole) {
@@ -76,10 +76,10 @@ class Cut {
   const Edge& edge_;
   double at_;
   Vec2 point_;
-  std::vector<WallPart>& parts_;
+  std::vector<WallPiece>& parts_;
 };
 
-void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPart>& parts) {
+void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPiece>& parts) {
   if (gaps.empty()) {
     parts.push_back({edge.wall, edge.number, kNoEntry});
     return;
@@ -94,7 +94,7 @@ void cut_edge(const Edge& edge, const std::vector<Gap>& gaps, std::vector<WallPa
 }
 
 // The runs of what holes leave, to be drawn as lines that go round corners.
-std::vector<ArcPath> runs_of(const std::vector<WallPart>& parts) {
+std::vector<ArcPath> runs_of(const std::vector<WallPiece>& parts) {
   const auto point = [](const Vec2& at) { return EllipseArc{at, {0, 0}, {0, 0}, 0, 0}; };
   std::vector<ArcPath> runs;
   const Vec2* end = nullptr;
