@@ -23,6 +23,7 @@ inline bool is_end(const Prospect& next, const Orbit& orbit) {
     case OrbitEnd::corner:
       return next.kind != Prospect::Kind::escape && next.walls == orbit.end_surfaces;
     case OrbitEnd::along:
+    case OrbitEnd::cyclotron:
       return false;
   }
   unreachable();

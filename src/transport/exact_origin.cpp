@@ -43,7 +43,8 @@ std::vector<std::uint32_t> ExactOrigins::walls_near(const Vec2& point, std::uint
   });
 }
 
-ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const ExactHit& hit) const {
+template <class Exact>
+ExactOrigins::NearWall ExactOrigins::near_wall(std::uint32_t surface, const Exact& hit) const {
   return walls_.visit(surface, [&](const auto& wall) -> NearWall {
     return {surface, hit.side_of(wall), hit.place_on(wall) != PlaceOn::outside, hit.place_in(wall)};
   });
@@ -101,29 +102,49 @@ Vec2 ExactOrigins::normal_at(const Ray& ray, const NearestHit& hit, const QuickH
   return quick.is_normal_certain ? quick.normal : exact_hit(walls_, ray, hit).normal();
 }
 
+// Of a hit between the ends of its wall, without its normal.
+template <class Exact>
+ExactOrigin ExactOrigins::beside_others(const Exact& exact, std::uint32_t surface,
+                                        Sign outer) const {
+  const Vec2 nearest = exact.nearest();
+  std::vector<NearWall> near;
+  std::vector<std::uint32_t> met{surface}, passing{surface};
+  for (const std::uint32_t other : walls_near(nearest, surface)) {
+    near.push_back(near_wall(other, exact));
+    passing.push_back(other);
+    if (near.back().hit) met.push_back(other);
+  }
+  std::sort(met.begin(), met.end());
+  if (met.size() > 1) return {nearest, std::move(met)};
+  const auto point = nearest_double(
+      nearest, [&](const Vec2& candidate) { return may_stand(candidate, surface, outer, near); });
+  if (point) return {*point, {}};
+  std::sort(passing.begin(), passing.end());
+  return {nearest, std::move(passing)};
+}
+
 ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit) const {
   if (hit.at_end || hit.kind == HitClass::along)
     return at_end(hit_point(walls_, ray, hit), hit.surface);
   const QuickHit quick = quick_hit(walls_, ray, hit);
   if (const auto origin = quick_after(ray, hit, quick)) return *origin;
-  const ExactHit exact = exact_hit(walls_, ray, hit);
-  const Vec2 nearest = exact.nearest();
-  std::vector<NearWall> near;
-  std::vector<std::uint32_t> met{hit.surface}, passing{hit.surface};
-  for (const std::uint32_t surface : walls_near(nearest, hit.surface)) {
-    near.push_back(near_wall(surface, exact));
-    passing.push_back(surface);
-    if (near.back().hit) met.push_back(surface);
-  }
-  std::sort(met.begin(), met.end());
-  if (met.size() > 1) return {nearest, std::move(met)};
-  const Sign outer = -inner_side(walls_, ray, hit);
-  const auto point = nearest_double(nearest, [&](const Vec2& candidate) {
-    return may_stand(candidate, hit.surface, outer, near);
-  });
-  if (point) return {*point, {}, normal_at(ray, hit, quick)};
-  std::sort(passing.begin(), passing.end());
-  return {nearest, std::move(passing)};
+  ExactOrigin origin =
+      beside_others(exact_hit(walls_, ray, hit), hit.surface, -inner_side(walls_, ray, hit));
+  if (origin.corner.empty()) origin.normal = normal_at(ray, hit, quick);
+  return origin;
+}
+
+ExactOrigin ExactOrigins::after(const FieldFlight& flight, const FieldHit& hit) const {
+  const Vec2& start = flight.ray.origin;
+  const FieldMeeting& met = hit.meeting;
+  if (hit.at_end) return at_end(met.closes() ? start : met.nearest(), hit.surface);
+  ExactOrigin origin =
+      met.closes() ? ExactOrigin{start, {}} : beside_others(met, hit.surface, -met.from());
+  if (origin.corner.empty())
+    origin.normal = walls_.visit(hit.surface, [&](const auto& wall) {
+      return met.closes() ? normal_near(wall, start) : met.normal(wall);
+    });
+  return origin;
 }
 
 bool is_end(const Surfaces& walls, std::uint32_t surface, const Vec2& point) {

@@ -4,6 +4,7 @@
 
 #include "trace/hits.h"
 #include "trace/surfaces.h"
+#include "transport/field_meeting.h"
 #include "transport/hit_point.h"
 #include "transport/wall_cells.h"
 
@@ -30,6 +31,8 @@ class ExactOrigins {
   /// Needs   a hit by `ray` that is not a tangent of a curve.
   /// Cost    a look at the walls of a cell; some 100 us for each wall within a few ulps of the point.
   ExactOrigin after(const Ray& ray, const NearestHit& hit) const;
+  /// The same of a flight in a field.
+  ExactOrigin after(const FieldFlight& flight, const FieldHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.
   std::vector<std::uint32_t> walls_at(const Vec2& point) const;
   /// How the walls are kept.
@@ -44,7 +47,10 @@ class ExactOrigins {
   ExactOrigin at_end(const Vec2& end, std::uint32_t surface) const;
   bool may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
                  const std::vector<NearWall>& near) const;
-  NearWall near_wall(std::uint32_t surface, const ExactHit& hit) const;
+  template <class Exact>
+  NearWall near_wall(std::uint32_t surface, const Exact& hit) const;
+  template <class Exact>
+  ExactOrigin beside_others(const Exact& exact, std::uint32_t surface, Sign outer) const;
 
   const Surfaces& walls_;
   WallCells cells_;

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "transport/field_orbits.h"
 #include "transport/orbit_tracer.h"
 #include "transport/reflection.h"
 
@@ -13,10 +14,11 @@ namespace {
 
 class OrbitKeeper : public OrbitSink {
  public:
-  explicit OrbitKeeper(std::span<const Ray> starts) : orbits_(starts.size()) {
+  OrbitKeeper(std::span<const Ray> starts, double field) : orbits_(starts.size()) {
     for (std::size_t i = 0; i < starts.size(); ++i) {
       orbits_[i].start = starts[i].origin;
       orbits_[i].direction = starts[i].direction;
+      orbits_[i].field = field;
     }
   }
   void bounce(std::size_t number, const Bounce& bounce) override {
@@ -39,6 +41,18 @@ class OrbitKeeper : public OrbitSink {
   std::vector<Orbit> orbits_;
 };
 
+// Adds a flight of an orbit from a point in a direction to another.
+void add_flight(std::vector<OrbitLine>& lines, double field, const Ray& flight, const Vec2& to,
+                bool reflected) {
+  Vec2 last = flight.origin;
+  if (field != 0)
+    for (const Vec2& point : points_between(field, flight, to)) {
+      lines.push_back({{last, point}, false});
+      last = point;
+    }
+  lines.push_back({{last, to}, reflected});
+}
+
 }  // namespace
 
 const char* name(OrbitEnd end) {
@@ -53,6 +67,8 @@ const char* name(OrbitEnd end) {
       return "corner";
     case OrbitEnd::along:
       return "along";
+    case OrbitEnd::cyclotron:
+      return "cyclotron";
   }
   unreachable();
 }
@@ -76,7 +92,7 @@ double Bounce::incidence() const {
 
 std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {
   std::vector<OrbitLine> lines;
-  Vec2 last = orbit.start;
+  Vec2 last = orbit.start, direction = orbit.direction;
   auto crossing = orbit.crossings.begin();
   for (std::size_t i = 0; i <= orbit.bounces.size(); ++i) {
     for (; crossing != orbit.crossings.end() && crossing->bounces == i; ++crossing) {
@@ -84,12 +100,14 @@ std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {
       last = crossing->to;
     }
     if (i == orbit.bounces.size()) break;
-    lines.push_back({{last, orbit.bounces[i].point}, true});
+    add_flight(lines, orbit.field, {last, direction}, orbit.bounces[i].point, true);
     last = orbit.bounces[i].point;
+    direction = orbit.bounces[i].out;
   }
   if (leaves(orbit)) lines.push_back({{last, last + orbit.out}, false});
-  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
-    lines.push_back({{last, orbit.end_point}, false});
+  if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner ||
+      orbit.end == OrbitEnd::cyclotron)
+    add_flight(lines, orbit.field, {last, direction}, orbit.end_point, false);
   return lines;
 }
 
@@ -97,7 +115,7 @@ std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const Ray> 
                                 std::uint64_t bounces) {
   std::vector<OrbitStart> from;
   for (const Ray& start : starts) from.push_back({start});
-  OrbitKeeper keeper(starts);
+  OrbitKeeper keeper(starts, tracer.field());
   tracer.follow(from, bounces, keeper);
   return std::move(keeper).orbits();
 }

@@ -15,7 +15,8 @@ enum class OrbitEnd {
   escape,    ///< nothing lies ahead; between periodic walls, not in 2^18 crossings
   absorbed,  ///< arrived at a surface that absorbs, or at a hole
   corner,    ///< arrived at an end of a wall, or where two meet: no reflection is defined
-  along      ///< starts on a straight wall and runs along it
+  along,     ///< starts on a straight wall and runs along it
+  cyclotron  ///< in a field: it circles freely, meeting no wall
 };
 const char* name(OrbitEnd end);
 
@@ -62,9 +63,10 @@ struct Orbit {
   std::vector<std::uint32_t>
       end_surfaces;                   ///< the absorbing surface or hole; the walls of the corner
   std::vector<Crossing> crossings{};  ///< in order
+  double field = 0;                   ///< as OrbitRules has it
 };
 
-/// One straight part of an orbit.
+/// One straight part of an orbit; many in turn of what flies an arc of a circle.
 struct OrbitLine {
   Segment line;
   bool reflected;  ///< at its end; else it crosses a periodic wall there, or ends
@@ -83,6 +85,9 @@ struct OrbitRules {
   /// What finds the walls; nullptr: the one of choice. Of one that is not exact the walls are its
   /// own; one it only believes to be crossed ends the orbit there, as a corner.
   const Tracer* tracer = nullptr;
+  /// A magnetic field across the room: the curvature of flights, one over their radius, positive to the
+  /// left; 0: they are straight. With it corners stop.
+  double field = 0;
 };
 
 /// Follows a ray from mirror to mirror in exact decisions and double constructions:
@@ -90,17 +95,19 @@ struct OrbitRules {
 /// stood on. No epsilon.
 ///
 /// Needs   `materials` by surface, periodic those of one cell at most (PeriodicWalls); a direction that is
-///         not zero.
+///         not zero; in a field walls that are straight or of circles, none of them periodic.
 /// Gives   a start on a wall counts as having just left it; a start where walls meet, or at an end
 ///         of one, is a corner without a bounce; a start along a straight wall ends as `along`. A
 ///         circle reflects on both sides; touched in one point it is passed by, and on its outer side
 ///         left from a start on it along its tangent, that of a chamber too. A corner whose walls all absorb absorbs, and so does one at the end of a hole. With 0 bounces only the start is
 ///         looked at. Periodic walls are crossed, in a corner of theirs two at a time; with them
-///         every other corner stops.
+///         every other corner stops. In a field a wall touched in one point is passed by, too, and
+///         one left is met again where the flight comes round to it.
 /// Error   each wall is right for the doubles the ray then has; points within 1 ulp, put back on
 ///         the inner side by at most 2 more; the length of the direction within 4 ulp of the
 ///         start's, after any number of bounces.
-/// Cost    a bounce 0.3 to 1.2 us; the walls are sorted into cells once, O(n).
+/// Cost    a bounce 0.3 to 1.2 us; the walls are sorted into cells once, O(n). In a field all walls are
+///         looked at, some 0.2 us each.
 Orbit trace_orbit(const Surfaces& walls, std::span<const Material> materials, const Ray& start,
                   std::uint64_t bounces, const OrbitRules& rules = {});
 

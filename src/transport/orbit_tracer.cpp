@@ -6,15 +6,11 @@
 #include "geom/cyrus_beck.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
+#include "transport/field_orbits.h"
 #include "transport/reflection.h"
 
 namespace flatray {
 namespace {
-
-void add(DoubleDouble& sum, double t) {
-  const DoubleDouble next = two_sum(sum.hi, t);
-  sum = std::isfinite(next.hi) ? two_sum(next.hi, next.lo + sum.lo) : DoubleDouble{next.hi, 0};
-}
 
 // So few rays are faster asked one by one than in the lanes of a batch.
 constexpr std::size_t kFewFlights = 12;
@@ -124,7 +120,7 @@ class OrbitTracer::Wave {
     if (!orbits_.choice_.tracer->exact && !is_crossed(flight.ray, hit))
       return stop(flight, OrbitEnd::corner, {hit.surface});
     ExactOrigin origin = orbits_.origins_.after(flight.ray, hit);
-    add(flight.time, hit.t);
+    add_to(flight.time, hit.t);
     if (origin.corner.empty()) {
       if (is_mirror(hit.surface)) {
         auto reflection = reflect_off(walls_, flight.ray, hit, origin, flight.speed);
@@ -194,7 +190,7 @@ class OrbitTracer::Wave {
       flight.ray.origin = corner.point;
       return stop(flight, OrbitEnd::limit, {});
     }
-    add(flight.time, t);
+    add_to(flight.time, t);
     if (flight.left.surface == kNoSurface) {
       flight.before = t;
       return true;
@@ -238,6 +234,7 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
     : walls_(walls),
       materials_(materials),
       corners_(rules.corners),
+      field_(rules.field),
       choice_(choose_tracer(walls, rules.tracer)),
       origins_(walls),
       tracer_(choice_.tracer->build(walls)),
@@ -245,6 +242,11 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
 
 void OrbitTracer::follow(std::span<const OrbitStart> starts, std::uint64_t bounces,
                          OrbitSink& sink) const {
+  if (field_ != 0) {
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      follow_in_field({walls_, materials_, origins_, field_}, starts[i], bounces, i, sink);
+    return;
+  }
   Wave wave(*this, bounces, sink);
   wave.set_off(starts);
   wave.run();

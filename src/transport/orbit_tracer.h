@@ -56,6 +56,7 @@ class OrbitTracer {
   std::span<const Material> materials() const { return materials_; }
   const WallCells& origin_cells() const { return origins_.cells(); }
   const PeriodicWalls& periodic() const { return periodic_; }
+  double field() const { return field_; }
 
  private:
   struct Flight;
@@ -64,6 +65,7 @@ class OrbitTracer {
   const Surfaces& walls_;
   std::span<const Material> materials_;
   CornerRule corners_;
+  double field_;
   TracerChoice choice_;  ///< of one that is not exact what it finds may not be there
   ExactOrigins origins_;
   std::unique_ptr<Accelerator> tracer_;

@@ -21,13 +21,15 @@ struct Met {
   std::uint32_t surface;
   Sign side;
   Vec2 normal;
+  bool may_run_along = true;  // the ray that leaves it
 };
 
 std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const Vec2& direction,
                                     const Vec2& point, const Speed& speed) {
   const Vec2 rounded = speed.restore(reflect(direction, {met.normal.y(), -met.normal.x()}));
   const auto out = nearest_double(rounded, [&](const Vec2& candidate) {
-    return leads_away(walls, met.surface, met.side, point, candidate);
+    return leads_away(walls, met.surface, met.side, point, candidate) &&
+           (met.may_run_along || !runs_along(walls, {met.surface, Root::none}, candidate));
   });
   if (!out) return std::nullopt;
   // Adding zero turns -0 into 0, which reads better.
@@ -63,6 +65,11 @@ Vec2 Speed::restore(const Vec2& direction) const {
 
 double Speed::length() const { return std::ldexp(std::sqrt(square_.hi), exponent_); }
 
+void add_to(DoubleDouble& sum, double time) {
+  const DoubleDouble next = two_sum(sum.hi, time);
+  sum = std::isfinite(next.hi) ? two_sum(next.hi, next.lo + sum.lo) : DoubleDouble{next.hi, 0};
+}
+
 bool leads_away(const Surfaces& walls, std::uint32_t surface, Sign side, const Vec2& point,
                 const Vec2& direction) {
   return walls.visit(surface, [&](const auto& wall) {
@@ -86,6 +93,12 @@ std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, con
                                       const ExactOrigin& origin, const Speed& speed) {
   return reflected(walls, {hit.surface, inner_side(walls, ray, hit), origin.normal}, ray.direction,
                    origin.point, speed);
+}
+
+std::optional<Reflection> reflect_in_field(const Surfaces& walls, std::uint32_t surface, Sign side,
+                                           const Vec2& direction, const ExactOrigin& origin,
+                                           const Speed& speed) {
+  return reflected(walls, {surface, side, origin.normal, false}, direction, origin.point, speed);
 }
 
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,

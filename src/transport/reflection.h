@@ -33,6 +33,9 @@ class Speed {
   DoubleDouble square_;  // of the start, near one
 };
 
+/// Adds to a sum of times; infinity where it overflows.
+void add_to(DoubleDouble& sum, double time);
+
 /// What a mirror does to a ray.
 struct Reflection {
   Vec2 direction, normal;
@@ -75,6 +78,11 @@ Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, con
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const ExactOrigin& origin, const Speed& speed);
+/// The same of a ray of `direction` that comes to a wall from a side in a field, which could bend it back into
+/// a straight wall that it ran along: it does not.
+std::optional<Reflection> reflect_in_field(const Surfaces& walls, std::uint32_t surface, Sign side,
+                                           const Vec2& direction, const ExactOrigin& origin,
+                                           const Speed& speed);
 /// The same of a ray that comes back along `direction` to a wall it has left at `point`.
 std::optional<Reflection> reflect_again(const Surfaces& walls, const Left& left, const Vec2& point,
                                         const Vec2& direction, const Speed& speed);
