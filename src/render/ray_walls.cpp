@@ -14,9 +14,12 @@ Need need_of_ray_walls(const Scene& scene) {
 RayWalls::RayWalls(const Scene& scene, const FrameState& state, const Tracer* asked)
     : world_(build_world(scene, state)),
       materials_(world_.materials()),
-      orbits_(world_.surfaces, materials_, {CornerRule::stop, asked}) {}
+      orbits_(world_.surfaces, materials_, {CornerRule::stop, asked, scene.field()}) {}
 
 std::vector<RenderPlan::Choice> RayWalls::choices() const {
+  if (orbits_.field() != 0)
+    return {{"tracer", "left out", "a magnetic field bends flights: all walls are looked at"},
+            {"origins", orbits_.origin_cells().structure(), "walls near a bounce are looked at"}};
   const TracerChoice& choice = orbits_.choice();
   return {{"tracer", choice.tracer->name, choice.reason + "; " + orbits_.walls().structure()},
           {"origins", orbits_.origin_cells().structure(), "walls near a bounce are looked at"}};

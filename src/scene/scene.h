@@ -23,9 +23,8 @@ inline constexpr double kFarthest = 1e300;
 /// A shape in its own coordinates, made of primitives that stay what they are. Its pieces combine
 /// by union.
 ///
-/// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces
-/// share (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's
-/// numbers.
+/// Convex pieces lie one after another in `vertices`, counter-clockwise, area > 0. Edges two pieces share
+/// (same two doubles, opposite directions) are inside the shape; `edges` keeps the input's numbers.
 struct Shape {
   std::vector<Vec2> vertices;
   std::vector<std::uint32_t> begin{0};  ///< piece i is vertices [begin[i], begin[i + 1])
@@ -207,15 +206,15 @@ struct Chamber {
     std::optional<Paint> fill;
     std::optional<Stroke> stroke;
     Place where;
-    /// Of a disc that stands across periodic walls: the one of which this is a copy, as it reaches
-    /// into the cell from a neighbour; the copies follow all others.
+    /// Of a disc across periodic walls: the one of which this is a copy, as it reaches in; they follow all others.
     bool across = false;
     std::optional<std::uint32_t> copy_of;
   };
   std::vector<Pillar> pillars;
   std::vector<WallHole> holes;
   std::vector<WallPiece> parts;  ///< of all walls, in turn, where there are holes
-  Shape kept;                   ///< lines along what the holes leave
+  Shape kept;                    ///< lines along what the holes leave
+  double field = 0;  ///< magnetic, across it: 1 / radius of flights, positive where they turn left
   Place where;
   std::uint64_t order = 0;
 };
@@ -383,6 +382,7 @@ struct Scene {
   std::vector<Group> groups;
   std::vector<Entity> entities;
   std::vector<Chamber> chambers;
+  double field() const { return chambers.empty() ? 0 : chambers.front().field; }
   std::vector<RayPath> rays;
   std::vector<EdgeRays> edge_rays;
   std::vector<Lamp> lamps;

@@ -106,6 +106,7 @@ struct ExperimentUses {
   bool resume = false;  ///< it works in blocks
   bool symbols = false;
   bool precision = false;  ///< it is a mean over orbits
+  bool field = false;      ///< a magnetic field may bend its rays
 };
 
 struct Experiment {

@@ -24,7 +24,8 @@ struct WallTests {
 }  // namespace
 
 Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
-  if (!need_of_ray_walls(job.scene).needed || job.frames.empty()) return std::vector<Saving>();
+  if (!need_of_ray_walls(job.scene).needed || job.scene.field() != 0 || job.frames.empty())
+    return std::vector<Saving>();
   const auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return tl::unexpected(timeline.error());
   const FrameState state = at(*timeline, job.frames.front());

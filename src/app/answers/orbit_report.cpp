@@ -122,6 +122,9 @@ std::string precision_text(const OrbitReport& report) {
   return text;
 }
 
+// Nothing is proven at finite speed, nor in a magnetic field.
+bool is_unproven(const OrbitReport& report) { return report.clock || report.orbit.field != 0; }
+
 // By which it left the room.
 const WallHole* hole_of(const OrbitRoom& room, const OrbitReport& report) {
   const std::vector<std::uint32_t>& walls = report.orbit.end_surfaces;
@@ -162,7 +165,8 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
     report.end_certain = report.decided;
   } else {
     report.orbit = trace_orbit(walls, room.materials, start, bounces, request.rules);
-    const bool exact = request.rules.tracer == nullptr || request.rules.tracer->exact;
+    const bool exact = (request.rules.tracer == nullptr || request.rules.tracer->exact) &&
+                       request.rules.field == 0;
     const Proven known = exact ? proven(room, report.orbit) : Proven{0, false};
     report.certain = known.bounces;
     report.end_certain = known.end;
@@ -208,7 +212,7 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
              bounce.normal.x(),
              bounce.normal.y(),
              incidence(report, i) * kDegreesInRadian,
-             report.clock         ? "unknown"
+             is_unproven(report)  ? "unknown"
              : i < report.certain ? "yes"
                                   : "no"};
   if (is_periodic(room)) row.insert(row.end(), {whole(bounce.cell.a), whole(bounce.cell.b)});
@@ -249,8 +253,8 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"rational", report.rational},
       {"horizon_of_doubles", leaves_doubles(report) ? JsonValue(report.horizon) : JsonValue()},
       {"bounces", bounce_table(room, {&report, 1})},
-      {"certain", report.clock ? JsonValue() : JsonValue(report.certain)},
-      {"end_certain", report.clock ? JsonValue() : JsonValue(report.end_certain)},
+      {"certain", is_unproven(report) ? JsonValue() : JsonValue(report.certain)},
+      {"end_certain", is_unproven(report) ? JsonValue() : JsonValue(report.end_certain)},
       {"end", end_text(room, report)},
       {"out", as_value(orbit.out)},
       {"end_point", stands_somewhere ? as_value(orbit.end_point) : JsonValue()},
@@ -278,6 +282,9 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
   else if (orbit.end == OrbitEnd::absorbed || orbit.end == OrbitEnd::corner)
     text += fmt::format(" at {}, {}", point_text(orbit.end_point),
                         walls_text(room.scene, *report.world, orbit.end_surfaces));
+  else if (orbit.end == OrbitEnd::cyclotron)
+    text +=
+        fmt::format(": from {} it circles freely and meets no wall", point_text(orbit.end_point));
   else if (report.decided)
     text += fmt::format(", leaving along {}", point_text(orbit.out));
   if (!orbit.bounces.empty())
@@ -288,6 +295,8 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
                         number_text(report.clock->end));
   else if (report.bits > 0)
     text += precision_text(report);
+  else if (is_unproven(report))
+    text += "; how many bounces are certain is unknown in a magnetic field";
   else if (report.certain < std::min(orbit.bounces.size(), kMostProven))
     text += fmt::format("; only the first {} are certain", report.certain);
   else if (!report.end_certain && orbit.bounces.size() <= kMostProven)

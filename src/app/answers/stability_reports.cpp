@@ -91,6 +91,8 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
 Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityRequest& request) {
   const auto scene = load_only_input(arguments, request.scene);
   if (!scene) return tl::unexpected(scene.error());
+  if (auto straight = expect_no_field(*scene, "stability"); !straight)
+    return fail(std::move(straight));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
   Table table{{"ray", "leg", "near", "x", "y", "distance", "ulps"}, {}};
   for (const Margin& margin : all)

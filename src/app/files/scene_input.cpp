@@ -75,6 +75,13 @@ Result<LoadedScene> load_input(const SceneOptions& options, const std::string& p
   return std::move(read->loaded);
 }
 
+Result<void> expect_no_field(const Scene& scene, const std::string& what) {
+  if (scene.field() == 0) return {};
+  return fail(scene.chambers.front().where,
+              "the chamber is in a magnetic field, and " + what + " knows straight rays only",
+              "say -D chamber.0.field=0 to leave the field out");
+}
+
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame) {
   const auto timeline = make_timeline(scene, options.seed_of(scene), frame);
   if (!timeline) return tl::unexpected(timeline.error());

@@ -43,6 +43,9 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
 /// The same for verbs of one scene: the first operand, its warnings printed.
 Result<Scene> load_only_input(const Arguments& arguments, const SceneOptions& options);
 
+/// Refuses a scene with a magnetic field for what follows straight rays, as "accuracy".
+Result<void> expect_no_field(const Scene& scene, const std::string& what);
+
 /// State of the scene at a frame with --seed.
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame);
 

@@ -122,6 +122,14 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
   const auto loaded = load_input(options.scene, options.operands()[1], more);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, options);
+  if (!options.experiment->uses.field)
+    if (auto straight =
+            expect_no_field(loaded->scene, fmt::format("experiment {}", options.experiment->name));
+        !straight)
+      return fail(std::move(straight));
+  if (options.precision == OrbitPrecision::certified)
+    if (auto straight = expect_no_field(loaded->scene, "--precision certified"); !straight)
+      return fail(std::move(straight));
   std::optional<std::filesystem::path> kept_in;
   if (options.resume) kept_in = folder / (std::string(options.experiment->name) + ".blocks");
   auto monitor =

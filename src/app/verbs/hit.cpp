@@ -197,6 +197,7 @@ VerbOutput show(const std::vector<HitReport>& reports) {
 Result<VerbOutput> run(const Options& options) {
   const auto scene = load_only_input(options, options.scene);
   if (!scene) return tl::unexpected(scene.error());
+  if (auto straight = expect_no_field(*scene, "hit"); !straight) return fail(std::move(straight));
   const auto state = frame_of(options.scene, *scene, options.frame);
   if (!state) return tl::unexpected(state.error());
   const auto questions = read_questions(options, *scene, *state);

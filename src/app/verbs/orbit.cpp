@@ -49,8 +49,8 @@ struct Options : Arguments {
   CornerRule corner = CornerRule::stop;
   unsigned frame = 1;
 
-  OrbitRequest request() const {
-    return {precision.certified, precision.most_bits, {corner, precision.tracer}};
+  OrbitRequest request(double field) const {
+    return {precision.certified, precision.most_bits, {corner, precision.tracer, field}};
   }
 
   void rows(OptionTable& row) {
@@ -154,7 +154,7 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
   if (!speed)
     return follow_orbit(room, ray.name,
                         {world_pose(frame)(state.start.origin), state.start.direction}, bounces,
-                        options.request());
+                        options.request(room.scene.field()));
   if (auto checked = check_frozen(options, ray.name); !checked) return fail(std::move(checked));
   if (!moving) {
     auto made = MovingRoom::make(options, room.scene, frame);
@@ -162,6 +162,17 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
     moving = std::move(*made);
   }
   return moving->follow(room, state, *speed, bounces);
+}
+
+// What only straight flights have.
+Result<void> check_straight(const Options& options, const Scene& scene) {
+  if (scene.field() == 0) return {};
+  for (const char* option : {"precision", "tracer", "corner", "speed"})
+    if (options.has(option) && *options.text(option) != "double" &&
+        *options.text(option) != "stop" && *options.text(option) != "none")
+      return usage_error(options.where(option), "is not for flights in a magnetic field",
+                         "leave it out, or say -D chamber.0.field=0");
+  return {};
 }
 
 // What reports are written of: they name walls of the room, or of walls that move.
@@ -191,6 +202,7 @@ Result<void> follow(const Options& options, Followed& all) {
 Result<VerbOutput> run(const Options& options) {
   auto scene = load_only_input(options, options.scene);
   if (!scene) return fail(std::move(scene));
+  if (auto checked = check_straight(options, *scene); !checked) return fail(std::move(checked));
   auto frame = frame_of(options.scene, *scene, options.frame);
   if (!frame) return fail(std::move(frame));
   const auto all = std::make_shared<Followed>(*std::move(scene), *std::move(frame));

@@ -114,6 +114,10 @@ Result<void> fits_in_memory(const Arguments& arguments, const RenderJob& job) {
 Result<void> complete(const Options& options, const std::shared_ptr<const Renderer>& renderer,
                       RenderJob& job) {
   job.tracer = options.tracer;
+  for (const char* option : {"view", "tracer"})
+    if (options.has(option))
+      if (auto straight = expect_no_field(job.scene, fmt::format("--{}", option)); !straight)
+        return straight;
   // A back end that does not add light is not the one of choice for lamps.
   if (renderer != nullptr && options.backend.name == "auto" && !job.scene.lamps.empty())
     report_warnings(

@@ -93,6 +93,7 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
   }
   read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
   check_light(builder);
+  check_field(builder);
   sort_by_source(builder.in.problems, builder);
   sort_by_source(builder.in.warnings, builder);
   if (!builder.in.problems.empty()) return tl::unexpected(std::move(builder.in.problems));

@@ -92,6 +92,7 @@ constexpr Key<Chamber> kChamberKeys[] = {
     kLayerKey<Chamber>,
     {{"pillars", "[{ shape = ... }, ...]", "[]"}, &read_pillars},
     {{"holes", "[{ from = 0.2, to = 0.3 }, ...]", "[]"}, &read_holes},
+    {{"field", "1 / radius of flights", "0"}, &set<&Chamber::field>},
 };
 
 void read_chamber(Builder& builder, const Value& table) {
@@ -115,7 +116,54 @@ void read_chamber(Builder& builder, const Value& table) {
   builder.scene.chambers.push_back(std::move(chamber));
 }
 
+// Whether all its curves are circles, or arcs of them.
+bool bends_in_circles(const Shape& shape) {
+  const auto is_round = [](const EllipseArc& arc) {
+    const Vec2 left(-arc.u.y(), arc.u.x());
+    return arc.v == left || arc.v == -left;
+  };
+  return shape.beziers.empty() &&
+         std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(), [&](const ArcPath& path) {
+           return std::all_of(path.arcs.begin(), path.arcs.end(), is_round);
+         });
+}
+
+// What of a chamber with a field no flight can be bent among.
+void check_walls_in_field(Builder& builder, const Chamber& chamber) {
+  const auto refuse = [&](const Place& where, const char* what, const char* hint) {
+    builder.in.problem(where, std::string(what) + " in a magnetic field", hint);
+  };
+  if (chamber.material == Material::periodic)
+    refuse(chamber.where, "no periodic walls", "leave field out, or make the walls mirrors");
+  constexpr const char* kRound =
+      "flights are followed among straight walls, circles and their arcs: leave field out, or the "
+      "curve";
+  if (!bends_in_circles(builder.scene.shapes[chamber.shape]))
+    refuse(chamber.where, "no ellipses or Bezier curves", kRound);
+  for (const Chamber::Pillar& pillar : chamber.pillars)
+    if (!bends_in_circles(builder.scene.shapes[pillar.shape]))
+      refuse(pillar.where, "no ellipses or Bezier curves", kRound);
+}
+
 }  // namespace
+
+void check_field(Builder& builder) {
+  const Scene& scene = builder.scene;
+  if (!builder.in.problems.empty() || scene.chambers.empty() || scene.chambers.front().field == 0)
+    return;
+  check_walls_in_field(builder, scene.chambers.front());
+  for (const Entity& entity : scene.entities)
+    if (entity.material)
+      builder.in.problem(entity.where, "an entity that rays meet, in a magnetic field",
+                         "write it as a pillar of the chamber, or leave its material out");
+  for (const RayPath& ray : scene.rays)
+    if (ray.speed)
+      builder.in.problem(ray.where, "a ray of finite speed in a magnetic field",
+                         "leave its speed out");
+  if (!scene.lamps.empty())
+    builder.in.problem(scene.lamps.front().where, "a lamp in a magnetic field, which bends rays",
+                       "leave the lamp out, or the field of the chamber");
+}
 
 void read_chambers(Builder& builder, const Field& field, Scene&) {
   if (field.value.kind == Value::Kind::array && field.value.items.size() > 1)

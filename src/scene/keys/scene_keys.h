@@ -20,6 +20,8 @@ void read_entities(Builder& builder, const Field& field, Scene& scene);
 std::vector<TableInfo> entity_tables();
 
 void read_chambers(Builder& builder, const Field& field, Scene& scene);
+/// What cannot be in a magnetic field.
+void check_field(Builder& builder);
 std::vector<TableInfo> chamber_tables();
 
 void read_rays(Builder& builder, const Field& field, Scene& scene);

@@ -40,7 +40,7 @@ Room::Room(const Scene& scene)
     const double sides = passed ? 0 : inner_side(i) ? 1 : 2;
     before_.push_back(before_.back() + sides * places_.length(i));
   }
-  orbits_ = std::make_unique<OrbitTracer>(walls(), materials_);
+  orbits_ = std::make_unique<OrbitTracer>(walls(), materials_, OrbitRules{.field = scene.field()});
   const bool closed =
       !scene.chambers.empty() && has_area(scene.shapes[scene.chambers.front().shape]);
   fast_ = std::make_unique<FastOrbits>(*orbits_, closed);
