@@ -9,6 +9,7 @@
 #include "study/rooms/flight_tail.h"
 #include "study/rooms/followed.h"
 #include "study/rooms/starts.h"
+#include "study/rooms/tangent.h"
 #include "study/rooms/wall_places.h"
 #include "study/statistics/blocks.h"
 
@@ -17,26 +18,6 @@ namespace {
 
 constexpr std::uint64_t kBounces = 1000;  // of one orbit
 constexpr std::uint64_t kSettling = 20;   // bounces that turn any first difference to the fastest
-
-// How two orbits an infinitesimal way apart part, across the ray: apart by q, at an angle p. A
-// flight of length t adds t p to q; a mirror of curvature k adds 2 k q / cos(incidence) to p and
-// turns both round (Sinai 1970). Lengths are in extents of the room, so that units do not matter.
-struct Tangent {
-  double q = 1, p = 1;
-
-  void fly(double t) { q += t * p; }
-  void reflect(double bend) {
-    p = -(p + bend * q);
-    q = -q;
-  }
-  // Brings its length back to 1; gives the logarithm of what it was.
-  double restore() {
-    const double size = std::sqrt(q * q + p * p);
-    q /= size;
-    p /= size;
-    return portable::log(size);
-  }
-};
 
 // What is summed over orbits: growth over length, over hits, over hits of curved walls; that between
 // a half and all bounces over that between a quarter and a half; the former alone; and how many orbits
@@ -50,20 +31,26 @@ constexpr double kMostRegular = 3 * 0.6931471805599453, kTold = 5;
 
 class Growth : public OrbitSink {
  public:
-  Growth(const Surfaces& walls, Starts starts, std::uint64_t begin, std::uint64_t end,
+  Growth(const Room& room, Starts starts, std::uint64_t begin, std::uint64_t end,
          std::uint64_t bounces)
-      : walls_(walls),
+      : walls_(room.walls()),
+        field_(room.scene().field()),
         starts_(starts),
         begin_(begin),
-        extent_(bounds_of(walls).size().maxCoeff()),
+        extent_(bounds_of(room.walls()).size().maxCoeff()),
         quarter_(bounces / 4),
         states_(end - begin) {}
 
   void bounce(std::size_t number, const Bounce& bounce) override {
     State& state = states_[number];
     const double bend = curvature(walls_, bounce.surface, bounce.point, bounce.normal);
-    state.tangent.fly(bounce.t / extent_);
-    state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / cosine(bounce));
+    if (field_ == 0) {
+      state.tangent.fly(bounce.t / extent_);
+      state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / cosine(bounce));
+    } else {
+      state.tangent.fly(bounce.t / extent_, field_ * extent_);
+      state.tangent.reflect(bend_in_field(bounce, bend, field_) * extent_);
+    }
     const double grown = state.tangent.restore();
     state.longest = std::max(state.longest, bounce.t);
     ++state.bounces;
@@ -115,6 +102,7 @@ class Growth : public OrbitSink {
     double second_quarter = 0, half = 0;  // growth in that quarter, in the second half
   };
   const Surfaces& walls_;
+  double field_;
   Starts starts_;
   std::uint64_t begin_;  // the number of the first
   double extent_;
@@ -147,8 +135,8 @@ enum class Law { straight, exponential, power, undecided };
 // What grows like e^(rate t) grows twice as much from a half on as between a quarter and a half, what
 // grows like a power as much: where the quotient lies, by more than chance, is the law. Nearer to 2
 // and not 2 is neither yet. Where orbits of both kinds are mixed those that part exponentially win.
-Law law_of(const Surfaces& walls, const RatioSums& doubling) {
-  if (walls.curve_numbers.empty()) return Law::straight;
+Law law_of(const Room& room, const RatioSums& doubling) {
+  if (room.walls().curve_numbers.empty() && room.scene().field() == 0) return Law::straight;
   if (doubling.samples < 3) return Law::undecided;
   const double quotient = doubling.ratio();
   const double chance = kAllowedErrors / student_95(kInfinity) * student_95(doubling.samples - 1) *
@@ -167,6 +155,18 @@ std::string words(Law law, double power) {
   if (law == Law::power)
     return fmt::format("no exponential growth found: grows like t^{:.1f}; {}", power, finite);
   return "undecided whether neighbours part exponentially; " + finite;
+}
+
+// The exponents of the other directions of phase space, largest first.
+void add_spectrum(std::vector<Measure>& measures, double largest) {
+  const std::pair<double, const char*> others[] = {
+      {0, "by theory: along the flight"},
+      {0, "by theory: of the speed, which is kept"},
+      {-largest, "by theory: minus the first, as volumes of phase space are kept"}};
+  for (std::size_t i = 0; i < std::size(others); ++i) {
+    measures.push_back({fmt::format("spectrum_{}", i + 2), others[i].first});
+    measures.back().remark = others[i].second;
+  }
 }
 
 std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, double power) {
@@ -195,6 +195,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
     measures.back().remark = "of time, in the later half";
     return measures;
   }
+  if (grown.sums[of_length].y > 0) add_spectrum(measures, grown.sums[of_length].ratio());
   const RatioSums& regular = grown.sums[of_regular];
   if (!(regular.x > 0 && grown.sums[of_power].ratio() > kTold * kMostRegular)) return measures;
   for (Measure& one : measures)
@@ -218,14 +219,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                 Trouble::usage);
   const Blocks blocks = Blocks::of(plan->orbits);
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Growth growth(room.walls(), context.starts, blocks.begin(block), blocks.end(block),
-                  plan->bounces);
+    Growth growth(room, context.starts, blocks.begin(block), blocks.end(block), plan->bounces);
     follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, growth);
     return growth.numbers();
   });
   if (!found) return fail(std::move(found));
   const Grown grown = together(*found, context.starts);
-  const Law law = law_of(room.walls(), grown.sums[of_doubling]);
+  const Law law = law_of(room, grown.sums[of_doubling]);
   const double power = grown.sums[of_power].ratio() / portable::log(2);
   std::vector<Measure> measures = exponents(room, grown, law, power);
   for (Measure& one :

@@ -5,6 +5,7 @@
 
 #include "study/rooms/flight_tail.h"
 #include "study/rooms/followed.h"
+#include "study/rooms/free_circles.h"
 #include "study/rooms/starts.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/streaming_histogram.h"
@@ -64,18 +65,26 @@ class Flights : public OrbitSink {
   StreamingHistogram spread_;
 };
 
+// In a field what circles freely meets no wall, and the mean is over all the rest of phase space, in which
+// the way to the next wall has the area of the walls' own for its flow (Santalo's argument): a flight
+// is a centre and a phase as well as a place and a direction.
+double area_of_flights(const Room& room) {
+  const double area = room.solids().free_area(), field = room.scene().field();
+  return field == 0 ? area : area - area_of_free_centres(room, 1 / std::fabs(field));
+}
+
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const double area = room.solids().free_area();
-  if (!(area > 0 && std::isfinite(area)))
+  const double enclosed = room.solids().free_area();
+  if (!(enclosed > 0 && std::isfinite(enclosed)))
     return fail(context.scene.chambers.front().where,
-                fmt::format("the chamber encloses an area of {:.6g}", area),
+                fmt::format("the chamber encloses an area of {:.6g}", enclosed),
                 "give it an outline that is closed, larger than its pillars");
   const auto plan = plan_orbits(context, kBounces);
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);
-  const double expected = kPi * area / room.perimeter();
+  const double area = area_of_flights(room), expected = kPi * area / room.perimeter();
   const StreamingHistogram none(0, kMostOfMean * expected, kBins);
   StreamingHistogram spread = none;
   StartSums all(context.starts);
@@ -110,8 +119,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   ExperimentResult result = measured(
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
-                  "{:.6g}, P = {:.6g}",
-                  sums.y, plan->orbits, area, room.perimeter()),
+                  "{:.6g}{}, P = {:.6g}",
+                  sums.y, plan->orbits, area,
+                  room.scene().field() == 0 ? "" : " less the centres of free circles",
+                  room.perimeter()),
       std::move(measures));
   spread.add_files(result, "mean_free_path_flights");
   return result;

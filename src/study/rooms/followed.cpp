@@ -90,7 +90,7 @@ Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitSt
 
 void follow_starts(const ExperimentContext& context, const Room& room,
                    std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink) {
-  if (context.precision == OrbitPrecision::exact)
+  if (context.precision == OrbitPrecision::exact || room.scene().field() != 0)
     return room.orbits().follow(starts, bounces, sink);
   if (context.precision == OrbitPrecision::fast) {
     room.fast_orbits().follow(starts, bounces, sink);
@@ -121,6 +121,11 @@ std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const R
 std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
                            std::span<const OrbitStart> starts, std::uint64_t bounces) {
   if (context.precision != OrbitPrecision::fast) return {};
+  if (room.scene().field() != 0) {
+    Measure none{"audit_orbits", 0};
+    none.remark = "all orbits are exact: a magnetic field bends their flights";
+    return {none};
+  }
   return audit_of(room.fast_orbits(), context, room, starts, bounces);
 }
 

@@ -4,9 +4,9 @@
 namespace flatray {
 
 /// Follows orbits in the precision of the context: fast or exact as the room's own tracers do, or certified,
-/// every one as far as it is proven.
+/// every one as far as it is proven. In a magnetic field all are exact.
 ///
-/// Needs   starts in the room; can_certify() where the precision is certified.
+/// Needs   starts in the room; can_certify() and no field where the precision is certified.
 void follow_starts(const ExperimentContext& context, const Room& room,
                    std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink);
 

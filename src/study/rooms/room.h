@@ -79,7 +79,8 @@ inline constexpr ExperimentUses kUsesOfOrbitMeans{.count = true,
                                                   .seed = true,
                                                   .starts = true,
                                                   .resume = true,
-                                                  .precision = true};
+                                                  .precision = true,
+                                                  .field = true};
 
 /// Whether orbits stay within a scene: one chamber, and mirrors alone.
 Result<void> expect_closed(const ExperimentContext& context);
