@@ -1,9 +1,9 @@
 #include "transport/field_orbits.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "transport/orbit.h"
 #include "transport/reflection.h"
 
 namespace flatray {
@@ -51,12 +51,10 @@ class FieldOrbit {
     flight_.ray = {origin.point, in};
     if (origin.corner.empty() && room_.materials[hit->surface] != Material::mirror)
       origin.corner = {hit->surface};
-    if (!origin.corner.empty()) {
-      const bool absorbed =
-          std::all_of(origin.corner.begin(), origin.corner.end(),
-                      [&](std::uint32_t i) { return room_.materials[i] == Material::absorb; });
-      return stop(absorbed ? OrbitEnd::absorbed : OrbitEnd::corner, std::move(origin.corner));
-    }
+    if (std::vector<std::uint32_t> takers = taken_by(room_.materials, origin.corner);
+        !takers.empty())
+      return stop(OrbitEnd::absorbed, std::move(takers));
+    if (!origin.corner.empty()) return stop(OrbitEnd::corner, std::move(origin.corner));
     const auto out =
         reflect_in_field(room_.walls, hit->surface, hit->meeting.from(), in, origin, speed_);
     if (!out) return stop(OrbitEnd::along, {hit->surface});

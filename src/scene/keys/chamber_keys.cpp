@@ -160,6 +160,10 @@ void check_field(Builder& builder) {
     if (ray.speed)
       builder.in.problem(ray.where, "a ray of finite speed in a magnetic field",
                          "leave its speed out");
+  if (!scene.edge_rays.empty())
+    builder.in.problem(scene.edge_rays.front().where,
+                       "straight edge rays in a magnetic field, which bends rays",
+                       "leave them out, or the field of the chamber");
   if (!scene.lamps.empty())
     builder.in.problem(scene.lamps.front().where, "a lamp in a magnetic field, which bends rays",
                        "leave the lamp out, or the field of the chamber");

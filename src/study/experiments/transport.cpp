@@ -7,6 +7,7 @@
 #include "base/portable_math.h"
 #include "study/plots/plot.h"
 #include "study/rooms/flight_tail.h"
+#include "study/rooms/lags.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 #include "study/statistics/streaming_histogram.h"
@@ -20,50 +21,6 @@ constexpr std::uint64_t kBounces = 256;  // of one orbit
 // five, as 64 bounces have it, a gap of 0.3 still lacks 6 % of its coefficient.
 constexpr std::uint64_t kFewestBounces = 128;
 
-// What is looked at of each orbit: places and directions at times `step` apart, and how these differ
-// over lags of up to a quarter of them.
-struct Times {
-  double step;
-  std::size_t samples, lags;
-  double lag(std::size_t i) const { return step * static_cast<double>(i); }
-};
-// Of `bounces` flights of a mean length the sum is shorter than two thirds once in some ten thousand orbits;
-// those are told.
-Times times_of(double mean_flight, std::uint64_t bounces) {
-  constexpr double kMostSamples = 512, kInFlight = 4;
-  const double end = mean_flight * static_cast<double>(bounces) * 2 / 3;
-  const double step = std::max(mean_flight / kInFlight, end / kMostSamples);
-  const auto samples = static_cast<std::size_t>(end / step) / 8 * 8;
-  return {step, samples + 1, samples / 4 + 1};
-}
-
-// Of one orbit, or a mean over many: by lag, from all times at which it can begin.
-struct Lags {
-  Numbers x, y, velocity, kubo;  // squares of displacements; v(0) v(t); v(0) (r(t) - r(0))
-};
-
-Lags lags_of(std::span<const Vec2> places, std::span<const Vec2> ways, std::size_t lags) {
-  Lags all;
-  for (std::size_t lag = 0; lag < lags; ++lag) {
-    const std::size_t begins = places.size() - lag;
-    double x = 0, y = 0, velocity = 0, kubo = 0;
-    for (std::size_t i = 0; i < begins; ++i) {
-      const Vec2 moved = places[i + lag] - places[i];
-      x += moved.x() * moved.x();
-      y += moved.y() * moved.y();
-      velocity += ways[i].dot(ways[i + lag]);
-      // Forward from the beginning and back from the end, which is the same by symmetry.
-      kubo += 0.5 * (ways[i] + ways[i + lag]).dot(moved);
-    }
-    const auto number = static_cast<double>(begins);
-    all.x.push_back(x / number);
-    all.y.push_back(y / number);
-    all.velocity.push_back(velocity / number);
-    all.kubo.push_back(kubo / number);
-  }
-  return all;
-}
-
 // What is asked of the lags of an orbit, each a mean over orbits.
 enum Asked : std::size_t {
   einstein,
@@ -76,7 +33,7 @@ enum Asked : std::size_t {
 };
 
 // The slope of D(t), the Green-Kubo integral up to t, over log t from 1/8 of the lags on.
-double slope_over_log(const Numbers& kubo, const Times& times) {
+double slope_over_log(const Numbers& kubo, const LagTimes& times) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (std::size_t i = (times.lags - 1) / 8; i < times.lags; ++i) {
     const double x = portable::log(times.lag(i)), y = 0.5 * kubo[i], weight = 1 / times.lag(i);
@@ -89,7 +46,7 @@ double slope_over_log(const Numbers& kubo, const Times& times) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-std::array<double, kAsked> asked_of(const Lags& lags, const Times& times) {
+std::array<double, kAsked> asked_of(const Lags& lags, const LagTimes& times) {
   const std::size_t last = times.lags - 1, half = last / 2;
   const double time = times.lag(last) - times.lag(half);
   const double x = (lags.x[last] - lags.x[half]) / (2 * time);
@@ -142,7 +99,7 @@ struct Distributions {
 // Orbits as they are made: where they are at the times, in the plane.
 class Walks : public OrbitSink {
  public:
-  Walks(const Room& room, const Times& times, double mean_flight,
+  Walks(const Room& room, const LagTimes& times, double mean_flight,
         std::span<const OrbitStart> starts, std::uint64_t bounces)
       : lattice_(room.orbits().periodic().lattice()),
         times_(times),
@@ -181,7 +138,7 @@ class Walks : public OrbitSink {
         ++left_out;
         continue;
       }
-      const Lags lags = lags_of(walk.places, walk.ways, times_.lags);
+      const Lags lags = Lags::of(walk.places, walk.ways, times_.lags);
       sums.add(lags);
       const auto found = asked_of(lags, times_);
       for (std::size_t i = 0; i < kAsked; ++i) asked[i].add(found[i], 1);
@@ -204,7 +161,7 @@ class Walks : public OrbitSink {
     double length = 0, longest = 0;
   };
   const std::array<Vec2, 2>& lattice_;
-  Times times_;
+  LagTimes times_;
   std::uint64_t bounces_;
   std::vector<Walk> walks_;
   Distributions distributions_;
@@ -212,7 +169,7 @@ class Walks : public OrbitSink {
 
 // All blocks together.
 struct Transport {
-  Times times;
+  LagTimes times;
   double mean_flight, left_out = 0;
   FlightTail tail{};
   std::array<RatioSums, kAsked> asked{};
@@ -355,7 +312,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
         fmt::format("say --bounces {} or more, and --count of many times as many", kFewestBounces),
         Trouble::usage);
   const double mean_flight = kPi * area / room.perimeter();
-  Transport all{times_of(mean_flight, plan->bounces), mean_flight};
+  Transport all{LagTimes::of(mean_flight, plan->bounces), mean_flight};
   const Blocks blocks = Blocks::of(plan->orbits);
   auto ran = fold_blocks(
       context, blocks.count(),

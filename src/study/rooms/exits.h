@@ -39,6 +39,7 @@ class Exits {
   void add(const PixelOutcome& one, bool is_late);
   Measure mean(std::string name, const std::function<double(const PixelOutcome&)>& of,
                double from) const;
+  void add_counts(Plot& plot, double x, const std::array<double, 2>& counts, double cells) const;
 
   const ExperimentContext& context_;
   const Room& room_;

@@ -26,8 +26,8 @@ struct SplitGroup {
 /// left at a level are drawn from with repetition, as many as at first, and each of these is turned by a
 /// random angle at the wall where it stands, as a clone that sets off alike stays alike for ever.
 ///
-/// Gives   shares whose mean over many groups is what is left of all orbits, where turning by `apart`
-///         does not change it: the error is of the order of its square where orbits part.
+/// Gives   shares whose mean over many groups is what is left of all orbits, as far as turning by `apart`
+///         does not change that; nothing bounds how much it does.
 /// Source  fixed splitting with a fixed number of orbits: Kahn and Harris 1951; unbiased, as Del Moral
 ///         (Feynman-Kac Formulae, 2004, theorem 7.4.2) has it.
 SplitGroup split_group(const ExperimentContext& context, const Room& room,

@@ -143,7 +143,7 @@ TEST(ErrorCoverage, OfEscapeRates) {
       return none;
     };
     by_length.add(rate("escape_rate_per_length"), 0.4103384077693465);
-    by_bounce.add(rate("escape_rate_per_bounce"), 1.698105808748553);
+    by_bounce.add(rate("escape_rate_per_bounce"), 1.6981063230203446);
   }
   by_length.expect_cover("escape by length", 0.2);
   by_bounce.expect_cover("escape by bounce", 0.2);
