@@ -99,7 +99,12 @@ class Walker {
         if (first && beyond > small_ * abs(first->t) + small_) continue;
         const bool together = first && abs(beyond) <= small_ * abs(first->t) + small_;
         if (!together) {
-          first = First{met.t, i, met.at_end, periodic};
+          first = First{met.t, i, met.at_end && !is_hole(i), periodic};
+          continue;
+        }
+        if (is_hole(first->surface)) continue;
+        if (is_hole(i)) {  // its ends with it
+          first = First{first->t, i, false, false};
           continue;
         }
         first->corner |= met.at_end || first->surface != i;
@@ -108,6 +113,8 @@ class Walker {
     }
     return first;
   }
+
+  bool is_hole(std::uint32_t surface) const { return materials_[surface] == Material::hole; }
 
   bool leads_out(const Segment& wall) const {
     const Place along = place(wall.b) - place(wall.a);
@@ -290,7 +297,8 @@ LongOrbit long_orbit(const Surfaces& walls, const Ray& start, std::uint64_t boun
       break;
     }
     orbit.bounces.push_back(*next);
-    if (!materials.empty() && materials[next->surface] == Material::absorb) {
+    const Material met = materials.empty() ? Material::mirror : materials[next->surface];
+    if (met == Material::absorb || met == Material::hole) {
       orbit.end = LongOrbit::End::absorbed;
       break;
     }

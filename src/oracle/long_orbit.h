@@ -18,7 +18,7 @@ struct LongOrbit {
   };
   enum class End { limit, escape, absorbed };
   std::vector<Bounce>
-      bounces;  ///< fewer than asked for where it ends; of a wall that absorbs the last
+      bounces;  ///< fewer than asked for where it ends; of a wall that absorbs, or a hole, the last
   End end = End::limit;
 };
 

