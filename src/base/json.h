@@ -23,6 +23,13 @@ struct JsonValue {
       data = nullptr;
 
   JsonValue() = default;
+  /// By assignment: the variant of GCC 12 destroys what it has not made yet where memory ends while it
+  /// is copied to begin with.
+  JsonValue(const JsonValue& other) { data = other.data; }
+  JsonValue(JsonValue&& other) noexcept = default;
+  JsonValue& operator=(const JsonValue& other) = default;
+  JsonValue& operator=(JsonValue&& other) noexcept = default;
+  ~JsonValue() = default;
   JsonValue(bool value) : data(value) {}
   JsonValue(int value) : data(std::int64_t{value}) {}
   JsonValue(unsigned value) : data(std::uint64_t{value}) {}

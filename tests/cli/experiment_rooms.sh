@@ -35,8 +35,8 @@ awk -v a="$(error_of quasi)" -v b="$(error_of random)" 'BEGIN { exit !(3 * a < b
 run 2 experiment mean-free-path "$sinai" --count 3000 --starts quasi
 says err "say --count 6400 or more"
 run 2 experiment mean-free-path "$sinai" --starts sobol
-run 2 experiment escape "$sinai" --starts quasi
-says err "is not an option of experiment escape"
+run 2 experiment reflections "$sinai" --starts quasi
+says err "is not an option of experiment reflections"
 # Sweeps.
 run 0 experiment mean-free-path "$sinai" --count 5000 -o sweep --sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.1
 exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg

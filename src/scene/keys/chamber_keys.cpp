@@ -92,7 +92,7 @@ constexpr Key<Chamber> kChamberKeys[] = {
     kLayerKey<Chamber>,
     {{"pillars", "[{ shape = ... }, ...]", "[]"}, &read_pillars},
     {{"holes", "[{ from = 0.2, to = 0.3 }, ...]", "[]"}, &read_holes},
-    {{"field", "1 / radius of flights", "0"}, &set<&Chamber::field>},
+    {{"field", "number", "0"}, &set<&Chamber::field>},
 };
 
 void read_chamber(Builder& builder, const Value& table) {
