@@ -51,6 +51,9 @@ inline constexpr TableText kTables[] = {
     {"pillar",
      "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.pillars]]\nshape = "
      "{ circle = { radius = 1 } }\n@"},
+    {"hole",
+     "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 9 } }\n[[chamber.holes]]\nfrom = "
+     "0.1\nto = 0.2\n@"},
     {"ray", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\n@"},
     {"ray.fan", "flatray = 1\n[[ray]]\nat = [0, 0]\ndirection = [1, 0]\nfan = { count = 2, @ }"},
     {"ray.ball",
@@ -132,6 +135,7 @@ inline std::string documented_name(const std::string& name) {
   if (name == "lamp state A") return "lamp.states";
   if (name == "markov") return "entity.markov";
   if (name == "pillar") return "chamber.pillars";
+  if (name == "hole") return "chamber.holes";
   return name == "markov.c" ? "markov.NAME" : name;
 }
 

@@ -17,8 +17,8 @@ namespace flatray {
 namespace {
 
 constexpr std::uint64_t kGroups = 32;
-constexpr std::uint64_t kPilot = 2000, kPilotBounces = 100'000, kMostLevels = 1000,
-                        kLeastOrbits = 100;
+constexpr std::uint64_t kPilot = 2000, kFirstBounces = 1000, kPilotBounces = 100'000,
+                        kMostLevels = 1000, kLeastOrbits = 100;
 constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
 constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
 
@@ -30,21 +30,31 @@ class Made : public OrbitSink {
   std::vector<std::uint64_t> bounces;
 };
 
-// Levels that leave about a quarter each, told by a few orbits that the groups do not use.
-Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room) {
+// Bounces of a few orbits that the groups do not use, the most first.
+std::vector<std::uint64_t> pilot(const ExperimentContext& context, const Room& room,
+                                 std::uint64_t bounces) {
   std::vector<OrbitStart> starts;
   for (std::uint64_t i = 0; i < kPilot; ++i)
     starts.push_back(room.draw_start(context.seed, (std::uint64_t{1} << 40) + i));
   Made made(starts.size());
-  follow_starts(context, room, starts, kPilotBounces, made);
+  follow_starts(context, room, starts, bounces, made);
   std::sort(made.bounces.begin(), made.bounces.end(), std::greater<>());
-  const auto quarter = static_cast<std::size_t>(kLeftAtLevel * kPilot);
-  const std::uint64_t step = std::max<std::uint64_t>(made.bounces[quarter], 1);
-  if (step >= kPilotBounces)
+  return std::move(made.bounces);
+}
+
+// Levels that leave about a quarter each.
+Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room) {
+  constexpr auto kQuarter = static_cast<std::size_t>(kLeftAtLevel * kPilot);
+  std::vector<std::uint64_t> made = pilot(context, room, kFirstBounces);
+  // Of a closed room the longer look would take minutes.
+  if (made.back() < kFirstBounces && made[kQuarter] == kFirstBounces)
+    made = pilot(context, room, kPilotBounces);
+  const std::uint64_t step = std::max<std::uint64_t>(made[kQuarter], 1);
+  if (step >= kPilotBounces || made.back() >= kFirstBounces)
     return fail(named_place(context.scene.name), "hardly any orbit leaves",
                 "splitting is for rooms that orbits leave by holes or gaps");
-  const auto those = std::count_if(made.bounces.begin(), made.bounces.end(),
-                                   [&](std::uint64_t one) { return one >= step; });
+  const auto those =
+      std::count_if(made.begin(), made.end(), [&](std::uint64_t one) { return one >= step; });
   const double stay = std::max(static_cast<double>(those) / kPilot, 1.0 / kPilot);
   const auto usual = static_cast<std::uint64_t>(
       std::ceil(portable::log(kLeftAtEnd) / portable::log(std::min(stay, 0.9))));

@@ -194,8 +194,10 @@ Result<void> expect_closed(const ExperimentContext& context) {
 
 Result<void> expect_holes(const ExperimentContext& context) {
   const Scene& scene = context.scene;
-  if (scene.chambers.empty() || scene.chambers.front().holes.empty())
-    return fail(named_place(scene.name), "the chamber has no holes to come back to",
+  if (scene.chambers.empty())
+    return fail(named_place(scene.name), "there is no chamber with holes to come back to");
+  if (scene.chambers.front().holes.empty())
+    return fail(scene.chambers.front().where, "the chamber has no holes to come back to",
                 "add holes = [{ edge = 0, from = 0.4, to = 0.5 }]");
   return expect_no_other_way_out(context);
 }

@@ -104,7 +104,8 @@ TEST(Lyapunov, OfRoomsThatPartNobodyExponentiallyHasNoError) {
 
 TEST(Lyapunov, OfAChaoticRoomHasAnError) {
   const ExperimentResult found = run("lyapunov", {sinai("0.3"), 1, 50'000, 2});
-  for (const Measure& one : found.measures) EXPECT_TRUE(one.standard_error) << one.name;
+  for (const Measure& one : found.measures)
+    EXPECT_TRUE(one.standard_error || one.name.starts_with("spectrum_")) << one.name;
   EXPECT_NE(found.summary.find("neighbours part exponentially"), std::string::npos);
 }
 
@@ -342,9 +343,16 @@ TEST_P(EveryChamberExperiment, GivesTheSameBytesForAnyThreads) {
   }
 }
 
+// Orbits escape by a hole.
+Scene scene_for(const std::string& name) {
+  return name == "escape" ? with_holes("capsule = { from = [-1, 0], to = [1, 0], radius = 1 }",
+                                       "{ edge = 0, from = 0.2, to = 0.3 }")
+                          : stadium();
+}
+
 TEST_P(EveryChamberExperiment, GivesTheSameBytesForAnyThreadsByQuasiRandomStarts) {
   if (!experiment(GetParam()).uses.starts) GTEST_SKIP() << "draws no starts";
-  const Scene scene = stadium();
+  const Scene scene = scene_for(GetParam());
   ExperimentContext context{scene, 5, 5000, 1, 60};
   context.starts = Starts::quasi;
   const auto alone = experiment(GetParam()).run(context);
@@ -355,7 +363,7 @@ TEST_P(EveryChamberExperiment, GivesTheSameBytesForAnyThreadsByQuasiRandomStarts
 }
 
 TEST_P(EveryChamberExperiment, GoesOnFromKeptBlocksToTheSameBytes) {
-  const Scene scene = stadium();
+  const Scene scene = scene_for(GetParam());
   ExperimentContext context{scene, 5, 20'000, 1, 60};
   if (experiment(GetParam()).uses.starts) context.starts = Starts::quasi;
   const auto whole = experiment(GetParam()).run(context);
