@@ -276,6 +276,7 @@ FastOrbits::FastOrbits(const OrbitTracer& exact, bool closed, Isa isa)
 
 std::string FastOrbits::look_for_obstacle() const {
   const Surfaces& walls = exact_.surfaces();
+  if (exact_.field() != 0) return "a magnetic field bends their flights";
   if (walls.size() == 0) return "there are no walls";
   if (walls.size() > kMostWalls) return "there are more than 96 walls";
   if (!walls.beziers.empty()) return "Bezier curves are followed exactly alone";

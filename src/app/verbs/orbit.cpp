@@ -167,9 +167,12 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
 // What only straight flights have.
 Result<void> check_straight(const Options& options, const Scene& scene) {
   if (scene.field() == 0) return {};
-  for (const char* option : {"precision", "tracer", "corner", "speed"})
-    if (options.has(option) && *options.text(option) != "double" &&
-        *options.text(option) != "stop" && *options.text(option) != "none")
+  const std::pair<const char*, bool> asked[] = {{"precision", options.precision.certified},
+                                                {"tracer", options.precision.tracer != nullptr},
+                                                {"corner", options.corner != CornerRule::stop},
+                                                {"speed", options.speeds.speed.has_value()}};
+  for (const auto& [option, is_asked] : asked)
+    if (is_asked)
       return usage_error(options.where(option), "is not for flights in a magnetic field",
                          "leave it out, or say -D chamber.0.field=0");
   return {};

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = PixelOutcome::Kind;
 
-constexpr std::uint64_t kBounces = 1000, kAudited = 64;
+constexpr std::uint64_t kBounces = 1000;
 constexpr Light kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
 
 // Who absorbed a ray: an entity, pillar or chamber, or a hole of it.
@@ -216,9 +216,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const auto all = trace_outcomes(context, room, bounces, count + context.count, count, start);
   if (!all) return tl::unexpected(all.error());
   const std::span<const PixelOutcome> outcomes(*all);
-  std::vector<OrbitStart> audited;
-  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(context.count, kAudited); ++i)
-    if (const auto one = start(count + i)) audited.push_back(*one);
+  const std::vector<OrbitStart> audited =
+      audited_starts(context, context.count, [&](std::uint64_t i) { return start(count + i); });
   return Basins(context, room, bounces, outcomes.first(count), outcomes.subspan(count))
       .result(audit(context, room, audited, bounces));
 }

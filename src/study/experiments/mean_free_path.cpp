@@ -68,9 +68,9 @@ class Flights : public OrbitSink {
 // In a field what circles freely meets no wall, and the mean is over all the rest of phase space, in which
 // the way to the next wall has the area of the walls' own for its flow (Santalo's argument): a flight
 // is a centre and a phase as well as a place and a direction.
-double area_of_flights(const Room& room) {
-  const double area = room.solids().free_area(), field = room.scene().field();
-  return field == 0 ? area : area - area_of_free_centres(room, 1 / std::fabs(field));
+double area_of_flights(const Room& room, double enclosed) {
+  const double field = room.scene().field();
+  return field == 0 ? enclosed : enclosed - area_of_free_centres(room, 1 / std::fabs(field));
 }
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
@@ -84,7 +84,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const auto plan = plan_orbits(context, kBounces);
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);
-  const double area = area_of_flights(room), expected = kPi * area / room.perimeter();
+  const double area = area_of_flights(room, enclosed), expected = kPi * area / room.perimeter();
   const StreamingHistogram none(0, kMostOfMean * expected, kBins);
   StreamingHistogram spread = none;
   StartSums all(context.starts);

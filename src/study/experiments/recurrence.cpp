@@ -15,7 +15,7 @@ namespace {
 
 using Kind = PixelOutcome::Kind;
 
-constexpr std::uint64_t kBounces = 1'000'000, kAudited = 64;
+constexpr std::uint64_t kBounces = 1'000'000;
 constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kLeastIndex = 4;  // as of FlightTail: from 2 on there is a variance
 
@@ -144,10 +144,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const auto start = [&](std::uint64_t i) { return entries(context.seed, i); };
   const auto orbits = trace_outcomes(context, room, bounces, context.count, 0, start);
   if (!orbits) return tl::unexpected(orbits.error());
-  std::vector<OrbitStart> audited;
-  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(context.count, kAudited); ++i)
-    audited.push_back(start(i));
-  return Returns(context, room, *orbits).result(audit(context, room, audited, bounces));
+  return Returns(context, room, *orbits)
+      .result(audit(context, room, audited_starts(context, context.count, start), bounces));
 }
 
 }  // namespace

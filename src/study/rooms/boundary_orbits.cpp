@@ -16,7 +16,8 @@ class Points : public OrbitSink {
     for (std::size_t i = 0; i < orbits; ++i) watches_.push_back(make_watch());
   }
   void bounce(std::size_t number, const Bounce& bounce) override {
-    watches_[number]->see({room_.place_of(bounce) / room_.perimeter(), sine(bounce)});
+    watches_[number]->see(
+        {room_.place_of(bounce) / room_.perimeter(), sine_of(bounce.out, bounce.normal)});
   }
   void end(std::size_t, const OrbitStop&) override {}
 
@@ -31,9 +32,6 @@ class Points : public OrbitSink {
   }
 
  private:
-  double sine(const Bounce& bounce) const {
-    return bounce.out.dot(Vec2(-bounce.normal.y(), bounce.normal.x())) / bounce.out.norm();
-  }
   const Room& room_;
   std::vector<std::unique_ptr<BoundaryWatch>> watches_;
 };

@@ -52,8 +52,8 @@ void Exits::add(const PixelOutcome& one, bool is_late) {
   const double along = places.position(one.surface, one.at) / places.length(one.surface);
   const double inward = static_cast<double>(room_.inner_side(one.surface).value_or(Sign::negative));
   const Vec2 normal = inward * wall_normal(room_.walls(), one.surface, one.at);
-  const double sine = one.out.dot(Vec2(-normal.y(), normal.x())) / one.out.norm();
-  const std::size_t place = cell_of(along, kCells), angle = cell_of(0.5 * (sine + 1), kCells);
+  const std::size_t place = cell_of(along, kCells),
+                    angle = cell_of(0.5 * (sine_of(one.out, normal) + 1), kCells);
   ++hole->all[place][angle];
   ++left_;
   if (!is_late) return;

@@ -90,7 +90,7 @@ Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitSt
 
 void follow_starts(const ExperimentContext& context, const Room& room,
                    std::span<const OrbitStart> starts, std::uint64_t bounces, OrbitSink& sink) {
-  if (context.precision == OrbitPrecision::exact || room.scene().field() != 0)
+  if (context.precision == OrbitPrecision::exact)
     return room.orbits().follow(starts, bounces, sink);
   if (context.precision == OrbitPrecision::fast) {
     room.fast_orbits().follow(starts, bounces, sink);
@@ -108,24 +108,27 @@ void follow_drawn(const ExperimentContext& context, const Room& room, std::uint6
   follow_starts(context, room, starts, bounces, sink);
 }
 
-std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
-                                       std::uint64_t orbits) {
+std::vector<OrbitStart> audited_starts(
+    const ExperimentContext& context, std::uint64_t orbits,
+    const std::function<std::optional<OrbitStart>(std::uint64_t)>& start) {
   std::vector<OrbitStart> starts;
   if (context.precision != OrbitPrecision::fast) return starts;
   const std::uint64_t count = std::min(orbits, kAuditedOrbits);
   for (std::uint64_t i = 0; i < count; ++i)
-    starts.push_back(room.draw_start(context.seed, i * (orbits / count), context.starts));
+    if (const auto one = start(i * (orbits / count))) starts.push_back(*one);
   return starts;
+}
+
+std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
+                                       std::uint64_t orbits) {
+  return audited_starts(context, orbits, [&](std::uint64_t i) {
+    return room.draw_start(context.seed, i, context.starts);
+  });
 }
 
 std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
                            std::span<const OrbitStart> starts, std::uint64_t bounces) {
   if (context.precision != OrbitPrecision::fast) return {};
-  if (room.scene().field() != 0) {
-    Measure none{"audit_orbits", 0};
-    none.remark = "all orbits are exact: a magnetic field bends their flights";
-    return {none};
-  }
   return audit_of(room.fast_orbits(), context, room, starts, bounces);
 }
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+#include <optional>
+
 #include "study/rooms/room.h"
 
 namespace flatray {
@@ -14,7 +17,11 @@ void follow_starts(const ExperimentContext& context, const Room& room,
 void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
                   std::uint64_t end, std::uint64_t bounces, OrbitSink& sink);
 
-/// Some of many starts, evenly over them, for an audit.
+/// Some of many starts, evenly over them, for an audit: of those that `start` has, or drawn as the context
+/// has it. None where the context's precision is not fast.
+std::vector<OrbitStart> audited_starts(
+    const ExperimentContext& context, std::uint64_t orbits,
+    const std::function<std::optional<OrbitStart>(std::uint64_t)>& start);
 std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
                                        std::uint64_t orbits);
 

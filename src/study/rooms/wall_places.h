@@ -30,6 +30,10 @@ std::vector<Vec2> wall_outline(const Surfaces& walls, std::uint32_t surface);
 
 /// Unit normal to the left of a segment, or outward of a curve.
 Vec2 wall_normal(const Surfaces& walls, std::uint32_t surface, const Vec2& point);
+/// Sine of the angle from a normal to a direction, positive to its left.
+inline double sine_of(const Vec2& direction, const Vec2& normal) {
+  return direction.dot(Vec2(-normal.y(), normal.x())) / direction.norm();
+}
 /// Of a wall as seen from the side `normal` points to: positive where rays that come from there are
 /// parted.
 double curvature(const Surfaces& walls, std::uint32_t surface, const Vec2& point,
