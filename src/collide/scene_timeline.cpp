@@ -17,7 +17,8 @@ namespace flatray {
 namespace {
 
 bool any_area(const std::vector<ShapePart>& parts) {
-  return std::any_of(parts.begin(), parts.end(), has_area);
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const ShapePart& part) { return has_area(part); });
 }
 
 // Whether parts have inner points in common wherever they lie together.

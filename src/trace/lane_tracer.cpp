@@ -13,7 +13,7 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kBlock = 4096, kBlockOfList = 512;
+constexpr std::size_t kBlockOfCells = 4096, kBlockOfList = 512;
 // Up to so many rays one after the other are faster than lanes (benchmarks/batch_size).
 constexpr std::size_t kFewRays = kMostRaysOneByOne, kFewRaysOfList = 4;
 
@@ -69,7 +69,7 @@ class LaneTracer : public Accelerator {
   std::size_t left_by_lanes(const RayBatch& rays) const override {
     if (!walls_.curve_numbers.empty()) return rays.size();
     std::size_t left = 0;
-    std::vector<NearestHit> hits(std::min(kBlock, rays.size()));
+    std::vector<NearestHit> hits(std::min(kBlockOfCells, rays.size()));
     in_blocks(rays, [&](LaneBlock& block, std::size_t, std::size_t) {
       block.walk();
       left += block.finish(hits.data()).size();
@@ -126,7 +126,8 @@ class LaneTracer : public Accelerator {
 
   template <class Each>
   void in_blocks(const RayBatch& rays, const Each& each) const {
-    const std::size_t most = std::min(cells_.has_cells() ? kBlock : kBlockOfList, rays.size());
+    const std::size_t most =
+        std::min(cells_.has_cells() ? kBlockOfCells : kBlockOfList, rays.size());
     LaneBlock block(walls_, cells_, view_, kernels_, most);
     for (std::size_t begin = 0; begin < rays.size(); begin += most) {
       const std::size_t count = std::min(most, rays.size() - begin);

@@ -23,6 +23,17 @@ function(flatray_module name)
   set_property(TARGET flatray_${name} PROPERTY EXPORT_NAME ${name})
 endfunction()
 
+# Compiles the sources of each folder as one, so that names need be unlike within a folder alone.
+#   flatray_unite_folders(flatray_study experiment.cpp rooms/room.cpp)
+function(flatray_unite_folders target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${FLATRAY_UNITY} UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(folder ${source} DIRECTORY)
+    get_filename_component(folder "${folder}" NAME)
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${folder})
+  endforeach()
+endfunction()
+
 # One registered entry: compiles <folder>/<name>.cpp, with sources that it alone needs, and puts it in the table <folder>.inc.
 #   flatray_register(scene shapes box)
 function(flatray_register module folder name)

@@ -14,9 +14,9 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-# Where a folder sets CMAKE_UNITY_BUILD, eight of its sources are compiled as one, which takes half the time; whoever
-# changes one file again and again may turn it off.
-option(FLATRAY_UNITY "compile several sources of tests, app, render and scene as one" ON)
+# Where a folder sets CMAKE_UNITY_BUILD, eight of its sources are compiled as one, which takes half the time, and those of
+# `study` folder by folder; whoever changes one file again and again may turn it off.
+option(FLATRAY_UNITY "compile several sources of most modules and of the tests as one" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")

@@ -53,8 +53,8 @@ Image picture(const Fates& fates) {
   const Film& film = fates.scene.film;
   return image_of(film.width, film.height, [&](std::size_t i) {
     const PixelOutcome& pixel = fates.found[i];
-    if (pixel.kind == Kind::limit) return Light{1, 1, 1};
-    if (pixel.kind == Kind::solid) return Light{0.02, 0.02, 0.025};
+    if (pixel.kind == Kind::limit) return LinearRgb{1, 1, 1};
+    if (pixel.kind == Kind::solid) return LinearRgb{0.02, 0.02, 0.025};
     return (pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(pixel.surface)) *
            (1 / (1 + 0.15 * pixel.bounces));
   });

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kTenths = 10;
 constexpr double kFree = -1;
-constexpr Light kClear{0.55, 0.75, 0.9};
+constexpr LinearRgb kClear{0.55, 0.75, 0.9};
 
 // The first entity as it would move to each pixel of the film by the last frame, and what it meets.
 class Choices {

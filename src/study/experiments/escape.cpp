@@ -17,7 +17,7 @@ namespace {
 using Kind = PixelOutcome::Kind;
 
 constexpr std::uint64_t kBounces = 1000;
-constexpr Light kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
+constexpr LinearRgb kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
 
 // Who absorbed a ray: an entity, pillar or chamber, or a hole of it.
 using Exit = std::tuple<SurfaceOwner::Kind, std::uint64_t, std::uint32_t>;
@@ -159,7 +159,7 @@ class Basins {
     Plot plot = pixel_plot(context_, room_, PixelMap::angle, [&](std::size_t i) {
       const PixelOutcome& pixel = pixels_[i];
       if (!gone(pixel)) return pixel.kind == Kind::limit ? kTrapped : kSolid;
-      const Light light =
+      const LinearRgb light =
           pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(colours.at(exit_of(pixel)));
       return light * brightness(pixel.bounces);
     });
@@ -180,7 +180,8 @@ class Basins {
       plot.bar = bar_of(
           "brightness: bounces until it leaves", most,
           [&](double part) {
-            return Light{1, 1, 1} * brightness(portable::exp(part * portable::log(1 + most)) - 1);
+            return LinearRgb{1, 1, 1} *
+                   brightness(portable::exp(part * portable::log(1 + most)) - 1);
           },
           [&](double bounces) { return log_share(bounces, most); });
     return plot;

@@ -25,7 +25,7 @@ struct Section {
   BoundaryOrbits watched;
   std::uint64_t every = 1;  // of the bounces of an orbit one is listed
   std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(kPixels);
-  std::vector<Light> light = std::vector<Light>(kPixels);
+  std::vector<LinearRgb> light = std::vector<LinearRgb>(kPixels);
   std::vector<std::vector<BoundaryPoint>> listed{};  // by orbit
   std::vector<Stretch> squares{};  // of sines: drawn orbits as they are, independent of each other
   std::size_t closed = 0;          // orbits
@@ -144,9 +144,9 @@ Image light_of(const Section& section) {
   // point is seen.
   const double scale = std::min(1.0, 0.33 * kPixels / std::max(section.bounces, 1.0));
   return image_of(kWidth, kHeight, [&](std::size_t i) {
-    const Light& sum = section.light[i];
+    const LinearRgb& sum = section.light[i];
     const double most = std::max({sum.r, sum.g, sum.b});
-    if (most == 0) return Light{};
+    if (most == 0) return LinearRgb{};
     // All of a pixel by one factor: the colour of an orbit stays its own, however often it comes by.
     return sum * ((1 - portable::exp(-2 * scale * most)) / most);
   });

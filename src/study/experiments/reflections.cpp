@@ -17,7 +17,7 @@ namespace {
 // in the end.
 constexpr std::uint64_t kPixelBounces = 200, kRayBounces = 1'000'000;
 constexpr std::uint64_t kWedgeBounces = std::uint64_t{1} << 30;
-constexpr Light kSolid{0.02, 0.03, 0.08};
+constexpr LinearRgb kSolid{0.02, 0.03, 0.08};
 
 class Counts : public OrbitSink {
  public:

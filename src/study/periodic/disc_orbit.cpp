@@ -9,7 +9,6 @@ namespace {
 constexpr int kMostSweeps = 4000, kHalvings = 60;
 
 Vec2 values(const Pair<Near>& p) { return {p.x.value(), p.y.value()}; }
-Pair<Near> near(const Vec2& v) { return {v.x(), v.y()}; }
 Vec2 unit(const Vec2& v) { return v / std::sqrt(v.squaredNorm()); }
 
 struct Touched {

@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::size_t kMostMirrors = 64;
 
-Pair<Near> near(const Vec2& v) { return {v.x(), v.y()}; }
-
 Pair<Near> form_of(const Ellipse& curve, const Pair<Near>& w) {
   return curve_form([](double x) { return Near(x); }, curve, w);
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr int kChords = 24;  // of a Bezier curve
 
 LinearColour colour_of(const std::string& ink) {
-  const Light light = light_of_hex(ink_colour(ink, false));
+  const LinearRgb light = light_of_hex(ink_colour(ink, false));
   return {static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b), 1};
 }
 

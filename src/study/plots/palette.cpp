@@ -20,41 +20,41 @@ double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
 
 }  // namespace
 
-Light& Light::operator+=(const Light& other) {
+LinearRgb& LinearRgb::operator+=(const LinearRgb& other) {
   r += other.r;
   g += other.g;
   b += other.b;
   return *this;
 }
 
-Light hue(double turn) {
+LinearRgb hue(double turn) {
   const double h = 6 * (turn - std::floor(turn));
   return {clamped(std::fabs(h - 3) - 1), clamped(2 - std::fabs(h - 2)),
           clamped(2 - std::fabs(h - 4))};
 }
 
-Light nth_colour(std::size_t n) {
+LinearRgb nth_colour(std::size_t n) {
   // Okabe and Ito, Color Universal Design, 2008, neighbours far apart.
   constexpr std::array kFirst = {"#56b4e9", "#cc79a7", "#f0e442", "#009e73",
                                  "#d55e00", "#0072b2", "#e69f00"};
   if (n < kFirst.size()) return light_of_hex(kFirst[n]);
-  Light light = hue(0.58 + kGoldenSection * static_cast<double>(n));
-  light += Light{0.08, 0.08, 0.08};
+  LinearRgb light = hue(0.58 + kGoldenSection * static_cast<double>(n));
+  light += LinearRgb{0.08, 0.08, 0.08};
   return light;
 }
 
-Light heat(double level) {
+LinearRgb heat(double level) {
   return {clamped(3 * level), clamped(3 * level - 1), clamped(3 * level - 2)};
 }
 
-Light hue_of(const Vec2& direction) {
+LinearRgb hue_of(const Vec2& direction) {
   return hue(portable::atan2(direction.y(), direction.x()) / kTurn);
 }
 
-Image image_of(int width, int height, const std::function<Light(std::size_t)>& light) {
+Image image_of(int width, int height, const std::function<LinearRgb(std::size_t)>& light) {
   Image image(width, height, 3);
   for (std::size_t i = 0; 3 * i < image.pixels.size(); ++i) {
-    const Light one = light(i);
+    const LinearRgb one = light(i);
     std::size_t part = 3 * i;
     for (const double level : {one.r, one.g, one.b})
       image.pixels[part++] = srgb_from_linear(static_cast<float>(level));
@@ -62,12 +62,12 @@ Image image_of(int width, int height, const std::function<Light(std::size_t)>& l
   return image;
 }
 
-std::string hex(const Light& light) {
+std::string hex(const LinearRgb& light) {
   const Image pixel = image_of(1, 1, [&](std::size_t) { return light; });
   return fmt::format("#{:02x}{:02x}{:02x}", pixel.pixels[0], pixel.pixels[1], pixel.pixels[2]);
 }
 
-Light light_of_hex(const std::string& hex) {
+LinearRgb light_of_hex(const std::string& hex) {
   const auto part = [&](std::size_t at) -> double {
     return light_of(static_cast<double>(std::stoul(hex.substr(at, 2), nullptr, 16)));
   };

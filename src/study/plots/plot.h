@@ -65,7 +65,7 @@ std::string svg(const Plot& plot);
 
 /// A bar from 0 to `most`: the colour at each part of it, and where on it a number stands, evenly
 /// if nothing else is said.
-Plot::Bar bar_of(std::string label, double most, const std::function<Light(double)>& colour,
+Plot::Bar bar_of(std::string label, double most, const std::function<LinearRgb(double)>& colour,
                  const std::function<double(double)>& part_of = {});
 /// log(1 + number) of that of `most`; 0 where that is 0.
 double log_share(double number, double most);

@@ -8,8 +8,8 @@
 namespace flatray {
 namespace {
 
-constexpr double kHalfHeight = 7, kGap = 2,
-                 kMark = 4;  // of words, beside them, of what else is kept free
+constexpr double kHalfHeight = 7, kGapBeside = 2,
+                 kMarkRoom = 4;  // of words, beside them, of what else is kept free
 constexpr std::array kAway = {9.0, 15.0, 24.0, 36.0, 50.0, 66.0, 84.0, 104.0, 126.0, 150.0};
 constexpr double kNear = 15;  // up to which no line need lead to the words
 // Right, left, above, below and between.
@@ -72,15 +72,15 @@ double anchor(const Vec2& side) { return side.x() > 0 ? 0 : side.x() < 0 ? 1 : 0
 void PointLabels::draw(Drawing& onto) const {
   TakenBoxes taken(low_, high_);
   for (const Vec2& point : points_)
-    taken.add({point - Vec2(kMark, kMark), point + Vec2(kMark, kMark)});
+    taken.add({point - Vec2(kMarkRoom, kMarkRoom), point + Vec2(kMarkRoom, kMarkRoom)});
   for (const Label& label : labels_)
     [&] {
       for (const double away : kAway)
         for (const Vec2& side : kSides) {
           const double width = words_width(label.words);
           const Vec2 at = label.at + away * side;
-          const Vec2 low = at - Vec2(anchor(side) * width + kGap, kHalfHeight);
-          const Bounds box{low, low + Vec2(width + 2 * kGap, 2 * kHalfHeight)};
+          const Vec2 low = at - Vec2(anchor(side) * width + kGapBeside, kHalfHeight);
+          const Bounds box{low, low + Vec2(width + 2 * kGapBeside, 2 * kHalfHeight)};
           if (box.low.x() < low_.x() || box.high.x() > high_.x() || box.low.y() < low_.y() ||
               box.high.y() > high_.y() || taken.overlaps(box))
             continue;

@@ -14,7 +14,7 @@ constexpr double kPixels = 1000;  // of the longer side of a picture
 constexpr int kSteps = 256;       // of a bar
 
 // By the fourth root, so that small shares are not pale.
-Light share_colour(double root) {
+LinearRgb share_colour(double root) {
   if (root <= 0) return {1, 1, 1};
   return {light_of(255 - 135 * root), light_of(230 - 230 * root), light_of(150 - 130 * root)};
 }
@@ -32,7 +32,7 @@ double log_share(double number, double most) {
   return most > 0 ? portable::log(1 + number) / portable::log(1 + most) : 0;
 }
 
-Plot::Bar bar_of(std::string label, double most, const std::function<Light(double)>& colour,
+Plot::Bar bar_of(std::string label, double most, const std::function<LinearRgb(double)>& colour,
                  const std::function<double(double)>& part_of) {
   const auto light = [&](std::size_t i) {
     return colour(1 - static_cast<double>(i) / (kSteps - 1));

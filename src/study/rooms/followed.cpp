@@ -59,8 +59,6 @@ struct Followed {
   double first = 0;    // how much first flights differ
 };
 
-double distance(const Vec2& a, const Vec2& b) { return std::sqrt((a - b).squaredNorm()); }
-
 Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitStart& start,
                        std::uint64_t bounces, double size) {
   Bounces fast, exact;
@@ -74,9 +72,10 @@ Followed follow_thrice(const FastOrbits& orbits, const Room& room, const OrbitSt
   found.fast_right = horizon(room.walls(), *truth, fast.all);
   found.exact_right = horizon(room.walls(), *truth, exact.all);
   const std::uint64_t right = found.fast_right;
-  found.wrong = right < found.proven &&
-                (right == 0 || distance(fast.all[right - 1].point,
-                                        truth->bounces[right - 1].point) < kSamePlace * size);
+  found.wrong =
+      right < found.proven &&
+      (right == 0 ||
+       (fast.all[right - 1].point - truth->bounces[right - 1].point).norm() < kSamePlace * size);
   if (right > 0) {
     const CertifiedOrbit::Bounce& first = truth->bounces.front();
     const double t = first.t * std::sqrt(start.ray.direction.squaredNorm());

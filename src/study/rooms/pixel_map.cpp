@@ -149,7 +149,7 @@ Result<std::vector<PixelOutcome>> trace_outcomes(
 }
 
 Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usual,
-                const std::function<Light(std::size_t)>& colour) {
+                const std::function<LinearRgb(std::size_t)>& colour) {
   const bool by_angle = (context.map == PixelMap::usual ? usual : context.map) == PixelMap::angle;
   const Film& film = context.scene.film;
   const Bounds& window = room.state().window;

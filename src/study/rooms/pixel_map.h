@@ -58,7 +58,7 @@ Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context,
 /// A map of such pixels, with axes that say where each orbit starts: world x and y, or the place on the
 /// line across the ray and the angle to it.
 Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usual,
-                const std::function<Light(std::size_t)>& colour);
+                const std::function<LinearRgb(std::size_t)>& colour);
 /// How many bounces, for a table; "" of what starts no orbit.
 std::string bounces_text(const PixelOutcome& pixel);
 

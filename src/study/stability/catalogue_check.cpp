@@ -15,7 +15,6 @@ namespace {
 
 constexpr unsigned kBits = 1024;
 constexpr std::size_t kFewRays = 4;   // so few go one by one whatever the walls
-constexpr double kTold = 2e-5;        // seconds that the clock of a thread tells well
 constexpr std::size_t kShare = 1000;  // of which one answer may be farther off
 
 // Rays among the same walls, and what is true of them.

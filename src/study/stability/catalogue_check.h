@@ -10,6 +10,8 @@ namespace flatray {
 
 /// How often each batch of a case is timed, one that takes long but once; the least counts.
 inline constexpr int kTimesOfACase = 3;
+/// Seconds that the clock of a thread tells well.
+inline constexpr double kTold = 2e-5;
 
 /// How a tracer does on one stiff case: every ray and orbit is asked twice, among so few that they
 /// go one by one, and among so many, of copies where it takes them, that they go through the lanes.

@@ -9,7 +9,6 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kTogether = 64;  // contacts of one call
-constexpr double kTold = 2e-5;         // seconds that the clock of a thread tells well
 
 void compare(const oracle::StiffContact& asked, const HitInterval& met, CatalogueTally& tally) {
   ++tally.queries;

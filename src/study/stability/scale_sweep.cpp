@@ -10,7 +10,7 @@ namespace flatray {
 namespace {
 
 constexpr int kPolygons = 12, kRays = 48;
-constexpr double kTurn = 6.283185307179586, kMost = 1000, kStep = 50;
+constexpr double kFullTurn = 6.283185307179586, kMost = 1000, kStep = 50;
 constexpr std::uint64_t kSweepFamily = 1000;  // names draws that no family has
 
 struct Little {
@@ -29,11 +29,11 @@ Little little_room(std::uint64_t seed) {
   std::vector<Vec2> corners;
   for (int i = 0; i < kPolygons; ++i) {
     const Vec2 centre = point();
-    const double radius = 0.02 + 0.1 * draw.unit(), turn = kTurn * draw.unit();
+    const double radius = 0.02 + 0.1 * draw.unit(), turn = kFullTurn * draw.unit();
     const int count = 3 + i % 2;
     std::vector<Vec2> ring;
     for (int k = 0; k < count; ++k) {
-      const double angle = turn + kTurn * k / count;
+      const double angle = turn + kFullTurn * k / count;
       ring.push_back(centre + radius * Vec2(portable::cos(angle), portable::sin(angle)));
     }
     for (std::size_t k = 0; k < ring.size(); ++k)

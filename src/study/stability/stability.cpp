@@ -22,9 +22,9 @@ bool agrees(const NearestHit& hit, const oracle::NearestWall& truth) {
 double as_double(double t) { return std::min(t, std::numeric_limits<double>::max()); }
 
 void count_ulps(double ulps, StabilityTally& tally) {
-  constexpr double kMost = 0x1p63;  // of what a whole number holds
-  tally.worst_ulps =
-      std::max(tally.worst_ulps, static_cast<std::uint64_t>(std::ceil(std::min(kMost, ulps))));
+  constexpr double kMostCounted = 0x1p63;  // of what a whole number holds
+  tally.worst_ulps = std::max(tally.worst_ulps,
+                              static_cast<std::uint64_t>(std::ceil(std::min(kMostCounted, ulps))));
   for (std::size_t i = 0; i < tally.off_by_far.size(); ++i)
     if (ulps > std::ldexp(1.0, 8 * static_cast<int>(i + 1))) ++tally.off_by_far[i];
 }

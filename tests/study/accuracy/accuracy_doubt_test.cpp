@@ -29,7 +29,7 @@ TEST(Accuracy, AShareIsInDoubtThoughNoneIsWrong) {
   EXPECT_NEAR(share_of(7, 7).half, share_of(0, 7).half, 1e-15);
 }
 
-std::string always(const Scene&) { return ""; }
+std::string applies_always(const Scene&) { return ""; }
 
 Result<ChoiceSettings> doubtful(const AccuracyContext&) {
   const auto setting = [](const char* words, double n, double error) {
@@ -42,7 +42,7 @@ Result<ChoiceSettings> doubtful(const AccuracyContext&) {
 }
 
 TEST(Accuracy, AnErrorBelowTheDoubtOfTheReferenceIsAtMostThat) {
-  const Choice choice{"doubtful", "?", ErrorKind::truncation, &always, &doubtful};
+  const Choice choice{"doubtful", "?", ErrorKind::truncation, &applies_always, &doubtful};
   const Scene scene;
   const ChoiceReport reports[] = {measure_choice(choice, {scene, 1, 1, 1e6})};
   const std::vector<AccuracyPoint>& points = reports[0].points;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 97, kHeight = 71;
 
-class GlBackends : public testing::Test {
+class GlBackends : public ::testing::Test {
  protected:
   static std::unique_ptr<Renderer> opened(const std::string& name, unsigned samples) {
     for (const Backend* one : backends())

@@ -74,7 +74,7 @@ TEST(LineDensity, AddsUpAndIsBrightestWhereMostIs) {
             srgb_from_linear(static_cast<float>(heat(1 - std::exp(-0.7)).g)));
 }
 
-void expect_light(const Light& light, double r, double g, double b) {
+void expect_light(const LinearRgb& light, double r, double g, double b) {
   EXPECT_NEAR(light.r, r, 1e-12);
   EXPECT_NEAR(light.g, g, 1e-12);
   EXPECT_NEAR(light.b, b, 1e-12);
@@ -107,7 +107,7 @@ TEST(Palette, HeatGoesFromBlackOverRedAndYellowToWhite) {
 TEST(Palette, ColoursOfNeighboursAreFarApart) {
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t k = 0; k < i; ++k) {
-      const Light a = nth_colour(i), b = nth_colour(k);
+      const LinearRgb a = nth_colour(i), b = nth_colour(k);
       EXPECT_GT(std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b),
                 i - k == 1 ? 1 : 0.2)
           << i << " " << k;

@@ -24,15 +24,17 @@
 namespace flatray {
 namespace {
 
-constexpr std::uint64_t kBounces = 60;
+constexpr std::uint64_t kBouncesFollowed = 60;
 constexpr unsigned kOracleBits = 1024;
 
 // Rooms where the oracle looks for 256 roots a wall.
-std::uint64_t bounces_in(const Room& room) { return room.walls().beziers.empty() ? kBounces : 20; }
+std::uint64_t bounces_in(const Room& room) {
+  return room.walls().beziers.empty() ? kBouncesFollowed : 20;
+}
 
-class Starts {
+class RoomRays {
  public:
-  Starts(const Room& room, std::uint64_t number) : room_(room), number_(number) {
+  RoomRays(const Room& room, std::uint64_t number) : room_(room), number_(number) {
     // What is met, not how far lone walls go on.
     for (std::uint32_t i = 0; i < room.walls().size(); ++i)
       if (room.scene().chambers.empty() || room.materials()[i] != Material::absorb)
@@ -164,7 +166,7 @@ bool ends_so(const CertifiedOrbit& orbit, const oracle::LongOrbit& truth, std::u
 }
 
 void check(const Room& room, std::uint64_t number, const std::string& name, Tally& tally) {
-  const Ray start = Starts(room, number).draw();
+  const Ray start = RoomRays(room, number).draw();
   const std::uint64_t bounces = bounces_in(room);
   const double begin = thread_seconds();
   const auto orbit = certified_orbit(room.walls(), start, bounces,

@@ -109,10 +109,10 @@ TEST(Remarks, AnExponentOfTwoKindsOfOrbitsSaysSo) {
   ASSERT_TRUE(rate.standard_error && share.standard_error);
   // Bounces on the half circle at sine s > w stay in it, w half the width of the stem; with those on the
   // cap's straight sides from there to x = 1, of height 2 sqrt(1 - w^2 / x^2).
-  const double w = 0.3, kPi = 3.141592653589793;
+  const double w = 0.3, pi = 3.141592653589793;
   const double sides = 2 * 2 * (std::sqrt(1 - w * w) - w * std::acos(w));
-  const double perimeter = kPi + 2 * (1 - w) + 2 * 0.8 + 2 * w;
-  EXPECT_NEAR(share.value, (kPi * 2 * (1 - w) + sides) / (2 * perimeter),
+  const double perimeter = pi + 2 * (1 - w) + 2 * 0.8 + 2 * w;
+  EXPECT_NEAR(share.value, (pi * 2 * (1 - w) + sides) / (2 * perimeter),
               4 * *share.standard_error + 0.01);
   const ExperimentResult one = run("lyapunov", {.scene = sinai("0.25"), .count = 300'000});
   EXPECT_EQ(measure(one, "per_hit").remark, "");
