@@ -87,8 +87,7 @@ void shorten(Value& a) {
   a.exponent += twos;
 }
 void shorten_if_long(Value& a) {
-  if (a.has_bottom() && mpz_sizeinbase(a.top, 2) + mpz_sizeinbase(a.bottom, 2) > kLongBits)
-    shorten(a);
+  if (mpz_sizeinbase(a.top, 2) + mpz_sizeinbase(a.bottom, 2) > kLongBits) shorten(a);
 }
 
 // top * 2^left over the bottom of a sum or difference, in `out`.

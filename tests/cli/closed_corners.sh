@@ -2,7 +2,7 @@
 # needs: shapes/polygon shapes/sector shapes/capsule lamps/cone lamps/point lamps/ray materials/diffuse materials/mirror formats/toml passes/light
 # Light that is aimed at the corners of closed rooms: none escapes. RAYS in all, as RAYS=100000000.
 source "$(dirname "$0")/lib.sh"
-rays=${RAYS:-1000000}
+rays=${RAYS:-$([[ -z $sanitizers ]] && echo 1000000 || echo 60000)}
 
 # lamps X Y, then the corners: rays, needles and fans from there to each, and a point.
 lamps() {

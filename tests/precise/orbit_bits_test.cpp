@@ -87,6 +87,19 @@ TEST(OrbitBits, ACircleTakesTheLogarithmOfTheBouncesToo) {
   }
 }
 
+// The points are (1/2, +-sqrt(3)/2) and (-1, 0), whose y no ball tells: numbers without error keep to
+// few bits. Trailing zeros doubled at each bounce: 30 took minutes.
+TEST(OrbitBits, NumbersWithoutErrorDoNotGrowInATriangle) {
+  Surfaces walls;
+  walls.add(Circle{{0, 0}, 1});
+  const auto orbit = certified_orbit(walls, {{0.5, 0}, {0, 1}}, 600);
+  ASSERT_TRUE(orbit && orbit->decided);
+  ASSERT_EQ(orbit->bounces.size(), 600U);
+  const double half = 0x1.bb67ae8584caap-1;  // sqrt(3) / 2
+  const Vec2 points[] = {{0.5, half}, {-1, 0}, {0.5, -half}};
+  for (std::size_t k = 0; k < 600; ++k) ASSERT_EQ(orbit->bounces[k].point, points[k % 3]) << k;
+}
+
 // All that can be asked of an orbit in doubles between straight walls, and not 2048 bits of it.
 TEST(OrbitBits, TheBouncesOfALongOrbitInDoublesAreProven) {
   const Surfaces walls = room({{0, 0}, {4, 3}, {1, 7}, {-3, 4}});

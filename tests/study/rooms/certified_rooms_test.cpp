@@ -1,7 +1,7 @@
 // needs: mpfr shapes/cell shapes/mushroom shapes/penrose shapes/tokarsky
 // Orbits of every room of scenes/chamber, as `orbit` prints them, against a moving point in GMP that shares
 // no formula with them: a bounce that is called certain is on that point's wall, in its order, and where
-// it is said to be. Ten orbits a room; 72 at full counts (docs/measured/rooms.md).
+// it is said to be. Ten orbits a room; 200 at full counts (docs/measured/rooms.md).
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
@@ -237,7 +237,7 @@ TEST(CertifiedRooms, EveryBounceCalledCertainIsThatOfAnIndependentProgram) {
     if (loaded->scene.field() != 0) continue;  // the oracle flies straight
     const Room room(loaded->scene);
     Tally tally;
-    for (std::uint64_t number = 0; number < times(72, 10); ++number)
+    for (std::uint64_t number = 0; number < times(200, 10); ++number)
       check(room, number, path.stem().string(), tally);
     print(path.stem().string(), tally);
     all.orbits += tally.orbits;
