@@ -24,7 +24,8 @@ constexpr Word<PixelMap> kMaps[] = {
 constexpr Word<OrbitPrecision> kPrecisions[] = {{"fast", OrbitPrecision::fast},
                                                 {"exact", OrbitPrecision::exact},
                                                 {"certified", OrbitPrecision::certified}};
-constexpr Word<Starts> kStarts[] = {{"random", Starts::random}, {"quasi", Starts::quasi}};
+constexpr Word<Starts> kStarts[] = {
+    {"random", Starts::random}, {"quasi", Starts::quasi}, {"conditional", Starts::conditional}};
 
 Result<double> parse_apart(const std::string& text, const Place& where) {
   const auto apart = parse_number(text);
@@ -58,8 +59,8 @@ struct Options : Arguments {
     row("--apart D", "of orbits that start near each other", apart, &parse_apart);
     row("--map", "what the pixels of a picture stand for", map, kMaps);
     row("--starts",
-        "how starts that are drawn are spread: each by itself, or evenly together, which has a "
-        "smaller error where orbits are short",
+        "how starts that are drawn are spread: each by itself; evenly together, which has a "
+        "smaller error where orbits are short; as what is left of an open room after long (escape)",
         starts, kStarts);
     row("--symbols N", "bounces of the longest periodic orbit (default 6)", symbols, 1,
         kMostSymbols);
@@ -102,6 +103,9 @@ struct Options : Arguments {
 };
 
 // All that the numbers of a block depend on.
+    if (starts == Starts::conditional && uses.starts && !uses.conditional)
+      row.problem("starts", fmt::format("experiment {} knows none that are left", experiment->name),
+                  "say random or quasi; escape takes conditional ones");
 Fields setting_of(const Options& options, const Scene& scene) {
   return {{"experiment", options.experiment->name},
           {"scene", fmt::format("{:016x}", scene.hash)},
