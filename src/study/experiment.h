@@ -80,6 +80,7 @@ struct ExperimentResult {
   struct File {
     std::string name;  ///< what comes before the extension may hold anything
     std::string content;
+    std::string caption{};  ///< of numbers for programs (.npy): what they are, with their units
   };
   std::vector<File> files{};
   std::string summary{};

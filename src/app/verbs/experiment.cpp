@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/experiments/experiment_monitor.h"
 #include "app/experiments/experiment_sweep.h"
+#include "app/files/hdf5_file.h"
 #include "app/files/result_files.h"
 #include "app/files/scene_input.h"
 #include "app/help/version.h"
@@ -44,7 +47,7 @@ struct Options : Arguments {
   Starts starts = Starts::random;
   OrbitPrecision precision = OrbitPrecision::exact;
   std::optional<Sweep> sweep;
-  bool resume = false;
+  bool resume = false, hdf5 = false;
 
   std::filesystem::path folder() const {
     return output.empty() ? fmt::format("out/{}", experiment->name) : output;
@@ -70,6 +73,7 @@ struct Options : Arguments {
         precision, kPrecisions);
     row("--sweep KEY=A..B:STEP", "run once for each value of a key of the scene, also KEY=V,V,...",
         sweep, &parse_sweep);
+    row("--hdf5", "write its numbers as NAME.h5, too, by libhdf5", hdf5);
     row("--resume", "keep what is done, and go on from what was kept", resume);
     scene.row_of_seed(row, seed);
     row(kForceRow);
@@ -99,13 +103,13 @@ struct Options : Arguments {
           !is_used && one != given().end() && one->second.origin.starts_with("--"))
         row.problem(name, fmt::format("is not an option of experiment {}", experiment->name),
                     used.empty() ? "it takes a scene and no such option" : "it takes " + used);
+    if (starts == Starts::conditional && uses.starts && !uses.conditional)
+      row.problem("starts", fmt::format("experiment {} knows none that are left", experiment->name),
+                  "say random or quasi; escape takes conditional ones");
   }
 };
 
 // All that the numbers of a block depend on.
-    if (starts == Starts::conditional && uses.starts && !uses.conditional)
-      row.problem("starts", fmt::format("experiment {} knows none that are left", experiment->name),
-                  "say random or quasi; escape takes conditional ones");
 Fields setting_of(const Options& options, const Scene& scene) {
   return {{"experiment", options.experiment->name},
           {"scene", fmt::format("{:016x}", scene.hash)},
@@ -206,6 +210,8 @@ Result<VerbOutput> run(const Options& options) {
   const Experiment& experiment = *options.experiment;
   if (options.precision == OrbitPrecision::certified)
     if (auto able = can_certify(); !able) return fail(std::move(able));
+  if (options.hdf5)
+    if (auto able = can_write_hdf5(); !able) return fail(std::move(able));
   // Two that are at work in one folder, and not of the same, would replace each other's results.
   const MadeFolder made(options.folder());
   const auto claim = Claim::take(options.folder(), experiment.name, json_text(asked_of(options)),
@@ -213,10 +219,21 @@ Result<VerbOutput> run(const Options& options) {
   if (!claim) return tl::unexpected(claim.error());
   Monitors monitors;
   if (experiment.name == std::string_view("backends")) expect_crashes_of_gl();
-  const auto result = measure_all(options, monitors);
+  auto result = measure_all(options, monitors);
   if (!result && interrupted()) return VerbOutput{.exit_code = report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
   if (auto held = claim->expect_held(); !held) return fail(std::move(held));
+  if (options.hdf5) {
+    std::string name = experiment.name;
+    std::replace(name.begin(), name.end(), '-', '_');  // as files beside it are called
+    auto file = hdf5_file(name,
+                          {{"question", experiment.question},
+                           {"asked", json_text(asked_of(options))},
+                           {"version", kVersion}},
+                          *result);
+    if (!file) return tl::unexpected(file.error());
+    result->files.push_back(std::move(*file));
+  }
   auto files = write_files(*result, options.folder(), Outputs(options));
   if (!files) return fail(std::move(files));
   for (const auto& monitor : monitors)
