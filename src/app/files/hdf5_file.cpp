@@ -102,13 +102,15 @@ Result<ExperimentResult::File> hdf5_file(const std::string& name, const Texts& a
   std::vector<FlatrayHdf5Attribute> given;
   for (const auto& [key, text] : attributes) given.push_back({key.c_str(), text.c_str()});
   ExperimentResult::File file{name + ".h5", ""};
-  const bool written = find_module().module->write(
-      arrays.all().data(), static_cast<unsigned>(arrays.all().size()), given.data(),
-      static_cast<unsigned>(given.size()),
-      [](void* to, const char* bytes, unsigned long long count) {
-        static_cast<std::string*>(to)->assign(bytes, count);
-      },
-      &file.content);
+  const FlatrayHdf5Module* module = find_module().module;
+  const bool written =
+      module != nullptr && module->write(
+                               arrays.all().data(), static_cast<unsigned>(arrays.all().size()),
+                               given.data(), static_cast<unsigned>(given.size()),
+                               [](void* to, const char* bytes, unsigned long long count) {
+                                 static_cast<std::string*>(to)->assign(bytes, count);
+                               },
+                               &file.content);
   if (written) return file;
   return fail(named_place(file.name), "the HDF5 library could not make the file", "",
               Trouble::output);

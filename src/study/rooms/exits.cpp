@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "study/rooms/starts.h"
-#include "study/statistics/estimate.h"
+#include "study/statistics/counted_share.h"
 
 namespace flatray {
 namespace {
@@ -85,7 +85,9 @@ std::vector<Measure> Exits::measures() const {
   const auto share = [&](std::string name, const std::function<bool(const PixelOutcome&)>& counts) {
     StartSums sums(context_.starts);
     for (std::size_t i = 0; i < drawn_.size(); ++i) sums.add(i, counts(drawn_[i]) ? 1 : 0, 1);
-    all.push_back(sums.all().measure(std::move(name)));
+    const RatioSums counted = sums.all();
+    all.push_back(counted.measure(std::move(name)));
+    withhold_error_of_few(all.back(), counted);
   };
   for (const Hole& hole : holes_)
     share("leaves_by " + hole.name, [&](const PixelOutcome& one) {

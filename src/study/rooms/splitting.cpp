@@ -42,6 +42,7 @@ class NextLevel : public OrbitSink {
 
 std::vector<double> ways_of(const std::vector<Walker>& walkers) {
   std::vector<double> ways;
+  ways.reserve(walkers.size());
   for (const Walker& one : walkers) ways.push_back(one.way);
   return ways;
 }

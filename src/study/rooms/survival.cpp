@@ -217,7 +217,7 @@ Survival survival(std::span<const Departure> orbits, Starts starts) {
 // What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.
 std::optional<double> late_start(const Survival& found) {
   if (found.law != Survival::Law::exponential) return std::nullopt;
-  return found.start + std::ceil(found.start / 2);
+  return 2 * found.start;
 }
 
 std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
