@@ -25,6 +25,11 @@ sleep 1.1  # times of objects, if there were any, are whole seconds
 run 0 experiment poincare "$sinai" --count 2000 --hdf5 -o two -j 2
 exists one/poincare.h5 one/poincare_points.npy
 cmp one/poincare.h5 two/poincare.h5 || fail "the same numbers are other bytes"
+# A sweep has a table alone.
+run 0 experiment mean-free-path "$sinai" --count 2000 --hdf5 -o swept --sweep chamber.0.pillars.0.shape.circle.radius=0.2,0.3
+says err "no .h5 is written"
+exists swept/sweep.csv
+absent swept/mean_free_path.h5
 command -v h5dump > /dev/null || finish
 for name in poincare_points poincare_density; do
   h5dump -d "/$name" -b FILE -o "$name.bin" one/poincare.h5 > "$name.txt"
