@@ -13,7 +13,8 @@ struct ModuleFile {
 inline constexpr ModuleFile kGlModule{"flatray_gl.so", "FLATRAY_GL_MODULE"},
     kEmbreeModule{"flatray_embree.so", "FLATRAY_EMBREE_MODULE"},
     kCertifiedModule{"flatray_certified.so", "FLATRAY_CERTIFIED_MODULE"},
-    kAllModules[] = {kGlModule, kEmbreeModule, kCertifiedModule};
+    kHdf5Module{"flatray_hdf5.so", "FLATRAY_HDF5_MODULE"},
+    kAllModules[] = {kGlModule, kEmbreeModule, kCertifiedModule, kHdf5Module};
 
 /// What a module answers by.
 struct LoadedEntry {

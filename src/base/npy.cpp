@@ -49,4 +49,24 @@ std::string npy_grid(std::span<const std::uint64_t> counts, std::uint64_t rows,
   return bytes;
 }
 
+NpyHead head_of_npy(const std::string& file) {
+  const std::size_t shape = file.find("'shape'"), end = file.find('\n', shape);
+  const std::string_view columns = std::string_view(file).substr(0, shape);
+  NpyHead head{{}, {}, end + 1};
+  for (std::size_t at = columns.find("('"); at != columns.npos; at = columns.find("('", at + 1)) {
+    const std::size_t after = columns.find('\'', at + 2);
+    head.columns.push_back(
+        {std::string(columns.substr(at + 2, after - at - 2)),
+         columns.substr(after, 6) == "', '<f" ? NpyTable::Kind::real : NpyTable::Kind::whole});
+  }
+  for (std::size_t at = file.find('(', shape) + 1; file[at] >= '0' && file[at] <= '9';) {
+    std::uint64_t count = 0;
+    for (; file[at] >= '0' && file[at] <= '9'; ++at)
+      count = 10 * count + static_cast<std::uint64_t>(file[at] - '0');
+    head.shape.push_back(count);
+    while (file[at] == ',' || file[at] == ' ') ++at;
+  }
+  return head;
+}
+
 }  // namespace flatray

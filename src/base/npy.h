@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -32,5 +33,14 @@ class NpyTable {
 /// Needs   as many counts as rows times columns.
 std::string npy_grid(std::span<const std::uint64_t> counts, std::uint64_t rows,
                      std::uint64_t columns);
+
+/// What a file made by these has before its numbers.
+struct NpyHead {
+  std::vector<NpyTable::Column> columns;  ///< none of a grid
+  std::vector<std::uint64_t> shape;
+  std::size_t size;  ///< bytes before the numbers
+};
+/// Needs   a file of an NpyTable or of npy_grid.
+NpyHead head_of_npy(const std::string& file);
 
 }  // namespace flatray

@@ -35,8 +35,9 @@ enum class PixelMap : std::uint8_t {
              ///< right as seen along the ray, and at angles to it from 90 degrees, top, to -90
 };
 
-/// How starts that are drawn are spread: each by itself, or evenly together.
-enum class Starts : std::uint8_t { random, quasi };
+/// How starts that are drawn are spread: each by itself; evenly together; or as what is left of an open room
+/// after long is (study/rooms/conditional_starts.h).
+enum class Starts : std::uint8_t { random, quasi, conditional };
 
 /// How orbits are followed: deciding exactly, in lanes of doubles (transport/fast_orbits.h), or proven.
 enum class OrbitPrecision : std::uint8_t { exact, fast, certified };
@@ -79,6 +80,7 @@ struct ExperimentResult {
   struct File {
     std::string name;  ///< what comes before the extension may hold anything
     std::string content;
+    std::string caption{};  ///< of numbers for programs (.npy): what they are, with their units
   };
   std::vector<File> files{};
   std::string summary{};
@@ -105,8 +107,9 @@ struct ExperimentUses {
   bool count = false, bounces = false, apart = false, map = false, seed = false, starts = false;
   bool resume = false;  ///< it works in blocks
   bool symbols = false;
-  bool precision = false;  ///< it is a mean over orbits
-  bool field = false;      ///< a magnetic field may bend its rays
+  bool precision = false;    ///< it is a mean over orbits
+  bool field = false;        ///< a magnetic field may bend its rays
+  bool conditional = false;  ///< its starts may be of the conditionally invariant measure
 };
 
 struct Experiment {

@@ -49,5 +49,21 @@ TEST(Npy, AGridHasItsRowsAndColumnsInTheHead) {
   EXPECT_EQ(bytes[bytes.size() - 8], 6);
 }
 
+TEST(Npy, HeadsAreReadAsTheyWereWritten) {
+  NpyTable table({{"orbit", NpyTable::Kind::whole}, {"sine", NpyTable::Kind::real}}, 0);
+  const std::string none = std::move(table).take();
+  const NpyHead of_table = head_of_npy(none);
+  ASSERT_EQ(of_table.columns.size(), 2U);
+  EXPECT_EQ(of_table.columns[1].name, "sine");
+  EXPECT_EQ(of_table.columns[0].kind, NpyTable::Kind::whole);
+  EXPECT_EQ(of_table.columns[1].kind, NpyTable::Kind::real);
+  EXPECT_EQ(of_table.shape, std::vector<std::uint64_t>{0});
+  EXPECT_EQ(of_table.size, none.size());
+  const std::uint64_t counts[] = {1, 2, 3, 4, 5, 6};
+  const NpyHead of_grid = head_of_npy(npy_grid(counts, 2, 3));
+  EXPECT_TRUE(of_grid.columns.empty());
+  EXPECT_EQ(of_grid.shape, (std::vector<std::uint64_t>{2, 3}));
+}
+
 }  // namespace
 }  // namespace flatray

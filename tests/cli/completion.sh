@@ -36,7 +36,7 @@ says err "bash, zsh, fish"
 
 # Every verb has every option of its help completed.
 for verb in $(words flatray ''); do
-  for option in $("$flatray" help "$verb" | sed '/^Examples/,$d' | grep -o ' --[a-z-]*'); do
+  for option in $("$flatray" help "$verb" | sed '/^Examples/,$d' | grep -o ' --[a-z0-9-]*'); do
     [[ " $(words flatray "$verb" --)" == *" $option "* ]] || fail "$verb: $option is not completed"
   done
 done

@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/experiments/experiment_monitor.h"
 #include "app/experiments/experiment_sweep.h"
+#include "app/files/hdf5_file.h"
 #include "app/files/result_files.h"
 #include "app/files/scene_input.h"
 #include "app/help/version.h"
@@ -24,7 +27,8 @@ constexpr Word<PixelMap> kMaps[] = {
 constexpr Word<OrbitPrecision> kPrecisions[] = {{"fast", OrbitPrecision::fast},
                                                 {"exact", OrbitPrecision::exact},
                                                 {"certified", OrbitPrecision::certified}};
-constexpr Word<Starts> kStarts[] = {{"random", Starts::random}, {"quasi", Starts::quasi}};
+constexpr Word<Starts> kStarts[] = {
+    {"random", Starts::random}, {"quasi", Starts::quasi}, {"conditional", Starts::conditional}};
 
 Result<double> parse_apart(const std::string& text, const Place& where) {
   const auto apart = parse_number(text);
@@ -43,7 +47,7 @@ struct Options : Arguments {
   Starts starts = Starts::random;
   OrbitPrecision precision = OrbitPrecision::exact;
   std::optional<Sweep> sweep;
-  bool resume = false;
+  bool resume = false, hdf5 = false;
 
   std::filesystem::path folder() const {
     return output.empty() ? fmt::format("out/{}", experiment->name) : output;
@@ -58,8 +62,8 @@ struct Options : Arguments {
     row("--apart D", "of orbits that start near each other", apart, &parse_apart);
     row("--map", "what the pixels of a picture stand for", map, kMaps);
     row("--starts",
-        "how starts that are drawn are spread: each by itself, or evenly together, which has a "
-        "smaller error where orbits are short",
+        "how starts that are drawn are spread: each by itself; evenly together, which has a "
+        "smaller error where orbits are short; as what is left of an open room after long (escape)",
         starts, kStarts);
     row("--symbols N", "bounces of the longest periodic orbit (default 6)", symbols, 1,
         kMostSymbols);
@@ -69,6 +73,7 @@ struct Options : Arguments {
         precision, kPrecisions);
     row("--sweep KEY=A..B:STEP", "run once for each value of a key of the scene, also KEY=V,V,...",
         sweep, &parse_sweep);
+    row("--hdf5", "write its numbers as NAME.h5, too, by libhdf5", hdf5);
     row("--resume", "keep what is done, and go on from what was kept", resume);
     scene.row_of_seed(row, seed);
     row(kForceRow);
@@ -98,6 +103,9 @@ struct Options : Arguments {
           !is_used && one != given().end() && one->second.origin.starts_with("--"))
         row.problem(name, fmt::format("is not an option of experiment {}", experiment->name),
                     used.empty() ? "it takes a scene and no such option" : "it takes " + used);
+    if (starts == Starts::conditional && uses.starts && !uses.conditional)
+      row.problem("starts", fmt::format("experiment {} knows none that are left", experiment->name),
+                  "say random or quasi; escape takes conditional ones");
   }
 };
 
@@ -202,6 +210,8 @@ Result<VerbOutput> run(const Options& options) {
   const Experiment& experiment = *options.experiment;
   if (options.precision == OrbitPrecision::certified)
     if (auto able = can_certify(); !able) return fail(std::move(able));
+  if (options.hdf5)
+    if (auto able = can_write_hdf5(); !able) return fail(std::move(able));
   // Two that are at work in one folder, and not of the same, would replace each other's results.
   const MadeFolder made(options.folder());
   const auto claim = Claim::take(options.folder(), experiment.name, json_text(asked_of(options)),
@@ -209,10 +219,24 @@ Result<VerbOutput> run(const Options& options) {
   if (!claim) return tl::unexpected(claim.error());
   Monitors monitors;
   if (experiment.name == std::string_view("backends")) expect_crashes_of_gl();
-  const auto result = measure_all(options, monitors);
+  auto result = measure_all(options, monitors);
   if (!result && interrupted()) return VerbOutput{.exit_code = report_interrupted(result.error())};
   if (!result) return tl::unexpected(result.error());
   if (auto held = claim->expect_held(); !held) return fail(std::move(held));
+  if (options.hdf5 && result->measures.empty())
+    report_note(
+        "flatray: no .h5 is written: what was asked has tables alone, and they are in .csv");
+  else if (options.hdf5) {
+    std::string name = experiment.name;
+    std::replace(name.begin(), name.end(), '-', '_');  // as files beside it are called
+    auto file = hdf5_file(name,
+                          {{"question", experiment.question},
+                           {"asked", json_text(asked_of(options))},
+                           {"version", kVersion}},
+                          *result);
+    if (!file) return tl::unexpected(file.error());
+    result->files.push_back(std::move(*file));
+  }
   auto files = write_files(*result, options.folder(), Outputs(options));
   if (!files) return fail(std::move(files));
   for (const auto& monitor : monitors)

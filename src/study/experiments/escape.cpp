@@ -7,9 +7,9 @@
 #include "base/portable_math.h"
 #include "base/table.h"
 #include "study/plots/plot.h"
+#include "study/rooms/conditional_starts.h"
 #include "study/rooms/exits.h"
 #include "study/rooms/followed.h"
-#include "study/rooms/survival.h"
 
 namespace flatray {
 namespace {
@@ -24,14 +24,16 @@ using Exit = std::tuple<SurfaceOwner::Kind, std::uint64_t, std::uint32_t>;
 
 class Basins {
  public:
-  /// `pixels`, and what starts from anywhere in the picture.
+  /// `pixels`, and what starts are drawn; `memory` of conditional ones.
   Basins(const ExperimentContext& context, const Room& room, std::uint64_t bounces,
-         std::span<const PixelOutcome> pixels, std::span<const PixelOutcome> drawn)
-      : context_(context), room_(room), bounces_(bounces), pixels_(pixels) {
-    for (const PixelOutcome& one : drawn)
-      if (one.kind != Kind::solid)
-        drawn_.push_back({static_cast<double>(one.bounces), one.length, gone(one)});
-    survival_ = survival(drawn_);
+         std::span<const PixelOutcome> pixels, std::span<const PixelOutcome> drawn, double memory)
+      : context_(context),
+        room_(room),
+        bounces_(bounces),
+        memory_(memory),
+        pixels_(pixels),
+        drawn_(departures_of(drawn)),
+        survival_(survival(drawn_, context.starts)) {
     if (!holes_of(room).empty())
       exits_by_hole_.emplace(context, room, drawn, late_start(survival_));
     for (const PixelOutcome& pixel : pixels_) {
@@ -111,7 +113,7 @@ class Basins {
     using Law = Survival::Law;
     if (survival_.freedom == 0) return;
     if (survival_.law == Law::exponential) {
-      for (Measure& rate : escape_rates(drawn_, survival_, bounces_))
+      for (Measure& rate : escape_rates(drawn_, survival_, bounces_, context_.starts, memory_))
         all.push_back(std::move(rate));
       return;
     }
@@ -190,10 +192,11 @@ class Basins {
   const ExperimentContext& context_;
   const Room& room_;
   std::uint64_t bounces_;
+  double memory_;
   std::span<const PixelOutcome> pixels_;
-  std::optional<Exits> exits_by_hole_;
   std::vector<Departure> drawn_;
   Survival survival_;
+  std::optional<Exits> exits_by_hole_;
   std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0;
   std::map<Exit, std::uint64_t> exits_;
   std::vector<std::uint64_t> gone_after_;  // by number of bounces
@@ -203,14 +206,21 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const bool holes = !holes_of(room).empty();
-  if (!holes && context.starts != Starts::random)
+  if (!holes && context.starts == Starts::quasi)
     return fail(named_place("--starts"), "without holes starts are drawn in the picture",
-                "leave --starts out", Trouble::usage);
+                "say --starts conditional, or leave --starts out", Trouble::usage);
   const Film& film = context.scene.film;
   const std::uint64_t bounces = context.bounces.value_or(kBounces), count = pixel_count(film);
   const PlaceStarts places(context, room, PixelMap::angle);
+  std::optional<ConditionalStarts> conditional;
+  if (context.starts == Starts::conditional) {
+    auto found = ConditionalStarts::draw(context, room, bounces);
+    if (!found) return tl::unexpected(found.error());
+    conditional = std::move(*found);
+  }
   const auto start = [&](std::uint64_t i) -> std::optional<OrbitStart> {
     if (i < count) return places[pixel_centre(film, i)];
+    if (conditional) return (*conditional)[i - count];
     if (holes) return room.draw_start(context.seed, i - count, context.starts);
     return places[drawn_place(context.seed, i - count)];
   };
@@ -219,7 +229,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const std::span<const PixelOutcome> outcomes(*all);
   const std::vector<OrbitStart> audited =
       audited_starts(context, context.count, [&](std::uint64_t i) { return start(count + i); });
-  return Basins(context, room, bounces, outcomes.first(count), outcomes.subspan(count))
+  return Basins(context, room, bounces, outcomes.first(count), outcomes.subspan(count),
+                conditional ? conditional->memory() : 0)
       .result(audit(context, room, audited, bounces));
 }
 
@@ -236,7 +247,8 @@ extern const Experiment escape = {
      .seed = true,
      .starts = true,
      .resume = true,
-     .precision = true}};
+     .precision = true,
+     .conditional = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

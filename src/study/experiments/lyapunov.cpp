@@ -12,6 +12,7 @@
 #include "study/rooms/tangent.h"
 #include "study/rooms/wall_places.h"
 #include "study/statistics/blocks.h"
+#include "study/statistics/counted_share.h"
 
 namespace flatray {
 namespace {
@@ -202,6 +203,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
     one.remark += (one.remark.empty() ? "" : "; ") + std::string("mean over both kinds of orbits");
   measures.push_back(regular.measure("part_like_a_power"));
   measures.back().remark = "share of the orbits";
+  withhold_error_of_few(measures.back(), regular);
   return measures;
 }
 

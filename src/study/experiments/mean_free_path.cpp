@@ -124,7 +124,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                   room.scene().field() == 0 ? "" : " less the centres of free circles",
                   room.perimeter()),
       std::move(measures));
-  spread.add_files(result, "mean_free_path_flights");
+  spread.add_files(result, "mean_free_path_flights", "lengths of flights, world units");
   return result;
 }
 

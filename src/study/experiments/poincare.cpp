@@ -190,7 +190,8 @@ void add_points(ExperimentResult& result, const Section& section) {
       numbers.add(point.sine);
     }
   result.files.push_back({"poincare_points.csv", std::move(text)});
-  result.files.push_back({"poincare_points.npy", std::move(numbers).take()});
+  result.files.push_back({"poincare_points.npy", std::move(numbers).take(),
+                          "along: share of the walls' length; sine: of the angle to the normal"});
 }
 
 // How many bounces are in each pixel: by the middle of the sine from its top down, and of the place.
@@ -207,7 +208,8 @@ void add_density(ExperimentResult& result, const Section& section) {
     text += '\n';
   }
   result.files.push_back({"poincare_density.csv", std::move(text)});
-  result.files.push_back({"poincare_density.npy", npy_grid(section.counts, kHeight, kWidth)});
+  result.files.push_back({"poincare_density.npy", npy_grid(section.counts, kHeight, kWidth),
+                          "bounces by sine, from 1 down to -1, and by share of the walls' length"});
 }
 
 // Random starts have the measure that reflection keeps, in which the sine is uniform: the mean of

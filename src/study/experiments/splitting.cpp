@@ -20,6 +20,8 @@ constexpr std::uint64_t kGroups = 32;
 constexpr std::uint64_t kPilot = 2000, kFirstBounces = 1000, kPilotBounces = 100'000,
                         kMostLevels = 1000, kLeastOrbits = 100;
 constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
+constexpr std::uint64_t kForgotten =
+    3;                           // levels before those of a rate: what is left of the beginning
 constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
 
 class Made : public OrbitSink {
@@ -199,8 +201,12 @@ class Report {
       for (Measure* one : {&by_bounce, &by_length}) {
         one->remark = fmt::format("from bounce {} to {}", (plan_.first + 1) * plan_.bounces,
                                   plan_.levels * plan_.bounces);
-        if (!left.standard_error || !exponential) one->standard_error.reset();
+        const bool forgotten = plan_.first >= kForgotten;
+        if (!left.standard_error || !exponential || !forgotten) one->standard_error.reset();
         if (!exponential) one->remark = "no rate: earlier and later levels differ";
+        if (exponential && !forgotten)
+          one->remark += fmt::format("; no error: fewer than {} levels, the beginning may be felt",
+                                     3 * kForgotten);
         all.push_back(std::move(*one));
       }
     }

@@ -282,8 +282,9 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
     table.add(std::move(row));
   }
   result.files.push_back(csv_file("transport_lags", table));
-  all.distributions.flights.add_files(result, "transport_flights");
-  all.distributions.sines.add_files(result, "transport_sines");
+  all.distributions.flights.add_files(result, "transport_flights",
+                                      "lengths of flights, world units");
+  all.distributions.sines.add_files(result, "transport_sines", "sines of the incidence");
   add_plot(result, "transport_displacement",
            curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>"), context.threads);
   add_plot(result, "transport_velocity", curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>"),

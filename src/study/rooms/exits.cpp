@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "study/rooms/starts.h"
-#include "study/statistics/estimate.h"
+#include "study/statistics/counted_share.h"
 
 namespace flatray {
 namespace {
@@ -85,7 +85,9 @@ std::vector<Measure> Exits::measures() const {
   const auto share = [&](std::string name, const std::function<bool(const PixelOutcome&)>& counts) {
     StartSums sums(context_.starts);
     for (std::size_t i = 0; i < drawn_.size(); ++i) sums.add(i, counts(drawn_[i]) ? 1 : 0, 1);
-    all.push_back(sums.all().measure(std::move(name)));
+    const RatioSums counted = sums.all();
+    all.push_back(counted.measure(std::move(name)));
+    withhold_error_of_few(all.back(), counted);
   };
   for (const Hole& hole : holes_)
     share("leaves_by " + hole.name, [&](const PixelOutcome& one) {
@@ -93,12 +95,13 @@ std::vector<Measure> Exits::measures() const {
     });
   share("leaves_at_first_wall",
         [&](const PixelOutcome& one) { return one.kind == Kind::absorbed && one.bounces == 0; });
-  all.back().expected = length_of(room_, holes_of(room_)) / room_.perimeter();
+  if (context_.starts != Starts::conditional)
+    all.back().expected = length_of(room_, holes_of(room_)) / room_.perimeter();
   const auto bounces = [](const PixelOutcome& one) { return static_cast<double>(one.bounces); };
   all.push_back(mean("mean_exit_bounces", bounces, 0));
   all.push_back(mean(
       "mean_exit_length", [](const PixelOutcome& one) { return one.way; }, 0));
-  if (late_) {
+  if (late_ && *late_ > 0) {
     all.push_back(mean(
         "mean_exit_bounces_late", [&](const PixelOutcome& one) { return one.bounces - *late_; },
         *late_));
@@ -123,9 +126,12 @@ void Exits::add_counts(Plot& plot, double x, const std::array<double, 2>& counts
                        double cells) const {
   constexpr double kMost = 1.959963984540054;
   const double sums[] = {left_, left_late_};
+  const bool conditional =
+      context_.starts == Starts::conditional;  // whose orbits are not independent
   for (std::size_t k = 0; k < 2; ++k)
     if (const double even = sums[k] / cells; even > 0)
-      plot.series[k].points.push_back({x, counts[k] / even, kMost * std::sqrt(counts[k]) / even});
+      plot.series[k].points.push_back(
+          {x, counts[k] / even, conditional ? 0 : kMost * std::sqrt(counts[k]) / even});
 }
 
 Plot Exits::plot_of_places() const {

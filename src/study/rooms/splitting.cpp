@@ -11,12 +11,6 @@
 namespace flatray {
 namespace {
 
-struct Walker {
-  OrbitStart at;
-  double way = 0;  // up to there
-  std::size_t ancestor = 0;
-};
-
 // Where walkers are after so many bounces, of those that made them.
 class NextLevel : public OrbitSink {
  public:
@@ -48,59 +42,29 @@ class NextLevel : public OrbitSink {
 
 std::vector<double> ways_of(const std::vector<Walker>& walkers) {
   std::vector<double> ways;
+  ways.reserve(walkers.size());
   for (const Walker& one : walkers) ways.push_back(one.way);
   return ways;
 }
 
-// Draws of one group, by level and orbit.
-class Cloning {
- public:
-  Cloning(const Room& room, std::uint64_t seed, std::uint64_t group, double apart)
-      : room_(room), seed_(seed), group_(group), apart_(apart) {}
+bool leads_on(const Room& room, const OrbitStart& start) {
+  return leads_away(room.walls(), start.left.surface, side_of_start(room, start), start.ray.origin,
+                    start.ray.direction);
+}
 
-  std::vector<Walker> clones(const std::vector<Walker>& left, std::uint64_t count,
-                             std::uint64_t level) const {
-    std::vector<Walker> all;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const auto draw = [&](std::uint64_t which) {
-        return unit_double(random_bits(seed_, Stream::experiment, kFrame + group_, i,
-                                       static_cast<std::uint32_t>(2 * level + which)));
-      };
-      const auto parent = static_cast<std::size_t>(draw(0) * static_cast<double>(left.size()));
-      Walker clone = left[std::min(parent, left.size() - 1)];
-      turn(clone.at, apart_ * (2 * draw(1) - 1));
-      all.push_back(clone);
-    }
-    return all;
+// As far as it still leads away from its wall.
+void turn(const Room& room, OrbitStart& start, double angle) {
+  const double c = portable::cos(angle), s = portable::sin(angle);
+  Ray& ray = start.ray;
+  const Vec2 before = ray.direction;
+  for (const double sine : {s, -s}) {
+    ray.direction = {c * before.x() - sine * before.y(), sine * before.x() + c * before.y()};
+    if (leads_on(room, start)) return;
   }
+  ray.direction = before;
+}
 
- private:
-  static constexpr std::uint64_t kFrame = std::uint64_t{1} << 31;  // no start's
-
-  // As far as it still leads away from its wall.
-  void turn(OrbitStart& start, double angle) const {
-    const double c = portable::cos(angle), s = portable::sin(angle);
-    Ray& ray = start.ray;
-    const Vec2 before = ray.direction;
-    for (const double sine : {s, -s}) {
-      ray.direction = {c * before.x() - sine * before.y(), sine * before.x() + c * before.y()};
-      if (leads_on(start)) return;
-    }
-    ray.direction = before;
-  }
-  bool leads_on(const OrbitStart& start) const {
-    const std::uint32_t wall = start.left.surface;
-    const Sign here = room_.walls().visit(wall, [&](const auto& one) {
-      return root_left(one, Sign::positive) == start.left.root ? Sign::positive : Sign::negative;
-    });
-    const Sign side = room_.inner_side(wall).value_or(here);
-    return leads_away(room_.walls(), wall, side, start.ray.origin, start.ray.direction);
-  }
-
-  const Room& room_;
-  std::uint64_t seed_, group_;
-  double apart_;
-};
+constexpr std::uint64_t kFrame = std::uint64_t{1} << 31;  // of draws of clones: no start's
 
 }  // namespace
 
@@ -122,34 +86,63 @@ SplitGroup SplitGroup::from(std::span<const double> numbers) {
           part(levels + first, numbers.size() - 3 - levels - first), numbers[0]};
 }
 
+Sign side_of_start(const Room& room, const OrbitStart& start) {
+  const std::uint32_t wall = start.left.surface;
+  const Sign here = room.walls().visit(wall, [&](const auto& one) {
+    return root_left(one, Sign::positive) == start.left.root ? Sign::positive : Sign::negative;
+  });
+  return room.inner_side(wall).value_or(here);
+}
+
+Population::Population(const ExperimentContext& context, const Room& room,
+                       const SplittingPlan& plan, std::uint64_t group)
+    : context_(context), room_(room), plan_(plan), group_(group) {
+  for (std::uint64_t i = 0; i < plan.orbits; ++i)
+    walkers_.push_back(
+        {room.draw_start(context.seed, group * plan.orbits + i), 0, static_cast<std::size_t>(i)});
+}
+
+void Population::advance() {
+  std::vector<OrbitStart> starts;
+  for (const Walker& one : walkers_) starts.push_back(one.at);
+  NextLevel next(room_, walkers_, plan_.bounces);
+  follow_starts(context_, room_, starts, plan_.bounces, next);
+  walkers_ = next.left();
+}
+
+void Population::clone() {
+  const std::vector<Walker> left = std::move(walkers_);
+  walkers_.clear();
+  for (std::uint64_t i = 0; i < plan_.orbits; ++i) {
+    const auto draw = [&](std::uint32_t which) {
+      return unit_double(
+          random_bits(context_.seed, Stream::experiment, kFrame + group_, i, 2 * level_ + which));
+    };
+    const auto parent = static_cast<std::size_t>(draw(0) * static_cast<double>(left.size()));
+    walkers_.push_back(left[std::min(parent, left.size() - 1)]);
+    turn(room_, walkers_.back().at, plan_.apart * (2 * draw(1) - 1));
+  }
+  ++level_;
+}
+
 SplitGroup split_group(const ExperimentContext& context, const Room& room,
                        const SplittingPlan& plan, std::uint64_t group) {
   SplitGroup found{std::vector<double>(plan.levels), {}, {}};
-  std::vector<Walker> walkers;
-  for (std::uint64_t i = 0; i < plan.orbits; ++i)
-    walkers.push_back(
-        {room.draw_start(context.seed, group * plan.orbits + i), 0, static_cast<std::size_t>(i)});
-  const Cloning cloning(room, context.seed, group, plan.apart);
+  Population population(context, room, plan, group);
+  const std::vector<Walker>& left = population.walkers();
   double share = 1;
   for (std::uint64_t level = 0; level < plan.levels; ++level) {
-    std::vector<OrbitStart> starts;
-    for (const Walker& one : walkers) starts.push_back(one.at);
-    NextLevel next(room, walkers, plan.bounces);
-    follow_starts(context, room, starts, plan.bounces, next);
-    const std::vector<Walker> left = next.left();
+    if (level > 0) population.clone();
+    population.advance();
     share *= static_cast<double>(left.size()) / static_cast<double>(plan.orbits);
     found.share[level] = share;
     if (level == plan.first) found.first = ways_of(left);
-    if (left.empty()) break;
-    if (level + 1 < plan.levels) {
-      walkers = cloning.clones(left, plan.orbits, level);
-      continue;
-    }
-    found.last = ways_of(left);
-    std::set<std::size_t> ancestors;
-    for (const Walker& one : left) ancestors.insert(one.ancestor);
-    found.ancestors = static_cast<double>(ancestors.size());
+    if (left.empty()) return found;
   }
+  found.last = ways_of(left);
+  std::set<std::size_t> ancestors;
+  for (const Walker& one : left) ancestors.insert(one.ancestor);
+  found.ancestors = static_cast<double>(ancestors.size());
   return found;
 }
 

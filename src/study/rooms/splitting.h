@@ -22,9 +22,40 @@ struct SplitGroup {
   static SplitGroup from(std::span<const double> numbers);
 };
 
-/// Follows a group of starts by the measure that reflection keeps from level to level. Those that are
+/// An orbit of a group, where it stands.
+struct Walker {
+  OrbitStart at;
+  double way = 0;  ///< up to there
+  std::size_t ancestor = 0;
+};
+
+/// The side of its wall on which a start stands.
+Sign side_of_start(const Room& room, const OrbitStart& start);
+
+/// A group of orbits from level to level: first starts by the measure that reflection keeps. Those that are
 /// left at a level are drawn from with repetition, as many as at first, and each of these is turned by a
 /// random angle at the wall where it stands, as a clone that sets off alike stays alike for ever.
+class Population {
+ public:
+  /// Needs   the context, room and plan to outlive it.
+  Population(const ExperimentContext& context, const Room& room, const SplittingPlan& plan,
+             std::uint64_t group);
+  /// Follows all to the next level, and keeps those that are left.
+  void advance();
+  /// Needs   some that are left.
+  void clone();
+  const std::vector<Walker>& walkers() const { return walkers_; }
+
+ private:
+  const ExperimentContext& context_;
+  const Room& room_;
+  const SplittingPlan& plan_;
+  std::uint64_t group_;
+  std::uint32_t level_ = 0;  // clones made
+  std::vector<Walker> walkers_;
+};
+
+/// What a population comes to.
 ///
 /// Gives   shares whose mean over many groups is what is left of all orbits, as far as turning by `apart`
 ///         does not change that; nothing bounds how much it does.

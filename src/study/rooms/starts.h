@@ -20,7 +20,8 @@ struct UnitPoint {
 UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number);
 
 /// Sums over orbits from which a ratio of means and its error are estimated: under random starts
-/// each orbit is a sample, under quasi-random ones all those of a shift together are.
+/// each orbit is a sample, under quasi-random ones all those of a shift together are, and under conditional
+/// ones all those of a group.
 class StartSums {
  public:
   explicit StartSums(Starts starts) : starts_(starts), sums_(samples_of(starts)) {}
@@ -36,7 +37,7 @@ class StartSums {
   static StartSums from(Starts starts, std::span<const double> numbers);
 
  private:
-  static std::size_t samples_of(Starts starts) { return starts == Starts::quasi ? kShifts : 1; }
+  static std::size_t samples_of(Starts starts) { return starts == Starts::random ? 1 : kShifts; }
 
   Starts starts_;
   std::vector<RatioSums> sums_;

@@ -88,7 +88,7 @@ Fit fit(std::span<const Stretch> stretches, double (*width)(const Stretch&)) {
 double in_bounces(const Stretch& one) { return one.to - one.from; }
 double in_logarithms(const Stretch& one) { return portable::log((one.to + 1) / (one.from + 1)); }
 
-Survival looked_at(const FallingCurve& curve, std::size_t start) {
+Survival looked_at(const FallingCurve& curve, std::size_t start, double design_effect) {
   Survival found;
   found.start = static_cast<double>(start);
   const std::vector<Stretch> tail = curve.tail(start);
@@ -96,12 +96,13 @@ Survival looked_at(const FallingCurve& curve, std::size_t start) {
   const Fit rate = fit(tail, &in_bounces), power = fit(tail, &in_logarithms);
   found.rate = rate.fall;
   found.power = power.fall;
-  found.rate_rest = rate.rest;
-  found.power_rest = power.rest;
+  found.rate_rest = rate.rest / design_effect;
+  found.power_rest = power.rest / design_effect;
   found.freedom = static_cast<double>(tail.size() - 1);
   const double most = chi_squared_95(found.freedom);
-  if (rate.rest <= most && power.rest > kClearly * most) found.law = Survival::Law::exponential;
-  if (power.rest <= most && rate.rest > most) found.law = Survival::Law::power;
+  const bool fits = found.rate_rest <= most;
+  if (fits && found.power_rest > kClearly * most) found.law = Survival::Law::exponential;
+  if (!fits && found.power_rest <= most) found.law = Survival::Law::power;
   return found;
 }
 
@@ -110,6 +111,23 @@ bool contradicts(const Survival& later, Survival::Law first) {
   using Law = Survival::Law;
   const double rest = first == Law::exponential ? later.rate_rest : later.power_rest;
   return first != Law::undecided && rest > kClearly * chi_squared_95(later.freedom);
+}
+
+// Of those that are there before each bounce from a start on, the sums of those that leave.
+StartSums leaving_from(double start, std::span<const Departure> orbits, Starts starts) {
+  StartSums leaving(starts);
+  for (std::size_t i = 0; i < orbits.size(); ++i)
+    if (const auto& [bounces, length, gone] = orbits[i]; bounces >= start)
+      leaving.add(i, gone ? 1 : 0, bounces - start + (gone ? 1 : 0));
+  return leaving;
+}
+
+// By how much more the variance of what leaves is than that of independent orbits.
+double design_effect(std::span<const Departure> orbits, Starts starts) {
+  if (starts != Starts::conditional) return 1;
+  const double together = leaving_from(0, orbits, starts).all().standard_error(),
+               apart = leaving_from(0, orbits, Starts::random).all().standard_error();
+  return apart > 0 ? std::max(1.0, together * together / (apart * apart)) : 1;
 }
 
 // Mean of a number of bounces below `most` that falls like e^(-rate n).
@@ -122,6 +140,7 @@ double mean_bounces(double rate, double most) {
 // often it bounces than orbits do in the mean. Times e^(-decay bounces), which does not move the root, all
 // weights are about as large.
 struct Weighted {
+  std::size_t sample;
   double length, decay, excess;
   double at(double rate) const { return excess * portable::exp(rate * length - decay); }
 };
@@ -143,7 +162,8 @@ double root(std::span<const Weighted> terms) {
   return 0.5 * (low + high);
 }
 
-Measure by_length(std::span<const Departure> orbits, double start, double rate, double limit) {
+Measure by_length(std::span<const Departure> orbits, double start, double rate, double limit,
+                  Starts starts) {
   // Some few that stay much longer, on long ways, would weigh as much as all others.
   const double end = std::min(limit, start + std::ceil(kLifetimes / rate) + 1);
   const double mean = mean_bounces(rate, end - start);
@@ -154,36 +174,42 @@ Measure by_length(std::span<const Departure> orbits, double start, double rate, 
   for (const Departure& one : orbits)
     if (counts(one)) shortest = std::min(shortest, one.length);
   std::vector<Weighted> terms;
-  for (const Departure& one : orbits)
-    if (counts(one))
-      terms.push_back(
-          {one.length - shortest, rate * (one.bounces - start), one.bounces - start - mean});
+  const std::size_t samples = starts == Starts::random ? orbits.size() : kShifts;
+  for (std::size_t i = 0; i < orbits.size(); ++i)
+    if (const Departure& one = orbits[i]; counts(one))
+      terms.push_back({i % samples, one.length - shortest, rate * (one.bounces - start),
+                       one.bounces - start - mean});
   Measure measure{"escape_rate_per_length", root(terms)};
+  std::vector<double> parts(samples);
   double squares = 0, slope = 0;
   for (const Weighted& one : terms) {
     const double term = one.at(measure.value);
-    squares += term * term;
+    parts[one.sample] += term;
     slope += one.length * term;
   }
+  for (const double part : parts) squares += part * part;
+  if (starts != Starts::random) squares *= kShifts / (kShifts - 1.0);
   measure.standard_error = std::sqrt(squares) / std::fabs(slope);
   return measure;
 }
 
 }  // namespace
 
-Survival survival(std::span<const Departure> orbits) {
+Survival survival(std::span<const Departure> orbits, Starts starts) {
   using Law = Survival::Law;
   const FallingCurve curve(orbits);
+  const double more = design_effect(orbits, starts);
   Survival first, last;
-  for (std::size_t start = 1, step = 1; start < curve.gone.size(); start += step) {
+  for (std::size_t start = starts == Starts::conditional ? 0 : 1, step = 1;
+       start < curve.gone.size(); start += step) {
     if (curve.there[start] < kLeastTail) break;
-    const Survival found = looked_at(curve, start);
+    const Survival found = looked_at(curve, start, more);
     if (found.freedom == 0) break;
     last = found;
     last.law = Law::undecided;
     if (found.law != Law::undecided && first.law == Law::undecided) first = found;
     if (contradicts(found, first.law)) return last;
-    step = std::max<std::size_t>(1, std::size_t{1} << (std::bit_width(start) - 1) >> 1);
+    step = std::max<std::size_t>(1, std::bit_floor(start) >> 1);
   }
   return first.law == Law::undecided ? last : first;
 }
@@ -191,27 +217,26 @@ Survival survival(std::span<const Departure> orbits) {
 // What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.
 std::optional<double> late_start(const Survival& found) {
   if (found.law != Survival::Law::exponential) return std::nullopt;
-  return found.start + std::ceil(found.start / 2);
+  return 2 * found.start;
 }
 
 std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
-                                  std::uint64_t limit) {
+                                  std::uint64_t limit, Starts starts, double memory) {
   const double start = *late_start(found);
-  double last = 0;
-  RatioSums leaving;  // of those that are there before a bounce
+  double last = 0, there = 0;
   for (const Departure& one : orbits) {
     last = std::max(last, one.bounces);
-    if (one.bounces >= start)
-      leaving.add(one.gone ? 1 : 0, one.bounces - start + (one.gone ? 1 : 0));
+    if (one.bounces >= start) ++there;
   }
+  const RatioSums leaving = leaving_from(start, orbits, starts).all();
   if (leaving.x < kLeastGone || leaving.x == leaving.y) return {};
   const double stay = 1 - leaving.ratio(), rate = -portable::log(stay);
   Measure by_bounce{"escape_rate_per_bounce", rate, leaving.standard_error() / stay};
-  Measure by_way = by_length(orbits, start, rate, static_cast<double>(limit));
+  Measure by_way =
+      by_length(orbits, std::max(start, memory), rate, static_cast<double>(limit), starts);
   for (Measure* one : {&by_bounce, &by_way}) {
-    one->freedom = leaving.x - 1;
-    one->remark =
-        fmt::format("of {:.0f} orbits from bounce {:.0f} to {:.0f}", leaving.samples, start, last);
+    one->freedom = std::min(leaving.x, leaving.samples) - 1;
+    one->remark = fmt::format("of {:.0f} orbits from bounce {:.0f} to {:.0f}", there, start, last);
   }
   return {std::move(by_bounce), std::move(by_way)};
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "study/statistics/estimate.h"
+#include "study/rooms/starts.h"
 
 namespace flatray {
 
@@ -29,8 +29,11 @@ struct Survival {
 /// one of them fits decides, unless a later one is clearly not of it. What falls like a power is soon like an
 /// exponential for a few orbits: that is decided only where a power leaves twice what it may.
 ///
-/// Needs   orbits independent of each other.
-Survival survival(std::span<const Departure> orbits);
+/// Of conditional starts from 0 bounces on, squares divided by how much more their groups differ than independent
+/// orbits would (the design effect: Rao and Scott 1981).
+///
+/// Needs   orbits in the order of their starts, independent of each other but for what `starts` says.
+Survival survival(std::span<const Departure> orbits, Starts starts = Starts::random);
 
 /// From how many bounces on what is left of the beginning is small beside chance; none where the law is not
 /// exponential.
@@ -41,9 +44,11 @@ std::optional<double> late_start(const Survival& found);
 /// that leave at bounce n depends on n no more: how lengths are spread then does not matter, as it does
 /// where they are counted as if they were a time.
 ///
-/// Needs   survival(orbits).law is exponential; `limit` bounces after which orbits were given up.
+/// Needs   survival(orbits, starts).law is exponential; `limit` bounces after which orbits were given up. That by
+///         length is from `memory` bounces on or later: what is invariant by bounces is not by length.
 /// Gives   none where too few are left.
 std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
-                                  std::uint64_t limit);
+                                  std::uint64_t limit, Starts starts = Starts::random,
+                                  double memory = 0);
 
 }  // namespace flatray

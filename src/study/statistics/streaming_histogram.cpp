@@ -33,7 +33,8 @@ Table StreamingHistogram::table() const {
   return table;
 }
 
-void StreamingHistogram::add_files(ExperimentResult& result, const std::string& name) const {
+void StreamingHistogram::add_files(ExperimentResult& result, const std::string& name,
+                                   const std::string& caption) const {
   using Kind = NpyTable::Kind;
   NpyTable numbers(
       {{"from", Kind::real}, {"to", Kind::real}, {"count", Kind::whole}, {"density", Kind::real}},
@@ -47,7 +48,7 @@ void StreamingHistogram::add_files(ExperimentResult& result, const std::string& 
     numbers.add(last ? 0.0 : density(i, all));
   }
   result.files.push_back(csv_file(name, table()));
-  result.files.push_back({name + ".npy", std::move(numbers).take()});
+  result.files.push_back({name + ".npy", std::move(numbers).take(), caption});
 }
 
 double StreamingHistogram::chi_squared_of_even() const {

@@ -19,8 +19,9 @@ class StreamingHistogram {
 
   /// A row for each bin: its ends, how many, their density; the last up to infinity without one.
   Table table() const;
-  /// NAME.csv of these rows, and NAME.npy (base/npy.h).
-  void add_files(ExperimentResult& result, const std::string& name) const;
+  /// NAME.csv of these rows, and NAME.npy (base/npy.h) with a caption.
+  void add_files(ExperimentResult& result, const std::string& name,
+                 const std::string& caption) const;
   /// Pearson's sum of (counted - even)^2 / even over the bins, if numbers were equally likely in all.
   double chi_squared_of_even() const;
 

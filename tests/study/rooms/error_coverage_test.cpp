@@ -11,6 +11,7 @@
 #include "full_counts.h"
 #include "study/accuracy/accuracy.h"
 #include "study/chamber_scenes.h"
+#include "study/interval_runs.h"
 #include "study/rooms/starts.h"
 #include "study/rooms/survival.h"
 #include "study/statistics/stretches.h"
@@ -19,37 +20,6 @@ namespace flatray {
 namespace {
 
 using namespace flatray::testing;
-
-// What many runs say of one truth.
-class Runs {
- public:
-  void add(const Measure& found, double truth) {
-    if (!found.standard_error) {
-      ++silent_;
-      return;
-    }
-    const double z = (found.value - truth) / *found.standard_error;
-    ++runs_;
-    sum_ += z;
-    squares_ += z * z / (found.freedom > 2 ? found.freedom / (found.freedom - 2) : 3);
-    if (std::fabs(found.value - truth) <= *half_interval(found)) ++held_;
-  }
-  // Within three and a half deviations of 95 % of a hundred runs that is 88 and more; errors twice as
-  // large, or half as large, are found by the squares.
-  void expect_cover(const std::string& what, double most_silent = 0.1) const {
-    fmt::print("{:<40} {:5} runs, {:5.1f} % held, mean z {:5.2f}\n", what, runs_,
-               100 * held_ / runs_, sum_ / runs_);
-    EXPECT_LE(silent_, most_silent * (runs_ + silent_)) << what;
-    EXPECT_GE(held_, 0.95 * runs_ - 3.5 * std::sqrt(0.95 * 0.05 * runs_))
-        << what << " of " << runs_;
-    const double slack = 4.5 / std::sqrt(2 * runs_), rms = std::sqrt(squares_ / runs_);
-    EXPECT_GT(rms, 1 - slack) << what;
-    EXPECT_LT(rms, 1 + slack) << what;
-  }
-
- private:
-  double runs_ = 0, held_ = 0, silent_ = 0, squares_ = 0, sum_ = 0;
-};
 
 void expect_cover(const char* name, const char* number, ExperimentContext context,
                   std::optional<double> truth, std::uint64_t runs) {

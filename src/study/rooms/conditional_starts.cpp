@@ -1,0 +1,122 @@
+#include "study/rooms/conditional_starts.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/counted.h"
+#include "base/parallel.h"
+#include "base/portable_math.h"
+#include "transport/near_doubles.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::uint64_t kPilot = std::uint64_t{1} << 18;        // orbits, at most
+constexpr std::uint64_t kPilotStarts = std::uint64_t{1} << 40;  // numbers that no group uses
+constexpr std::uint64_t kLeastOrbits = 100;                     // of a group
+constexpr double kForgotten = 3;  // memories: what is left of the beginning is its third power
+constexpr double kTurn = 0x1p-7;
+constexpr double kLogOfFour = 1.3862943611198906;  // a quarter is left at a level
+
+// Blocks of the pilot are not those of the run.
+class OnlyStops : public RunMonitor {
+ public:
+  explicit OnlyStops(RunMonitor* of) : of_(of) {}
+  void begin(std::size_t) override {}
+  std::optional<Numbers> kept(std::size_t) override { return std::nullopt; }
+  void done(std::size_t, const Numbers&) override {}
+  bool stopped() override { return of_ != nullptr && of_->stopped(); }
+
+ private:
+  RunMonitor* of_;
+};
+
+// How starts by the measure that reflection keeps leave.
+Result<Survival> natural_survival(const ExperimentContext& context, const Room& room,
+                                  std::uint64_t bounces) {
+  const std::uint64_t count = std::min(context.count, kPilot);
+  const auto outcomes = trace_outcomes(context, room, bounces, count, 0, [&](std::uint64_t i) {
+    return room.draw_start(context.seed, kPilotStarts + i);
+  });
+  if (!outcomes) return tl::unexpected(outcomes.error());
+  const Survival found = survival(departures_of(*outcomes));
+  const Place where = named_place(context.scene.name);
+  if (found.law == Survival::Law::power)
+    return fail(where,
+                fmt::format("orbits leave like (n + 1)^-{:.3g}, not exponentially: what is left "
+                            "comes to no conditionally invariant measure",
+                            found.power),
+                "leave --starts conditional out", Trouble::usage);
+  if (found.law == Survival::Law::undecided)
+    return fail(where,
+                fmt::format("of {} it cannot be told whether they leave exponentially",
+                            counted(count, "orbit")),
+                "say a larger --count, or leave --starts conditional out", Trouble::usage);
+  return found;
+}
+
+// Points that fast orbits bounce at may lie behind their wall, by rounding: exact ones would meet it at once.
+std::vector<OrbitStart> in_front_of_walls(const Room& room, const std::vector<Walker>& walkers) {
+  std::vector<OrbitStart> starts;
+  for (const Walker& one : walkers) {
+    starts.push_back(one.at);
+    const Sign side = side_of_start(room, one.at);
+    const auto origin = nearest_double(one.at.ray.origin, [&](const Vec2& point) {
+      return room.walls().visit(one.at.left.surface,
+                                [&](const auto& wall) { return side_of(wall, point) != -side; });
+    });
+    if (origin) starts.back().ray.origin = *origin;
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::vector<Departure> departures_of(std::span<const PixelOutcome> orbits) {
+  using Kind = PixelOutcome::Kind;
+  std::vector<Departure> all;
+  for (const PixelOutcome& one : orbits)
+    if (one.kind != Kind::solid)
+      all.push_back({static_cast<double>(one.bounces), one.length, one.kind != Kind::limit});
+  return all;
+}
+
+Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& context,
+                                                  const Room& room, std::uint64_t bounces) {
+  OnlyStops monitor(context.monitor);
+  ExperimentContext pilot = context;
+  pilot.monitor = &monitor;
+  const std::uint64_t orbits = (context.count + kShifts - 1) / kShifts;
+  if (orbits < kLeastOrbits)
+    return fail(
+        named_place("--count"),
+        fmt::format("conditional starts in {} groups of {}", kShifts, counted(orbits, "orbit")),
+        fmt::format("say --count {} or more", kShifts * kLeastOrbits), Trouble::usage);
+  const auto natural = natural_survival(pilot, room, bounces);
+  if (!natural) return tl::unexpected(natural.error());
+  ConditionalStarts found;
+  found.memory_ = *late_start(*natural);
+  const double step = std::max(1.0, std::floor(kLogOfFour / natural->rate));
+  const SplittingPlan plan{orbits,
+                           static_cast<std::uint64_t>(std::ceil(kForgotten * found.memory_ / step)),
+                           static_cast<std::uint64_t>(step), 0, kTurn};
+  found.groups_.resize(kShifts);
+  parallel_for(kShifts, context.threads, [&](std::size_t group) {
+    Population population(context, room, plan, group);
+    for (std::uint64_t level = 0; level < plan.levels && !monitor.stopped(); ++level) {
+      population.advance();
+      if (population.walkers().empty()) return;
+      population.clone();
+    }
+    found.groups_[group] = in_front_of_walls(room, population.walkers());
+  });
+  for (const auto& group : found.groups_)
+    if (group.empty())
+      return fail(named_place("--count"), "a group of conditional starts died out",
+                  "say a larger --count", Trouble::usage);
+  return found;
+}
+
+}  // namespace flatray
