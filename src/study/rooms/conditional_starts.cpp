@@ -17,7 +17,7 @@ constexpr std::uint64_t kPilot = std::uint64_t{1} << 18;        // orbits, at mo
 constexpr std::uint64_t kPilotStarts = std::uint64_t{1} << 40;  // numbers that no group uses
 constexpr std::uint64_t kLeastOrbits = 100;                     // of a group
 constexpr double kForgotten = 3;  // memories: what is left of the beginning is its third power
-constexpr double kTurn = 0x1p-7;
+constexpr double kSmallTurn = 0x1p-7;
 constexpr double kLogOfFour = 1.3862943611198906;  // a quarter is left at a level
 
 // Blocks of the pilot are not those of the run.
@@ -101,7 +101,7 @@ Result<ConditionalStarts> ConditionalStarts::draw(const ExperimentContext& conte
   const double step = std::max(1.0, std::floor(kLogOfFour / natural->rate));
   const SplittingPlan plan{orbits,
                            static_cast<std::uint64_t>(std::ceil(kForgotten * found.memory_ / step)),
-                           static_cast<std::uint64_t>(step), 0, kTurn};
+                           static_cast<std::uint64_t>(step), 0, kSmallTurn};
   found.groups_.resize(kShifts);
   parallel_for(kShifts, context.threads, [&](std::size_t group) {
     Population population(context, room, plan, group);

@@ -132,7 +132,7 @@ Left Room::left_by(const Bounce& bounce) const {
 }
 
 OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const {
-  constexpr double kTurn = 0x1.921fb54442d18p+2;
+  constexpr double kFullTurn = 0x1.921fb54442d18p+2;
   Bounds box;
   for (const Chamber& chamber : scene_.chambers)
     box.add(shape_bounds(scene_.shapes[chamber.shape], world_pose(state_)));
@@ -143,7 +143,7 @@ OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const
     };
     const Vec2 place = box.low + Vec2(draw(0), draw(1)).cwiseProduct(box.size());
     if (!solids_.in_chamber(place) || solids_.holder(place)) continue;
-    const double angle = kTurn * draw(2);
+    const double angle = kFullTurn * draw(2);
     return {{place, {portable::cos(angle), portable::sin(angle)}}, {}};
   }
 }
