@@ -90,7 +90,7 @@ TEST(Recurrence, IsBackByKacsLemma) {
   EXPECT_NEAR(measure(of_box, "mean_arrivals").value, 10, 1);
 }
 
-Scene three_discs() {
+Scene three_discs_six_apart() {
   std::string discs;
   for (const char* centre :
        {"[3.4641016151377544, 0]", "[-1.7320508075688772, 3]", "[-1.7320508075688772, -3]"})
@@ -106,7 +106,7 @@ constexpr double kRateByBounce = 1.6981063230203446, kRateByLength = 0.410338407
 // Of those that are left before any bounce the same share leaves at it, from the first one on; of starts by
 // the measure that reflection keeps more leave at the first, as at no other.
 TEST(ConditionalStarts, LeaveExponentiallyFromTheFirstBounceOn) {
-  const Scene scene = three_discs();
+  const Scene scene = three_discs_six_apart();
   const Room room(scene);
   const ExperimentContext context{.scene = scene,
                                   .count = 160'000,
@@ -129,7 +129,7 @@ TEST(ConditionalStarts, LeaveExponentiallyFromTheFirstBounceOn) {
 }
 
 TEST(ConditionalStarts, GiveTheRatesOfEscape) {
-  const Scene scene = three_discs();
+  const Scene scene = three_discs_six_apart();
   const auto found = run("escape", {.scene = scene,
                                     .count = 160'000,
                                     .threads = 2,
@@ -169,7 +169,7 @@ TEST(ConditionalStarts, AreRefusedWhereOrbitsDoNotLeaveExponentially) {
 
 // Three discs 6 apart (Gaspard and Rice 1989 have a rate of 0.4103 by length), far beyond what is left of as many orbits without splitting.
 TEST(Splitting, MeasuresWhatAPlainEnsembleDoesNotSee) {
-  const Scene scene = three_discs();
+  const Scene scene = three_discs_six_apart();
   int within = 0;
   constexpr int kSeeds = 3;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
