@@ -107,6 +107,7 @@ struct ExperimentUses {
   bool symbols = false;
   bool precision = false;  ///< it is a mean over orbits
   bool field = false;      ///< a magnetic field may bend its rays
+  bool glass = false;      ///< glass may split them
 };
 
 struct Experiment {

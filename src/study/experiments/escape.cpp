@@ -191,7 +191,7 @@ class Basins {
   std::uint64_t bounces_;
   std::span<const PixelOutcome> pixels_;
   std::optional<Exits> exits_by_hole_;
-  std::vector<Departure> drawn_;
+  std::vector<LeavingOrbit> drawn_;
   Survival survival_;
   std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0;
   std::map<Exit, std::uint64_t> exits_;
@@ -235,7 +235,8 @@ extern const Experiment escape = {
      .seed = true,
      .starts = true,
      .resume = true,
-     .precision = true}};
+     .precision = true,
+     .glass = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

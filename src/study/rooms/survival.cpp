@@ -26,12 +26,13 @@ struct Stretch {
 struct FallingCurve {
   std::vector<double> gone, there;
 
-  explicit FallingCurve(std::span<const Departure> orbits) {
+  explicit FallingCurve(std::span<const LeavingOrbit> orbits) {
     double most = 0;
-    for (const Departure& one : orbits) most = std::max(most, one.bounces + (one.gone ? 1.0 : 0.0));
+    for (const LeavingOrbit& one : orbits)
+      most = std::max(most, one.bounces + (one.gone ? 1.0 : 0.0));
     gone.resize(static_cast<std::size_t>(most));
     there.resize(gone.size() + 1);
-    for (const Departure& one : orbits) {
+    for (const LeavingOrbit& one : orbits) {
       const auto n = static_cast<std::size_t>(one.bounces);
       if (one.gone) ++gone[n];
       ++there[n];
@@ -143,18 +144,18 @@ double root(std::span<const Weighted> terms) {
   return 0.5 * (low + high);
 }
 
-Measure by_length(std::span<const Departure> orbits, double start, double rate, double limit) {
+Measure by_length(std::span<const LeavingOrbit> orbits, double start, double rate, double limit) {
   // Some few that stay much longer, on long ways, would weigh as much as all others.
   const double end = std::min(limit, start + std::ceil(kLifetimes / rate) + 1);
   const double mean = mean_bounces(rate, end - start);
-  const auto counts = [&](const Departure& one) {
+  const auto counts = [&](const LeavingOrbit& one) {
     return one.gone && one.bounces >= start && one.bounces < end;
   };
   double shortest = kInfinity;
-  for (const Departure& one : orbits)
+  for (const LeavingOrbit& one : orbits)
     if (counts(one)) shortest = std::min(shortest, one.length);
   std::vector<Weighted> terms;
-  for (const Departure& one : orbits)
+  for (const LeavingOrbit& one : orbits)
     if (counts(one))
       terms.push_back(
           {one.length - shortest, rate * (one.bounces - start), one.bounces - start - mean});
@@ -171,7 +172,7 @@ Measure by_length(std::span<const Departure> orbits, double start, double rate, 
 
 }  // namespace
 
-Survival survival(std::span<const Departure> orbits) {
+Survival survival(std::span<const LeavingOrbit> orbits) {
   using Law = Survival::Law;
   const FallingCurve curve(orbits);
   Survival first, last;
@@ -194,12 +195,12 @@ std::optional<double> late_start(const Survival& found) {
   return found.start + std::ceil(found.start / 2);
 }
 
-std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
+std::vector<Measure> escape_rates(std::span<const LeavingOrbit> orbits, const Survival& found,
                                   std::uint64_t limit) {
   const double start = *late_start(found);
   double last = 0;
   RatioSums leaving;  // of those that are there before a bounce
-  for (const Departure& one : orbits) {
+  for (const LeavingOrbit& one : orbits) {
     last = std::max(last, one.bounces);
     if (one.bounces >= start)
       leaving.add(one.gone ? 1 : 0, one.bounces - start + (one.gone ? 1 : 0));

@@ -5,7 +5,7 @@ namespace flatray {
 
 /// What becomes of an orbit in an open room: how often it bounces, how long its way is up to the last
 /// bounce, and whether it is gone then, or was given up.
-struct Departure {
+struct LeavingOrbit {
   double bounces, length;
   bool gone;
 };
@@ -30,7 +30,7 @@ struct Survival {
 /// exponential for a few orbits: that is decided only where a power leaves twice what it may.
 ///
 /// Needs   orbits independent of each other.
-Survival survival(std::span<const Departure> orbits);
+Survival survival(std::span<const LeavingOrbit> orbits);
 
 /// From how many bounces on what is left of the beginning is small beside chance; none where the law is not
 /// exponential.
@@ -43,7 +43,7 @@ std::optional<double> late_start(const Survival& found);
 ///
 /// Needs   survival(orbits).law is exponential; `limit` bounces after which orbits were given up.
 /// Gives   none where too few are left.
-std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
+std::vector<Measure> escape_rates(std::span<const LeavingOrbit> orbits, const Survival& found,
                                   std::uint64_t limit);
 
 }  // namespace flatray
