@@ -118,4 +118,12 @@ double Solids::free_area() const {
   return sum;
 }
 
+double Solids::pillar_area(std::uint32_t chamber, std::uint32_t pillar) const {
+  for (const Solid& one : obstacles_)
+    if (one.owner.kind == SurfaceOwner::Kind::pillar && one.owner.index == chamber &&
+        one.owner.pillar == pillar)
+      return one.area();
+  return 0;
+}
+
 }  // namespace flatray

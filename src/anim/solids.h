@@ -21,6 +21,8 @@ class Solids {
   bool has_chamber() const { return !chambers_.empty(); }
   /// Of the chambers less that of their pillars, which must lie apart inside them; of those in copies once.
   double free_area() const;
+  /// Of one of these pillars.
+  double pillar_area(std::uint32_t chamber, std::uint32_t pillar) const;
 
  private:
   struct Solid {

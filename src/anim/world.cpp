@@ -115,6 +115,20 @@ std::vector<Material> World::materials() const {
   return all;
 }
 
+std::vector<const Scatterer*> scatterers_of(const Scene& scene, const World& world) {
+  using Kind = SurfaceOwner::Kind;
+  std::vector<const Scatterer*> all;
+  for (const SurfaceOwner& owner : world.owners) {
+    const ScattererId id = owner.hole != kNoEntry       ? kNoEntry
+                           : owner.kind == Kind::entity ? scene.entities[owner.index].scatterer
+                           : owner.kind == Kind::chamber
+                               ? scene.chambers[owner.index].scatterer
+                               : scene.chambers[owner.index].pillars[owner.pillar].scatterer;
+    all.push_back(id == kNoEntry ? nullptr : scene.scatterers[id].get());
+  }
+  return all;
+}
+
 namespace {
 
 // So many worlds that all shapes of either come equally often; where those would be many, nearly.

@@ -2,6 +2,7 @@
 #include "anim/frame_state.h"
 #include "base/check.h"
 #include "geom/curved_path.h"
+#include "scene/scatterer.h"
 #include "trace/surfaces.h"
 
 namespace flatray {
@@ -40,6 +41,9 @@ struct World {
   /// By surface number, as orbits take them.
   std::vector<Material> materials() const;
 };
+
+/// What does each wall of a world do with light, by surface; nullptr: its material says all.
+std::vector<const Scatterer*> scatterers_of(const Scene& scene, const World& world);
 
 /// The whole curve of an arc in the world; one of a circle stays a circle.
 Ellipse curve_of(const EllipseArc& arc, const Pose& place);

@@ -23,6 +23,7 @@ enum class Stream : std::uint32_t {
   gather = 10,       ///< paths from pixels to lamps
   scramble = 11,     ///< seeds of pictures of light that are compared with one another
   alternative = 12,  ///< which of its alternatives light meets of a wall
+  split = 13,        ///< whether orbits are reflected or refracted by glass
 };
 
 /// 64 uniform bits named by (seed, stream, frame, item, draw). `frame` and `item` keep 32 bits

@@ -14,7 +14,8 @@ Need need_of_ray_walls(const Scene& scene) {
 RayWalls::RayWalls(const Scene& scene, const FrameState& state, const Tracer* asked)
     : world_(build_world(scene, state)),
       materials_(world_.materials()),
-      orbits_(world_.surfaces, materials_, {CornerRule::stop, asked, scene.field()}) {}
+      glass_(scene, world_),
+      orbits_(world_.surfaces, materials_, {CornerRule::stop, asked, scene.field(), &glass_}) {}
 
 std::vector<RenderPlan::Choice> RayWalls::choices() const {
   if (orbits_.field() != 0)

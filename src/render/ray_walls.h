@@ -23,6 +23,7 @@ class RayWalls {
  private:
   const World world_;
   const std::vector<Material> materials_;
+  const Glass glass_;
   const OrbitTracer orbits_;
 };
 

@@ -130,6 +130,17 @@ std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
   return ReadMaterial{builder.scene.scatterers[*scatterer]->for_rays(), *scatterer};
 }
 
+const Place* place_of_glass(const Scene& scene) {
+  for (const Entity& entity : scene.entities)
+    if (entity.material == Material::glass) return &entity.where;
+  for (const Chamber& chamber : scene.chambers) {
+    if (chamber.material == Material::glass) return &chamber.where;
+    for (const Chamber::Pillar& pillar : chamber.pillars)
+      if (pillar.material == Material::glass) return &pillar.where;
+  }
+  return nullptr;
+}
+
 std::vector<Listed> listed_materials() {
   std::vector<Listed> all;
   for (const auto* type : material_types()) all.push_back({type->name, type->summary});

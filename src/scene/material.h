@@ -34,6 +34,9 @@ Reflectance read_reflectance(Args& args, const char* key = "reflectance");
 std::unique_ptr<const Scatterer> mixture(const LightShares& shares,
                                          Material for_rays = Material::absorb);
 
+/// The first thing of glass; nullptr: there is none.
+const Place* place_of_glass(const Scene& scene);
+
 /// Reads one of `words` or `{ MATERIAL = { ... } }`.
 struct ReadMaterial {
   Material material;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "scene/material.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -53,6 +54,7 @@ void refuse(Diagnostics& problems, const Place& where, const std::string& what) 
 
 Diagnostics refused_mirrors(const Scene& scene) {
   Diagnostics problems;
+  if (const Place* glass = place_of_glass(scene)) refuse(problems, *glass, "glass splits rays");
   for (const Entity& entity : scene.entities) {
     if (!entity.material) continue;
     if (const std::string why = why_not(scene, entity); !why.empty())

@@ -11,6 +11,7 @@ namespace flatray {
 enum class Material {
   absorb,
   mirror,
+  glass,    ///< reflects or refracts, by chance
   hole,     ///< of a chamber's walls: it leaves the room, at the ends of the hole too
   periodic  ///< of a chamber that is an upright box: who leaves by one wall enters by that opposite
 };

@@ -110,6 +110,7 @@ struct ExperimentUses {
   bool precision = false;    ///< it is a mean over orbits
   bool field = false;        ///< a magnetic field may bend its rays
   bool conditional = false;  ///< its starts may be of the conditionally invariant measure
+  bool glass = false;        ///< glass may split them
 };
 
 struct Experiment {

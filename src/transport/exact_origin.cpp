@@ -83,9 +83,9 @@ bool ExactOrigins::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
 
 // The same point as after() finds, where doubles can tell and no other wall passes.
 std::optional<ExactOrigin> ExactOrigins::quick_after(const Ray& ray, const NearestHit& hit,
-                                                     const QuickHit& quick) const {
+                                                     const QuickHit& quick, GoesOn to) const {
   if (!quick.is_certain || !walls_near(quick.nearest, hit.surface).empty()) return std::nullopt;
-  const Sign outer = -inner_side(walls_, ray, hit);
+  const Sign outer = outer_side(ray, hit, to);
   bool doubt = false;
   const auto point = walls_.visit(hit.surface, [&](const auto& wall) {
     return nearest_double(quick.nearest, [&](const Vec2& candidate) {
@@ -123,13 +123,19 @@ ExactOrigin ExactOrigins::beside_others(const Exact& exact, std::uint32_t surfac
   return {nearest, std::move(passing)};
 }
 
-ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit) const {
+// On which it may not stand.
+Sign ExactOrigins::outer_side(const Ray& ray, const NearestHit& hit, GoesOn to) const {
+  const Sign inner = inner_side(walls_, ray, hit);
+  return to == GoesOn::back ? -inner : inner;
+}
+
+ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit, GoesOn to) const {
   if (hit.at_end || hit.kind == HitClass::along)
     return at_end(hit_point(walls_, ray, hit), hit.surface);
   const QuickHit quick = quick_hit(walls_, ray, hit);
-  if (const auto origin = quick_after(ray, hit, quick)) return *origin;
+  if (const auto origin = quick_after(ray, hit, quick, to)) return *origin;
   ExactOrigin origin =
-      beside_others(exact_hit(walls_, ray, hit), hit.surface, -inner_side(walls_, ray, hit));
+      beside_others(exact_hit(walls_, ray, hit), hit.surface, outer_side(ray, hit, to));
   if (origin.corner.empty()) origin.normal = normal_at(ray, hit, quick);
   return origin;
 }

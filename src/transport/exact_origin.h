@@ -19,8 +19,11 @@ struct ExactOrigin {
               0};  ///< where it can be: of the wall, to the left of a segment, outward of a curve
 };
 
+/// On which side of a wall: where the ray comes from, or beyond.
+enum class GoesOn : std::uint8_t { back, through };
+
 /// Rounds hits so that nothing leaks: the nearest double, at most 2 ulp off in each coordinate, on
-/// the closed inner side of the wall hit (the one the ray comes from), on no other wall, and on the
+/// the closed inner side of the wall hit (the one the ray comes from, or beyond), on no other wall, and on the
 /// same side as the exact hit of every wall that passes there. A hit with no such double, at an end
 /// of its wall, or on another wall is a corner.
 class ExactOrigins {
@@ -30,7 +33,7 @@ class ExactOrigins {
 
   /// Needs   a hit by `ray` that is not a tangent of a curve.
   /// Cost    a look at the walls of a cell; some 100 us for each wall within a few ulps of the point.
-  ExactOrigin after(const Ray& ray, const NearestHit& hit) const;
+  ExactOrigin after(const Ray& ray, const NearestHit& hit, GoesOn to = GoesOn::back) const;
   /// The same of a flight in a field.
   ExactOrigin after(const FieldFlight& flight, const FieldHit& hit) const;
   /// The walls on which a point stands, ascending. Exact.
@@ -41,7 +44,8 @@ class ExactOrigins {
  private:
   struct NearWall;
   std::optional<ExactOrigin> quick_after(const Ray& ray, const NearestHit& hit,
-                                         const QuickHit& quick) const;
+                                         const QuickHit& quick, GoesOn to) const;
+  Sign outer_side(const Ray& ray, const NearestHit& hit, GoesOn to) const;
   Vec2 normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const;
   std::vector<std::uint32_t> walls_near(const Vec2& point, std::uint32_t hit) const;
   ExactOrigin at_end(const Vec2& end, std::uint32_t surface) const;

@@ -130,7 +130,7 @@ class FastOrbits::Wave {
 
  private:
   void set_off(RayLanes& rays, std::size_t lane) {
-    const auto& [ray, left] = starts_[next_];
+    const auto& [ray, left, chance] = starts_[next_];
     const bool on_wall = left.surface != kNoSurface;
     rays.set(lane, ray.origin, unit(ray.direction),
              on_wall ? orbits_.slots_[left.surface] + (enters(left.root) ? 0.5 : 0) : -1);
@@ -277,6 +277,7 @@ FastOrbits::FastOrbits(const OrbitTracer& exact, bool closed, Isa isa)
 std::string FastOrbits::look_for_obstacle() const {
   const Surfaces& walls = exact_.surfaces();
   if (exact_.field() != 0) return "a magnetic field bends their flights";
+  if (exact_.has_glass()) return "glass splits them";
   if (walls.size() == 0) return "there are no walls";
   if (walls.size() > kMostWalls) return "there are more than 96 walls";
   if (!walls.beziers.empty()) return "Bezier curves are followed exactly alone";

@@ -14,10 +14,10 @@ namespace {
 
 class OrbitKeeper : public OrbitSink {
  public:
-  OrbitKeeper(std::span<const Ray> starts, double field) : orbits_(starts.size()) {
+  OrbitKeeper(std::span<const OrbitStart> starts, double field) : orbits_(starts.size()) {
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      orbits_[i].start = starts[i].origin;
-      orbits_[i].direction = starts[i].direction;
+      orbits_[i].start = starts[i].ray.origin;
+      orbits_[i].direction = starts[i].ray.direction;
       orbits_[i].field = field;
     }
   }
@@ -111,13 +111,18 @@ std::vector<OrbitLine> orbit_lines(const Orbit& orbit) {
   return lines;
 }
 
+std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const OrbitStart> starts,
+                                std::uint64_t bounces) {
+  OrbitKeeper keeper(starts, tracer.field());
+  tracer.follow(starts, bounces, keeper);
+  return std::move(keeper).orbits();
+}
+
 std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const Ray> starts,
                                 std::uint64_t bounces) {
   std::vector<OrbitStart> from;
   for (const Ray& start : starts) from.push_back({start});
-  OrbitKeeper keeper(starts, tracer.field());
-  tracer.follow(from, bounces, keeper);
-  return std::move(keeper).orbits();
+  return trace_orbits(tracer, from, bounces);
 }
 
 std::vector<Orbit> trace_orbits(const Surfaces& walls, std::span<const Material> materials,

@@ -10,6 +10,8 @@
 
 namespace flatray {
 
+class Glass;
+
 enum class OrbitEnd {
   limit,     ///< all bounces asked for were made
   escape,    ///< nothing lies ahead; between periodic walls, not in 2^18 crossings
@@ -32,7 +34,7 @@ enum class CornerRule {
 std::vector<std::uint32_t> taken_by(std::span<const Material> materials,
                                     std::span<const std::uint32_t> walls);
 
-/// One reflection.
+/// One reflection, or refraction by glass.
 struct Bounce {
   std::uint32_t surface;
   Vec2 point;  ///< on the closed inner side of its wall and of every wall that meets it there
@@ -45,6 +47,8 @@ struct Bounce {
 
   /// Radians between the ray and the normal, [0, pi/2].
   double incidence() const;
+  /// Whether it went on through glass: an orbit whose direction after it does not tell ends before.
+  bool is_refracted() const { return out.dot(normal) < 0; }
 };
 
 /// A periodic wall crossed.
@@ -88,6 +92,9 @@ struct OrbitRules {
   /// A magnetic field across the room: the curvature of flights, one over their radius, positive to the
   /// left; 0: they are straight. With it corners stop.
   double field = 0;
+  /// What orbits go through, by chance; nullptr: none. With it corners stop; in a field, and between
+  /// periodic walls, there is none.
+  const Glass* glass = nullptr;
 };
 
 /// Follows a ray from mirror to mirror in exact decisions and double constructions:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/philox.h"
 #include "geom/cyrus_beck.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
@@ -41,9 +42,13 @@ class OrbitTracer::Wave {
       : walls_(orbits.walls_), orbits_(orbits), limit_(bounces), sink_(sink) {}
 
   void set_off(std::span<const OrbitStart> starts) {
+    if (orbits_.glass_ != nullptr) splits_.resize(starts.size());
     for (std::size_t i = 0; i < starts.size(); ++i) {
       Flight flight{starts[i].ray, starts[i].left, Speed(starts[i].ray.direction), i};
-      if (start(flight)) flights_.push_back(flight);
+      if (!start(flight)) continue;
+      if (orbits_.glass_ != nullptr)
+        splits_[i] = {orbits_.glass_->media_at(flight.ray, flight.left), starts[i].chance};
+      flights_.push_back(flight);
     }
   }
 
@@ -129,6 +134,7 @@ class OrbitTracer::Wave {
           keep_moment(flight, wall, origin.point, reflection->direction);
         return bounce(flight, wall, origin.point, hit.t, reflection);
       }
+      if (orbits_.glass_ != nullptr && is_glass(hit.surface)) return split(flight, hit, origin);
       origin.corner = {hit.surface};
     }
     if (is_all(origin.corner, Material::periodic) &&
@@ -136,7 +142,8 @@ class OrbitTracer::Wave {
       return !(flight.circles || flight.crossings == kMostCrossings) ||
              stop(flight, OrbitEnd::escape, {});
     std::vector<std::uint32_t> takers = taken_by(orbits_.materials_, origin.corner);
-    if (takers.empty() && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any())
+    if (takers.empty() && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any() &&
+        orbits_.glass_ == nullptr)
       return turn_back(flight, origin, hit.t);
     flight.ray.origin = origin.point;
     if (takers.empty()) return stop(flight, OrbitEnd::corner, std::move(origin.corner));
@@ -175,6 +182,37 @@ class OrbitTracer::Wave {
     flight.ray.direction = reflection->direction;
     flight.left = wall;
     return flight.bounces < limit_ || stop(flight, OrbitEnd::limit, {});
+  }
+
+  // At glass the ray is reflected or refracted, by chance.
+  bool split(Flight& flight, const NearestHit& hit, const ExactOrigin& origin) {
+    const Sign side = inner_side(walls_, flight.ray, hit);
+    Split& own = splits_[flight.number];
+    const double chance =
+        unit_double(random_bits(own.chance, Stream::split, flight.bounces >> 32, flight.bounces));
+    const auto refracted =
+        orbits_.glass_->refracted({hit.surface, side, unit(flight.ray.direction),
+                                   static_cast<double>(side) * unit(origin.normal)},
+                                  own.media, chance);
+    if (!refracted)
+      return bounce(flight, {hit.surface, root_left_by(hit.root)}, origin.point, hit.t,
+                    told(reflect_off(walls_, flight.ray, hit, origin, flight.speed), true));
+    ExactOrigin beyond = orbits_.origins_.after(flight.ray, hit, GoesOn::through);
+    if (!beyond.corner.empty()) {
+      flight.ray.origin = beyond.point;
+      return stop(flight, OrbitEnd::corner, std::move(beyond.corner));
+    }
+    const Root left =
+        walls_.visit(hit.surface, [&](const auto& wall) { return root_left(wall, -side); });
+    return bounce(
+        flight, {hit.surface, left}, beyond.point, hit.t,
+        told(refract_through(walls_, hit.surface, side, *refracted, beyond, flight.speed), false));
+  }
+
+  // Where it grazes so that its rounded normal does not tell which it was, it runs along the wall.
+  static std::optional<Reflection> told(std::optional<Reflection> out, bool is_back) {
+    if (out && (out->direction.dot(out->normal) < 0) == is_back) return std::nullopt;
+    return out;
   }
 
   // From a corner the ray flies back to where it last was: a wall, off which it goes again, or its
@@ -220,10 +258,21 @@ class OrbitTracer::Wave {
     return orbits_.materials_[surface] == Material::mirror;
   }
 
+  bool is_glass(std::uint32_t surface) const {
+    return orbits_.materials_[surface] == Material::glass;
+  }
+
+  // Of an orbit where there is glass.
+  struct Split {
+    Media media;  // it is in
+    std::uint64_t chance;
+  };
+
   const Surfaces& walls_;
   const OrbitTracer& orbits_;
   std::uint64_t limit_;
   OrbitSink& sink_;
+  std::vector<Split> splits_;    // by number
   std::vector<Flight> flights_;  // still under way, in the order they were given
   RayBatch rays_;
   std::vector<NearestHit> hits_;
@@ -235,6 +284,7 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
       materials_(materials),
       corners_(rules.corners),
       field_(rules.field),
+      glass_(rules.glass != nullptr && rules.glass->any() ? rules.glass : nullptr),
       choice_(choose_tracer(walls, rules.tracer)),
       origins_(walls),
       tracer_(choice_.tracer->build(walls)),

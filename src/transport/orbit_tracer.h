@@ -3,6 +3,7 @@
 #include <span>
 
 #include "transport/exact_origin.h"
+#include "transport/glass.h"
 #include "transport/orbit.h"
 #include "transport/periodic_walls.h"
 
@@ -13,6 +14,8 @@ struct OrbitStart {
   Ray ray;
   /// What it has just left; without a surface the walls it starts on are looked for.
   Left left{};
+  /// Seeds what chance decides at glass: chance_of_orbit().
+  std::uint64_t chance = 0;
 };
 
 /// How an orbit came to an end.
@@ -27,7 +30,7 @@ struct OrbitStop {
 class OrbitSink {
  public:
   virtual ~OrbitSink() = default;
-  /// Orbit `number` was reflected; its bounces come in order, those of other orbits in between.
+  /// Orbit `number` was reflected, or refracted; its bounces come in order, those of other orbits in between.
   virtual void bounce(std::size_t number, const Bounce& bounce) = 0;
   /// Orbit `number` left by a periodic wall and goes on from that opposite.
   virtual void cross(std::size_t, const Vec2& /*from*/, const Vec2& /*to*/,
@@ -57,6 +60,7 @@ class OrbitTracer {
   const WallCells& origin_cells() const { return origins_.cells(); }
   const PeriodicWalls& periodic() const { return periodic_; }
   double field() const { return field_; }
+  bool has_glass() const { return glass_ != nullptr; }
 
  private:
   struct Flight;
@@ -66,12 +70,16 @@ class OrbitTracer {
   std::span<const Material> materials_;
   CornerRule corners_;
   double field_;
+  const Glass* glass_;   ///< where there is any
   TracerChoice choice_;  ///< of one that is not exact what it finds may not be there
   ExactOrigins origins_;
   std::unique_ptr<Accelerator> tracer_;
   PeriodicWalls periodic_;
 };
 
+/// The orbits of many starts among walls made ready before.
+std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const OrbitStart> starts,
+                                std::uint64_t bounces);
 /// The orbits of many rays among walls made ready before: what trace_orbits gives.
 std::vector<Orbit> trace_orbits(const OrbitTracer& tracer, std::span<const Ray> starts,
                                 std::uint64_t bounces);

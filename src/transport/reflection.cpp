@@ -24,9 +24,9 @@ struct Met {
   bool may_run_along = true;  // the ray that leaves it
 };
 
-std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const Vec2& direction,
-                                    const Vec2& point, const Speed& speed) {
-  const Vec2 rounded = speed.restore(reflect(direction, {met.normal.y(), -met.normal.x()}));
+// The nearest direction to `rounded` that leads away on the side of `met`.
+std::optional<Reflection> leaving(const Surfaces& walls, const Met& met, const Vec2& rounded,
+                                  const Vec2& point) {
   const auto out = nearest_double(rounded, [&](const Vec2& candidate) {
     return leads_away(walls, met.surface, met.side, point, candidate) &&
            (met.may_run_along || !runs_along(walls, {met.surface, Root::none}, candidate));
@@ -34,6 +34,12 @@ std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const
   if (!out) return std::nullopt;
   // Adding zero turns -0 into 0, which reads better.
   return Reflection{*out, static_cast<double>(met.side) * unit(met.normal) + Vec2(0, 0)};
+}
+
+std::optional<Reflection> reflected(const Surfaces& walls, const Met& met, const Vec2& direction,
+                                    const Vec2& point, const Speed& speed) {
+  return leaving(walls, met, speed.restore(reflect(direction, {met.normal.y(), -met.normal.x()})),
+                 point);
 }
 
 }  // namespace
@@ -93,6 +99,15 @@ std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, con
                                       const ExactOrigin& origin, const Speed& speed) {
   return reflected(walls, {hit.surface, inner_side(walls, ray, hit), origin.normal}, ray.direction,
                    origin.point, speed);
+}
+
+std::optional<Reflection> refract_through(const Surfaces& walls, std::uint32_t surface, Sign side,
+                                          const Vec2& refracted, const ExactOrigin& beyond,
+                                          const Speed& speed) {
+  auto out = leaving(walls, {surface, -side, beyond.normal},
+                     speed.restore(refracted * speed.length()), beyond.point);
+  if (out) out->normal = -out->normal;
+  return out;
 }
 
 std::optional<Reflection> reflect_in_field(const Surfaces& walls, std::uint32_t surface, Sign side,

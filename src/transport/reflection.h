@@ -36,7 +36,7 @@ class Speed {
 /// Adds to a sum of times; infinity where it overflows.
 void add_to(DoubleDouble& sum, double time);
 
-/// What a mirror does to a ray.
+/// What a mirror does to a ray, or glass.
 struct Reflection {
   Vec2 direction, normal;
 };
@@ -78,6 +78,11 @@ Vec2 with_moment(const Surfaces& walls, const Left& left, const Vec2& point, con
 /// Error   2 ulp a component (geom/reflect.h) and 1 for the rounding of the wall's own direction.
 std::optional<Reflection> reflect_off(const Surfaces& walls, const Ray& ray, const NearestHit& hit,
                                       const ExactOrigin& origin, const Speed& speed);
+/// The same of a ray that comes from a side and goes on through the wall, `refracted` to a direction of length 1:
+/// on from there it leads away from the wall on its other side. Its normal is towards the side it comes from.
+std::optional<Reflection> refract_through(const Surfaces& walls, std::uint32_t surface, Sign side,
+                                          const Vec2& refracted, const ExactOrigin& beyond,
+                                          const Speed& speed);
 /// The same of a ray of `direction` that comes to a wall from a side in a field, which could bend it back into
 /// a straight wall that it ran along: it does not.
 std::optional<Reflection> reflect_in_field(const Surfaces& walls, std::uint32_t surface, Sign side,

@@ -14,6 +14,7 @@
 #include "precise/proven_bounces.h"
 #include "study/rooms/wall_places.h"
 #include "transport/exact_origin.h"
+#include "transport/orbit_tracer.h"
 
 namespace flatray {
 namespace {
@@ -56,7 +57,8 @@ void tell_start(const OrbitRoom& room, OrbitReport& report) {
   const Vec2& start = report.orbit.start;
   const auto walls = ExactOrigins(room.world.surfaces).walls_at(start);
   const auto holder = room.solids.holder(start);
-  report.starts_badly = walls.empty() && (holder || !room.solids.in_chamber(start));
+  const bool in_solid = holder && holder->material != Material::glass;
+  report.starts_badly = walls.empty() && (in_solid || !room.solids.in_chamber(start));
   report.start = !walls.empty()        ? "on " + walls_text(room.scene, room.world, walls)
                  : holder              ? "inside " + object_name(room.scene, *holder)
                  : report.starts_badly ? "outside " + room.scene.chambers.front().name
@@ -122,9 +124,6 @@ std::string precision_text(const OrbitReport& report) {
   return text;
 }
 
-// Nothing is proven at finite speed, nor in a magnetic field.
-bool is_unproven(const OrbitReport& report) { return report.clock || report.orbit.field != 0; }
-
 // By which it left the room.
 const WallHole* hole_of(const OrbitRoom& room, const OrbitReport& report) {
   const std::vector<std::uint32_t>& walls = report.orbit.end_surfaces;
@@ -144,6 +143,7 @@ OrbitRoom::OrbitRoom(const Scene& scene_, const FrameState& state)
     : scene(scene_),
       world(build_world(scene_, state)),
       materials(world.materials()),
+      glass(scene_, world),
       solids(scene_, state),
       window(state.window) {}
 
@@ -164,9 +164,13 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
     report.certified = true;
     report.end_certain = report.decided;
   } else {
-    report.orbit = trace_orbit(walls, room.materials, start, bounces, request.rules);
-    const bool exact = (request.rules.tracer == nullptr || request.rules.tracer->exact) &&
-                       request.rules.field == 0;
+    OrbitRules rules = request.rules;
+    rules.glass = &room.glass;
+    const OrbitStart from{start, {}, request.chance};
+    const OrbitTracer tracer(walls, room.materials, rules);
+    report.orbit = std::move(trace_orbits(tracer, std::span(&from, 1), bounces).front());
+    report.unproven = rules.field != 0 || room.glass.any();
+    const bool exact = (rules.tracer == nullptr || rules.tracer->exact) && !report.unproven;
     const Proven known = exact ? proven(room, report.orbit) : Proven{0, false};
     report.certain = known.bounces;
     report.end_certain = known.end;
@@ -180,6 +184,7 @@ OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const
   OrbitReport report{name, &walls.world, {}, "", false};
   MovingOrbit moving = trace_moving_orbit(walls, start, from, limits);
   report.orbit = std::move(moving.orbit);
+  report.unproven = true;
   report.clock = {from, moving.end_time, std::move(moving.times)};
   tell_start(room, report);
   return report;
@@ -212,9 +217,10 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
              bounce.normal.x(),
              bounce.normal.y(),
              incidence(report, i) * kDegreesInRadian,
-             is_unproven(report)  ? "unknown"
+             report.unproven      ? "unknown"
              : i < report.certain ? "yes"
                                   : "no"};
+  if (room.glass.any()) row.emplace_back(bounce.is_refracted() ? "refracted" : "reflected");
   if (is_periodic(room)) row.insert(row.end(), {whole(bounce.cell.a), whole(bounce.cell.b)});
   if (!timed) return row;
   row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
@@ -230,6 +236,7 @@ Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports) 
   const bool timed = std::any_of(reports.begin(), reports.end(), [](const OrbitReport& report) {
     return report.clock.has_value();
   });
+  if (room.glass.any()) table.columns.emplace_back("went");
   if (is_periodic(room)) table.columns.insert(table.columns.end(), {"cell_a", "cell_b"});
   if (timed) table.columns.insert(table.columns.end(), {"time", "speed"});
   table.made = [&room, reports, timed](const Table::EachRow& each) {
@@ -253,8 +260,8 @@ JsonValue as_value(const OrbitRoom& room, const OrbitReport& report) {
       {"rational", report.rational},
       {"horizon_of_doubles", leaves_doubles(report) ? JsonValue(report.horizon) : JsonValue()},
       {"bounces", bounce_table(room, {&report, 1})},
-      {"certain", is_unproven(report) ? JsonValue() : JsonValue(report.certain)},
-      {"end_certain", is_unproven(report) ? JsonValue() : JsonValue(report.end_certain)},
+      {"certain", report.unproven ? JsonValue() : JsonValue(report.certain)},
+      {"end_certain", report.unproven ? JsonValue() : JsonValue(report.end_certain)},
       {"end", end_text(room, report)},
       {"out", as_value(orbit.out)},
       {"end_point", stands_somewhere ? as_value(orbit.end_point) : JsonValue()},
@@ -295,8 +302,9 @@ std::string status_line(const OrbitRoom& room, const OrbitReport& report) {
                         number_text(report.clock->end));
   else if (report.bits > 0)
     text += precision_text(report);
-  else if (is_unproven(report))
-    text += "; how many bounces are certain is unknown in a magnetic field";
+  else if (report.unproven)
+    text += "; how many bounces are certain is unknown " +
+            std::string(orbit.field != 0 ? "in a magnetic field" : "where glass splits orbits");
   else if (report.certain < std::min(orbit.bounces.size(), kMostProven))
     text += fmt::format("; only the first {} are certain", report.certain);
   else if (!report.end_certain && orbit.bounces.size() <= kMostProven)

@@ -5,6 +5,7 @@
 
 #include "anim/solids.h"
 #include "base/table.h"
+#include "transport/glass.h"
 #include "transport/moving_orbit.h"
 
 namespace flatray {
@@ -14,6 +15,7 @@ struct OrbitRoom {
   const Scene& scene;
   World world;
   std::vector<Material> materials;
+  Glass glass;
   Solids solids;
   Bounds window;  ///< of the scene's film
 
@@ -25,6 +27,7 @@ struct OrbitRequest {
   bool certified = false;
   unsigned most_bits = 0;  ///< of a certified one
   OrbitRules rules{};
+  std::uint64_t chance = 0;  ///< as OrbitStart has it
 };
 
 /// One ray of a scene and what became of it.
@@ -40,6 +43,7 @@ struct OrbitReport {
       0;                    ///< bounces from the first on that are proven to be those of the exact
                             ///< orbit; doubles are looked at for the first 10 000
   bool end_certain = true;  ///< all bounces are, and it ends as the exact orbit does
+  bool unproven = false;    ///< by nature: at finite speed, in a field, split by glass
   bool certified = false;   ///< not in doubles
   unsigned bits = 0;        ///< that a certified orbit took; 0 for doubles, and for none needed
   bool rational = false;    ///< that it took numbers without error of so many bits

@@ -7,6 +7,7 @@
 #include "collide/pillars.h"
 #include "collide/scene_timeline.h"
 #include "scene/keys/build_scene.h"
+#include "scene/material.h"
 
 namespace flatray {
 
@@ -80,6 +81,13 @@ Result<void> expect_no_field(const Scene& scene, const std::string& what) {
   return fail(scene.chambers.front().where,
               "the chamber is in a magnetic field, and " + what + " knows straight rays only",
               "say -D chamber.0.field=0 to leave the field out");
+}
+
+Result<void> expect_no_glass(const Scene& scene, const std::string& what) {
+  const Place* where = place_of_glass(scene);
+  if (where == nullptr) return {};
+  return fail(*where, "is of glass, which splits orbits, and " + what + " knows mirrors only",
+              "write material = \"mirror\" or \"absorb\"");
 }
 
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame) {

@@ -46,6 +46,9 @@ Result<Scene> load_only_input(const Arguments& arguments, const SceneOptions& op
 /// Refuses a scene with a magnetic field for what follows straight rays, as "accuracy".
 Result<void> expect_no_field(const Scene& scene, const std::string& what);
 
+/// Refuses a scene with glass for what knows mirrors only.
+Result<void> expect_no_glass(const Scene& scene, const std::string& what);
+
 /// State of the scene at a frame with --seed.
 Result<FrameState> frame_of(const SceneOptions& options, const Scene& scene, unsigned frame);
 

@@ -135,7 +135,14 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
             expect_no_field(loaded->scene, fmt::format("experiment {}", options.experiment->name));
         !straight)
       return fail(std::move(straight));
-  if (options.precision == OrbitPrecision::certified)
+  const bool certified = options.precision == OrbitPrecision::certified;
+  if (!options.experiment->uses.glass || certified)
+    if (auto unsplit = expect_no_glass(
+            loaded->scene, certified ? std::string("--precision certified")
+                                     : fmt::format("experiment {}", options.experiment->name));
+        !unsplit)
+      return fail(std::move(unsplit));
+  if (certified)
     if (auto straight = expect_no_field(loaded->scene, "--precision certified"); !straight)
       return fail(std::move(straight));
   std::optional<std::filesystem::path> kept_in;

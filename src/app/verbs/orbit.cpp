@@ -49,8 +49,11 @@ struct Options : Arguments {
   CornerRule corner = CornerRule::stop;
   unsigned frame = 1;
 
-  OrbitRequest request(double field) const {
-    return {precision.certified, precision.most_bits, {corner, precision.tracer, field}};
+  OrbitRequest request(const Scene& of, std::uint32_t number) const {
+    return {precision.certified,
+            precision.most_bits,
+            {corner, precision.tracer, of.field()},
+            chance_of_orbit(scene.seed_of(of), number)};
   }
 
   void rows(OptionTable& row) {
@@ -154,7 +157,7 @@ Result<OrbitReport> follow_ray(const Options& options, const OrbitRoom& room,
   if (!speed)
     return follow_orbit(room, ray.name,
                         {world_pose(frame)(state.start.origin), state.start.direction}, bounces,
-                        options.request(room.scene.field()));
+                        options.request(room.scene, state.ray));
   if (auto checked = check_frozen(options, ray.name); !checked) return fail(std::move(checked));
   if (!moving) {
     auto made = MovingRoom::make(options, room.scene, frame);
@@ -175,6 +178,14 @@ Result<void> check_straight(const Options& options, const Scene& scene) {
     if (is_asked)
       return usage_error(options.where(option), "is not for flights in a magnetic field",
                          "leave it out, or say -D chamber.0.field=0");
+  return {};
+}
+
+// What glass does not split.
+Result<void> check_unsplit(const Options& options, const Scene& scene) {
+  for (const char* option : {"precision", "corner"})
+    if (options.has(option) && *options.text(option) != "double" && *options.text(option) != "stop")
+      return expect_no_glass(scene, fmt::format("--{} {}", option, *options.text(option)));
   return {};
 }
 
@@ -206,6 +217,7 @@ Result<VerbOutput> run(const Options& options) {
   auto scene = load_only_input(options, options.scene);
   if (!scene) return fail(std::move(scene));
   if (auto checked = check_straight(options, *scene); !checked) return fail(std::move(checked));
+  if (auto checked = check_unsplit(options, *scene); !checked) return fail(std::move(checked));
   auto frame = frame_of(options.scene, *scene, options.frame);
   if (!frame) return fail(std::move(frame));
   const auto all = std::make_shared<Followed>(*std::move(scene), *std::move(frame));

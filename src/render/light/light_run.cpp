@@ -14,16 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-const Scatterer* scatterer_of(const Scene& scene, const SurfaceOwner& owner) {
-  using Kind = SurfaceOwner::Kind;
-  if (owner.hole != kNoEntry) return nullptr;
-  const ScattererId id = owner.kind == Kind::entity ? scene.entities[owner.index].scatterer
-                         : owner.kind == Kind::chamber
-                             ? scene.chambers[owner.index].scatterer
-                             : scene.chambers[owner.index].pillars[owner.pillar].scatterer;
-  return id == kNoEntry ? nullptr : scene.scatterers[id].get();
-}
-
 // What is needed to follow light in a frame.
 struct LitFrame {
   std::vector<World> worlds;  // one, or those of alternatives
@@ -32,9 +22,9 @@ struct LitFrame {
   FilmPlace place{};
 
   LitFrame(const Scene& scene, const FrameState& state)
-      : worlds(alternative_worlds(scene, state)), lamps(lamp_states(scene, state)) {
-    for (const SurfaceOwner& owner : worlds.front().owners)
-      scatterers.push_back(scatterer_of(scene, owner));
+      : worlds(alternative_worlds(scene, state)),
+        scatterers(scatterers_of(scene, worlds.front())),
+        lamps(lamp_states(scene, state)) {
     const FilmTransform film(scene.film, state);
     place = {film.corner().x(), film.corner().y(), film.scale(), scene.film.width,
              scene.film.height};

@@ -141,9 +141,11 @@ constexpr std::size_t kRaysAtOnce = 64;
 
 void draw_some(DrawContext& context, const OrbitTracer& tracer,
                std::span<const RayState* const> rays, std::uint64_t bounces) {
-  std::vector<Ray> starts;
-  for (const RayState* now : rays) starts.push_back(now->start);
-  const std::vector<Orbit> orbits = trace_orbits(tracer, starts, bounces + kLastFlight);
+  std::vector<OrbitStart> starts;
+  for (const RayState* now : rays)
+    starts.push_back({now->start, {}, chance_of_orbit(context.timeline.seed(), now->ray)});
+  const std::vector<Orbit> orbits =
+      trace_orbits(tracer, std::span<const OrbitStart>(starts), bounces + kLastFlight);
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const RayPath& ray = context.scene.rays[rays[k]->ray];
     context.place(ray.layer, ray.order, ray.where);

@@ -135,6 +135,9 @@ void check_walls_in_field(Builder& builder, const Chamber& chamber) {
   };
   if (chamber.material == Material::periodic)
     refuse(chamber.where, "no periodic walls", "leave field out, or make the walls mirrors");
+  if (const Place* glass = place_of_glass(builder.scene))
+    refuse(*glass, "no glass",
+           "leave the field of the chamber out, or write material = \"mirror\"");
   constexpr const char* kRound =
       "flights are followed among straight walls, circles and their arcs: leave field out, or the "
       "curve";
@@ -149,6 +152,11 @@ void check_walls_in_field(Builder& builder, const Chamber& chamber) {
 
 void check_field(Builder& builder) {
   const Scene& scene = builder.scene;
+  const bool periodic =
+      !scene.chambers.empty() && scene.chambers.front().material == Material::periodic;
+  if (const Place* glass = place_of_glass(scene); glass != nullptr && periodic)
+    builder.in.problem(*glass, "no glass between periodic walls",
+                       "make the walls of the chamber mirrors, or write material = \"mirror\"");
   if (!builder.in.problems.empty() || scene.chambers.empty() || scene.chambers.front().field == 0)
     return;
   check_walls_in_field(builder, scene.chambers.front());

@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/number_text.h"
+#include "geom/refract.h"
 #include "scene/material.h"
 
 namespace flatray::materials {
@@ -29,15 +29,9 @@ class Glass : public Scatterer {
     const double own = index(arrival.nm);
     const double from = arrival.from_inside ? own : arrival.outer_index;
     const double to = arrival.from_inside ? arrival.outer_index : own;
-    const double ratio = from / to;
-    const double cosine = -arrival.direction.dot(arrival.normal);
-    const double square = 1 - ratio * ratio * (1 - cosine) * (1 + cosine);  // of the other cosine
-    if (!(square > 0)) return {Departure::Way::mirrored};
-    const double beyond = std::sqrt(square);
-    if (u < reflected(ratio * cosine, beyond, ratio * beyond, cosine))
-      return {Departure::Way::mirrored};
-    const Vec2 out = ratio * arrival.direction + (ratio * cosine - beyond) * arrival.normal;
-    return {Departure::Way::scattered, out / std::sqrt(out.dot(out))};
+    const auto refracted = refraction(from / to, -arrival.direction.dot(arrival.normal));
+    if (!refracted || u < refracted->reflected) return {Departure::Way::mirrored};
+    return {Departure::Way::scattered, refracted->of(arrival.direction, arrival.normal)};
   }
 
   double index(double nm) const override {
@@ -45,18 +39,13 @@ class Glass : public Scatterer {
     return index_ + dispersion_ * (1 / (nm * nm) - 1 / (kYellow_nm * kYellow_nm));
   }
   bool disperses() const override { return dispersion_ != 0; }
+  Material for_rays() const override { return Material::glass; }
   Channels absorption() const override { return absorption_; }
   bool colours() const override {
     return disperses() || absorption_ != Channels{absorption_[0], absorption_[0], absorption_[0]};
   }
 
  private:
-  // Fresnel's equations for unpolarised light, by energy: half of either polarisation.
-  static double reflected(double s_in, double s_out, double p_in, double p_out) {
-    const double s = (s_in - s_out) / (s_in + s_out), p = (p_in - p_out) / (p_in + p_out);
-    return (s * s + p * p) / 2;
-  }
-
   double index_, dispersion_;
   Channels absorption_;
 };

@@ -194,7 +194,7 @@ class Basins {
   std::uint64_t bounces_;
   double memory_;
   std::span<const PixelOutcome> pixels_;
-  std::vector<Departure> drawn_;
+  std::vector<LeavingOrbit> drawn_;
   Survival survival_;
   std::optional<Exits> exits_by_hole_;
   std::uint64_t free_ = 0, trapped_ = 0, escaped_ = 0;
@@ -248,7 +248,8 @@ extern const Experiment escape = {
      .starts = true,
      .resume = true,
      .precision = true,
-     .conditional = true}};
+     .conditional = true,
+     .glass = true}};
 }  // namespace experiment_entries
 
 }  // namespace flatray

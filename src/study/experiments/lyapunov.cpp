@@ -34,7 +34,8 @@ class Growth : public OrbitSink {
  public:
   Growth(const Room& room, Starts starts, std::uint64_t begin, std::uint64_t end,
          std::uint64_t bounces)
-      : walls_(room.walls()),
+      : room_(room),
+        walls_(room.walls()),
         field_(room.scene().field()),
         starts_(starts),
         begin_(begin),
@@ -47,7 +48,10 @@ class Growth : public OrbitSink {
     const double bend = curvature(walls_, bounce.surface, bounce.point, bounce.normal);
     if (field_ == 0) {
       state.tangent.fly(bounce.t / extent_);
-      state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / cosine(bounce));
+      if (bounce.is_refracted())
+        refract(state.tangent, bounce, bend * extent_);
+      else
+        state.tangent.reflect(bend == 0 ? 0 : 2 * bend * extent_ / cosine(bounce));
     } else {
       state.tangent.fly(bounce.t / extent_, field_ * extent_);
       state.tangent.reflect(bend_in_field(bounce, bend, field_) * extent_);
@@ -102,6 +106,11 @@ class Growth : public OrbitSink {
     double grown = 0, length = 0, curved = 0, longest = 0;
     double second_quarter = 0, half = 0;  // growth in that quarter, in the second half
   };
+  void refract(Tangent& tangent, const Bounce& bounce, double bend) const {
+    if (const auto met = refraction(room_.index_ratio(bounce), cosine(bounce)))
+      tangent.refract(*met, bend);
+  }
+  const Room& room_;
   const Surfaces& walls_;
   double field_;
   Starts starts_;

@@ -76,7 +76,7 @@ double area_of_flights(const Room& room, double enclosed) {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const double enclosed = room.solids().free_area();
+  const double enclosed = room.area();
   if (!(enclosed > 0 && std::isfinite(enclosed)))
     return fail(context.scene.chambers.front().where,
                 fmt::format("the chamber encloses an area of {:.6g}", enclosed),
@@ -121,7 +121,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
                   "{:.6g}{}, P = {:.6g}",
                   sums.y, plan->orbits, area,
-                  room.scene().field() == 0 ? "" : " less the centres of free circles",
+                  room.orbits().has_glass()   ? " with areas and walls of glass times its index"
+                  : room.scene().field() == 0 ? ""
+                                              : " less the centres of free circles",
                   room.perimeter()),
       std::move(measures));
   spread.add_files(result, "mean_free_path_flights", "lengths of flights, world units");

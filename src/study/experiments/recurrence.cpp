@@ -23,7 +23,7 @@ class Returns {
  public:
   Returns(const ExperimentContext& context, const Room& room, std::span<const PixelOutcome> orbits)
       : context_(context), room_(room), part_(length_of(room, holes_of(room)) / room.perimeter()) {
-    std::vector<Departure> departures;
+    std::vector<LeavingOrbit> departures;
     std::vector<double> times;
     for (const PixelOutcome& one : orbits) {
       const bool back = one.kind == Kind::absorbed;

@@ -74,9 +74,9 @@ std::vector<OrbitStart> in_front_of_walls(const Room& room, const std::vector<Wa
 
 }  // namespace
 
-std::vector<Departure> departures_of(std::span<const PixelOutcome> orbits) {
+std::vector<LeavingOrbit> departures_of(std::span<const PixelOutcome> orbits) {
   using Kind = PixelOutcome::Kind;
-  std::vector<Departure> all;
+  std::vector<LeavingOrbit> all;
   for (const PixelOutcome& one : orbits)
     if (one.kind != Kind::solid)
       all.push_back({static_cast<double>(one.bounces), one.length, one.kind != Kind::limit});

@@ -35,6 +35,6 @@ class ConditionalStarts {
 };
 
 /// When orbits leave, of those that started in the free.
-std::vector<Departure> departures_of(std::span<const PixelOutcome> orbits);
+std::vector<LeavingOrbit> departures_of(std::span<const PixelOutcome> orbits);
 
 }  // namespace flatray

@@ -98,8 +98,7 @@ std::optional<OrbitStart> PlaceStarts::operator[](const UnitPoint& place) const 
     start = {ray_.origin + (x - 0.5) * size.x() * Vec2(d.y(), -d.x()),
              {c * d.x() - s * d.y(), c * d.y() + s * d.x()}};
   }
-  const Solids& solids = room_.solids();
-  if (solids.holder(start.origin) || !solids.in_chamber(start.origin)) return std::nullopt;
+  if (!room_.is_free(start.origin)) return std::nullopt;
   return OrbitStart{start};
 }
 
@@ -129,8 +128,11 @@ Result<std::vector<PixelOutcome>> trace_outcomes(
   const Blocks blocks{count, 1024};
   auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
     Outcomes first, others;
-    for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
-      (i < exact ? first : others).add(start(i));
+    for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i) {
+      auto one = start(i);
+      if (one) one->chance = chance_of_orbit(context.seed, i);
+      (i < exact ? first : others).add(one);
+    }
     Numbers all;
     first.append_to(all, [&](const auto& starts, OrbitSink& sink) {
       room.orbits().follow(starts, bounces, sink);

@@ -29,6 +29,7 @@ Room::Room(const Scene& scene)
     : scene_(scene),
       state_(at(Timeline(scene, scene.seed, 1), 1)),
       world_(build_world(scene, state_)),
+      glass_(scene, world_),
       solids_(scene, state_),
       places_(walls()),
       materials_(world_.materials()) {
@@ -36,11 +37,11 @@ Room::Room(const Scene& scene)
   for (std::uint32_t i = 0; i < walls().size(); ++i) {
     counted_.push_back(counted_wall(i));
     has_copies_ |= counted_.back() != i;
-    const bool passed = materials_[i] == Material::periodic || counted_.back() != i;
-    const double sides = passed ? 0 : inner_side(i) ? 1 : 2;
-    before_.push_back(before_.back() + sides * places_.length(i));
+    weights_.push_back(weights_of(i));
+    before_.push_back(before_.back() + (weights_[i][0] + weights_[i][1]) * places_.length(i));
   }
-  orbits_ = std::make_unique<OrbitTracer>(walls(), materials_, OrbitRules{.field = scene.field()});
+  orbits_ = std::make_unique<OrbitTracer>(walls(), materials_,
+                                          OrbitRules{.field = scene.field(), .glass = &glass_});
   const bool closed =
       !scene.chambers.empty() && has_area(scene.shapes[scene.chambers.front().shape]);
   fast_ = std::make_unique<FastOrbits>(*orbits_, closed);
@@ -49,6 +50,7 @@ Room::Room(const Scene& scene)
 // A chamber is bounced in from inside, whatever stands in it or in the open from outside. Edges
 // run counter-clockwise; both sides of a lone segment or arc are outside.
 std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
+  if (materials_[surface] == Material::glass) return std::nullopt;
   const SurfaceOwner& owner = world_.owner(surface);
   const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
   const Sign inside = walls().visit(surface, [](const auto& wall) { return inside_of(wall); });
@@ -63,7 +65,39 @@ std::optional<Sign> Room::inner_side(std::uint32_t surface) const {
 
 bool Room::has_start(const Vec2& point) const {
   if (!ExactOrigins(walls()).walls_at(point).empty()) return true;
-  return solids_.in_chamber(point) && !solids_.holder(point);
+  return is_free(point);
+}
+
+bool Room::is_free(const Vec2& point) const {
+  const auto holder = solids_.holder(point);
+  return (!holder || holder->material == Material::glass) && solids_.in_chamber(point);
+}
+
+// Bounces are spread evenly over lengths and tangential momenta, which are the index times the sine.
+std::array<double, 2> Room::weights_of(std::uint32_t surface) const {
+  if (materials_[surface] == Material::periodic || counted_[surface] != surface) return {0, 0};
+  if (materials_[surface] == Material::glass) return glass_.indices(surface);
+  const auto side = inner_side(surface);
+  return {side == Sign::negative ? 0.0 : 1.0, side == Sign::positive ? 0.0 : 1.0};
+}
+
+double Room::area() const {
+  double sum = solids_.free_area();
+  for (std::uint32_t i = 0; i < walls().size(); ++i) {
+    const SurfaceOwner& body = owner(i);
+    const bool first =
+        i == 0 || owner(i - 1).kind != body.kind || owner(i - 1).pillar != body.pillar;
+    if (materials_[i] != Material::glass || !first) continue;
+    const auto [positive, negative] = glass_.indices(i);
+    sum += positive * negative * solids_.pillar_area(body.index, body.pillar);  // one of them is 1
+  }
+  return sum;
+}
+
+double Room::index_ratio(const Bounce& bounce) const {
+  const auto [positive, negative] = glass_.indices(bounce.surface);
+  const Vec2 normal = wall_normal(walls(), bounce.surface, bounce.point);
+  return bounce.normal.dot(normal) > 0 ? positive / negative : negative / positive;
 }
 
 // Copies of discs, a wall each, come after what they are copies of.
@@ -85,10 +119,11 @@ std::uint32_t Room::wall_in_cell(std::uint32_t surface, double position) const {
 
 double Room::place_of(const Bounce& bounce) const {
   const std::uint32_t wall = bounce.surface;
+  const auto& [first, other] = weights_[counted_[wall]];
   const bool second =
-      !inner_side(wall) && bounce.normal.dot(wall_normal(walls(), wall, bounce.point)) < 0;
-  return before_[counted_[wall]] + places_.position(wall, bounce.point) +
-         (second ? places_.length(wall) : 0);
+      other > 0 && (first == 0 || bounce.normal.dot(wall_normal(walls(), wall, bounce.point)) < 0);
+  return before_[counted_[wall]] + (second ? other : first) * places_.position(wall, bounce.point) +
+         (second ? first * places_.length(wall) : 0);
 }
 
 OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint64_t number,
@@ -104,11 +139,13 @@ OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint
     const double along = all.from + at.x * (all.to - all.from), sine = 2 * at.y - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto drawn = static_cast<std::uint32_t>(above - before_.begin() - 1);
-    const double length = places_.length(drawn), within = along - before_[drawn];
+    const auto& [first, other] = weights_[drawn];
+    const double length = first * places_.length(drawn), beyond = along - before_[drawn];
+    const bool second = other > 0 && (first == 0 || beyond > length);  // the other side
+    const double within = second ? (beyond - length) / other : beyond / first;
     const std::uint32_t surface = wall_in_cell(drawn, within);
-    const bool second = within > length && !inner_side(surface);  // bounced off on both sides
-    const Sign side = inner_side(surface).value_or(second ? Sign::negative : Sign::positive);
-    const Vec2 place = places_.point(surface, second ? within - length : within);
+    const Sign side = second ? Sign::negative : Sign::positive;
+    const Vec2 place = places_.point(surface, within);
     const auto origin = nearest_double(
         place, [&](const Vec2& point) { return side_of_wall(walls(), surface, point) != -side; });
     if (!origin) continue;
@@ -119,7 +156,7 @@ OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint
     if (!leads_away(walls(), surface, side, *origin, direction)) continue;
     const Root root =
         walls().visit(surface, [&](const auto& wall) { return root_left(wall, side); });
-    return {{*origin, direction}, {surface, root}};
+    return {{*origin, direction}, {surface, root}, chance_of(seed, number)};
   }
 }
 
@@ -167,6 +204,9 @@ Result<void> expect_no_other_way_out(const ExperimentContext& context) {
     return fail(
         chamber.where, "the chamber is open, and orbits leave it",
         "close its shape: a polygon, a circle, a capsule; lines and Bezier curves enclose nothing");
+  if (chamber.material == Material::glass)
+    return fail(chamber.where, "the chamber is of glass, and orbits leave it",
+                "make it a mirror, and what stands in it glass");
   const bool absorbs =
       chamber.material == Material::absorb ||
       std::any_of(chamber.pillars.begin(), chamber.pillars.end(),

@@ -24,16 +24,25 @@ class Room {
   const FastOrbits& fast_orbits() const { return *fast_; }
   const std::vector<Material>& materials() const { return materials_; }  ///< by surface
 
-  /// Whether orbits that start there are in the room: on a wall, or in the free.
+  /// Whether orbits that start there are in the room: on a wall, or in the free or in glass.
   bool has_start(const Vec2& point) const;
+  bool is_free(const Vec2& point) const;
 
-  /// Length of all walls but periodic ones, those bounced off on both sides twice, those in copies once.
+  /// Of the free part (Solids::free_area), and of pillars of glass times their index: what flights are spread
+  /// over evenly, as their places and momenta are.
+  double area() const;
+  /// At glass: the index on the side of a bounce over that beyond.
+  double index_ratio(const Bounce& bounce) const;
+
+  /// Length of all walls but periodic ones, those bounced off on both sides twice, of glass each side times
+  /// the index there, those in copies once.
   double perimeter() const { return before_.back(); }
-  /// How far along all of them a bounce lies.
+  /// How far along all of them a bounce lies: with the sine of its angle, what bounces are spread over
+  /// evenly, whatever they are reflected by or split.
   double place_of(const Bounce& bounce) const;
 
   /// A start on a wall such that bounces along its orbit have the measure that reflection keeps:
-  /// uniform in length of wall and in the sine of the angle. One for each number under one seed;
+  /// uniform in length of wall, as perimeter() has it, and in the sine of the angle. One for each number under one seed;
   /// quasi-random ones are spread evenly in both (study/rooms/starts.h).
   OrbitStart draw_start(std::uint64_t seed, std::uint64_t number,
                         Starts starts = Starts::random) const {
@@ -58,16 +67,22 @@ class Room {
   OrbitStart draw_start_in(const Stretch& walls, std::uint64_t seed, std::uint64_t number,
                            Starts starts) const;
   std::uint32_t counted_wall(std::uint32_t surface) const;
+  std::array<double, 2> weights_of(std::uint32_t surface) const;
+  std::uint64_t chance_of(std::uint64_t seed, std::uint64_t number) const {
+    return glass_.any() ? chance_of_orbit(seed, number) : 0;
+  }
   std::uint32_t wall_in_cell(std::uint32_t surface, double position) const;
 
   const Scene& scene_;
   FrameState state_;
   World world_;
+  Glass glass_;
   Solids solids_;
   WallPlaces places_;
   std::vector<Material> materials_;
-  std::vector<double> before_;          // length of the walls before each
-  std::vector<std::uint32_t> counted_;  // by surface: itself, or that of which it is a copy
+  std::vector<std::array<double, 2>> weights_;  // by surface, of its positive side and the other
+  std::vector<double> before_;                  // length of the walls before each
+  std::vector<std::uint32_t> counted_;          // by surface: itself, or that of which it is a copy
   bool has_copies_ = false;
   std::unique_ptr<OrbitTracer> orbits_;
   std::unique_ptr<FastOrbits> fast_;
@@ -80,7 +95,8 @@ inline constexpr ExperimentUses kUsesOfOrbitMeans{.count = true,
                                                   .starts = true,
                                                   .resume = true,
                                                   .precision = true,
-                                                  .field = true};
+                                                  .field = true,
+                                                  .glass = true};
 
 /// Whether orbits stay within a scene: one chamber, and mirrors alone.
 Result<void> expect_closed(const ExperimentContext& context);

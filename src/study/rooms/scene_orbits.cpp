@@ -18,7 +18,7 @@ Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room
                          "let it start in the chamber, and in none of its pillars",
                          Trouble::invalid});
     orbits.names.push_back(ray.name);
-    orbits.starts.push_back({state.start});
+    orbits.starts.push_back({state.start, {}, chance_of_orbit(context.seed, state.ray)});
   }
   if (!outside.empty()) return tl::unexpected(std::move(outside));
   if (!orbits.starts.empty()) return orbits;

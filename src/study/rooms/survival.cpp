@@ -26,12 +26,13 @@ struct Stretch {
 struct FallingCurve {
   std::vector<double> gone, there;
 
-  explicit FallingCurve(std::span<const Departure> orbits) {
+  explicit FallingCurve(std::span<const LeavingOrbit> orbits) {
     double most = 0;
-    for (const Departure& one : orbits) most = std::max(most, one.bounces + (one.gone ? 1.0 : 0.0));
+    for (const LeavingOrbit& one : orbits)
+      most = std::max(most, one.bounces + (one.gone ? 1.0 : 0.0));
     gone.resize(static_cast<std::size_t>(most));
     there.resize(gone.size() + 1);
-    for (const Departure& one : orbits) {
+    for (const LeavingOrbit& one : orbits) {
       const auto n = static_cast<std::size_t>(one.bounces);
       if (one.gone) ++gone[n];
       ++there[n];
@@ -114,7 +115,7 @@ bool contradicts(const Survival& later, Survival::Law first) {
 }
 
 // Of those that are there before each bounce from a start on, the sums of those that leave.
-StartSums leaving_from(double start, std::span<const Departure> orbits, Starts starts) {
+StartSums leaving_from(double start, std::span<const LeavingOrbit> orbits, Starts starts) {
   StartSums leaving(starts);
   for (std::size_t i = 0; i < orbits.size(); ++i)
     if (const auto& [bounces, length, gone] = orbits[i]; bounces >= start)
@@ -123,7 +124,7 @@ StartSums leaving_from(double start, std::span<const Departure> orbits, Starts s
 }
 
 // By how much more the variance of what leaves is than that of independent orbits.
-double design_effect(std::span<const Departure> orbits, Starts starts) {
+double design_effect(std::span<const LeavingOrbit> orbits, Starts starts) {
   if (starts != Starts::conditional) return 1;
   const double together = leaving_from(0, orbits, starts).all().standard_error(),
                apart = leaving_from(0, orbits, Starts::random).all().standard_error();
@@ -162,21 +163,21 @@ double root(std::span<const Weighted> terms) {
   return 0.5 * (low + high);
 }
 
-Measure by_length(std::span<const Departure> orbits, double start, double rate, double limit,
+Measure by_length(std::span<const LeavingOrbit> orbits, double start, double rate, double limit,
                   Starts starts) {
   // Some few that stay much longer, on long ways, would weigh as much as all others.
   const double end = std::min(limit, start + std::ceil(kLifetimes / rate) + 1);
   const double mean = mean_bounces(rate, end - start);
-  const auto counts = [&](const Departure& one) {
+  const auto counts = [&](const LeavingOrbit& one) {
     return one.gone && one.bounces >= start && one.bounces < end;
   };
   double shortest = kInfinity;
-  for (const Departure& one : orbits)
+  for (const LeavingOrbit& one : orbits)
     if (counts(one)) shortest = std::min(shortest, one.length);
   std::vector<Weighted> terms;
   const std::size_t samples = starts == Starts::random ? orbits.size() : kShifts;
   for (std::size_t i = 0; i < orbits.size(); ++i)
-    if (const Departure& one = orbits[i]; counts(one))
+    if (const LeavingOrbit& one = orbits[i]; counts(one))
       terms.push_back({i % samples, one.length - shortest, rate * (one.bounces - start),
                        one.bounces - start - mean});
   Measure measure{"escape_rate_per_length", root(terms)};
@@ -195,7 +196,7 @@ Measure by_length(std::span<const Departure> orbits, double start, double rate, 
 
 }  // namespace
 
-Survival survival(std::span<const Departure> orbits, Starts starts) {
+Survival survival(std::span<const LeavingOrbit> orbits, Starts starts) {
   using Law = Survival::Law;
   const FallingCurve curve(orbits);
   const double more = design_effect(orbits, starts);
@@ -220,11 +221,11 @@ std::optional<double> late_start(const Survival& found) {
   return 2 * found.start;
 }
 
-std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
+std::vector<Measure> escape_rates(std::span<const LeavingOrbit> orbits, const Survival& found,
                                   std::uint64_t limit, Starts starts, double memory) {
   const double start = *late_start(found);
   double last = 0, there = 0;
-  for (const Departure& one : orbits) {
+  for (const LeavingOrbit& one : orbits) {
     last = std::max(last, one.bounces);
     if (one.bounces >= start) ++there;
   }

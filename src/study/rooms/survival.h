@@ -5,7 +5,7 @@ namespace flatray {
 
 /// What becomes of an orbit in an open room: how often it bounces, how long its way is up to the last
 /// bounce, and whether it is gone then, or was given up.
-struct Departure {
+struct LeavingOrbit {
   double bounces, length;
   bool gone;
 };
@@ -33,7 +33,7 @@ struct Survival {
 /// orbits would (the design effect: Rao and Scott 1981).
 ///
 /// Needs   orbits in the order of their starts, independent of each other but for what `starts` says.
-Survival survival(std::span<const Departure> orbits, Starts starts = Starts::random);
+Survival survival(std::span<const LeavingOrbit> orbits, Starts starts = Starts::random);
 
 /// From how many bounces on what is left of the beginning is small beside chance; none where the law is not
 /// exponential.
@@ -47,7 +47,7 @@ std::optional<double> late_start(const Survival& found);
 /// Needs   survival(orbits, starts).law is exponential; `limit` bounces after which orbits were given up. That by
 ///         length is from `memory` bounces on or later: what is invariant by bounces is not by length.
 /// Gives   none where too few are left.
-std::vector<Measure> escape_rates(std::span<const Departure> orbits, const Survival& found,
+std::vector<Measure> escape_rates(std::span<const LeavingOrbit> orbits, const Survival& found,
                                   std::uint64_t limit, Starts starts = Starts::random,
                                   double memory = 0);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "geom/refract.h"
 #include "transport/orbit.h"
 
 namespace flatray {
@@ -10,6 +11,9 @@ namespace flatray {
 /// length t adds t p to q; a mirror of curvature k adds 2 k q / cos(incidence) to p and turns both round.
 /// In a magnetic field, of flights of curvature b, q'' = -b^2 q; and as the neighbour comes to the mirror
 /// q tan(incidence) later and flies off it as much earlier, its direction turns by b for each.
+///
+/// Glass keeps q / cos along the wall, and the index times the cosine times the angle to its normal, which turns by the
+/// curvature: q p times the index is kept, Snell's law differentiated.
 ///
 /// Units   any: lengths, curvatures and fields of one.
 /// Source  Sinai 1970; Berglund and Kunz 1996 for the field.
@@ -25,6 +29,12 @@ struct Tangent {
   void reflect(double bend) {
     p = -(p + bend * q);
     q = -q;
+  }
+  /// Glass of a curvature as the mirror's, over the cosine of the incidence.
+  void refract(const Refraction& met, double curvature) {
+    const double turn = curvature / met.cosine * q, narrowing = met.ratio / met.widening();
+    p = narrowing * (p + turn) - turn;
+    q *= met.widening();
   }
   /// Brings its length back to 1; gives the logarithm of what it was.
   double restore() {

@@ -18,6 +18,7 @@
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
 #include "scene/load.h"
+#include "scene/material.h"
 #include "study/rooms/room.h"
 #include "support/paths.h"
 
@@ -234,7 +235,7 @@ TEST(CertifiedRooms, EveryBounceCalledCertainIsThatOfAnIndependentProgram) {
   for (const auto& path : rooms()) {
     const auto loaded = load_scene(path.string());
     ASSERT_TRUE(loaded.has_value()) << path;
-    if (loaded->scene.field() != 0) continue;  // the oracle flies straight
+    if (loaded->scene.field() != 0 || place_of_glass(loaded->scene)) continue;  // it flies straight
     const Room room(loaded->scene);
     Tally tally;
     for (std::uint64_t number = 0; number < times(200, 10); ++number)

@@ -132,9 +132,9 @@ TEST(ErrorCoverage, OfTheRateOfADecayThatIsKnown) {
   }
   Runs by_length, by_bounce;
   for (std::uint64_t seed = 1; seed <= times(1000, 200); ++seed) {
-    std::vector<Departure> orbits;
+    std::vector<LeavingOrbit> orbits;
     for (std::uint64_t i = 0; i < 2000; ++i) {
-      Departure one{0, 0, true};
+      LeavingOrbit one{0, 0, true};
       std::uint32_t draw = 0;
       while (unit(seed, i, draw++) < 0.8) {
         ++one.bounces;
@@ -157,7 +157,7 @@ TEST(ErrorCoverage, OfTheRateOfADecayThatIsKnown) {
 TEST(Survival, OfAPowerHasNoRate) {
   int powers = 0, exponentials = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    std::vector<Departure> orbits;
+    std::vector<LeavingOrbit> orbits;
     for (std::uint64_t i = 0; i < 4000; ++i)
       orbits.push_back({std::floor(std::sqrt(2 / unit(seed, i, 0) + 0.25) - 1.5), 1, true});
     const Survival found = survival(orbits);
@@ -171,7 +171,7 @@ TEST(Survival, OfAPowerHasNoRate) {
 }
 
 TEST(Survival, OfFewOrbitsIsUndecided) {
-  std::vector<Departure> orbits;
+  std::vector<LeavingOrbit> orbits;
   for (int i = 0; i < 50; ++i) orbits.push_back({static_cast<double>(i % 7), 1, true});
   EXPECT_EQ(survival(orbits).freedom, 0);
   EXPECT_EQ(survival({}).law, Survival::Law::undecided);

@@ -128,7 +128,7 @@ TEST(Remarks, ADecayOfTwoKindsHasNoRate) {
   int mixed = 0, pure = 0;
   const std::uint64_t runs = times(200, 40);
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    std::vector<Departure> orbits;
+    std::vector<LeavingOrbit> orbits;
     for (std::uint64_t i = 0; i < 20'000; ++i)
       orbits.push_back({std::floor(std::log(unit(seed, i)) / std::log(0.8)), 1, true});
     pure += survival(orbits).law == Survival::Law::exponential ? 1 : 0;
