@@ -20,6 +20,12 @@ bool keeps_to_cone(const Wall& wall, const Vec2& point, PlaceOn cone) {
   return place == PlaceOn::at_end || place == cone;
 }
 
+// Of the wall hit, on which the point may not lie.
+Sign outer_side(const Surfaces& walls, const Ray& ray, const NearestHit& hit, GoesOn to) {
+  const Sign inner = inner_side(walls, ray, hit);
+  return to == GoesOn::back ? -inner : inner;
+}
+
 double reach(double x) { return step_ulps(std::fabs(x), kReachUlps) - std::fabs(x); }
 
 }  // namespace
@@ -85,7 +91,7 @@ bool ExactOrigins::may_stand(const Vec2& point, std::uint32_t hit, Sign outer,
 std::optional<ExactOrigin> ExactOrigins::quick_after(const Ray& ray, const NearestHit& hit,
                                                      const QuickHit& quick, GoesOn to) const {
   if (!quick.is_certain || !walls_near(quick.nearest, hit.surface).empty()) return std::nullopt;
-  const Sign outer = outer_side(ray, hit, to);
+  const Sign outer = outer_side(walls_, ray, hit, to);
   bool doubt = false;
   const auto point = walls_.visit(hit.surface, [&](const auto& wall) {
     return nearest_double(quick.nearest, [&](const Vec2& candidate) {
@@ -123,19 +129,13 @@ ExactOrigin ExactOrigins::beside_others(const Exact& exact, std::uint32_t surfac
   return {nearest, std::move(passing)};
 }
 
-// On which it may not stand.
-Sign ExactOrigins::outer_side(const Ray& ray, const NearestHit& hit, GoesOn to) const {
-  const Sign inner = inner_side(walls_, ray, hit);
-  return to == GoesOn::back ? -inner : inner;
-}
-
 ExactOrigin ExactOrigins::after(const Ray& ray, const NearestHit& hit, GoesOn to) const {
   if (hit.at_end || hit.kind == HitClass::along)
     return at_end(hit_point(walls_, ray, hit), hit.surface);
   const QuickHit quick = quick_hit(walls_, ray, hit);
   if (const auto origin = quick_after(ray, hit, quick, to)) return *origin;
   ExactOrigin origin =
-      beside_others(exact_hit(walls_, ray, hit), hit.surface, outer_side(ray, hit, to));
+      beside_others(exact_hit(walls_, ray, hit), hit.surface, outer_side(walls_, ray, hit, to));
   if (origin.corner.empty()) origin.normal = normal_at(ray, hit, quick);
   return origin;
 }

@@ -45,7 +45,6 @@ class ExactOrigins {
   struct NearWall;
   std::optional<ExactOrigin> quick_after(const Ray& ray, const NearestHit& hit,
                                          const QuickHit& quick, GoesOn to) const;
-  Sign outer_side(const Ray& ray, const NearestHit& hit, GoesOn to) const;
   Vec2 normal_at(const Ray& ray, const NearestHit& hit, const QuickHit& quick) const;
   std::vector<std::uint32_t> walls_near(const Vec2& point, std::uint32_t hit) const;
   ExactOrigin at_end(const Vec2& end, std::uint32_t surface) const;

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "transport/light/bodies.h"
-#include "transport/reflection.h"
 
 namespace flatray {
 
