@@ -16,7 +16,7 @@ namespace {
 
 using namespace flatray::testing;
 
-constexpr double kHalfTurn = std::numbers::pi;
+constexpr double kPiOfDiscs = std::numbers::pi;
 const std::string kEmptyBox = "box = { min = [0, 0], max = [1, 1] }";
 
 Scene box_with(const std::string& shape, const std::string& index) {
@@ -179,12 +179,12 @@ TEST(GlassOrbits, DependOnTheirOwnChanceAlone) {
 // pi (A + n A') / (P + (1 + n) P'): places and momenta are spread evenly.
 TEST(GlassRooms, MeanFlightsAreThoseOfSantaloByMomenta) {
   for (const auto& [index, n] : {std::pair("1", 1.0), {"1.5", 1.5}, {"4", 4.0}, {"0.5", 0.5}}) {
-    const double disc = kHalfTurn / 16;
+    const double disc = kPiOfDiscs / 16;
     const Scene scene = disc_of(index);
     const ExperimentResult result = run("mean-free-path", {scene, 1, 200000, 1});
     const Measure mean = measure(result, "mean_free_path");
     ASSERT_TRUE(mean.standard_error && mean.expected);
-    EXPECT_NEAR(*mean.expected, kHalfTurn * (1 + (n - 1) * disc) / (4 + (1 + n) * kHalfTurn / 2),
+    EXPECT_NEAR(*mean.expected, kPiOfDiscs * (1 + (n - 1) * disc) / (4 + (1 + n) * kPiOfDiscs / 2),
                 1e-12);
     EXPECT_NEAR(mean.value, *mean.expected, 4 * *mean.standard_error) << index;
     EXPECT_LT(*mean.standard_error, 0.01 * mean.value);
@@ -221,9 +221,9 @@ TEST(GlassRooms, GoInAsOftenAsOutAndMeetEachSideByItsMomenta) {
     outside.add(met_outside, all);
     in.add(balance, all);
   }
-  const double weight = 4 + 2.5 * kHalfTurn / 2;
-  EXPECT_NEAR(inside.ratio(), 1.5 * kHalfTurn / 2 / weight, 4 * inside.standard_error());
-  EXPECT_NEAR(outside.ratio(), kHalfTurn / 2 / weight, 4 * outside.standard_error());
+  const double weight = 4 + 2.5 * kPiOfDiscs / 2;
+  EXPECT_NEAR(inside.ratio(), 1.5 * kPiOfDiscs / 2 / weight, 4 * inside.standard_error());
+  EXPECT_NEAR(outside.ratio(), kPiOfDiscs / 2 / weight, 4 * outside.standard_error());
   EXPECT_NEAR(in.ratio(), 0, 4 * in.standard_error());
   EXPECT_LT(inside.standard_error(), 0.02 * inside.ratio());
 }
