@@ -1,7 +1,6 @@
 #include "transport/orbit_tracer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geom/cyrus_beck.h"
 #include "geom/error_free.h"
