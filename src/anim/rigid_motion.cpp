@@ -1,7 +1,6 @@
 #include "anim/rigid_motion.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "anim/frame_state.h"
 #include "base/portable_math.h"

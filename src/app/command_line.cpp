@@ -23,20 +23,7 @@
 
 namespace flatray {
 
-#define FLATRAY_ENTRY(name) \
-  namespace verbs {         \
-  extern const Verb name;   \
-  }
-#include "verbs.inc"
-#undef FLATRAY_ENTRY
-
-std::vector<const Verb*> all_verbs() {
-#define FLATRAY_ENTRY(name) &verbs::name,
-  return {
-#include "verbs.inc"
-  };
-#undef FLATRAY_ENTRY
-}
+#include "verbs.inc"  // all_verbs()
 
 namespace {
 
@@ -137,7 +124,7 @@ Diagnostics unknown_variables() {
     for (const Option& option : options_of(*verb)) known.push_back(environment_name(option));
   Diagnostics warnings;
   for (const std::string& name : given) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (std::ranges::find(known, name) != known.end()) continue;
     const std::string near = nearest_word(name, known);
     warnings.push_back(
         {named_place(name), "no option is set by this variable",

@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <limits>
 #include <new>
 
 #include "base/check.h"

@@ -4,19 +4,7 @@
 
 namespace flatray {
 
-namespace picture {
-#define FLATRAY_ENTRY(name) extern const PictureFormat name;
-#include "pictures.inc"
-#undef FLATRAY_ENTRY
-}  // namespace picture
-
-std::vector<const PictureFormat*> picture_formats() {
-  return {
-#define FLATRAY_ENTRY(name) &picture::name,
-#include "pictures.inc"
-#undef FLATRAY_ENTRY
-  };
-}
+#include "pictures.inc"  // picture_formats()
 
 std::vector<std::string> picture_format_names() {
   std::vector<std::string> names;

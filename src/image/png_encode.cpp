@@ -2,19 +2,7 @@
 
 namespace flatray {
 
-namespace png_writer {
-#define FLATRAY_ENTRY(name) extern const PngWriter name;
-#include "encoders.inc"
-#undef FLATRAY_ENTRY
-}  // namespace png_writer
-
-std::vector<const PngWriter*> png_writers() {
-  return {
-#define FLATRAY_ENTRY(name) &png_writer::name,
-#include "encoders.inc"
-#undef FLATRAY_ENTRY
-  };
-}
+#include "encoders.inc"  // png_writers()
 
 std::vector<std::byte> encode_png(const Image& image, unsigned threads) {
   return PngEncoder(threads).encode(image, [](int, int) { return true; });

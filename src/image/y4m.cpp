@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "image/frame_rate.h"
 
 namespace flatray {

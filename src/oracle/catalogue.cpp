@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 
 #include "oracle/catalogue_parts.h"
 

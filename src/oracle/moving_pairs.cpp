@@ -1,7 +1,6 @@
 #include "oracle/moving_pairs.h"
 
 #include <array>
-#include <cmath>
 
 #include "geom/polygon.h"
 

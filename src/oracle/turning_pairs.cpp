@@ -1,6 +1,5 @@
 #include "oracle/turning_pairs.h"
 
-#include <algorithm>
 #include <numbers>
 
 #include "base/portable_math.h"

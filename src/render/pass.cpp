@@ -1,7 +1,5 @@
 #include "render/pass.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -11,17 +9,7 @@
 
 namespace flatray {
 
-#define FLATRAY_ENTRY(name) extern const Pass name##_pass;
-#include "passes.inc"
-#undef FLATRAY_ENTRY
-
-std::vector<const Pass*> passes() {
-  return {
-#define FLATRAY_ENTRY(name) &name##_pass,
-#include "passes.inc"
-#undef FLATRAY_ENTRY
-  };
-}
+#include "passes.inc"  // passes()
 
 namespace {
 

@@ -7,20 +7,7 @@
 
 namespace flatray {
 
-#define FLATRAY_ENTRY(name) \
-  namespace views_of {      \
-  extern const View name;   \
-  }
-#include "views.inc"
-#undef FLATRAY_ENTRY
-
-std::vector<const View*> views() {
-#define FLATRAY_ENTRY(name) &views_of::name,
-  return {
-#include "views.inc"
-  };
-#undef FLATRAY_ENTRY
-}
+#include "views.inc"  // views()
 
 double pixel_side(const ViewFrame& frame) {
   return frame.state.window.size().x() / frame.scene.film.width;

@@ -33,7 +33,7 @@ Cubic<double> smooth_from(const Curve& curve, std::size_t i, double from, double
 }  // namespace
 
 double value_at(const Curve& curve, double time) {
-  const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), time);
+  const auto after = std::ranges::upper_bound(curve.times, time);
   if (after == curve.times.begin()) return curve.values.front();
   const auto i = static_cast<std::size_t>(after - curve.times.begin()) - 1;
   if (after == curve.times.end() || curve.times[i] == time || curve.ease == Curve::Ease::step)
@@ -47,7 +47,7 @@ double value_at(const Curve& curve, double time) {
 
 Cubic<double> cubic_between(const Curve& curve, double from, double to) {
   const double middle = from + 0.5 * (to - from);
-  const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), middle);
+  const auto after = std::ranges::upper_bound(curve.times, middle);
   const double begin = value_at(curve, from);
   const bool rests =
       after == curve.times.begin() || after == curve.times.end() || curve.ease == Curve::Ease::step;

@@ -7,11 +7,8 @@
 #include "scene/scatterer.h"
 
 namespace flatray {
-namespace lamps {
-#define FLATRAY_ENTRY(name) extern const LampType name;
-#include "lamps.inc"
-#undef FLATRAY_ENTRY
-}  // namespace lamps
+
+#include "lamps.inc"  // lamp_types()
 
 namespace {
 
@@ -49,7 +46,7 @@ std::string named(std::string_view what, std::string_view name) {
 bool is_ever_one_ray(const Scene& scene, const Lamp& lamp) {
   std::set<double> times = key_times(scene, lamp.source);
   times.insert(0);
-  return std::any_of(times.begin(), times.end(), [&](double time) {
+  return std::ranges::any_of(times, [&](double time) {
     const auto emitter = emitter_at(scene, lamp, time);
     return emitter != nullptr && emitter->is_one_ray();
   });
@@ -135,14 +132,6 @@ std::vector<const LampLight*> lights_of(const Lamp& lamp) {
     for (const std::vector<Look>& looks : lamp.markov->looks)
       for (const Look& look : looks) lights.push_back(look.light.get());
   return lights;
-}
-
-std::vector<const LampType*> lamp_types() {
-  return {
-#define FLATRAY_ENTRY(name) &lamps::name,
-#include "lamps.inc"
-#undef FLATRAY_ENTRY
-  };
 }
 
 std::unique_ptr<const Emitter> emitter_at(const Scene& scene, const Lamp& lamp, double time) {

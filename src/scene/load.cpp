@@ -1,7 +1,5 @@
 #include "scene/load.h"
 
-#include <fmt/core.h>
-
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/left_out.h"

@@ -29,7 +29,7 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 
 bool is_state_name(std::string_view key) {
   const auto is_tail = [](char c) { return is_upper(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !key.empty() && is_upper(key.front()) && std::all_of(key.begin(), key.end(), is_tail);
+  return !key.empty() && is_upper(key.front()) && std::ranges::all_of(key, is_tail);
 }
 
 std::string upper_case(std::string text) {
@@ -60,7 +60,7 @@ struct ChainReader {
       if (is_state_name(member.key)) {
         rows.push_back(&member);
         chain.states.push_back(member.key);
-      } else if (std::any_of(member.key.begin(), member.key.end(), is_upper)) {
+      } else if (std::ranges::any_of(member.key, is_upper)) {
         in().problem(member.where,
                      fmt::format("'{}' is not a name of a state", member.key.substr(0, 64)),
                      "states are upper case: " + upper_case(member.key.substr(0, 64)));
@@ -101,7 +101,7 @@ struct ChainReader {
 
   // A state that is only mentioned has no way on, and that must be said.
   std::optional<StateId> target(const Member& step) {
-    const auto found = std::find(chain.states.begin(), chain.states.end(), step.key);
+    const auto found = std::ranges::find(chain.states, step.key);
     if (found != chain.states.end()) return static_cast<StateId>(found - chain.states.begin());
     // Single letters are all near to each other.
     const std::string near = step.key.size() > 1 ? nearest_word(step.key, chain.states) : "";
@@ -128,9 +128,8 @@ struct ChainReader {
         !repair_row(steps, settings.repair, self, chain.start))
       return check_sum(*rows[self], steps);
     chain.rows.push_back(cumulative_row(steps));
-    const auto possible = std::count_if(steps.begin(), steps.end(), [](const ChainStep& step) {
-      return step.probability.sign() == Sign::positive;
-    });
+    const auto possible = std::ranges::count_if(
+        steps, [](const ChainStep& step) { return step.probability.sign() == Sign::positive; });
     if (static_cast<std::size_t>(possible) > chain.rows.back().size())
       in().warning(rows[self]->where,
                    fmt::format("{} has steps that are never taken", rows[self]->key),
@@ -177,7 +176,7 @@ bool repair_row(ChainRow& row, ChainRepair repair, StateId self, StateId start) 
   if (rest.sign() != Sign::positive) return false;
   const StateId to = repair == ChainRepair::to_self ? self : start;
   const auto known =
-      std::find_if(row.begin(), row.end(), [&](const ChainStep& step) { return step.to == to; });
+      std::ranges::find_if(row, [&](const ChainStep& step) { return step.to == to; });
   if (known != row.end())
     known->probability += rest;
   else
@@ -199,7 +198,7 @@ std::vector<Transition> cumulative_row(std::span<const ChainStep> row) {
 
 std::optional<StateId> find_state(Builder& builder, const MarkovChain& chain, const Place& where,
                                   const std::string& name) {
-  const auto found = std::find(chain.states.begin(), chain.states.end(), name);
+  const auto found = std::ranges::find(chain.states, name);
   if (found != chain.states.end()) return static_cast<StateId>(found - chain.states.begin());
   builder.in.problems.push_back(
       unknown_word(where, "state of chain '" + chain.name + "':", name, chain.states));

@@ -8,11 +8,9 @@
 #include "scene/reading/kinds.h"
 
 namespace flatray {
-namespace materials {
-#define FLATRAY_ENTRY(name) extern const MaterialType name;
-#include "materials.inc"
-#undef FLATRAY_ENTRY
-}  // namespace materials
+
+#include "materials.inc"  // material_types()
+
 namespace {
 
 std::optional<ScattererId> build_scatterer(Builder& builder, const Field& field) {
@@ -85,14 +83,6 @@ class Mixture : public Scatterer {
 
 }  // namespace
 
-std::vector<const MaterialType*> material_types() {
-  return {
-#define FLATRAY_ENTRY(name) &materials::name,
-#include "materials.inc"
-#undef FLATRAY_ENTRY
-  };
-}
-
 Reflectance read_reflectance(Args& args, const char* key) {
   const double part = args.number(key, 1);
   const Colour colour = args.colour("colour", {255, 255, 255, 255});
@@ -103,7 +93,7 @@ Reflectance read_reflectance(Args& args, const char* key) {
     args.problem("colour", "has an opacity, which a wall has not for light", "write #rrggbb");
   const std::array<float, 3> light{linear_from_srgb(colour.r), linear_from_srgb(colour.g),
                                    linear_from_srgb(colour.b)};
-  const float most = *std::max_element(light.begin(), light.end());
+  const float most = *std::ranges::max_element(light);
   if (part == 0 || most == 0)
     args.warning(args.place(part == 0 ? key : "colour"), "the material sends no light on",
                  "write \"absorb\", which says so");

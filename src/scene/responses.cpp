@@ -11,17 +11,16 @@ Response response_of(const Scene& scene, const Entity& entity) {
 }
 
 bool responds(const Scene& scene) {
-  return std::any_of(scene.entities.begin(), scene.entities.end(), [&](const Entity& entity) {
+  return std::ranges::any_of(scene.entities, [&](const Entity& entity) {
     return response_of(scene, entity) != Response::none;
   });
 }
 
 Place where_responds(const Scene& scene) {
-  return scene.collisions
-             ? scene.collisions->where
-             : std::find_if(scene.entities.begin(), scene.entities.end(), [](const Entity& e) {
-                 return e.response.has_value();
-               })->where;
+  return scene.collisions ? scene.collisions->where
+                          : std::ranges::find_if(scene.entities, [](const Entity& e) {
+                              return e.response.has_value();
+                            })->where;
 }
 
 Diagnostic refused_responses(const Scene& scene, const std::string& what) {
@@ -56,8 +55,8 @@ bool changes_outline_or_velocity(const MarkovUse& markov) {
 
 bool has_parts_left_out(const Shape& shape) {
   return !shape.crossing_rings.empty() || !shape.beziers.empty() ||
-         std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                     [](const ArcPath& path) { return !rounded_by(path); });
+         std::ranges::any_of(shape.arc_paths,
+                             [](const ArcPath& path) { return !rounded_by(path); });
 }
 
 bool moves(const Group& group) {

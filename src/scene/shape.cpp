@@ -8,11 +8,9 @@
 #include "scene/reading/overrides.h"
 
 namespace flatray {
-namespace shapes {
-#define FLATRAY_ENTRY(name) extern const ShapeType name;
-#include "shapes.inc"
-#undef FLATRAY_ENTRY
-}  // namespace shapes
+
+#include "shapes.inc"  // shape_types()
+
 namespace {
 
 void append(Diagnostics& to, Diagnostics&& from) {
@@ -20,14 +18,6 @@ void append(Diagnostics& to, Diagnostics&& from) {
 }
 
 }  // namespace
-
-std::vector<const ShapeType*> shape_types() {
-  return {
-#define FLATRAY_ENTRY(name) &shapes::name,
-#include "shapes.inc"
-#undef FLATRAY_ENTRY
-  };
-}
 
 std::string usage(const ShapeType& type) {
   std::string all;

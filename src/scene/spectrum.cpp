@@ -35,14 +35,14 @@ LightColour srgb_of(const Xyz& c) {
 
 // White is mixed in until no channel is below 0.
 LightColour within_srgb(LightColour colour) {
-  const double least = std::min(0.0, *std::min_element(colour.begin(), colour.end()));
+  const double least = std::min(0.0, *std::ranges::min_element(colour));
   for (double& channel : colour) channel -= least;
   return colour;
 }
 
 LightColour shown(LightColour colour) {
   colour = within_srgb(colour);
-  const double most = *std::max_element(colour.begin(), colour.end());
+  const double most = *std::ranges::max_element(colour);
   for (double& channel : colour) channel = most > 0 ? channel / most : 0;
   return colour;
 }
@@ -117,7 +117,7 @@ Spectrum::Spectrum(std::span<const Row> rows) {
   for (Cell& cell : cells_) {
     for (std::size_t c = 0; c < sum.size(); ++c)
       cell.light[c] = sum[c] > 0 ? cell.light[c] / sum[c] : 0;
-    chances += *std::max_element(cell.light.begin(), cell.light.end());
+    chances += *std::ranges::max_element(cell.light);
     cell.end = chances;
   }
   if (chances == 0) cells_.clear();
@@ -145,8 +145,7 @@ void Spectrum::add_cells(const Row& from, const Row& to) {
 }
 
 Spectrum::Part Spectrum::part(double u) const {
-  const auto after = std::upper_bound(cells_.begin(), cells_.end(), u,
-                                      [](double v, const Cell& cell) { return v < cell.end; });
+  const auto after = std::ranges::upper_bound(cells_, u, {}, &Cell::end);
   const auto cell = after == cells_.end() ? std::prev(after) : after;
   const double begin = cell == cells_.begin() ? 0 : std::prev(cell)->end;
   const double chance = cell->end - begin;

@@ -4,19 +4,7 @@
 
 namespace flatray {
 
-#define FLATRAY_ENTRY(name) extern const Experiment name;
-namespace experiment_entries {
-#include "experiments.inc"
-}  // namespace experiment_entries
-#undef FLATRAY_ENTRY
-
-std::vector<const Experiment*> experiments() {
-  return {
-#define FLATRAY_ENTRY(name) &experiment_entries::name,
-#include "experiments.inc"
-#undef FLATRAY_ENTRY
-  };
-}
+#include "experiments.inc"  // experiments()
 
 ExperimentResult::File csv_file(const std::string& name, const Table& table) {
   return {name + ".csv", csv_text(table)};

@@ -14,17 +14,7 @@ constexpr std::size_t kFewSegments = 24;
 
 }  // namespace
 
-#define FLATRAY_ENTRY(name) extern const Tracer name##_tracer;
-#include "tracers.inc"
-#undef FLATRAY_ENTRY
-
-std::vector<const Tracer*> tracers() {
-  return {
-#define FLATRAY_ENTRY(name) &name##_tracer,
-#include "tracers.inc"
-#undef FLATRAY_ENTRY
-  };
-}
+#include "tracers.inc"  // tracers()
 
 const Tracer* find_tracer(std::string_view name) {
   const std::vector<const Tracer*> all = tracers();

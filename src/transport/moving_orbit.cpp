@@ -1,7 +1,6 @@
 #include "transport/moving_orbit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

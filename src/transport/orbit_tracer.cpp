@@ -1,7 +1,6 @@
 #include "transport/orbit_tracer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/philox.h"
 #include "geom/cyrus_beck.h"

@@ -70,17 +70,29 @@ function(flatray_finish_entries)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/src/base/left_out.inc CONTENT "${table}")
 endfunction()
 
-# Writes <folder>.inc, a line FLATRAY_ENTRY(name) each, sorted. One source includes it twice: to declare the
-# entries and to fill the table. REQUIRED: every build has one of them at least.
-function(flatray_write_table module folder)
+# Writes <folder>.inc: the declarations of the entries, and the function that gives them all, sorted. The source whose
+# header declares that function includes it in namespace flatray. An entry called NAME defines `symbol`. REQUIRED: every
+# build has one of them at least.
+#   flatray_write_table(scene shapes ShapeType shape_types shapes::NAME)
+function(flatray_write_table module folder type function symbol)
   get_property(names TARGET flatray_${module} PROPERTY FLATRAY_ENTRIES_${folder})
   if(NOT names AND "REQUIRED" IN_LIST ARGN)
     message(FATAL_ERROR "FLATRAY_ONLY or FLATRAY_WITHOUT leaves nothing of ${folder}/: keep one entry")
   endif()
   list(SORT names)
-  list(TRANSFORM names REPLACE "(.+)" "FLATRAY_ENTRY(\\1)\n")
-  list(JOIN names "" table)
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${folder}.inc CONTENT "${table}")
+  set(declarations "")
+  set(addresses "")
+  foreach(name IN LISTS names)
+    string(REPLACE NAME ${name} entry ${symbol})
+    string(REGEX REPLACE ".*::" "" unqualified ${entry})
+    string(APPEND declarations "extern const ${type} ${unqualified};\n")
+    string(APPEND addresses "&${entry}, ")
+  endforeach()
+  if(symbol MATCHES "(.+)::")
+    set(declarations "namespace ${CMAKE_MATCH_1} {\n${declarations}}\n")
+  endif()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${folder}.inc CONTENT
+    "${declarations}std::vector<const ${type}*> ${function}() { return {${addresses}}; }\n")
   target_include_directories(flatray_${module} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
 

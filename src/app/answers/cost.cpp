@@ -39,9 +39,9 @@ std::size_t rounds_for(double seconds_a_round) {
 }
 
 std::vector<CostRounds> in_one_unit(const std::vector<std::vector<Cost>>& works) {
-  const bool counted = std::all_of(works.begin(), works.end(), [](const auto& costs) {
-    return std::all_of(costs.begin(), costs.end(),
-                       [](const Cost& cost) { return cost.instructions.has_value(); });
+  const bool counted = std::ranges::all_of(works, [](const auto& costs) {
+    return std::ranges::all_of(costs,
+                               [](const Cost& cost) { return cost.instructions.has_value(); });
   });
   std::vector<CostRounds> all;
   for (const std::vector<Cost>& costs : works) {

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "base/counted.h"
 #include "base/number_text.h"
 #include "base/shown_text.h"
@@ -51,7 +49,7 @@ std::string text_of(const HitSet& set) {
 }
 
 Table csv_rows(const std::vector<HitSet>& sets) {
-  Table table{{"ray", "part", "t_enter", "t_exit"}, {}};
+  Table table({"ray", "part", "t_enter", "t_exit"});
   for (const HitSet& set : sets)
     for (std::size_t i = 0; i < set.parts.size(); ++i)
       table.add({set.ray.name, std::uint64_t{i}, set.parts[i].low, set.parts[i].high});

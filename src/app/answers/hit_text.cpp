@@ -20,7 +20,7 @@ std::string range_text(const Range& range) {
 }
 
 Table step_table(const HitReport& report) {
-  Table table{{"edge", "numerator", "denominator", "t", "kind", "candidate"}, {}};
+  Table table({"edge", "numerator", "denominator", "t", "kind", "candidate"});
   for (const HitStep& step : report.steps)
     table.add({step.edge ? JsonValue(*step.edge) : "cut", step.numerator, step.denominator,
                step.t ? with_fraction(*step.t, step.exact_t) : "-", step.kind,
@@ -101,9 +101,8 @@ std::string text_of(const HitReport& report) {
 }
 
 Table csv_rows(const std::vector<HitReport>& reports) {
-  Table table{{"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
-               "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"},
-              {}};
+  Table table({"ray", "against", "edge", "numerator", "denominator", "t", "kind", "candidate_enter",
+               "candidate_exit", "class", "t_enter", "t_exit", "edge_enter", "edge_exit", "start"});
   for (const HitReport& report : reports) {
     if (report.steps.empty()) table.rows.push_back(csv_row(report, nullptr));
     for (const HitStep& step : report.steps) table.rows.push_back(csv_row(report, &step));

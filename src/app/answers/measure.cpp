@@ -47,7 +47,7 @@ RenderPlan plan_with(const RenderJob& job, const Kept& kept) {
   const std::vector<const Pass*> needed = std::move(plan.passes);
   plan.passes.clear();
   for (const Pass* pass : passes())
-    if (pass == kept.pass || std::find(needed.begin(), needed.end(), pass) != needed.end())
+    if (pass == kept.pass || std::ranges::find(needed, pass) != needed.end())
       plan.passes.push_back(pass);
   return plan;
 }

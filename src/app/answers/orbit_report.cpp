@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/report/report.h"
 #include "base/counted.h"
@@ -199,8 +198,7 @@ JsonValue whole(std::int64_t number) {
 }
 
 bool is_periodic(const OrbitRoom& room) {
-  return std::find(room.materials.begin(), room.materials.end(), Material::periodic) !=
-         room.materials.end();
+  return std::ranges::find(room.materials, Material::periodic) != room.materials.end();
 }
 
 Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t i, bool timed) {
@@ -233,9 +231,8 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
 Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports) {
   Table table({"ray", "bounce", "t", "path_length", "x", "y", "object", "edge", "normal_x",
                "normal_y", "incidence_deg", "certain"});
-  const bool timed = std::any_of(reports.begin(), reports.end(), [](const OrbitReport& report) {
-    return report.clock.has_value();
-  });
+  const bool timed = std::ranges::any_of(
+      reports, [](const OrbitReport& report) { return report.clock.has_value(); });
   if (room.glass.any()) table.columns.emplace_back("went");
   if (is_periodic(room)) table.columns.insert(table.columns.end(), {"cell_a", "cell_b"});
   if (timed) table.columns.insert(table.columns.end(), {"time", "speed"});

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "app/answers/orbit_report.h"
 #include "study/plots/plot.h"

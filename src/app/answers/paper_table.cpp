@@ -42,7 +42,7 @@ std::string status(double numer, double denom) {
 }
 
 bool has_box(const Scene& scene, const Ring& box) {
-  return std::any_of(scene.entities.begin(), scene.entities.end(), [&](const Entity& entity) {
+  return std::ranges::any_of(scene.entities, [&](const Entity& entity) {
     const Shape& shape = scene.shapes[entity.shape];
     if (shape.piece_count() != 1 || shape.vertices.size() != box.size()) return false;
     for (std::size_t i = 0; i < box.size(); ++i)

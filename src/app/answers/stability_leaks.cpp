@@ -22,12 +22,11 @@ Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityReque
   const std::vector<std::string>& places = request.places;
   auto log = LeakLog::open(arguments.text("output"), Outputs(arguments));
   if (!log) return fail(std::move(log));
-  Table table{{"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
-               "first_t_off", "asked", "beside", "nothing", "through_end", "through", "invented"},
-              {}};
+  Table table({"place", "tracer", "rays", "bounces", "leaks", "corners", "first_wall_wrong",
+               "first_t_off", "asked", "beside", "nothing", "through_end", "through", "invented"});
   bool sound = true;
   for (const RoomPlace& place : room_places()) {
-    if (std::find(places.begin(), places.end(), place.name) == places.end()) continue;
+    if (std::ranges::find(places, place.name) == places.end()) continue;
     for (const Tracer* tracer : request.tracers) {
       const ChunkLog::Key key{place.name, tracer->name, isa_name(active_isa()), request.seed, 0};
       auto done = log->run({key}, blocks, request.threads, [&](std::uint64_t block, const auto&) {

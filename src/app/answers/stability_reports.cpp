@@ -54,9 +54,8 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
   });
   ExperimentResult result;
   Table all({"tracer", "scale_log2", "offset_log2", "rays", "wrong", "off"});
-  Table table{{"tracer", "cells", "cells_wrong", "rays", "wrong", "off", "worst_share", "at_scale",
-               "at_offset", "verdict"},
-              {}};
+  Table table({"tracer", "cells", "cells_wrong", "rays", "wrong", "off", "worst_share", "at_scale",
+               "at_offset", "verdict"});
   bool sound = true;
   for (std::size_t k = 0; k < request.tracers.size(); ++k) {
     const Tracer& tracer = *request.tracers[k];
@@ -94,18 +93,17 @@ Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityReq
   if (auto straight = expect_no_field(*scene, "stability"); !straight)
     return fail(std::move(straight));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
-  Table table{{"ray", "leg", "near", "x", "y", "distance", "ulps"}, {}};
+  Table table({"ray", "leg", "near", "x", "y", "distance", "ulps"});
   for (const Margin& margin : all)
     table.add({margin.ray, margin.leg, margin.wall, margin.at.x(), margin.at.y(), margin.distance,
                margin.ulps});
   ExperimentResult result;
   result.files.push_back(csv_file("margins", table));
   const auto below = [&](double ulps) {
-    return std::count_if(all.begin(), all.end(),
-                         [&](const Margin& margin) { return margin.ulps < ulps; });
+    return std::ranges::count_if(all, [&](const Margin& margin) { return margin.ulps < ulps; });
   };
-  const auto exact = std::count_if(all.begin(), all.end(),
-                                   [](const Margin& margin) { return margin.distance == 0; });
+  const auto exact =
+      std::ranges::count_if(all, [](const Margin& margin) { return margin.distance == 0; });
   if (all.empty())
     result.summary = "\nno ray passes an end of a wall or a tangent\n";
   else

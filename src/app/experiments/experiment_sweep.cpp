@@ -71,7 +71,7 @@ std::vector<std::string> SweepResults::names() const {
   std::vector<std::string> names;
   for (const auto& [value, measures] : found_)
     for (const Measure& one : measures)
-      if (std::find(names.begin(), names.end(), one.name) == names.end()) names.push_back(one.name);
+      if (std::ranges::find(names, one.name) == names.end()) names.push_back(one.name);
   return names;
 }
 

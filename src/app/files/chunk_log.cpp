@@ -49,17 +49,15 @@ constexpr std::array kLeakNames = {"rays",    "bounces",     "leaks",   "corners
 constexpr std::array<std::size_t, 1> kLeakWidths = {kLeakNames.size()};
 
 bool is_family(const std::string& name, const auto& families) {
-  return std::any_of(families.begin(), families.end(),
-                     [&](const auto& family) { return name == family.name; });
+  return std::ranges::any_of(families, [&](const auto& family) { return name == family.name; });
 }
 
 // Of a family of now, with no more rays than a chunk has, and no more of anything than rays.
 bool possible_stability(const ChunkLog::Key& key, const ChunkLog::Row& row) {
   const StabilityTally tally = StabilityRows::tally(row);
   static const std::vector<PairFamily> pairs = pair_families();  // of each row of a log
-  const bool of_pairs = std::any_of(pairs.begin(), pairs.end(), [&](const PairFamily& family) {
-    return key.family == StabilityRows::pairs(family);
-  });
+  const bool of_pairs = std::ranges::any_of(
+      pairs, [&](const PairFamily& family) { return key.family == StabilityRows::pairs(family); });
   if (!of_pairs && !is_family(key.family, oracle::families())) return false;
   return tally.rays <= (of_pairs ? kPairsAChunk : kRaysAChunk) && tally.hits <= tally.rays &&
          tally.wrong <= tally.rays && tally.watched <= tally.rays && tally.timed <= tally.rays &&
@@ -98,7 +96,7 @@ std::optional<std::pair<ChunkLog::Key, ChunkLog::Row>> ChunkLog::read_row(
   const std::vector<std::string_view> cells = split(line, ',');
   const std::size_t others = cells_besides_counts(format_);
   const auto is_width = [&](std::size_t counts) {
-    return std::find(format_.widths.begin(), format_.widths.end(), counts) != format_.widths.end();
+    return std::ranges::find(format_.widths, counts) != format_.widths.end();
   };
   if (cells.size() < others || !is_width(cells.size() - others)) return std::nullopt;
   const auto seed = parse_whole(cells[3]), chunk = parse_whole(cells[4]);
@@ -148,8 +146,8 @@ Result<ChunkLog> ChunkLog::open(const Format& format, const std::optional<std::s
 Result<std::string> ChunkLog::read(const std::string& text) {
   if (text.empty()) return text;
   const auto is_header = [&](std::string_view line) {
-    return std::any_of(format_.widths.begin(), format_.widths.end(),
-                       [&](std::size_t width) { return line == header(width); });
+    return std::ranges::any_of(format_.widths,
+                               [&](std::size_t width) { return line == header(width); });
   };
   std::string now;
   int number = 0, wrong = 0;

@@ -181,7 +181,7 @@ Result<std::string> plain_name(std::string_view scene) {
                         (stem.substr(0, 3) == "com" || stem.substr(0, 3) == "lpt");
   // Names of devices on some systems, with any extension.
   static constexpr std::array<std::string_view, 4> kDevices = {"con", "nul", "aux", "prn"};
-  if (numbered || std::find(kDevices.begin(), kDevices.end(), stem) != kDevices.end())
+  if (numbered || std::ranges::find(kDevices, stem) != kDevices.end())
     name.insert(name.begin(), '_');
   return name;
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "app/options/option_values.h"
 #include "base/file.h"
@@ -30,8 +29,8 @@ constexpr std::array<Kind, 4> kKinds = {{{"an SVG", "<?xml"},
 Kind kind_of(std::string_view content) {
   if (const PictureFormat* format = picture_format_of(std::as_bytes(std::span(content))))
     return {format->kind, format->beginning};
-  return *std::find_if(kKinds.begin(), kKinds.end(),
-                       [&](const Kind& kind) { return content.starts_with(kind.beginning); });
+  return *std::ranges::find_if(
+      kKinds, [&](const Kind& kind) { return content.starts_with(kind.beginning); });
 }
 
 // Of JSON the name that comes first, of a text each cell of its first line.

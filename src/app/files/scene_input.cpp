@@ -63,7 +63,7 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
   if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic) {
     if (auto inside = expect_pillars_inside(scene); !inside) return fail(std::move(inside));
     const auto& pillars = scene.chambers.front().pillars;
-    if (std::any_of(pillars.begin(), pillars.end(), [](const auto& one) { return one.across; }))
+    if (std::ranges::any_of(pillars, [](const auto& one) { return one.across; }))
       if (auto apart = expect_pillars_apart(scene); !apart) return fail(std::move(apart));
   }
   return read;

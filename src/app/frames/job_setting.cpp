@@ -87,7 +87,7 @@ Fields RenderJob::film_setting(unsigned frame) const {
 std::string RenderJob::fingerprint() const { return Hash().add(json_text(setting())).hex(); }
 
 bool RenderJob::makes(const FrameRecord& record) const {
-  return std::binary_search(frames.begin(), frames.end(), record.frame) && names(record);
+  return std::ranges::binary_search(frames, record.frame) && names(record);
 }
 
 Spread spread(const RenderJob& job, std::size_t frame_count, unsigned threads) {

@@ -39,7 +39,7 @@ struct Profile {
 bool may_choose(const std::string& name, const std::string& value) {
   if (name == "backend") {
     const std::vector<std::string> known = backend_names();
-    return std::find(known.begin(), known.end(), value) != known.end();
+    return std::ranges::find(known, value) != known.end();
   }
   return name == "samples" || (name == "define" && (value.starts_with("film.coverage=") ||
                                                     value.starts_with("film.rows=")));

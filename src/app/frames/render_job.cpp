@@ -270,15 +270,15 @@ Result<Claim> begin_work(const Work& work, const Outputs& outputs, Diagnostics& 
                            json_text(job.setting()), outputs.force());
   if (!claim) return claim;
   std::vector<fs::path> manifests = manifests_in(job.folder());
-  if (std::find(manifests.begin(), manifests.end(), job.manifest()) == manifests.end())
+  if (std::ranges::find(manifests, job.manifest()) == manifests.end())
     manifests.push_back(job.manifest());
   Records others;
   for (const fs::path& manifest : manifests) {
     auto merged = Journal(manifest).merge([&](const std::string& text) -> Result<std::string> {
       const Records before = records_of(text);
       const bool own = manifest == job.manifest();
-      const bool goes = std::any_of(files.begin(), files.end(),
-                                    [&](const std::string& file) { return before.contains(file); });
+      const bool goes = std::ranges::any_of(
+          files, [&](const std::string& file) { return before.contains(file); });
       std::string changed = own || goes ? without_files(text, files) : text;
       for (const auto& [file, record] : work.kept) {  // by --resume, also from others
         const auto there = before.find(file);

@@ -109,7 +109,7 @@ class Run {
   }
 
   static bool has_light(const WorkList& list) {
-    return std::any_of(list.works.begin(), list.works.end(), [](const Work& work) {
+    return std::ranges::any_of(list.works, [](const Work& work) {
       return !work.job->scene.lamps.empty() && !work.job->view;
     });
   }

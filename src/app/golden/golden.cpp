@@ -130,8 +130,8 @@ tl::unexpected<Diagnostics> bad_manifest(const std::string& what) {
 bool same_file(const GoldenRow& a, const GoldenRow& b) { return a.file() == b.file(); }
 
 void sort_by_file(std::vector<GoldenRow>& rows) {
-  std::sort(rows.begin(), rows.end(),
-            [](const GoldenRow& a, const GoldenRow& b) { return a.file() < b.file(); });
+  std::ranges::sort(rows,
+                    [](const GoldenRow& a, const GoldenRow& b) { return a.file() < b.file(); });
 }
 
 std::string without_extension(const fs::path& path) {
@@ -145,7 +145,7 @@ std::vector<std::string> names_below(const fs::path& root, const std::string& fo
   for (const fs::path& path : files_below(root / folder))
     if (fs::is_regular_file(path, ignored))
       files.push_back(path.lexically_relative(root).generic_string());
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

@@ -112,8 +112,8 @@ Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, Gol
                 "two renders must be equal: that is a bug, and no golden can stand for it")});
   row.drift = tolerance_text(drift);
   row.pixels = pixel_hash(picture.after);
-  const auto old = std::find_if(before.begin(), before.end(),
-                                [&](const GoldenRow& other) { return other.frame == row.frame; });
+  const auto old = std::ranges::find_if(
+      before, [&](const GoldenRow& other) { return other.frame == row.frame; });
   if (old != before.end())
     if (Result<Image> image = read_png((root / old->file()).string())) picture.before = *image;
   if (picture.same() && old->pixels == row.pixels) row.why = old->why;
@@ -123,9 +123,8 @@ Result<GoldenUpdate::Picture> draw(const fs::path& root, const Scene& scene, Gol
 }
 
 bool has_file(const std::vector<GoldenUpdate::Picture>& pictures, const std::string& file) {
-  return std::any_of(pictures.begin(), pictures.end(), [&](const GoldenUpdate::Picture& picture) {
-    return picture.row.file() == file;
-  });
+  return std::ranges::any_of(
+      pictures, [&](const GoldenUpdate::Picture& picture) { return picture.row.file() == file; });
 }
 
 // Bytes of all goldens afterwards.
@@ -200,7 +199,7 @@ Image golden_sheet(const GoldenUpdate::Picture& picture) {
   if (!picture.before || !compare(*picture.before, after)) return after;
   constexpr int kGap = 4;
   Image sheet(3 * after.width + 2 * kGap, after.height, 3);
-  std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{128});
+  std::ranges::fill(sheet.pixels, std::uint8_t{128});
   paste(*picture.before, 0, sheet);
   paste(after, after.width + kGap, sheet);
   paste(difference_image(after, *picture.before), 2 * (after.width + kGap), sheet);

@@ -39,8 +39,8 @@ const Part kParts[] = {
      }},
     {"passes/bounding_boxes",
      [](const Scene& scene) {
-       const auto boxes = std::count_if(scene.entities.begin(), scene.entities.end(),
-                                        [](const Entity& one) { return !!one.bounding_box; });
+       const auto boxes = std::ranges::count_if(
+           scene.entities, [](const Entity& one) { return !!one.bounding_box; });
        return Use{static_cast<std::size_t>(boxes), "box to be drawn", "boxes to be drawn"};
      }},
     {"passes/chambers",

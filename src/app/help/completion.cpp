@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <set>
-
 #include "app/files/output_pattern.h"
 #include "app/help/help.h"
 #include "app/options/option_values.h"

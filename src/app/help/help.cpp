@@ -12,7 +12,7 @@ namespace flatray {
 namespace {
 
 Table key_table(std::span<const KeyInfo> keys) {
-  Table table{{"key", "takes", "default"}, {}};
+  Table table({"key", "takes", "default"});
   for (const KeyInfo& key : keys) table.add({key.name, key.takes, key.fallback});
   return table;
 }
@@ -61,7 +61,7 @@ std::string topic_text(const WrittenTopic& topic) {
 }
 
 void add_name(std::vector<std::string>& names, std::string name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
 }
 
 }  // namespace
@@ -70,8 +70,8 @@ std::vector<Topic> help_topics() {
   std::vector<Topic> topics;
   for (const WrittenTopic& one : written_topics()) topics.push_back({one.name, one.summary});
   for (const TableInfo& table : vocabulary()) {
-    const bool known = std::any_of(topics.begin(), topics.end(),
-                                   [&](const Topic& topic) { return topic.name == table.table; });
+    const bool known =
+        std::ranges::any_of(topics, [&](const Topic& topic) { return topic.name == table.table; });
     if (!known) topics.push_back({table.table, summary_of(table)});
   }
   return topics;

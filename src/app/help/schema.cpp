@@ -31,9 +31,9 @@ struct Site {
 };
 
 bool has_keys(const TableInfo& table, const Takes& takes) {
-  return std::all_of(takes.keys.begin(), takes.keys.end(), [&](const auto& wanted) {
-    return std::any_of(table.keys.begin(), table.keys.end(),
-                       [&](const KeyInfo& key) { return wanted.first == key.name; });
+  return std::ranges::all_of(takes.keys, [&](const auto& wanted) {
+    return std::ranges::any_of(table.keys,
+                               [&](const KeyInfo& key) { return wanted.first == key.name; });
   });
 }
 
@@ -75,8 +75,8 @@ JsonValue own_table_schema(const Site& site, const Takes& takes) {
 
 bool is_kind(std::string_view placeholder) {
   const std::vector<KindInfo> all = kinds();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const KindInfo& kind) { return kind.placeholder == placeholder; });
+  return std::ranges::any_of(all,
+                             [&](const KindInfo& kind) { return kind.placeholder == placeholder; });
 }
 
 // "shape.box": what a table of the language is called is not the name of a kind.
@@ -149,7 +149,7 @@ bool is_drawable(const Takes& takes) {
 JsonValue drawn_schema(const Site& site, const std::vector<Takes>& all) {
   Values values;
   for (const Takes& one : all) values.push_back(one_schema(site, one));
-  if (std::any_of(all.begin(), all.end(), is_number)) values.push_back(reference("drawn"));
+  if (std::ranges::any_of(all, is_number)) values.push_back(reference("drawn"));
   Fields choice{{"type", "array"}, {"items", Fields{{"anyOf", values}}}, {"minItems", 1}};
   values.push_back(Fields{{"type", "object"},
                           {"properties", Fields{{"choice", std::move(choice)}}},
@@ -172,21 +172,19 @@ JsonValue distribution_schema() {
 // Whether it is a curve, or a list of what may be.
 bool is_curve(const Takes& takes) {
   return (takes.kind == Takes::Kind::table && takes.text == "curve") ||
-         std::any_of(takes.items.begin(), takes.items.end(), [](const auto& item) {
-           return std::any_of(item.begin(), item.end(), &is_curve);
-         });
+         std::ranges::any_of(takes.items,
+                             [](const auto& item) { return std::ranges::any_of(item, &is_curve); });
 }
 
 JsonValue any_of(const Site& site, const std::vector<Takes>& all) {
   if (all.empty()) return Fields{};
   if (site.curve && all.size() == 1 && is_number(all.front()))
     return any_of(site, {all.front(), Takes{Takes::Kind::table, "curve"}});
-  if (site.drawn && std::any_of(all.begin(), all.end(), is_drawable))
-    return drawn_schema(site, all);
+  if (site.drawn && std::ranges::any_of(all, is_drawable)) return drawn_schema(site, all);
   if (all.size() == 1) return one_schema(site, all.front());
   Values values;
-  const bool words = std::all_of(all.begin(), all.end(),
-                                 [](const Takes& one) { return one.kind == Takes::Kind::word; });
+  const bool words =
+      std::ranges::all_of(all, [](const Takes& one) { return one.kind == Takes::Kind::word; });
   for (const Takes& one : all)
     values.push_back(words ? JsonValue(one.text) : one_schema(site, one));
   return Fields{{words ? "enum" : "anyOf", std::move(values)}};
@@ -195,7 +193,7 @@ JsonValue any_of(const Site& site, const std::vector<Takes>& all) {
 JsonValue key_schema(const Site& site, const KeyInfo& key) {
   const auto takes = parse_takes(key.takes).value_or(std::vector<Takes>{});
   Site own = site;
-  own.curve = std::any_of(takes.begin(), takes.end(), is_curve);
+  own.curve = std::ranges::any_of(takes, is_curve);
   JsonValue schema = any_of(own, takes);
   auto& fields = std::get<Fields>(schema.data);
   if (schema.find("$ref") != nullptr)  // which hides what stands beside it

@@ -49,7 +49,7 @@ void Arguments::keep_one_format() {
     least = std::min(least, distance);
   }
   for (const char* format : {"json", "csv", "svg"})
-    if (std::find(nearest.begin(), nearest.end(), format) == nearest.end()) given_.erase(format);
+    if (std::ranges::find(nearest, format) == nearest.end()) given_.erase(format);
   for (std::size_t i = 1; i < nearest.size(); ++i)
     problems.push_back({where(nearest[i]), fmt::format("does not go with --{}", nearest[0]),
                         "each is all that is printed: leave one of them out", Trouble::usage});
@@ -57,7 +57,7 @@ void Arguments::keep_one_format() {
 
 Result<std::size_t> word_of(const std::string& text, const Place& where,
                             const std::vector<std::string>& known) {
-  const auto found = std::find(known.begin(), known.end(), text);
+  const auto found = std::ranges::find(known, text);
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
   const std::string near = nearest_word(text, known);
   return usage_error(where,
@@ -95,9 +95,9 @@ Result<std::vector<std::string>> chosen_names(std::string_view text, const Place
                                               const std::vector<std::string>& known) {
   std::vector<std::string> names;
   for (const std::string_view word : split(text, ',')) {
-    if (std::find(known.begin(), known.end(), word) == known.end())
+    if (std::ranges::find(known, word) == known.end())
       return unknown_name(where, what, std::string(word), known);
-    if (std::find(names.begin(), names.end(), word) == names.end()) names.emplace_back(word);
+    if (std::ranges::find(names, word) == names.end()) names.emplace_back(word);
   }
   return names;
 }

@@ -1,7 +1,5 @@
 #include "app/options/backend_choice.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "app/interrupt.h"

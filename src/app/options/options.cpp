@@ -35,7 +35,7 @@ class WordReader {
   void read(const Option& option, const std::string& variable, const std::string& value) {
     if (value.empty() || given.contains(option.name)) return;
     const auto is_one_of = [&](std::initializer_list<const char*> words) {
-      return std::find(words.begin(), words.end(), value) != words.end();
+      return std::ranges::find(words, value) != words.end();
     };
     if (option.kind != OptionKind::flag)
       given[option.name] = {variable, {value}};
@@ -56,7 +56,7 @@ class WordReader {
 
   template <class Fits>
   const Option* find(const Fits& fits) const {
-    const auto found = std::find_if(options_.begin(), options_.end(), fits);
+    const auto found = std::ranges::find_if(options_, fits);
     return found == options_.end() ? nullptr : &*found;
   }
   const Option* named(std::string_view word) const {

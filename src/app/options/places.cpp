@@ -92,8 +92,7 @@ std::string operand_word(const Verb& verb, std::size_t index) {
 }
 
 bool has_own_root(std::span<const Option> own) {
-  return std::any_of(own.begin(), own.end(),
-                     [](const Option& option) { return option.name == "root"; });
+  return std::ranges::any_of(own, [](const Option& option) { return option.name == "root"; });
 }
 
 bool names_path(std::string_view metavar) {

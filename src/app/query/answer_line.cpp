@@ -7,20 +7,7 @@
 
 namespace flatray {
 
-#define FLATRAY_ENTRY(name) \
-  namespace queries {       \
-  extern const Query name;  \
-  }
-#include "queries.inc"
-#undef FLATRAY_ENTRY
-
-std::vector<const Query*> all_queries() {
-#define FLATRAY_ENTRY(name) &queries::name,
-  return {
-#include "queries.inc"
-  };
-#undef FLATRAY_ENTRY
-}
+#include "queries.inc"  // all_queries()
 
 namespace {
 

@@ -143,7 +143,7 @@ void Question::check_fields(const JsonValue& value, const std::string& where,
   std::set<std::string_view> seen;
   for (const auto& field : *fields) {
     const bool twice = !seen.insert(field.first).second;
-    const bool unknown = std::find(known.begin(), known.end(), field.first) == known.end();
+    const bool unknown = std::ranges::find(known, field.first) == known.end();
     if (!twice && !unknown) continue;
     const std::string place = where.empty() ? field.first : where + "." + field.first;
     if (twice) mistake(place, "is given twice");

@@ -1,7 +1,5 @@
 #include "study/accuracy/accuracy.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "app/files/result_files.h"
@@ -26,7 +24,7 @@ struct Options : Arguments {
   std::uint64_t seed = 1;
 
   bool chooses(std::string_view name) const {
-    return std::find(choices.begin(), choices.end(), name) != choices.end();
+    return std::ranges::find(choices, name) != choices.end();
   }
 
   void rows(OptionTable& row) {

@@ -66,7 +66,7 @@ struct Asked {
   // until the next.
   bool shows(double low, double high) const {
     if (frames.empty()) return true;
-    const auto first = std::lower_bound(frames.begin(), frames.end(), std::floor(low));
+    const auto first = std::ranges::lower_bound(frames, std::floor(low));
     return first != frames.end() && *first <= high;
   }
 };
@@ -86,9 +86,8 @@ enum class Knows : std::uint8_t { all, times };
 
 Table meeting_table(const Scene& scene, const std::vector<Meeting>& meetings, const Asked& asked,
                     Knows knows = Knows::all) {
-  Table table{{"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
-               "normal_y", "motion", "width"},
-              {}};
+  Table table({"a", "b", "class", "t_first", "t_last", "frame", "start", "x", "y", "normal_x",
+               "normal_y", "motion", "width"});
   for (const Meeting& meeting : meetings) {
     const auto& [times, kind, start, point, normal, width, certain] = meeting.part;
     if (!asked.shows(1 + times.low * scene.fps, 1 + times.high * scene.fps)) continue;
@@ -134,9 +133,8 @@ std::string left_out(const Scene& scene) {
 }
 
 Table event_table(const Scene& scene, const Simulation& done, const Asked& asked) {
-  Table table{{"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
-               "a_velocity_y", "b_velocity_x", "b_velocity_y"},
-              {}};
+  Table table({"a", "b", "t", "frame", "x", "y", "normal_x", "normal_y", "a_velocity_x",
+               "a_velocity_y", "b_velocity_x", "b_velocity_y"});
   for (const CollisionEvent& e : done.events) {
     const double frame = 1 + e.time * scene.fps;
     if (!asked.shows(frame, frame)) continue;
@@ -162,7 +160,7 @@ std::string named_pairs(const Scene& scene,
 Result<VerbOutput> events(const Options& options, const Timeline& timeline, const Asked& asked) {
   const std::vector<std::string> known = names_of(timeline.scene().entities);
   for (const std::string& entity : options.fixed)
-    if (std::find(known.begin(), known.end(), entity) == known.end())
+    if (std::ranges::find(known, entity) == known.end())
       return unknown_name(options.where("fixed"), "entity", entity, known);
   const auto bodies = bodies_of(timeline, options.response, options.fixed);
   if (!bodies) return tl::unexpected(bodies.error());

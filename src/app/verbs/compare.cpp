@@ -69,14 +69,14 @@ std::vector<std::string> pictures_below(const fs::path& folder) {
     if (format != nullptr && is_read(*format))
       names.push_back(path.lexically_relative(folder).generic_string());
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
 void expect_all(const std::vector<std::string>& names, const std::vector<std::string>& others,
                 const fs::path& other_folder, Diagnostics& problems) {
   for (const std::string& name : names)
-    if (!std::binary_search(others.begin(), others.end(), name))
+    if (!std::ranges::binary_search(others, name))
       problems.push_back({named_place((other_folder / name).string()), "is missing",
                           "both folders must hold the same pictures", Trouble::missing});
 }

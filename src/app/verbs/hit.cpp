@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>
@@ -167,8 +166,8 @@ Result<VerbOutput> show_sets(const Options& options, const Scene& scene, const F
       std::vector<std::vector<HitReport>> by_entity;
       for (const std::uint32_t entity : operands_of(*options.operation, question, scene, from))
         by_entity.push_back(hit_reports(scene, state, ray, entity, question.within));
-      any = any || std::any_of(by_entity.begin(), by_entity.end(),
-                               [](const auto& reports) { return !reports.empty(); });
+      any = any ||
+            std::ranges::any_of(by_entity, [](const auto& reports) { return !reports.empty(); });
       if (!by_entity.empty()) sets.push_back(combine(ray, *options.operation, by_entity));
     }
   if (!any) return nothing_to_clip(options);

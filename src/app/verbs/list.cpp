@@ -21,31 +21,31 @@ struct Options : Arguments {
 
 template <class Entries>
 Table described(const Entries& entries) {
-  Table table{{"name", "what"}, {}};
+  Table table({"name", "what"});
   for (const auto* one : entries) table.add({one->name, one->summary});
   return table;
 }
 
 Table listed(const std::vector<Listed>& entries) {
-  Table table{{"name", "what"}, {}};
+  Table table({"name", "what"});
   for (const Listed& one : entries) table.add({one.name, one.usage});
   return table;
 }
 
 Table drawing_passes() {
-  Table table{{"name"}, {}};
+  Table table({"name"});
   for (const Pass* one : flatray::passes()) table.add({one->name});
   return table;
 }
 
 Table studies() {
-  Table table{{"name", "what"}, {}};
+  Table table({"name", "what"});
   for (const Experiment* one : flatray::experiments()) table.add({one->name, one->question});
   return table;
 }
 
 Table isas() {
-  Table table{{"name", "what"}, {}};
+  Table table({"name", "what"});
   for (const Isa one : available_isas())
     table.add({isa_name(one), one == active_isa() ? "running" : ""});
   return table;

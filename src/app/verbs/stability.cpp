@@ -56,7 +56,7 @@ struct Options : Arguments {
 
   std::uint64_t chunks() const { return (count + kRaysAChunk - 1) / kRaysAChunk; }
   bool chooses(const std::string& family) const {
-    return std::find(families.begin(), families.end(), family) != families.end();
+    return std::ranges::find(families, family) != families.end();
   }
 
   void rows(OptionTable& row) {
@@ -153,9 +153,8 @@ Result<VerbOutput> run_pairs(const Options& options) {
   const std::uint64_t chunks = (*options.pairs + kPairsAChunk - 1) / kPairsAChunk;
   auto log = StabilityLog::open(options.text("output"), Outputs(options));
   if (!log) return fail(std::move(log));
-  Table table{{"family", "method", "pairs", "meet", "wrong", "missed", "invented", "other_class",
-               "t_not_nearest_or_wide", "t_off", "first_wrong"},
-              {}};
+  Table table({"family", "method", "pairs", "meet", "wrong", "missed", "invented", "other_class",
+               "t_not_nearest_or_wide", "t_off", "first_wrong"});
   std::uint64_t wrong = 0;
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
@@ -199,10 +198,9 @@ JsonValue known(const StabilityTally& tally, std::uint64_t ulps) {
 Result<VerbOutput> run_families(const Options& options) {
   auto log = StabilityLog::open(options.text("output"), Outputs(options));
   if (!log) return fail(std::move(log));
-  Table table{{"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
+  Table table({"family", "tracer", "rays", "hits", "wrong", "missed", "invented", "other_wall",
                "t_not_nearest", "t_off", "t_ulps", "t_ulps_99.9%", "one_by_one", "ns_a_query",
-               "ns_of_chunks", "bytes_an_object", "first_wrong"},
-              {}};
+               "ns_of_chunks", "bytes_an_object", "first_wrong"});
   std::uint64_t wrong = 0;
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;

@@ -139,9 +139,8 @@ class FolderCheck {
     for (const auto& [file, records] : records_) whole.emplace_back(file, false);
     parallel_for(whole.size(), threads_, [&](std::size_t i) {
       const auto& all = records_.at(whole[i].first);
-      whole[i].second = std::any_of(all.begin(), all.end(), [&](const FrameRecord& record) {
-        return is_whole(record, folder_);
-      });
+      whole[i].second = std::ranges::any_of(
+          all, [&](const FrameRecord& record) { return is_whole(record, folder_); });
     });
     for (const auto& [file, is_as_recorded] : whole) {
       std::error_code ignored;

@@ -1,6 +1,4 @@
 // Places of Bezier curves in plain doubles.
-#include <algorithm>
-#include <cmath>
 
 #include "geom/decide.h"
 #include "geom/primitives/bezier.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "geom/decide.h"
 #include "geom/primitives/wall.h"

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "anim/world.h"
 #include "base/counted.h"

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include "base/counted.h"
 #include "scene/imports/obj_chunk.h"

@@ -42,7 +42,7 @@ class Positions {
     const std::string_view text = source_->line(line);
     length_ = text.size();
     code_points_.clear();
-    if (std::none_of(text.begin(), text.end(), is_continuation)) return;
+    if (std::ranges::none_of(text, is_continuation)) return;
     for (std::size_t i = 0; i < text.size(); ++i)
       if (!is_continuation(text[i])) code_points_.push_back(i);
     code_points_.push_back(text.size());
@@ -62,8 +62,9 @@ Value convert_table(const ::toml::table& table, Positions& positions, Place wher
     value.members.push_back(
         {std::string(key.str()), positions.place(key.source()), convert(node, positions)});
   // toml++ sorts by name.
-  std::sort(value.members.begin(), value.members.end(),
-            [](const Member& a, const Member& b) { return a.where.offset < b.where.offset; });
+  std::ranges::sort(value.members, [](const Member& a, const Member& b) {
+    return a.where.offset < b.where.offset;
+  });
   return value;
 }
 

@@ -48,7 +48,7 @@ class HqzReader {
                                                     "materials",  "exposure", "rays",   "timelimit",
                                                     "seed",       "gamma",    "debug"};
     for (const Member& member : root_.members) {
-      if (std::find(kKnown.begin(), kKnown.end(), member.key) != kKnown.end()) continue;
+      if (std::ranges::find(kKnown, member.key) != kKnown.end()) continue;
       const std::string near = nearest_word(member.key, kKnown);
       warning(member.where, fmt::format("unknown key '{}' is not used", member.key.substr(0, 40)),
               near.empty() ? "" : fmt::format("did you mean '{}'?", near));

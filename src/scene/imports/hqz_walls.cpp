@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <tuple>
 
 #include "geom/predicates.h"
@@ -141,7 +139,7 @@ std::vector<HqzObject> without_overlaps(std::vector<HqzObject> objects, Diagnost
       rest.erase(rest.begin(), other);
     }
   };
-  std::sort(walls.begin(), walls.end(), by_slope);
+  std::ranges::sort(walls, by_slope);
   bands(
       walls.begin(), walls.end(),
       [&](const Wall& a, const Wall& b) {

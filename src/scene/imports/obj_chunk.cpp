@@ -115,8 +115,7 @@ class ChunkReader {
     if (name == last_ignored_) return;
     last_ignored_ = name;
     auto& ignored = chunk_.ignored;
-    if (ignored.size() < kMaxObjIgnored &&
-        std::find(ignored.begin(), ignored.end(), name) == ignored.end())
+    if (ignored.size() < kMaxObjIgnored && std::ranges::find(ignored, name) == ignored.end())
       ignored.emplace_back(name);
   }
 

@@ -1,7 +1,5 @@
 #include "scene/imports/obj_text.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <string_view>
 
@@ -89,13 +87,13 @@ class Merger {
     parallel_for(chunks_.size(), threads_, [&](std::size_t i) {
       ObjChunk& chunk = chunks_[i];
       const Start& start = starts_[i];
-      std::copy(chunk.vertices.begin(), chunk.vertices.end(),
-                obj_.vertices.begin() + static_cast<std::ptrdiff_t>(start.vertices));
+      std::ranges::copy(chunk.vertices,
+                        obj_.vertices.begin() + static_cast<std::ptrdiff_t>(start.vertices));
       const bool faces = place(chunk.faces, start.vertices, start.faces, obj_.faces);
       const bool lines = place(chunk.lines, start.vertices, start.lines, obj_.lines);
       whole[i] = faces && lines ? 1 : 0;
     });
-    return std::find(whole.begin(), whole.end(), 0) == whole.end();
+    return std::ranges::find(whole, 0) == whole.end();
   }
 
   // Numbers of the whole text, in place.
@@ -125,7 +123,7 @@ class Merger {
                    ObjChunk::Chains ObjChunk::*chains) const {
     const std::vector<std::int32_t>& corners = (chunks_[chunk].*chains).corners;
     const auto good = [this](std::int32_t index) { return is_vertex(index); };
-    if (std::all_of(corners.begin(), corners.end(), good)) return;
+    if (std::ranges::all_of(corners, good)) return;
     const ObjChunk again = read_obj_chunk(source_, cuts_[chunk], cuts_[chunk + 1], true);
     for (std::size_t i = 0; i < corners.size() && problems.size() < kMaxObjProblems; ++i)
       if (!good(corners[i]))
@@ -138,8 +136,7 @@ class Merger {
     auto& names = obj_.ignored;
     for (ObjChunk& chunk : chunks_)
       for (std::string& name : chunk.ignored)
-        if (names.size() < kMaxObjIgnored &&
-            std::find(names.begin(), names.end(), name) == names.end())
+        if (names.size() < kMaxObjIgnored && std::ranges::find(names, name) == names.end())
           names.push_back(std::move(name));
   }
 

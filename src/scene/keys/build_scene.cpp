@@ -70,8 +70,8 @@ void sort_by_source(Diagnostics& diagnostics, const Builder& builder) {
     const bool here = known != builder.text_before.end();
     return std::tuple(!here, here ? known->second + d.where.offset : 0);
   };
-  std::stable_sort(diagnostics.begin(), diagnostics.end(),
-                   [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(
+      diagnostics, [&](const Diagnostic& a, const Diagnostic& b) { return rank(a) < rank(b); });
 }
 
 void append_tables(std::vector<TableInfo>& to, std::vector<TableInfo> from) {

@@ -57,9 +57,9 @@ void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
 void cut_walls_of(Builder& builder, Chamber& chamber) {
   const Shape& shape = builder.scene.shapes[chamber.shape];
   const Hole& first = chamber.holes.front();
-  const bool open = !shape.segments.empty() || !shape.beziers.empty() ||
-                    std::any_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                                [](const ArcPath& path) { return !path.closed; });
+  const bool open =
+      !shape.segments.empty() || !shape.beziers.empty() ||
+      std::ranges::any_of(shape.arc_paths, [](const ArcPath& path) { return !path.closed; });
   if (open)
     return builder.in.problem(first.where, "the walls are lines, which enclose nothing",
                               "leave the hole out of them");
@@ -122,9 +122,8 @@ bool bends_in_circles(const Shape& shape) {
     const Vec2 left(-arc.u.y(), arc.u.x());
     return arc.v == left || arc.v == -left;
   };
-  return shape.beziers.empty() &&
-         std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(), [&](const ArcPath& path) {
-           return std::all_of(path.arcs.begin(), path.arcs.end(), is_round);
+  return shape.beziers.empty() && std::ranges::all_of(shape.arc_paths, [&](const ArcPath& path) {
+           return std::ranges::all_of(path.arcs, is_round);
          });
 }
 

@@ -30,9 +30,9 @@ std::set<CurveId> curves_of(const ChangingShape& changing) {
 // shape is not there at a key says nothing of what is right.
 bool may_fail_between_keys(const ChangingShape& changing, std::size_t curves, bool was_gone) {
   return curves > 1 || was_gone ||
-         std::any_of(
-             changing.arguments.begin(), changing.arguments.end(),
-             [](const auto& argument) { return argument.numbers.size() > kNumbersOfAPoint; });
+         std::ranges::any_of(changing.arguments, [](const auto& argument) {
+           return argument.numbers.size() > kNumbersOfAPoint;
+         });
 }
 
 // Builds a shape at the times at which it could be wrong.
@@ -103,8 +103,7 @@ bool try_all(const Scene& scene, const ChangingShape& changing, Trials& trials) 
   const std::set<CurveId> curves = curves_of(changing);
   for (const CurveId curve : curves)
     times.insert(scene.curves[curve].times.begin(), scene.curves[curve].times.end());
-  if (!std::all_of(times.begin(), times.end(), [&](double time) { return trials.at(time); }))
-    return false;
+  if (!std::ranges::all_of(times, [&](double time) { return trials.at(time); })) return false;
   if (!may_fail_between_keys(changing, curves.size(), trials.was_gone())) return true;
   for (unsigned frame = 1; frame <= kLastFrame; ++frame) {  // any may be asked for
     const double time = (frame - 1) / scene.fps;

@@ -1,6 +1,5 @@
 #include "scene/keys/curve_keys.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/check.h"

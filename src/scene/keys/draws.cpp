@@ -16,10 +16,9 @@ bool is_distribution(const Value& value) {
 }
 
 bool has_distribution(const Value& value) {
-  return is_distribution(value) ||
-         std::any_of(value.items.begin(), value.items.end(), &has_distribution) ||
-         std::any_of(value.members.begin(), value.members.end(),
-                     [](const Member& member) { return has_distribution(member.value); });
+  return is_distribution(value) || std::ranges::any_of(value.items, &has_distribution) ||
+         std::ranges::any_of(value.members,
+                             [](const Member& member) { return has_distribution(member.value); });
 }
 
 Draws::Draws(std::uint64_t seed, std::uint32_t table, const Value& written)

@@ -104,8 +104,7 @@ constexpr Key<Entity> kEntityKeys[] = {
 
 bool is_only_lines(const Shape& shape) {
   return shape.piece_count() == 0 && shape.circles.empty() && shape.crossing_rings.empty() &&
-         std::none_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                      [](const ArcPath& path) { return path.closed; });
+         std::ranges::none_of(shape.arc_paths, [](const ArcPath& path) { return path.closed; });
 }
 
 void dress(Builder& builder, const Value& table, Entity& entity) {

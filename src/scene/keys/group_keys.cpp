@@ -51,8 +51,8 @@ class Nesting {
   std::vector<std::size_t> outer_first() const {
     std::vector<std::size_t> order(size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return depths_[a] < depths_[b]; });
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return depths_[a] < depths_[b]; });
     return order;
   }
 

@@ -241,8 +241,8 @@ constexpr Key<LightSettings> kLightKeys[] = {
 bool is_body(const Shape& shape) {
   return shape.segments.empty() && shape.crossing_rings.empty() &&
          shape.piece_count() + shape.circles.size() + shape.arc_paths.size() > 0 &&
-         std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                     [](const ArcPath& path) { return path.is_ellipse(); });
+         std::ranges::all_of(shape.arc_paths,
+                             [](const ArcPath& path) { return path.is_ellipse(); });
 }
 
 const char* reason_dark(const Scene& scene, const LampLight& light) {
@@ -301,10 +301,9 @@ void check_light(Builder& builder) {
     else if (auto noisy = why_noisy_backward(scene))
       builder.in.warning(noisy->where, noisy->message, noisy->hint);
   }
-  const auto most = std::max_element(scene.entities.begin(), scene.entities.end(),
-                                     [](const Entity& a, const Entity& b) {
-                                       return a.alternatives.size() < b.alternatives.size();
-                                     });
+  const auto most = std::ranges::max_element(scene.entities, [](const Entity& a, const Entity& b) {
+    return a.alternatives.size() < b.alternatives.size();
+  });
   if (most != scene.entities.end() && !most->alternatives.empty() &&
       builder.corners > builder.limits.max_corners / (most->alternatives.size() + 1))
     builder.in.problem(

@@ -63,8 +63,7 @@ void read_dashes(Builder& builder, const Field& field, Stroke& stroke) {
   const std::size_t problems = builder.in.problems.size();
   std::vector<double> lengths = dash_lengths(builder, field);
   if (builder.in.problems.size() > problems) return;
-  if (std::count(lengths.begin(), lengths.end(), 0.0) ==
-      static_cast<std::ptrdiff_t>(lengths.size()))
+  if (std::ranges::count(lengths, 0.0) == static_cast<std::ptrdiff_t>(lengths.size()))
     return builder.in.problem(field.value.where, field.name + " have no length",
                               "write line, gap, ..., or leave them out for a whole line");
   if (lengths.size() % 2 == 1)

@@ -1,6 +1,5 @@
 #include "scene/keys/motion_keys.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "scene/keys/corner_limit.h"

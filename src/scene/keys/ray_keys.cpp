@@ -194,8 +194,7 @@ void read_ray(Builder& builder, const Value& table, std::uint32_t number) {
 void read_rays(Builder& builder, const Field& field, Scene& scene) {
   std::uint32_t tables = 0;
   each_table(builder, field, [&](const Value& table) { read_ray(builder, table, tables++); });
-  if (!std::any_of(scene.rays.begin(), scene.rays.end(),
-                   [](const RayPath& ray) { return ray.speed.has_value(); }))
+  if (!std::ranges::any_of(scene.rays, [](const RayPath& ray) { return ray.speed.has_value(); }))
     return;
   for (Diagnostic& problem : refused_mirrors(scene))
     builder.in.problems.push_back(std::move(problem));

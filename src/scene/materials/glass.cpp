@@ -63,9 +63,8 @@ Result<std::unique_ptr<const Scatterer>> build(Args& args) {
   if (!(glass.index(kViolet_nm) > 0 && glass.index(kRed_nm) > 0))
     args.problem("dispersion", "leaves an index that is not above 0",
                  "write 0 to 30000, 4200 for crown glass");
-  const auto wrong = std::find_if(absorption.begin(), absorption.end(), [](double channel) {
-    return !(channel >= 0 && channel <= kMostAbsorption);
-  });
+  const auto wrong = std::ranges::find_if(
+      absorption, [](double channel) { return !(channel >= 0 && channel <= kMostAbsorption); });
   if (wrong != absorption.end())
     args.problem("absorption", fmt::format("is {}, not 0 to 1e30", number_text(*wrong)),
                  "0 is clear; with 1 a part of 1/e is left after a unit of length");

@@ -2,10 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "base/number_text.h"
-#include "base/portable_math.h"
 #include "scene/outlines/corners.h"
 
 namespace flatray {

@@ -35,8 +35,7 @@ std::vector<OutlineEdge> outline(const Shape& shape) {
     ends.push_back(walk.edge(static_cast<std::uint32_t>(ends.size())).to);
   Walk walk{shape};
   for (const std::uint32_t i : outline_edges(shape.vertices, ends)) edges.push_back(walk.edge(i));
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const auto& a, const auto& b) { return a.number < b.number; });
+  std::ranges::stable_sort(edges, [](const auto& a, const auto& b) { return a.number < b.number; });
   return edges;
 }
 

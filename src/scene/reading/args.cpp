@@ -63,9 +63,8 @@ void Args::set_time(double time) {
 std::optional<Field> Args::find(const char* key) const {
   const Member* member = field_ ? field_->value.find(key) : nullptr;
   if (member == nullptr) return std::nullopt;
-  const auto info = std::find_if(keys_.begin(), keys_.end(), [&](const KeyInfo& known) {
-    return std::string_view(known.name) == key;
-  });
+  const auto info = std::ranges::find_if(
+      keys_, [&](const KeyInfo& known) { return std::string_view(known.name) == key; });
   return Field{field_->name + "." + key, member->value, info == keys_.end() ? "" : info->takes};
 }
 
@@ -248,7 +247,7 @@ void Args::warnings(Diagnostics more) {
 void Args::check_lost_features() {
   std::vector<std::size_t> order(read_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     const Vec2 &p = read_[a].point, &q = read_[b].point;
     return std::tuple(p.x(), p.y(), a) < std::tuple(q.x(), q.y(), b);
   });

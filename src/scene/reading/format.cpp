@@ -8,19 +8,8 @@
 #include "scene/load.h"
 
 namespace flatray {
-namespace scene_formats {
-#define FLATRAY_ENTRY(name) extern const Format name;
-#include "formats.inc"
-#undef FLATRAY_ENTRY
-}  // namespace scene_formats
 
-std::vector<const Format*> formats() {
-  return {
-#define FLATRAY_ENTRY(name) &scene_formats::name,
-#include "formats.inc"
-#undef FLATRAY_ENTRY
-  };
-}
+#include "formats.inc"  // formats()
 
 const Format* find_format(std::string_view name) {
   for (const Format* format : formats())

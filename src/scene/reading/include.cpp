@@ -135,7 +135,7 @@ class Includer {
                     "known: " + known_extensions());
     const Result<SourcePtr> source = imports_.include(*file, where);
     if (!source) return refuse(source.error());
-    if (std::find(open_.begin(), open_.end(), identity(*source)) != open_.end())
+    if (std::ranges::find(open_, identity(*source)) != open_.end())
       return refuse(where, fmt::format("'{}' includes itself", *file), "take this include out");
     if (known_.count(identity(*source)) != 0) return std::nullopt;
     if (open_.size() > limits_.max_depth)

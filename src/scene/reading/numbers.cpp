@@ -25,7 +25,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Moves the digits at the front of `text` to `digits`; gives how many there were.
 std::size_t take_digits(std::string_view& text, std::string& digits) {
-  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  const auto end = std::ranges::find_if_not(text, is_digit);
   const auto count = static_cast<std::size_t>(end - text.begin());
   digits.append(text.substr(0, count));
   text.remove_prefix(count);

@@ -84,7 +84,7 @@ bool is_bare(const std::string& value) {
   };
   const char first = value.empty() ? '0' : value.front();
   return !('0' <= first && first <= '9') && first != '-' && first != '.' &&
-         std::all_of(value.begin(), value.end(), in_word);
+         std::ranges::all_of(value, in_word);
 }
 
 Result<SceneDesc> read_override(const Format& toml, const std::string& key,

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "base/counted.h"
-#include "base/number_text.h"
 #include "scene/reading/numbers.h"
 
 namespace flatray {

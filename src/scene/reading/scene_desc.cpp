@@ -22,9 +22,9 @@ bool is_curve(const Value& value) {
 }
 
 bool has_curve(const Value& value) {
-  return is_curve(value) || std::any_of(value.items.begin(), value.items.end(), &has_curve) ||
-         std::any_of(value.members.begin(), value.members.end(),
-                     [](const Member& member) { return has_curve(member.value); });
+  return is_curve(value) || std::ranges::any_of(value.items, &has_curve) ||
+         std::ranges::any_of(value.members,
+                             [](const Member& member) { return has_curve(member.value); });
 }
 
 const char* kind_name(Value::Kind kind) {

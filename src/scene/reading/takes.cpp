@@ -56,7 +56,7 @@ class Parser {
   }
 
   std::string_view name() {
-    const auto end = std::find_if_not(rest_.begin(), rest_.end(), is_name_byte);
+    const auto end = std::ranges::find_if_not(rest_, is_name_byte);
     const std::string_view found = rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
     rest_.remove_prefix(found.size());
     return found;
@@ -78,7 +78,7 @@ class Parser {
     if (skip("a ")) return Takes{Kind::table, std::string(name())};
     const std::string_view word = name();
     if (word.empty()) return std::nullopt;
-    if (std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; }))
+    if (std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; }))
       return Takes{Kind::literal, std::string(word)};
     return nested ? std::optional(Takes{}) : std::nullopt;
   }
@@ -164,8 +164,8 @@ std::optional<std::vector<Takes>> parse_takes(std::string_view takes) {
 }
 
 bool is_placeholder(std::string_view name) {
-  return !name.empty() && std::all_of(name.begin(), name.end(),
-                                      [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; });
+  return !name.empty() &&
+         std::ranges::all_of(name, [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; });
 }
 
 }  // namespace flatray

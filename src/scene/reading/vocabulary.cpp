@@ -34,8 +34,7 @@ std::string some(const std::vector<std::string>& words) {
 // The key that was meant by another, or "".
 std::string meant(const std::string& key, const std::vector<std::string>& known) {
   for (const auto& [other, here] : kOtherWords)
-    if (key == other && std::find(known.begin(), known.end(), here) != known.end())
-      return std::string(here);
+    if (key == other && std::ranges::find(known, here) != known.end()) return std::string(here);
   return nearest_word(key, known);
 }
 
@@ -63,7 +62,7 @@ void check_keys(const Value& table, std::string_view table_name, std::span<const
   for (const KeyInfo& key : keys) known.emplace_back(key.name);
   std::size_t unknown = 0;
   for (const Member& member : table.members) {
-    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    if (std::ranges::find(known, member.key) != known.end()) continue;
     if (++unknown > kMaxUnknownKeys) return;
     const std::string near = meant(member.key, known);
     std::string message =

@@ -14,7 +14,7 @@ constexpr std::size_t kColumns = 100;
 constexpr std::size_t kWhole = 30;  // columns of what is never broken: points, short lists
 
 bool is_bare_key(std::string_view key) {
-  return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+  return !key.empty() && std::ranges::all_of(key, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
   });
@@ -84,8 +84,8 @@ class Writer {
   }
   static bool is_tables(const Value& value) {
     return value.kind == Value::Kind::array && !value.items.empty() &&
-           std::all_of(value.items.begin(), value.items.end(),
-                       [](const Value& item) { return item.kind == Value::Kind::table; });
+           std::ranges::all_of(value.items,
+                               [](const Value& item) { return item.kind == Value::Kind::table; });
   }
   static bool fits(const Member& member) {
     return key_text(member.key).size() + 3 + flat(member.value).size() <= kColumns;

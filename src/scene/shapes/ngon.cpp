@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 
 #include "scene/outlines/corners.h"
 #include "scene/outlines/ring.h"

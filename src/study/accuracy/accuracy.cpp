@@ -13,11 +13,7 @@
 
 namespace flatray {
 
-#define FLATRAY_ENTRY(name) extern const Choice name;
-namespace choice_entries {
-#include "choices.inc"
-}  // namespace choice_entries
-#undef FLATRAY_ENTRY
+#include "choices.inc"  // choices()
 
 namespace {
 
@@ -85,7 +81,7 @@ void more_rounds(Rounds& round, const Budget& budget, ChoiceReport& report) {
       round.seconds[i].push_back(timed(round.settings[i]->work));
   for (std::size_t i = 0; i < round.settings.size(); ++i) {
     std::vector<double>& seconds = round.seconds[i];
-    std::sort(seconds.begin(), seconds.end());
+    std::ranges::sort(seconds);
     report.points[i].seconds = seconds[seconds.size() / 2];
     report.points[i].spread = 0.5 * (seconds.back() - seconds.front());
   }
@@ -98,8 +94,8 @@ bool beats(const AccuracyPoint& a, const AccuracyPoint& b) {
 
 void mark_best(std::vector<AccuracyPoint>& points) {
   for (AccuracyPoint& point : points)
-    point.best = std::none_of(points.begin(), points.end(),
-                              [&](const AccuracyPoint& other) { return beats(other, point); });
+    point.best = std::ranges::none_of(
+        points, [&](const AccuracyPoint& other) { return beats(other, point); });
 }
 
 }  // namespace
@@ -117,19 +113,10 @@ const char* name(ErrorKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::vector<const Choice*> choices() {
-  return {
-#define FLATRAY_ENTRY(name) &choice_entries::name,
-#include "choices.inc"
-#undef FLATRAY_ENTRY
-  };
-}
-
 std::vector<std::string> series_of(const std::vector<AccuracyPoint>& points) {
   std::vector<std::string> series;
   for (const AccuracyPoint& point : points)
-    if (std::find(series.begin(), series.end(), point.series) == series.end())
-      series.push_back(point.series);
+    if (std::ranges::find(series, point.series) == series.end()) series.push_back(point.series);
   return series;
 }
 
@@ -274,7 +261,7 @@ std::string advice(const ChoiceReport& report, const AccuracyPoint& point) {
 
 ErrorParts error_parts(const ChoiceReport& report, const AccuracyPoint& point) {
   ErrorParts parts = point.outcome.parts;
-  if (std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part.has_value(); }))
+  if (std::ranges::none_of(parts, [](const auto& part) { return part.has_value(); }))
     parts[static_cast<std::size_t>(report.kind)] = point.outcome.error;
   return parts;
 }

@@ -155,8 +155,7 @@ Plot::Series best_of(const ChoiceReport& report, double unit, std::string ink) {
   Plot::Series best{"", {}, false, std::move(ink), 1};
   for (const AccuracyPoint& point : report.points)
     if (point.best) best.points.push_back(plot_point(report, point, unit));
-  std::sort(best.points.begin(), best.points.end(),
-            [](const auto& a, const auto& b) { return a.x < b.x; });
+  std::ranges::sort(best.points, [](const auto& a, const auto& b) { return a.x < b.x; });
   return best;
 }
 
@@ -185,8 +184,8 @@ std::string overview(std::span<const ChoiceReport> reports) {
 }  // namespace
 
 bool has_plot(const ChoiceReport& report) {
-  return std::any_of(report.points.begin(), report.points.end(),
-                     [](const AccuracyPoint& point) { return point.outcome.error > 0; });
+  return std::ranges::any_of(report.points,
+                             [](const AccuracyPoint& point) { return point.outcome.error > 0; });
 }
 
 std::string accuracy_plot(const ChoiceReport& report) {

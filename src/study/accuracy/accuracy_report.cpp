@@ -107,8 +107,9 @@ std::vector<std::size_t> kinds_of_error(const ChoiceReport& report) {
   std::vector<std::size_t> kinds;
   for (std::size_t k = 0; k < kErrorKinds; ++k)
     if (k == static_cast<std::size_t>(report.kind) ||
-        std::any_of(report.points.begin(), report.points.end(),
-                    [&](const AccuracyPoint& point) { return error_parts(report, point)[k]; }))
+        std::ranges::any_of(report.points, [&](const AccuracyPoint& point) {
+          return error_parts(report, point)[k].has_value();
+        }))
       kinds.push_back(k);
   return kinds;
 }
@@ -129,7 +130,7 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
   std::string undefined;
   const std::vector<std::size_t> kinds = kinds_of_error(report);
   for (std::size_t k = 0; k < kErrorKinds; ++k)
-    if (std::find(kinds.begin(), kinds.end(), k) == kinds.end())
+    if (std::ranges::find(kinds, k) == kinds.end())
       undefined += (undefined.empty() ? "" : ", ") + std::string(name(static_cast<ErrorKind>(k)));
   std::string limited;
   for (const AccuracyPoint& point : report.points)

@@ -51,9 +51,8 @@ Setting samples(const std::shared_ptr<Film>& film, int side) {
 // What GL makes of it, or why there is none.
 void add_gl(ChoiceSettings& made, const std::shared_ptr<Film>& film) {
   const auto all = backends();
-  const auto found = std::find_if(all.begin(), all.end(), [](const Backend* backend) {
-    return std::string_view(backend->name) == "gl";
-  });
+  const auto found = std::ranges::find_if(
+      all, [](const Backend* backend) { return std::string_view(backend->name) == "gl"; });
   if (found == all.end()) {
     made.missing.push_back({"--backend gl", "this build has none"});
     return;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <memory>
 
 #include "base/check.h"
@@ -110,10 +109,10 @@ std::uint64_t find_truth(Fates& fates, unsigned threads, double seconds) {
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
   const auto fates = std::make_shared<Fates>(context.scene, context.seed);
   const std::uint64_t bounces = find_truth(*fates, context.threads, reference_budget(context));
-  const auto stay = std::count_if(fates->truth.begin(), fates->truth.end(),
-                                  [](const PixelOutcome& p) { return p.kind == Kind::limit; });
-  const auto solid = std::count_if(fates->truth.begin(), fates->truth.end(),
-                                   [](const PixelOutcome& p) { return p.kind == Kind::solid; });
+  const auto stay = std::ranges::count_if(
+      fates->truth, [](const PixelOutcome& p) { return p.kind == Kind::limit; });
+  const auto solid = std::ranges::count_if(
+      fates->truth, [](const PixelOutcome& p) { return p.kind == Kind::solid; });
   const auto count = static_cast<std::ptrdiff_t>(fates->truth.size()) - solid;
   if (stay == count)
     return fail(named_place(context.scene.name),

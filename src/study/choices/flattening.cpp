@@ -1,9 +1,7 @@
 #include <fmt/core.h>
 
-#include <cmath>
 #include <memory>
 
-#include "collide/scene_timeline.h"
 #include "render/frame.h"
 #include "study/accuracy/accuracy.h"
 #include "study/accuracy/linear_error.h"
@@ -86,16 +84,14 @@ std::string left_out(const Scene& scene) {
 }
 
 Result<ChoiceSettings> settings(const AccuracyContext& context) {
-  const unsigned frame = (context.scene.frames + 1) / 2;
-  const auto timeline = make_timeline(context.scene, context.seed, frame);
-  if (!timeline) return tl::unexpected(timeline.error());
-  auto list = draw_list(make_plan(context.scene, false), *timeline, frame);
+  auto list = middle_list(context);
   if (!list) return tl::unexpected(list.error());
   const auto curves = std::make_shared<Curves>();
   curves->list = std::move(*list);
   curves->threads = context.threads;
   if (in_chords(curves->list, 1).chords == 0)
-    return fail(named_place(context.scene.name), fmt::format("frame {} shows no curve", frame));
+    return fail(named_place(context.scene.name),
+                fmt::format("frame {} shows no curve", middle_frame(context.scene)));
   curves->truth = drawn(*curves, in_chords(curves->list, kTruthSagitta).list);
   const double doubt =
       rms_difference(curves->truth, drawn(*curves, in_chords(curves->list, kDoubtSagitta).list));
@@ -104,7 +100,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   made.reference = fmt::format(
       "frame {} with chords within 2^-18 px, by the exact coverage of polygons; those within 2^-16 "
       "px differ by {:.2g}",
-      frame, doubt);
+      middle_frame(context.scene), doubt);
   made.doubt = doubt;
   made.grows = "chords";
   for (const int part : {1, 4, 16, 64, 256, 1024}) made.settings.push_back(chords(curves, part));

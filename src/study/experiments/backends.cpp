@@ -22,9 +22,8 @@ class Study {
 
   Result<void> run(unsigned samples) {
     const auto backends = flatray::backends();
-    const auto found = std::find_if(backends.begin(), backends.end(), [](const Backend* one) {
-      return std::string_view(one->name) == kBackend;
-    });
+    const auto found = std::ranges::find_if(
+        backends, [](const Backend* one) { return std::string_view(one->name) == kBackend; });
     if (found == backends.end())
       return fail({}, "this build has no GL back end", "", Trouble::unavailable);
     const auto renderer = (*found)->open({context_.threads, samples});

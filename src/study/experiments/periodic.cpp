@@ -104,9 +104,9 @@ class PeriodicOrbits {
 
   // A mean over all orbits needs all of them, and that each wall may follow every other.
   void expand() {
-    const bool discs = std::all_of(room_.mirrors.begin(), room_.mirrors.end(),
-                                   [](const Mirror& one) { return one.is_disc(); });
-    const bool unstable = std::all_of(orbits_.begin(), orbits_.end(), [](const ClosedOrbit& one) {
+    const bool discs =
+        std::ranges::all_of(room_.mirrors, [](const Mirror& one) { return one.is_disc(); });
+    const bool unstable = std::ranges::all_of(orbits_, [](const ClosedOrbit& one) {
       return one.verdict == Verdict::proven && one.eigenvalue();
     });
     if (!discs || !unstable || orbits_.empty()) {
@@ -228,10 +228,9 @@ class PeriodicOrbits {
     std::vector<const ClosedOrbit*> all;
     for (const ClosedOrbit& orbit : orbits_) {
       if (!orbit.is_there()) continue;
-      const bool least =
-          std::all_of(symmetries_.begin(), symmetries_.end(), [&](const Symmetry& by) {
-            return least_turn(orbit.word) <= least_turn(taken(orbit.word, by));
-          });
+      const bool least = std::ranges::all_of(symmetries_, [&](const Symmetry& by) {
+        return least_turn(orbit.word) <= least_turn(taken(orbit.word, by));
+      });
       if (least) all.push_back(&orbit);
     }
     return all;

@@ -1,9 +1,6 @@
-#include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/portable_math.h"
 #include "study/rooms/pixel_map.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/rooms/wedge.h"

@@ -40,7 +40,7 @@ std::vector<std::uint64_t> pilot(const ExperimentContext& context, const Room& r
     starts.push_back(room.draw_start(context.seed, (std::uint64_t{1} << 40) + i));
   Made made(starts.size());
   follow_starts(context, room, starts, bounces, made);
-  std::sort(made.bounces.begin(), made.bounces.end(), std::greater<>());
+  std::ranges::sort(made.bounces, std::greater<>());
   return std::move(made.bounces);
 }
 
@@ -55,8 +55,7 @@ Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room
   if (step >= kPilotBounces || made.back() >= kFirstBounces)
     return fail(named_place(context.scene.name), "hardly any orbit leaves",
                 "splitting is for rooms that orbits leave by holes or gaps");
-  const auto those =
-      std::count_if(made.begin(), made.end(), [&](std::uint64_t one) { return one >= step; });
+  const auto those = std::ranges::count_if(made, [&](std::uint64_t one) { return one >= step; });
   const double stay = std::max(static_cast<double>(those) / kPilot, 1.0 / kPilot);
   const auto usual = static_cast<std::uint64_t>(
       std::ceil(portable::log(kLeftAtEnd) / portable::log(std::min(stay, 0.9))));

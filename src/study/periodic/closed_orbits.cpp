@@ -101,8 +101,7 @@ std::vector<ClosedOrbit> drawn_orbits(const MirrorRoom& room, const Word& word) 
 std::vector<ClosedOrbit> closed_orbits(const MirrorRoom& room, const Word& word) {
   if (word.size() == 1) return {{word, Verdict::pruned, "no straight line comes back"}};
   const auto any = [&](auto is) {
-    return std::any_of(word.begin(), word.end(),
-                       [&](std::uint8_t one) { return is(room.mirrors[one]); });
+    return std::ranges::any_of(word, [&](std::uint8_t one) { return is(room.mirrors[one]); });
   };
   if (any([](const Mirror& one) { return one.may_repeat(); })) return drawn_orbits(room, word);
   if (any([](const Mirror& one) { return one.arc.has_value(); })) return {disc_orbit(room, word)};

@@ -30,7 +30,7 @@ Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*
     plot.series.push_back(std::move(wall));
   }
   std::vector<const ClosedOrbit*> sorted = orbits;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const ClosedOrbit* a, const ClosedOrbit* b) {
+  std::ranges::stable_sort(sorted, [](const ClosedOrbit* a, const ClosedOrbit* b) {
     return a->length.value() < b->length.value() * (1 - 1e-9);
   });
   for (std::size_t i = 0; i < std::min(kMostShown, sorted.size()); ++i)

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "study/periodic/closed_orbits.h"
 
@@ -35,7 +34,7 @@ class Search {
     if (!polygon.may_be_within(box)) return true;
     const Judged judged = judge(room_, word_, polygon, unfolded_.legs);
     if ((judged.reflects & judged.clear) == Proof::no) return true;
-    const auto widest = std::max_element(half.begin(), half.end()) - half.begin();
+    const auto widest = std::ranges::max_element(half) - half.begin();
     const auto k = static_cast<std::size_t>(widest);
     if (half[k] < kLeastHalf) return false;
     std::vector<double> part = half, low = middle, high = middle;

@@ -128,8 +128,7 @@ bool StationaryPolygon::improve() {
 bool StationaryPolygon::may_be_within(const std::vector<Near>& box) {
   places_ = box;
   const Derivatives all = derivatives(bounces_, box);
-  return std::all_of(all.first.begin(), all.first.end(),
-                     [](const Near& slope) { return !slope.sign(); });
+  return std::ranges::all_of(all.first, [](const Near& slope) { return !slope.sign(); });
 }
 
 // With C near the inverse of the second derivatives H, and f the gradient: if -C f + (1 - C H) Q lies

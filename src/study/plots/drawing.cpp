@@ -130,9 +130,8 @@ std::vector<double> dashes_of(const Pen& pen) {
 }
 
 double words_width(const std::string& words) {
-  const auto letters = std::count_if(words.begin(), words.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  });
+  const auto letters = std::ranges::count_if(
+      words, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
   return kLetterWidth * static_cast<double>(letters);
 }
 

@@ -38,8 +38,7 @@ class TakenBoxes {
   }
   bool overlaps(const Bounds& box) {
     return visit(box, [&](const std::vector<Bounds>& boxes) {
-      return std::any_of(boxes.begin(), boxes.end(),
-                         [&](const Bounds& one) { return overlap(one, box); });
+      return std::ranges::any_of(boxes, [&](const Bounds& one) { return overlap(one, box); });
     });
   }
 

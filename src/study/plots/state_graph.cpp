@@ -1,7 +1,6 @@
 #include "study/plots/state_graph.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/portable_math.h"
 

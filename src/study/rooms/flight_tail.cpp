@@ -60,8 +60,7 @@ FlightTail FlightTail::from(std::span<const double> three) {
 
 std::string no_error_of_flights(const Room& room, const FlightTail& tail) {
   const auto& materials = room.materials();
-  if (std::find(materials.begin(), materials.end(), Material::periodic) == materials.end())
-    return "";
+  if (std::ranges::find(materials, Material::periodic) == materials.end()) return "";
   const double index = tail.index();
   if (index == 0) return "no error: too few flights to tell whether they have a variance";
   if (index >= kLeastIndex) return "";

@@ -56,7 +56,7 @@ class Changes {
   void add(const Bezier&, double) {}
 
   std::vector<double> sorted() && {
-    std::sort(places_.begin(), places_.end());
+    std::ranges::sort(places_);
     return std::move(places_);
   }
 

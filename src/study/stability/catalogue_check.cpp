@@ -110,7 +110,7 @@ void CatalogueTally::add(const CatalogueTally& other) {
   leaks += other.leaks;
   apart += other.apart;
   ulps.insert(ulps.end(), other.ulps.begin(), other.ulps.end());
-  std::sort(ulps.begin(), ulps.end());
+  std::ranges::sort(ulps);
   in_batches += other.in_batches;
   one_by_one += other.one_by_one;
   seconds += other.seconds;
@@ -131,7 +131,7 @@ std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
     for (std::size_t k = 0; k < tracers.size(); ++k)
       check_orbits(orbits, truth, *tracers[k], tallies[k]);
   }
-  for (CatalogueTally& tally : tallies) std::sort(tally.ulps.begin(), tally.ulps.end());
+  for (CatalogueTally& tally : tallies) std::ranges::sort(tally.ulps);
   return tallies;
 }
 

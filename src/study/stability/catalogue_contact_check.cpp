@@ -42,7 +42,7 @@ CatalogueTally check_contacts(const oracle::StiffCase& stiff) {
       if (one != alone) ++tally.apart;
     }
   }
-  std::sort(tally.ulps.begin(), tally.ulps.end());
+  std::ranges::sort(tally.ulps);
   return tally;
 }
 

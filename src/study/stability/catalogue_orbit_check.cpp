@@ -24,7 +24,7 @@ bool is_out(const oracle::StiffOrbits& orbits, const Vec2& start, const Vec2& po
     const Segment& wall = orbits.walls.segments[i];
     if (orientation(wall.a, wall.b, point) == Sign::negative) return true;
   }
-  return std::any_of(orbits.walls.arcs.begin(), orbits.walls.arcs.end(), [&](const Arc& arc) {
+  return std::ranges::any_of(orbits.walls.arcs, [&](const Arc& arc) {
     if (arc.extent != Arc::Extent::whole) return false;
     const Sign before = side_of(arc, start), now = side_of(arc, point);
     return now != Sign::zero && before != Sign::zero && now != before;
@@ -59,9 +59,9 @@ void compare(const oracle::StiffOrbits& orbits, const oracle::LongOrbit& truth, 
   if (!ends_as(orbit.end, orbits.end) || (orbits.count && orbit.bounces.size() != *orbits.count) ||
       !walls_agree(truth, orbit))
     ++tally.wrong;
-  const bool out =
-      std::any_of(orbit.bounces.begin(), orbit.bounces.end(),
-                  [&](const Bounce& bounce) { return is_out(orbits, orbit.start, bounce.point); });
+  const bool out = std::ranges::any_of(orbit.bounces, [&](const Bounce& bounce) {
+    return is_out(orbits, orbit.start, bounce.point);
+  });
   if (escapes(orbits, orbit.end) || out) ++tally.leaks;
 }
 

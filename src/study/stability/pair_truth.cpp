@@ -202,8 +202,7 @@ class Search {
     const auto key = [&](const Pair& pair) {
       return random_bits(timeline_.seed(), Stream::experiment, pair.first, pair.second);
     };
-    std::sort(pairs.begin(), pairs.end(),
-              [&](const Pair& p, const Pair& q) { return key(p) < key(q); });
+    std::ranges::sort(pairs, [&](const Pair& p, const Pair& q) { return key(p) < key(q); });
     return pairs;
   }
 
@@ -262,7 +261,7 @@ class Search {
     std::vector<double> times = motion_.knots(a, std::nullopt, begin, end);
     const std::vector<double> others = motion_.knots(b, std::nullopt, begin, end);
     times.insert(times.end(), others.begin(), others.end());
-    std::sort(times.begin(), times.end());
+    std::ranges::sort(times);
     const bool whole = times.empty(), bent = bent_[a] || bent_[b];
     times.push_back(end);
     Answer answer = Answer::apart;

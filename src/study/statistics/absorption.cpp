@@ -120,8 +120,7 @@ std::optional<StepMatrix> given_probabilities(const MarkovChain& chain) {
       steps.emplace_back();
       for (const double probability : row) steps.back().push_back(simplest_fraction(probability));
     }
-  const bool whole =
-      steps.size() == chain.rows.size() && std::all_of(steps.begin(), steps.end(), sums_to_one);
+  const bool whole = steps.size() == chain.rows.size() && std::ranges::all_of(steps, sums_to_one);
   return whole ? std::optional(std::move(steps)) : std::nullopt;
 }
 

@@ -141,7 +141,7 @@ std::optional<std::string> verdict(const Measure& measure) {
 ExperimentResult measured(const ExperimentContext& context, const std::string& name,
                           const std::string& headline, std::vector<Measure> measures) {
   ExperimentResult result{.table = table_of(measures)};
-  result.holds = std::all_of(measures.begin(), measures.end(), agrees);
+  result.holds = std::ranges::all_of(measures, agrees);
   Fields fields = head_of(name, context);
   fields.emplace_back("measures", result.table);
   result.files.push_back(csv_file(name, result.table));

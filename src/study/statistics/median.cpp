@@ -9,7 +9,7 @@ namespace flatray {
 
 MedianInterval median_interval(std::vector<double> values, double confidence) {
   FLATRAY_CHECK(!values.empty());
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const std::size_t count = values.size(), middle = count / 2;
   // Of `count` draws, `chance` is that of exactly `below` on one side of the median, `beyond` of no
   // more.
