@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 
+#include "base/number_text.h"
 #include "scene/keys/look_keys.h"
 #include "scene/keys/scene_keys.h"
 #include "scene/outlines/holes.h"
@@ -158,6 +160,10 @@ void check_field(Builder& builder) {
                        "make the walls of the chamber mirrors, or write material = \"mirror\"");
   if (!builder.in.problems.empty() || scene.chambers.empty() || scene.chambers.front().field == 0)
     return;
+  if (!std::isnormal(scene.chambers.front().field))
+    builder.in.problem(scene.chambers.front().where,
+                       "a magnetic field of " + number_text(scene.chambers.front().field),
+                       "write 0, or 1 over the radius of the circles that rays fly");
   check_walls_in_field(builder, scene.chambers.front());
   for (const Entity& entity : scene.entities)
     if (entity.material)

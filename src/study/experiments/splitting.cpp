@@ -202,7 +202,10 @@ class Report {
                                   plan_.levels * plan_.bounces);
         const bool forgotten = plan_.first >= kForgotten;
         if (!left.standard_error || !exponential || !forgotten) one->standard_error.reset();
-        if (!exponential) one->remark = "no rate: earlier and later levels differ";
+        if (!exponential) {
+          one->name = "fit_of_a_" + one->name.substr(std::string_view("escape_").size());
+          one->remark = "no rate: earlier and later levels differ";
+        }
         if (exponential && !forgotten)
           one->remark += fmt::format("; no error: fewer than {} levels, the beginning may be felt",
                                      3 * kForgotten);

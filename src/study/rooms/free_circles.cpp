@@ -107,4 +107,8 @@ double area_of_free_centres(const Room& room, double radius) {
   return length * height;
 }
 
+double most_off_of_free_centres(const Room& room) {
+  return 1e-4 * bounds_of(room.walls()).size().prod();
+}
+
 }  // namespace flatray

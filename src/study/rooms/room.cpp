@@ -228,7 +228,9 @@ Result<void> expect_no_other_way_out(const ExperimentContext& context) {
 Result<void> expect_closed(const ExperimentContext& context) {
   if (!context.scene.chambers.empty() && !context.scene.chambers.front().holes.empty())
     return fail(context.scene.chambers.front().holes.front().where,
-                "the chamber has holes, and orbits leave it", "ask for escape or recurrence");
+                "the chamber has holes, and orbits leave it",
+                context.scene.field() == 0 ? "ask for escape, recurrence or splitting"
+                                           : "leave the holes out");
   return expect_no_other_way_out(context);
 }
 

@@ -21,6 +21,10 @@ Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room
     orbits.starts.push_back({state.start, {}, chance_of_orbit(context.seed, state.ray)});
   }
   if (!outside.empty()) return tl::unexpected(std::move(outside));
+  if (!orbits.starts.empty() && context.starts != Starts::random)
+    return fail(context.scene.rays.front().where,
+                "orbits are those of the scene's rays, none are drawn",
+                "leave --starts out, or the rays");
   if (!orbits.starts.empty()) return orbits;
   orbits.random = true;
   for (std::uint64_t i = 0; i < random_orbits; ++i) {

@@ -51,6 +51,19 @@ TEST(FieldRooms, MeanFlightsAreThoseOfSantaloWithoutFreeCircles) {
   }
 }
 
+// The area of free circles is known to 1e-4 of the box: a share of what is left of it by a strong field.
+TEST(FieldRooms, NothingIsJudgedByAClosedFormThatIsTooCoarse) {
+  const Measure mean =
+      measure(run("mean-free-path", {room_in_field(kUnitCircle, "", "1000"), 1, 60000, 1}),
+              "mean_free_path");
+  EXPECT_NEAR(mean.value, kPiHere * kPiHere * 2e-3 / (2 * kPiHere),
+              4 * *mean.standard_error + 1e-5);
+  EXPECT_FALSE(mean.expected.has_value());
+  EXPECT_NE(mean.remark.find("too coarse to judge by"), std::string::npos);
+  EXPECT_FALSE(experiment("mean-free-path")
+                   .run({.scene = room_in_field(kUnitCircle, "", "1e5"), .count = 1000}));
+}
+
 // The place and angle of an orbit beside another, across the ray.
 Tangent seen_from(const Vec2& point, const Vec2& way, const Vec2& other, const Vec2& other_way,
                   double field) {
@@ -121,6 +134,8 @@ TEST(FieldRooms, WhatNoFlightIsBentAmongIsRefused) {
   };
   const std::string box = "[[chamber]]\nshape = { " + kUnitBox + " }\nfield = 1\n";
   EXPECT_EQ(refused(box), "");
+  EXPECT_EQ(refused("[[chamber]]\nfield = 5e-324\nshape = { " + kUnitBox + " }\n"),
+            "a magnetic field of 5e-324");
   EXPECT_EQ(refused(box + "material = \"periodic\"\n"), "no periodic walls in a magnetic field");
   EXPECT_EQ(refused("[[chamber]]\nfield = 1\nshape = { ellipse = { radii = [2, 1] } }\n"),
             "no ellipses or Bezier curves in a magnetic field");
