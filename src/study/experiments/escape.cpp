@@ -4,7 +4,6 @@
 #include <map>
 #include <tuple>
 
-#include "base/portable_math.h"
 #include "base/table.h"
 #include "study/plots/plot.h"
 #include "study/rooms/conditional_starts.h"
@@ -152,10 +151,12 @@ class Basins {
         context_.scene.film.width, context_.scene.film.height, free_, trapped_, decay_words());
   }
 
-  static double brightness(double bounces) { return 0.06 + 0.94 * portable::exp(-0.45 * bounces); }
+  // Of so many bounces on a scale of logarithms, from white to dark.
+  static double brightness(double share) { return 0.06 + 0.94 * (1 - share) * (1 - share); }
 
   // Basins by colour: who absorbed the ray, or where it went; the darker the longer it stayed.
   Plot map_of_basins() const {
+    const double most = gone_after_.empty() ? 0 : static_cast<double>(gone_after_.size() - 1);
     std::map<Exit, std::size_t> colours;
     for (const auto& [exit, count] : exits_) colours.emplace(exit, colours.size());
     Plot plot = pixel_plot(context_, room_, PixelMap::angle, [&](std::size_t i) {
@@ -163,7 +164,7 @@ class Basins {
       if (!gone(pixel)) return pixel.kind == Kind::limit ? kTrapped : kSolid;
       const LinearRgb light =
           pixel.kind == Kind::escape ? hue_of(pixel.out) : nth_colour(colours.at(exit_of(pixel)));
-      return light * brightness(pixel.bounces);
+      return light * brightness(most > 0 ? log_share(pixel.bounces, most) : 0);
     });
     plot.title = "Where a ray leaves, by its start";
     for (const auto& [exit, number] : colours)
@@ -177,13 +178,11 @@ class Basins {
     if (trapped_ > 0) plot.kinds.emplace_back(hex(kTrapped), "still there at the end");
     if (free_ < pixels_.size())
       plot.kinds.emplace_back(hex(kSolid), "starts in an obstacle, or outside");
-    const double most = gone_after_.empty() ? 0 : static_cast<double>(gone_after_.size() - 1);
     if (most > 0)
       plot.bar = bar_of(
           "brightness: bounces until it leaves", most,
-          [&](double part) {
-            return LinearRgb{1, 1, 1} *
-                   brightness(portable::exp(part * portable::log(1 + most)) - 1);
+          [](double part) {
+            return LinearRgb{1, 1, 1} * brightness(part);
           },
           [&](double bounces) { return log_share(bounces, most); });
     return plot;

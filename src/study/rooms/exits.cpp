@@ -155,7 +155,7 @@ Plot Exits::plot_of_places() const {
 
 Plot Exits::plot_of_sines() const {
   Plot plot{"Under which angle orbits leave",
-            "sine of the angle to the hole's normal",
+            "sine of the angle to the hole's normal, positive along the walls",
             "exits, relative to an even spread",
             {{"all", {}, false}, {"late", {}, false}}};
   for (std::size_t k = 0; k < kCells; ++k) {
