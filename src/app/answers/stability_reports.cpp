@@ -92,6 +92,8 @@ Result<VerbOutput> report_margins(const Arguments& arguments, const StabilityReq
   if (!scene) return tl::unexpected(scene.error());
   if (auto straight = expect_no_field(*scene, "stability"); !straight)
     return fail(std::move(straight));
+  if (auto unsplit = expect_no_glass(*scene, "stability"); !unsplit)
+    return fail(std::move(unsplit));
   const std::vector<Margin> all = margins(*scene, request.seed, kRandomRays);
   Table table({"ray", "leg", "near", "x", "y", "distance", "ulps"});
   for (const Margin& margin : all)

@@ -8,6 +8,7 @@
 #include "base/processor_time.h"
 #include "oracle/long_orbit.h"
 #include "precise/certified_orbit.h"
+#include "scene/material.h"
 #include "study/accuracy/accuracy.h"
 #include "study/rooms/room.h"
 
@@ -132,6 +133,7 @@ Setting certified(const std::shared_ptr<Orbits>& orbits, std::size_t bounces) {
 }
 
 std::string left_out(const Scene& scene) {
+  if (place_of_glass(scene) != nullptr) return "glass splits its orbits";
   if (const auto can = can_certify(); !can) return can.error().front().message;
   for (const auto expected : {&expect_closed, &expect_not_periodic})
     if (const auto met = expected({.scene = scene}); !met) return met.error().front().message;
