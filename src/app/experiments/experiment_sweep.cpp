@@ -29,7 +29,8 @@ std::optional<std::vector<std::string>> steps(std::string_view text) {
   const double count = std::floor((*to - *from) / *step + 1e-9);
   if (!(count >= 0 && count < static_cast<double>(kMostValues))) return std::nullopt;
   std::vector<std::string> values;
-  for (double i = 0; i <= count; ++i) values.push_back(fmt::format("{:.12g}", *from + i * *step));
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i)
+    values.push_back(fmt::format("{:.12g}", *from + static_cast<double>(i) * *step));
   return values;
 }
 

@@ -68,9 +68,18 @@ class Flights : public OrbitSink {
 // In a field what circles freely meets no wall, and the mean is over all the rest of phase space, in which
 // the way to the next wall has the area of the walls' own for its flow (Santalo's argument): a flight
 // is a centre and a phase as well as a place and a direction.
-double area_of_flights(const Room& room, double enclosed) {
-  const double field = room.scene().field();
-  return field == 0 ? enclosed : enclosed - area_of_free_centres(room, 1 / std::fabs(field));
+Result<double> area_of_flights(const Room& room) {
+  const Place& where = room.scene().chambers.front().where;
+  const double enclosed = room.area(), field = room.scene().field();
+  if (!(enclosed > 0 && std::isfinite(enclosed)))
+    return fail(where, fmt::format("the chamber encloses an area of {:.6g}", enclosed),
+                "give it an outline that is closed, larger than its pillars");
+  if (field == 0) return enclosed;
+  const double area = enclosed - area_of_free_centres(room, 1 / std::fabs(field));
+  if (area < most_off_of_free_centres(room))
+    return fail(where, "nearly all circles in so strong a field meet no wall",
+                "weaken it: the closed form is known to 1e-4 of the box around the walls");
+  return area;
 }
 
 // The area of free circles is a sum over rows: in a strong field, and of many flights, nothing is judged by it.
@@ -84,19 +93,12 @@ void withhold_what_is_too_coarse(Measure& path, double most_off) {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto closed = expect_closed(context); !closed) return fail(std::move(closed));
   const Room room(context.scene);
-  const double enclosed = room.area();
-  if (!(enclosed > 0 && std::isfinite(enclosed)))
-    return fail(context.scene.chambers.front().where,
-                fmt::format("the chamber encloses an area of {:.6g}", enclosed),
-                "give it an outline that is closed, larger than its pillars");
+  const auto area = area_of_flights(room);
+  if (!area) return tl::unexpected(area.error());
   const auto plan = plan_orbits(context, kBounces);
   if (!plan) return tl::unexpected(plan.error());
   const Blocks blocks = Blocks::of(plan->orbits);
-  const double area = area_of_flights(room, enclosed), expected = kPi * area / room.perimeter();
-  if (room.scene().field() != 0 && area < most_off_of_free_centres(room))
-    return fail(context.scene.chambers.front().where,
-                "nearly all circles in so strong a field meet no wall",
-                "weaken it: the closed form is known to 1e-4 of the box around the walls");
+  const double expected = kPi * *area / room.perimeter();
   const StreamingHistogram none(0, kMostOfMean * expected, kBins);
   StreamingHistogram spread = none;
   StartSums all(context.starts);
@@ -134,7 +136,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
                   "{:.6g}{}, P = {:.6g}",
-                  sums.y, plan->orbits, area,
+                  sums.y, plan->orbits, *area,
                   room.orbits().has_glass()   ? " with areas and walls of glass times its index"
                   : room.scene().field() == 0 ? ""
                                               : " less the centres of free circles",
