@@ -1,4 +1,4 @@
-// needs: materials/glass shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment
+// needs: shapes/box shapes/capsule shapes/circle shapes/polygon shapes/segment
 #include "study/accuracy/accuracy.h"
 
 #include <gtest/gtest.h>
@@ -86,13 +86,6 @@ TEST(Accuracy, ErrorOfOrbitsGrowsByTheLyapunovExponentOfTheirRoom) {
         testing::measure(testing::run("lyapunov", {.scene = scene, .count = 200000}), "per_hit");
     EXPECT_NEAR(report.orders[0].slope, exponent.value, 0.1 * exponent.value);
   }
-}
-
-TEST(Accuracy, OrbitsThatGlassSplitsAreLeftOut) {
-  const Scene scene = testing::room("circle = { radius = 1 }",
-                                    "{ shape = { circle = { radius = 0.5 } }, material = { glass = "
-                                    "{ index = 1.5 } } }");
-  EXPECT_EQ(precision_in(scene).left_out, "glass splits its orbits");
 }
 
 TEST(Accuracy, ErrorOfOrbitsInAPolygonGrowsLikeAPower) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geom/refract.h"
+#include "study/accuracy/accuracy.h"
 #include "study/chamber_scenes.h"
 #include "study/rooms/room.h"
 #include "study/rooms/tangent.h"
@@ -273,6 +274,13 @@ TEST(GlassRooms, OfALargeIndexAreNearlyThoseOfMirrors) {
   const Scene scene = disc_of("100");
   EXPECT_NEAR(reflected_share(Room(scene), {{0.1, 0.5}, {1, 0}}, 20000), std::pow(99. / 101, 2),
               0.01);
+}
+
+TEST(GlassRooms, HaveNoPrecisionToChoose) {
+  const Scene scene = disc_of("1.5");
+  for (const Choice* choice : choices())
+    if (choice->name == std::string("precision"))
+      EXPECT_EQ(choice->left_out(scene), "glass splits its orbits");
 }
 
 }  // namespace
