@@ -279,8 +279,9 @@ TEST(GlassRooms, OfALargeIndexAreNearlyThoseOfMirrors) {
 TEST(GlassRooms, HaveNoPrecisionToChoose) {
   const Scene scene = disc_of("1.5");
   for (const Choice* choice : choices())
-    if (choice->name == std::string("precision"))
+    if (choice->name == std::string("precision")) {
       EXPECT_EQ(choice->left_out(scene), "glass splits its orbits");
+    }
 }
 
 }  // namespace
