@@ -53,6 +53,7 @@ done
 
 # Who asks one question and waits gets its answer before asking the next.
 coproc "$flatray" query
+asked=$COPROC_PID  # gone from COPROC_PID as soon as it ends
 for id in 1 2 3; do
   question "$id" 2 >&"${COPROC[1]}"
   read -r -t 60 line <&"${COPROC[0]}" || fail "no answer to question $id"
@@ -60,7 +61,7 @@ for id in 1 2 3; do
 done
 
 exec {COPROC[1]}>&-
-wait "$COPROC_PID"
+wait "$asked"
 
 # An answer does not wait for those to questions after it, which take minutes.
 question 1 2 > slow.jsonl
