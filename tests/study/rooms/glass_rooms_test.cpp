@@ -161,13 +161,18 @@ TEST(GlassOrbits, KnowTheGlassAroundGlass) {
   EXPECT_NEAR(reflected_share(rooms, {{0.1, 0.5}, {1, 0}}, 40000), 0.0625, 0.005);
 }
 
+std::vector<OrbitStart> drawn_starts(const Room& room, std::uint64_t seed, std::uint64_t count) {
+  std::vector<OrbitStart> starts;
+  for (std::uint64_t number = 0; number < count; ++number)
+    starts.push_back(room.draw_start(seed, number));
+  return starts;
+}
+
 // What is followed together, and alone, is the same orbit.
 TEST(GlassOrbits, DependOnTheirOwnChanceAlone) {
   const Scene scene = disc_of("1.5");
   const Room rooms(scene);
-  std::vector<OrbitStart> starts;
-  for (std::uint64_t number = 0; number < 40; ++number)
-    starts.push_back(rooms.draw_start(1, number));
+  const std::vector<OrbitStart> starts = drawn_starts(rooms, 1, 40);
   const auto together = trace_orbits(rooms.orbits(), starts, 200);
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const Orbit alone = trace_orbits(rooms.orbits(), std::span(&starts[i], 1), 200).front();
@@ -205,11 +210,8 @@ TEST(GlassRooms, KeepTheSinesOfBouncesUniform) {
 TEST(GlassRooms, GoInAsOftenAsOutAndMeetEachSideByItsMomenta) {
   const Scene scene = disc_of("1.5");
   const Room rooms(scene);
-  std::vector<OrbitStart> starts;
-  for (std::uint64_t number = 0; number < 4000; ++number)
-    starts.push_back(rooms.draw_start(2, number));
   RatioSums inside, outside, in;
-  for (const Orbit& orbit : trace_orbits(rooms.orbits(), starts, 50)) {
+  for (const Orbit& orbit : trace_orbits(rooms.orbits(), drawn_starts(rooms, 2, 4000), 50)) {
     double met_inside = 0, met_outside = 0, balance = 0;
     for (const Bounce& one : orbit.bounces) {
       if (rooms.materials()[one.surface] != Material::glass) continue;
