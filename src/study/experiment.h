@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "base/table.h"
+#include "geom/ray.h"
 #include "scene/scene.h"
 
 namespace flatray {
@@ -70,8 +71,12 @@ struct Measure {
   /// none where nothing can be said of that.
   std::optional<double> allowed{};
   std::string remark{};  ///< what the error is estimated from, or why there is none
+  /// Bounds that it is proven to lie between, in place of an error.
+  std::optional<Range> proven{};
   /// Of its interval, beyond Student's t, where what it is estimated from is skewed.
   double widening = 1;
+  double shift =
+      0;  ///< of the interval's middle from the value, in standard errors, for the same reason
 };
 
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with

@@ -20,7 +20,8 @@ class Runs {
     ++runs_;
     sum_ += z;
     squares_ += z * z / (found.freedom > 2 ? found.freedom / (found.freedom - 2) : 3);
-    if (std::fabs(off) <= *half_interval(found)) ++held_;
+    const Range range = *interval(found);
+    if (range.low <= truth && truth <= range.high) ++held_;
   }
   double runs() const { return runs_; }
   double held() const { return held_ / runs_; }

@@ -7,6 +7,7 @@
 #include "base/counted.h"
 #include "base/portable_math.h"
 #include "study/periodic/cycle_expansion.h"
+#include "study/periodic/escape_bounds.h"
 #include "study/periodic/periodic_plots.h"
 #include "study/periodic/symmetry.h"
 #include "study/periodic/words.h"
@@ -28,6 +29,12 @@ JsonValue high_of(const std::optional<Near>& number) {
 }
 JsonValue middle_of(const std::optional<Near>& number) {
   return number ? JsonValue(number->value()) : JsonValue();
+}
+
+// As many as three discs have of two bounces more than twice those of the longest orbit; some 160 MB.
+std::size_t words_for_bounds(std::size_t symbols) {
+  constexpr std::size_t kMostSymbols = 10;
+  return std::size_t{6} << 2 * std::min(symbols, kMostSymbols);
 }
 
 // How neighbours go, where that is proven.
@@ -123,6 +130,14 @@ class PeriodicOrbits {
         cycles.push_back({orbit.word.size(), orbit.length.value(), orbit.eigenvalue()->value()});
     }
     means_ = cycle_means(cycles, symbols_);
+    if (means_.empty()) return;
+    const auto bounds =
+        escape_bounds(context_, room_, words_for_bounds(symbols_), means_.back().escape_rate);
+    if (bounds) bounds_ = *bounds;
+    expansion_words_ +=
+        bounds
+            ? fmt::format("; escape rates are bounded by all words of {} bounces", bounds->bounces)
+            : fmt::format("; no bounds of escape rates: {}", bounds.error());
   }
 
   // None where there is no symmetry, or one that cannot be made use of.
@@ -160,16 +175,26 @@ class PeriodicOrbits {
     }
     if (means_.empty()) return all;
     const std::size_t from = means_.size() - std::min<std::size_t>(3, means_.size());
-    const auto add = [&](const char* name, double CycleMeans::*of) {
+    const auto add = [&](const char* name, double CycleMeans::*of,
+                         const std::optional<Range>& proven = std::nullopt) {
       Measure one{name, means_.back().*of};
-      one.remark = "not proven: orbits";
+      one.proven = proven;
+      if (proven) one.value = std::clamp(one.value, proven->low, proven->high);
+      one.remark = proven
+                       ? fmt::format("proven: from {:.13g} to {:.13g}; ", proven->low, proven->high)
+                       : "not proven: ";
+      one.remark += "orbits";
       for (std::size_t i = from; i < means_.size(); ++i)
         one.remark += fmt::format("{} up to {} give {:.12g}", i > from ? "," : "",
                                   means_[i].bounces, means_[i].*of);
       all.push_back(one);
     };
-    add("escape_rate", &CycleMeans::escape_rate);
-    add("escape_rate_per_bounce", &CycleMeans::escape_rate_bounce);
+    const auto proven = [&](Range EscapeBounds::*of) {
+      return bounds_ ? std::optional((*bounds_).*of) : std::nullopt;
+    };
+    add("escape_rate", &CycleMeans::escape_rate, proven(&EscapeBounds::per_length));
+    add("escape_rate_per_bounce", &CycleMeans::escape_rate_bounce,
+        proven(&EscapeBounds::per_bounce));
     add("mean_flight", &CycleMeans::flight);
     add("lyapunov", &CycleMeans::lyapunov);
     return all;
@@ -245,6 +270,7 @@ class PeriodicOrbits {
   std::map<Verdict, std::uint64_t> totals_;
   std::map<std::size_t, std::uint64_t> reduced_;
   std::vector<CycleMeans> means_;
+  std::optional<EscapeBounds> bounds_;
   std::string expansion_words_;
 };
 

@@ -16,13 +16,23 @@
 namespace flatray {
 namespace {
 
-constexpr std::uint64_t kGroups = 32;
+// Of every eight groups the last turns its clones three times as far: what turning changes grows with the square.
+constexpr std::uint64_t kGroups = 32, kOneIn = 8;
+constexpr double kFarther = 3;
 constexpr std::uint64_t kPilot = 2000, kFirstBounces = 1000, kPilotBounces = 100'000,
                         kMostLevels = 1000, kLeastOrbits = 100;
 constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
-constexpr std::uint64_t kForgotten =
-    3;                           // levels before those of a rate: what is left of the beginning
+constexpr std::uint64_t kForgotten = 3;  // levels before those of a rate, of which nothing is left
 constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
+
+// What a number would be if clones were not turned, from what it is for two angles.
+Measure not_turned(Measure near, const Measure& far) {
+  constexpr double kShare = 1 / (kFarther * kFarther - 1);
+  const double error = *near.standard_error * (1 + kShare), other = *far.standard_error * kShare;
+  near.value += kShare * (near.value - far.value);
+  near.standard_error = std::sqrt(error * error + other * other);
+  return near;
+}
 
 class Made : public OrbitSink {
  public:
@@ -78,8 +88,8 @@ Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room
 // Sums of e^(rate way) over what is left at the two levels, weighted; where they are alike is the rate.
 class ByLength {
  public:
-  ByLength(const std::vector<SplitGroup>& groups, const SplittingPlan& plan)
-      : groups_(groups), plan_(plan) {
+  ByLength(const std::vector<SplitGroup>& groups, std::uint64_t first_level)
+      : groups_(groups), first_level_(first_level) {
     for (const SplitGroup& one : groups)
       for (const double way : one.last) longest_ = std::max(longest_, way);
   }
@@ -95,10 +105,11 @@ class ByLength {
     constexpr double kStep = 0x1p-20;
     const double slope = (sum(found.value * (1 + kStep)) - sum(found.value * (1 - kStep))) /
                          (2 * kStep * found.value);
-    double squares = 0;
-    for (const SplitGroup& one : groups_) squares += of(one, found.value) * of(one, found.value);
-    const auto count = static_cast<double>(groups_.size());
-    found.standard_error = std::sqrt(squares * count / (count - 1)) / std::fabs(slope);
+    RatioSums sums;
+    for (const SplitGroup& one : groups_) sums.add(of(one, found.value), 1);
+    found.standard_error = sums.standard_error() * sums.samples / std::fabs(slope);
+    found.freedom = sums.samples - 1;
+    sums.skew(found);
     return found;
   }
 
@@ -110,7 +121,7 @@ class ByLength {
   }
   double of(const SplitGroup& one, double rate) const {
     return weight(one.last, one.share.back(), rate) -
-           weight(one.first, one.share[plan_.first], rate);
+           weight(one.first, one.share[first_level_], rate);
   }
   double sum(double rate) const {
     double all = 0;
@@ -119,15 +130,19 @@ class ByLength {
   }
 
   const std::vector<SplitGroup>& groups_;
-  const SplittingPlan& plan_;
+  std::uint64_t first_level_;
   double longest_ = 0;
 };
 
 class Report {
  public:
   Report(const ExperimentContext& context, const SplittingPlan& plan,
-         std::vector<SplitGroup> groups)
-      : context_(context), plan_(plan), groups_(std::move(groups)) {}
+         const std::vector<Numbers>& blocks)
+      : context_(context), plan_(plan) {
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      (is_far(i) ? far_ : near_).push_back(SplitGroup::from(blocks[i]));
+  }
+  static bool is_far(std::uint64_t group) { return group % kOneIn == kOneIn - 1; }
 
   ExperimentResult result() const {
     Table table({"bounces", "left", "standard_error"});
@@ -151,25 +166,34 @@ class Report {
 
  private:
   Measure share(std::size_t level) const {
-    RatioSums sums;
-    for (const SplitGroup& one : groups_) sums.add(one.share[level], 1);
-    Measure left = sums.measure("left");
-    if (!left.standard_error ||
-        *left.standard_error * std::sqrt(sums.samples) > kWidest * left.value)
+    const auto of = [&](const std::vector<SplitGroup>& groups) {
+      RatioSums sums;
+      for (const SplitGroup& one : groups) sums.add(one.share[level], 1);
+      return sums.measure("left");
+    };
+    const Measure near = of(near_);
+    Measure left = not_turned(near, of(far_));
+    if (!(*near.standard_error * std::sqrt(near.freedom + 1) <= kWidest * near.value))
       left.standard_error.reset();
     return left;
   }
 
   // Between two levels, by what the groups differ by.
   Measure rate(std::size_t first, std::size_t last) const {
-    RatioSums sums;
-    for (const SplitGroup& one : groups_) sums.add(one.share[last], one.share[first]);
-    const double bounces = static_cast<double>((last - first) * plan_.bounces);
-    const double ratio = sums.ratio();
-    Measure found{"escape_rate_per_bounce", -portable::log(ratio) / bounces,
-                  sums.standard_error() / ratio / bounces};
-    found.freedom = kGroups - 1;
-    return found;
+    const auto of = [&](const std::vector<SplitGroup>& groups) {
+      RatioSums sums;
+      for (const SplitGroup& one : groups) sums.add(one.share[last], one.share[first]);
+      const double bounces = static_cast<double>((last - first) * plan_.bounces);
+      Measure found = sums.measure("escape_rate_per_bounce");
+      *found.standard_error /= found.value * bounces;
+      found.value = -portable::log(found.value) / bounces;
+      return found;
+    };
+    return not_turned(of(near_), of(far_));
+  }
+  Measure rate_per_length() const {
+    return not_turned(ByLength(near_, plan_.first).measure(),
+                      ByLength(far_, plan_.first).measure());
   }
 
   // The two halves of the levels agree.
@@ -189,13 +213,13 @@ class Report {
                       : "no error: the groups differ too much; clones part too late, or --count is "
                         "too small";
     double ancestors = 0;
-    for (const SplitGroup& one : groups_) ancestors += one.ancestors / kGroups;
+    for (const SplitGroup& one : near_) ancestors += one.ancestors;
+    ancestors /= static_cast<double>(near_.size());
     std::vector<Measure> all{left};
     if (left.value > 0) {
       const std::size_t last = plan_.levels - 1;
       Measure by_bounce = rate(plan_.first, last);
-      Measure by_length = ByLength(groups_, plan_).measure();
-      by_length.freedom = kGroups - 1;
+      Measure by_length = rate_per_length();
       const bool exponential = is_exponential();
       for (Measure* one : {&by_bounce, &by_length}) {
         one->remark = fmt::format("from bounce {} to {}", (plan_.first + 1) * plan_.bounces,
@@ -224,14 +248,15 @@ class Report {
   std::string headline() const {
     return fmt::format(
         "{} groups of {} orbits, split at {} levels of {} bounces; clones are turned by up to "
-        "{:.3g} "
-        "at their wall (--apart)",
-        kGroups, plan_.orbits, plan_.levels, plan_.bounces, plan_.apart);
+        "{:.3g} at "
+        "their wall (--apart), {} times as far in {} groups: numbers are told as if none were",
+        kGroups, plan_.orbits, plan_.levels, plan_.bounces, plan_.apart, kFarther,
+        kGroups / kOneIn);
   }
 
   const ExperimentContext& context_;
   const SplittingPlan& plan_;
-  std::vector<SplitGroup> groups_;
+  std::vector<SplitGroup> near_, far_;
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
@@ -240,13 +265,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto plane = expect_not_periodic(context); !plane) return fail(std::move(plane));
   const auto plan = plan_of(context, room);
   if (!plan) return tl::unexpected(plan.error());
+  SplittingPlan far = *plan;
+  far.apart *= kFarther;
   auto found = run_blocks(context, kGroups, [&](std::size_t group) {
-    return split_group(context, room, *plan, group).numbers();
+    return split_group(context, room, Report::is_far(group) ? far : *plan, group).numbers();
   });
   if (!found) return fail(std::move(found));
-  std::vector<SplitGroup> groups;
-  for (const Numbers& block : *found) groups.push_back(SplitGroup::from(block));
-  return Report(context, *plan, std::move(groups)).result();
+  return Report(context, *plan, *found).result();
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ class Population {
 
 /// What a population comes to.
 ///
-/// Gives   shares whose mean over many groups is what is left of all orbits, as far as turning by `apart`
-///         does not change that; nothing bounds how much it does.
+/// Gives   shares whose mean over many groups is what is left of all orbits, but for what turning by `apart`
+///         changes, which grows with its square.
 /// Source  fixed splitting with a fixed number of orbits: Kahn and Harris 1951; unbiased, as Del Moral
 ///         (Feynman-Kac Formulae, 2004, theorem 7.4.2) has it.
 SplitGroup split_group(const ExperimentContext& context, const Room& room,

@@ -24,9 +24,11 @@ Table table_of(const std::vector<Measure>& measures) {
       {"measure", "value", "low", "high", "standard_error", "expected", "z", "agrees", "remark"});
   for (const Measure& one : measures) {
     const bool known = std::isfinite(one.value);
-    table.add({one.name, known ? JsonValue(one.value) : JsonValue(), end_cell(one, -1),
-               end_cell(one, 1), one.standard_error, one.expected, z(one), verdict(one),
-               known ? one.remark : "nothing was measured"});
+    const std::optional<Range> ends = interval(one);
+    table.add({one.name, known ? JsonValue(one.value) : JsonValue(),
+               ends ? JsonValue(ends->low) : JsonValue(),
+               ends ? JsonValue(ends->high) : JsonValue(), one.standard_error, one.expected, z(one),
+               verdict(one), known ? one.remark : "nothing was measured"});
   }
   return table;
 }
@@ -73,14 +75,18 @@ double RatioSums::standard_error() const {
   return std::sqrt(std::max(squares, 0.0) * samples / (samples - 1)) / std::fabs(y);
 }
 
-double RatioSums::widening() const {
-  constexpr double z = 1.959963984540054, part = (z * z * (z * z + 2) - 3) / 18;
+double RatioSums::skewness() const {
   const double r = ratio(), squares = xx - 2 * r * xy + r * r * yy;
-  if (!(squares > 0)) return 1;
+  if (!(squares > 0)) return 0;
   const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
-  const double skewness2 = cubes * cubes / (squares * squares * squares) * samples;
-  const double by_chance = 6 / samples;
-  return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);
+  return cubes / (squares * std::sqrt(squares));
+}
+
+void RatioSums::skew(Measure& measure) const {
+  constexpr double z = 1.959963984540054, part = (z * z * (z * z + 2) - 3) / 18;
+  const double mean = skewness(), by_chance = 6 / (samples * samples);
+  measure.widening = 1 + part * std::clamp(mean * mean - by_chance, 0.0, 1.0);
+  measure.shift = (1 + 2 * z * z) / 6 * std::clamp(mean, -0.5, 0.5);
 }
 
 void RatioSums::append_to(Numbers& numbers) const {
@@ -95,7 +101,7 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
   if (samples < 2)
     return {std::move(name), ratio(), {}, {}, 0, {}, "no error: of one sample alone"};
   Measure one{std::move(name), ratio(), standard_error(), expected, samples - 1};
-  one.widening = widening();
+  skew(one);
   return one;
 }
 
@@ -118,9 +124,12 @@ std::optional<double> half_interval(const Measure& measure) {
   return student_95(measure.freedom) * measure.widening * *measure.standard_error;
 }
 
-JsonValue end_cell(const Measure& measure, double sign) {
+std::optional<Range> interval(const Measure& measure) {
+  if (measure.proven) return measure.proven;
   const std::optional<double> half = half_interval(measure);
-  return half ? JsonValue(measure.value + sign * *half) : JsonValue();
+  if (!half) return std::nullopt;
+  const double middle = measure.value + measure.shift * *measure.standard_error;
+  return Range{middle - *half, middle + *half};
 }
 
 bool agrees(const Measure& measure) {

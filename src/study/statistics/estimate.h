@@ -19,12 +19,14 @@ struct RatioSums {
   ///
   /// Needs   two samples or more; of few the interval is wide, by Student's t.
   double standard_error() const;
-  /// By how much more than Student's t takes intervals must be wide to cover as often where samples are
-  /// skewed: 1 where they are no more so than by chance.
+  /// Of the mean of x - ratio * y: that of the samples over the root of their number.
+  double skewness() const;
+  /// Moves and widens an interval of the ratio by Student's t as skewed samples need it.
   ///
-  /// Source  the Edgeworth expansion of a two-sided t (Hall 1992, The Bootstrap and Edgeworth Expansion,
-  ///         section 2.6): z^4 + 2 z^2 - 3 parts in 18 of skewness^2 / samples, at z = 1.96.
-  double widening() const;
+  /// Source  by (1 + 2 z^2) / 6 of the skewness in standard errors: Johnson, J. Amer. Statist. Assoc. 73 (1978)
+  ///         536; by (z^4 + 2 z^2 - 3) / 18 of its square, beyond chance: the Edgeworth expansion of a two-sided
+  ///         t (Hall 1992, The Bootstrap and Edgeworth Expansion, section 2.6); z = 1.96.
+  void skew(Measure& measure) const;
   /// The ratio as a measure, without an error where there is a sample alone.
   Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
 
@@ -56,8 +58,8 @@ double half_of_rms(double count);
 
 /// Half of the interval that covers the truth in 95 % of all runs; none without a standard error.
 std::optional<double> half_interval(const Measure& measure);
-/// Its end in a table, of sign -1 or 1; null where there is none.
-JsonValue end_cell(const Measure& measure, double sign);
+/// The interval itself, or the bounds that are proven; none where there is neither.
+std::optional<Range> interval(const Measure& measure);
 
 /// Whether a measure lies near enough to what is expected, where anything is: by its standard error,
 /// or as far as rounding is allowed to take it.

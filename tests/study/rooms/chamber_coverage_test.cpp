@@ -169,7 +169,7 @@ TEST(ErrorCoverage, OfChambersByMeanFreePath) {
   expect_cover_at_full_counts({"mean-free-path", 3200, 100, 100});
 }
 TEST(ErrorCoverage, OfChambersByLyapunov) {
-  expect_cover_at_full_counts({"lyapunov", 6400, 100, 200});
+  expect_cover_at_full_counts({"lyapunov", 12'800, 100, 500});
 }
 TEST(ErrorCoverage, OfChambersByPoincare) {
   expect_cover_at_full_counts({"poincare", 3200, 50, 100});
@@ -190,8 +190,8 @@ TEST(ErrorCoverage, OfChambersByRecurrence) {
   expect_cover_at_full_counts({"recurrence", 1000, 1'000'000, 20, 0, kHole, kFast});
 }
 TEST(ErrorCoverage, OfChambersBySplitting) {
-  expect_cover_at_full_counts({"splitting", 400'000, 20, 20, 0.1, {"three_discs"}, kFast});
-  expect_cover_at_full_counts({"splitting", 400'000, 11, 20, 0.1, {"three_discs_6"}, kFast});
+  expect_cover_at_full_counts({"splitting", 1'600'000, 20, 20, 0.1, {"three_discs"}, kFast});
+  expect_cover_at_full_counts({"splitting", 800'000, 11, 20, 0.1, {"three_discs_6"}, kFast});
 }
 TEST(ErrorCoverage, OfChambersByDivergence) {
   expect_cover_at_full_counts({"divergence", 1, 30, 1, 1e-6});

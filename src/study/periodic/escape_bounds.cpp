@@ -1,0 +1,174 @@
+#include "study/periodic/escape_bounds.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "base/portable_math.h"
+#include "study/periodic/disc_words.h"
+
+namespace flatray {
+namespace {
+
+constexpr std::size_t kFewestBounces = 6, kMostBounces = 64;
+
+// Words of so many bounces by number, and which follows which.
+class NumberedWords {
+ public:
+  NumberedWords(std::size_t discs, std::size_t bounces) : discs_(discs), bounces_(bounces) {
+    for (std::size_t k = 0; k + 2 < bounces; ++k) tails_ *= discs - 1;
+  }
+  // Bounces of words of which there are no more than so many.
+  static std::size_t most_bounces(std::size_t discs, std::size_t most_words) {
+    std::size_t bounces = 2, count = discs * (discs - 1);
+    while (bounces < kMostBounces && count * (discs - 1) <= most_words) {
+      count *= discs - 1;
+      ++bounces;
+    }
+    return bounces;
+  }
+
+  // Those without their last bounce.
+  std::size_t starts() const { return discs_ * tails_; }
+  std::size_t ways_on() const { return discs_ - 1; }
+  std::size_t size() const { return starts() * ways_on(); }
+  // The word without its first bounce.
+  std::size_t end_of(std::size_t word) const {
+    const std::size_t rest = word % (tails_ * ways_on());
+    return next(word / (tails_ * ways_on()), rest / tails_) * tails_ + rest % tails_;
+  }
+  Word operator[](std::size_t number) const {
+    Word word(bounces_);
+    std::size_t part = tails_ * ways_on();
+    word[0] = static_cast<std::uint8_t>(number / part);
+    for (std::size_t k = 1; k < bounces_; ++k) {
+      number %= part;
+      part /= ways_on();
+      word[k] = static_cast<std::uint8_t>(next(word[k - 1], number / part));
+    }
+    return word;
+  }
+
+ private:
+  // The disc that comes in such a place among those that may follow one.
+  static std::size_t next(std::size_t disc, std::size_t place) {
+    return place < disc ? place : place + 1;
+  }
+
+  std::size_t discs_, bounces_, tails_ = 1;
+};
+
+// What a word multiplies numbers of orbits with, by length and by bounces, and by what part it may be off.
+struct WordWeight {
+  double by_length = 0, by_bounce = 0;
+  float off = 0;
+};
+
+class TransferMatrix {
+ public:
+  TransferMatrix(const ExperimentContext& context, const OpenDiscs& discs, std::size_t bounces,
+                 double rate)
+      : context_(context), words_(discs.size(), bounces), weights_(words_.size()), rate_(rate) {
+    std::vector<Range> lengths((words_.size() + kBlock - 1) / kBlock, {kInfinity, 0});
+    parallel_for(lengths.size(), context.threads, [&](std::size_t block) {
+      const std::size_t end = std::min(words_.size(), (block + 1) * kBlock);
+      for (std::size_t i = block * kBlock; i < end && !stopped(); ++i)
+        weights_[i] = weight(middle_step(discs, words_[i]), lengths[block]);
+    });
+    for (const Range& one : lengths)
+      length_ = {std::min(length_.low, one.low), std::max(length_.high, one.high)};
+    tell_enough_ = length_.low > 0 &&
+                   std::ranges::all_of(weights_, [](const WordWeight& one) { return one.off < 1; });
+  }
+
+  bool stopped() const { return context_.monitor != nullptr && context_.monitor->stopped(); }
+
+  // Of the rate at which what is multiplied by e^(rate length) and divided by stretches neither grows nor falls.
+  Range per_length() const {
+    const Range growth = logarithm(&WordWeight::by_length);
+    const auto steps = [&](double of, bool up) {
+      const double a = of / length_.low, b = of / length_.high;
+      return up ? std::max(a, b) : std::min(a, b);
+    };
+    return {rate_ - steps(growth.high, true), rate_ - steps(growth.low, false)};
+  }
+  Range per_bounce() const {
+    const Range growth = logarithm(&WordWeight::by_bounce);
+    return {-growth.high, -growth.low};
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+  static constexpr double kMore = 1 + 1e-6;     // for rounding to float, and of the bound itself
+  static constexpr double kRounding = 0x1p-44;  // of at most 64 terms and what each is made of
+
+  WordWeight weight(const OrbitStep& step, Range& lengths) const {
+    const auto& [length, stretch] = step;
+    lengths = {std::min(lengths.low, length.low()), std::max(lengths.high, length.high())};
+    const double off = rate_ * length.error() + stretch.error() / stretch.low();
+    return {portable::exp(rate_ * length.value()) / stretch.value(), 1 / stretch.value(),
+            static_cast<float>(off * (1 + off) * kMore + kRounding)};
+  }
+
+  Range logarithm(double WordWeight::*of) const {
+    if (!tell_enough_) return kLine;
+    return {portable::log(eigenvalue(of, -1).low) - kRounding,
+            portable::log(eigenvalue(of, 1).high) + kRounding};
+  }
+
+  // Of the matrix of lower or upper bounds, the largest: for any positive vector it is between the least and the
+  // most of what the matrix multiplies its numbers with. Source: L. Collatz (1942), H. Wielandt (1950).
+  Range eigenvalue(double WordWeight::*of, double side) const {
+    constexpr int kMostRounds = 400;
+    constexpr double kAlike = 1e-14;
+    std::vector<double> vector(words_.starts(), 1), next(vector.size());
+    Range bounds{0, kInfinity};
+    for (int round = 0; round < kMostRounds && !stopped(); ++round) {
+      Range ratio{kInfinity, 0};
+      for (std::size_t i = 0; i < vector.size(); ++i) {
+        next[i] = 0;
+        for (std::size_t k = i * words_.ways_on(); k < (i + 1) * words_.ways_on(); ++k)
+          next[i] +=
+              weights_[k].*of * (1 + side * double{weights_[k].off}) * vector[words_.end_of(k)];
+        const double one = next[i] / vector[i];
+        ratio = {std::min(ratio.low, one), std::max(ratio.high, one)};
+      }
+      bounds = {std::max(bounds.low, ratio.low), std::min(bounds.high, ratio.high)};
+      if (ratio.high - ratio.low < kAlike * ratio.high) break;
+      // Half of what it was stays, so that rooms of two discs, where it goes to and fro, come to rest.
+      for (std::size_t i = 0; i < vector.size(); ++i)
+        vector[i] = (vector[i] + next[i] / ratio.high) / 2;
+    }
+    return bounds;
+  }
+
+  const ExperimentContext& context_;
+  NumberedWords words_;
+  std::vector<WordWeight> weights_;
+  double rate_;
+  Range length_{kInfinity, 0};
+  bool tell_enough_;
+};
+
+}  // namespace
+
+tl::expected<EscapeBounds, std::string> escape_bounds(const ExperimentContext& context,
+                                                      const MirrorRoom& room,
+                                                      std::size_t most_words, double about) {
+  const auto discs = OpenDiscs::of(room);
+  if (!discs) return tl::unexpected(discs.error());
+  const std::size_t bounces = NumberedWords::most_bounces(discs->size(), most_words);
+  if (bounces < kFewestBounces)
+    return tl::unexpected(
+        fmt::format("there are more than {} words of {} bounces", most_words, kFewestBounces));
+  const TransferMatrix transfer(context, *discs, bounces, about);
+  const EscapeBounds made{bounces, transfer.per_length(), transfer.per_bounce()};
+  if (transfer.stopped()) return tl::unexpected(std::string("stopped"));
+  if (!std::isfinite(made.per_length.low + made.per_length.high))
+    return tl::unexpected(fmt::format("words of {} bounces tell too little", bounces));
+  return made;
+}
+
+}  // namespace flatray
