@@ -25,4 +25,24 @@ struct LoadedEntry {
 /// Gives   the same function for every call: modules stay loaded. Throws std::bad_alloc where memory ends on the way.
 LoadedEntry load_module(const ModuleFile& file, const char* symbol);
 
+/// A table of functions that a module gives, or why there is none.
+template <class Table>
+struct LoadedTable {
+  const Table* table = nullptr;
+  std::string problem{};
+};
+
+/// Needs   a function `symbol` of the module that gives the table; `made_for` is the number in it that tells for which
+///         program it was made, `number` that of this one.
+template <class Table, class Number>
+LoadedTable<Table> load_table(const ModuleFile& file, const char* symbol, Number Table::*made_for,
+                              Number number) {
+  const LoadedEntry loaded = load_module(file, symbol);
+  if (loaded.entry == nullptr) return {nullptr, loaded.problem};
+  const Table* table = reinterpret_cast<const Table* (*)()>(loaded.entry)();
+  if (table != nullptr && table->*made_for == number) return {table};
+  return {nullptr,
+          "its module belongs to another version of flatray; build or install both together"};
+}
+
 }  // namespace flatray

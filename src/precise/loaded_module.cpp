@@ -1,29 +1,17 @@
 // What the program has of certified orbits without MPFR: it asks the module.
-#include "base/module_file.h"
 #include "precise/module.h"
 
 namespace flatray {
-namespace {
 
-FoundModule find_module() {
-  const LoadedEntry loaded = load_module(kCertifiedModule, kCertifiedEntry);
-  if (loaded.entry == nullptr) return {nullptr, loaded.problem};
-  const CertifiedModule* module = reinterpret_cast<CertifiedEntry>(loaded.entry)();
-  if (module == nullptr || module->layout != kCertifiedLayout)
-    return {nullptr, "its module belongs to another build of flatray"};
-  return {module, ""};
-}
-
-}  // namespace
-
-const FoundModule& certified_module() {
-  static const FoundModule found = find_module();
+const LoadedTable<CertifiedModule>& certified_module() {
+  static const LoadedTable<CertifiedModule> found =
+      load_table(kCertifiedModule, kCertifiedEntry, &CertifiedModule::layout, kCertifiedLayout);
   return found;
 }
 
 Result<void> can_certify() {
-  const FoundModule& found = certified_module();
-  if (found.module != nullptr) return {};
+  const LoadedTable<CertifiedModule>& found = certified_module();
+  if (found.table != nullptr) return {};
   return fail(named_place("certified orbits"), found.problem,
               "tools/setup installs MPFR, of which it is built; then build again",
               Trouble::unavailable);
@@ -32,7 +20,7 @@ Result<void> can_certify() {
 Result<CertifiedOrbit> certified_orbit(const Surfaces& walls, const Ray& start,
                                        std::uint64_t bounces, const CertifiedRules& rules) {
   if (auto able = can_certify(); !able) return fail(std::move(able));
-  return certified_module().module->certify(walls, start, bounces, rules);
+  return certified_module().table->certify(walls, start, bounces, rules);
 }
 
 std::uint64_t horizon(const Surfaces& walls, const CertifiedOrbit& exact,

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/module_file.h"
 #include "precise/certified_orbit.h"
 #include "precise/proof.h"
 
@@ -21,18 +22,13 @@ inline constexpr std::uint64_t kCertifiedLayout =
     ((sizeof(Surfaces) * 1000 + sizeof(CertifiedOrbit)) * 1000 + sizeof(Orbit)) * 1000 +
     sizeof(PeriodicWalls);
 
-using CertifiedEntry = const CertifiedModule* (*)();
 inline constexpr char kCertifiedEntry[] = "flatray_certified_module";
 
 /// certified_orbit, inside the module.
 CertifiedOrbit certify(const Surfaces& walls, const Ray& start, std::uint64_t bounces,
                        const CertifiedRules& rules);
 
-/// The module, loaded when first asked for; or null, and why.
-struct FoundModule {
-  const CertifiedModule* module = nullptr;
-  std::string problem;
-};
-const FoundModule& certified_module();
+/// The module, loaded when first asked for.
+const LoadedTable<CertifiedModule>& certified_module();
 
 }  // namespace flatray

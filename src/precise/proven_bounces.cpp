@@ -11,7 +11,7 @@ Proven proven_bounces(const Surfaces& walls, const Orbit& orbit,
   const PeriodicWalls periodic(walls, materials);
   Proof proof = prove<Bounded>(walls, periodic, orbit, kBounded);
   constexpr int kFirstBits = 256, kLastBits = 2048;
-  const CertifiedModule* module = proof.ended ? nullptr : certified_module().module;
+  const CertifiedModule* module = proof.ended ? nullptr : certified_module().table;
   for (int bits = kFirstBits; module != nullptr && !proof.ended && bits <= kLastBits; bits *= 2)
     proof = module->prove(walls, periodic, orbit, bits);
   // The first hit was decided without rounding.

@@ -12,18 +12,8 @@
 namespace flatray {
 namespace {
 
-struct Found {
-  const FlatrayHdf5Module* module = nullptr;
-  std::string problem;
-};
-
-Found find_module() {
-  const LoadedEntry loaded = load_module(kHdf5Module, FLATRAY_HDF5_ENTRY);
-  if (loaded.entry == nullptr) return {nullptr, loaded.problem};
-  const FlatrayHdf5Module* module = reinterpret_cast<FlatrayHdf5Entry>(loaded.entry)();
-  if (module == nullptr || module->abi != FLATRAY_HDF5_ABI)
-    return {nullptr, "its module belongs to another version of flatray"};
-  return {module, ""};
+LoadedTable<FlatrayHdf5Module> find_module() {
+  return load_table(kHdf5Module, FLATRAY_HDF5_ENTRY, &FlatrayHdf5Module::abi, FLATRAY_HDF5_ABI);
 }
 
 // Arrays, and what they point at.
@@ -86,8 +76,8 @@ class Arrays {
 }  // namespace
 
 Result<void> can_write_hdf5() {
-  const Found found = find_module();
-  if (found.module != nullptr) return {};
+  const auto found = find_module();
+  if (found.table != nullptr) return {};
   return fail(named_place("--hdf5"), found.problem,
               "tools/setup --hdf5 installs libhdf5-dev, which it is built from; then build again",
               Trouble::unavailable);
@@ -102,7 +92,7 @@ Result<ExperimentResult::File> hdf5_file(const std::string& name, const Texts& a
   std::vector<FlatrayHdf5Attribute> given;
   for (const auto& [key, text] : attributes) given.push_back({key.c_str(), text.c_str()});
   ExperimentResult::File file{name + ".h5", ""};
-  const FlatrayHdf5Module* module = find_module().module;
+  const FlatrayHdf5Module* module = find_module().table;
   const bool written =
       module != nullptr && module->write(
                                arrays.all().data(), static_cast<unsigned>(arrays.all().size()),

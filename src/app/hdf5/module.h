@@ -35,5 +35,3 @@ struct FlatrayHdf5Module {
                 const FlatrayHdf5Attribute* attributes, unsigned attribute_count,
                 void (*take)(void* to, const char* bytes, unsigned long long count), void* to);
 };
-
-using FlatrayHdf5Entry = const FlatrayHdf5Module* (*)();

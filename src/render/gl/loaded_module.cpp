@@ -18,17 +18,12 @@ tl::unexpected<Diagnostics> unavailable(const FlatrayGlError& error, std::string
 }
 
 Result<const FlatrayGlModule*> find_module() {
-  const LoadedEntry loaded = load_module(kGlModule, FLATRAY_GL_ENTRY);
-  if (loaded.entry == nullptr)
-    return unavailable(
-        loaded.problem,
-        "tools/setup --gl installs what it is built from; then build again, or say --backend "
-        "software");
-  const FlatrayGlModule* module = reinterpret_cast<FlatrayGlEntry>(loaded.entry)();
-  if (module == nullptr || module->abi != FLATRAY_GL_ABI)
-    return unavailable("the module belongs to another version of flatray",
-                       "build or install both together");
-  return module;
+  const auto found =
+      load_table(kGlModule, FLATRAY_GL_ENTRY, &FlatrayGlModule::abi, std::uint32_t{FLATRAY_GL_ABI});
+  if (found.table != nullptr) return found.table;
+  return unavailable(found.problem,
+                     "tools/setup --gl installs what it is built from; then build again, or say "
+                     "--backend software");
 }
 
 }  // namespace

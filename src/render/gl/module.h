@@ -100,6 +100,5 @@ struct FlatrayGlModule {
 };
 
 /// The one entry: `extern "C" const FlatrayGlModule* flatray_gl_module(void)`.
-typedef const FlatrayGlModule* (*FlatrayGlEntry)(void);
 #define FLATRAY_GL_ENTRY "flatray_gl_module"
 }

@@ -47,5 +47,3 @@ struct FlatrayEmbreeModule {
   void (*nearest)(const FlatrayEmbreeScene* scene, const FlatrayEmbreeRay* rays, unsigned count,
                   const FlatrayEmbreeAsker* asker, FlatrayEmbreeHit* hits);
 };
-
-using FlatrayEmbreeEntry = const FlatrayEmbreeModule* (*)();

@@ -11,21 +11,12 @@
 namespace flatray {
 namespace {
 
-// The module, or why there is none.
-struct Found {
-  const FlatrayEmbreeModule* module = nullptr;
-  std::string problem;
-};
-
-Found find_module() {
-  const LoadedEntry loaded = load_module(kEmbreeModule, FLATRAY_EMBREE_ENTRY);
-  if (loaded.entry == nullptr)
-    return {nullptr, loaded.problem +
-                         "; tools/setup --bench installs what it is built from, then build again"};
-  const FlatrayEmbreeModule* module = reinterpret_cast<FlatrayEmbreeEntry>(loaded.entry)();
-  if (module == nullptr || module->abi != FLATRAY_EMBREE_ABI)
-    return {nullptr, "its module belongs to another version of flatray"};
-  return {module, ""};
+LoadedTable<FlatrayEmbreeModule> find_module() {
+  auto found = load_table(kEmbreeModule, FLATRAY_EMBREE_ENTRY, &FlatrayEmbreeModule::abi,
+                          FLATRAY_EMBREE_ABI);
+  if (found.table == nullptr)
+    found.problem += "; tools/setup --bench installs what it is built from, then build again";
+  return found;
 }
 
 // The power of two that makes the larger part of a direction 1 to 2 in size: products of a long one
@@ -113,9 +104,9 @@ class Embree : public Accelerator {
 };
 
 std::unique_ptr<Accelerator> build(const Surfaces& walls, Isa, unsigned) {
-  const Found found = find_module();
-  FLATRAY_CHECK(found.module != nullptr, found.problem.c_str());
-  return std::make_unique<Embree>(walls, *found.module);
+  const auto found = find_module();
+  FLATRAY_CHECK(found.table != nullptr, found.problem.c_str());
+  return std::make_unique<Embree>(walls, *found.table);
 }
 
 }  // namespace
