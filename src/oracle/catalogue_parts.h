@@ -1,4 +1,6 @@
 #pragma once
+#include <numbers>
+
 #include "base/portable_math.h"
 #include "oracle/catalogue.h"
 
@@ -6,7 +8,7 @@ namespace flatray::oracle {
 
 /// What several parts of the catalogue are made of.
 using Ring = std::vector<Vec2>;
-constexpr double kTurn = 6.283185307179586;
+constexpr double kTurn = 2 * std::numbers::pi;
 
 inline Ring box(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};

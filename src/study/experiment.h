@@ -75,8 +75,6 @@ struct Measure {
   std::optional<Range> proven{};
   /// Of its interval, beyond Student's t, where what it is estimated from is skewed.
   double widening = 1;
-  double shift =
-      0;  ///< of the interval's middle from the value, in standard errors, for the same reason
 };
 
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with

@@ -109,7 +109,7 @@ class ByLength {
     for (const SplitGroup& one : groups_) sums.add(of(one, found.value), 1);
     found.standard_error = sums.standard_error() * sums.samples / std::fabs(slope);
     found.freedom = sums.samples - 1;
-    sums.skew(found);
+    found.widening = sums.widening();
     return found;
   }
 

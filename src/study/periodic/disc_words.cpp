@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/portable_math.h"
 #include "study/periodic/stationary.h"
@@ -10,7 +11,6 @@ namespace flatray {
 namespace {
 
 constexpr double kRough = 1e-12;  // far more than what bounds lose by rounding
-constexpr double kQuarterTurn = 1.5707963267948966;
 
 Vec2 direction_of(const Vec2& v) { return v / std::sqrt(v.squaredNorm()); }
 Vec2 quarter_turned(const Vec2& v) { return {-v.y(), v.x()}; }
@@ -259,7 +259,7 @@ bool OpenDiscs::is_apart(std::size_t i, std::size_t j, std::size_t k) const {
 
 void OpenDiscs::find_plays() {
   constexpr int kRounds = 20;
-  plays_.assign(size() * size() * size(), kQuarterTurn);
+  plays_.assign(size() * size() * size(), std::numbers::pi / 2);
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> next;
     for (std::size_t i = 0; i < size(); ++i)
@@ -289,7 +289,7 @@ Range OpenDiscs::turned_ways(std::size_t i, std::size_t j, std::size_t k, std::s
     const double shift = all_[to].radius * play(beyond, to, j) + all_[j].radius * play(i, j, k),
                  length = std::sqrt(way.squaredNorm());
     const double about = portable::atan2(cross(straight, way), straight.dot(way)),
-                 turn = shift < length ? portable::asin(shift / length) : 2 * kQuarterTurn;
+                 turn = shift < length ? portable::asin(shift / length) : std::numbers::pi;
     range = {std::min(range.low, about - turn), std::max(range.high, about + turn)};
   }
   return {std::max(range.low, -most) - kRough, std::min(range.high, most) + kRough};

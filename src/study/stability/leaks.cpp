@@ -1,6 +1,7 @@
 #include "study/stability/leaks.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/philox.h"
 #include "base/portable_math.h"
@@ -12,7 +13,7 @@ namespace flatray {
 namespace {
 
 constexpr int kCorners = 300, kPillars = 60;
-constexpr double kTurn = 6.283185307179586;
+constexpr double kTurn = 2 * std::numbers::pi;
 constexpr RoomPlace kPlaces[] = {{"origin", 1, 0, 0},
                                  {"shifted-by-1e6", 1, 1e6, -1e6},
                                  {"scaled-by-1e-5", 1e-5, 0, 0},

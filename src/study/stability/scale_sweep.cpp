@@ -1,6 +1,7 @@
 #include "study/stability/scale_sweep.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/portable_math.h"
 #include "oracle/families.h"
@@ -10,7 +11,7 @@ namespace flatray {
 namespace {
 
 constexpr int kPolygons = 12, kRays = 48;
-constexpr double kFullTurn = 6.283185307179586, kMost = 1000, kStep = 50;
+constexpr double kFullTurn = 2 * std::numbers::pi, kMost = 1000, kStep = 50;
 constexpr std::uint64_t kSweepFamily = 1000;  // names draws that no family has
 
 struct Little {

@@ -75,18 +75,14 @@ double RatioSums::standard_error() const {
   return std::sqrt(std::max(squares, 0.0) * samples / (samples - 1)) / std::fabs(y);
 }
 
-double RatioSums::skewness() const {
-  const double r = ratio(), squares = xx - 2 * r * xy + r * r * yy;
-  if (!(squares > 0)) return 0;
-  const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
-  return cubes / (squares * std::sqrt(squares));
-}
-
-void RatioSums::skew(Measure& measure) const {
+double RatioSums::widening() const {
   constexpr double z = 1.959963984540054, part = (z * z * (z * z + 2) - 3) / 18;
-  const double mean = skewness(), by_chance = 6 / (samples * samples);
-  measure.widening = 1 + part * std::clamp(mean * mean - by_chance, 0.0, 1.0);
-  measure.shift = (1 + 2 * z * z) / 6 * std::clamp(mean, -0.5, 0.5);
+  const double r = ratio(), squares = xx - 2 * r * xy + r * r * yy;
+  if (!(squares > 0)) return 1;
+  const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
+  const double skewness2 = cubes * cubes / (squares * squares * squares) * samples;
+  const double by_chance = 6 / samples;
+  return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);
 }
 
 void RatioSums::append_to(Numbers& numbers) const {
@@ -101,7 +97,7 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
   if (samples < 2)
     return {std::move(name), ratio(), {}, {}, 0, {}, "no error: of one sample alone"};
   Measure one{std::move(name), ratio(), standard_error(), expected, samples - 1};
-  skew(one);
+  one.widening = widening();
   return one;
 }
 
@@ -128,8 +124,7 @@ std::optional<Range> interval(const Measure& measure) {
   if (measure.proven) return measure.proven;
   const std::optional<double> half = half_interval(measure);
   if (!half) return std::nullopt;
-  const double middle = measure.value + measure.shift * *measure.standard_error;
-  return Range{middle - *half, middle + *half};
+  return Range{measure.value - *half, measure.value + *half};
 }
 
 bool agrees(const Measure& measure) {

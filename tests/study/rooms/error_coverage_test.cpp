@@ -269,7 +269,8 @@ TEST(ErrorCoverage, OfStretchesThatDoNotDependOnEachOther) {
   EXPECT_GT(silent, 800);
 }
 
-// Exponential numbers, of skewness 2: Student's t alone holds 92.6 % of means of 30 of them.
+// Exponential numbers, of skewness 2: Student's t alone holds 92.6 % of means of 30 of them, and
+// widened intervals 93.8 %: the skewness of so few is told too small.
 TEST(ErrorCoverage, OfSkewedSamples) {
   constexpr std::uint64_t kRuns = 4000;
   int held = 0, held_by_t = 0;
@@ -281,7 +282,6 @@ TEST(ErrorCoverage, OfSkewedSamples) {
     if (interval(found)->low <= 1 && 1 <= interval(found)->high) ++held;
     if (off <= student_95(found.freedom) * *found.standard_error) ++held_by_t;
   }
-  fmt::print("held {} of {}, by t alone {}\n", held, kRuns, held_by_t);
   EXPECT_GT(held, held_by_t + 0.006 * kRuns);
   EXPECT_GT(held, 0.93 * kRuns);
   EXPECT_LT(held, 0.96 * kRuns);
