@@ -30,8 +30,9 @@ PathEdge arc_in_world(const PathWall& wall, const Pose& place) {
   if (is_flat || (!whole && (from == to || from == curve.centre || to == curve.centre)))
     return {from, to, std::nullopt};
   const bool forward = (arc.sweep > 0) == (cross(arc.u, arc.v) > 0);
-  if (whole) return {from, to, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}}, forward};
-  return {from, to, Arc{curve, Arc::Extent::between, forward ? from : to, forward ? to : from},
+  if (whole) return {from, to, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}, !forward}, forward};
+  return {from, to,
+          Arc{curve, Arc::Extent::between, forward ? from : to, forward ? to : from, !forward},
           forward};
 }
 

@@ -48,8 +48,9 @@ constexpr const char* kMovePillar =
     "move it, or make it smaller: the room's area and walls would be wrong";
 
 std::string named(const Chamber::Pillar& pillar) {
-  return fmt::format("{} {} at ({}, {})", pillar.copy_of ? "the copy of the pillar" : "the pillar",
-                     pillar.name, number_text(pillar.at.x()), number_text(pillar.at.y()));
+  const std::string name =
+      pillar.name.empty() ? "a pillar" : fmt::format("pillar '{}'", pillar.name);
+  return pillar.copy_of ? "the copy of " + name : name;
 }
 
 // The pillars of a chamber as they stand.
@@ -84,8 +85,8 @@ Result<void> expect_pillars_inside(const Scene& scene) {
         return solids.in_chamber(point);
       });
       if (!stands_in || overlap({&walls, world_pose(state), {0, 0}}, bodies[i]))
-        return fail(chamber.where, named(chamber.pillars[i]) + " does not stand in the chamber",
-                    kMovePillar);
+        return fail(chamber.pillars[i].where,
+                    named(chamber.pillars[i]) + " does not stand in the chamber", kMovePillar);
     }
   }
   return {};
@@ -101,14 +102,14 @@ Result<void> expect_pillars_apart(const Scene& scene) {
     for (const auto& [a, b] : overlapping_pairs(boxes))
       if (overlap(bodies[a], bodies[b]))
         return fail(
-            chamber.where,
-            fmt::format("{} and {} overlap", named(chamber.pillars[a]), named(chamber.pillars[b])),
+            chamber.pillars[b].where,
+            fmt::format("{} overlaps {}", named(chamber.pillars[b]), named(chamber.pillars[a])),
             kMovePillar);
     for (const Chamber::Pillar& pillar : chamber.pillars)
       if (pillar.across && scene.shapes[pillar.shape].circles.front().radius >
                                cell_depth(scene.shapes[chamber.shape]))
         return fail(
-            chamber.where, named(pillar) + " reaches over more cells than those that are looked at",
+            pillar.where, named(pillar) + " reaches over more cells than those that are looked at",
             "write lattice vectors closer to a right angle: those of the same lattice will do");
   }
   return {};

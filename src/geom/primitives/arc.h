@@ -34,6 +34,7 @@ struct Arc {
   ///         centre between each and the curve is part of it, so that walls that share an end have
   ///         no gap.
   Vec2 from{0, 0}, to{0, 0};
+  bool is_hollow = false;  ///< the body that it borders lies outside its curve
 };
 
 /// Where a point lies on a wall.

@@ -16,7 +16,9 @@ Bounds bounds_of(const Bezier& wall);
 
 /// The side on which a body that it borders lies.
 constexpr Sign inside_of(const Segment&) { return Sign::positive; }
-constexpr Sign inside_of(const Arc&) { return Sign::negative; }
+constexpr Sign inside_of(const Arc& wall) {
+  return wall.is_hollow ? Sign::positive : Sign::negative;
+}
 inline Sign inside_of(const Bezier&) { return Sign::positive; }
 
 /// Side of its whole line or curve on which a point lies. Exact.

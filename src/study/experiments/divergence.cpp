@@ -116,7 +116,7 @@ class Study {
   // Where starts are alike by symmetry, as in a circle, they differ by rounding and by `apart`.
   static void withhold_error_of_rounding(Measure& mean) {
     constexpr double kAlike = 1e-4;
-    if (*mean.standard_error > kAlike * std::fabs(mean.value)) return;
+    if (!mean.standard_error || *mean.standard_error > kAlike * std::fabs(mean.value)) return;
     mean.standard_error.reset();
     mean.remark = "no error: starts do not differ but by rounding";
   }

@@ -127,6 +127,9 @@ class Basins {
 
   std::string decay_words() const {
     using Law = Survival::Law;
+    if (survival_.freedom == 0 && std::ranges::none_of(drawn_, &LeavingOrbit::gone))
+      return fmt::format("none of {} drawn orbits leaves within the bounces looked at",
+                         drawn_.size());
     if (survival_.freedom == 0)
       return fmt::format("of {} drawn orbits too few stay to tell how their number falls",
                          drawn_.size());

@@ -26,6 +26,9 @@ constexpr std::uint64_t kSettling = 20;   // bounces that turn any first differe
 constexpr std::size_t kSums = 6;
 enum Sum : std::size_t { of_length, of_hits, of_curved, of_doubling, of_power, of_regular };
 
+// Of an orbit, logarithm: differences have turned to the direction that grows, and growth is that of long times.
+constexpr double kLeastGrowth = 10;
+
 // What grows like t^3 from a half on; regular orbits grow like t. What parts exponentially is told from
 // it where it grows so many times as much.
 constexpr double kMostRegular = 3 * 0.6931471805599453, kTold = 5;
@@ -195,8 +198,12 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
       one.remark = law == Law::undecided ? "no error: may have no limit but 0"
                                          : "no error: falls to 0 with time";
     } else if (i == of_length) {
-      one.remark = no_error_of_flights(room, grown.tail);
+      withhold_error_of_flights(one, room, grown.tail);
     }
+    if (law == Law::exponential &&
+        grown.sums[of_hits].x < kLeastGrowth * grown.sums[of_hits].samples)
+      one.remark =
+          "no error: neighbours part less than e^10 times along an orbit; say more --bounces";
     if (!one.remark.empty()) one.standard_error.reset();
     measures.push_back(std::move(one));
   }

@@ -122,8 +122,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!ran) return fail(std::move(ran));
   const RatioSums sums = all.all();
   Measure path = sums.measure("mean_free_path", expected);
-  path.remark = no_error_of_flights(room, tail);
-  if (!path.remark.empty()) path.standard_error.reset();
+  withhold_error_of_flights(path, room, tail);
   if (room.scene().field() != 0 && path.standard_error)
     withhold_what_is_too_coarse(path, kPi * most_off_of_free_centres(room) / room.perimeter());
   std::vector<Measure> measures{std::move(path),

@@ -6,6 +6,7 @@
 
 #include "base/counted.h"
 #include "base/portable_math.h"
+#include "collide/pillars.h"
 #include "study/periodic/cycle_expansion.h"
 #include "study/periodic/escape_bounds.h"
 #include "study/periodic/periodic_plots.h"
@@ -118,7 +119,8 @@ class PeriodicOrbits {
     });
     if (!discs || !unstable || orbits_.empty()) {
       expansion_words_ =
-          "no cycle expansion: that is for rooms of discs alone, where no word is pruned";
+          "no cycle expansion: that is for rooms of discs alone, all of whose words have a proven "
+          "orbit";
       return;
     }
     std::vector<Cycle> cycles = reduced_cycles();
@@ -130,7 +132,10 @@ class PeriodicOrbits {
         cycles.push_back({orbit.word.size(), orbit.length.value(), orbit.eigenvalue()->value()});
     }
     means_ = cycle_means(cycles, symbols_);
-    if (means_.empty()) return;
+    if (means_.empty()) {
+      expansion_words_ += ", which has no zero: say more --symbols";
+      return;
+    }
     const auto bounds =
         escape_bounds(context_, room_, words_for_bounds(symbols_), means_.back().escape_rate);
     if (bounds) bounds_ = *bounds;
@@ -179,10 +184,10 @@ class PeriodicOrbits {
                          const std::optional<Range>& proven = std::nullopt) {
       Measure one{name, means_.back().*of};
       one.proven = proven;
-      if (proven) one.value = std::clamp(one.value, proven->low, proven->high);
-      one.remark = proven
-                       ? fmt::format("proven: from {:.13g} to {:.13g}; ", proven->low, proven->high)
-                       : "not proven: ";
+      if (proven && !(proven->low <= one.value && one.value <= proven->high))
+        one.value = proven->low + (proven->high - proven->low) / 2;  // the orbits are too few
+      one.remark = proven ? fmt::format("proven: from {} to {}; ", proven->low, proven->high)
+                          : "not proven: ";
       one.remark += "orbits";
       for (std::size_t i = from; i < means_.size(); ++i)
         one.remark += fmt::format("{} up to {} give {:.12g}", i > from ? "," : "",
@@ -295,6 +300,8 @@ Result<void> expect_mirrors(const Scene& scene) {
 Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto mirrors = expect_mirrors(context.scene); !mirrors) return fail(std::move(mirrors));
   if (auto plain = expect_not_periodic(context); !plain) return fail(std::move(plain));
+  if (auto inside = expect_pillars_inside(context.scene); !inside) return fail(std::move(inside));
+  if (auto apart = expect_pillars_apart(context.scene); !apart) return fail(std::move(apart));
   const Room room(context.scene);
   if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const auto mirrors = MirrorRoom::of(room);
@@ -302,7 +309,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const auto symbols = static_cast<std::size_t>(context.symbols.value_or(kUsualSymbols));
   auto orbits = orbits_by_word(context, *mirrors, symbols);
   if (!orbits) return tl::unexpected(orbits.error());
-  return PeriodicOrbits(context, *mirrors, symbols, std::move(*orbits)).result();
+  const PeriodicOrbits found(context, *mirrors, symbols, std::move(*orbits));
+  if (context.monitor != nullptr && context.monitor->stopped())
+    return fail(named_place(context.scene.name), "stopped before its escape rate was bounded");
+  return found.result();
 }
 
 }  // namespace

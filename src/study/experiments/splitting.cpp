@@ -25,12 +25,18 @@ constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
 constexpr std::uint64_t kForgotten = 3;  // levels before those of a rate, of which nothing is left
 constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
 
-// What a number would be if clones were not turned, from what it is for two angles.
+// What a number would be if clones were not turned, from what it is for two angles; as it is, without an error, where
+// that is not known, or turning changes it by more than chance: its square is then not all of it.
 Measure not_turned(Measure near, const Measure& far) {
   constexpr double kShare = 1 / (kFarther * kFarther - 1);
-  const double error = *near.standard_error * (1 + kShare), other = *far.standard_error * kShare;
-  near.value += kShare * (near.value - far.value);
+  const double change = kShare * (near.value - far.value);
+  const double error = near.standard_error.value_or(kInfinity) * (1 + kShare),
+               other = far.standard_error.value_or(kInfinity) * kShare;
   near.standard_error = std::sqrt(error * error + other * other);
+  if (std::fabs(change) <= 2 * *near.standard_error && *near.standard_error < kInfinity)
+    near.value += change;
+  else
+    near.standard_error.reset();
   return near;
 }
 
@@ -171,11 +177,14 @@ class Report {
       for (const SplitGroup& one : groups) sums.add(one.share[level], 1);
       return sums.measure("left");
     };
-    const Measure near = of(near_);
-    Measure left = not_turned(near, of(far_));
-    if (!(*near.standard_error * std::sqrt(near.freedom + 1) <= kWidest * near.value))
-      left.standard_error.reset();
-    return left;
+    Measure near = of(near_);
+    const Measure far = of(far_);
+    if (near.value > 0 && far.value > 0 &&
+        near.standard_error.value_or(kInfinity) * std::sqrt(near.freedom + 1) <=
+            kWidest * near.value)
+      return not_turned(near, far);
+    near.standard_error.reset();
+    return near;
   }
 
   // Between two levels, by what the groups differ by.
@@ -185,7 +194,7 @@ class Report {
       for (const SplitGroup& one : groups) sums.add(one.share[last], one.share[first]);
       const double bounces = static_cast<double>((last - first) * plan_.bounces);
       Measure found = sums.measure("escape_rate_per_bounce");
-      *found.standard_error /= found.value * bounces;
+      if (found.standard_error) *found.standard_error /= found.value * bounces;
       found.value = -portable::log(found.value) / bounces;
       return found;
     };
@@ -196,13 +205,22 @@ class Report {
                       ByLength(far_, plan_.first).measure());
   }
 
-  // The two halves of the levels agree.
+  // The two halves of the levels agree, and not as well with a power of the bounces.
   bool is_exponential() const {
     const std::size_t last = plan_.levels - 1, middle = (plan_.first + last) / 2;
     const Measure a = rate(plan_.first, middle), b = rate(middle, last);
-    return std::fabs(a.value - b.value) <=
-           kAllowedErrors * std::sqrt(*a.standard_error * *a.standard_error +
-                                      *b.standard_error * *b.standard_error);
+    if (!a.standard_error || !b.standard_error) return false;
+    const auto differ = [&](double share) {  // a from share times b, in errors
+      return std::fabs(a.value - share * b.value) /
+             std::sqrt(*a.standard_error * *a.standard_error +
+                       share * share * *b.standard_error * *b.standard_error);
+    };
+    const auto slope = [](std::size_t from, std::size_t to) {
+      return portable::log(static_cast<double>(to + 1) / static_cast<double>(from + 1)) /
+             static_cast<double>(to - from);
+    };
+    const double power = differ(slope(plan_.first, middle) / slope(middle, last));
+    return differ(1) <= kAllowedErrors && power > kAllowedErrors;
   }
 
   std::vector<Measure> measures() const {
@@ -210,8 +228,11 @@ class Report {
     left.name = fmt::format("left_after_{}_bounces", plan_.levels * plan_.bounces);
     left.remark = left.standard_error
                       ? fmt::format("relative error {:.2g}", *left.standard_error / left.value)
-                      : "no error: the groups differ too much; clones part too late, or --count is "
-                        "too small";
+                      : fmt::format(
+                            "no error: {}; clones part too late (say --apart 0.1), or "
+                            "--count is too small",
+                            left.value > 0 ? "the groups differ too much, or turn too far"
+                                           : "no orbit is left");
     double ancestors = 0;
     for (const SplitGroup& one : near_) ancestors += one.ancestors;
     ancestors /= static_cast<double>(near_.size());
@@ -225,10 +246,12 @@ class Report {
         one->remark = fmt::format("from bounce {} to {}", (plan_.first + 1) * plan_.bounces,
                                   plan_.levels * plan_.bounces);
         const bool forgotten = plan_.first >= kForgotten;
+        if (!one->standard_error)
+          one->remark += "; no error: clones are turned too far, say a smaller --apart";
         if (!left.standard_error || !exponential || !forgotten) one->standard_error.reset();
         if (!exponential) {
           one->name = "fit_of_a_" + one->name.substr(std::string_view("escape_").size());
-          one->remark = "no rate: earlier and later levels differ";
+          one->remark = "no rate: earlier and later levels differ, or agree as well with a power";
         }
         if (exponential && !forgotten)
           one->remark += fmt::format("; no error: fewer than {} levels, the beginning may be felt",

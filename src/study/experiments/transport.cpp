@@ -199,6 +199,7 @@ bool is_settled(const Transport& all) {
 // How the mean square displacement grows.
 enum class Growth {
   linear,       // 4 D t
+  undecided,    // that, or faster: of so few flights it cannot be told whether they have a variance
   logarithmic,  // t log t: flights of any length between curved walls
   unknown  // flights of any length between straight walls, which part neighbours no faster than a power
 };
@@ -217,24 +218,27 @@ Measure power_of_displacement(const Transport& all) {
   return power;
 }
 
-std::vector<Measure> measures_of(const Transport& all, Growth growth) {
+std::vector<Measure> measures_of(const Transport& all, Growth growth,
+                                 const std::string& unbounded) {
   std::vector<Measure> measures;
-  if (growth == Growth::linear) {
-    const char* why =
-        is_settled(all) ? "" : "no error: velocities are still correlated; say more --bounces";
+  if (growth == Growth::linear || growth == Growth::undecided) {
+    const std::string why = growth == Growth::undecided ? unbounded
+                            : is_settled(all)
+                                ? ""
+                                : "no error: velocities are still correlated; say more --bounces";
     const std::pair<Asked, const char*> names[] = {{einstein, "diffusion_einstein"},
                                                    {einstein_x, "diffusion_einstein_x"},
                                                    {einstein_y, "diffusion_einstein_y"},
                                                    {green_kubo, "diffusion_green_kubo"}};
     for (const auto& [which, name] : names) {
       Measure& one = measures.emplace_back(all.asked[which].measure(name));
-      one.remark = *why != 0 ? why
+      one.remark = !why.empty() ? why
                    : which == green_kubo
                        ? fmt::format("cut at t = {:.4g}", all.times.lag((all.times.lags - 1) / 2))
                        : fmt::format("slope from t = {:.4g} to {:.4g}",
                                      all.times.lag((all.times.lags - 1) / 2),
                                      all.times.lag(all.times.lags - 1));
-      if (*why != 0) one.standard_error.reset();
+      if (!why.empty()) one.standard_error.reset();
     }
   } else if (growth == Growth::unknown) {
     measures.push_back(power_of_displacement(all));
@@ -255,6 +259,8 @@ std::vector<Measure> measures_of(const Transport& all, Growth growth) {
 
 std::string words(Growth growth, const std::string& unbounded) {
   if (growth == Growth::linear) return "the mean square displacement grows like 4 D t";
+  if (growth == Growth::undecided)
+    return "undecided whether the mean square displacement grows like 4 D t; say more --count";
   const std::string none = "there is no D (" + unbounded + ")";
   return growth == Growth::logarithmic ? "it grows like t log t, " + none : none;
 }
@@ -335,6 +341,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                 "look at some of them with flatray orbit");
   const std::string unbounded = no_error_of_flights(room, all.tail);
   const Growth growth = unbounded.empty()                    ? Growth::linear
+                        : all.tail.index() == 0              ? Growth::undecided
                         : room.walls().curve_numbers.empty() ? Growth::unknown
                                                              : Growth::logarithmic;
   ExperimentResult result =
@@ -342,7 +349,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                fmt::format("{} of {} orbits over t = {:.4g} at speed 1, mean flight {:.6g}: {}",
                            "Diffusion", plan->orbits, all.times.lag(all.times.samples - 1),
                            mean_flight, words(growth, unbounded)),
-               measures_of(all, growth));
+               measures_of(all, growth, unbounded));
   add_files(result, all, context);
   return result;
 }

@@ -44,15 +44,15 @@ class WordOrbit {
     const std::size_t middle = (word_.size() - 1) / 2;
     Leg in = with_play(0);
     const auto any_front = [](const Leg& leg) { return from_0_to((Near(1) / leg.length).high()); };
-    Near bend = any_front(
-        in);  // 1 / radius of the front that comes to a bounce, then of that which leaves it
+    Near front = any_front(in);  // 1 / its radius, where it comes to a bounce
     for (std::size_t k = 1;; ++k) {
       const Leg out = with_play(k);
       const Near across = cosine(k, in, out);
-      bend = bend + Near(2) / (Near(spots_[k].disc.radius) * across);
-      const Near stretch = Near(1) + out.length * bend;
+      const bool known = across.low() > 0;
+      const Near bend = front + Near(2) / (Near(spots_[k].disc.radius) * across);
+      const Near stretch = known ? Near(1) + out.length * bend : Near::within(1, kInfinity);
       if (k == middle) return {out.length, stretch};
-      bend = across.low() > 0 ? (Near(1) - Near(1) / stretch) / out.length : any_front(out);
+      front = known ? (Near(1) - Near(1) / stretch) / out.length : any_front(out);
       in = out;
     }
   }
@@ -164,7 +164,8 @@ class WordOrbit {
     const Leg& leg = legs_[k];
     const double play_a = a.disc.radius * a.off, play_b = b.disc.radius * b.off;
     const double least = leg.length.low(), shift = play_a + play_b;
-    if (!(shift < least)) return {Near::within(0, kInfinity), 0.0, 0.0, kInfinity};
+    const bool known = shift < least && leg.out.low() > 0 && leg.into.low() > 0;
+    if (!known) return {Near::within(0, kInfinity), 0.0, 0.0, kInfinity};
     const double turn = shift / std::sqrt(least * least - shift * shift);
     const double by_a = a.off + turn, by_b = b.off + turn;
     const double longer = std::min(1.0, sine_of(leg.out) + by_a) * play_a +
@@ -172,7 +173,8 @@ class WordOrbit {
     Leg all{leg.length + Near::within(0, longer * (1 + kRough)), turned(leg.out, by_a),
             turned(leg.into, by_b)};
     const double across = all.out.high() * play_a + all.into.high() * play_b;
-    all.turn = std::min(turn, across / all.length.low()) * (1 + kRough);
+    all.turn = turn * (1 + kRough);
+    if (all.length.low() > 0) all.turn = std::min(turn, across / all.length.low()) * (1 + kRough);
     return all;
   }
 
@@ -231,23 +233,32 @@ tl::expected<OpenDiscs, std::string> OpenDiscs::of(const MirrorRoom& room) {
   for (std::size_t i = 0; i < made.size(); ++i)
     for (std::size_t j = 0; j < made.size(); ++j)
       for (std::size_t k = 0; k < made.size(); ++k)
-        if (i != k && j != k && !made.is_apart(i, j, k))
+        if (i != k && j != k && !(made.is_apart(i, j, k) && made.middle_is_known(i, k, j)))
           return tl::unexpected(
               std::string("a disc is near another or near the way between two others"));
   made.find_plays();
   return made;
 }
 
+Vec2 OpenDiscs::both_ways(std::size_t before, std::size_t at, std::size_t after) const {
+  return direction_of(all_[before].centre - all_[at].centre) +
+         direction_of(all_[after].centre - all_[at].centre);
+}
 Vec2 OpenDiscs::middle(std::size_t before, std::size_t at, std::size_t after) const {
-  return direction_of(direction_of(all_[before].centre - all_[at].centre) +
-                      direction_of(all_[after].centre - all_[at].centre));
+  return direction_of(both_ways(before, at, after));
+}
+// To kRough, as far as rounding goes.
+bool OpenDiscs::middle_is_known(std::size_t before, std::size_t at, std::size_t after) const {
+  return both_ways(before, at, after).squaredNorm() > 1e-4;
 }
 
 // Whether k is apart from all that lies between i and j, or from i alone.
 bool OpenDiscs::is_apart(std::size_t i, std::size_t j, std::size_t k) const {
   const Pair<Near> a = near(all_[i].centre), to = near(all_[k].centre) - a,
                    way = near(all_[j].centre) - a;
-  const Near reach = Near(std::max(all_[i].radius, all_[j].radius)) + all_[k].radius;
+  // More by far than what is neglected where it is in doubt whether the way passes the disc.
+  const Near reach =
+      Near(1 + kRough) * (Near(std::max(all_[i].radius, all_[j].radius)) + all_[k].radius);
   const Near size = dot(way, way), foot = dot(to, way), off = cross(to, way);
   if (is_positive(foot) == Proof::yes && is_positive(size - foot) == Proof::yes)
     return is_positive(off * off - reach * reach * size) == Proof::yes;

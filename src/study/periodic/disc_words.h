@@ -27,6 +27,8 @@ class OpenDiscs {
  private:
   OpenDiscs() = default;
   bool is_apart(std::size_t i, std::size_t j, std::size_t k) const;
+  Vec2 both_ways(std::size_t before, std::size_t at, std::size_t after) const;
+  bool middle_is_known(std::size_t before, std::size_t at, std::size_t after) const;
   void find_plays();
   double narrowed_play(std::size_t i, std::size_t j, std::size_t k) const;
   Range turned_ways(std::size_t i, std::size_t j, std::size_t k, std::size_t to) const;

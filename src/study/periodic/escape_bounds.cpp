@@ -79,8 +79,9 @@ class TransferMatrix {
     });
     for (const Range& one : lengths)
       length_ = {std::min(length_.low, one.low), std::max(length_.high, one.high)};
-    tell_enough_ = length_.low > 0 &&
-                   std::ranges::all_of(weights_, [](const WordWeight& one) { return one.off < 1; });
+    tell_enough_ = std::ranges::all_of(weights_, [](const WordWeight& one) {
+      return one.off < 1 && one.by_length > 0 && std::isfinite(one.by_length);
+    });
   }
 
   bool stopped() const { return context_.monitor != nullptr && context_.monitor->stopped(); }
@@ -107,7 +108,9 @@ class TransferMatrix {
   WordWeight weight(const OrbitStep& step, Range& lengths) const {
     const auto& [length, stretch] = step;
     lengths = {std::min(lengths.low, length.low()), std::max(lengths.high, length.high())};
-    const double off = rate_ * length.error() + stretch.error() / stretch.low();
+    const bool known = length.low() > 0 && stretch.low() > 0;
+    const double off =
+        known ? std::fabs(rate_) * length.error() + stretch.error() / stretch.low() : kInfinity;
     return {portable::exp(rate_ * length.value()) / stretch.value(), 1 / stretch.value(),
             static_cast<float>(off * (1 + off) * kMore + kRounding)};
   }
@@ -166,7 +169,8 @@ tl::expected<EscapeBounds, std::string> escape_bounds(const ExperimentContext& c
   const TransferMatrix transfer(context, *discs, bounces, about);
   const EscapeBounds made{bounces, transfer.per_length(), transfer.per_bounce()};
   if (transfer.stopped()) return tl::unexpected(std::string("stopped"));
-  if (!std::isfinite(made.per_length.low + made.per_length.high))
+  if (!std::isfinite(made.per_length.high - made.per_length.low) ||
+      made.per_length.low > made.per_length.high || made.per_bounce.low > made.per_bounce.high)
     return tl::unexpected(fmt::format("words of {} bounces tell too little", bounces));
   return made;
 }

@@ -70,4 +70,11 @@ std::string no_error_of_flights(const Room& room, const FlightTail& tail) {
       index);
 }
 
+void withhold_error_of_flights(Measure& mean, const Room& room, const FlightTail& tail) {
+  std::string why = no_error_of_flights(room, tail);
+  if (why.empty()) return;
+  mean.standard_error.reset();
+  mean.remark = std::move(why);
+}
+
 }  // namespace flatray

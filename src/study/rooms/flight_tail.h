@@ -26,5 +26,7 @@ class FlightTail {
 /// Why means of the lengths of flights have no error in a room, "" where they have one: without
 /// periodic walls no flight is longer than the room.
 std::string no_error_of_flights(const Room& room, const FlightTail& tail);
+/// Takes the error from such a mean where it has none, and remarks why.
+void withhold_error_of_flights(Measure& mean, const Room& room, const FlightTail& tail);
 
 }  // namespace flatray

@@ -78,7 +78,7 @@ double RatioSums::standard_error() const {
 double RatioSums::widening() const {
   constexpr double z = 1.959963984540054, part = (z * z * (z * z + 2) - 3) / 18;
   const double r = ratio(), squares = xx - 2 * r * xy + r * r * yy;
-  if (!(squares > 0)) return 1;
+  if (!(squares > 0) || !std::isfinite(xxx + yyy)) return 1;
   const double cubes = xxx - 3 * r * xxy + 3 * r * r * xyy - r * r * r * yyy;
   const double skewness2 = cubes * cubes / (squares * squares * squares) * samples;
   const double by_chance = 6 / samples;
@@ -98,6 +98,10 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
     return {std::move(name), ratio(), {}, {}, 0, {}, "no error: of one sample alone"};
   Measure one{std::move(name), ratio(), standard_error(), expected, samples - 1};
   one.widening = widening();
+  const bool lost = (yy == 0 && y != 0) || (xx == 0 && x != 0);
+  if (!lost && std::isfinite(*one.standard_error * one.widening)) return one;
+  one.standard_error.reset();
+  one.remark = "no error: squares of such numbers are beyond the doubles";
   return one;
 }
 

@@ -1,0 +1,103 @@
+// needs: shapes/box shapes/capsule shapes/circle shapes/sector experiments/mean-free-path experiments/splitting experiments/transport experiments/periodic
+// Rooms and counts at which experiments once said more than they knew, or the wrong thing.
+#include <gtest/gtest.h>
+
+#include "study/chamber_scenes.h"
+#include "study/statistics/estimate.h"
+
+namespace flatray {
+namespace {
+
+using namespace flatray::testing;
+
+// A part of a ring: pi A / P with A = 3 pi / 16 and P = 1 + 3 pi / 4, and nothing gets out: the room
+// lies outside its inner arc.
+TEST(HonestAnswers, RoomsWithHollowArcsAreOnTheRightSideOfThem) {
+  const Scene scene = room("sector = { radius = 1, from = 0, to = 90, inner = 0.5 }");
+  for (const OrbitPrecision precision : {OrbitPrecision::exact, OrbitPrecision::fast}) {
+    const auto found =
+        run("mean-free-path", {.scene = scene, .count = 400'000, .precision = precision});
+    const Measure path = measure(found, "mean_free_path");
+    EXPECT_NEAR(*path.expected, 0.5513836, 1e-6);
+    EXPECT_TRUE(agrees(path)) << path.value;
+    EXPECT_EQ(measure(found, "orbits_escaped").value, 0);
+  }
+}
+
+TEST(HonestAnswers, PillarsWithHollowArcsAreMetFromOutside) {
+  const Scene scene = room("circle = { centre = [0, 0], radius = 1 }",
+                           "{ name = \"slice\", shape = { sector = { radius = 0.8, from = 0, to = "
+                           "90, inner = 0.5 } } }");
+  const auto found = run("mean-free-path", {.scene = scene, .count = 400'000});
+  EXPECT_TRUE(agrees(measure(found, "mean_free_path"))) << measure(found, "mean_free_path").value;
+  EXPECT_EQ(measure(found, "orbits_escaped").value, 0);
+}
+
+// Clones that do not part leave no orbit, which is no share of 0.
+TEST(HonestAnswers, NoOrbitThatIsLeftIsNoShare) {
+  const std::string disc =
+      "[[entity]]\nname = \"a\"\nmaterial = \"mirror\"\nshape = { circle = { radius = 1, centre = ";
+  const Scene scene =
+      scene_of(disc + "[3.4641016151377544, 0] } }\n" + disc + "[-1.7320508075688772, 3] } }\n" +
+               disc + "[-1.7320508075688772, -3] } }\n");
+  const auto found =
+      run("splitting", {.scene = scene, .count = 400'000, .precision = OrbitPrecision::fast});
+  const Measure left = found.measures.front();
+  EXPECT_FALSE(left.standard_error) << left.value;
+  EXPECT_NE(left.remark.find("--apart 0.1"), std::string::npos) << left.remark;
+  for (const Measure& one : found.measures) EXPECT_GE(one.value, 0) << one.name;
+}
+
+// What is left in a circle falls like a power.
+TEST(HonestAnswers, SplittingTellsNoRateWhereThereIsNone) {
+  const Scene scene =
+      with_holes("circle = { centre = [0, 0], radius = 1 }", "{ from = 0.1, to = 0.12 }");
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    for (const Measure& one :
+         run("splitting",
+             {.scene = scene, .seed = seed, .count = 300'000, .precision = OrbitPrecision::fast})
+             .measures)
+      EXPECT_EQ(one.name.find("escape_rate"), std::string::npos) << one.name << " " << one.value;
+}
+
+// Of so few orbits it cannot be told whether flights have a variance.
+TEST(HonestAnswers, TransportOfFewOrbitsIsUndecided) {
+  const Scene scene = torus("0.35");
+  const auto found = run("transport", {.scene = scene, .count = 1000, .bounces = 128});
+  EXPECT_NE(found.summary.find("undecided"), std::string::npos) << found.summary;
+  EXPECT_FALSE(measure(found, "diffusion_einstein").standard_error);
+}
+
+// Cubes of such lengths, or their squares, too, are beyond the doubles: in their place stand no NaNs.
+TEST(HonestAnswers, HugeAndTinyRoomsHaveIntervalsOrSayWhyNot) {
+  for (const char* size : {"1e145", "1e-145", "1e150"}) {
+    const Scene scene =
+        room(std::string("box = { min = [0, 0], max = [") + size + ", " + size + "] }");
+    const auto found = run("mean-free-path", {.scene = scene, .count = 4000});
+    const Measure path = measure(found, "mean_free_path");
+    EXPECT_TRUE(agrees(path));
+    EXPECT_NEAR(path.value / *path.expected, 1, 0.1);
+    EXPECT_EQ(path.standard_error.has_value(), path.remark.empty()) << path.remark;
+    if (path.standard_error) {
+      EXPECT_LT(interval(path)->high - interval(path)->low, 0.2 * path.value);
+    } else {
+      EXPECT_NE(path.remark.find("beyond the doubles"), std::string::npos);
+    }
+  }
+}
+
+TEST(HonestAnswers, PillarsThatOverlapAreToldByTheirPlace) {
+  const Scene scene = room("box = { min = [0, 0], max = [1, 1] }",
+                           "{ shape = { circle = { centre = [0.3, 0.5], radius = 0.25 } } }, "
+                           "{ shape = { circle = { centre = [0.7, 0.5], radius = 0.25 } } }");
+  for (const char* name : {"periodic", "mean-free-path"}) {
+    const auto refused = experiment(name).run({scene});
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_NE(format(refused.error()).find("a pillar overlaps a pillar"), std::string::npos)
+        << format(refused.error());
+    EXPECT_NE(format(refused.error()).find("room.toml:"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace flatray
