@@ -92,7 +92,9 @@ std::vector<ClosedOrbit> drawn_orbits(const MirrorRoom& room, const Word& word) 
                       judged.length, judged.trace,    std::move(judged.points)};
     if (is_new(orbit, found, period)) found.push_back(std::move(orbit));
   }
-  if (!found.empty() || period < word.size()) return found;
+  if (!found.empty()) return found;
+  if (period < word.size())
+    return {{word, Verdict::not_found, "none but repeats of a shorter one"}};
   if (is_ruled_out(room, word))
     return {{word, Verdict::pruned, "all places on its walls are ruled out"}};
   return {{word, Verdict::not_found}};

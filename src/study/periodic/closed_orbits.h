@@ -29,8 +29,8 @@ struct ClosedOrbit {
 /// The closed orbits of a word.
 ///
 /// Gives   of a word of straight walls alone, or of discs and straight walls, one answer. Where a
-///         wall is bounced off from inside, every orbit that Newton's method comes to from 48 draws;
-///         none, of a word that is a power, where it has only repeats.
+///         wall is bounced off from inside, every orbit that Newton's method comes to from 48 draws,
+///         of a word that is a power those that are no repeats.
 /// Source  docs/NUMERICS.md, periodic orbits.
 std::vector<ClosedOrbit> closed_orbits(const MirrorRoom& room, const Word& word);
 

@@ -179,6 +179,14 @@ TEST(PeriodicOrbits, ThatAreThereAreNotRuledOutByBoxes) {
   EXPECT_EQ(stadium_orbits.count(3, Verdict::proven), 8U);
 }
 
+// Triangles of a circle are no repeats of its word, and are not alone: none is proven, and the word is told.
+TEST(PeriodicOrbits, EveryWordHasAnAnswer) {
+  const Found found(room("circle = { centre = [0, 0], radius = 1 }"), 4);
+  EXPECT_EQ(found.orbits.size(), 4U);
+  EXPECT_EQ(found.of("111").verdict, Verdict::not_found);
+  EXPECT_EQ(found.count(1, Verdict::pruned), 1U);
+}
+
 // Discs that stand in a row: the middle one is in the way of the outer two.
 TEST(PeriodicOrbits, BehindADiscArePruned) {
   const auto disc = [](const char* centre) {
