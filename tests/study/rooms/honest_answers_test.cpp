@@ -16,7 +16,7 @@ TEST(HonestAnswers, RoomsWithHollowArcsAreOnTheRightSideOfThem) {
   const Scene scene = room("sector = { radius = 1, from = 0, to = 90, inner = 0.5 }");
   for (const OrbitPrecision precision : {OrbitPrecision::exact, OrbitPrecision::fast}) {
     const auto found =
-        run("mean-free-path", {.scene = scene, .count = 400'000, .precision = precision});
+        run("mean-free-path", {.scene = scene, .count = 100'000, .precision = precision});
     const Measure path = measure(found, "mean_free_path");
     EXPECT_NEAR(*path.expected, 0.5513836, 1e-6);
     EXPECT_TRUE(agrees(path)) << path.value;
@@ -24,13 +24,17 @@ TEST(HonestAnswers, RoomsWithHollowArcsAreOnTheRightSideOfThem) {
   }
 }
 
-TEST(HonestAnswers, PillarsWithHollowArcsAreMetFromOutside) {
-  const Scene scene = room("circle = { centre = [0, 0], radius = 1 }",
-                           "{ name = \"slice\", shape = { sector = { radius = 0.8, from = 0, to = "
-                           "90, inner = 0.5 } } }");
-  const auto found = run("mean-free-path", {.scene = scene, .count = 400'000});
-  EXPECT_TRUE(agrees(measure(found, "mean_free_path"))) << measure(found, "mean_free_path").value;
-  EXPECT_EQ(measure(found, "orbits_escaped").value, 0);
+// A mirror, and glass, which rays go into and out of.
+TEST(HonestAnswers, PillarsWithHollowArcsAreMetFromTheRightSide) {
+  for (const char* material : {"\"mirror\"", "{ glass = { index = 1.5 } }"}) {
+    const Scene scene =
+        room("circle = { centre = [0, 0], radius = 1 }",
+             std::string("{ name = \"slice\", material = ") + material +
+                 ", shape = { sector = { radius = 0.8, from = 0, to = 90, inner = 0.5 } } }");
+    const auto found = run("mean-free-path", {.scene = scene, .count = 100'000});
+    EXPECT_TRUE(agrees(measure(found, "mean_free_path"))) << measure(found, "mean_free_path").value;
+    EXPECT_EQ(measure(found, "orbits_escaped").value, 0);
+  }
 }
 
 // Clones that do not part leave no orbit, which is no share of 0.
@@ -41,7 +45,7 @@ TEST(HonestAnswers, NoOrbitThatIsLeftIsNoShare) {
       scene_of(disc + "[3.4641016151377544, 0] } }\n" + disc + "[-1.7320508075688772, 3] } }\n" +
                disc + "[-1.7320508075688772, -3] } }\n");
   const auto found =
-      run("splitting", {.scene = scene, .count = 400'000, .precision = OrbitPrecision::fast});
+      run("splitting", {.scene = scene, .count = 100'000, .precision = OrbitPrecision::fast});
   const Measure left = found.measures.front();
   EXPECT_FALSE(left.standard_error) << left.value;
   EXPECT_NE(left.remark.find("--apart 0.1"), std::string::npos) << left.remark;
@@ -52,7 +56,7 @@ TEST(HonestAnswers, NoOrbitThatIsLeftIsNoShare) {
 TEST(HonestAnswers, SplittingTellsNoRateWhereThereIsNone) {
   const Scene scene =
       with_holes("circle = { centre = [0, 0], radius = 1 }", "{ from = 0.1, to = 0.12 }");
-  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
     for (const Measure& one :
          run("splitting",
              {.scene = scene, .seed = seed, .count = 300'000, .precision = OrbitPrecision::fast})
