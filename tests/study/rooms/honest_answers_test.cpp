@@ -24,17 +24,13 @@ TEST(HonestAnswers, RoomsWithHollowArcsAreOnTheRightSideOfThem) {
   }
 }
 
-// A mirror, and glass, which rays go into and out of.
-TEST(HonestAnswers, PillarsWithHollowArcsAreMetFromTheRightSide) {
-  for (const char* material : {"\"mirror\"", "{ glass = { index = 1.5 } }"}) {
-    const Scene scene =
-        room("circle = { centre = [0, 0], radius = 1 }",
-             std::string("{ name = \"slice\", material = ") + material +
-                 ", shape = { sector = { radius = 0.8, from = 0, to = 90, inner = 0.5 } } }");
-    const auto found = run("mean-free-path", {.scene = scene, .count = 100'000});
-    EXPECT_TRUE(agrees(measure(found, "mean_free_path"))) << measure(found, "mean_free_path").value;
-    EXPECT_EQ(measure(found, "orbits_escaped").value, 0);
-  }
+TEST(HonestAnswers, PillarsWithHollowArcsAreMetFromOutside) {
+  const Scene scene = room("circle = { centre = [0, 0], radius = 1 }",
+                           "{ name = \"slice\", shape = { sector = { radius = 0.8, from = 0, to = "
+                           "90, inner = 0.5 } } }");
+  const auto found = run("mean-free-path", {.scene = scene, .count = 100'000});
+  EXPECT_TRUE(agrees(measure(found, "mean_free_path"))) << measure(found, "mean_free_path").value;
+  EXPECT_EQ(measure(found, "orbits_escaped").value, 0);
 }
 
 // Clones that do not part leave no orbit, which is no share of 0.
