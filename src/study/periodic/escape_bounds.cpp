@@ -133,8 +133,8 @@ class TransferMatrix {
       for (std::size_t i = 0; i < vector.size(); ++i) {
         next[i] = 0;
         for (std::size_t k = i * words_.ways_on(); k < (i + 1) * words_.ways_on(); ++k)
-          next[i] +=
-              weights_[k].*of * (1 + side * double{weights_[k].off}) * vector[words_.end_of(k)];
+          next[i] += weights_[k].*of * (1 + side * static_cast<double>(weights_[k].off)) *
+                     vector[words_.end_of(k)];
         const double one = next[i] / vector[i];
         ratio = {std::min(ratio.low, one), std::max(ratio.high, one)};
       }
