@@ -239,6 +239,7 @@ std::vector<Measure> escape_rates(std::span<const LeavingOrbit> orbits, const Su
     one->freedom = std::min(leaving.x, leaving.samples) - 1;
     one->remark = fmt::format("of {:.0f} orbits from bounce {:.0f} to {:.0f}", there, start, last);
   }
+  if (!std::isfinite(*by_way.standard_error)) return {std::move(by_bounce)};
   return {std::move(by_bounce), std::move(by_way)};
 }
 

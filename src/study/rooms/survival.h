@@ -46,7 +46,7 @@ std::optional<double> late_start(const Survival& found);
 ///
 /// Needs   survival(orbits, starts).law is exponential; `limit` bounces after which orbits were given up. That by
 ///         length is from `memory` bounces on or later: what is invariant by bounces is not by length.
-/// Gives   none where too few are left.
+/// Gives   none where too few are left, that by length none where none is left from there on.
 std::vector<Measure> escape_rates(std::span<const LeavingOrbit> orbits, const Survival& found,
                                   std::uint64_t limit, Starts starts = Starts::random,
                                   double memory = 0);

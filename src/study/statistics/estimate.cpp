@@ -120,7 +120,8 @@ double chi_squared_5(double freedom) { return chi_squared(freedom, -1.6448536269
 double half_of_rms(double count) { return std::sqrt(count / chi_squared_5(count)) - 1; }
 
 std::optional<double> half_interval(const Measure& measure) {
-  if (!measure.standard_error || !std::isfinite(measure.value)) return std::nullopt;
+  if (!measure.standard_error || !std::isfinite(measure.value + *measure.standard_error))
+    return std::nullopt;
   return student_95(measure.freedom) * measure.widening * *measure.standard_error;
 }
 
