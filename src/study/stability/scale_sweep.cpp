@@ -11,7 +11,8 @@ namespace flatray {
 namespace {
 
 constexpr int kPolygons = 12, kRays = 48;
-constexpr double kFullTurn = 2 * std::numbers::pi, kMost = 1000, kStep = 50;
+constexpr double kFullTurn = 2 * std::numbers::pi;
+constexpr int kMost = 1000, kStep = 50;
 constexpr std::uint64_t kSweepFamily = 1000;  // names draws that no family has
 
 struct Little {
@@ -79,7 +80,7 @@ bool right_hit(const NearestHit& hit, const oracle::NearestWall& truth) {
 
 std::vector<double> sweep_steps() {
   std::vector<double> steps;
-  for (double step = -kMost; step <= kMost; step += kStep) steps.push_back(step);
+  for (int step = -kMost; step <= kMost; step += kStep) steps.push_back(step);
   return steps;
 }
 
