@@ -56,6 +56,8 @@ struct ExperimentContext {
   Starts starts = Starts::random;
   std::optional<std::uint64_t> symbols{};  ///< bounces of the longest periodic orbit
   OrbitPrecision precision = OrbitPrecision::exact;
+
+  bool stopped() const { return monitor != nullptr && monitor->stopped(); }
 };
 
 /// A number found, beside what must come out where that is known.

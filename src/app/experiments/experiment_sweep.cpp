@@ -60,11 +60,9 @@ SweepResults::SweepResults(std::string experiment, Sweep sweep)
       table_({sweep_.key, "measure", "value", "low", "high", "expected", "agrees"}) {}
 
 void SweepResults::add(const std::string& value, const ExperimentResult& result) {
-  for (const Measure& one : result.measures) {
-    const std::optional<Range> ends = interval(one);
-    table_.add({value, one.name, one.value, ends ? JsonValue(ends->low) : JsonValue(),
-                ends ? JsonValue(ends->high) : JsonValue(), one.expected, verdict(one)});
-  }
+  for (const Measure& one : result.measures)
+    table_.add({value, one.name, one.value, end_cell(one, &Range::low), end_cell(one, &Range::high),
+                one.expected, verdict(one)});
   holds_ = holds_ && result.holds;
   found_.emplace_back(value, result.measures);
 }

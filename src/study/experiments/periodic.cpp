@@ -310,7 +310,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   auto orbits = orbits_by_word(context, *mirrors, symbols);
   if (!orbits) return tl::unexpected(orbits.error());
   const PeriodicOrbits found(context, *mirrors, symbols, std::move(*orbits));
-  if (context.monitor != nullptr && context.monitor->stopped())
+  if (context.stopped())
     return fail(named_place(context.scene.name), "stopped before its escape rate was bounded");
   return found.result();
 }

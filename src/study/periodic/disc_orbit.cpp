@@ -9,7 +9,6 @@ namespace {
 constexpr int kMostSweeps = 4000, kHalvings = 60;
 
 Vec2 values(const Pair<Near>& p) { return {p.x.value(), p.y.value()}; }
-Vec2 unit(const Vec2& v) { return v / std::sqrt(v.squaredNorm()); }
 
 struct Touched {
   Vec2 point;
@@ -23,11 +22,11 @@ Touched nearest_touch(const Circle& disc, const Vec2& a, const Vec2& b) {
   const double size = way.squaredNorm();
   const Vec2 foot = a + (size > 0 ? std::clamp(to.dot(way) / size, 0.0, 1.0) : 0) * way;
   if ((foot - disc.centre).squaredNorm() < disc.radius * disc.radius) return {foot, true};
-  Vec2 low = unit(a - disc.centre), high = unit(b - disc.centre), middle = low;
+  Vec2 low = direction_of(a - disc.centre), high = direction_of(b - disc.centre), middle = low;
   for (int i = 0; i < kHalvings; ++i) {
-    middle = unit(low + high);
+    middle = direction_of(low + high);
     const Vec2 point = disc.centre + disc.radius * middle;
-    const double slope = cross(middle, unit(a - point) + unit(b - point));
+    const double slope = cross(middle, direction_of(a - point) + direction_of(b - point));
     // Where it is closer to turn to b, `low` is on the side of a.
     ((slope > 0) == (cross(low, high) > 0) ? low : high) = middle;
   }
@@ -163,7 +162,7 @@ ClosedOrbit disc_orbit(const MirrorRoom& room, const Word& word) {
   if (kept.empty()) return orbit;
   Unfolded unfolded = unfold(room, word, kept);
   for (std::size_t i = 0; i < kept.size(); ++i)
-    unfolded.bounces[i].at = unit(points[i] - unfolded.bounces[i].arc->curve.centre);
+    unfolded.bounces[i].at = direction_of(points[i] - unfolded.bounces[i].arc->curve.centre);
   StationaryPolygon polygon(std::move(unfolded.bounces));
   orbit.why = "Newton's method comes to no polygon that is alone";
   if (!polygon.improve() || !polygon.prove()) return orbit;

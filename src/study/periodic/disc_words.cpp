@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kRough = 1e-12;  // far more than what bounds lose by rounding
 
-Vec2 direction_of(const Vec2& v) { return v / std::sqrt(v.squaredNorm()); }
 Vec2 quarter_turned(const Vec2& v) { return {-v.y(), v.x()}; }
 double angle_between(const Vec2& a, const Vec2& b) {
   return std::fabs(portable::atan2(cross(a, b), a.dot(b))) + kRough;

@@ -74,7 +74,7 @@ class TransferMatrix {
     std::vector<Range> lengths((words_.size() + kBlock - 1) / kBlock, {kInfinity, 0});
     parallel_for(lengths.size(), context.threads, [&](std::size_t block) {
       const std::size_t end = std::min(words_.size(), (block + 1) * kBlock);
-      for (std::size_t i = block * kBlock; i < end && !stopped(); ++i)
+      for (std::size_t i = block * kBlock; i < end && !context_.stopped(); ++i)
         weights_[i] = weight(middle_step(discs, words_[i]), lengths[block]);
     });
     for (const Range& one : lengths)
@@ -83,8 +83,6 @@ class TransferMatrix {
       return one.off < 1 && one.by_length > 0 && std::isfinite(one.by_length);
     });
   }
-
-  bool stopped() const { return context_.monitor != nullptr && context_.monitor->stopped(); }
 
   // Of the rate at which what is multiplied by e^(rate length) and divided by stretches neither grows nor falls.
   Range per_length() const {
@@ -128,7 +126,7 @@ class TransferMatrix {
     constexpr double kAlike = 1e-14;
     std::vector<double> vector(words_.starts(), 1), next(vector.size());
     Range bounds{0, kInfinity};
-    for (int round = 0; round < kMostRounds && !stopped(); ++round) {
+    for (int round = 0; round < kMostRounds && !context_.stopped(); ++round) {
       Range ratio{kInfinity, 0};
       for (std::size_t i = 0; i < vector.size(); ++i) {
         next[i] = 0;
@@ -168,7 +166,7 @@ tl::expected<EscapeBounds, std::string> escape_bounds(const ExperimentContext& c
         fmt::format("there are more than {} words of {} bounces", most_words, kFewestBounces));
   const TransferMatrix transfer(context, *discs, bounces, about);
   const EscapeBounds made{bounces, transfer.per_length(), transfer.per_bounce()};
-  if (transfer.stopped()) return tl::unexpected(std::string("stopped"));
+  if (context.stopped()) return tl::unexpected(std::string("stopped"));
   if (!std::isfinite(made.per_length.high - made.per_length.low) ||
       made.per_length.low > made.per_length.high || made.per_bounce.low > made.per_bounce.high)
     return tl::unexpected(fmt::format("words of {} bounces tell too little", bounces));

@@ -84,11 +84,10 @@ Result<std::vector<ClosedOrbit>> orbits_by_word(const ExperimentContext& context
     all.insert(all.end(), some->begin(), some->end());
   }
   std::vector<std::vector<ClosedOrbit>> found(all.size());
-  const auto stopped = [&] { return context.monitor != nullptr && context.monitor->stopped(); };
   parallel_for(all.size(), context.threads, [&](std::size_t i) {
-    if (!stopped()) found[i] = closed_orbits(room, all[i]);
+    if (!context.stopped()) found[i] = closed_orbits(room, all[i]);
   });
-  if (stopped())
+  if (context.stopped())
     return fail(named_place(context.scene.name), "stopped before all words were searched");
   std::vector<ClosedOrbit> orbits;
   for (auto& some : found)

@@ -148,7 +148,7 @@ std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext&
   const double size = bounds_of(room.walls()).size().maxCoeff();
   std::vector<Followed> all(std::min<std::size_t>(starts.size(), kAuditedOrbits));
   parallel_for(all.size(), context.threads, [&](std::size_t i) {
-    if (context.monitor != nullptr && context.monitor->stopped()) return;
+    if (context.stopped()) return;
     all[i] = follow_thrice(orbits, room, starts[i * (starts.size() / all.size())], limit, size);
   });
   double proven = 0, fast = 0, exact = 0, wrong = 0, first = 0;

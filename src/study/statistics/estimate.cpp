@@ -24,11 +24,9 @@ Table table_of(const std::vector<Measure>& measures) {
       {"measure", "value", "low", "high", "standard_error", "expected", "z", "agrees", "remark"});
   for (const Measure& one : measures) {
     const bool known = std::isfinite(one.value);
-    const std::optional<Range> ends = interval(one);
-    table.add({one.name, known ? JsonValue(one.value) : JsonValue(),
-               ends ? JsonValue(ends->low) : JsonValue(),
-               ends ? JsonValue(ends->high) : JsonValue(), one.standard_error, one.expected, z(one),
-               verdict(one), known ? one.remark : "nothing was measured"});
+    table.add({one.name, known ? JsonValue(one.value) : JsonValue(), end_cell(one, &Range::low),
+               end_cell(one, &Range::high), one.standard_error, one.expected, z(one), verdict(one),
+               known ? one.remark : "nothing was measured"});
   }
   return table;
 }
@@ -130,6 +128,11 @@ std::optional<Range> interval(const Measure& measure) {
   const std::optional<double> half = half_interval(measure);
   if (!half) return std::nullopt;
   return Range{measure.value - *half, measure.value + *half};
+}
+
+JsonValue end_cell(const Measure& measure, double Range::*end) {
+  const std::optional<Range> ends = interval(measure);
+  return ends ? JsonValue((*ends).*end) : JsonValue();
 }
 
 bool agrees(const Measure& measure) {

@@ -59,6 +59,8 @@ double half_of_rms(double count);
 std::optional<double> half_interval(const Measure& measure);
 /// The interval itself, or the bounds that are proven; none where there is neither.
 std::optional<Range> interval(const Measure& measure);
+/// An end of it in a table; null where there is none.
+JsonValue end_cell(const Measure& measure, double Range::*end);
 
 /// Whether a measure lies near enough to what is expected, where anything is: by its standard error,
 /// or as far as rounding is allowed to take it.
