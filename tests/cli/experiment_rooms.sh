@@ -44,6 +44,15 @@ exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg
 run 2 experiment mean-free-path "$sinai" --sweep radius
 says err "write KEY=0.1..0.4:0.05"
 run 2 experiment mean-free-path "$sinai" --sweep radius=1..0:0.1
+run 0 experiment mean-free-path "$sinai" --count 2000 -o seeds --sweep seed=1,2
+run 0 experiment mean-free-path "$sinai" --count 2000 -o seed2 --seed 2
+grep -qF "$(grep ^mean_free_path seed2/mean_free_path.csv)" seeds/sweep.csv || fail "a sweep has another run"
+exists seeds/sweep_mean_free_path.svg
+[ -e seeds/sweep_orbits_escaped.svg ] && fail "a plot of nothing"
+run 2 experiment mean-free-path "$sinai" --sweep seed=1,2 --seed 3
+says err "say one of them"
+run 2 experiment periodic "$sinai" --sweep seed=1,2
+says err "sweep another key"
 run 2 experiment divergence "$sinai" --apart 0
 run 2 experiment escape "$sinai" --map angel
 says err "angle"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/options/arguments.h"
 #include "app/options/option_values.h"
@@ -34,6 +35,12 @@ std::optional<std::vector<std::string>> steps(std::string_view text) {
   return values;
 }
 
+// Whether there is something to see: a number that is counted may be the same for all values.
+bool differ(const std::vector<Plot::Point>& points) {
+  return std::ranges::any_of(
+      points, [&](const Plot::Point& one) { return one.half > 0 || one.y != points.front().y; });
+}
+
 }  // namespace
 
 Result<Sweep> parse_sweep(std::string_view text, const Place& where) {
@@ -55,14 +62,15 @@ Result<Sweep> parse_sweep(std::string_view text, const Place& where) {
 }
 
 SweepResults::SweepResults(std::string experiment, Sweep sweep)
-    : experiment_(std::move(experiment)),
-      sweep_(std::move(sweep)),
-      table_({sweep_.key, "measure", "value", "low", "high", "expected", "agrees"}) {}
+    : experiment_(std::move(experiment)), sweep_(std::move(sweep)), table_({sweep_.key}) {}
 
 void SweepResults::add(const std::string& value, const ExperimentResult& result) {
-  for (const Measure& one : result.measures)
-    table_.add({value, one.name, one.value, end_cell(one, &Range::low), end_cell(one, &Range::high),
-                one.expected, verdict(one)});
+  if (table_.columns.size() == 1)
+    std::ranges::copy(result.table.columns, std::back_inserter(table_.columns));
+  result.table.each_row([&](Values row) {
+    row.insert(row.begin(), value);
+    table_.add(std::move(row));
+  });
   holds_ = holds_ && result.holds;
   found_.emplace_back(value, result.measures);
 }
@@ -94,7 +102,7 @@ ExperimentResult SweepResults::result() && {
         if (one.expected) plot.series[1].points.push_back({*x, *one.expected, 0});
       }
     }
-    if (!plot.series[0].points.empty()) all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
+    if (differ(plot.series[0].points)) all.files.push_back({"sweep_" + name + ".svg", svg(plot)});
   }
   all.summary =
       fmt::format("{} over {}\n\n{}", experiment_, sweep_.key, aligned_text(table_, kBrief));

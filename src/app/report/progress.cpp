@@ -39,6 +39,7 @@ Progress::Progress(std::size_t total, ProgressMode mode, const char* unit, bool 
     style_ = Style::bar;
   else if (mode == ProgressMode::always)
     style_ = Style::lines;
+  if (style_ == Style::bar) draw_bar(0, 0);
 }
 
 void Progress::draw_bar(std::size_t done, double seconds, const std::string& news) const {

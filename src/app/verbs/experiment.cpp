@@ -52,6 +52,7 @@ struct Options : Arguments {
   std::filesystem::path folder() const {
     return output.empty() ? fmt::format("out/{}", experiment->name) : output;
   }
+  bool sweeps_seed() const { return sweep && sweep->key == "seed"; }
 
   void rows(OptionTable& row) {
     constexpr std::uint64_t kMostTries = std::uint64_t{1} << 40, kMostSymbols = 32;
@@ -98,22 +99,30 @@ struct Options : Arguments {
     std::string used;
     for (const auto& [name, is_used] : all)
       if (is_used) used += (used.empty() ? "--" : ", --") + std::string(name);
+    const auto is_asked = [&](const char* name) {
+      const auto one = given().find(name);
+      return one != given().end() && one->second.origin.starts_with("--");
+    };
     for (const auto& [name, is_used] : all)
-      if (const auto one = given().find(name);
-          !is_used && one != given().end() && one->second.origin.starts_with("--"))
+      if (!is_used && is_asked(name))
         row.problem(name, fmt::format("is not an option of experiment {}", experiment->name),
                     used.empty() ? "it takes a scene and no such option" : "it takes " + used);
     if (starts == Starts::conditional && uses.starts && !uses.conditional)
       row.problem("starts", fmt::format("experiment {} knows none that are left", experiment->name),
                   "say random or quasi; escape takes conditional ones");
+    if (sweeps_seed() && (is_asked("seed") || !uses.seed))
+      row.problem(
+          "sweep",
+          uses.seed ? "has the seed, which --seed has, too" : "has the seed, and nothing is drawn",
+          uses.seed ? "say one of them" : "sweep another key");
   }
 };
 
 // All that the numbers of a block depend on.
-Fields setting_of(const Options& options, const Scene& scene) {
+Fields setting_of(const Options& options, const Scene& scene, std::uint64_t seed) {
   return {{"experiment", options.experiment->name},
           {"scene", fmt::format("{:016x}", scene.hash)},
-          {"seed", options.seed},
+          {"seed", seed},
           {"count", options.count},
           {"bounces", options.bounces.value_or(0)},
           {"apart", options.apart},
@@ -127,7 +136,9 @@ using Monitors = std::vector<std::unique_ptr<ExperimentMonitor>>;
 
 Result<ExperimentResult> measure(const Options& options, const std::vector<Override>& more,
                                  const std::filesystem::path& folder, Monitors& monitors) {
-  const auto loaded = load_input(options.scene, options.operands()[1], more);
+  SceneOptions with = options.scene;
+  if (options.sweeps_seed()) with.seed.reset();
+  const auto loaded = load_input(with, options.operands()[1], more);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, options);
   if (!options.experiment->uses.field)
@@ -147,12 +158,13 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
       return fail(std::move(straight));
   std::optional<std::filesystem::path> kept_in;
   if (options.resume) kept_in = folder / (std::string(options.experiment->name) + ".blocks");
+  const std::uint64_t seed = options.sweeps_seed() ? loaded->scene.seed : options.seed;
   auto monitor =
-      ExperimentMonitor::open(kept_in, setting_of(options, loaded->scene), Outputs(options));
+      ExperimentMonitor::open(kept_in, setting_of(options, loaded->scene, seed), Outputs(options));
   if (!monitor) return fail(std::move(monitor));
   monitors.push_back(std::move(*monitor));
   auto result = options.experiment->run({.scene = loaded->scene,
-                                         .seed = options.seed,
+                                         .seed = seed,
                                          .count = options.count,
                                          .threads = options.scene.limits.threads,
                                          .bounces = options.bounces,
@@ -246,6 +258,8 @@ Result<VerbOutput> run(const Options& options) {
   }
   auto files = write_files(*result, options.folder(), Outputs(options));
   if (!files) return fail(std::move(files));
+  if (interrupted())
+    report_note(fmt::format("flatray: {}; what was done by then is written", interruption()));
   for (const auto& monitor : monitors)
     if (auto forgotten = monitor->forget(); !forgotten) return fail(std::move(forgotten));
   return VerbOutput{.text = {result->summary},
@@ -255,7 +269,9 @@ Result<VerbOutput> run(const Options& options) {
                                       {"measures", result->table},
                                       {"summary", result->summary},
                                       {"files", std::move(*files)}},
-                    .exit_code = result->holds ? 0 : 1};
+                    .exit_code = interrupted()   ? interrupted_code()
+                                 : result->holds ? 0
+                                                 : 1};
 }
 
 }  // namespace

@@ -51,6 +51,9 @@ void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
       builder.in.problem(table.where, "the hole is nowhere",
                          "from and to are shares of the wall: 0 <= from < to <= 1; round a circle "
                          "to may lie beyond 1");
+    if (std::ranges::any_of(chamber.holes, [&](const Hole& h) { return h.name == hole.name; }))
+      builder.in.problem(table.where, fmt::format("two holes are named '{}'", hole.name),
+                         "give each hole its own name");
     chamber.holes.push_back(std::move(hole));
   });
 }

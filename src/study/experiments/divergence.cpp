@@ -76,6 +76,7 @@ class Study {
       : context_(context), room_(room), size_(bounds_of(room.walls()).size().maxCoeff()) {}
 
   void add(const std::string& name, const Trio& trio) {
+    ++starts_;
     const std::uint64_t proven =
         proven_bounces(room_.walls(), trio.plain, room_.materials()).bounces;
     const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
@@ -113,20 +114,28 @@ class Study {
     growth_.add(*rate, 1);
   }
 
-  // Where starts are alike by symmetry, as in a circle, they differ by rounding and by `apart`.
-  static void withhold_error_of_rounding(Measure& mean) {
-    constexpr double kAlike = 1e-4;
-    if (!mean.standard_error || *mean.standard_error > kAlike * std::fabs(mean.value)) return;
-    mean.standard_error.reset();
-    mean.remark = "no error: starts do not differ but by rounding";
+  // Where starts are alike by symmetry, as in a circle, they differ by rounding and by `apart`; in open rooms those
+  // that stay long enough are no fair draw.
+  std::string why_no_error(const Measure& mean) const {
+    constexpr double kAlike = 1e-4, kMost = 0.75;
+    if (growth_.samples < kMost * static_cast<double>(starts_))
+      return fmt::format("no error: only {} of {} starts part for three bounces", growth_.samples,
+                         starts_);
+    return mean.standard_error && *mean.standard_error <= kAlike * std::fabs(mean.value)
+               ? "no error: starts do not differ but by rounding"
+               : "";
   }
 
   ExperimentResult result(bool random) && {
     if (random && growth_.samples > 1) {
-      measures_.push_back(growth_.measure("growth per bounce, mean of starts"));
-      measures_.back().remark =
-          fmt::format("until 1 % of the room apart; error from {} starts", growth_.samples);
-      withhold_error_of_rounding(measures_.back());
+      Measure mean = growth_.measure("growth per bounce, mean of starts");
+      mean.remark = why_no_error(mean);
+      if (mean.remark.empty())
+        mean.remark =
+            fmt::format("until 1 % of the room apart; error from {} starts", growth_.samples);
+      else
+        mean.standard_error.reset();
+      measures_.push_back(std::move(mean));
     }
     ExperimentResult all = measured(
         context_, "divergence",
@@ -166,6 +175,7 @@ class Study {
   bool straight_ = room_.walls().curve_numbers.empty();
   std::vector<std::pair<double, double>> rate_points_;
   RatioSums growth_;
+  std::size_t starts_ = 0;
   std::vector<Measure> measures_;
   Table table_{{"orbit", "bounce", "neighbours_apart", "error_of_doubles", "wall_right", "proven"}};
   Plot plot_{"How far orbits have parted", "bounce", "distance, world units", {}, true};

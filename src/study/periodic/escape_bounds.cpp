@@ -5,60 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "base/portable_math.h"
 #include "study/periodic/disc_words.h"
+#include "study/periodic/numbered_words.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 namespace {
 
-constexpr std::size_t kFewestBounces = 6, kMostBounces = 64;
-
-// Words of so many bounces by number, and which follows which.
-class NumberedWords {
- public:
-  NumberedWords(std::size_t discs, std::size_t bounces) : discs_(discs), bounces_(bounces) {
-    for (std::size_t k = 0; k + 2 < bounces; ++k) tails_ *= discs - 1;
-  }
-  // Bounces of words of which there are no more than so many.
-  static std::size_t most_bounces(std::size_t discs, std::size_t most_words) {
-    std::size_t bounces = 2, count = discs * (discs - 1);
-    while (bounces < kMostBounces && count * (discs - 1) <= most_words) {
-      count *= discs - 1;
-      ++bounces;
-    }
-    return bounces;
-  }
-
-  // Those without their last bounce.
-  std::size_t starts() const { return discs_ * tails_; }
-  std::size_t ways_on() const { return discs_ - 1; }
-  std::size_t size() const { return starts() * ways_on(); }
-  // The word without its first bounce.
-  std::size_t end_of(std::size_t word) const {
-    const std::size_t rest = word % (tails_ * ways_on());
-    return next(word / (tails_ * ways_on()), rest / tails_) * tails_ + rest % tails_;
-  }
-  Word operator[](std::size_t number) const {
-    Word word(bounces_);
-    std::size_t part = tails_ * ways_on();
-    word[0] = static_cast<std::uint8_t>(number / part);
-    for (std::size_t k = 1; k < bounces_; ++k) {
-      number %= part;
-      part /= ways_on();
-      word[k] = static_cast<std::uint8_t>(next(word[k - 1], number / part));
-    }
-    return word;
-  }
-
- private:
-  // The disc that comes in such a place among those that may follow one.
-  static std::size_t next(std::size_t disc, std::size_t place) {
-    return place < disc ? place : place + 1;
-  }
-
-  std::size_t discs_, bounces_, tails_ = 1;
-};
+constexpr std::size_t kFewestBounces = 6;
 
 // What a word multiplies numbers of orbits with, by length and by bounces, and by what part it may be off.
 struct WordWeight {
@@ -72,16 +27,16 @@ class TransferMatrix {
                  double rate)
       : context_(context), words_(discs.size(), bounces), weights_(words_.size()), rate_(rate) {
     std::vector<Range> lengths((words_.size() + kBlock - 1) / kBlock, {kInfinity, 0});
-    parallel_for(lengths.size(), context.threads, [&](std::size_t block) {
+    const auto ran = run_tasks(context, lengths.size(), [&](std::size_t block) {
       const std::size_t end = std::min(words_.size(), (block + 1) * kBlock);
-      for (std::size_t i = block * kBlock; i < end && !context_.stopped(); ++i)
+      for (std::size_t i = block * kBlock; i < end; ++i)
         weights_[i] = weight(middle_step(discs, words_[i]), lengths[block]);
     });
     for (const Range& one : lengths)
       length_ = {std::min(length_.low, one.low), std::max(length_.high, one.high)};
-    tell_enough_ = std::ranges::all_of(weights_, [](const WordWeight& one) {
-      return one.off < 1 && one.by_length > 0 && std::isfinite(one.by_length);
-    });
+    tell_enough_ = ran && std::ranges::all_of(weights_, [](const WordWeight& one) {
+                     return one.off < 1 && one.by_length > 0 && std::isfinite(one.by_length);
+                   });
   }
 
   // Of the rate at which what is multiplied by e^(rate length) and divided by stretches neither grows nor falls.
@@ -158,12 +113,12 @@ class TransferMatrix {
 tl::expected<EscapeBounds, std::string> escape_bounds(const ExperimentContext& context,
                                                       const MirrorRoom& room,
                                                       std::size_t most_words, double about) {
-  const auto discs = OpenDiscs::of(room);
-  if (!discs) return tl::unexpected(discs.error());
-  const std::size_t bounces = NumberedWords::most_bounces(discs->size(), most_words);
+  const std::size_t bounces = NumberedWords::most_bounces(room.mirrors.size(), most_words);
   if (bounces < kFewestBounces)
     return tl::unexpected(
         fmt::format("there are more than {} words of {} bounces", most_words, kFewestBounces));
+  const auto discs = OpenDiscs::of(room);
+  if (!discs) return tl::unexpected(discs.error());
   const TransferMatrix transfer(context, *discs, bounces, about);
   const EscapeBounds made{bounces, transfer.per_length(), transfer.per_bounce()};
   if (context.stopped()) return tl::unexpected(std::string("stopped"));

@@ -18,17 +18,36 @@ Plot::Series line_through(std::string name, const std::vector<Vec2>& points, boo
   return series;
 }
 
+// The number of a mirror, beside the middle of it, where no orbits are.
+Plot::Point number_of(const MirrorRoom& room, std::size_t i, const std::vector<Plot::Point>& wall) {
+  constexpr double kAway = 0.075;
+  const Plot::Point &a = wall[(wall.size() - 1) / 2], &b = wall[wall.size() / 2];
+  const Mirror& mirror = room.mirrors[i];
+  const Surfaces& walls = room.room.walls();
+  Vec2 at(a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2);
+  if (mirror.side)
+    at -= static_cast<double>(*mirror.side) * kAway * bounds_of(walls).size().maxCoeff() *
+          wall_normal(walls, mirror.surface, at);
+  Plot::Point number{at.x(), at.y()};
+  number.label = std::to_string(i + 1);
+  return number;
+}
+
 }  // namespace
 
 Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*>& orbits) {
   Plot plot{"The shortest periodic orbits, by their walls in order", "x", "y", {}};
   plot.equal = true;
-  for (const Mirror& mirror : room.mirrors) {
-    Plot::Series wall = line_through("", wall_outline(room.room.walls(), mirror.surface), false);
+  Plot::Series numbers{"", {}, true, "axis", 0};
+  for (std::size_t i = 0; i < room.mirrors.size(); ++i) {
+    Plot::Series wall =
+        line_through("", wall_outline(room.room.walls(), room.mirrors[i].surface), false);
+    numbers.points.push_back(number_of(room, i, wall.points));
     wall.ink = "axis";
     wall.width = 2.5;
     plot.series.push_back(std::move(wall));
   }
+  plot.series.push_back(std::move(numbers));
   std::vector<const ClosedOrbit*> sorted = orbits;
   std::ranges::stable_sort(sorted, [](const ClosedOrbit* a, const ClosedOrbit* b) {
     return a->length.value() < b->length.value() * (1 - 1e-9);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/counted.h"
-#include "base/parallel.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 namespace {
@@ -84,11 +84,9 @@ Result<std::vector<ClosedOrbit>> orbits_by_word(const ExperimentContext& context
     all.insert(all.end(), some->begin(), some->end());
   }
   std::vector<std::vector<ClosedOrbit>> found(all.size());
-  parallel_for(all.size(), context.threads, [&](std::size_t i) {
-    if (!context.stopped()) found[i] = closed_orbits(room, all[i]);
-  });
-  if (context.stopped())
-    return fail(named_place(context.scene.name), "stopped before all words were searched");
+  auto ran = run_tasks(context, all.size(),
+                       [&](std::size_t i) { found[i] = closed_orbits(room, all[i]); });
+  if (!ran) return fail(std::move(ran));
   std::vector<ClosedOrbit> orbits;
   for (auto& some : found)
     orbits.insert(orbits.end(), std::make_move_iterator(some.begin()),

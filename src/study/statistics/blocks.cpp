@@ -77,4 +77,13 @@ Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
   return run_in_order(context, count, task, take);
 }
 
+Result<void> run_tasks(const ExperimentContext& context, std::size_t count,
+                       const std::function<void(std::size_t)>& task) {
+  const auto run = [&](std::size_t i) {
+    task(i);
+    return Numbers();
+  };
+  return run_in_order(context, count, run, [](const Numbers&) {});
+}
+
 }  // namespace flatray

@@ -22,6 +22,12 @@ Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
                          const std::function<Numbers(std::size_t)>& task,
                          const std::function<void(const Numbers&)>& take);
 
+/// The same of tasks that put their results where they belong: a monitor counts them and keeps nothing.
+///
+/// Needs   an experiment that does not go on from what was kept (ExperimentUses::resume).
+Result<void> run_tasks(const ExperimentContext& context, std::size_t count,
+                       const std::function<void(std::size_t)>& task);
+
 /// `items` cut into blocks of one size, the last one smaller.
 struct Blocks {
   std::uint64_t items, size;

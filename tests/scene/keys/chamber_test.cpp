@@ -57,6 +57,19 @@ TEST(PeriodicChambers, HaveCopiesOfDiscsAcrossTheirWalls) {
   EXPECT_FALSE(corner[0].copy_of);
 }
 
+TEST(Holes, HaveNamesOfTheirOwn) {
+  const auto two = [](const std::string& second) {
+    return "flatray = 1\n[[chamber]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n"
+           "holes = [{ name = \"door\", edge = 0, from = 0.1, to = 0.2 },\n"
+           "         { name = \"" +
+           second + "\", edge = 1, from = 0.1, to = 0.2 }]\n";
+  };
+  EXPECT_NE(refusal(two("door")).find("t.toml:5:10: error: two holes are named 'door'"),
+            std::string::npos)
+      << refusal(two("door"));
+  EXPECT_EQ(loaded(two("window")).scene.chambers.front().holes.size(), 2U);
+}
+
 TEST(Mushrooms, HaveAStemNarrowerThanTheirCap) {
   EXPECT_NE(refusal(with_shape("mushroom = { radius = 1, width = 2, height = 1 }"))
                 .find("the stem is as wide as the cap"),

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "base/philox.h"
 #include "study/chamber_scenes.h"
@@ -80,6 +82,19 @@ TEST(EscapeBounds, HoldThePublishedRateOfThreeDiscs) {
     EXPECT_EQ(bounds->bounces, bounces);
     expect_holds(bounds->per_length, 0.41033840776934649, 2 * wide);
     expect_holds(bounds->per_bounce, 1.6981063230203446, 8 * wide);
+  }
+}
+
+// Also where the gaps between the discs are as wide as these, or half as wide. By cycle expansion up to 9 and 12 bounces.
+TEST(EscapeBounds, HoldWhereDiscsAreNear) {
+  const std::tuple<double, double, double, double, double> kKnown[] = {
+      {3, 0.6779226896, 0.783594040245, 1e-3, 1e-3},
+      {2.5, 0.723842717014, 0.481165699433, 3e-2, 2e-2}};
+  for (const auto& [apart, by_length, by_bounce, wide_length, wide_bounce] : kKnown) {
+    const auto bounds = three_discs(apart).bounds(13, by_length);
+    ASSERT_TRUE(bounds.has_value()) << bounds.error();
+    expect_holds(bounds->per_length, by_length, wide_length);
+    expect_holds(bounds->per_bounce, by_bounce, wide_bounce);
   }
 }
 
@@ -163,13 +178,11 @@ TEST(EscapeBounds, AreNoneWhereTheySayWhy) {
   EXPECT_NE(why({{{0, 0}, 1}, {{4, 0.25}, 1}, {{8, 0}, 1}}).find("the way between two"),
             std::string::npos);
   EXPECT_NE(why({{{0, 0}, 1}, {{2, 0}, 1}, {{8, 9}, 1}}).find("near another"), std::string::npos);
-  EXPECT_NE(three_discs(2.5).bounds(12, 0.7).error().find("tell too little"), std::string::npos);
+  EXPECT_NE(three_discs(2.35).bounds(6, 0.7).error().find("tell too little"), std::string::npos);
 }
 
-// What a word says of a leg holds where more of the word is known, and is no more careful than it must be: of some
-// word the leg lies nearly as far from the middle as its error says.
-TEST(DiscWords, EncloseWhatLongerWordsSay) {
-  const DiscRoom room = three_discs(6);
+void expect_longer_words_within(double apart) {
+  const DiscRoom room = three_discs(apart);
   const auto discs = OpenDiscs::of(room.mirrors);
   ASSERT_TRUE(discs.has_value()) << discs.error();
   double nearest_length = 0, nearest_stretch = 0;
@@ -195,6 +208,61 @@ TEST(DiscWords, EncloseWhatLongerWordsSay) {
   }
   EXPECT_GT(nearest_length, 0.3);
   EXPECT_GT(nearest_stretch, 0.3);
+}
+
+// What a word says of a leg holds where more of the word is known, and is no more careful than it must be: of some
+// word the leg lies nearly as far from the middle as its error says.
+TEST(DiscWords, EncloseWhatLongerWordsSay) {
+  for (const double apart : {6.0, 2.6}) expect_longer_words_within(apart);
+}
+
+// Three discs of random radii round the origin, gaps from a tenth of them to as wide as they; every other time radii
+// that differ twentyfold.
+std::vector<Circle> near_discs(std::uint64_t seed) {
+  const bool unlike = seed % 2 == 0;
+  const double far = 1.2 * draw(seed, 0, 1.1, 2), least = unlike ? 0.05 : 0.5,
+               most = unlike ? 1.6 : 1;
+  std::vector<Circle> discs;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const double angle = 2.1 * i + draw(seed, 10 + i, -0.2, 0.2);
+    discs.push_back(
+        {far * Vec2(std::cos(angle), std::sin(angle)), draw(seed, 20 + i, least, most)});
+  }
+  return discs;
+}
+
+// How far a bounce of a closed orbit is from the middle of where the bounces before and after it say, as a part of
+// what they leave open.
+double part_of_arc(const OpenDiscs& discs, const ClosedOrbit& orbit, std::size_t at, int before,
+                   int after) {
+  const int length = static_cast<int>(orbit.word.size()), here = static_cast<int>(at);
+  Word word;
+  for (int i = here - before; i <= here + after; ++i)
+    word.push_back(orbit.word[static_cast<std::size_t>((i + 6 * length) % length)]);
+  const BounceArc& arc = discs.arc(word, static_cast<std::size_t>(before));
+  const Vec2 place = orbit.points[at] - arc.disc.centre;
+  EXPECT_NEAR(place.norm(), arc.disc.radius, 1e-9);
+  return std::fabs(std::atan2(cross(arc.at, place), arc.at.dot(place))) / arc.off;
+}
+
+// Bounces of closed orbits are where the words in them say, and not all of them in the middle.
+TEST(DiscWords, SayWhereBouncesAre) {
+  std::size_t tried = 0;
+  double farthest = 0;
+  for (std::uint64_t seed = 51; seed <= 80; ++seed) {
+    const DiscRoom room(near_discs(seed));
+    const auto discs = OpenDiscs::of(room.mirrors);
+    const auto orbits = orbits_by_word({room.scene}, room.mirrors, 6);
+    if (!discs) continue;
+    ++tried;
+    for (const ClosedOrbit& orbit : *orbits)
+      for (std::size_t at = 0; at < orbit.points.size(); ++at)
+        for (const auto& [before, after] : {std::pair{1, 1}, {4, 4}, {0, 3}, {2, 0}, {1, 6}})
+          farthest = std::max(farthest, part_of_arc(*discs, orbit, at, before, after));
+  }
+  EXPECT_GT(tried, 10U);
+  EXPECT_LT(farthest, 1);
+  EXPECT_GT(farthest, 0.8);
 }
 
 // Legs of a closed orbit, and what they stretch, make up its length and its eigenvalue.

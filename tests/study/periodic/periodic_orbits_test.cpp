@@ -238,21 +238,52 @@ TEST(Periodic, RefusesWhatItCannotProve) {
   EXPECT_FALSE(experiment("periodic").run({other}).has_value());
 }
 
-TEST(Periodic, RefusesWhatIsNoMirrorByItsPlace) {
-  const Scene pillar =
-      room("box = { min = [0, 0], max = [1, 1] }",
-           "{ name = \"pit\", material = \"absorb\", shape = { circle = { centre = "
-           "[0.5, 0.5], radius = 0.2 } } }");
-  const Scene entity = scene_of(
-      "[[entity]]\nname = \"lens\"\nmaterial = { glass = { index = 1.5 } }\n"
-      "shape = { circle = { centre = [0, 0], radius = 1 } }\n");
-  for (const auto& [scene, what] :
-       {std::pair(&pillar, "pillar 'pit'"), {&entity, "entity 'lens'"}}) {
-    const auto refused = experiment("periodic").run({*scene});
-    ASSERT_FALSE(refused.has_value());
-    EXPECT_NE(refused.error().front().message.find(what), std::string::npos);
-    EXPECT_NE(format(refused.error()).find("room.toml:"), std::string::npos);
-  }
+// Orbits of three discs 6 apart, with a wall that absorbs from one point to another.
+ExperimentResult with_absorber(const char* from, const char* to) {
+  std::string text = fmt::format(
+      "[[entity]]\nname = \"exit\"\nmaterial = \"absorb\"\n"
+      "shape = {{ segment = {{ from = [{}], to = [{}] }} }}\n",
+      from, to);
+  for (const char* centre : {"3.4641016, 0", "-1.7320508, 3", "-1.7320508, -3"})
+    text += fmt::format(
+        "[[entity]]\nname = \"disc\"\nmaterial = \"mirror\"\n"
+        "shape = {{ circle = {{ centre = [{}], radius = 1 }} }}\n",
+        centre);
+  const Scene scene = scene_of(text);
+  ExperimentContext context{scene};
+  context.symbols = 4;
+  auto found = experiment("periodic").run(context);
+  EXPECT_TRUE(found.has_value());
+  return std::move(*found);
+}
+
+double value_of(const ExperimentResult& result, const std::string& name) {
+  for (const Measure& one : result.measures)
+    if (one.name == name) return one.value;
+  return 0;
+}
+
+// An exit beside the discs changes nothing. Between the upper and the lower one it leaves the words in which neither
+// follows the other: of up to four bounces the ways to and fro between two pairs, and 1213.
+TEST(Periodic, WhatAbsorbsRulesOutWhatMeetsIt) {
+  const ExperimentResult beside = with_absorber("-9, 12", "12, 12"),
+                         between = with_absorber("-5, 0", "-1, 0");
+  EXPECT_EQ(value_of(beside, "orbits proven"), 8);
+  EXPECT_EQ(value_of(between, "orbits proven"), 3);
+  EXPECT_EQ(value_of(between, "words pruned"), 5);
+  EXPECT_NEAR(value_of(beside, "escape_rate"), 0.41033840776, 1e-6);
+  EXPECT_TRUE(beside.summary.find("are bounded by all words of 10 bounces") != std::string::npos)
+      << beside.summary;
+  EXPECT_EQ(between.summary.find("bounded"), std::string::npos);
+}
+
+// One that no orbit so short meets may stand in the way of longer ones.
+TEST(Periodic, WhatMayAbsorbLongerOrbitsLeavesNoBounds) {
+  const ExperimentResult found = with_absorber("-1.75, 1.99", "-1.77, 1.9");
+  EXPECT_EQ(value_of(found, "orbits proven"), 8);
+  EXPECT_NE(found.summary.find("no bounds of escape rates: a wall that is no mirror may stand"),
+            std::string::npos)
+      << found.summary;
 }
 
 // The same bytes whatever the number of threads.
