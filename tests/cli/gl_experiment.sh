@@ -21,6 +21,10 @@ MESA_EXTENSION_OVERRIDE=-GL_ARB_gpu_shader_fp64 \
   run 5 render "$root/scenes/drawing/gradients.toml" -f 1 -o x.png --backend osmesa
 says err "no doubles in its shaders"
 says err "say --backend software"
+# Glass and a magnetic field are drawn like all else.
+for name in glass_disc magnetic_stadium; do
+  run 0 experiment backends "$root/scenes/chamber/$name.toml" -D 'film.size=[48,48]' -o files
+done
 FLATRAY_GL_MODULE=absent.so run 5 experiment backends "$root/scenes/paper/case_two.toml"
 says err "tools/setup --gl"
 finish

@@ -97,7 +97,7 @@ extern const Experiment backends = {
     "backends",
     "Do GL pictures differ from exact ones by more than their samples allow?",
     &run,
-    {}};
+    {.field = true, .glass = true}};  // what bends or splits rays is drawn like all else
 }  // namespace experiment_entries
 
 }  // namespace flatray

@@ -76,6 +76,9 @@ Result<MirrorRoom> MirrorRoom::of(const Room& room) {
       mirror.arc = walls.arc(i);
     made.mirrors.push_back(mirror);
   }
+  if (made.mirrors.empty())
+    return fail(place, "has no mirrors that orbits could close between",
+                "say material = \"mirror\" of its entities");
   if (made.mirrors.size() > kMostMirrors)
     return fail(place,
                 fmt::format("has {} mirrors, and words of at most {} are counted",

@@ -236,6 +236,11 @@ TEST(Periodic, RefusesWhatItCannotProve) {
   ASSERT_FALSE(words.has_value());
   EXPECT_NE(words.error().front().message.find("more than 200000 words"), std::string::npos);
   EXPECT_FALSE(experiment("periodic").run({other}).has_value());
+  const Scene dark = scene_of(
+      "[[entity]]\nname = \"hole\"\nmaterial = \"absorb\"\n"
+      "shape = { circle = { radius = 1 } }\n");
+  EXPECT_NE(experiment("periodic").run({dark}).error().front().message.find("no mirrors"),
+            std::string::npos);
 }
 
 // Orbits of three discs 6 apart, with a wall that absorbs from one point to another.
