@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: gl shapes/circle shapes/convex shapes/ngon shapes/polygon shapes/segment shapes/star
+# needs: gl materials/glass shapes/capsule shapes/circle shapes/convex shapes/ngon shapes/polygon shapes/segment shapes/star
 # The GL back end against exact areas on scenes of the project: samples explain every difference.
 source "$(dirname "$0")/lib.sh"
 # Mesa keeps memory and threads that LeakSanitizer cannot always read.
