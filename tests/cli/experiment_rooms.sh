@@ -51,8 +51,10 @@ exists seeds/sweep_mean_free_path.svg
 [ -e seeds/sweep_orbits_escaped.svg ] && fail "a plot of nothing"
 run 2 experiment mean-free-path "$sinai" --sweep seed=1,2 --seed 3
 says err "say one of them"
-run 2 experiment periodic "$sinai" --sweep seed=1,2
-says err "sweep another key"
+run 0 experiment mean-free-path "$sinai" --count 1000 -o lists --sweep 'film.size=[10,10],[20,20]'
+(($(grep -c 'mean_free_path' lists/sweep.csv) == 2)) || fail "two lists were asked for"
+run 0 experiment mean-free-path "$sinai" --count 1000 -o far --sweep seed=1234567890123..1234567890124:1
+grep -q ^1234567890124,mean_free_path far/sweep.csv || fail "a seed has lost digits"
 run 2 experiment divergence "$sinai" --apart 0
 run 2 experiment escape "$sinai" --map angel
 says err "angle"

@@ -9,6 +9,7 @@
 #include "app/options/arguments.h"
 #include "app/options/option_values.h"
 #include "base/number_text.h"
+#include "scene/reading/format.h"
 #include "study/plots/plot.h"
 #include "study/statistics/estimate.h"
 
@@ -17,6 +18,22 @@ namespace {
 
 constexpr std::size_t kMostValues = 10'000;
 constexpr const char* kHint = "write KEY=0.1..0.4:0.05 or KEY=a,b,c";
+
+// Parts between commas, but for those within brackets and quotes.
+std::vector<std::string> listed(std::string_view text) {
+  std::vector<std::string> values(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char one : text) {
+    if (quote != 0 ? one == quote : one == '"' || one == '\'') quote = quote != 0 ? 0 : one;
+    if (quote == 0) depth += one == '[' || one == '{' ? 1 : one == ']' || one == '}' ? -1 : 0;
+    if (one == ',' && depth == 0 && quote == 0)
+      values.emplace_back();
+    else
+      values.back() += one;
+  }
+  return values;
+}
 
 // Steps are counted, not added up, and shown with the digits that matter.
 std::optional<std::vector<std::string>> steps(std::string_view text) {
@@ -30,8 +47,11 @@ std::optional<std::vector<std::string>> steps(std::string_view text) {
   const double count = std::floor((*to - *from) / *step + 1e-9);
   if (!(count >= 0 && count < static_cast<double>(kMostValues))) return std::nullopt;
   std::vector<std::string> values;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i)
-    values.push_back(fmt::format("{:.12g}", *from + static_cast<double>(i) * *step));
+  const bool whole = std::floor(*from) == *from && std::floor(*step) == *step;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i) {
+    const double value = *from + static_cast<double>(i) * *step;
+    values.push_back(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.12g}", value));
+  }
   return values;
 }
 
@@ -47,17 +67,17 @@ Result<Sweep> parse_sweep(std::string_view text, const Place& where) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string_view::npos || equals + 1 == text.size())
     return usage_error(where, fmt::format("'{}' has no key or no values", text), kHint);
-  Sweep sweep{std::string(text.substr(0, equals)), {}};
+  Sweep sweep{std::string(trimmed(text.substr(0, equals))), {}};
   const std::string_view values = text.substr(equals + 1);
-  if (values.find("..") != std::string_view::npos) {
-    auto stepped = steps(values);
-    if (!stepped)
-      return usage_error(
-          where, fmt::format("'{}' is not a range of up to {} steps", values, kMostValues), kHint);
-    sweep.values = std::move(*stepped);
-  } else {
-    for (const std::string_view value : split(values, ',')) sweep.values.emplace_back(value);
+  if (values.find("..") == std::string_view::npos || values.find_first_of("\"'[") == 0) {
+    sweep.values = listed(values);
+    return sweep;
   }
+  auto stepped = steps(values);
+  if (!stepped)
+    return usage_error(
+        where, fmt::format("'{}' is not a range of up to {} steps", values, kMostValues), kHint);
+  sweep.values = std::move(*stepped);
   return sweep;
 }
 

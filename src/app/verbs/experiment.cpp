@@ -72,7 +72,9 @@ struct Options : Arguments {
         "how orbits of means are followed: fast in doubles, with some of them audited; "
         "exact, wall by wall; certified, bounce by bounce",
         precision, kPrecisions);
-    row("--sweep KEY=A..B:STEP", "run once for each value of a key of the scene, also KEY=V,V,...",
+    row("--sweep KEY=A..B:STEP",
+        "run once for each value of a key of the scene, also KEY=V,V,...; seed is that of all "
+        "draws",
         sweep, &parse_sweep);
     row("--hdf5", "write its numbers as NAME.h5, too, by libhdf5", hdf5);
     row("--resume", "keep what is done, and go on from what was kept", resume);
@@ -110,11 +112,8 @@ struct Options : Arguments {
     if (starts == Starts::conditional && uses.starts && !uses.conditional)
       row.problem("starts", fmt::format("experiment {} knows none that are left", experiment->name),
                   "say random or quasi; escape takes conditional ones");
-    if (sweeps_seed() && (is_asked("seed") || !uses.seed))
-      row.problem(
-          "sweep",
-          uses.seed ? "has the seed, which --seed has, too" : "has the seed, and nothing is drawn",
-          uses.seed ? "say one of them" : "sweep another key");
+    if (sweeps_seed() && is_asked("seed"))
+      row.problem("sweep", "has the seed, which --seed has, too", "say one of them");
   }
 };
 
@@ -175,6 +174,9 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
                                          .symbols = options.symbols,
                                          .precision = options.precision});
   if (auto finished = monitors.back()->finish(); !finished) return fail(std::move(finished));
+  if (result && interrupted() &&
+      options.experiment->uses.resume)  // an audit may have been cut short
+    return fail(named_place(loaded->scene.name), "stopped after its last block");
   return result;
 }
 
@@ -182,10 +184,17 @@ Result<ExperimentResult> measure_all(const Options& options, Monitors& monitors)
   const std::filesystem::path folder = options.folder();
   if (!options.sweep) return measure(options, {}, folder, monitors);
   SweepResults results(options.experiment->name, *options.sweep);
-  for (const std::string& value : options.sweep->values) {
+  for (std::size_t i = 0; i < options.sweep->values.size() && !interrupted(); ++i) {
+    const std::string& value = options.sweep->values[i];
     const std::vector<Override> changed{{options.sweep->key, value}};
-    auto one = measure(options, changed, folder / value, monitors);
+    auto one = measure(options, changed, folder / std::to_string(i + 1), monitors);
+    if (!one && interrupted() && i > 0) break;  // those before are told
     if (!one) return one;
+    if (one->measures.empty())
+      return usage_error(named_place("--sweep"),
+                         fmt::format("experiment {} has no numbers that could stand side by side",
+                                     options.experiment->name),
+                         "run it once for each value");
     results.add(value, *one);
   }
   return std::move(results).result();
@@ -193,8 +202,10 @@ Result<ExperimentResult> measure_all(const Options& options, Monitors& monitors)
 
 constexpr const char* kKept = "blocks done are kept where --resume was given";
 
-int report_interrupted(const Diagnostics& why) {
-  report_note(fmt::format("flatray: {}, {}; {}", interruption(), why.front().message, kKept));
+int report_interrupted(const Options& options, const Diagnostics& why) {
+  report_note(fmt::format("flatray: {}, {}{}{}", interruption(), why.front().message,
+                          options.experiment->uses.resume ? "; " : "",
+                          options.experiment->uses.resume ? kKept : ""));
   return interrupted_code();
 }
 
@@ -239,7 +250,8 @@ Result<VerbOutput> run(const Options& options) {
   Monitors monitors;
   if (experiment.name == std::string_view("backends")) expect_crashes_of_gl();
   auto result = measure_all(options, monitors);
-  if (!result && interrupted()) return VerbOutput{.exit_code = report_interrupted(result.error())};
+  if (!result && interrupted())
+    return VerbOutput{.exit_code = report_interrupted(options, result.error())};
   if (!result) return tl::unexpected(result.error());
   if (auto held = claim->expect_held(); !held) return fail(std::move(held));
   if (options.hdf5 && result->measures.empty())
@@ -260,8 +272,9 @@ Result<VerbOutput> run(const Options& options) {
   if (!files) return fail(std::move(files));
   if (interrupted())
     report_note(fmt::format("flatray: {}; what was done by then is written", interruption()));
-  for (const auto& monitor : monitors)
-    if (auto forgotten = monitor->forget(); !forgotten) return fail(std::move(forgotten));
+  if (!interrupted())
+    for (const auto& monitor : monitors)
+      if (auto forgotten = monitor->forget(); !forgotten) return fail(std::move(forgotten));
   return VerbOutput{.text = {result->summary},
                     .results = Fields{{"experiment", experiment.name},
                                       {"question", experiment.question},

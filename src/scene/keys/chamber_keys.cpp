@@ -46,12 +46,17 @@ void read_holes(Builder& builder, const Field& field, Chamber& chamber) {
     Hole hole;
     hole.where = table.where;
     read_keys<Hole>(builder, table, "hole", kHoleKeys, hole);
-    if (hole.name.empty()) hole.name = fmt::format("hole {}", chamber.holes.size() + 1);
+    const auto is_taken = [&] {
+      return std::ranges::any_of(chamber.holes, [&](const Hole& h) { return h.name == hole.name; });
+    };
+    if (hole.name.empty())
+      for (std::size_t n = chamber.holes.size() + 1; hole.name.empty() || is_taken(); ++n)
+        hole.name = fmt::format("hole {}", n);
     if (!(hole.from >= 0 && hole.from < hole.to && hole.from <= 1))
       builder.in.problem(table.where, "the hole is nowhere",
                          "from and to are shares of the wall: 0 <= from < to <= 1; round a circle "
                          "to may lie beyond 1");
-    if (std::ranges::any_of(chamber.holes, [&](const Hole& h) { return h.name == hole.name; }))
+    if (is_taken())
       builder.in.problem(table.where, fmt::format("two holes are named '{}'", hole.name),
                          "give each hole its own name");
     chamber.holes.push_back(std::move(hole));

@@ -184,14 +184,16 @@ class PeriodicOrbits {
                          const std::optional<Range>& proven = std::nullopt) {
       Measure one{name, means_.back().*of};
       one.proven = proven;
-      if (proven && !(proven->low <= one.value && one.value <= proven->high))
-        one.value = proven->low + (proven->high - proven->low) / 2;  // the orbits are too few
+      // Of orbits that are too few, or as rounding lets them, the last row may lie beyond.
+      const bool beyond = proven && !(proven->low <= one.value && one.value <= proven->high);
+      if (beyond) one.value = proven->low + (proven->high - proven->low) / 2;
       one.remark = proven ? fmt::format("proven: from {} to {}; ", proven->low, proven->high)
                           : "not proven: ";
       one.remark += "orbits";
       for (std::size_t i = from; i < means_.size(); ++i)
         one.remark += fmt::format("{} up to {} give {:.12g}", i > from ? "," : "",
                                   means_[i].bounces, means_[i].*of);
+      if (beyond) one.remark += ", beyond the bounds: their middle is told";
       all.push_back(one);
     };
     const auto proven = [&](Range EscapeBounds::*of) {

@@ -18,16 +18,19 @@ Plot::Series line_through(std::string name, const std::vector<Vec2>& points, boo
   return series;
 }
 
-// The number of a mirror, beside the middle of it, where no orbits are.
+// The number of a mirror: in a disc, else beside the middle of it, where no orbits are or, of a wall with orbits on
+// both sides, on one.
 Plot::Point number_of(const MirrorRoom& room, std::size_t i, const std::vector<Plot::Point>& wall) {
   constexpr double kAway = 0.075;
   const Plot::Point &a = wall[(wall.size() - 1) / 2], &b = wall[wall.size() / 2];
   const Mirror& mirror = room.mirrors[i];
   const Surfaces& walls = room.room.walls();
   Vec2 at(a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2);
-  if (mirror.side)
-    at -= static_cast<double>(*mirror.side) * kAway * bounds_of(walls).size().maxCoeff() *
-          wall_normal(walls, mirror.surface, at);
+  if (mirror.is_disc() && mirror.arc->extent == Arc::Extent::whole)
+    at = mirror.arc->curve.centre;
+  else
+    at -= static_cast<double>(mirror.side.value_or(Sign::positive)) * kAway *
+          bounds_of(walls).size().maxCoeff() * wall_normal(walls, mirror.surface, at);
   Plot::Point number{at.x(), at.y()};
   number.label = std::to_string(i + 1);
   return number;
