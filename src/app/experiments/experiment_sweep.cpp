@@ -23,11 +23,14 @@ constexpr const char* kHint = "write KEY=0.1..0.4:0.05 or KEY=a,b,c";
 std::vector<std::string> listed(std::string_view text) {
   std::vector<std::string> values(1);
   int depth = 0;
-  char quote = 0;
+  char quote = '\0';
   for (const char one : text) {
-    if (quote != 0 ? one == quote : one == '"' || one == '\'') quote = quote != 0 ? 0 : one;
-    if (quote == 0) depth += one == '[' || one == '{' ? 1 : one == ']' || one == '}' ? -1 : 0;
-    if (one == ',' && depth == 0 && quote == 0)
+    if (quote != '\0' && one == quote)
+      quote = '\0';
+    else if (quote == '\0' && (one == '"' || one == '\''))
+      quote = one;
+    if (quote == '\0') depth += one == '[' || one == '{' ? 1 : one == ']' || one == '}' ? -1 : 0;
+    if (one == ',' && depth == 0 && quote == '\0')
       values.emplace_back();
     else
       values.back() += one;

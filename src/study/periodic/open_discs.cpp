@@ -145,7 +145,7 @@ bool OpenDiscs::is_apart(std::size_t i, std::size_t j, std::size_t k) const {
 // Whether all lie on one side of a straight wall, so that none of their ways meets it.
 bool OpenDiscs::are_beside(const Surfaces& walls, std::uint32_t surface) const {
   if (walls.segment_slot(surface) == kNoSurface) return false;
-  const Segment wall = walls.segment(surface);
+  const Segment& wall = walls.segment(surface);
   const Pair<Near> from = near(wall.a), along = near(wall.b) - from;
   Proof left = Proof::yes, right = Proof::yes;
   for (const Circle& disc : all_) {
@@ -194,8 +194,8 @@ OpenDiscs::Arcs OpenDiscs::with_fewer(const Arcs& known, bool at_front) const {
     const auto beyond = word.insert(at_front ? word.begin() : word.end(), 0);
     const std::uint8_t next = at_front ? word[1] : word[word.size() - 2];
     std::vector<BounceArc> all;
-    for (std::uint8_t disc = 0; disc < size(); ++disc) {
-      *beyond = disc;
+    for (std::size_t disc = 0; disc < size(); ++disc) {
+      *beyond = static_cast<std::uint8_t>(disc);
       if (disc != next) all.push_back(known.arcs[known.words.number_of(word)]);
     }
     fewer.arcs.push_back(hull(all));
