@@ -68,13 +68,10 @@ TEST(Holes, HaveNamesOfTheirOwn) {
             std::string::npos)
       << refusal(two("door"));
   EXPECT_EQ(loaded(two("window")).scene.chambers.front().holes.size(), 2U);
-  const auto& holes = loaded(
-                          "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 1 } }\n"
-                          "holes = [{ name = \"hole 2\", from = 0.1, to = 0.2 },\n"
-                          "         { from = 0.3, to = 0.4 }]\n")
-                          .scene.chambers.front()
-                          .holes;
-  EXPECT_EQ(holes[1].name, "hole 3");
+  const auto numbered = loaded(
+      "flatray = 1\n[[chamber]]\nshape = { circle = { radius = 1 } }\n"
+      "holes = [{ name = \"hole 2\", from = 0.1, to = 0.2 }, { from = 0.3, to = 0.4 }]\n");
+  EXPECT_EQ(numbered.scene.chambers.front().holes[1].name, "hole 3");
 }
 
 TEST(Mushrooms, HaveAStemNarrowerThanTheirCap) {
