@@ -111,7 +111,8 @@ void compare(const Room& room, const Size& size) {
       {{"textbook",
         [&] {
           textbook = {};
-          for (const auto& [ray, left] : from) {
+          for (const flatray::OrbitStart& start : from) {
+            const flatray::Ray& ray = start.ray;
             bench::textbook::Particle p{ray.origin.x(), ray.origin.y(), ray.direction.x(),
                                         ray.direction.y()};
             for (std::uint64_t k = 0; k < bounces; ++k) {
