@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "app/options/arguments.h"
-#include "app/options/option_values.h"
 #include "base/number_text.h"
 #include "scene/reading/format.h"
 #include "study/plots/plot.h"

@@ -203,9 +203,8 @@ Result<ExperimentResult> measure_all(const Options& options, Monitors& monitors)
 constexpr const char* kKept = "blocks done are kept where --resume was given";
 
 int report_interrupted(const Options& options, const Diagnostics& why) {
-  report_note(fmt::format("flatray: {}, {}{}{}", interruption(), why.front().message,
-                          options.experiment->uses.resume ? "; " : "",
-                          options.experiment->uses.resume ? kKept : ""));
+  const std::string kept = options.experiment->uses.resume ? fmt::format("; {}", kKept) : "";
+  report_note(fmt::format("flatray: {}, {}{}", interruption(), why.front().message, kept));
   return interrupted_code();
 }
 
@@ -270,9 +269,10 @@ Result<VerbOutput> run(const Options& options) {
   }
   auto files = write_files(*result, options.folder(), Outputs(options));
   if (!files) return fail(std::move(files));
-  if (interrupted())
+  const bool stopped = interrupted();
+  if (stopped)
     report_note(fmt::format("flatray: {}; what was done by then is written", interruption()));
-  if (!interrupted())
+  else
     for (const auto& monitor : monitors)
       if (auto forgotten = monitor->forget(); !forgotten) return fail(std::move(forgotten));
   return VerbOutput{.text = {result->summary},
@@ -282,7 +282,7 @@ Result<VerbOutput> run(const Options& options) {
                                       {"measures", result->table},
                                       {"summary", result->summary},
                                       {"files", std::move(*files)}},
-                    .exit_code = interrupted()   ? interrupted_code()
+                    .exit_code = stopped         ? interrupted_code()
                                  : result->holds ? 0
                                                  : 1};
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/portable_math.h"
 #include "study/periodic/stationary.h"
 
 namespace flatray {
@@ -11,7 +10,7 @@ namespace {
 
 Vec2 quarter_turned(const Vec2& v) { return {-v.y(), v.x()}; }
 double angle_between(const Vec2& a, const Vec2& b) {
-  return std::fabs(portable::atan2(cross(a, b), a.dot(b))) + kRough;
+  return std::fabs(turn_between(a, b)) + kRough;
 }
 // A number from 0 to `high`.
 Near from_0_to(double high) { return Near::within(high / 2, high / 2 * (1 + kRough)); }

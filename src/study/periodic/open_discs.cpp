@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "base/portable_math.h"
 #include "study/periodic/stationary.h"
 
 namespace flatray {
@@ -17,9 +16,6 @@ constexpr double kRight = std::numbers::pi / 2;
 Vec2 turned(const Vec2& v, double by) {
   return portable::cos(by) * v + portable::sin(by) * Vec2(-v.y(), v.x());
 }
-double signed_angle(const Vec2& from, const Vec2& to) {
-  return portable::atan2(cross(from, to), from.dot(to));
-}
 
 // How ways to a bounce are turned from the way to the centre of its disc, seen from `back` of that centre.
 Range turns_to(const Vec2& back, const BounceArc& bounce) {
@@ -27,7 +23,7 @@ Range turns_to(const Vec2& back, const BounceArc& bounce) {
   const auto turn = [&](double beta) {
     return portable::atan2(-radius * portable::sin(beta), far - radius * portable::cos(beta));
   };
-  const double about = signed_angle(back, bounce.at);
+  const double about = turn_between(back, bounce.at);
   const double low = about - bounce.off, high = about + bounce.off;
   const double edge = portable::asin(radius / far), seen = kRight - edge;  // it is widest there
   Range turns{std::min(turn(low), turn(high)), std::max(turn(low), turn(high))};
@@ -48,7 +44,7 @@ Range ways(const Circle& disc, const Vec2& at, double half, std::span<const Boun
         disc.radius * half + kRough * (far + disc.radius + to.disc.radius);  // rounding, too
     if (!(shift < least)) return {-most, most};
     const Range turns = turns_to(back, to);
-    const double straight = signed_angle(at, -back), play = portable::asin(shift / least) + kRough;
+    const double straight = turn_between(at, -back), play = portable::asin(shift / least) + kRough;
     for (const double around : {-4 * kRight, 0.0, 4 * kRight}) {
       const Range one{std::max(straight + turns.low - play + around, -most),
                       std::min(straight + turns.high + play + around, most)};
@@ -88,7 +84,7 @@ BounceArc hull(std::span<const BounceArc> arcs) {
   const BounceArc& first = arcs.front();
   Range all{-first.off, first.off};
   for (const BounceArc& one : arcs.subspan(1)) {
-    const double about = signed_angle(first.at, one.at);
+    const double about = turn_between(first.at, one.at);
     all = {std::min(all.low, about - one.off), std::max(all.high, about + one.off)};
   }
   return {first.disc, direction_of(turned(first.at, (all.low + all.high) / 2)),
@@ -163,8 +159,7 @@ void OpenDiscs::find_arcs() {
   Arcs all{NumberedWords(size(), 3), 1};
   for (std::size_t i = 0; i < all.words.size(); ++i) {
     const Word word = all.words[i];
-    all.arcs.push_back(
-        {all_[word[1]], direction_of(both_ways(word[0], word[1], word[2])), std::numbers::pi / 2});
+    all.arcs.push_back({all_[word[1]], direction_of(both_ways(word[0], word[1], word[2])), kRight});
   }
   narrow_together(all);
   while (size() > 2 && 2 * all.before + 3 <= NumberedWords::most_bounces(size(), kMostArcs)) {
