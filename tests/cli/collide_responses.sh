@@ -191,9 +191,9 @@ printf 'flatray = 1\n[collisions]\nresponse = "bounce"\n[[entity]]\nname = "top"
 run 4 check top.toml
 says err "top.toml:7:20: error: entity 'top' turns, so it cannot respond to contact"
 run 4 render top.toml -o top.png
-run 0 experiment avoidance "$scenes/methods.toml" -o map
+run 0 experiment avoidance "$scenes/methods.toml" -D film.size=[96,60] -o map
 exists map/avoidance.png map/avoidance.csv map/avoidance_times.csv
-run 0 experiment avoidance "$scenes/methods.toml" -o one -j 1
+run 0 experiment avoidance "$scenes/methods.toml" -D film.size=[96,60] -o one -j 1
 cmp map/avoidance.png one/avoidance.png || fail "threads change the map"
 # Ellipses within proven times, also one that turns, and capsules; boxes around what turns are not known.
 cat > curved.toml << 'END'

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "full_counts.h"
 #include "oracle/families.h"
 #include "simulated_bodies.h"
 #include "support/pictures.h"
@@ -317,7 +318,7 @@ void expect_same(const Simulation& one, const Simulation& other) {
 TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairs) {
   for (const int across : {3, 10, 24}) {
     const std::vector<SimulatedBody> bodies = gas(5, across);
-    const std::size_t events = 6000;
+    const std::size_t events = times(6000, 6000);
     const Simulation near = flatray::simulate(bodies, 1e6, events, PairSearch::near);
     ASSERT_EQ(near.events.size(), events);
     expect_same(near, flatray::simulate(bodies, 1e6, events, PairSearch::all));
@@ -328,8 +329,9 @@ TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairs) {
 TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairsOfBodiesOfAnyKind) {
   constexpr Response kAll[] = {Response::none,   Response::mark,  Response::stop,
                                Response::bounce, Response::slide, Response::remove};
+  const std::uint64_t items = times(120, 120);
   std::size_t events = 0;
-  for (std::uint64_t item = 0; item < 120; ++item) {
+  for (std::uint64_t item = 0; item < items; ++item) {
     Draw draw(21, 1, item);
     const double room = std::pow(10, 6 * draw.unit() - 2), far = std::pow(10, 3 * draw.unit());
     std::vector<SimulatedBody> bodies;
@@ -350,7 +352,7 @@ TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairsOfBodiesOfAnyKind) {
     expect_same(near, flatray::simulate(bodies, 20, 300, PairSearch::all));
     if (HasFatalFailure()) FAIL() << item;
   }
-  EXPECT_GT(events, 10000U);
+  EXPECT_GT(events, 80 * items);
 }
 
 }  // namespace

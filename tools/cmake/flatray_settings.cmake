@@ -19,7 +19,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 option(FLATRAY_UNITY "compile several sources of most modules and of the tests as one" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
-set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+set(CMAKE_CXX_FLAGS_DEBUG "-O2 -g1")
 
 add_library(flatray_options INTERFACE)
 target_compile_options(flatray_options INTERFACE
