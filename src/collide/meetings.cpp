@@ -8,7 +8,6 @@
 #include "base/parallel.h"
 #include "collide/broad_phase.h"
 #include "collide/frame_bodies.h"
-#include "scene/outlines/rounded.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -195,7 +194,8 @@ std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline)
   for (const Group& group : scene.groups) expect_few_corners("group", group);
   for (const Entity& entity : scene.entities) expect_few_corners("entity", entity);
   for (std::uint32_t i = 0; outline == Outline::box && i < scene.entities.size(); ++i)
-    if (turns(scene, i) && any_look(scene, i, has_parts_left_out))
+    if (turns(scene, i) &&
+        any_look(scene, i, [](const Shape& shape) { return has_parts_left_out(shape); }))
       problems.push_back({scene.entities[i].where,
                           fmt::format("entity '{}' turns, and has curves other than circles and "
                                       "capsules, or crossing outlines: when the box around it "
@@ -229,11 +229,8 @@ bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
 }
 
 bool is_left_out(const Scene& scene, std::uint32_t entity) {
-  return any_look(scene, entity, [](const Shape& shape) {
-    return !shape.crossing_rings.empty() || !shape.beziers.empty() ||
-           !std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                        [](const ArcPath& path) { return path.is_ellipse() || rounded_by(path); });
-  });
+  return any_look(scene, entity,
+                  [](const Shape& shape) { return has_parts_left_out(shape, true); });
 }
 
 bool rests(const Scene& scene, std::uint32_t entity) {
