@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "collide/broad_phase.h"
-#include "geom/box_tree.h"
+#include "geom/box_grid.h"
 #include "geom/cyrus_beck.h"
 #include "geom/polygon_edges.h"
 
@@ -18,7 +18,7 @@ namespace {
 struct Pieces {
   std::vector<std::vector<Vec2>> rings;
   std::vector<Bounds> boxes;
-  BoxTree tree;
+  BoxGrid grid;
 };
 
 Ray edge_of(const std::vector<Vec2>& ring, std::size_t i) {
@@ -36,7 +36,7 @@ Pieces pieces(const Shape& shape, const Pose& place) {
       boxes[piece].add(edge.origin + edge.direction);  // rounded, so as the edge ends
     }
   }
-  return {std::move(rings), boxes, BoxTree(boxes)};
+  return {std::move(rings), boxes, BoxGrid(boxes)};
 }
 
 bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& against) {
@@ -49,7 +49,7 @@ bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& again
 bool any_edge_hits(const Pieces& a, const Pieces& b) {
   const Pieces &few = a.rings.size() < b.rings.size() ? a : b, &many = &few == &a ? b : a;
   for (std::size_t i = 0; i < few.rings.size(); ++i)
-    for (const std::size_t k : many.tree.near(few.boxes[i]))
+    for (const std::uint32_t k : many.grid.near(few.boxes[i]))
       if (any_edge_hits(few.rings[i], many.rings[k]) || any_edge_hits(many.rings[k], few.rings[i]))
         return true;
   return false;
