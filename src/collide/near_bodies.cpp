@@ -6,11 +6,11 @@
 
 namespace flatray {
 
-void NearBodies::open(double from, double to, std::span<const Stage* const> stages) {
+void NearBodies::open(double from, double to, std::span<const std::vector<Stage>> stages) {
   to_ = to;
-  std::vector<Bounds> ways(shapes_.size());
-  for (std::uint32_t i = 0; i < ways.size(); ++i)
-    if (stages[i] != nullptr) ways[i] = way_of(i, *stages[i], from);
+  std::vector<Bounds> ways;
+  for (std::uint32_t i = 0; i < shapes_.size(); ++i)
+    ways.push_back(way_of(i, stages[i].back(), from));
   ways_ = BoxGrid(std::move(ways));
 }
 

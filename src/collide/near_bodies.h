@@ -15,23 +15,22 @@ namespace flatray {
 /// Cost    that of a grid of boxes, made anew for each while.
 class NearBodies {
  public:
-  /// A box around each body as seen from its origin.
+  /// A box around each body as seen from its origin, empty for one that plays no part.
   explicit NearBodies(std::vector<Bounds> shapes) : shapes_(std::move(shapes)) {}
 
-  /// A new while: from one time to another, `stages` what each body does at its beginning; nullptr for
-  /// one that plays no part.
-  void open(double from, double to, std::span<const Stage* const> stages);
+  /// A new while: from one time to another, the last of its stages what each body does at its beginning.
+  void open(double from, double to, std::span<const std::vector<Stage>> stages);
   /// A body goes on by another stage from its time on.
   void change(std::uint32_t body, const Stage& stage) {
     ways_.change(body, way_of(body, stage, stage.from));
   }
 
-  /// Calls `take(a, b)`, a < b, once for all pairs that may meet in the while as it was opened.
+  /// Calls `take(pair)` once for all pairs that may meet in the while as it was opened.
   template <class Take>
   void each_pair(const Take& take) const {
     for (std::uint32_t i = 0; i < shapes_.size(); ++i)
       each_near(i, [&](std::uint32_t k) {
-        if (k < i) take(k, i);
+        if (k < i) take(IndexPair(k, i));
       });
   }
   /// Calls `take(k)` once for all others that a body may meet in the rest of the while.
