@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 #include "base/parallel.h"
 #include "collide/broad_phase.h"
@@ -69,15 +68,7 @@ class Search {
 
   Result<std::vector<Meeting>> found() && {
     if (refused_) return tl::unexpected(Diagnostics{*std::move(refused_)});
-    std::vector<Meeting> all;
-    for (auto& [pair, parts] : parts_)
-      for (const MeetingPart& part : parts)
-        all.push_back(
-            {pair.first, pair.second, part, straight_[pair.first] && straight_[pair.second]});
-    std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
-      return p.part.times.low < q.part.times.low;
-    });
-    return all;
+    return in_order(parts_, straight_);
   }
 
  private:
@@ -175,6 +166,18 @@ class Search {
 };
 
 }  // namespace
+
+std::vector<Meeting> in_order(const std::map<IndexPair, std::vector<MeetingPart>>& parts,
+                              const std::vector<bool>& straight) {
+  std::vector<Meeting> all;
+  for (const auto& [pair, times] : parts)
+    for (const MeetingPart& part : times)
+      all.push_back({pair.first, pair.second, part, straight[pair.first] && straight[pair.second]});
+  std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
+    return p.part.times.low < q.part.times.low;
+  });
+  return all;
+}
 
 bool changes_size(const Scene& scene, std::uint32_t entity) {
   return any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }) ||
