@@ -153,7 +153,7 @@ class Run {
       const auto [a, b] = next.hit.pair;
       if (stages_[a].size() != next.stage_a || stages_[b].size() != next.stage_b) continue;
       if (!next.certain) {
-        look_closely(std::move(next));
+        look_closely(next);
         continue;
       }
       now_ = next.hit.time;
@@ -183,7 +183,7 @@ class Run {
   }
 
   // Most pairs have changed their ways before it comes to that.
-  void look_closely(Prospect prospect) {
+  void look_closely(const Prospect& prospect) {
     const IndexPair pair = prospect.hit.pair;
     const double from = seen_from(pair);
     std::optional<Hit> met = pairs_.meeting(pair, from, end_, left_alone_.count(pair) > 0);

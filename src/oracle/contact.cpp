@@ -138,7 +138,7 @@ Sign apart_at(const MovingCore& a, const MovingCore& b, const Rational& t) {
 }
 
 ContactTruth contact_truth(const MovingCore& a, const MovingCore& b, Range within) {
-  const ContactTruth cores = truth_of_cores(a, b, within);
+  ContactTruth cores = truth_of_cores(a, b, within);
   if (a.radius == 0 && b.radius == 0) return cores;
   const bool cores_meet = cores.start != StartPlace::outside;
   const Sign at_start = cores_meet ? Sign::negative : apart_at(a, b, 0);

@@ -116,6 +116,7 @@ void draw(DrawContext& context) {
     const std::vector<Ray> rays = outline_rays(in_world(context, pair.from));
     const Found found = clip_all(rays, in_world(context, pair.against));
     std::vector<Segment> lines;
+    lines.reserve(rays.size());
     for (const Ray& ray : rays) lines.push_back({ray.origin, ray.origin + ray.direction});
     context.place(pair.layer, pair.order, pair.where);
     context.add_lines(lines, pair.stroke);
