@@ -67,8 +67,8 @@ double first_time(const BodyPair& pair) {
 }
 
 double exact_time(const BodyPair& pair) {
-  const auto truth = oracle::contact_truth(pair.a.vertices, pair.a.velocity, pair.b.vertices,
-                                           pair.b.velocity, kSegment);
+  const auto truth = oracle::contact_truth({pair.a.vertices, pair.a.velocity},
+                                           {pair.b.vertices, pair.b.velocity}, kSegment);
   return truth.kind == HitClass::miss ? 2 : truth.first->nearest();
 }
 

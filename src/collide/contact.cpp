@@ -9,6 +9,7 @@
 #include "geom/clip_range.h"
 #include "geom/decide.h"
 #include "geom/pair.h"
+#include "geom/sides.h"
 
 namespace flatray {
 namespace {
@@ -216,26 +217,13 @@ RoundLine hit_rounded(const MovingDifference& pair) {
 // The same of cores alone; nullopt where all corners are on the line. The sides of the corners tell the
 // edges by which the origin comes in and goes out, so that no two times are compared (geom/sides.h).
 std::optional<LineHit> hit_cores(const MovingDifference& pair) {
-  std::optional<std::size_t> down, up;
-  bool left = false, right = false, edge_on_line = false;
-  Sign from = pair.side(0);
-  const Sign first = from;
-  for (std::size_t k = 0; k < pair.size(); ++k) {
-    const Sign to = k + 1 == pair.size() ? first : pair.side(k + 1);
-    if (from > to && !down) down = k;
-    if (from < to && !up) up = k;
-    left |= from == Sign::positive;
-    right |= from == Sign::negative;
-    edge_on_line |= from == Sign::zero && to == Sign::zero;
-    from = to;
-  }
-  if (!left && !right) return std::nullopt;
-  if (!down) return LineHit{};
-  return LineHit{pair.crossing(*down), pair.crossing(*up), static_cast<int>(*down),
-                 static_cast<int>(*up),
-                 left && right && pair.has_area() ? HitClass::through
-                 : edge_on_line                   ? HitClass::along
-                                                  : HitClass::touch};
+  const Sides sides = sides_of(
+      pair.size(), [&](std::size_t k) { return pair.side(k); }, [](std::size_t) { return true; });
+  if (!sides.left && !sides.right) return std::nullopt;
+  if (sides.down == kNoEdge) return LineHit{};
+  const auto time = [&](int edge) { return pair.crossing(static_cast<std::size_t>(edge)); };
+  return LineHit{time(sides.down), time(sides.up), sides.down, sides.up,
+                 sides.kind(pair.has_area())};
 }
 
 ContactFeature feature_of(const MovingDifference& pair, int number) {

@@ -2,12 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <map>
 #include <optional>
 
 #include "collide/broad_phase.h"
-#include "geom/box_tree.h"
+#include "geom/box_grid.h"
 #include "geom/cyrus_beck.h"
 #include "geom/polygon_edges.h"
 
@@ -17,8 +15,7 @@ namespace {
 // The convex pieces of an entity where it stands, and which of them are near another.
 struct Pieces {
   std::vector<std::vector<Vec2>> rings;
-  std::vector<Bounds> boxes;
-  BoxTree tree;
+  BoxGrid grid;
 };
 
 Ray edge_of(const std::vector<Vec2>& ring, std::size_t i) {
@@ -36,7 +33,7 @@ Pieces pieces(const Shape& shape, const Pose& place) {
       boxes[piece].add(edge.origin + edge.direction);  // rounded, so as the edge ends
     }
   }
-  return {std::move(rings), boxes, BoxTree(boxes)};
+  return {std::move(rings), BoxGrid(std::move(boxes))};
 }
 
 bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& against) {
@@ -49,7 +46,7 @@ bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& again
 bool any_edge_hits(const Pieces& a, const Pieces& b) {
   const Pieces &few = a.rings.size() < b.rings.size() ? a : b, &many = &few == &a ? b : a;
   for (std::size_t i = 0; i < few.rings.size(); ++i)
-    for (const std::size_t k : many.tree.near(few.boxes[i]))
+    for (const std::uint32_t k : many.grid.near(few.grid.boxes()[i]))
       if (any_edge_hits(few.rings[i], many.rings[k]) || any_edge_hits(many.rings[k], few.rings[i]))
         return true;
   return false;
@@ -91,13 +88,7 @@ Result<std::vector<Meeting>> find_edge_ray_meetings(const Timeline& timeline, un
       return tl::unexpected(Diagnostics{
           too_many_meetings(scene, found.begin()->first.first, fmt::format("{} meetings", most))});
   }
-  std::vector<Meeting> all;
-  for (const auto& [pair, parts] : found)
-    for (const MeetingPart& part : parts) all.push_back({pair.first, pair.second, part, false});
-  std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
-    return p.part.times.low < q.part.times.low;
-  });
-  return all;
+  return in_order(found, std::vector<bool>(scene.entities.size(), false));
 }
 
 }  // namespace flatray

@@ -3,12 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 #include "base/parallel.h"
 #include "collide/broad_phase.h"
 #include "collide/frame_bodies.h"
-#include "scene/outlines/rounded.h"
 #include "scene/responses.h"
 
 namespace flatray {
@@ -70,15 +68,7 @@ class Search {
 
   Result<std::vector<Meeting>> found() && {
     if (refused_) return tl::unexpected(Diagnostics{*std::move(refused_)});
-    std::vector<Meeting> all;
-    for (auto& [pair, parts] : parts_)
-      for (const MeetingPart& part : parts)
-        all.push_back(
-            {pair.first, pair.second, part, straight_[pair.first] && straight_[pair.second]});
-    std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
-      return p.part.times.low < q.part.times.low;
-    });
-    return all;
+    return in_order(parts_, straight_);
   }
 
  private:
@@ -177,6 +167,18 @@ class Search {
 
 }  // namespace
 
+std::vector<Meeting> in_order(const std::map<IndexPair, std::vector<MeetingPart>>& parts,
+                              const std::vector<bool>& straight) {
+  std::vector<Meeting> all;
+  for (const auto& [pair, times] : parts)
+    for (const MeetingPart& part : times)
+      all.push_back({pair.first, pair.second, part, straight[pair.first] && straight[pair.second]});
+  std::stable_sort(all.begin(), all.end(), [](const Meeting& p, const Meeting& q) {
+    return p.part.times.low < q.part.times.low;
+  });
+  return all;
+}
+
 bool changes_size(const Scene& scene, std::uint32_t entity) {
   return any_look(scene, entity, [](const Shape& shape) { return shape.changes != kNoEntry; }) ||
          any_group(scene, entity, [](const Group& group) { return bool(group.scale_curve); });
@@ -195,7 +197,8 @@ std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline)
   for (const Group& group : scene.groups) expect_few_corners("group", group);
   for (const Entity& entity : scene.entities) expect_few_corners("entity", entity);
   for (std::uint32_t i = 0; outline == Outline::box && i < scene.entities.size(); ++i)
-    if (turns(scene, i) && any_look(scene, i, has_parts_left_out))
+    if (turns(scene, i) &&
+        any_look(scene, i, [](const Shape& shape) { return has_parts_left_out(shape); }))
       problems.push_back({scene.entities[i].where,
                           fmt::format("entity '{}' turns, and has curves other than circles and "
                                       "capsules, or crossing outlines: when the box around it "
@@ -229,11 +232,8 @@ bool keeps_velocity(const Scene& scene, std::uint32_t entity) {
 }
 
 bool is_left_out(const Scene& scene, std::uint32_t entity) {
-  return any_look(scene, entity, [](const Shape& shape) {
-    return !shape.crossing_rings.empty() || !shape.beziers.empty() ||
-           !std::all_of(shape.arc_paths.begin(), shape.arc_paths.end(),
-                        [](const ArcPath& path) { return path.is_ellipse() || rounded_by(path); });
-  });
+  return any_look(scene, entity,
+                  [](const Shape& shape) { return has_parts_left_out(shape, true); });
 }
 
 bool rests(const Scene& scene, std::uint32_t entity) {

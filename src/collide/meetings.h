@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <vector>
 
 #include "anim/timeline.h"
@@ -13,6 +14,10 @@ struct Meeting {
   MeetingPart part;    ///< times in seconds from frame 1; `start`: of the frame it was found in
   bool straight;       ///< both keep their velocity: exact
 };
+
+/// By first time, then by entity; `straight` is told of entities.
+std::vector<Meeting> in_order(const std::map<IndexPair, std::vector<MeetingPart>>& parts,
+                              const std::vector<bool>& straight);
 
 /// Whether an entity keeps one velocity and its looks as long as the scene goes.
 bool keeps_velocity(const Scene& scene, std::uint32_t entity);

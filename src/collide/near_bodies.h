@@ -1,106 +1,53 @@
 #pragma once
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "anim/responses.h"
-#include "collide/broad_phase.h"
 #include "collide/outline_contact.h"
+#include "geom/box_grid.h"
 
 namespace flatray {
 
 /// Which of many bodies may meet in a while, by the boxes they sweep, while some of them change their
-/// ways. Boxes lie in the cells of a grid that goes round and round, so that it does not matter how far
-/// apart they are.
+/// ways.
 ///
-/// Cost    a box is put into the cells it touches, as wide as half of all boxes are; one that touches
-///         many is looked at by all.
+/// Cost    that of a grid of boxes, made anew for each while.
 class NearBodies {
  public:
-  /// A box around each body as seen from its origin.
-  explicit NearBodies(std::vector<Bounds> shapes);
+  /// A box around each body as seen from its origin, empty for one that plays no part.
+  explicit NearBodies(std::vector<Bounds> shapes) : shapes_(std::move(shapes)) {}
 
-  /// A new while: from one time to another, `stages` what each body does at its beginning; nullptr for
-  /// one that plays no part.
-  void open(double from, double to, std::span<const Stage* const> stages);
+  /// A new while: from one time to another, the last of its stages what each body does at its beginning.
+  void open(double from, double to, std::span<const std::vector<Stage>> stages);
   /// A body goes on by another stage from its time on.
-  void change(std::uint32_t body, const Stage& stage);
+  void change(std::uint32_t body, const Stage& stage) {
+    ways_.change(body, way_of(body, stage, stage.from));
+  }
 
-  /// Calls `take(a, b)`, a < b, once for all pairs that may meet in the while as it was opened.
+  /// Calls `take(pair)` once for all pairs that may meet in the while as it was opened.
   template <class Take>
-  void each_pair(const Take& take) {
-    for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+  void each_pair(const Take& take) const {
+    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
       each_near(i, [&](std::uint32_t k) {
-        if (k < i) take(k, i);
+        if (k < i) take(IndexPair(k, i));
       });
   }
   /// Calls `take(k)` once for all others that a body may meet in the rest of the while.
   template <class Take>
-  void each_near(std::uint32_t body, const Take& take) {
-    const Bounds& box = boxes_[body];
-    if (box.empty()) return;
-    ++asked_;
-    seen_[body] = asked_;
-    const auto look = [&](std::uint32_t k) {
-      if (seen_[k] == asked_) return;
-      seen_[k] = asked_;
-      if (meet(box, boxes_[k])) take(k);
-    };
-    for (const std::uint32_t k : large_) look(k);
-    const bool is_large = !each_list(box, [&](std::uint32_t first) {
-      for (std::uint32_t i = first; i != kNone; i = entries_[i].next) look(entries_[i].body);
+  void each_near(std::uint32_t body, const Take& take) const {
+    ways_.each_near(ways_.boxes()[body], [&](std::uint32_t k) {
+      if (k != body) take(k);
     });
-    for (std::size_t i = 0; is_large && i < entries_.size(); ++i) look(entries_[i].body);
   }
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  struct Entry {
-    std::uint32_t body, next;
-  };
-
-  static bool meet(const Bounds& a, const Bounds& b) {
-    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-           b.low.y() <= a.high.y();
-  }
-  // Calls `take(first)` for the list of each cell that a box touches; not if there are many.
-  template <class Take>
-  bool each_list(const Bounds& box, const Take& take);
-  void put_in_cells();
-  void put_in_cells(std::uint32_t body);
   Bounds way_of(std::uint32_t body, const Stage& stage, double from) const;
 
-  std::vector<Bounds> shapes_, boxes_;
-  std::vector<std::uint64_t> seen_;  // the last question in which each came up
-  std::uint64_t asked_ = 0;
+  const std::vector<Bounds> shapes_;
+  BoxGrid ways_{{}};
   double to_ = 0;
-  double width_ = 1;        // of a cell
-  std::size_t across_ = 1;  // a power of two, of which the square is how many lists there are
-  std::vector<std::uint32_t> first_;  // entry of each list
-  std::vector<Entry> entries_;
-  std::vector<std::uint32_t> large_;
-  std::size_t most_kept_ = 0;  // boxes in cells, until they are put there anew
 };
-
-template <class Take>
-bool NearBodies::each_list(const Bounds& box, const Take& take) {
-  constexpr double kMost = 0x1p52;  // cells from the origin that are counted one by one
-  constexpr std::int64_t kMostCells = 64;
-  const Vec2 low = box.low / width_, high = box.high / width_;
-  if (!(low.minCoeff() > -kMost && high.maxCoeff() < kMost)) return false;
-  const auto cell = [](double place) { return static_cast<std::int64_t>(std::floor(place)); };
-  const std::int64_t low_x = cell(low.x()), high_x = cell(high.x());
-  const std::int64_t low_y = cell(low.y()), high_y = cell(high.y());
-  const std::int64_t wide = high_x - low_x + 1, tall = high_y - low_y + 1;
-  if (wide > kMostCells || tall > kMostCells || wide * tall > kMostCells) return false;
-  // So that a row, a column and a diagonal, too, go through all lists and not through the root of them.
-  for (std::int64_t y = low_y; y <= high_y; ++y)
-    for (std::int64_t x = low_x; x <= high_x; ++x)
-      take(first_[(static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * (across_ + 3)) &
-                  (across_ * across_ - 1)]);
-  return true;
-}
 
 /// Box around the parts of a body.
 Bounds bounds_of(std::span<const ShapePart> parts);

@@ -6,7 +6,6 @@
 #include "anim/world.h"
 #include "base/parallel.h"
 #include "collide/contact_batch.h"
-#include "collide/outline_contact.h"
 #include "geom/polygon.h"
 #include "scene/outlines/rounded.h"
 
@@ -52,87 +51,55 @@ void count_cut(std::array<Vec2, 2> cut, const Vec2& velocity, const MovingBody& 
   if (times.kind == HitClass::along) raise(times.t_enter, StartPlace::outside);
 }
 
-void count_cuts(std::span<const ShapePart> pieces, const Vec2& velocity,
-                std::span<const ShapePart> others, const Vec2& others_velocity, Range within,
+// Parts of a body, and how it moves.
+struct MovingParts {
+  std::span<const ShapePart> parts;
+  const Vec2& velocity;
+
+  MovingBody body(const ShapePart& part) const { return {part.ring, velocity, part.radius}; }
+};
+
+void count_cuts(const MovingParts& pieces, const MovingParts& others, Range within,
                 std::vector<MeetingPart>& met) {
-  for (const auto& [ring, radius, curve, cuts] : pieces)
+  for (const auto& [ring, radius, curve, cuts] : pieces.parts)
     for (const std::uint32_t k : cuts)
-      for (const ShapePart& part : others)
+      for (const ShapePart& part : others.parts)
         if (!has_area(part))
-          count_cut({ring[k], ring[(k + 1) % ring.size()]}, velocity, {part.ring, others_velocity},
+          count_cut({ring[k], ring[(k + 1) % ring.size()]}, pieces.velocity, others.body(part),
                     within, met);
 }
 
-// Parts of many bodies, made ready once and asked together.
-class ReadyBodies {
- public:
-  ReadyBodies(std::span<const MovingShape> bodies, Outline outline)
-      : bodies_(bodies), outline_(outline), parts_(bodies.size()), first_(bodies.size()) {}
-
-  // Notes what is to be asked of one more pair.
-  void add(std::uint32_t a, std::uint32_t b) {
-    begin_.push_back(asks_.size());
-    for (const std::uint32_t body : {a, b}) make_ready(body);
-    for (std::uint32_t p = 0; p < parts_[a].size(); ++p)
-      for (std::uint32_t q = 0; q < parts_[b].size(); ++q)
-        asks_.push_back({first_[a] + p, first_[b] + q, bodies_[a].velocity, bodies_[b].velocity});
-  }
-
-  void ask(Range within, unsigned threads) {
-    found_.resize(asks_.size());
-    constexpr std::size_t kBlock = 2048;
-    parallel_for((asks_.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-      const std::size_t from = block * kBlock, count = std::min(kBlock, asks_.size() - from);
-      contacts(set_, std::span(asks_).subspan(from, count), within,
-               std::span(found_).subspan(from, count));
-    });
-  }
-
-  // Of the pair that was noted as number `k`.
-  std::vector<MeetingPart> meetings(std::size_t k, std::uint32_t a, std::uint32_t b,
-                                    Range within) const {
-    const Vec2 &velocity_a = bodies_[a].velocity, &velocity_b = bodies_[b].velocity;
-    std::vector<MeetingPart> met;
-    const Contact* contact = found_.data() + begin_[k];
-    for (const ShapePart& p : parts_[a])
-      for (const ShapePart& q : parts_[b]) {
-        const Contact& found = *contact++;
-        if (p.curve || q.curve) {
-          if (const auto part = curved_parts_meet(p, velocity_a, q, velocity_b, within))
-            met.push_back(*part);
-        } else if (found.times) {
-          met.push_back(
-              meeting_part(found, {p.ring, velocity_a, p.radius}, {q.ring, velocity_b, q.radius}));
-        }
+// By what contact tells of each part of the one with each of the other, in order.
+std::vector<MeetingPart> parts_meet(const MovingParts& a, const MovingParts& b,
+                                    const Contact* contact, Range within) {
+  std::vector<MeetingPart> met;
+  for (const ShapePart& p : a.parts)
+    for (const ShapePart& q : b.parts) {
+      const Contact& found = *contact++;
+      if (p.curve || q.curve) {
+        if (const auto part = curved_parts_meet(p, a.velocity, q, b.velocity, within))
+          met.push_back(*part);
+      } else if (found.times) {
+        met.push_back(meeting_part(found, a.body(p), b.body(q)));
       }
-    join(met);
-    if (met.empty()) return met;
-    count_cuts(parts_[a], velocity_a, parts_[b], velocity_b, within, met);
-    count_cuts(parts_[b], velocity_b, parts_[a], velocity_a, within, met);
-    return met;
-  }
+    }
+  join(met);
+  if (met.empty()) return met;
+  count_cuts(a, b, within, met);
+  count_cuts(b, a, within, met);
+  return met;
+}
 
- private:
-  void make_ready(std::uint32_t body) {
-    if (!parts_[body].empty()) return;
-    parts_[body] = parts_of(*bodies_[body].shape, bodies_[body].place, outline_);
-    first_[body] = static_cast<std::uint32_t>(set_.size());
-    for (const ShapePart& part : parts_[body]) set_.add(core_of(part), part.radius);
-  }
-  // Of an ellipse its centre: it is asked something else.
-  static std::span<const Vec2> core_of(const ShapePart& part) {
-    return part.curve ? std::span(&part.curve->centre, 1) : std::span(part.ring);
-  }
-
-  const std::span<const MovingShape> bodies_;
-  const Outline outline_;
-  std::vector<std::vector<ShapePart>> parts_;  // by body, as far as asked
-  std::vector<std::uint32_t> first_;           // the number of the first part of each
-  BodySet set_;
-  std::vector<MovingPair> asks_;
-  std::vector<std::size_t> begin_;  // of the asks of each pair
-  std::vector<Contact> found_;
-};
+std::vector<Contact> ask(const BodySet& bodies, std::span<const MovingPair> pairs, Range within,
+                         unsigned threads) {
+  std::vector<Contact> found(pairs.size());
+  constexpr std::size_t kBlock = 2048;
+  parallel_for((pairs.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+    const std::size_t from = block * kBlock, count = std::min(kBlock, pairs.size() - from);
+    contacts(bodies, pairs.subspan(from, count), within, std::span(found).subspan(from, count));
+  });
+  return found;
+}
 
 }  // namespace
 
@@ -217,12 +184,31 @@ std::vector<MeetingPart> shapes_meet(const MovingShape& a, const MovingShape& b,
 std::vector<std::vector<MeetingPart>> pairs_meet(std::span<const MovingShape> bodies,
                                                  std::span<const IndexPair> pairs, Range within,
                                                  unsigned threads, Outline outline) {
-  ReadyBodies ready(bodies, outline);
-  for (const auto& [a, b] : pairs) ready.add(a, b);
-  ready.ask(within, threads);
+  std::vector<std::vector<ShapePart>> parts(bodies.size());
+  std::vector<std::uint32_t> first(bodies.size());  // number of the first of them in the set
+  BodySet set;
+  std::vector<MovingPair> asks;
+  std::vector<std::size_t> begin;  // of each pair
+  for (const auto& [a, b] : pairs) {
+    for (const std::uint32_t body : {a, b}) {
+      if (!parts[body].empty()) continue;
+      parts[body] = parts_of(*bodies[body].shape, bodies[body].place, outline);
+      first[body] = static_cast<std::uint32_t>(set.size());
+      for (const auto& [ring, radius, curve, cuts] :
+           parts[body])  // of an ellipse, asked apart, its centre
+        set.add(curve ? std::span(&curve->centre, 1) : std::span(ring), radius);
+    }
+    begin.push_back(asks.size());
+    for (std::uint32_t p = 0; p < parts[a].size(); ++p)
+      for (std::uint32_t q = 0; q < parts[b].size(); ++q)
+        asks.push_back({first[a] + p, first[b] + q, bodies[a].velocity, bodies[b].velocity});
+  }
+  const std::vector<Contact> found = ask(set, asks, within, threads);
   std::vector<std::vector<MeetingPart>> met(pairs.size());
   parallel_for(pairs.size(), threads, [&](std::size_t i) {
-    met[i] = ready.meetings(i, pairs[i].first, pairs[i].second, within);
+    const auto [a, b] = pairs[i];
+    met[i] = parts_meet({parts[a], bodies[a].velocity}, {parts[b], bodies[b].velocity},
+                        found.data() + begin[i], within);
   });
   return met;
 }

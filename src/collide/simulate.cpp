@@ -46,14 +46,14 @@ class Run {
     double sizes = 0, speeds = 0;
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].response == Response::none) continue;
-      responding_.push_back(i);
+      ++responding_;
       sizes += pairs_.radius(i);
       speeds += bodies[i].velocity.stableNorm();
     }
     const double usual = sizes / speeds;
     length_ = usual > 0 && usual < kInfinity && search == PairSearch::near ? usual : end;
-    open_near();
-    each_pair([&](const IndexPair& pair) {
+    near_.open(0, 0, stages_);
+    near_.each_pair([&](const IndexPair& pair) {
       if (instants_.is_fixed(pair.first) && instants_.is_fixed(pair.second)) return;
       if (pairs_.least_wait(pair, 0, end_) != 0.0 || !pairs_.overlap(pair, 0)) return;
       overlaps_.push_back(pair);
@@ -92,26 +92,15 @@ class Run {
     while_from_ = first ? -1 : while_to_;
     const double begin = std::max(while_from_, 0.0), next = begin + length_;
     while_to_ = next > begin && next < end_ ? next : end_;
-    open_near();
-    each_pair([&](const IndexPair& pair) { foresee(pair); });
-  }
-
-  void open_near() {
-    std::vector<const Stage*> now(bodies_.size(), nullptr);
-    for (const std::uint32_t i : responding_) now[i] = &stages_[i].back();
-    near_.open(std::max(while_from_, 0.0), while_to_, now);
-  }
-
-  template <class Take>
-  void each_pair(const Take& take) {
-    near_.each_pair([&](std::uint32_t a, std::uint32_t b) { take(IndexPair{a, b}); });
+    near_.open(begin, while_to_, stages_);
+    near_.each_pair([&](const IndexPair& pair) { foresee(pair); });
   }
 
   // So long that between an eighth and a half of the bodies meet something in it.
   void adapt(std::size_t events) {
-    if (8 * events < responding_.size())
+    if (8 * events < responding_)
       length_ *= 2;
-    else if (2 * events > responding_.size())
+    else if (2 * events > responding_)
       length_ /= 2;
   }
 
@@ -164,7 +153,7 @@ class Run {
       const auto [a, b] = next.hit.pair;
       if (stages_[a].size() != next.stage_a || stages_[b].size() != next.stage_b) continue;
       if (!next.certain) {
-        look_closely(std::move(next));
+        look_closely(next);
         continue;
       }
       now_ = next.hit.time;
@@ -194,7 +183,7 @@ class Run {
   }
 
   // Most pairs have changed their ways before it comes to that.
-  void look_closely(Prospect prospect) {
+  void look_closely(const Prospect& prospect) {
     const IndexPair pair = prospect.hit.pair;
     const double from = seen_from(pair);
     std::optional<Hit> met = pairs_.meeting(pair, from, end_, left_alone_.count(pair) > 0);
@@ -234,7 +223,7 @@ class Run {
   Instants instants_;
   std::vector<Tally> tallies_;
   std::optional<Hit> accumulates_;  // when, and whose
-  std::vector<std::uint32_t> responding_;
+  std::size_t responding_ = 0;
   std::vector<IndexPair> overlaps_;  // at time 0
   std::set<IndexPair> left_alone_;   // marks and what they lie in
   std::priority_queue<Prospect> ahead_;

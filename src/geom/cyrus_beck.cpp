@@ -12,21 +12,9 @@ namespace {
 using Vertices = std::span<const Vec2>;
 
 Sides look_along(const Ray& ray, Vertices vertices) {
-  Sides sides;
-  const Sign first = side_of_ray(ray, vertices[0]);
-  Sign from = first;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const bool last = i + 1 == vertices.size();
-    const Sign to = last ? first : side_of_ray(ray, vertices[i + 1]);
-    if (from > to && sides.down == kNoEdge) sides.down = static_cast<int>(i);
-    if (from < to && sides.up == kNoEdge) sides.up = static_cast<int>(i);
-    sides.left |= from == Sign::positive;
-    sides.right |= from == Sign::negative;
-    sides.edge_on_line |=
-        from == Sign::zero && to == Sign::zero && vertices[i] != edge_end(vertices, i);
-    from = to;
-  }
-  return sides;
+  return sides_of(
+      vertices.size(), [&](std::size_t k) { return side_of_ray(ray, vertices[k]); },
+      [&](std::size_t k) { return vertices[k] != edge_end(vertices, k); });
 }
 
 // Sense of a convex polygon from two of its edges, the first crossed down a line and the second up,
@@ -74,11 +62,8 @@ LineHit hit_line(const Ray& ray, Vertices vertices, const Sides& sides) {
   const Sign turn = sense(vertices, sides.down, sides.up);
   const bool clockwise = turn == Sign::negative;
   const int enter = clockwise ? sides.up : sides.down, exit = clockwise ? sides.down : sides.up;
-  const bool crosses = sides.left && sides.right && turn != Sign::zero;
   return {time_on_edge(ray, vertices, enter), time_on_edge(ray, vertices, exit), enter, exit,
-          crosses              ? HitClass::through
-          : sides.edge_on_line ? HitClass::along
-                               : HitClass::touch};
+          sides.kind(turn != Sign::zero)};
 }
 
 HitInterval clip_convex(const Ray& ray, Vertices vertices, Range within) {

@@ -33,15 +33,15 @@ struct Order {
 Order order_of(const Algebraic& root, Polynomial p) {
   Order order;
   for (; order.slope == Sign::zero; ++order.multiplicity) {
-    p = derivative(p);
+    p = oracle::derivative(p);
     order.slope = root.sign_of(p);
   }
   return order;
 }
 
 bool is_cusp(const Algebraic& s, std::span<const Vec2> points) {
-  return s.sign_of(derivative(along(1, 0, points[0], points))) == Sign::zero &&
-         s.sign_of(derivative(along(0, 1, points[0], points))) == Sign::zero;
+  return s.sign_of(oracle::derivative(along(1, 0, points[0], points))) == Sign::zero &&
+         s.sign_of(oracle::derivative(along(0, 1, points[0], points))) == Sign::zero;
 }
 
 std::vector<BezierMeeting> meetings_with_point(const Vec2& point, std::span<const Vec2> points) {
@@ -79,10 +79,10 @@ std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const 
   return found;
 }
 
-std::optional<FirstOfBezier> first_meeting(const Ray& ray, std::span<const Vec2> points) {
+std::optional<MeetingOf<Algebraic>> first_meeting(const Ray& ray, std::span<const Vec2> points) {
   const std::vector<BezierMeeting> all = meetings_with_bezier(ray, points);
   if (all.empty()) return std::nullopt;
-  FirstOfBezier first{all[0].t, HitClass::touch, false, all[0].root};
+  MeetingOf<Algebraic> first{all[0].t, HitClass::touch, all[0].root, false};
   for (const BezierMeeting& met : all) {
     if (met.t != first.t) break;
     if (met.multiplicity % 2 == 1) first.kind = HitClass::through, first.root = met.root;

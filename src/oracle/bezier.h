@@ -3,9 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/hit_interval.h"
-#include "geom/ray.h"
 #include "oracle/algebraic.h"
+#include "oracle/curves.h"
 
 namespace flatray::oracle {
 
@@ -31,13 +30,7 @@ struct BezierMeeting {
 std::vector<BezierMeeting> meetings_with_bezier(const Ray& ray, std::span<const Vec2> points);
 
 /// The first of them, where the curve is met at several s at once all together: at an end, as in a
-/// cusp or at an end of the curve, and a touch if none of them crosses the ray.
-struct FirstOfBezier {
-  Algebraic t;
-  HitClass kind;
-  bool at_end;
-  Root root;  ///< of several the last that crosses the ray
-};
-std::optional<FirstOfBezier> first_meeting(const Ray& ray, std::span<const Vec2> points);
+/// cusp or at an end of the curve, and a touch if none of them crosses the ray; in the last root that does.
+std::optional<MeetingOf<Algebraic>> first_meeting(const Ray& ray, std::span<const Vec2> points);
 
 }  // namespace flatray::oracle

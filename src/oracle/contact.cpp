@@ -3,27 +3,24 @@
 #include <cmath>
 #include <vector>
 
+#include "oracle/distance.h"
 #include "oracle/point.h"
 
 namespace flatray::oracle {
 namespace {
 
 using Bound = std::optional<Rational>;
+using Ring = RingOf<Rational>;
 
-struct Body {
-  std::vector<Point> ring;
-  Point velocity;
-};
-
-Body exact_body(std::span<const Vec2> ring, const Vec2& velocity) {
-  Body body{{}, exact(velocity)};
-  for (const Vec2& p : ring) body.ring.push_back(exact(p));
-  return body;
+Ring exact_ring(const MovingCore& body) {
+  Ring ring;
+  for (const Vec2& p : body.ring) ring.push_back(exact(p));
+  return ring;
 }
 
-void add_edges(const Body& body, std::vector<Point>& all) {
-  for (std::size_t i = 0; i < body.ring.size(); ++i) {
-    const Point edge = body.ring[(i + 1) % body.ring.size()] - body.ring[i];
+void add_edges(const Ring& ring, std::vector<Point>& all) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point edge = ring[(i + 1) % ring.size()] - ring[i];
     if (!is_zero(edge)) all.push_back(edge);
   }
 }
@@ -64,9 +61,9 @@ class Times {
 struct Shadow {
   Rational low, high;
 };
-Shadow shadow(const Point& axis, const Body& body) {
-  Shadow all{dot(axis, body.ring[0]), dot(axis, body.ring[0])};
-  for (const Point& p : body.ring) {
+Shadow shadow(const Point& axis, const Ring& ring) {
+  Shadow all{dot(axis, ring[0]), dot(axis, ring[0])};
+  for (const Point& p : ring) {
     const Rational s = dot(axis, p);
     if (s < all.low) all.low = s;
     if (s > all.high) all.high = s;
@@ -87,21 +84,19 @@ std::vector<Point> axes_of(const std::vector<Point>& edges, bool has_area) {
 
 Bound bound(double t) { return std::isinf(t) ? Bound() : Bound(t); }
 
-}  // namespace
-
-ContactTruth contact_truth(std::span<const Vec2> ring_a, const Vec2& velocity_a,
-                           std::span<const Vec2> ring_b, const Vec2& velocity_b, Range within) {
-  const Body a = exact_body(ring_a, velocity_a), b = exact_body(ring_b, velocity_b);
+ContactTruth truth_of_cores(const MovingCore& a, const MovingCore& b, Range within) {
+  const Ring ring_a = exact_ring(a), ring_b = exact_ring(b);
+  const Point way = exact(b.velocity) - exact(a.velocity);
   const Bound low = bound(within.low), high = bound(within.high), zero = Rational(0);
   std::vector<Point> edges;
-  add_edges(a, edges);
-  add_edges(b, edges);
+  add_edges(ring_a, edges);
+  add_edges(ring_b, edges);
   bool has_area = false;
   for (const Point& edge : edges) has_area = has_area || cross(edge, edges.front()) != 0;
   Times times;
   for (const Point& axis : axes_of(edges, has_area)) {
-    const Shadow of_a = shadow(axis, a), of_b = shadow(axis, b);
-    times.require(of_a.low - of_b.high, dot(axis, b.velocity - a.velocity), of_a.high - of_b.low);
+    const Shadow of_a = shadow(axis, ring_a), of_b = shadow(axis, ring_b);
+    times.require(of_a.low - of_b.high, dot(axis, way), of_a.high - of_b.low);
   }
   ContactTruth found;
   if (!times.empty(zero, zero))
@@ -111,9 +106,64 @@ ContactTruth contact_truth(std::span<const Vec2> ring_a, const Vec2& velocity_a,
   found.last = !times.last() || (high && *high < *times.last()) ? high : times.last();
   const bool one_instant = found.first && found.last && *found.first == *found.last;
   found.kind = has_area && times.inside(low, high)       ? HitClass::through
-               : one_instant || velocity_a == velocity_b ? HitClass::touch
+               : one_instant || a.velocity == b.velocity ? HitClass::touch
                                                          : HitClass::along;
   return found;
+}
+
+Ring at_time(const MovingCore& body, const Rational& t) {
+  Ring ring = exact_ring(body);
+  for (Point& p : ring) p = p + t * exact(body.velocity);
+  return ring;
+}
+
+// When vertices are nearest to each other, within the range.
+std::vector<Rational> nearest_times(const MovingCore& a, const MovingCore& b, Range within) {
+  const Point way = exact(b.velocity) - exact(a.velocity);
+  std::vector<Rational> times;
+  for (const Vec2& p : a.ring)
+    for (const Vec2& q : b.ring) {
+      const Rational t = dot(exact(p) - exact(q), way) / dot(way, way);
+      times.push_back(within.low == 0 && t < 0 ? 0 : t);
+    }
+  return times;
+}
+
+}  // namespace
+
+// A core within the other is met by its vertices for none; as still bodies they are told apart.
+Sign apart_at(const MovingCore& a, const MovingCore& b, const Rational& t) {
+  const Rational reach = Rational(a.radius) + Rational(b.radius);
+  return (squared_gap(at_time(a, t), at_time(b, t)) - reach * reach).sign();
+}
+
+ContactTruth contact_truth(const MovingCore& a, const MovingCore& b, Range within) {
+  ContactTruth cores = truth_of_cores(a, b, within);
+  if (a.radius == 0 && b.radius == 0) return cores;
+  const bool cores_meet = cores.start != StartPlace::outside;
+  const Sign at_start = cores_meet ? Sign::negative : apart_at(a, b, 0);
+  ContactTruth truth;
+  truth.start = at_start == Sign::negative ? StartPlace::inside
+                : at_start == Sign::zero   ? StartPlace::boundary
+                                           : StartPlace::outside;
+  const bool is_still = a.velocity == b.velocity;
+  if (is_still || cores.kind != HitClass::miss) {
+    truth.kind = is_still && at_start == Sign::positive ? HitClass::miss
+                 : is_still && at_start == Sign::zero   ? HitClass::touch
+                                                        : HitClass::through;
+    return truth;
+  }
+  for (const Rational& t : nearest_times(a, b, within)) {
+    const Sign apart = apart_at(a, b, t);
+    if (apart == Sign::negative) return {HitClass::through, truth.start, {}, {}};
+    if (apart == Sign::positive) continue;
+    if (!truth.first || t < *truth.first) truth.first = t;
+    if (!truth.last || t > *truth.last) truth.last = t;
+  }
+  truth.kind = !truth.first                  ? HitClass::miss
+               : *truth.first == *truth.last ? HitClass::touch
+                                             : HitClass::along;
+  return truth;
 }
 
 }  // namespace flatray::oracle

@@ -9,12 +9,14 @@
 namespace flatray::oracle {
 
 /// Where a ray meets a wall, as tracers must answer.
-struct Meeting {
-  Surd t;
+template <class Time>
+struct MeetingOf {
+  Time t;
   HitClass kind;
   Root root;
   bool at_end;
 };
+using Meeting = MeetingOf<Surd>;
 
 /// Where a ray first meets a straight wall at t >= 0: both as parametric segments, in rationals.
 std::optional<Meeting> first_meeting(const Ray& ray, const Segment& wall);

@@ -29,11 +29,13 @@ StraightPair whole_pair(Draw& draw, int least) {
           draw.whole_point(-4, 5)};
 }
 
+// Radii as lengths along x.
 template <class Change>
 StraightPair changed(StraightPair pair, const Change& change) {
   for (Ring* ring : {&pair.ring_a, &pair.ring_b})
     for (Vec2& p : *ring) p = change(p);
   for (Vec2* v : {&pair.velocity_a, &pair.velocity_b}) *v = change(*v);
+  for (double* r : {&pair.radius_a, &pair.radius_b}) *r = change(Vec2(*r, 0)).x();
   return pair;
 }
 
@@ -128,9 +130,9 @@ Ring small_ring(Draw& draw) {
   }
 }
 
-RoundPair whole(Draw& draw) {
-  RoundPair pair{
-      {small_ring(draw), small_ring(draw), draw.whole_point(-2, 3), draw.whole_point(-2, 3)}};
+StraightPair whole(Draw& draw) {
+  StraightPair pair{small_ring(draw), small_ring(draw), draw.whole_point(-2, 3),
+                    draw.whole_point(-2, 3)};
   pair.radius_a = draw.below(4) / 2;
   pair.radius_b = pair.radius_a == 0 ? 1 : draw.below(3);
   return pair;
@@ -138,7 +140,7 @@ RoundPair whole(Draw& draw) {
 
 // Two that pass each other at exactly the sum of their radii, at a time that mostly is no double; what
 // lies beside the point that touches is farther away, or as far.
-RoundPair tangent(Draw& draw) {
+StraightPair tangent(Draw& draw) {
   static constexpr double kTriples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}};
   static constexpr double kSpeeds[] = {1, 2, 3, 5, 7};
   const auto& [p, q, h] = draw.any(kTriples);
@@ -146,7 +148,7 @@ RoundPair tangent(Draw& draw) {
   const Vec2 way(sign_p * p, sign_q * q), across(-way.y(), way.x());
   const double reach = 1 + draw.below(3), behind = draw.below(21) - 5;
   const Vec2 at_a = draw.whole_point(0, 9), at_b = at_a + reach * across - behind * way;
-  RoundPair pair{{{at_a}, {at_b}, draw.whole_point(-2, 3), {0, 0}}};
+  StraightPair pair{{at_a}, {at_b}, draw.whole_point(-2, 3), {0, 0}};
   pair.velocity_b = pair.velocity_a + draw.any(kSpeeds) * way;
   pair.radius_a = draw.below(static_cast<int>(reach * h));
   pair.radius_b = reach * h - pair.radius_a;
@@ -157,72 +159,56 @@ RoundPair tangent(Draw& draw) {
   return pair;
 }
 
-template <class Change>
-RoundPair changed(const RoundPair& pair, const Change& change) {
-  return {changed(static_cast<const StraightPair&>(pair),
-                  [&](const Vec2& p) { return Vec2(change(p.x()), change(p.y())); }),
-          change(pair.radius_a), change(pair.radius_b)};
+StraightPair round_decimal(Draw& draw) {
+  return changed(tangent(draw), [](const Vec2& p) { return Vec2(p / 10); });
 }
 
-RoundPair round_decimal(Draw& draw) {
-  return changed(tangent(draw), [](double x) { return x / 10; });
-}
-
-RoundPair round_scaled(Draw& draw) {
+StraightPair round_scaled(Draw& draw) {
   const double scale = draw.power(-900, 900);
   return changed(draw.unit() < 0.5 ? tangent(draw) : whole(draw),
-                 [scale](double x) { return x * scale; });
+                 [&](const Vec2& p) { return Vec2(p * scale); });
 }
 
-RoundPair round_one_ulp(Draw& draw) {
-  RoundPair pair = tangent(draw);
+StraightPair round_one_ulp(Draw& draw) {
+  StraightPair pair = tangent(draw);
   pair.radius_b = nudge(pair.radius_b, draw);
   pair.velocity_b = nudge(pair.velocity_b, draw);
   return pair;
 }
 
-constexpr FamilyOf<StraightPair> kStraight[] = {
-    {"grid", &grid},
-    {"degenerate", &degenerate},
-    {"decimal", &decimal},
-    {"one-ulp", &one_ulp},
-    {"scaled", &scaled},
-    {"offset", &offset},
-    {"near-parallel", &near_parallel},
-    {"mixed-magnitude", &mixed_magnitude},
-    {"sliver", &sliver},
-    {"uneven", &uneven},
-    {"touching", &touching},
-};
-constexpr FamilyOf<RoundPair> kRound[] = {
-    {"whole", &whole},         {"tangent", &tangent},       {"decimal", &round_decimal},
-    {"scaled", &round_scaled}, {"one-ulp", &round_one_ulp},
-};
-
-// Rounding may have bent a ring: the next one drawn, in the end one of whole numbers.
-template <class Pair>
-Pair convex_pair(Draw draw, const FamilyOf<Pair>& family, const FamilyOf<Pair>& last) {
-  constexpr int kTries = 8;
-  for (int i = 0; i < kTries; ++i) {
-    Pair pair = family.make(draw);
+// Rounding may have bent a ring: the next one drawn.
+template <StraightPair (*make)(Draw&)>
+StraightPair convex(Draw& draw) {
+  for (;;) {
+    StraightPair pair = make(draw);
     if (!non_convex_vertex(pair.ring_a) && !non_convex_vertex(pair.ring_b)) return pair;
   }
-  return last.make(draw);
 }
+
+constexpr StraightFamily kStraight[] = {
+    {"grid", &convex<&grid>, 2000},
+    {"degenerate", &convex<&degenerate>, 2001},
+    {"decimal", &convex<&decimal>, 2002},
+    {"one-ulp", &convex<&one_ulp>, 2003},
+    {"scaled", &convex<&scaled>, 2004},
+    {"offset", &convex<&offset>, 2005},
+    {"near-parallel", &convex<&near_parallel>, 2006},
+    {"mixed-magnitude", &convex<&mixed_magnitude>, 2007},
+    {"sliver", &convex<&sliver>, 2008},
+    {"uneven", &convex<&uneven>, 2009},
+    {"touching", &convex<&touching>, 2010},
+};
+constexpr StraightFamily kRound[] = {
+    {"round-whole", &convex<&whole>, 3000},
+    {"round-tangent", &convex<&tangent>, 3001},
+    {"round-decimal", &convex<&round_decimal>, 3002},
+    {"round-scaled", &convex<&round_scaled>, 3003},
+    {"round-one-ulp", &convex<&round_one_ulp>, 3004},
+};
 
 }  // namespace
 
-std::span<const FamilyOf<StraightPair>> straight_families() { return kStraight; }
-std::span<const FamilyOf<RoundPair>> round_pair_families() { return kRound; }
-
-StraightPair make_pair(const FamilyOf<StraightPair>& family, std::uint64_t seed,
-                       std::uint64_t item) {
-  const auto number = static_cast<std::uint64_t>(&family - kStraight);
-  return convex_pair({seed, 2000 + number, item}, family, kStraight[0]);
-}
-RoundPair make_pair(const FamilyOf<RoundPair>& family, std::uint64_t seed, std::uint64_t item) {
-  const auto number = static_cast<std::uint64_t>(&family - kRound);
-  return convex_pair({seed, 3000 + number, item}, family, kRound[0]);
-}
+std::span<const StraightFamily> straight_families() { return kStraight; }
+std::span<const StraightFamily> round_families() { return kRound; }
 
 }  // namespace flatray::oracle

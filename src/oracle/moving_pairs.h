@@ -1,39 +1,38 @@
 #pragma once
 #include <vector>
 
+#include "oracle/contact.h"
 #include "oracle/families.h"
-#include "oracle/round_contact.h"
 
 namespace flatray::oracle {
 
-/// Two convex polygons, segments or points in straight motion.
+/// Two convex polygons, segments or points in straight motion, with all points within their radii.
 struct StraightPair {
   std::vector<Vec2> ring_a, ring_b;
   Vec2 velocity_a, velocity_b;
-};
-
-/// At least one of them with a radius.
-struct RoundPair : StraightPair {
   double radius_a = 0, radius_b = 0;
 
-  RoundCore a() const { return {ring_a, velocity_a, radius_a}; }
-  RoundCore b() const { return {ring_b, velocity_b, radius_b}; }
+  MovingCore a() const { return {ring_a, velocity_a, radius_a}; }
+  MovingCore b() const { return {ring_b, velocity_b, radius_b}; }
 };
 
-/// What is hard about a pair: see goal R1. Numbers of pairs of one kind are from 1000 (turning),
-/// 2000 (straight) or 3000 (round), beyond the families of rays.
+/// What is hard about a pair: see goal R1. Numbers are beyond those of the families of rays.
 template <class Pair>
 struct FamilyOf {
   const char* name;
   Pair (*make)(Draw& draw);
+  std::uint64_t number;
 };
 using StraightFamily = FamilyOf<StraightPair>;
-using RoundPairFamily = FamilyOf<RoundPair>;
+/// Rings are convex. Without radii; with one at least.
 std::span<const StraightFamily> straight_families();
-std::span<const RoundPairFamily> round_pair_families();
+std::span<const StraightFamily> round_families();
 
-/// The pair of a number, the same for ever; its rings are convex.
-StraightPair make_pair(const StraightFamily& family, std::uint64_t seed, std::uint64_t item);
-RoundPair make_pair(const RoundPairFamily& family, std::uint64_t seed, std::uint64_t item);
+/// The pair of a number, the same for ever.
+template <class Pair>
+Pair make_pair(const FamilyOf<Pair>& family, std::uint64_t seed, std::uint64_t item) {
+  Draw draw(seed, family.number, item);
+  return family.make(draw);
+}
 
 }  // namespace flatray::oracle

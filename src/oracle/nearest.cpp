@@ -7,6 +7,14 @@
 #include "oracle/curves.h"
 
 namespace flatray::oracle {
+
+static std::span<const Vec2> points_of(const Bezier& wall) {
+  return {wall.points.data(), static_cast<std::size_t>(wall.degree) + 1};
+}
+static auto first_meeting(const Ray& ray, const Bezier& wall) {
+  return first_meeting(ray, points_of(wall));
+}
+
 namespace {
 
 // Of a Bezier curve it takes more than a square root.
@@ -17,17 +25,6 @@ std::strong_ordering compare(const Time& a, const Time& b) {
   return std::visit(algebraic, a) <=> std::visit(algebraic, b);
 }
 
-std::span<const Vec2> points_of(const Bezier& wall) {
-  return {wall.points.data(), static_cast<std::size_t>(wall.degree) + 1};
-}
-template <class Wall>
-auto meeting_of(const Ray& ray, const Wall& wall) {
-  if constexpr (std::is_same_v<Wall, Bezier>)
-    return first_meeting(ray, points_of(wall));
-  else
-    return first_meeting(ray, wall);
-}
-
 // The first of the walls that are offered.
 class First {
  public:
@@ -35,7 +32,7 @@ class First {
 
   template <class Wall>
   void offer(std::int64_t number, const Wall& wall) {
-    const auto met = meeting_of(ray_, wall);
+    const auto met = first_meeting(ray_, wall);
     if (!met) return;
     const auto order = wall_ ? compare(met->t, best_) : std::strong_ordering::less;
     if (order > 0 || (order == 0 && number > wall_.wall)) return;

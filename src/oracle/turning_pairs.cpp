@@ -110,16 +110,13 @@ TurningPair grazing(Draw& draw) {
 }
 
 constexpr TurningFamily kFamilies[] = {
-    {"polygons", &polygons}, {"rounded", &rounded}, {"slivers", &slivers}, {"segments", &segments},
-    {"fast", &fast},         {"far", &far_away},    {"squares", &squares}, {"grazing", &grazing}};
+    {"turning-polygons", &polygons, 1000}, {"turning-rounded", &rounded, 1001},
+    {"turning-slivers", &slivers, 1002},   {"turning-segments", &segments, 1003},
+    {"turning-fast", &fast, 1004},         {"turning-far", &far_away, 1005},
+    {"turning-squares", &squares, 1006},   {"turning-grazing", &grazing, 1007}};
 
 }  // namespace
 
 std::span<const TurningFamily> turning_families() { return kFamilies; }
-
-TurningPair make_pair(const TurningFamily& family, std::uint64_t seed, std::uint64_t item) {
-  Draw draw(seed, 1000 + static_cast<std::uint64_t>(&family - kFamilies), item);
-  return family.make(draw);
-}
 
 }  // namespace flatray::oracle

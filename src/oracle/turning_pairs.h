@@ -1,5 +1,4 @@
 #pragma once
-#include <string_view>
 #include <vector>
 
 #include "oracle/moving_pairs.h"
@@ -24,8 +23,5 @@ struct TurningPair {
 
 using TurningFamily = FamilyOf<TurningPair>;
 std::span<const TurningFamily> turning_families();
-
-/// The pair of a number, the same for ever.
-TurningPair make_pair(const TurningFamily& family, std::uint64_t seed, std::uint64_t item);
 
 }  // namespace flatray::oracle

@@ -53,10 +53,11 @@ bool changes_outline_or_velocity(const MarkovUse& markov) {
   return false;
 }
 
-bool has_parts_left_out(const Shape& shape) {
+bool has_parts_left_out(const Shape& shape, bool but_ellipses) {
   return !shape.crossing_rings.empty() || !shape.beziers.empty() ||
-         std::ranges::any_of(shape.arc_paths,
-                             [](const ArcPath& path) { return !rounded_by(path); });
+         std::ranges::any_of(shape.arc_paths, [&](const ArcPath& path) {
+           return !rounded_by(path) && !(but_ellipses && path.is_ellipse());
+         });
 }
 
 bool moves(const Group& group) {

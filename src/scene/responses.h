@@ -41,9 +41,9 @@ std::optional<Hindrance> hindrance(const Scene& scene, const Entity& entity);
 /// Whether the states of a chain change the shape or the velocity of who has it.
 bool changes_outline_or_velocity(const MarkovUse& markov);
 
-/// Whether a shape has parts that contacts leave out: curves other than circles, outlines that
-/// cross.
-bool has_parts_left_out(const Shape& shape);
+/// Whether a shape has parts that contacts leave out: curves other than circles, or than those and ellipses;
+/// outlines that cross.
+bool has_parts_left_out(const Shape& shape, bool but_ellipses = false);
 
 /// Whether a group moves in the one it stands in.
 bool moves(const Group& group);

@@ -163,8 +163,9 @@ TEST(ContactBatch, AgreesWithSeparatingAxes) {
   int hits = 0;
   for (std::size_t i = 0; i < met.size(); ++i) {
     const MovingPair& pair = asked.pairs[i];
-    const oracle::ContactTruth truth = oracle::contact_truth(
-        asked.a(pair).vertices, pair.velocity_a, asked.b(pair).vertices, pair.velocity_b, kSegment);
+    const oracle::ContactTruth truth =
+        oracle::contact_truth({asked.a(pair).vertices, pair.velocity_a},
+                              {asked.b(pair).vertices, pair.velocity_b}, kSegment);
     ASSERT_EQ(met[i].times.kind, truth.kind) << i;
     ASSERT_EQ(met[i].times.start, truth.start) << i;
     if (!met[i].times) continue;

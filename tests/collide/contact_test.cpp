@@ -142,7 +142,7 @@ double as_double(const std::optional<Rational>& t, double none) {
 
 void expect_truth(const Ring& a, const Vec2& va, const Ring& b, const Vec2& vb, Range within) {
   const HitInterval met = meet(a, va, b, vb, within);
-  const oracle::ContactTruth truth = oracle::contact_truth(a, va, b, vb, within);
+  const oracle::ContactTruth truth = oracle::contact_truth({a, va}, {b, vb}, within);
   ASSERT_EQ(met.kind, truth.kind);
   ASSERT_EQ(met.start, truth.start);
   if (!met) return;

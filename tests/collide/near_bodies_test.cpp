@@ -11,11 +11,11 @@ namespace flatray {
 namespace {
 
 using oracle::Draw;
-using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+using Pairs = std::set<IndexPair>;
 
 struct World {
   std::vector<Bounds> shapes;
-  std::vector<Stage> stages;
+  std::vector<std::vector<Stage>> stages;
   std::vector<Bounds> ways;  // from 0 to 1
 };
 
@@ -30,9 +30,9 @@ World world(std::uint64_t item, int count) {
     const double vx = fast * (draw.unit() - 0.5), vy = fast * (draw.unit() - 0.5);
     const Vec2 half(large * draw.unit(), 0.5 * large);
     made.shapes.push_back({-half, half});
-    made.stages.push_back({0, {far * x, y}, {vx, vy}});
-    made.ways.push_back(
-        swept({made.stages.back().at - half, made.stages.back().at + half}, {vx, vy}, 1));
+    const Vec2 at(far * x, y);
+    made.stages.push_back({{0, at, {vx, vy}}});
+    made.ways.push_back(swept({at - half, at + half}, {vx, vy}, 1));
   }
   return made;
 }
@@ -41,13 +41,11 @@ TEST(NearBodies, AreThosePairsWhoseSweptBoxesMeetEachOnce) {
   for (std::uint64_t item = 0; item < 40; ++item) {
     const World bodies = world(item, 150);
     NearBodies near(bodies.shapes);
-    std::vector<const Stage*> stages;
-    for (const Stage& stage : bodies.stages) stages.push_back(&stage);
-    near.open(0, 1, stages);
+    near.open(0, 1, bodies.stages);
     Pairs found;
-    near.each_pair([&](std::uint32_t a, std::uint32_t b) {
-      EXPECT_LT(a, b);
-      EXPECT_TRUE(found.insert({a, b}).second);
+    near.each_pair([&](const IndexPair& pair) {
+      EXPECT_LT(pair.first, pair.second);
+      EXPECT_TRUE(found.insert(pair).second);
     });
     const auto meeting = overlapping_pairs(bodies.ways);
     EXPECT_EQ(found, Pairs(meeting.begin(), meeting.end())) << item;
@@ -57,11 +55,11 @@ TEST(NearBodies, AreThosePairsWhoseSweptBoxesMeetEachOnce) {
 TEST(NearBodies, AChangedWayIsMetAndWhatIsGoneIsNot) {
   const Bounds unit{{-0.5, -0.5}, {0.5, 0.5}};
   NearBodies near({unit, unit, unit});
-  const Stage stages[] = {{0, {0, 0}, {1, 0}}, {0, {0, 50}, {0, 0}}, {0, {9, 0}, {0, 0}}};
-  const Stage* const now[] = {&stages[0], &stages[1], &stages[2]};
-  near.open(0, 4, now);
+  const std::vector<Stage> stages[] = {
+      {{0, {0, 0}, {1, 0}}}, {{0, {0, 50}, {0, 0}}}, {{0, {9, 0}, {0, 0}}}};
+  near.open(0, 4, stages);
   std::size_t pairs = 0;
-  near.each_pair([&](std::uint32_t, std::uint32_t) { ++pairs; });
+  near.each_pair([&](const IndexPair&) { ++pairs; });
   EXPECT_EQ(pairs, 0U);
   near.change(0, {1, {1, 0}, {0, 20}});
   std::vector<std::uint32_t> found;

@@ -1,11 +1,10 @@
-#include "oracle/round_contact.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "collide/contact.h"
 #include "geom/polygon.h"
+#include "oracle/contact.h"
 #include "oracle/families.h"
 
 namespace flatray {
@@ -20,7 +19,7 @@ struct Body {
   double radius;
 
   operator MovingBody() const { return {ring, velocity, radius}; }
-  operator oracle::RoundCore() const { return {ring, velocity, radius}; }
+  operator oracle::MovingCore() const { return {ring, velocity, radius}; }
 };
 const Ring kSquare = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -163,7 +162,7 @@ TEST(RoundContact, AgreesWithDistancesInRationals) {
     if (a.velocity == b.velocity || a.radius + b.radius == 0) continue;
     SCOPED_TRACE(item);
     const HitInterval met = meet(a, b, kLine);
-    const oracle::ContactTruth truth = oracle::round_truth(a, b, kLine);
+    const oracle::ContactTruth truth = oracle::contact_truth(a, b, kLine);
     ASSERT_EQ(met.kind, truth.kind);
     ASSERT_EQ(met.start, truth.start);
     ++(met ? met_count : missed);

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "geom/clip_cases.h"
-#include "oracle/exact.h"
+#include "geom/cyrus_beck.h"
+#include "oracle/contact.h"
+#include "oracle/curves.h"
 
 namespace flatray {
 namespace {
@@ -60,29 +62,37 @@ const Family kFamilies[] = {
 };
 
 // t is the nearest double when the root lies between the middles to its neighbours.
-void expect_nearest(const DiscCase& c, int root, double t) {
+void expect_nearest(const oracle::Surd& root, double t) {
   const Rational above = (Rational(t) + std::nextafter(t, kInfinity)) / 2;
   const Rational below = (Rational(t) + std::nextafter(t, -kInfinity)) / 2;
-  EXPECT_TRUE(oracle::root_against(c.ray, c.circle, root, above) <= 0);
-  EXPECT_TRUE(oracle::root_against(c.ray, c.circle, root, below) >= 0);
+  EXPECT_TRUE(root <= oracle::Surd{above});
+  EXPECT_TRUE(root >= oracle::Surd{below});
 }
 
 void check(const DiscCase& c, int (&kinds)[4]) {
   const HitInterval hit = clip_circle(c.ray, c.circle, kLine);
-  const StartPlace place = oracle::place_in_disc(c.ray.origin, c.circle);
+  const Sign apart = oracle::apart_at({{&c.ray.origin, 1}, {0, 0}},
+                                      {{&c.circle.centre, 1}, {0, 0}, c.circle.radius}, 0);
+  const StartPlace place = apart == Sign::positive ? StartPlace::outside
+                           : apart == Sign::zero   ? StartPlace::boundary
+                                                   : StartPlace::inside;
   EXPECT_STREQ(name(hit.start), name(place));
   if (c.ray.direction == Vec2(0, 0)) {
     EXPECT_EQ(hit.kind == HitClass::miss, place == StartPlace::outside);
     return;
   }
-  EXPECT_STREQ(name(hit.kind), name(oracle::verdict_on_disc(c.ray, c.circle)));
+  const auto first = oracle::root_of(c.ray, c.circle, Root::first);
+  const auto second = oracle::root_of(c.ray, c.circle, Root::second);
+  EXPECT_STREQ(name(hit.kind), name(!first          ? HitClass::miss
+                                    : first->s == 0 ? HitClass::touch
+                                                    : HitClass::through));
   ++kinds[static_cast<int>(hit.kind)];
-  if (!hit) return;
-  expect_nearest(c, -1, hit.t_enter);
-  expect_nearest(c, 1, hit.t_exit);
+  if (!hit || !first) return;
+  expect_nearest(*first, hit.t_enter);
+  expect_nearest(*second, hit.t_exit);
   // A ray keeps what lies ahead of its origin.
   const HitInterval ahead = clip_circle(c.ray, c.circle, kRay);
-  EXPECT_EQ(ahead.kind == HitClass::miss, oracle::root_against(c.ray, c.circle, 1, 0) < 0);
+  EXPECT_EQ(ahead.kind == HitClass::miss, second->sign() == Sign::negative);
   if (ahead) {
     EXPECT_EQ(ahead.t_enter, std::max(0.0, hit.t_enter));
     EXPECT_EQ(ahead.t_exit, hit.t_exit);

@@ -134,8 +134,8 @@ void check_case(const Case& c, Range within, Tally& tally) {
   EXPECT_EQ(hit.t_enter > hit.t_exit, hit.kind == HitClass::miss);
   ++tally.kinds[static_cast<int>(truth.kind)];
   if (truth.kind == HitClass::miss) return;
-  check_end(hit.t_enter, hit.enter_overflows, truth.t_enter, tally);
-  check_end(hit.t_exit, hit.exit_overflows, truth.t_exit, tally);
+  check_end(hit.t_enter, hit.enter_overflows, truth.first, tally);
+  check_end(hit.t_exit, hit.exit_overflows, truth.last, tally);
 }
 
 TEST(ClipConvex, AgreesWithTheOracleOnAdversarialFamilies) {

@@ -36,11 +36,7 @@ FLATRAY_INLINE void dot(Lanes& to, const Lanes& ax, const Lanes& ay, const Lanes
 #endif
 // Other last bits: those of `bits` where `mask` has none.
 FLATRAY_INLINE void set_bits(Lanes& lanes, const Ints& mask, const Ints& bits) {
-#ifdef __AVX512VL__
-  lanes = (Lanes)_mm256_ternarylogic_epi32((__m256i)lanes, (__m256i)mask, (__m256i)bits, 0xEA);
-#else
   lanes = (Lanes)(((Ints)lanes & mask) | bits);
-#endif
 }
 
 FLATRAY_INLINE void fill(Lanes& lanes, float value) { lanes = value - Lanes{}; }

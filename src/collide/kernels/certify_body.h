@@ -84,8 +84,8 @@ inline void certify_at(Edges& edges, int i) {
   const Mask certain =
       both(both(start.is_certain, end.is_certain), both(before.is_certain, after.is_certain));
   const Real found =
-      choose(certain, all(0), all(kUnsure)) + choose(equal(time, time), all(0), all(kNoTime)) +
-      told(past, kPast) + told(start.is_positive, kFromLeft) + told(end.is_positive, kToLeft) +
+      choose(certain, all(0), all(kUnsure)) + told(past, kPast) +
+      told(start.is_positive, kFromLeft) + told(end.is_positive, kToLeft) +
       told(either(before.is_nearer, both(before.is_level, of_first)), kRatherBefore) +
       told(either(after.is_nearer, but_not(after.is_level, of_first)), kRatherAfter);
   store(edges.time + i, time);

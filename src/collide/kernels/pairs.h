@@ -57,16 +57,16 @@ struct Edges {
   /// come first.
   double of_first[kMostEdges];
 
-  double time[kMostEdges];   ///< nearest double to when the vertex is on the line of the edge
+  /// The nearest double to when the vertex is on the line of the edge; no number where that is not certain.
+  double time[kMostEdges];
   double found[kMostEdges];  ///< the sum of what holds of the below
 };
 inline constexpr int kUnsure = 1;         ///< a sign is not certain
-inline constexpr int kNoTime = 2;         ///< `time` is not
-inline constexpr int kPast = 4;           ///< it is surely negative
-inline constexpr int kFromLeft = 8;       ///< `from` is to the left of the way of the vertex
-inline constexpr int kToLeft = 16;        ///< `to` is
-inline constexpr int kRatherBefore = 32;  ///< not the vertex but `before` belongs to the edge
-inline constexpr int kRatherAfter = 64;   ///< or `after`
+inline constexpr int kPast = 2;           ///< the time is surely negative
+inline constexpr int kFromLeft = 4;       ///< `from` is to the left of the way of the vertex
+inline constexpr int kToLeft = 8;         ///< `to` is
+inline constexpr int kRatherBefore = 16;  ///< not the vertex but `before` belongs to the edge
+inline constexpr int kRatherAfter = 32;   ///< or `after`
 
 struct Kernels {
   /// `near` is 0 where the boxes of both bodies certainly never touch for t in [0, length], else 1.

@@ -13,7 +13,7 @@ constexpr std::size_t kTogether = 64;  // contacts of one call
 void compare(const oracle::StiffContact& asked, const HitInterval& met, CatalogueTally& tally) {
   ++tally.queries;
   const oracle::ContactTruth truth =
-      oracle::contact_truth(asked.a, asked.velocity_a, asked.b, asked.velocity_b, asked.within);
+      oracle::contact_truth({asked.a, asked.velocity_a}, {asked.b, asked.velocity_b}, asked.within);
   if (met.kind != asked.kind || met.kind != truth.kind || met.start != truth.start) {
     ++tally.wrong;
   } else if (met) {

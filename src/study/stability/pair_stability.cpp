@@ -47,43 +47,9 @@ bool count_verdict(StabilityTally& tally, std::uint64_t item, const HitInterval&
   return true;
 }
 
-void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
-             const oracle::ContactTruth& truth) {
-  if (!count_verdict(tally, item, met, truth) || !met) return;
-  check_time(tally, met.t_enter, truth.first);
-  check_time(tally, met.t_exit, truth.last);
-}
-
-std::vector<StabilityTally> check_straight(const oracle::StraightFamily& family, std::uint64_t seed,
-                                           std::uint64_t first, std::uint64_t count) {
-  std::vector<oracle::StraightPair> pairs;
-  BodySet shapes;
-  std::vector<MovingPair> asks;
-  for (std::uint64_t item = first; item < first + count; ++item) {
-    pairs.push_back(oracle::make_pair(family, seed, item));
-    const oracle::StraightPair& pair = pairs.back();
-    const std::uint32_t a = shapes.add(pair.ring_a), b = shapes.add(pair.ring_b);
-    asks.push_back({a, b, pair.velocity_a, pair.velocity_b});
-  }
-  std::vector<Contact> together(asks.size());
-  contacts(shapes, asks, kRay, together);
-  std::vector<StabilityTally> tallies(2);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [ring_a, ring_b, velocity_a, velocity_b] = pairs[i];
-    const oracle::ContactTruth truth =
-        oracle::contact_truth(ring_a, velocity_a, ring_b, velocity_b, kRay);
-    compare(tallies[0], first + i, contact({ring_a, velocity_a}, {ring_b, velocity_b}).times,
-            truth);
-    compare(tallies[1], first + i, together[i].times, truth);
-  }
-  return tallies;
-}
-
-MovingBody body(const oracle::RoundCore& core) { return {core.ring, core.velocity, core.radius}; }
-
-// Of bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they are not apart,
-// where it lasts as long.
-void check_while(StabilityTally& tally, const oracle::RoundPair& pair, const HitInterval& met) {
+// Of round bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they are not
+// apart, where it lasts as long.
+void check_while(StabilityTally& tally, const oracle::StraightPair& pair, const HitInterval& met) {
   const auto apart = [&](double at) { return oracle::apart_at(pair.a(), pair.b(), Rational(at)); };
   const double in = std::nextafter(met.t_enter, kInfinity),
                out = std::nextafter(met.t_exit, -kInfinity);
@@ -97,14 +63,38 @@ void check_while(StabilityTally& tally, const oracle::RoundPair& pair, const Hit
     ++tally.off_by_more;
 }
 
-void compare(StabilityTally& tally, std::uint64_t item, const oracle::RoundPair& pair) {
-  const HitInterval met = contact(body(pair.a()), body(pair.b()), kRay).times;
-  const oracle::ContactTruth truth = oracle::round_truth(pair.a(), pair.b(), kRay);
+void compare(StabilityTally& tally, std::uint64_t item, const HitInterval& met,
+             const oracle::StraightPair& pair, const oracle::ContactTruth& truth) {
   if (!count_verdict(tally, item, met, truth) || !met) return;
   check_time(tally, met.t_enter, truth.first);
   check_time(tally, met.t_exit, truth.last);
-  if (met.kind == HitClass::through && pair.velocity_a != pair.velocity_b)
+  const bool is_round = pair.radius_a > 0 || pair.radius_b > 0;
+  if (is_round && met.kind == HitClass::through && pair.velocity_a != pair.velocity_b)
     check_while(tally, pair, met);
+}
+
+MovingBody body(const oracle::MovingCore& core) { return {core.ring, core.velocity, core.radius}; }
+
+// One by one, and where there is a second tally together.
+void check_straight(const oracle::StraightFamily& family, std::uint64_t seed, std::uint64_t first,
+                    std::uint64_t count, std::vector<StabilityTally>& tallies) {
+  std::vector<oracle::StraightPair> pairs;
+  BodySet shapes;
+  std::vector<MovingPair> asks;
+  for (std::uint64_t item = first; item < first + count; ++item) {
+    const oracle::StraightPair& pair = pairs.emplace_back(oracle::make_pair(family, seed, item));
+    const std::uint32_t a = shapes.add(pair.ring_a, pair.radius_a),
+                        b = shapes.add(pair.ring_b, pair.radius_b);
+    asks.push_back({a, b, pair.velocity_a, pair.velocity_b});
+  }
+  std::vector<Contact> together(asks.size());
+  if (tallies.size() > 1) contacts(shapes, asks, kRay, together);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const oracle::StraightPair& pair = pairs[i];
+    const oracle::ContactTruth truth = oracle::contact_truth(pair.a(), pair.b(), kRay);
+    compare(tallies[0], first + i, contact(body(pair.a()), body(pair.b())).times, pair, truth);
+    if (tallies.size() > 1) compare(tallies[1], first + i, together[i].times, pair, truth);
+  }
 }
 
 TurningBody body(const oracle::TurningCore& core) {
@@ -134,37 +124,25 @@ void compare(StabilityTally& tally, std::uint64_t item, const oracle::TurningPai
   if (meets && met.first.high - met.first.low > kAskedWidth) ++tally.not_nearest;
 }
 
-// The names of round and of turning families say so, as some are those of straight ones.
-std::string round_name(const oracle::RoundPairFamily& family) {
-  return std::string("round-") + family.name;
-}
-std::string turning_name(const oracle::TurningFamily& family) {
-  return std::string("turning-") + family.name;
-}
-
 }  // namespace
 
 std::vector<PairFamily> pair_families() {
   std::vector<PairFamily> all;
   for (const auto& family : oracle::straight_families())
     all.push_back({family.name, {"contact", "contacts"}});
-  for (const auto& family : oracle::round_pair_families())
-    all.push_back({round_name(family), {"contact"}});
-  for (const auto& family : oracle::turning_families())
-    all.push_back({turning_name(family), {"turning"}});
+  for (const auto& family : oracle::round_families()) all.push_back({family.name, {"contact"}});
+  for (const auto& family : oracle::turning_families()) all.push_back({family.name, {"turning"}});
   return all;
 }
 
 std::vector<StabilityTally> check_pairs(const PairFamily& family, std::uint64_t seed,
                                         std::uint64_t first, std::uint64_t count) {
-  for (const auto& straight : oracle::straight_families())
-    if (family.name == straight.name) return check_straight(straight, seed, first, count);
-  std::vector<StabilityTally> tallies(1);
-  for (const auto& round : oracle::round_pair_families())
-    for (std::uint64_t i = first; family.name == round_name(round) && i < first + count; ++i)
-      compare(tallies[0], i, oracle::make_pair(round, seed, i));
+  std::vector<StabilityTally> tallies(family.methods.size());
+  for (const auto& families : {oracle::straight_families(), oracle::round_families()})
+    for (const auto& straight : families)
+      if (family.name == straight.name) check_straight(straight, seed, first, count, tallies);
   for (const auto& turning : oracle::turning_families())
-    for (std::uint64_t i = first; family.name == turning_name(turning) && i < first + count; ++i)
+    for (std::uint64_t i = first; family.name == turning.name && i < first + count; ++i)
       compare(tallies[0], i, oracle::make_pair(turning, seed, i));
   return tallies;
 }

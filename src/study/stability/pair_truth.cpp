@@ -55,7 +55,7 @@ Answer polygons_meet(const Body& a, const Body& b, double length) {
   for (const ShapePart& p : a.parts)
     for (const ShapePart& q : b.parts)
       if (!far_apart(about(p.ring), about(q.ring), way) &&
-          oracle::contact_truth(p.ring, a.velocity(), q.ring, b.velocity(), {0, length}).kind !=
+          oracle::contact_truth({p.ring, a.velocity()}, {q.ring, b.velocity()}, {0, length}).kind !=
               HitClass::miss)
         return Answer::meet;
   return Answer::apart;
