@@ -29,7 +29,7 @@ struct DrawCounts {
   std::uint64_t bands = 0;          ///< drawn
   std::uint64_t kept_bands = 0;     ///< not drawn: they show what they showed in the frame before
   std::uint64_t items = 0;          ///< items of the bands drawn
-  std::uint64_t hidden_items = 0;   ///< of these, left out: one above covers the whole band, opaque
+  std::uint64_t hidden_items = 0;   ///< of these, left out: those above cover the whole band
   std::uint64_t pixels = 0;         ///< of the bands drawn
   std::uint64_t kept_pixels = 0;    ///< of these, as they were in the frame before: not drawn
   std::uint64_t stopped_bands = 0;  ///< not drawn: FrameOptions::stop said so

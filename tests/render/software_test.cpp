@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "render/coverage/stroke.h"
 #include "render/coverage_families.h"
 #include "render/frame.h"
 
@@ -52,6 +53,39 @@ TEST(Software, ACropIsThatPartOfTheFrame) {
         for (int c = 0; c < 3; ++c)
           ASSERT_EQ(part.at(x, y)[c], whole.at(x + crop.x, y + crop.y)[c]) << x << ' ' << y;
   }
+}
+
+// Strokes that overlap themselves and run far beyond the film, some of them nearly level.
+DrawList strokes(std::uint64_t seed, Coverage coverage, int rows) {
+  DrawList list{150, 70, {1, 1, 1, seed % 2 == 0 ? 1.0F : 0.0F}, coverage, {}, rows};
+  for (std::uint64_t item = 0; item < 30; ++item) {
+    Draws draws(seed, item);
+    const auto shade = [&] { return static_cast<float>(draws.unit()); };
+    Chain chain;
+    for (int i = 0; i < 5; ++i)
+      chain.points.emplace_back(600 * draws.unit() - 225, 70 * draws.unit() - 20 + (i % 2));
+    FillPath path;
+    add_line(chain, {0.3 + 5 * draws.unit(), LineJoin::miter, LineCap::butt}, path.edges);
+    list.items.push_back({std::move(path), {shade(), shade(), shade(), item % 5 ? 1.0F : shade()}});
+  }
+  return list;
+}
+
+// When all is kept, nothing is settled before the last item is known; of a crop, edges right of it
+// are left out.
+TEST(Software, WhatIsHiddenOrBesideTheCropChangesNoPixel) {
+  const PixelBox crop{40, 9, 45, 50};
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+    for (const Coverage coverage : {Coverage::area, Coverage::rows, Coverage::centre}) {
+      const DrawList list = strokes(seed, coverage, seed % 3 ? 4 : 3);
+      const Image whole = render_image(list, {}), part = render_image(list, {crop, 1});
+      EXPECT_EQ(whole, render_image(list, {std::nullopt, 1, true})) << seed;
+      bool same = true;
+      for (int y = 0; y < crop.height; ++y)
+        same = same && std::equal(part.at(0, y), part.at(0, y) + crop.width * part.channels,
+                                  whole.at(crop.x, crop.y + y));
+      EXPECT_TRUE(same) << seed;
+    }
 }
 
 TEST(Software, ManyEdgesAreSortedIntoBandsWithoutLosingOne) {

@@ -3,12 +3,14 @@
 #include <vector>
 
 #include "render/coverage/bands.h"
+#include "render/coverage/bit_runs.h"
 #include "render/coverage/pixel_area.h"
+#include "render/coverage/pixel_rest.h"
 #include "render/coverage/row_pieces.h"
 
 namespace flatray {
 
-/// Takes what a scan finds: each pixel of a row once, from left to right.
+/// Takes what a scan finds: each pixel of the box once, in any order.
 class PixelSink {
  public:
   virtual ~PixelSink() = default;
@@ -17,8 +19,11 @@ class PixelSink {
   virtual void pixel(int y, int x, const Light& light) = 0;
 };
 
-/// Bands of pixels from the items that lie in them, all at once: a row of pixels is a ray, which
-/// passes from edge to edge of all items in turn; between edges one light goes on.
+/// Bands of pixels from the items that lie in them. Items are taken from the uppermost down: along
+/// a row of pixels, which is a ray, each covers runs of whole pixels and a part of those at its
+/// edges. What an opaque item of one colour covers is drawn and settled at once, with the parts of
+/// those above it, and nothing below is looked at there; what shines through others waits until all
+/// items are known.
 ///
 /// Gives   Coverage::area: the mean of the light over each pixel, jointly over all items (PixelArea).
 ///         Coverage::rows: the mean along n rays of each row of pixels, exact along each.
@@ -27,83 +32,125 @@ class PixelSink {
 ///         ones are cut into pieces at doubles first.
 ///         A gradient or light film has in all of a pixel its colour there. The same light whatever
 ///         the box.
-/// Cost    O(edges in the rows + pixels with an edge), each as PixelArea says, and a run of pixels
-///         between them at once.
+/// Cost    O(edges in the rows + pixels with an edge that is seen), each as PixelArea says, and a run
+///         of pixels between them at once.
 class BandScan {
  public:
-  /// `hide`: what an opaque item covers is not looked at.
+  /// `hide`: what opaque items cover is not looked at.
   /// `stop`: FrameOptions::stop; what is drawn when it says so is no picture.
   BandScan(const DrawList& list, bool hide, bool (*stop)());
 
   void scan(const PixelBox& box, const Band& band, PixelSink& sink);
-  /// Items the last call left out, as one above hides them.
+  /// Items the last call left out, as those above hide all of the box.
   std::size_t hidden() const { return hidden_; }
   /// Items cut by rows so far.
   std::uint64_t scans() const { return scans_; }
 
  private:
-  /// Items with a winding number other than 0.
-  class Stack {
-   public:
-    struct Entry {
-      std::uint32_t item;
-      int winding;
-    };
-    void clear() { entries_.clear(), shown_from_ = 0; }
-    /// Of items from the uppermost down, each as often as it changes.
-    void change(std::span<const Entry> changes, std::span<const ItemLook> looks);
-    std::span<const Entry> entries() const { return entries_; }
-    /// Items below this one are hidden: it is opaque, and covers.
-    std::uint32_t shown_from() const { return shown_from_; }
-
-   private:
-    void change(std::uint32_t item, int by);
-    void merge(std::span<const Entry> changes);
-
-    std::vector<Entry> entries_, merged_;
-    std::uint32_t shown_from_ = 0;
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  /// What an item covers of a pixel.
+  struct Part {
+    std::uint32_t item;
+    std::uint32_t above;         ///< the part of the next item above in the pixel
+    int winding;                 ///< just inside its upper left corner, or at the left of each ray
+    std::uint32_t first, count;  ///< its pieces; of rays from ray to ray, and along each
+  };
+  /// That an item covers whole pixels from a column on, or no longer, as far as some rays go.
+  struct Cover {
+    std::int32_t column;
+    std::uint32_t item;
+    std::uint64_t rays;
+    bool begins;
+  };
+  /// A bit for each of 64 columns.
+  struct Words {
+    std::uint64_t settled = 0;  ///< nothing below is seen; or it lies right of the box
+    std::uint64_t waits = 0;    ///< has parts
+    std::uint64_t shines = 0;   ///< has covers through which one sees
+  };
+  struct Entry {
+    std::int32_t column;
+    std::uint32_t cut;
+  };
+  /// An item of which a pixel has a part, or that covers it along some rays.
+  struct Shown {
+    std::uint32_t seen;
+    const Part* part;  ///< or
+    std::uint64_t rays;
+  };
+  struct RayChange {
+    int ray;
+    double x;
+    std::uint32_t seen;
+    int direction;
   };
 
-  /// Gives the number of the items that are hidden by one above in all of the box.
-  std::size_t cut(const Band& band);
+  // Items are taken: band_scan.cpp.
+  void fetch(const Band& band, std::size_t i) const;
+  std::size_t take_items(const Band& band);
+  bool is_settled(const PixelBox& box) const;
   void cut_item(const Band& band, std::size_t i);
-  bool hides_all(std::uint32_t item);
-  void scan_row(int row);
-  void gather_columns(std::span<const Piece> pieces);
-  void take_column(std::vector<const Piece*>& pieces, int row);
-  void enter(std::span<const Piece* const> pieces);
-  void put_run(int row, int end);
-  Light area_of(std::span<const Piece* const> pieces, int row);
-  std::optional<Light> plain_area_of(std::span<const Piece* const> pieces) const;
-  Light part_covered(std::size_t at, double wound);
-  Light mean_of_rays(std::span<const Piece*> pieces, int row);
-  Light light_of_stacks(int row, int column, bool& varies);
-  Light light_of(const Stack& stack, int row, int column, bool& varies);
-  void see(const Stack& stack, int row, int column);
+  void begin_row(int row);
+  void take_row(int row);
+  void take_columns(const std::vector<RowCut>& cuts);
+  int pass(const RowCut& cut, int winding);
+  void add_part(int column, int winding, std::span<const RowCut* const> cuts);
+  bool add_windings();
+  void cover(int begin, int end);
+  void cover_all(int begin, int end);
+  void cover_rays(int begin, int end, std::uint64_t rays, bool shining);
+
+  // What waits is drawn: band_draw.cpp.
+  void draw_row(int row);
+  void draw_shining(int begin, int end);
+  void draw_run(int begin, int end);
+  void draw_part(int place, const ItemLook* below);
+  Light light_of(const Part& part, const Light& below) const;
+  Light joint_light(int column, std::uint32_t part, const ItemLook* below);
+  void see(int column, std::uint32_t part, const ItemLook* below);
+  Light part_covered(const Shown& one);
+  std::optional<Light> light_of_rest();
+  Light mean_of_rays();
 
   const DrawList& list_;
   const bool hide_;
   bool (*const stop_)();
   const int rays_;
+  const std::uint64_t all_rays_;
   const Light background_;
-  PixelBox box_;  ///< of the rows that are cut
+  PixelBox box_;  ///< of the rows that are taken
   PixelSink* sink_ = nullptr;
-  int run_ = 0;  ///< column from which the row is still to be drawn
   std::size_t hidden_ = 0;
   std::uint64_t scans_ = 0;
   ScanEdges edges_;
   RowCutter cutter_;
-  std::vector<ItemLook> looks_;  ///< by item of the band
-  std::vector<Stack> stacks_;    ///< of the row's upper border, or of each ray
+  std::vector<ItemLook> looks_;             ///< by item of the band
+  std::size_t stride_ = 0;                  ///< words a row
+  std::vector<Words> words_;                ///< of the rows, one after another
+  std::vector<std::uint32_t> lowest_;       ///< part by pixel that waits
+  std::vector<std::vector<Cover>> covers_;  ///< by row
+  std::vector<Part> parts_;
+  std::vector<Piece> pieces_;
+
+  int row_ = 0;  ///< that is taken or drawn, and what is of it
+  Words* row_words_ = nullptr;
+  std::uint32_t* row_lowest_ = nullptr;
+  std::vector<Cover>* row_covers_ = nullptr;
+
+  std::uint32_t item_ = 0;  ///< that is taken
+  /// Of it, along the row's upper border or each ray, from column to column; else 0.
+  std::vector<int> windings_;
+  ColumnLists columns_;
+  std::vector<Entry> entries_;
+  std::vector<const RowCut*> here_;
+
+  std::vector<Cover> active_;  ///< at the pixel that is drawn, from the lowest up
+  std::vector<Shown> shown_;   ///< in it, from the lowest up
   SeenItems seen_;
-  std::vector<std::uint32_t> cut_items_;  ///< of the pieces in a pixel, from the uppermost down
-  std::vector<std::uint32_t> slots_;      ///< by item: its place in `seen_`
-  std::vector<std::uint64_t> touched_;    ///< a bit for each column with pieces
-  std::vector<std::uint32_t> first_of_, next_;  ///< lists of pieces by column
-  std::vector<const Piece*> of_column_;
-  std::vector<Stack::Entry> changes_;
-  std::vector<PieceOf> pieces_;
+  std::vector<RayChange> changes_;
+  std::vector<PieceOf> pieces_of_;
   PixelArea area_;
+  PixelRest rest_;
 };
 
 }  // namespace flatray

@@ -117,11 +117,6 @@ class ItemComparison {
 
 }  // namespace
 
-bool BandItem::may_cover(const PixelBox& box) const {
-  return bounds.low.x() <= box.x + 0.5 && bounds.low.y() <= box.y + 0.5 &&
-         bounds.high.x() >= box.x + box.width - 0.5 && bounds.high.y() >= box.y + box.height - 0.5;
-}
-
 std::span<const std::uint32_t> Band::edges(const BandItem& item) const {
   const auto begin = std::lower_bound(edges_.begin(), edges_.end(), item.first);
   const auto end = std::lower_bound(begin, edges_.end(), item.first + item.edges);

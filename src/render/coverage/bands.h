@@ -14,9 +14,6 @@ struct BandItem {
   std::uint32_t item = 0;
   std::uint32_t first = 0, edges = 0;  ///< of a long path, among those of all
   Bounds bounds;                       ///< nothing of it lies outside
-
-  /// Whether by these the item may hold the centres of all pixels of a box.
-  bool may_cover(const PixelBox& box) const;
 };
 
 /// The items of a band from the lowest up: a list made when it is asked for, in room that is kept

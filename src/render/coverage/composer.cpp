@@ -81,6 +81,13 @@ std::size_t SeenItems::uppermost_opaque() const {
 }
 
 Light SeenItems::composed(const Light& background) {
+  if (inside_.size() == 1) {  // most often the uppermost is opaque
+    const std::uint64_t opaque = inside_[0] & opaque_[0];
+    if (opaque > (inside_[0] & ~opaque)) {
+      lowest_ = static_cast<std::size_t>(63 - std::countl_zero(opaque));
+      return items[lowest_].light;
+    }
+  }
   const std::size_t lowest = uppermost_opaque();
   lowest_ = lowest == kNone ? 0 : lowest;
   Light light = lowest == kNone ? background : items[lowest].light;

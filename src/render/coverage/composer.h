@@ -31,7 +31,6 @@ struct ItemLook {
 /// An item of which a pixel may show something.
 struct Seen {
   const ItemLook* look;
-  std::uint32_t item;
   int winding;
   Light light;  ///< in this pixel
 

@@ -126,14 +126,6 @@ PieceOf::PieceOf(const Piece& of, std::uint32_t item)
   if (of.curve != nullptr) bend = 2 * std::abs(of.curve->bow(width, height)) / height;
 }
 
-double area_right_of(const Piece& p) {
-  double area = (p.y_bottom - p.y_top) * (1 - 0.5 * (p.x_top + p.x_bottom));
-  if (p.curve != nullptr) area += p.curve->bow(p.x_bottom - p.x_top, p.y_bottom - p.y_top);
-  if (p.left_top) area -= 1 - p.y_top;
-  if (p.left_bottom) area += 1 - p.y_bottom;
-  return p.direction * area;
-}
-
 // Where the winding number along the left border changes: where an edge crosses it.
 void PixelArea::find_lefts(std::span<const PieceOf> pieces) {
   lefts_.clear();

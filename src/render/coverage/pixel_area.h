@@ -86,6 +86,12 @@ class PixelArea {
 /// What a piece adds to the integral of the winding number over its pixel. It raises the winding on
 /// its right; where the edge crosses the left border, the winding along that border changes from
 /// there down.
-double area_right_of(const Piece& piece);
+inline double area_right_of(const Piece& p) {
+  double area = (p.y_bottom - p.y_top) * (1 - 0.5 * (p.x_top + p.x_bottom));
+  if (p.curve != nullptr) area += p.curve->bow(p.x_bottom - p.x_top, p.y_bottom - p.y_top);
+  if (p.left_top) area -= 1 - p.y_top;
+  if (p.left_bottom) area += 1 - p.y_bottom;
+  return p.direction * area;
+}
 
 }  // namespace flatray

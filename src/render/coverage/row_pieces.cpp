@@ -13,22 +13,12 @@ int floor_column(double x) {
 }
 int ceil_column(double x) { return -floor_column(-x); }
 
-// Columns an edge comes through in one row, from the upper to the lower one.
+// The columns right and left of x: one unless it is their border.
 struct Columns {
-  int first, last;
-};
+  int right, left;
 
-// A column border belongs to the pixel right of it: an edge that ends on it inside the row crosses
-// it or not by that. On the row's own borders nothing is lost by staying in the pixel the edge comes
-// through.
-Columns columns_of(double x_in, double x_out, bool from_border, bool to_border) {
-  if (x_in < x_out)
-    return {floor_column(x_in), to_border ? ceil_column(x_out) - 1 : floor_column(x_out)};
-  if (x_out < x_in)
-    return {from_border ? ceil_column(x_in) - 1 : floor_column(x_in), floor_column(x_out)};
-  const int column = floor_column(x_in);
-  return {column, column};
-}
+  explicit Columns(double x) : right(floor_column(x)), left(right - (x > right ? 0 : 1)) {}
+};
 
 // Whether x is right to 2^-32.
 bool is_near_film(const ScanEdge& e) {
@@ -43,91 +33,144 @@ void RowCutter::begin(const PixelBox& box, Coverage coverage, int rays) {
   box_ = box;
   coverage_ = coverage;
   rays_ = rays;
-  pieces_ = 0;
   rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(box.height)));
-  for (RowPieces& row : rows_) row.clear();
 }
 
-void RowCutter::cut(const ScanEdge& edge, std::uint32_t item) {
+// Written in place, as all cuts: a copy of what was just written waits for it.
+inline RowCut& RowCutter::add_cut(const ScanEdge& e, int row, int low, int high) {
+  RowCut& cut = this->row(row).emplace_back();
+  cut.edge = &e;
+  cut.low = low, cut.high = high;
+  cut.first = cut.last = high;
+  cut.ray_begin = 0, cut.ray_end = 1;
+  cut.winds = true;
+  return cut;
+}
+
+void RowCutter::cut(const ScanEdge& edge) {
   if (std::min(edge.x_top, edge.x_bottom) >= box_.right() || edge.y_top >= box_.bottom() ||
       edge.y_bottom <= box_.y)
     return;
-  if (rays_ == 0)
-    cut_area(edge, item);
+  if (coverage_ == Coverage::area)
+    cut_area(edge);
+  else if (coverage_ == Coverage::rows)
+    cut_rays(edge);
   else
-    cut_rays(edge, item);
+    cut_centres(edge);
 }
 
-void RowCutter::cut_area(const ScanEdge& e, std::uint32_t item) {
+// A column border belongs to the pixel right of it: an edge that ends on it inside the row crosses
+// it or not by that. On the row's own borders nothing is lost by staying in the pixel the edge comes
+// through.
+void RowCutter::cut_area(const ScanEdge& e) {
   const int begin = std::max(floor_column(e.y_top), box_.y);
   const int end = std::min(ceil_column(e.y_bottom), box_.bottom());
   const int left = box_.x, right = box_.right();
-  Piece piece{};
-  piece.item = item;
-  piece.curve = e.curve;
-  piece.direction = static_cast<std::int8_t>(e.direction);
   double x_in = e.y_top >= begin ? e.x_top : e.x_at(begin);
+  Columns in(x_in);
   for (int row = begin; row < end; ++row) {
     const double top = row, bottom = row + 1.0;
-    const bool ends = e.y_bottom <= bottom, crosses_top = e.y_top <= top;
-    const double y_in = crosses_top ? top : e.y_top, y_out = ends ? e.y_bottom : bottom;
-    const double x_out = ends ? e.x_bottom : e.x_at(bottom);
-    const auto [first, last] = columns_of(x_in, x_out, crosses_top, y_out >= bottom);
-    const bool rightward = first <= last;
-    RowPieces& out = rows_[static_cast<std::size_t>(row - box_.y)];
-    if (crosses_top && first < left) out.left.push_back({item, piece.direction, 0});
-    const int low = std::max(rightward ? first : last, left);
-    const int high = std::min(rightward ? last : first, right - 1);
-    const auto border = [&](int column) { return clamp_to(e.y_at(column), y_in, y_out) - top; };
-    for (int c = low; c <= high; ++c) {
-      const bool is_first = c == first, is_last = c == last;
-      piece.column = c;
-      piece.x_top = is_first ? x_in - c : rightward ? 0 : 1;
-      piece.x_bottom = is_last ? x_out - c : rightward ? 1 : 0;
-      piece.y_top = is_first ? y_in - top : border(rightward ? c : c + 1);
-      piece.y_bottom = is_last ? y_out - top : border(rightward ? c + 1 : c);
-      piece.crosses_top = is_first && crosses_top;
-      piece.left_top = rightward && !is_first;
-      piece.left_bottom = !rightward && !is_last;
-      out.pieces.push_back(piece);
+    const bool crosses_top = e.y_top <= top, crosses_bottom = e.y_bottom >= bottom;
+    const double x_out = e.y_bottom <= bottom ? e.x_bottom : e.x_at(bottom);
+    const Columns out(x_out);
+    const int first = x_out < x_in && crosses_top ? in.left : in.right;
+    const int last = x_in < x_out && crosses_bottom ? out.left : out.right;
+    const int low = std::max(std::min(first, last), left);
+    const int high = std::min(std::max(first, last), right - 1);
+    if (crosses_top && crosses_bottom && x_in == first && x_out == first && low <= high) {
+      add_cut(e, row, first, first - 1);
+    } else {
+      if (crosses_top && first < left) add_cut(e, row, left, left - 1);
+      if (low <= high) {
+        RowCut& cut = add_cut(e, row, low, high);
+        cut.x_in = x_in, cut.y_in = crosses_top ? top : e.y_top;
+        cut.x_out = x_out, cut.y_out = crosses_bottom ? bottom : e.y_bottom;
+        cut.first = first, cut.last = last;
+        cut.winds = crosses_top && first >= left;
+      }
     }
-    pieces_ += low <= high ? 1 : 0;
     x_in = x_out;
+    in = out;
   }
 }
 
-void RowCutter::cut_rays(const ScanEdge& e, std::uint32_t item) {
-  const auto ray_y = [this](int ray) { return (ray + 0.5) / rays_; };
-  int ray = std::max(floor_column(e.y_top * rays_ - 0.5) - 1, box_.y * rays_);
-  while (ray_y(ray) < e.y_top) ++ray;
-  const bool centre = coverage_ == Coverage::centre, near_film = centre && is_near_film(e);
-  int row = ray / rays_, of_row = ray % rays_;
-  Piece piece{};
-  piece.item = item;
-  piece.direction = static_cast<std::int8_t>(e.direction);
-  for (double y; row < box_.bottom() && (y = ray_y(ray)) < e.y_bottom; ++ray) {
-    const double x = centre ? first_centre(e, y, near_film) : e.x_at(y);
-    piece.column = floor_column(x);
-    piece.ray = static_cast<std::int8_t>(of_row);
-    RowPieces& out = rows_[static_cast<std::size_t>(row - box_.y)];
-    if (++of_row == rays_) of_row = 0, ++row;
-    if (piece.column >= box_.right()) continue;
-    if (piece.column < box_.x) {
-      out.left.push_back({item, piece.direction, piece.ray});
-      continue;
-    }
-    piece.x_top = x - piece.column;
-    out.pieces.push_back(piece);
-    ++pieces_;
+void RowCutter::cut_centres(const ScanEdge& e) {
+  constexpr double kDoubt = 0x1p-20;
+  const bool near_film = is_near_film(e);
+  const int begin = std::max(ceil_column(e.y_top - 0.5), box_.y);
+  const int end = std::min(ceil_column(e.y_bottom - 0.5), box_.bottom());
+  for (int row = begin; row < end; ++row) {
+    const double x = e.x_at(row + 0.5) - 0.5;
+    int column = ceil_column(x);
+    if (const double beyond = column - x; !near_film || !(beyond > kDoubt && beyond < 1 - kDoubt))
+      column = first_centre(e, x, row + 0.5, near_film);
+    column = std::max(column, box_.x);
+    if (column < box_.right()) add_cut(e, row, column, column - 1);
   }
+}
+
+// An edge that crosses several rays in few columns has pieces in all of them; else each ray is cut
+// by itself.
+void RowCutter::cut_rays(const ScanEdge& e) {
+  constexpr int kFew = 8;
+  const int begin = std::max(floor_column(e.y_top), box_.y);
+  const int end = std::min(ceil_column(e.y_bottom), box_.bottom());
+  for (int row = begin; row < end; ++row) {
+    int ray = 0, ray_end = rays_;
+    while (ray < ray_end && ray_y(row, ray) < e.y_top) ++ray;
+    while (ray < ray_end && ray_y(row, ray_end - 1) >= e.y_bottom) --ray_end;
+    if (ray == ray_end) continue;
+    const int one = floor_column(e.x_at(ray_y(row, ray)));
+    const int other = floor_column(e.x_at(ray_y(row, ray_end - 1)));
+    const int each = std::abs(one - other) > kFew ? 1 : ray_end - ray;
+    for (; ray < ray_end; ray += each) add_rays(e, row, ray, ray + each);
+  }
+}
+
+void RowCutter::add_rays(const ScanEdge& e, int row, int ray_begin, int ray_end) {
+  const double x_in = e.x_at(ray_y(row, ray_begin)), x_out = e.x_at(ray_y(row, ray_end - 1));
+  const int low = std::max(floor_column(std::min(x_in, x_out)), box_.x);
+  const int high = std::min(floor_column(std::max(x_in, x_out)), box_.right() - 1);
+  if (low >= box_.right()) return;
+  const bool border = std::max(x_in, x_out) <= low;
+  RowCut& cut = add_cut(e, row, low, border ? low - 1 : high);
+  cut.ray_begin = static_cast<std::int16_t>(ray_begin);
+  cut.ray_end = static_cast<std::int16_t>(ray_end);
+}
+
+void RowCutter::add_pieces(const RowCut& cut, int row, int column, std::vector<Piece>& out) const {
+  const ScanEdge& e = *cut.edge;
+  if (rays_ > 0) {
+    for (int ray = cut.ray_begin; ray < cut.ray_end; ++ray) {
+      const double x = e.x_at(ray_y(row, ray)) - column;
+      if (x >= 1) continue;
+      Piece& piece = out.emplace_back();
+      piece.x_top = std::max(x, 0.0);
+      piece.direction = e.direction;
+      piece.ray = static_cast<std::int8_t>(ray);
+    }
+    return;
+  }
+  const bool rightward = cut.first <= cut.last;
+  const bool is_first = column == cut.first, is_last = column == cut.last;
+  const double top = row;
+  const auto border = [&](int x) { return clamp_to(e.y_at(x), cut.y_in, cut.y_out) - top; };
+  Piece& piece = out.emplace_back();
+  piece.column = column;
+  piece.direction = e.direction;
+  piece.x_top = is_first ? cut.x_in - column : rightward ? 0 : 1;
+  piece.x_bottom = is_last ? cut.x_out - column : rightward ? 1 : 0;
+  piece.y_top = is_first ? cut.y_in - top : border(rightward ? column : column + 1);
+  piece.y_bottom = is_last ? cut.y_out - top : border(rightward ? column + 1 : column);
+  piece.curve = e.curve;
+  piece.left_top = rightward && !is_first;
+  piece.left_bottom = !rightward && !is_last;
 }
 
 // The first column, from the one left of the box to the one right of it, whose centre lies on the
-// edge or right of it.
-int RowCutter::first_centre(const ScanEdge& e, double y, bool near_film) const {
-  constexpr double kDoubt = 0x1p-20;
-  const double x = e.x_at(y) - 0.5, nearest = std::nearbyint(x);
-  if (near_film && std::abs(x - nearest) > kDoubt) return ceil_column(x);
+// edge or right of it. Needs   x, the edge there, from centres.
+int RowCutter::first_centre(const ScanEdge& e, double x, double y, bool near_film) const {
+  const double nearest = std::nearbyint(x);
   int low = box_.x - 1, high = box_.right();
   if (e.curve != nullptr || near_film) {
     low = std::clamp(floor_column(nearest) - 1, low, high);

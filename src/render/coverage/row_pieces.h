@@ -10,28 +10,25 @@ namespace flatray {
 /// Part of an edge inside one pixel, in coordinates of the pixel; or where it crosses a ray of the
 /// pixel's row, at x = `x_top`.
 struct Piece {
-  std::int32_t column;
-  std::uint32_t item;
   double x_top, y_top, x_bottom, y_bottom;
-  const EdgeCurve* curve;      ///< null where it is straight
-  std::int8_t direction;       ///< that of the edge
-  bool crosses_top;            ///< the edge comes in by the row's upper border, in this pixel
-  bool left_top, left_bottom;  ///< this end is where the edge crosses the pixel's left border
+  const EdgeCurve* curve;  ///< null where it is straight
+  std::int32_t column;
+  std::int32_t direction;      ///< that of the edge
   std::int8_t ray;             ///< of the row
+  bool left_top, left_bottom;  ///< this end is where the edge crosses the pixel's left border
 };
 
-/// A change of an item's winding number left of all pixels: along the row's upper border, or along
-/// one of its rays.
-struct LeftOfRow {
-  std::uint32_t item;
-  std::int8_t direction, ray;
-};
-
-struct RowPieces {
-  std::vector<Piece> pieces;
-  std::vector<LeftOfRow> left;
-
-  void clear() { pieces.clear(), left.clear(); }
+/// Passage of an edge through a row of pixels, or through rays of it.
+struct RowCut {
+  const ScanEdge* edge;
+  double x_in, y_in, x_out, y_out;  ///< where it comes in and goes out, film
+  std::int32_t first, last;         ///< columns it comes in and goes out by
+  /// Columns of the box it has pieces in; with none, high < low, all right of low's left border is
+  /// right of it.
+  std::int32_t low, high;
+  std::int16_t ray_begin, ray_end;  ///< rays it crosses
+  /// Changes the winding number right of `first` along the row's upper border or these rays.
+  bool winds;
 };
 
 /// Cuts edges by the rows and columns of a box of pixels. What it gives for a pixel does not depend
@@ -40,21 +37,25 @@ class RowCutter {
  public:
   /// Rows of the box, each with `rays` rays; 0 to cut by areas.
   void begin(const PixelBox& box, Coverage coverage, int rays);
-  /// Adds the pieces of an edge.
-  void cut(const ScanEdge& edge, std::uint32_t item);
-  RowPieces& row(int y) { return rows_[static_cast<std::size_t>(y - box_.y)]; }
-  std::size_t pieces() const { return pieces_; }  ///< since begin()
+  /// Adds the passages of an edge, which must stay where it is.
+  void cut(const ScanEdge& edge);
+  std::vector<RowCut>& row(int y) { return rows_[static_cast<std::size_t>(y - box_.y)]; }
+  /// Adds what an edge has in a pixel; of a ray that it crosses left of it, at its left border.
+  void add_pieces(const RowCut& cut, int row, int column, std::vector<Piece>& out) const;
 
  private:
-  void cut_area(const ScanEdge& edge, std::uint32_t item);
-  void cut_rays(const ScanEdge& edge, std::uint32_t item);
-  int first_centre(const ScanEdge& edge, double y, bool near_film) const;
+  void cut_area(const ScanEdge& edge);
+  void cut_rays(const ScanEdge& edge);
+  void cut_centres(const ScanEdge& edge);
+  RowCut& add_cut(const ScanEdge& edge, int row, int low, int high);
+  void add_rays(const ScanEdge& edge, int row, int ray_begin, int ray_end);
+  double ray_y(int row, int ray) const { return (row * rays_ + ray + 0.5) / rays_; }
+  int first_centre(const ScanEdge& edge, double x, double y, bool near_film) const;
 
   PixelBox box_;
   Coverage coverage_ = Coverage::area;
   int rays_ = 0;
-  std::size_t pieces_ = 0;
-  std::vector<RowPieces> rows_;
+  std::vector<std::vector<RowCut>> rows_;
 };
 
 }  // namespace flatray

@@ -11,10 +11,12 @@ namespace {
 constexpr double kNear = 0x1p16;  // beyond this many pixels an edge is anchored near the film
 
 // From the upper to the lower end.
-ScanEdge directed(const Vec2& a, const Vec2& b) {
+void direct(ScanEdge& e, const Vec2& a, const Vec2& b) {
   const bool down = a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
   const Vec2 &top = down ? a : b, &bottom = down ? b : a;
-  return {top.x(), top.y(), bottom.x(), bottom.y(), top.x(), top.y(), 0, 0, nullptr, down ? 1 : -1};
+  e.x_top = e.x_ref = top.x(), e.y_top = e.y_ref = top.y();
+  e.x_bottom = bottom.x(), e.y_bottom = bottom.y();
+  e.direction = down ? 1 : -1;
 }
 
 // A point of a long edge near the film, rounded once from the exact one, so that errors are those of
@@ -35,8 +37,8 @@ void anchor(ScanEdge& e, const Vec2& middle) {
   }
 }
 
-ScanEdge straight(const Vec2& a, const Vec2& b, const Vec2& middle) {
-  ScanEdge e = directed(a, b);
+void straighten(ScanEdge& e, const Vec2& a, const Vec2& b, const Vec2& middle) {
+  direct(e, a, b);
   const double far = std::max(std::max(std::abs(e.x_top), std::abs(e.x_bottom)),
                               std::max(std::abs(e.y_top), std::abs(e.y_bottom)));
   const double dx = e.x_bottom - e.x_top, dy = e.y_bottom - e.y_top;
@@ -46,7 +48,6 @@ ScanEdge straight(const Vec2& a, const Vec2& b, const Vec2& middle) {
     if (dy != 0) e.slope = dx / dy;
     if (dx != 0) e.inverse = dy / dx;
   }
-  return e;
 }
 
 }  // namespace
@@ -94,7 +95,10 @@ bool ScanEdge::has_on_right(double x, double y) const {
                          : right_half || outside != Sign::positive;
 }
 
-void ScanEdges::add(const Segment& edge) { edges_.push_back(straight(edge.a, edge.b, middle_)); }
+// In place: a copy of what was just written waits for it.
+void ScanEdges::add(const Segment& edge) {
+  straighten(edges_.emplace_back(), edge.a, edge.b, middle_);
+}
 
 void ScanEdges::add(const FillRing& ring) {
   const auto circle = [&](double r, double sweep) {
