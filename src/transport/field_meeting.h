@@ -71,10 +71,9 @@ class FieldMeeting {
   PlaceOn between_ends(const Segment& wall) const;
 
  private:
-  struct ExactRoot;
   template <class Make>
   auto root(const Make& number) const;
-  ExactRoot exact() const;
+  Quadratic exact() const;
   template <class Form>
   Sign sign_at(const Form& form) const;
   double rounded(int axis, double about) const;
