@@ -27,7 +27,7 @@ class LaneTracer : public Accelerator {
       : Accelerator(walls),
         cells_(std::move(cells)),
         view_(view_of(walls, cells_)),
-        curves_(walls),
+        curves_(WallCells::of_curves(walls)),
         search_(walls, &cells_, curves_),
         kernels_(lane_kernels(isa).walk) {}
 
@@ -157,7 +157,7 @@ class LaneTracer : public Accelerator {
 
   const CellGrid cells_;
   const lanes::Grid view_;
-  const CurveCells curves_;
+  const WallCells curves_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;
 };
@@ -166,7 +166,9 @@ class LaneTracer : public Accelerator {
 class OneByOne : public Accelerator {
  public:
   explicit OneByOne(const Surfaces& walls)
-      : Accelerator(walls), curves_(walls), search_(walls, nullptr, curves_) {}
+      : Accelerator(walls),
+        curves_(WallCells::of_curves(walls)),
+        search_(walls, nullptr, curves_) {}
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
     for (std::size_t i = 0; i < rays.size(); ++i)
       hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
@@ -186,7 +188,7 @@ class OneByOne : public Accelerator {
   std::size_t cells() const override { return curves_.cells(); }
 
  private:
-  const CurveCells curves_;
+  const WallCells curves_;
   const CellSearch search_;
 };
 
