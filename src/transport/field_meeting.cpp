@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "geom/decide.h"
+#include "transport/reflection.h"
 
 namespace flatray {
 namespace {
@@ -253,6 +254,23 @@ class FirstMet {
 
 std::optional<FieldHit> first_in_field(const Surfaces& walls, const FieldFlight& flight) {
   return FirstMet(walls, flight).find();
+}
+
+// By half the angle flown, whose tangent is that between the direction and the chord.
+std::vector<Vec2> points_between(double field, const Ray& flight, const Vec2& to) {
+  constexpr double kPi = 0x1.921fb54442d18p+1, kParts = 256;
+  const Vec2 d = unit(flight.direction), left = (field < 0 ? -1 : 1) * Vec2(-d.y(), d.x());
+  const Vec2 way = to - flight.origin;
+  const double half = way == Vec2(0, 0) ? kPi : portable::atan2(way.dot(left), way.dot(d));
+  const double whole = half < 0 ? half + kPi : half;  // just below 0 by rounding
+  const int parts = static_cast<int>(std::ceil(kParts * whole / kPi));
+  std::vector<Vec2> points;
+  for (int i = 1; i < parts; ++i) {
+    const double part = whole * i / parts, sine = portable::sin(part);
+    points.push_back(flight.origin +
+                     2 * sine / std::fabs(field) * (portable::cos(part) * d + sine * left));
+  }
+  return points;
 }
 
 bool are_straight_or_circles(const Surfaces& walls) {
