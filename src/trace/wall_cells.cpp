@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/counted.h"
 #include "geom/decide.h"
@@ -48,32 +47,27 @@ bool ends_on_curve(const Arc& arc) {
 
 }  // namespace
 
-WallCells::WallCells(const Surfaces& walls, std::vector<std::uint32_t> numbers)
-    : walls_(walls), numbers_(std::move(numbers)) {
-  if (numbers_.size() > kFew) divide();
+WallCells::WallCells(const Surfaces& walls, bool of_curves)
+    : walls_(walls),
+      of_curves_(of_curves),
+      count_(of_curves ? walls.curve_numbers.size() : walls.size()) {
+  if (count_ > kFew) divide();
 }
-
-WallCells::WallCells(const Surfaces& walls)
-    : WallCells(walls, [&] {
-        std::vector<std::uint32_t> all(walls.size());
-        std::iota(all.begin(), all.end(), 0U);
-        return all;
-      }()) {}
 
 // Cells of one size, as many as the walls need, and one more all round.
 void WallCells::divide() {
   Bounds box;
   double extents = 0;
-  for (const std::uint32_t i : numbers_) {
+  visit_all([&](std::uint32_t i) {
     const Bounds own = walls_.visit(i, [](const auto& wall) { return bounds_of(wall); });
     box.add(own);
-    extents += own.size().sum() / static_cast<double>(numbers_.size());
-  }
+    extents += own.size().sum() / static_cast<double>(count_);
+  });
   const Vec2 size = box.size();
   const double larger = size.maxCoeff(),
                magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
   if (!(larger > kLeastSize && magnitude < kMostSize)) return;
-  const double wanted = std::min(kCellsAWall * static_cast<double>(numbers_.size()), kMostCells);
+  const double wanted = std::min(kCellsAWall * static_cast<double>(count_), kMostCells);
   const double narrow = std::max(size.minCoeff(), larger / wanted);
   side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
   side_ = std::max(side_, extents / kCellsAcross);
@@ -84,17 +78,18 @@ void WallCells::divide() {
   rows_ = static_cast<int>(size.y() / side_) + 3;
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begin_.assign(cells + 1, 0);
-  const auto visit_all = [&](const auto& visit) {
-    for (const std::uint32_t i : numbers_)
+  const auto visit_passed = [&](const auto& visit) {
+    visit_all([&](std::uint32_t i) {
       walls_.visit(i, [&](const auto& wall) {
         visit_cells(wall, cells_of(bounds_of(wall)), [&](std::size_t cell) { visit(i, cell); });
       });
+    });
   };
-  visit_all([&](std::uint32_t, std::size_t cell) { ++begin_[cell + 1]; });
+  visit_passed([&](std::uint32_t, std::size_t cell) { ++begin_[cell + 1]; });
   for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
   surfaces_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  visit_all([&](std::uint32_t i, std::size_t cell) { surfaces_[next[cell]++] = i; });
+  visit_passed([&](std::uint32_t i, std::size_t cell) { surfaces_[next[cell]++] = i; });
 }
 
 // Whether a part of a wall may lie in the cells, or within kMargin of them.
@@ -142,8 +137,7 @@ void WallCells::walk(const Ray& ray, Offers& offers) const {
   const Vec2 all(columns_, rows_);
   if (begin_.empty() || !(speed > kLeastSize && speed < kMostSize) ||
       !(origin.cwiseAbs().maxCoeff() < kFar)) {
-    for (const std::uint32_t surface : numbers_) offers.offer_curve(surface);
-    return;
+    return visit_all([&](std::uint32_t surface) { offers.offer_curve(surface); });
   }
   // t of what is to come on each axis: the side of the grid, then of each cell.
   double enter = 0, leave = kInfinity;
@@ -181,7 +175,7 @@ void WallCells::walk(const Ray& ray, Offers& offers) const {
 }
 
 void WallCells::offer_to(Candidates& found, const Ray& ray) const {
-  if (!numbers_.empty()) walk(ray, found);
+  if (count_ > 0) walk(ray, found);
 }
 
 std::vector<std::uint32_t> WallCells::near(const Ray& ray) const {
@@ -201,9 +195,8 @@ std::vector<std::uint32_t> WallCells::near(const Ray& ray) const {
 }
 
 std::string WallCells::structure() const {
-  if (numbers_.empty()) return {};
-  const bool of_curves = numbers_.size() == walls_.curve_numbers.size();
-  return counted(numbers_.size(), of_curves ? "curve" : "wall") + " in " +
+  if (count_ == 0) return {};
+  return counted(count_, of_curves_ ? "curve" : "wall") + " in " +
          (begin_.empty() ? "one list"
                          : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");
 }

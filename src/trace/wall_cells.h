@@ -22,9 +22,9 @@ namespace flatray {
 class WallCells {
  public:
   /// All walls. Needs   `walls` to outlive it, and to stay as they are.
-  explicit WallCells(const Surfaces& walls);
+  explicit WallCells(const Surfaces& walls) : WallCells(walls, false) {}
   /// The curved walls alone.
-  static WallCells of_curves(const Surfaces& walls) { return {walls, walls.curve_numbers}; }
+  static WallCells of_curves(const Surfaces& walls) { return {walls, true}; }
 
   /// Offers all curves that may be the first wall of the ray they are candidates of.
   void offer_to(Candidates& found, const Ray& ray) const;
@@ -50,20 +50,21 @@ class WallCells {
   std::size_t cells() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   /// Walls in all cells together.
   std::size_t entries() const { return surfaces_.size(); }
-  std::size_t bytes() const { return 4 * (numbers_.size() + begin_.size() + surfaces_.size()); }
+  std::size_t bytes() const { return 4 * (begin_.size() + surfaces_.size()); }
 
  private:
   struct Rect {
     int left, bottom, width, height;  // in cells
   };
-  WallCells(const Surfaces& walls, std::vector<std::uint32_t> numbers);
+  WallCells(const Surfaces& walls, bool of_curves);
+  template <class Visit>
+  void visit_all(const Visit& visit) const {
+    for (std::uint32_t i = 0; i < count_; ++i) visit(of_curves_ ? walls_.curve_numbers[i] : i);
+  }
   // Some twice.
   template <class Visit>
   void visit_near(const Vec2& point, const Visit& visit) const {
-    if (begin_.empty()) {
-      for (const std::uint32_t surface : numbers_) visit(surface);
-      return;
-    }
+    if (begin_.empty()) return visit_all(visit);
     const Rect near = cells_of({point, point});
     for (int y = near.bottom; y < near.bottom + near.height; ++y)
       for (int x = near.left; x < near.left + near.width; ++x) {
@@ -94,7 +95,8 @@ class WallCells {
   bool may_pass(const Wall& wall, const Rect& rect) const;
 
   const Surfaces& walls_;
-  std::vector<std::uint32_t> numbers_;           // of those that are kept, ascending
+  const bool of_curves_;
+  const std::size_t count_;                      // of walls
   std::vector<std::uint32_t> begin_, surfaces_;  // of each cell, row by row
   int columns_ = 0, rows_ = 0;
   Vec2 low_{0, 0};
