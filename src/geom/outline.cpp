@@ -41,6 +41,7 @@ std::vector<std::uint32_t> outline_edges(std::span<const Vec2> points,
     else
       standing.push_back(line);
   std::vector<std::uint32_t> left;
+  left.reserve(standing.size());
   for (const Line& line : standing) left.push_back(line.edge);
   std::sort(left.begin(), left.end());
   return left;

@@ -91,7 +91,7 @@ class LaneTracer : public Accelerator {
   }
   std::size_t bytes() const override { return (cells_ ? cells_->bytes() : 0) + curves_.bytes(); }
   std::string structure() const override {
-    const std::string curves = curves_.structure();
+    std::string curves = curves_.structure();
     if (walls_.segments.empty() && !curves.empty()) return curves;
     return curves.empty() ? segments_in() : segments_in() + ", " + curves;
   }

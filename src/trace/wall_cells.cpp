@@ -195,7 +195,7 @@ std::vector<std::uint32_t> WallCells::near(const Ray& ray) const {
 }
 
 std::string WallCells::structure() const {
-  if (count_ == 0) return {};
+  if (of_curves_ && count_ == 0) return {};
   return counted(count_, of_curves_ ? "curve" : "wall") + " in " +
          (begin_.empty() ? "one list"
                          : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");

@@ -45,7 +45,7 @@ class WallCells {
     }
     return found;
   }
-  /// As Accelerator::structure() and cells(); no words without walls.
+  /// As Accelerator::structure() and cells(); no words of no curves.
   std::string structure() const;
   std::size_t cells() const { return begin_.empty() ? 0 : begin_.size() - 1; }
   /// Walls in all cells together.
