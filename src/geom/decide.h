@@ -5,6 +5,7 @@
 #include "geom/enclosure.h"
 #include "geom/exact.h"
 #include "geom/pair.h"
+#include "geom/quadratic.h"
 
 namespace flatray {
 
@@ -15,6 +16,7 @@ inline constexpr auto kNear = [](double x) { return Near(x); };
 inline constexpr auto kQuick = [](double x) { return Quick(x); };
 inline constexpr auto kBounded = [](double x) { return Bounded(x); };
 inline constexpr auto kRational = [](double x) { return Rational(x); };
+inline constexpr auto kQuadratic = [](double x) { return Quadratic(x); };
 
 #if defined(__x86_64__)
 template <class Work>

@@ -5,11 +5,6 @@
 
 namespace flatray {
 
-// constant + slope * t
-struct ExactHit::LinearForm {
-  Rational constant, slope;
-};
-
 ExactHit::ExactHit(const Ray& ray, const Segment& wall, Root)
     : ray_(ray),
       time_(HitTime::on_line(ray, wall)),
@@ -34,13 +29,9 @@ ExactHit::ExactHit(const Ray& ray, const Bezier& wall, Root root)
            bernstein_value(bernstein_derivative(coordinates_of(kBounded, wall, 1)), met.s)};
 }
 
-// constant + slope t by t = (p + s sqrt(q)) / a.
-double ExactHit::rounded(const LinearForm& form) const {
-  if (bezier_) return time_.algebraic().value_of({form.constant, form.slope}).nearest();
-  const HitTime::Exact t = time_.exact();
-  const Rational speed = form.slope / t.a;
-  return Rational::root_sum(form.constant + speed * t.p, t.s * static_cast<int>(speed.sign()),
-                            speed * speed * t.q);
+double ExactHit::rounded(const Polynomial& of_time) const {
+  return bezier_ ? time_.algebraic().value_of(of_time).nearest()
+                 : value_at(of_time, time_.exact()).nearest();
 }
 
 Vec2 ExactHit::nearest() const {
@@ -73,12 +64,8 @@ Vec2 ExactHit::normal() const {
   return {rounded({at_origin.x, rate.x}), rounded({at_origin.y, rate.y})};
 }
 
-Sign ExactHit::sign(const LinearForm& form) const {
-  if (bezier_) return time_.algebraic().sign_of({form.constant, form.slope});
-  const HitTime::Exact t = time_.exact();
-  return Rational::root_sign(form.constant * t.a + form.slope * t.p,
-                             t.s * static_cast<int>(form.slope.sign()),
-                             form.slope * form.slope * t.q);
+Sign ExactHit::sign(const Polynomial& of_time) const {
+  return bezier_ ? time_.algebraic().sign_of(of_time) : value_at(of_time, time_.exact()).sign();
 }
 
 Sign ExactHit::turn(const Vec2& p, const Vec2& a, const Vec2& b) const {
@@ -98,17 +85,11 @@ Sign ExactHit::side_of(const Arc& wall) const {
   const Ellipse& curve = wall.curve;
   const auto to_centre = pair_of(kBounded, curve_.centre) - pair_of(kBounded, curve.centre);
   if (const auto sign = curve_power(kBounded, curve, to_centre + from_).sign()) return *sign;
-  // The power is c + 2 b t + a t^2, which is linear in the root of t once it is multiplied out.
   const auto w = curve_form(kRational, curve,
                             pair_of(kRational, ray_.origin) - pair_of(kRational, curve.centre));
   const auto d = curve_form(kRational, curve, pair_of(kRational, ray_.direction));
   const Rational size = form_size(kRational, curve);
-  const Rational c = dot(w, w) - size * size, b = dot(w, d), a = dot(d, d);
-  if (bezier_) return time_.algebraic().sign_of({c, Rational(2) * b, a});
-  const HitTime::Exact t = time_.exact();
-  const Rational slope = Rational(2) * (b * t.a + a * t.p);
-  return Rational::root_sign(c * t.a * t.a + Rational(2) * b * t.a * t.p + a * (t.p * t.p + t.q),
-                             t.s * static_cast<int>(slope.sign()), slope * slope * t.q);
+  return this->sign({dot(w, w) - size * size, Rational(2) * dot(w, d), dot(d, d)});
 }
 
 // By what the ray meets of the wall next before or after it, or beside the wall's tangent.

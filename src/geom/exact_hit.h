@@ -55,9 +55,9 @@ class ExactHit {
   PlaceOn place_in(const Bezier&) const { return PlaceOn::at_end; }
 
  private:
-  struct LinearForm;
-  Sign sign(const LinearForm& form) const;
-  double rounded(const LinearForm& form) const;
+  // Of a polynomial of t.
+  Sign sign(const Polynomial& of_time) const;
+  double rounded(const Polynomial& of_time) const;
 
   Ray ray_;
   HitTime time_;

@@ -102,11 +102,10 @@ auto HitTime::in(const Make& number) const -> decltype(number(0.0)) {
 
 Bounded HitTime::approximate() const { return bezier_ ? bezier_->time : in(kBounded); }
 
-HitTime::Exact HitTime::exact() const {
-  if (root_ == 0) return exact_of(line_time(kRational, ray_, p_, from_, to_, velocity_));
-  auto time = curve_time(kRational, ray_, curve());
-  const int s = time.q.sign() == Sign::zero ? 0 : root_;
-  return {std::move(time.b), s, std::move(time.q), std::move(time.a)};
+Quadratic HitTime::exact() const {
+  if (root_ != 0) return root_of(curve_time(kRational, ray_, curve()), root_);
+  const auto time = line_time(kRational, ray_, p_, from_, to_, velocity_);
+  return time.numer / time.denom;
 }
 
 RealRoot HitTime::algebraic() const {
@@ -117,13 +116,12 @@ RealRoot HitTime::algebraic() const {
     for (Rational& c : ahead) c /= square;
     return exact_parameter(bezier_->curve, ray_, bezier_->root).value_of(ahead);
   }
-  const Exact time = exact();
-  const Rational middle = time.p / time.a, square = time.q / (time.a * time.a);
-  if (time.s == 0) return RealRoot(middle);
+  const Quadratic time = exact();
+  const Rational &middle = time.rational(), square = time.square_of_rest();
+  if (square.sign() == Sign::zero) return RealRoot(middle);
   const Rational far = square + Rational(1);  // beyond the root of the square
   const Polynomial p{middle * middle - square, Rational(-2) * middle, 1};
-  return RealRoot::all(p, time.s < 0 ? middle - far : middle,
-                       time.s < 0 ? middle : middle + far)[0];
+  return RealRoot::all(p, root_ < 0 ? middle - far : middle, root_ < 0 ? middle : middle + far)[0];
 }
 
 RoundedTime HitTime::nearest() const {
@@ -137,8 +135,7 @@ RoundedTime HitTime::nearest() const {
   if (compare(kLargest) > 0) return {kLargest, true};
   if (compare(-kLargest) < 0) return {-kLargest, true};
   if (bezier_) return {algebraic().nearest(), false};
-  const Exact time = exact();
-  return {Rational::root_sum(time.p / time.a, time.s, time.q / (time.a * time.a)), false};
+  return {exact().nearest(), false};
 }
 
 Sign HitTime::denominator() const { return cross_sign(velocity_, ray_.direction, from_, to_); }
@@ -159,11 +156,6 @@ std::strong_ordering compare(const HitTime& a, const HitTime& b) {
   if (const auto sign = (a.approximate() - b.approximate()).sign()) return order(*sign);
   if (by_polynomials) return compare(a.algebraic(), b.algebraic());
   return compare(a.exact(), b.exact());
-}
-
-std::strong_ordering compare(const HitTime::Exact& a, const HitTime::Exact& b) {
-  return order(
-      Rational::two_root_sign(a.p * b.a - b.p * a.a, a.s, a.q * b.a * b.a, -b.s, b.q * a.a * a.a));
 }
 
 std::optional<SegmentHit> hit_segment(const Ray& ray, const Segment& segment) {

@@ -55,17 +55,7 @@ class HitTime {
   /// A double near t, to tell what is near from what is far.
   double about() const { return approximate().hi(); }
 
-  /// t = (p + s * sqrt(q)) / a, with a > 0 and q >= 0.
-  struct Exact {
-    Rational p;
-    int s;
-    Rational q, a;
-  };
-  static Exact exact_of(Quotient<Rational> time) {
-    if (time.denom.sign() == Sign::negative) return {-time.numer, 0, 0, -time.denom};
-    return {std::move(time.numer), 0, 0, std::move(time.denom)};
-  }
-  Exact exact() const;  ///< Needs a line or an ellipse.
+  Quadratic exact() const;  ///< Needs a line or an ellipse.
   /// As a root of a polynomial: of any curve.
   RealRoot algebraic() const;
 
@@ -88,7 +78,6 @@ class HitTime {
 
 /// Which of two hits comes first. Exact.
 std::strong_ordering compare(const HitTime& a, const HitTime& b);
-std::strong_ordering compare(const HitTime::Exact& a, const HitTime::Exact& b);
 
 /// Where a ray's line meets a closed segment (t of any sign).
 struct SegmentHit {

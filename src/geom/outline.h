@@ -12,7 +12,7 @@ namespace flatray {
 /// n - m stay; edges without length are dropped.
 ///
 /// Gives   the numbers of those left, ascending.
-/// Cost    O(n) expected; some 100 ns an edge, and 16 bytes at most; 4 more where edges repeat.
+/// Cost    O(n log n).
 std::vector<std::uint32_t> outline_edges(std::span<const Vec2> points,
                                          std::span<const std::uint32_t> to);
 

@@ -139,12 +139,6 @@ Polynomial polynomial_of_values(const Polynomial& p, const Polynomial& q) {
 
 }  // namespace
 
-Rational value_at(const Polynomial& p, const Rational& x) {
-  Rational value = 0;
-  for (auto c = p.rbegin(); c != p.rend(); ++c) value = value * x + *c;
-  return value;
-}
-
 Polynomial derivative(const Polynomial& p) {
   Polynomial slope;
   for (std::size_t k = 1; k < p.size(); ++k) slope.push_back(p[k] * static_cast<double>(k));
@@ -169,7 +163,7 @@ void RealRoot::narrow() {
   const Rational from = near - 0x1p-48 * std::fabs(near), to = near + 0x1p-48 * std::fabs(near);
   if (!(low_ < from && to < high_)) return;
   const Sign before = value_at(p_, from).sign();
-  if (value_at(p_, near).sign() == Sign::zero)
+  if (value_at<Rational>(p_, near).sign() == Sign::zero)
     low_ = high_ = near;
   else if (before == value_at(p_, low_).sign() && before == -value_at(p_, to).sign())
     low_ = from, high_ = to;

@@ -7,8 +7,13 @@ namespace flatray {
 
 /// c[0] + c[1] x + c[2] x^2 + ..., without error; the number 0 has no coefficients.
 using Polynomial = std::vector<Rational>;
-/// Value at a rational number.
-Rational value_at(const Polynomial& p, const Rational& x);
+/// Value at a number without error.
+template <class Number>
+Number value_at(const Polynomial& p, const Number& x) {
+  Number value = 0;
+  for (auto c = p.rbegin(); c != p.rend(); ++c) value = value * x + *c;
+  return value;
+}
 Polynomial derivative(const Polynomial& p);
 
 /// A real root of a polynomial, as an interval in which it is the only one.

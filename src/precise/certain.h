@@ -3,8 +3,8 @@
 #include <utility>
 #include <variant>
 
+#include "geom/quadratic.h"
 #include "precise/ball.h"
-#include "transport/quadratic.h"
 
 namespace flatray {
 

@@ -17,6 +17,11 @@ bool is_met_by(const Surfaces& walls, const Ray& ray, const NearestHit& hit, con
 
 }  // namespace
 
+void Accelerator::nearest(const RayBatch& rays, std::span<NearestHit> hits) const {
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
+}
+
 NearestHit Accelerator::nearest_of_one(const Ray& ray, const Left& left, bool tangents) const {
   RayBatch rays;
   rays.tangents = tangents;

@@ -1,9 +1,9 @@
 #pragma once
 #include "trace/candidates.h"
 #include "trace/cells.h"
-#include "trace/curve_cells.h"
 #include "trace/hits.h"
 #include "trace/rays.h"
+#include "trace/wall_cells.h"
 
 namespace flatray {
 
@@ -14,7 +14,7 @@ namespace flatray {
 class CellSearch {
  public:
   /// Needs   `walls`, `curves` and `grid`, which may be null, to outlive it.
-  CellSearch(const Surfaces& walls, const CellGrid* grid, const CurveCells& curves)
+  CellSearch(const Surfaces& walls, const CellGrid* grid, const WallCells& curves)
       : walls_(walls),
         curves_(curves),
         listed_(grid),
@@ -30,7 +30,7 @@ class CellSearch {
   std::vector<std::uint32_t> segments_near(const Ray& ray) const;
 
   const Surfaces& walls_;
-  const CurveCells& curves_;
+  const WallCells& curves_;
   const CellGrid* listed_;  // what knows copies
   const CellGrid* grid_;
 };

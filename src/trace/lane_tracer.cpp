@@ -17,26 +17,19 @@ constexpr std::size_t kBlockOfCells = 4096, kBlockOfList = 512;
 // Up to so many rays one after the other are faster than lanes (benchmarks/batch_size).
 constexpr std::size_t kFewRays = kMostRaysOneByOne, kFewRaysOfList = 4;
 
-std::string both(std::string segments, const std::string& curves) {
-  return curves.empty() ? segments : std::move(segments) + ", " + curves;
-}
-
 class LaneTracer : public Accelerator {
  public:
-  LaneTracer(const Surfaces& walls, CellGrid cells, Isa isa)
+  /// Without cells where coordinates leave no room for lanes.
+  LaneTracer(const Surfaces& walls, std::optional<CellGrid> cells, Isa isa)
       : Accelerator(walls),
         cells_(std::move(cells)),
-        view_(view_of(walls, cells_)),
-        curves_(walls),
-        search_(walls, &cells_, curves_),
+        view_(cells_ ? view_of(walls, *cells_) : lanes::Grid{}),
+        curves_(WallCells::of_curves(walls)),
+        search_(walls, cells_ ? &*cells_ : nullptr, curves_),
         kernels_(lane_kernels(isa).walk) {}
 
   void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    if (are_few(rays)) {
-      for (std::size_t i = 0; i < rays.size(); ++i)
-        hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
-      return;
-    }
+    if (are_few(rays)) return Accelerator::nearest(rays, hits);
     in_blocks(rays, [&](LaneBlock& block, std::size_t begin, std::size_t count) {
       block.walk();
       const std::span<const int> open = block.finish(&hits[begin]);
@@ -67,7 +60,7 @@ class LaneTracer : public Accelerator {
     });
   }
   std::size_t left_by_lanes(const RayBatch& rays) const override {
-    if (!walls_.curve_numbers.empty()) return rays.size();
+    if (!cells_ || !walls_.curve_numbers.empty()) return rays.size();
     std::size_t left = 0;
     std::vector<NearestHit> hits(std::min(kBlockOfCells, rays.size()));
     in_blocks(rays, [&](LaneBlock& block, std::size_t, std::size_t) {
@@ -78,7 +71,7 @@ class LaneTracer : public Accelerator {
   }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     const std::uint32_t slot = walls_.segment_slot(left.surface);
-    if (slot != kNoSurface && cells_.next_copy(slot) != CellGrid::kNoSlot)
+    if (!cells_ || (slot != kNoSurface && cells_->next_copy(slot) != CellGrid::kNoSlot))
       return search_.nearest(ray, left, tangents);
     const lanes::SingleHit found = kernels_.single_ray(
         view_, {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(), slot});
@@ -96,25 +89,29 @@ class LaneTracer : public Accelerator {
   std::size_t tested_of_one(const Ray& ray, const Left& left) const override {
     return search_.tested(ray, left);
   }
-  std::size_t bytes() const override { return cells_.bytes() + curves_.bytes(); }
-  std::string structure() const override { return both(segments_in(), curves_.structure()); }
+  std::size_t bytes() const override { return (cells_ ? cells_->bytes() : 0) + curves_.bytes(); }
+  std::string structure() const override {
+    std::string curves = curves_.structure();
+    if (walls_.segments.empty() && !curves.empty()) return curves;
+    return curves.empty() ? segments_in() : segments_in() + ", " + curves;
+  }
   std::size_t cells() const override {
     const auto side = [](std::int32_t count) { return static_cast<std::size_t>(count); };
-    return (cells_.has_cells() ? side(cells_.columns()) * side(cells_.rows()) : 0) +
-           curves_.cells();
+    return (has_cells() ? side(cells_->columns()) * side(cells_->rows()) : 0) + curves_.cells();
   }
 
  private:
+  bool has_cells() const { return cells_ && cells_->has_cells(); }
   std::string segments_in() const {
-    if (!cells_.has_cells()) return "one list";
+    if (!has_cells()) return "one list";
     const std::string cells =
-        std::to_string(cells_.columns()) + " x " + std::to_string(cells_.rows()) + " cells";
-    return cells_.divided() == 0
+        std::to_string(cells_->columns()) + " x " + std::to_string(cells_->rows()) + " cells";
+    return cells_->divided() == 0
                ? cells
-               : cells + ", " + std::to_string(cells_.divided()) + " of them crowded and divided";
+               : cells + ", " + std::to_string(cells_->divided()) + " of them crowded and divided";
   }
   bool are_few(const RayBatch& rays) const {
-    return rays.size() <= (cells_.has_cells() ? kFewRays : kFewRaysOfList);
+    return !cells_ || rays.size() <= (has_cells() ? kFewRays : kFewRaysOfList);
   }
   bool may_meet_curve(const RayBatch& rays, std::size_t i, double up_to) const {
     if (up_to < 0) return false;
@@ -126,9 +123,8 @@ class LaneTracer : public Accelerator {
 
   template <class Each>
   void in_blocks(const RayBatch& rays, const Each& each) const {
-    const std::size_t most =
-        std::min(cells_.has_cells() ? kBlockOfCells : kBlockOfList, rays.size());
-    LaneBlock block(walls_, cells_, view_, kernels_, most);
+    const std::size_t most = std::min(has_cells() ? kBlockOfCells : kBlockOfList, rays.size());
+    LaneBlock block(walls_, *cells_, view_, kernels_, most);
     for (std::size_t begin = 0; begin < rays.size(); begin += most) {
       const std::size_t count = std::min(most, rays.size() - begin);
       block.load(rays, begin, count);
@@ -155,39 +151,11 @@ class LaneTracer : public Accelerator {
     return view;
   }
 
-  const CellGrid cells_;
+  const std::optional<CellGrid> cells_;
   const lanes::Grid view_;
-  const CurveCells curves_;
+  const WallCells curves_;
   const CellSearch search_;
   const lanes::WalkKernels& kernels_;
-};
-
-// Where coordinates leave no room for lanes.
-class OneByOne : public Accelerator {
- public:
-  explicit OneByOne(const Surfaces& walls)
-      : Accelerator(walls), curves_(walls), search_(walls, nullptr, curves_) {}
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
-  }
-  NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
-    return search_.nearest(ray, left, tangents);
-  }
-  std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left,
-                                     bool tangents) const override {
-    return search_.all(ray, left, tangents);
-  }
-  std::size_t bytes() const override { return curves_.bytes(); }
-  std::string structure() const override {
-    const bool curves_alone = walls_.segments.empty() && walls_.size() > 0;
-    return curves_alone ? curves_.structure() : both("one list", curves_.structure());
-  }
-  std::size_t cells() const override { return curves_.cells(); }
-
- private:
-  const CurveCells curves_;
-  const CellSearch search_;
 };
 
 }  // namespace
@@ -195,9 +163,7 @@ class OneByOne : public Accelerator {
 std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBuilder& cells_of,
                                             Isa isa) {
   const auto in_lanes = [&](const Surfaces& given) -> std::unique_ptr<Accelerator> {
-    if (auto cells = cells_of(given))
-      return std::make_unique<LaneTracer>(given, std::move(*cells), isa);
-    return std::make_unique<OneByOne>(given);
+    return std::make_unique<LaneTracer>(given, cells_of(given), isa);
   };
   auto as_given = in_lanes(walls);
   if (!is_unusual(walls)) return as_given;

@@ -60,10 +60,6 @@ class Polygons : public Accelerator {
     }
   }
 
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
-  }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool) const override {
     const auto start = start_of<Number>(ray);
     NearestHit best;

@@ -21,11 +21,12 @@ class Accelerator {
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;
 
-  /// The first wall of each ray.
+  /// The first wall of each ray. What is derived has an answer of its own to this or to nearest_of_one(): each is
+  /// made of the other.
   ///
   /// Needs   as many hits as rays; finite coordinates. A zero direction asks what the origin lies
   ///         on.
-  virtual void nearest(const RayBatch& rays, std::span<NearestHit> hits) const = 0;
+  virtual void nearest(const RayBatch& rays, std::span<NearestHit> hits) const;
   /// The first wall of one ray, on which the lanes of a batch would be wasted.
   virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
                                     bool tangents = true) const;

@@ -43,7 +43,7 @@ ExactOrigins::ExactOrigins(const Surfaces& walls) : walls_(walls), cells_(walls)
 
 std::vector<std::uint32_t> ExactOrigins::walls_near(const Vec2& point, std::uint32_t hit) const {
   const Vec2 within(reach(point.x()), reach(point.y()));
-  return cells_.near(point, within, [&](std::uint32_t i) {
+  return cells_.near(point, [&](std::uint32_t i) {
     return i != hit &&
            walls_.visit(i, [&](const auto& wall) { return passes_near(wall, point, within); });
   });
@@ -66,7 +66,7 @@ ExactOrigin ExactOrigins::at_end(const Vec2& end, std::uint32_t surface) const {
 }
 
 std::vector<std::uint32_t> ExactOrigins::walls_at(const Vec2& point) const {
-  return cells_.near(point, Vec2(0, 0), [&](std::uint32_t i) {
+  return cells_.near(point, [&](std::uint32_t i) {
     return walls_.visit(i, [&](const auto& wall) { return place_on(wall, point); }) !=
            PlaceOn::outside;
   });

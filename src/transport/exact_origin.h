@@ -4,9 +4,9 @@
 
 #include "trace/hits.h"
 #include "trace/surfaces.h"
+#include "trace/wall_cells.h"
 #include "transport/field_meeting.h"
 #include "transport/hit_point.h"
-#include "transport/wall_cells.h"
 
 namespace flatray {
 

@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "geom/decide.h"
+#include "transport/reflection.h"
 
 namespace flatray {
 namespace {
@@ -61,13 +62,6 @@ FlightForm<decltype(Make{}(0.0))> CrossedWall::form(const Make& number,
   return line_form(number, flight, line.a, pair_of(number, line.b) - pair_of(number, line.a));
 }
 
-// p + s sqrt(q)
-struct FieldMeeting::ExactRoot {
-  Rational p;
-  int s;
-  Rational q;
-};
-
 // Where -b and the root of q cancel: by the other root and the product of both.
 template <class Make>
 auto FieldMeeting::root(const Make& number) const {
@@ -91,23 +85,18 @@ FieldMeeting::FieldMeeting(const FieldFlight& flight, const CrossedWall& crossed
             part([](const auto& form) { return form.b; }) == -from_;
 }
 
-FieldMeeting::ExactRoot FieldMeeting::exact() const {
+Quadratic FieldMeeting::exact() const {
   const auto form = crossed_.form(kRational, flight_);
-  if (form.a.sign() == Sign::zero) return {-form.c / form.b, 0, 0};
+  if (form.a.sign() == Sign::zero) return -form.c / form.b;
   const Rational twice = Rational(2) * form.a;
-  const int s = static_cast<int>(from_ * twice.sign());
-  return {-form.b / twice, s, discriminant(form) / (twice * twice)};
+  return {-form.b / twice, Rational(static_cast<int>(from_)) / twice, discriminant(form)};
 }
 
 template <class Form>
 Sign FieldMeeting::sign_at(const Form& form) const {
   if (const auto sign = value(form(kNear), near_).sign()) return *sign;
   if (const auto sign = value(form(kBounded), root(kBounded)).sign()) return *sign;
-  const ExactRoot w = exact();
-  const auto f = form(kRational);
-  const Rational slope = Rational(2) * f.a * w.p + f.b;
-  return Rational::root_sign(f.a * w.q + value(f, w.p), w.s * static_cast<int>(slope.sign()),
-                             slope * slope * w.q);
+  return value(form(kQuadratic), exact()).sign();
 }
 
 bool FieldMeeting::is_before(const FieldMeeting& other) const {
@@ -115,15 +104,12 @@ bool FieldMeeting::is_before(const FieldMeeting& other) const {
   if (const auto sign = (near_ - other.near_).sign()) return *sign == Sign::positive;
   if (const auto sign = (root(kBounded) - other.root(kBounded)).sign())
     return *sign == Sign::positive;
-  const ExactRoot a = exact(), b = other.exact();
-  return Rational::two_root_sign(a.p - b.p, a.s, a.q, -b.s, b.q) == Sign::positive;
+  return compare(exact(), other.exact()) > 0;
 }
 
 double FieldMeeting::w() const {
   const Bounded w = root(kBounded);
-  if (w.error() < 0x1p-60 * w.size()) return w.hi();
-  const ExactRoot exactly = exact();
-  return Rational::root_sum(exactly.p, exactly.s, exactly.q);
+  return w.error() < 0x1p-60 * w.size() ? w.hi() : exact().nearest();
 }
 
 double FieldMeeting::time() const {
@@ -146,16 +132,12 @@ Vec2 FieldMeeting::direction() const {
 double FieldMeeting::rounded(int axis, double about) const {
   const Vec2& d = flight_.ray.direction;
   const double across = axis == 0 ? -d.y() : d.x(), h = flight_.half;
-  const Bounded w = root(kBounded), size = w * w + Bounded(h) * h;
-  const Bounded place =
-      (Bounded(flight_.ray.origin[axis]) - about) + (w * d[axis] + Bounded(h) * across) / size;
-  if (const auto nearest = place.nearest()) return *nearest;
-  const ExactRoot e = exact();  // (n + m r) / (k + l r), r = sqrt(q)
-  const Rational n = e.p * d[axis] + Rational(h) * across, m = Rational(e.s) * d[axis];
-  const Rational k = e.p * e.p + e.q + Rational(h) * h, l = Rational(2 * e.s) * e.p;
-  const Rational whole = k * k - l * l * e.q, slope = (m * k - n * l) / whole;
-  const Rational p = Rational(flight_.ray.origin[axis]) - about + (n * k - m * l * e.q) / whole;
-  return Rational::root_sum(p, static_cast<int>(slope.sign()), slope * slope * e.q);
+  const auto place = [&](const auto& number, const auto& w) {
+    return (number(flight_.ray.origin[axis]) - number(about)) +
+           (w * number(d[axis]) + number(h) * number(across)) / (w * w + number(h) * number(h));
+  };
+  const auto nearest = place(kBounded, root(kBounded)).nearest();
+  return nearest ? *nearest : place(kQuadratic, exact()).nearest();
 }
 
 // A wall parallel to an axis gives one coordinate.
@@ -272,6 +254,23 @@ class FirstMet {
 
 std::optional<FieldHit> first_in_field(const Surfaces& walls, const FieldFlight& flight) {
   return FirstMet(walls, flight).find();
+}
+
+// By half the angle flown, whose tangent is that between the direction and the chord.
+std::vector<Vec2> points_between(double field, const Ray& flight, const Vec2& to) {
+  constexpr double kPi = 0x1.921fb54442d18p+1, kParts = 256;
+  const Vec2 d = unit(flight.direction), left = (field < 0 ? -1 : 1) * Vec2(-d.y(), d.x());
+  const Vec2 way = to - flight.origin;
+  const double half = way == Vec2(0, 0) ? kPi : portable::atan2(way.dot(left), way.dot(d));
+  const double whole = half < 0 ? half + kPi : half;  // just below 0 by rounding
+  const int parts = static_cast<int>(std::ceil(kParts * whole / kPi));
+  std::vector<Vec2> points;
+  for (int i = 1; i < parts; ++i) {
+    const double part = whole * i / parts, sine = portable::sin(part);
+    points.push_back(flight.origin +
+                     2 * sine / std::fabs(field) * (portable::cos(part) * d + sine * left));
+  }
+  return points;
 }
 
 bool are_straight_or_circles(const Surfaces& walls) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "geom/primitives/wall.h"
 #include "trace/surfaces.h"
@@ -71,10 +72,9 @@ class FieldMeeting {
   PlaceOn between_ends(const Segment& wall) const;
 
  private:
-  struct ExactRoot;
   template <class Make>
   auto root(const Make& number) const;
-  ExactRoot exact() const;
+  Quadratic exact() const;
   template <class Form>
   Sign sign_at(const Form& form) const;
   double rounded(int axis, double about) const;
@@ -101,6 +101,10 @@ struct FieldHit {
 /// Gives   nullopt where the flight closes without meeting one. Exact; of walls met at once the lowest.
 /// Cost    looks at all walls, some 0.1 us each.
 std::optional<FieldHit> first_in_field(const Surfaces& walls, const FieldFlight& flight);
+
+/// Points of a flight in a field up to another of its points, to draw it, without the first and the last:
+/// 256 to a full turn. Where both are one it is the full turn.
+std::vector<Vec2> points_between(double field, const Ray& flight, const Vec2& to);
 
 /// Whether all walls are such.
 bool are_straight_or_circles(const Surfaces& walls);

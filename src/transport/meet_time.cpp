@@ -11,28 +11,7 @@ auto edge_of(const Make& number, const Segment& wall) {
 }
 
 template <class Make>
-auto line_time(const Make& number, const Mover& mover, const Leg& leg, const Segment& wall) {
-  const auto seen = relative(number, mover, leg, wall.a);
-  const auto edge = edge_of(number, wall);
-  return Quotient<decltype(number(0.0))>{cross(seen.at, edge), cross(edge, seen.velocity)};
-}
-
-template <class Make>
-auto end_time(const Make& number, const Mover& mover, const Leg& leg, const Segment& wall,
-              const Vec2& end) {
-  const auto seen = relative(number, mover, leg, end);
-  const auto edge = edge_of(number, wall);
-  return Quotient<decltype(number(0.0))>{-dot(seen.at, edge), dot(seen.velocity, edge)};
-}
-
-template <class Make>
-auto clock_time(const Make& number, const Mover& mover, double time) {
-  return Quotient<decltype(number(0.0))>{
-      number(time) - number(mover.since.hi) - number(mover.since.lo), number(1.0)};
-}
-
-template <class Make>
-auto circle_time(const Make& number, const Mover& mover, const Leg& leg, const Circle& wall) {
+auto chord_of(const Make& number, const Mover& mover, const Leg& leg, const Circle& wall) {
   const auto seen = relative(number, mover, leg, wall.centre);
   return chord_time(seen.velocity, {-seen.at.x, -seen.at.y}, number(wall.radius));
 }
@@ -83,70 +62,54 @@ CrossingPlace crossing_place(const Mover& mover, const Leg& leg, const Segment& 
 }
 
 bool crosses(const Mover& mover, const Leg& leg, const Circle& wall) {
-  return decide([&](const auto& number) { return circle_time(number, mover, leg, wall).q; }) ==
+  return decide([&](const auto& number) { return chord_of(number, mover, leg, wall).q; }) ==
          Sign::positive;
 }
 
-MeetTime::MeetTime(Kind kind, const Mover& mover, const Leg* leg)
-    : kind_(kind), mover_(&mover), leg_(leg) {}
-
-MeetTime MeetTime::at(const Mover& mover, double time) {
-  MeetTime made(Kind::clock, mover, nullptr);
-  made.time_ = time;
-  made.approximate();
-  return made;
-}
+MeetTime MeetTime::at(const Mover& mover, double time) { return {mover, nullptr, time, {}}; }
 
 MeetTime MeetTime::on_line(const Mover& mover, const Leg& leg, const Segment& wall) {
-  MeetTime made(Kind::line, mover, &leg);
-  made.line_ = wall;
-  made.approximate();
-  return made;
+  return {mover, &leg, 0, {wall.a, wall.a, wall.b}};
 }
 
 MeetTime MeetTime::at_end(const Mover& mover, const Leg& leg, const Segment& wall, bool at_b) {
-  MeetTime made(at_b ? Kind::end_b : Kind::end_a, mover, &leg);
-  made.line_ = wall;
-  made.approximate();
-  return made;
+  const auto across = [](const Vec2& v) { return Vec2(-v.y(), v.x()); };
+  return {mover, &leg, 0, {at_b ? wall.b : wall.a, across(wall.a), across(wall.b)}};
 }
 
 MeetTime MeetTime::on_circle(const Mover& mover, const Leg& leg, const Circle& wall, Root root) {
-  MeetTime made(Kind::circle, mover, &leg);
-  made.circle_ = wall;
-  made.root_ = root_sign(root);
-  made.approximate();
-  return made;
+  return {mover, &leg, 0, {wall.centre, {0, 0}, {0, 0}, wall.radius, root_sign(root)}};
 }
 
-// But on a circle.
 template <class Make>
-auto MeetTime::in(const Make& number) const {
-  if (kind_ == Kind::clock) return clock_time(number, *mover_, time_);
-  if (kind_ == Kind::line) return line_time(number, *mover_, *leg_, line_);
-  return end_time(number, *mover_, *leg_, line_, kind_ == Kind::end_a ? line_.a : line_.b);
+auto MeetTime::line_time(const Make& number) const {
+  using Time = Quotient<decltype(number(0.0))>;
+  if (leg_ == nullptr)
+    return Time{number(time_) - number(mover_->since.hi) - number(mover_->since.lo), number(1.0)};
+  const auto seen = relative(number, *mover_, *leg_, met_.p);
+  const auto way = edge_of(number, {met_.from, met_.to});
+  return Time{cross(seen.at, way), cross(way, seen.velocity)};
 }
 
-void MeetTime::approximate() {
-  if (kind_ == Kind::circle) {
-    value_ = circle_time(kBounded, *mover_, *leg_, circle_).root(root_);
-    return;
+template <class Make>
+auto MeetTime::circle_time(const Make& number) const {
+  return chord_of(number, *mover_, *leg_, {met_.p, met_.radius});
+}
+
+MeetTime::MeetTime(const Mover& mover, const Leg* leg, double time, const Met& met)
+    : mover_(&mover), leg_(leg), time_(time), met_(met) {
+  if (met.root != 0) {
+    value_ = circle_time(kBounded).root(met.root);
+  } else {
+    const auto quotient = line_time(kBounded);
+    value_ = quotient.numer / quotient.denom;
   }
-  const auto time = in(kBounded);
-  value_ = time.numer / time.denom;
 }
 
-HitTime::Exact MeetTime::exact() const {
-  if (kind_ == Kind::circle) {
-    auto time = circle_time(kRational, *mover_, *leg_, circle_);
-    return {std::move(time.b), root_, std::move(time.q), std::move(time.a)};
-  }
-  return HitTime::exact_of(in(kRational));
-}
-
-Quadratic MeetTime::quadratic() const {
-  const HitTime::Exact time = exact();
-  return {time.p / time.a, Rational(time.s) / time.a, time.q};
+Quadratic MeetTime::exact() const {
+  if (met_.root != 0) return root_of(circle_time(kRational), met_.root);
+  const auto time = line_time(kRational);
+  return time.numer / time.denom;
 }
 
 std::strong_ordering compare(const MeetTime& a, const MeetTime& b) {
@@ -156,7 +119,7 @@ std::strong_ordering compare(const MeetTime& a, const MeetTime& b) {
 
 Sign MeetTime::sign() const {
   if (const auto sign = value_.sign()) return *sign;
-  return sign_of(compare(exact(), {Rational(0), 0, Rational(0), Rational(1)}));
+  return exact().sign();
 }
 
 }  // namespace flatray

@@ -7,7 +7,6 @@
 #include "geom/decide.h"
 #include "geom/hit_time.h"
 #include "geom/pair.h"
-#include "transport/quadratic.h"
 
 namespace flatray {
 
@@ -84,42 +83,42 @@ class MeetTime {
   ///   time.round([&](const auto& number, const auto& t) { return number(x) + t * number(v); })
   template <class Formula>
   double round(const Formula& formula) const {
-    if (const auto near = formula(bounded_number, value_).nearest()) return *near;
-    return clamped(formula(quadratic_number, quadratic()).nearest());
+    if (const auto near = formula(kBounded, value_).nearest()) return *near;
+    return clamped(formula(kQuadratic, exact()).nearest());
   }
   /// The same as a sum of two doubles. Error   kSumError of it.
   template <class Formula>
   DoubleDouble sum(const Formula& formula) const {
-    const Bounded near = formula(bounded_number, value_);
+    const Bounded near = formula(kBounded, value_);
     if (near.error() <= kSumError * std::fabs(near.hi())) return {near.hi(), near.lo()};
-    const Quadratic exact = formula(quadratic_number, quadratic());
-    const double hi = clamped(exact.nearest());
-    return {hi, clamped((exact - hi).nearest())};
+    const Quadratic sum = formula(kQuadratic, exact());
+    const double hi = clamped(sum.nearest());
+    return {hi, clamped((sum - hi).nearest())};
   }
   static constexpr double kSumError = 0x1p-80;
 
  private:
-  static Bounded bounded_number(double x) { return x; }
-  static Quadratic quadratic_number(double x) { return x; }
   static double clamped(double x) {
     constexpr double largest = std::numeric_limits<double>::max();
     return std::clamp(x, -largest, largest) + 0.0;  // never -0
   }
-  enum class Kind { clock, line, end_a, end_b, circle };
-  MeetTime(Kind kind, const Mover& mover, const Leg* leg);
+  // A line through p along to - from, or a circle about p.
+  struct Met {
+    Vec2 p{0, 0}, from{0, 0}, to{0, 0};
+    double radius = 0;
+    int root = 0;  // 0 for a line
+  };
+  MeetTime(const Mover& mover, const Leg* leg, double time, const Met& met);
   template <class Make>
-  auto in(const Make& number) const;
-  void approximate();
-  HitTime::Exact exact() const;
-  Quadratic quadratic() const;
+  auto line_time(const Make& number) const;
+  template <class Make>
+  auto circle_time(const Make& number) const;
+  Quadratic exact() const;
 
-  Kind kind_;
   const Mover* mover_;
-  const Leg* leg_;
-  double time_ = 0;
-  Segment line_{};
-  Circle circle_{};
-  int root_ = 0;
+  const Leg* leg_;  // nullptr of a time of the clock
+  double time_;
+  Met met_;
   Bounded value_{0.0};
 };
 

@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
-#include "transport/field_orbits.h"
 #include "transport/orbit_tracer.h"
 #include "transport/reflection.h"
 

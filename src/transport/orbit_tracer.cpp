@@ -1,12 +1,12 @@
 #include "transport/orbit_tracer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/philox.h"
 #include "geom/cyrus_beck.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
-#include "transport/field_orbits.h"
 #include "transport/reflection.h"
 
 namespace flatray {
@@ -52,6 +52,10 @@ class OrbitTracer::Wave {
   }
 
   void run() {
+    if (orbits_.field_ != 0)
+      for (Flight& flight : std::exchange(flights_, {}))
+        while (advance_in_field(flight)) {
+        }
     while (flights_.size() > kFewFlights) run_together();
     for (Flight& flight : flights_)
       while (advance(flight, orbits_.tracer_->nearest_of_one(flight.ray, flight.left, false))) {
@@ -98,6 +102,23 @@ class OrbitTracer::Wave {
     return arrive(flight, hit);
   }
 
+  // The same along an arc of a circle.
+  bool advance_in_field(Flight& flight) {
+    const FieldFlight arc{flight.ray, 0.5 * orbits_.field_ * flight.speed.length()};
+    const auto hit = first_in_field(walls_, arc);
+    if (!hit) return stop(flight, OrbitEnd::cyclotron, {});
+    const double t = hit->meeting.time();
+    flight.ray.direction = hit->meeting.direction();
+    add_to(flight.time, t);
+    ExactOrigin origin = orbits_.origins_.after(arc, *hit);
+    if (origin.corner.empty() && is_mirror(hit->surface))
+      return bounce(flight, {hit->surface}, origin.point, t,
+                    reflect_in_field(walls_, hit->surface, hit->meeting.from(),
+                                     flight.ray.direction, origin, flight.speed));
+    if (origin.corner.empty()) origin.corner = {hit->surface};
+    return ends_at(flight, std::move(origin));
+  }
+
   // From a corner of periodic walls, where only one of the two is the wall just left.
   bool enters_by(const Flight& flight, std::uint32_t surface) const {
     return !orbits_.periodic_.leads_out(surface, flight.ray.direction);
@@ -140,11 +161,15 @@ class OrbitTracer::Wave {
         cross(flight, origin.point, origin.corner, hit.t))
       return !(flight.circles || flight.crossings == kMostCrossings) ||
              stop(flight, OrbitEnd::escape, {});
-    std::vector<std::uint32_t> takers = taken_by(orbits_.materials_, origin.corner);
-    if (takers.empty() && orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any() &&
-        orbits_.glass_ == nullptr)
+    if (orbits_.corners_ == CornerRule::back && !orbits_.periodic_.any() &&
+        orbits_.glass_ == nullptr && taken_by(orbits_.materials_, origin.corner).empty())
       return turn_back(flight, origin, hit.t);
+    return ends_at(flight, std::move(origin));
+  }
+
+  bool ends_at(Flight& flight, ExactOrigin origin) {
     flight.ray.origin = origin.point;
+    std::vector<std::uint32_t> takers = taken_by(orbits_.materials_, origin.corner);
     if (takers.empty()) return stop(flight, OrbitEnd::corner, std::move(origin.corner));
     return stop(flight, OrbitEnd::absorbed, std::move(takers));
   }
@@ -291,11 +316,6 @@ OrbitTracer::OrbitTracer(const Surfaces& walls, std::span<const Material> materi
 
 void OrbitTracer::follow(std::span<const OrbitStart> starts, std::uint64_t bounces,
                          OrbitSink& sink) const {
-  if (field_ != 0) {
-    for (std::size_t i = 0; i < starts.size(); ++i)
-      follow_in_field({walls_, materials_, origins_, field_}, starts[i], bounces, i, sink);
-    return;
-  }
   Wave wave(*this, bounces, sink);
   wave.set_off(starts);
   wave.run();

@@ -53,8 +53,7 @@ TEST(HitTime, ACornerOfTwoWallsIsOneTime) {
   const HitTime one = HitTime::on_line(ray, {{0.3, 0.7}, {5, 1}});
   const HitTime other = HitTime::on_line(ray, {{0.3, 0.7}, {-3, 0.9}});
   // The tip as rounded is not (0.3, 0.7): which comes first must agree with rationals.
-  const HitTime::Exact a = one.exact(), b = other.exact();
-  EXPECT_EQ(compare(one, other), a.p / a.a <=> b.p / b.a);
+  EXPECT_EQ(compare(one, other), one.exact().rational() <=> other.exact().rational());
   const Ray exact{{-1, -1}, {2, 3}};
   EXPECT_TRUE(compare(HitTime::on_line(exact, {{1, 2}, {7, 3}}),
                       HitTime::on_line(exact, {{1, 2}, {1.1, 0}})) == 0);

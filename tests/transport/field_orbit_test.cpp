@@ -6,7 +6,7 @@
 #include "base/philox.h"
 #include "full_counts.h"
 #include "transport/chambers.h"
-#include "transport/field_orbits.h"
+#include "transport/field_meeting.h"
 
 namespace flatray {
 namespace {

@@ -2,6 +2,7 @@
 #include "geom/bounds.h"
 #include "geom/pair.h"
 #include "geom/predicates.h"
+#include "geom/quadratic.h"
 
 namespace flatray {
 
@@ -97,6 +98,10 @@ struct CurveTime {
     return (b.hi() > 0) == (s > 0) ? (b + length) / a : outside / (b - length);
   }
 };
+/// The same without error.
+inline Quadratic root_of(const CurveTime<Rational>& time, int s) {
+  return {time.b / time.a, Rational(s) / time.a, time.q};
+}
 template <class Number>
 CurveTime<Number> chord_time(const Pair<Number>& d, const Pair<Number>& w, const Number& r) {
   const Number r2 = r * r, a = dot(d, d), k = cross(d, w);

@@ -7,10 +7,6 @@ namespace {
 class Exact : public Accelerator {
  public:
   using Accelerator::Accelerator;
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
-  }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool tangents) const override {
     ExactNearest search(walls_, ray, left, tangents);
     for (std::uint32_t surface = 0; surface < walls_.size(); ++surface) search.offer(surface);

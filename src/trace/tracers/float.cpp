@@ -12,10 +12,6 @@ class Float : public Accelerator {
       edges_.push_back(
           {single(s.a.x()), single(s.a.y()), single(s.b.x() - s.a.x()), single(s.b.y() - s.a.y())});
   }
-  void nearest(const RayBatch& rays, std::span<NearestHit> hits) const override {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      hits[i] = nearest_of_one(rays.ray(i), rays.left[i], rays.tangents);
-  }
   NearestHit nearest_of_one(const Ray& ray, const Left& left, bool) const override {
     const plain::Start<float> start = plain::start_of<float>(ray);
     NearestHit best;

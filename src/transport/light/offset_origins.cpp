@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "geom/box_tree.h"
 #include "geom/decide.h"
 #include "geom/primitives/arc.h"
 
@@ -95,35 +95,25 @@ void OffsetOrigins::find_neighbours() {
   const auto count = static_cast<std::uint32_t>(walls_.size());
   std::vector<Bounds> boxes;
   for (std::uint32_t i = 0; i < count; ++i) boxes.push_back(box(i));
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return boxes[a].low.x() < boxes[b].low.x(); });
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  std::size_t looks = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Bounds& one = boxes[order[i]];
-    for (std::uint32_t j = i + 1; j < count; ++j) {
-      const Bounds& other = boxes[order[j]];
-      if (other.low.x() > one.high.x()) break;
-      if (++looks > kMostLooks || pairs.size() / 2 > kMostPairs + kMostPairsOfWall * count) {
-        for (Wall& wall : table_) wall.ready = false;
-        return;
-      }
-      if (other.low.y() > one.high.y() || one.low.y() > other.high.y()) continue;
-      if (are_far(order[i], order[j], other) || are_far(order[j], order[i], one)) continue;
-      pairs.emplace_back(order[i], order[j]);
-      pairs.emplace_back(order[j], order[i]);
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
+  const BoxTree tree(boxes);
+  std::size_t looks = 0, kept = 0;
   std::vector<std::uint32_t> others;
-  for (std::size_t i = 0; i < pairs.size(); i += others.size()) {
+  for (std::uint32_t i = 0; i < count; ++i) {
     others.clear();
-    for (std::size_t k = i; k < pairs.size() && pairs[k].first == pairs[i].first; ++k)
-      others.push_back(pairs[k].second);
-    walls_.visit(pairs[i].first,
-                 [&](const auto& wall) { keep_neighbours(wall, table_[pairs[i].first], others); });
+    const std::vector<std::size_t> overlap = tree.near(boxes[i]);
+    for (const std::size_t near : overlap) {
+      const auto other = static_cast<std::uint32_t>(near);
+      if (other == i || are_far(i, other, boxes[other]) || are_far(other, i, boxes[i])) continue;
+      others.push_back(other);
+    }
+    looks += overlap.size(), kept += others.size();
+    if (looks > kMostLooks || kept > 2 * (kMostPairs + kMostPairsOfWall * count)) {
+      for (Wall& wall : table_) wall.ready = false;
+      return;
+    }
+    std::sort(others.begin(), others.end());
+    if (!others.empty())
+      walls_.visit(i, [&](const auto& wall) { keep_neighbours(wall, table_[i], others); });
   }
 }
 

@@ -22,8 +22,8 @@ namespace flatray {
 class OffsetOrigins {
  public:
   /// Needs   `walls` to outlive it.
-  /// Cost    a look at each pair of walls whose boxes overlap along x, some 300 bytes a wall. Where
-  ///         these are more than 2^26, or more come near than 2^16 and 16 a wall, nothing is certain,
+  /// Cost    a look at each pair of walls whose boxes overlap, some 300 bytes a wall. Where
+  ///         these are more than 2^25, or more come near than 2^16 and 16 a wall, nothing is certain,
   ///         nor on a curve near more than 16 walls.
   explicit OffsetOrigins(const Surfaces& walls);
 

@@ -1,4 +1,4 @@
-#include "trace/curve_cells.h"
+#include "trace/wall_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,14 @@ namespace flatray {
 namespace {
 
 constexpr std::size_t kFew = 8;  // so many are looked at without cells
-constexpr double kCellsACurve = 2, kMostCells = 0x1p22;
-// Width and height of a curve in cells, on average: those that lie on one another, all as large as the grid, would pass
+constexpr double kCellsAWall = 2, kMostCells = 0x1p22;
+// Width and height of a wall in cells, on average: those that lie on one another, all as large as the grid, would pass
 // the root of all cells each.
 constexpr double kCellsAcross = 16;
 constexpr double kMargin = 0x1p-10;  // of a cell's side, by which lists reach beyond it
 constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-22
 constexpr double kSlack = 0x1p-12;   // cells, by which a walk may be off
-constexpr double kLeast = 0x1p-400, kMost = 0x1p400;
+constexpr double kLeastSize = 0x1p-400, kMostSize = 0x1p400;
 
 // A vector in the form in which the curve is a circle, and the largest it may be in a box about it.
 struct Form {
@@ -47,24 +47,27 @@ bool ends_on_curve(const Arc& arc) {
 
 }  // namespace
 
-CurveCells::CurveCells(const Surfaces& walls) : walls_(walls) {
-  if (curves().size() > kFew) divide();
+WallCells::WallCells(const Surfaces& walls, bool of_curves)
+    : walls_(walls),
+      of_curves_(of_curves),
+      count_(of_curves ? walls.curve_numbers.size() : walls.size()) {
+  if (count_ > kFew) divide();
 }
 
-// Cells of one size, as many as the curves need, and one more all round.
-void CurveCells::divide() {
+// Cells of one size, as many as the walls need, and one more all round.
+void WallCells::divide() {
   Bounds box;
   double extents = 0;
-  for (const std::uint32_t i : curves()) {
+  visit_all([&](std::uint32_t i) {
     const Bounds own = walls_.visit(i, [](const auto& wall) { return bounds_of(wall); });
     box.add(own);
-    extents += own.size().sum() / static_cast<double>(curves().size());
-  }
+    extents += own.size().sum() / static_cast<double>(count_);
+  });
   const Vec2 size = box.size();
   const double larger = size.maxCoeff(),
                magnitude = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
-  if (!(larger > kLeast && magnitude < kMost)) return;
-  const double wanted = std::min(kCellsACurve * static_cast<double>(curves().size()), kMostCells);
+  if (!(larger > kLeastSize && magnitude < kMostSize)) return;
+  const double wanted = std::min(kCellsAWall * static_cast<double>(count_), kMostCells);
   const double narrow = std::max(size.minCoeff(), larger / wanted);
   side_ = std::max(std::sqrt(narrow / wanted * larger), larger * 0x1p-20);
   side_ = std::max(side_, extents / kCellsAcross);
@@ -73,31 +76,31 @@ void CurveCells::divide() {
   if (!(magnitude * 0x1p-30 < side_ * 0x1p10)) return;
   columns_ = static_cast<int>(size.x() / side_) + 3;
   rows_ = static_cast<int>(size.y() / side_) + 3;
-  const Rect all{0, 0, columns_, rows_};
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   begin_.assign(cells + 1, 0);
-  const auto visit_all = [&](const auto& visit) {
-    for (const std::uint32_t i : curves())
+  const auto visit_passed = [&](const auto& visit) {
+    visit_all([&](std::uint32_t i) {
       walls_.visit(i, [&](const auto& wall) {
-        visit_cells(wall, all, [&](std::size_t cell) { visit(i, cell); });
+        visit_cells(wall, cells_of(bounds_of(wall)), [&](std::size_t cell) { visit(i, cell); });
       });
+    });
   };
-  visit_all([&](std::uint32_t, std::size_t cell) { ++begin_[cell + 1]; });
+  visit_passed([&](std::uint32_t, std::size_t cell) { ++begin_[cell + 1]; });
   for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
   surfaces_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  visit_all([&](std::uint32_t i, std::size_t cell) { surfaces_[next[cell]++] = i; });
+  visit_passed([&](std::uint32_t i, std::size_t cell) { surfaces_[next[cell]++] = i; });
 }
 
-// Whether a part of a curve may lie in the cells, or within kMargin of them.
+// Whether a part of a wall may lie in the cells, or within kMargin of them.
 template <class Wall>
-bool CurveCells::may_pass(const Wall& wall, const Rect& rect) const {
+bool WallCells::may_pass(const Wall& wall, const Rect& rect) const {
   const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
   const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
   return passes_near(wall, low_ + middle, half);
 }
 
-bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
+bool WallCells::may_pass(const Arc& arc, const Rect& rect) const {
   const Vec2 half = side_ * Vec2(0.5 * rect.width + kMargin, 0.5 * rect.height + kMargin);
   const Vec2 middle = side_ * Vec2(rect.left + 0.5 * rect.width, rect.bottom + 0.5 * rect.height);
   const Bounds box = bounds_of(arc);
@@ -113,7 +116,7 @@ bool CurveCells::may_pass(const Arc& arc, const Rect& rect) const {
 }
 
 template <class Wall, class Visit>
-void CurveCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const {
+void WallCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& visit) const {
   if (!may_pass(wall, rect)) return;
   const auto [left, bottom, width, height] = rect;
   if (width == 1 && height == 1)
@@ -128,14 +131,13 @@ void CurveCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& vi
 }
 
 template <class Offers>
-void CurveCells::walk(const Ray& ray, Offers& offers) const {
+void WallCells::walk(const Ray& ray, Offers& offers) const {
   const Vec2 origin = (ray.origin - low_) / side_, way = ray.direction / side_;
   const double speed = way.norm();
   const Vec2 all(columns_, rows_);
-  if (begin_.empty() || !(speed > kLeast && speed < kMost) ||
+  if (begin_.empty() || !(speed > kLeastSize && speed < kMostSize) ||
       !(origin.cwiseAbs().maxCoeff() < kFar)) {
-    for (const std::uint32_t surface : curves()) offers.offer_curve(surface);
-    return;
+    return visit_all([&](std::uint32_t surface) { offers.offer_curve(surface); });
   }
   // t of what is to come on each axis: the side of the grid, then of each cell.
   double enter = 0, leave = kInfinity;
@@ -172,11 +174,11 @@ void CurveCells::walk(const Ray& ray, Offers& offers) const {
   }
 }
 
-void CurveCells::offer_to(Candidates& found, const Ray& ray) const {
-  if (!curves().empty()) walk(ray, found);
+void WallCells::offer_to(Candidates& found, const Ray& ray) const {
+  if (count_ > 0) walk(ray, found);
 }
 
-std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
+std::vector<std::uint32_t> WallCells::near(const Ray& ray) const {
   struct All {
     std::vector<std::uint32_t> surfaces{};
     void offer_curve(std::uint32_t surface) { surfaces.push_back(surface); }
@@ -192,9 +194,9 @@ std::vector<std::uint32_t> CurveCells::near(const Ray& ray) const {
   return all.surfaces;
 }
 
-std::string CurveCells::structure() const {
-  if (curves().empty()) return {};
-  return counted(curves().size(), "curve") + " in " +
+std::string WallCells::structure() const {
+  if (of_curves_ && count_ == 0) return {};
+  return counted(count_, of_curves_ ? "curve" : "wall") + " in " +
          (begin_.empty() ? "one list"
                          : std::to_string(columns_) + " x " + std::to_string(rows_) + " cells");
 }

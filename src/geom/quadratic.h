@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <compare>
 #include <optional>
 #include <utility>
 
@@ -7,7 +8,8 @@
 
 namespace flatray {
 
-/// a + b sqrt(q), without rounding; all numbers of one formula that have a root have the same.
+/// a + b sqrt(q), without rounding: the last arithmetic for what meets a circle or ellipse. All numbers of one
+/// formula that have a root have the same.
 class Quadratic {
  public:
   Quadratic(double finite) : a_(finite) {}
@@ -21,7 +23,7 @@ class Quadratic {
   }
 
   bool is_rational() const { return b_.sign() == Sign::zero; }
-  /// The number where it is rational.
+  /// The number where it is rational; else the middle between it and the one with the other root.
   const Rational& rational() const { return a_; }
   /// Whether there is a formula of both.
   bool shares_root(const Quadratic& other) const {
@@ -52,17 +54,25 @@ class Quadratic {
   }
   Quadratic operator-() const { return {-a_, -b_, q_}; }
 
-  Sign sign() const { return Rational::root_sign(a_, static_cast<int>(b_.sign()), b_ * b_ * q_); }
-  /// Nearest double, halves to even; beyond the doubles +-infinity.
-  double nearest() const {
-    return Rational::root_sum(a_, static_cast<int>(b_.sign()), b_ * b_ * q_);
+  /// (x - a)^2 of the number x.
+  Rational square_of_rest() const { return b_ * b_ * q_; }
+
+  /// Of two numbers that may have different roots.
+  friend std::strong_ordering compare(const Quadratic& x, const Quadratic& y) {
+    return order(Rational::two_root_sign(x.a_ - y.a_, x.side(), x.square_of_rest(), -y.side(),
+                                         y.square_of_rest()));
   }
+  Sign sign() const { return Rational::root_sign(a_, side(), square_of_rest()); }
+  /// Nearest double, halves to even; beyond the doubles +-infinity.
+  double nearest() const { return Rational::root_sum(a_, side(), square_of_rest()); }
   /// Its value in the arithmetic of `number`, which takes a Rational.
   template <class Make>
   auto in(const Make& number) const {
     if (is_rational()) return number(a_);
     return number(a_) + number(b_) * square_root(number(q_));
   }
+  /// 1 or -1 by what the root is multiplied with, 0 where it is rational.
+  int side() const { return static_cast<int>(b_.sign()); }
   /// Of the longest of its numerators and denominators.
   std::size_t bits() const { return std::max({a_.bits(), b_.bits(), q_.bits()}); }
 

@@ -1,11 +1,10 @@
-#include "transport/wall_cells.h"
+#include "trace/wall_cells.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "trace/all_tracers.h"
-#include "transport/exact_origin.h"
 
 namespace flatray {
 namespace {
@@ -26,10 +25,8 @@ Surfaces crowd(Draws& draw, int count, const Vec2& offset) {
   return walls;
 }
 
-Vec2 reach(const Vec2& point) { return 4 * 0x1p-53 * point.cwiseAbs(); }
-
 std::vector<std::uint32_t> near(const WallCells& cells, const Vec2& point) {
-  return cells.near(point, reach(point), [](std::uint32_t) { return true; });
+  return cells.near(point, [](std::uint32_t) { return true; });
 }
 
 TEST(WallCells, KnowEveryWallThatComesNearAPoint) {
@@ -65,29 +62,13 @@ TEST(WallCells, HoldAFewCellsAWallHoweverLongWallsAre) {
     walls.add(Segment{from, to});
   }
   const WallCells cells(walls);
-  EXPECT_LT(cells.entries(), 12 * walls.size());
+  EXPECT_LT(cells.entries(), 20 * walls.size());
 }
 
-TEST(WallCells, OfAFlatSceneAreOneCell) {
+TEST(WallCells, OfAFlatSceneAreARow) {
   Surfaces walls;
   for (int i = 0; i < 100; ++i) walls.add(Segment{Vec2(i, 0), Vec2(i + 1, 0)});
-  EXPECT_EQ(near(WallCells(walls), Vec2(3, 0)).size(), 100U);
-}
-
-TEST(ExactOrigins, AtTheEndsOfManyWallsAreThoseOfEachWallAskedAlone) {
-  Draws draw(3);
-  const Surfaces walls = crowd(draw, 2000, Vec2(0, 0));
-  const ExactOrigins origins(walls);
-  for (int i = 0; i < 200; ++i) {
-    const Vec2 end = walls.segments[draw.bits() % walls.segments.size()].a;
-    std::vector<std::uint32_t> met;
-    for (std::uint32_t wall = 0; wall < walls.size(); ++wall) {
-      Surfaces alone;
-      walls.visit(wall, [&](const auto& each) { alone.add(each); });
-      if (!ExactOrigins(alone).walls_at(end).empty()) met.push_back(wall);
-    }
-    EXPECT_EQ(origins.walls_at(end), met);
-  }
+  EXPECT_LT(near(WallCells(walls), Vec2(3, 0)).size(), 5U);
 }
 
 }  // namespace
