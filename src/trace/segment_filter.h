@@ -25,17 +25,17 @@ class SegmentFilter {
       : origin_(pair_of(kCounted, ray.origin)), direction_(pair_of(kCounted, ray.direction)) {}
 
   FilteredHit operator()(const Segment& segment) const {
-    using Verdict = FilteredHit::Verdict;
+    using enum FilteredHit::Verdict;
     const auto a = pair_of(kCounted, segment.a) - origin_;
     const auto b = pair_of(kCounted, segment.b) - origin_;
     const auto side_a = cross(direction_, a), side_b = cross(direction_, b);
     const Sign at_a = side_a.sure_sign(), at_b = side_b.sure_sign();
-    if (at_a == at_b && at_a != Sign::zero) return {Verdict::missed, 0, 0};
+    if (at_a == at_b && at_a != Sign::zero) return {missed, 0, 0};
     const Near t = Near(cross(a, b)) / Near(side_b - side_a);
-    if (t.high() < 0) return {Verdict::missed, 0, 0};
-    if (!(t.low() > 0)) return {Verdict::open, -kInfinity, kInfinity};
+    if (t.high() < 0) return {missed, 0, 0};
+    if (!(t.low() > 0)) return {open, -kInfinity, kInfinity};
     const bool between = at_a == -at_b && at_a != Sign::zero;
-    return {between ? Verdict::sure : Verdict::open, t.low(), t.high()};
+    return {between ? sure : open, t.low(), t.high()};
   }
 
  private:
