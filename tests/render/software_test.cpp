@@ -88,6 +88,39 @@ TEST(Software, WhatIsHiddenOrBesideTheCropChangesNoPixel) {
     }
 }
 
+// Opaque triangles, more than are told apart in a pixel, among boxes whose sides lie on borders of pixels.
+DrawList crowd(std::uint64_t seed) {
+  DrawList list{2, 4, {0, 0, 0, 1}, Coverage::area, {}};
+  Draws draws(seed, 7);
+  for (int i = 0; i < 70; ++i) {
+    const auto at = [&] { return Vec2(2 * draws.unit(), 4 * draws.unit()); };
+    std::vector<Vec2> ring{at(), at(), at()};
+    if (i % 9 == 8) {
+      const Vec2 low = ring[0].array().floor(), high = low + Vec2(1, 1);
+      ring = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+    }
+    FillPath path;
+    coverage_check::add_ring(ring, false, path);
+    const auto level = [&] { return static_cast<float>(draws.unit()); };
+    list.items.push_back({path, {level(), level(), level(), 1}});
+  }
+  return list;
+}
+
+TEST(Software, CrowdedPixelsDependOnNoNeighbourAndOnNothingHidden) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const DrawList list = crowd(seed);
+    const LinearImage whole = render_linear(list, {});
+    EXPECT_EQ(whole.pixels, render_linear(list, {std::nullopt, 1, true}).pixels) << seed;
+    for (int row = 0; row < list.height; ++row) {
+      const LinearImage part = render_linear(list, {PixelBox{0, row, 2, 1}, 1});
+      EXPECT_TRUE(
+          std::equal(part.pixels.begin(), part.pixels.end(), whole.pixels.begin() + 6 * row))
+          << seed << ", row " << row;
+    }
+  }
+}
+
 TEST(Software, ManyEdgesAreSortedIntoBandsWithoutLosingOne) {
   // One star of 400 edges through all bands against the same edges scanned at once.
   std::vector<Vec2> ring;

@@ -116,11 +116,11 @@ void BandScan::draw_part(int place, const ItemLook* below) {
 Light BandScan::light_of(const Part& part, const Light& below) const {
   const ItemLook& look = looks_[part.item];
   const std::span<const Piece> pieces(pieces_.data() + part.first, part.count);
-  if (rays_ == 0) return mixed(look.light, below, share_of(look, part.winding, pieces));
+  if (rays_ == 0) return mixed(look.light, below, share_of(look, part.wound.winding, pieces));
   LightSum sum;
   auto next = pieces.begin();
   for (int ray = 0; ray < rays_; ++ray) {
-    int winding = part.winding;
+    int winding = (part.wound.rays >> ray & 1) != 0 ? part.wound.winding : 0;
     double from = 0;
     for (; next != pieces.end() && next->ray == ray; ++next) {
       sum.add(next->x_top - from, look.covers(winding) ? look.light : below);
@@ -159,15 +159,20 @@ void BandScan::see(int column, std::uint32_t part, const ItemLook* below) {
   if (below != nullptr) add(*below, 1);
   auto cover = active_.begin();
   while (cover != active_.end() || part != kNone) {
+    const bool is_cover =
+        part == kNone || (cover != active_.end() && cover->item < parts_[part].item);
+    const bool all = is_cover && cover->rays == all_rays_;
+    if (all && looks_[cover->item].opaque) items.clear(), shown_.clear();
     const auto seen = static_cast<std::uint32_t>(items.size());
-    if (part == kNone || (cover != active_.end() && cover->item < parts_[part].item)) {
-      const bool all = cover->rays == all_rays_;
+    if (is_cover) {
       if (!all) shown_.push_back({seen, nullptr, cover->rays});
       add(looks_[cover->item], all ? 1 : 0);
       ++cover;
     } else {
-      shown_.push_back({seen, &parts_[part], 0});
-      add(looks_[parts_[part].item], parts_[part].winding);
+      const Wound& wound = parts_[part].wound;
+      const bool every = wound.rays == all_rays_;
+      shown_.push_back({seen, &parts_[part], every ? 0 : wound.rays});
+      add(looks_[parts_[part].item], every ? wound.winding : 0);
       part = parts_[part].above;
     }
   }
@@ -176,7 +181,7 @@ void BandScan::see(int column, std::uint32_t part, const ItemLook* below) {
 
 Light BandScan::part_covered(const Shown& one) {
   const Part& part = *one.part;
-  const double share = share_of(*seen_.items[one.seen].look, part.winding,
+  const double share = share_of(*seen_.items[one.seen].look, part.wound.winding,
                                 std::span(pieces_).subspan(part.first, part.count));
   seen_.set(one.seen, true);
   const Light with = seen_.composed(background_);
@@ -201,12 +206,13 @@ std::optional<Light> BandScan::light_of_rest() {
     const std::span<const Piece> of(pieces_.data() + part.first, part.count);
     int sign = 0;  // of the winding numbers inside
     if (part.count == 1) {
-      const int direction = of[0].direction, left = part.winding - (of[0].left_top ? direction : 0);
+      const int direction = of[0].direction,
+                left = part.wound.winding - (of[0].left_top ? direction : 0);
       const bool in_left = look.covers(left), in_right = look.covers(left + direction);
       if (in_left == in_right) return {};
       sign = in_right ? direction : -direction;
     } else if (look.simple) {
-      double wound = part.winding;
+      double wound = part.wound.winding;
       for (const Piece& piece : of) wound += area_right_of(piece);
       sign = wound > 0 ? 1 : -1;
     } else {
@@ -219,12 +225,18 @@ std::optional<Light> BandScan::light_of_rest() {
   return sum.over(1);
 }
 
-// Along each ray from piece to piece.
+// Along each ray from piece to piece. What begins at the pixel's left border goes on from ray to ray.
 Light BandScan::mean_of_rays() {
+  constexpr double kBorder = -1;  // before all pieces
   changes_.clear();
   for (const Shown& one : shown_) {
-    for (std::uint64_t rays = one.rays; rays != 0; rays &= rays - 1)
-      changes_.push_back({std::countr_zero(rays), 0, one.seen, 1});
+    const int winding = one.part == nullptr ? 1 : one.part->wound.winding;
+    for (std::uint64_t turns = (one.rays ^ one.rays << 1) & all_rays_; turns != 0;
+         turns &= turns - 1) {
+      const int ray = std::countr_zero(turns);
+      const bool begins = (one.rays >> ray & 1) != 0;
+      changes_.push_back({ray, kBorder, one.seen, begins ? winding : -winding});
+    }
     for (std::uint32_t i = 0; one.part != nullptr && i < one.part->count; ++i) {
       const Piece& piece = pieces_[one.part->first + i];
       changes_.push_back({piece.ray, piece.x_top, one.seen, piece.direction});
@@ -234,17 +246,28 @@ Light BandScan::mean_of_rays() {
     return a.ray != b.ray ? a.ray < b.ray : a.x < b.x;
   });
   LightSum sum;
+  std::optional<Light> whole;
   auto next = changes_.begin();
+  const auto is_of = [&](int ray) { return next != changes_.end() && next->ray == ray; };
   for (int ray = 0; ray < rays_; ++ray) {
+    for (; is_of(ray) && next->x == kBorder; ++next) {
+      seen_.change(next->seen, next->direction);
+      whole.reset();
+    }
     const auto first = next;
     double from = 0;
-    for (; next != changes_.end() && next->ray == ray; ++next) {
+    for (; is_of(ray); ++next) {
       if (next->x > from) sum.add(next->x - from, seen_.composed(background_));
       from = next->x;
       seen_.change(next->seen, next->direction);
     }
-    sum.add(1 - from, seen_.composed(background_));
-    for (auto one = first; one != next; ++one) seen_.change(one->seen, -one->direction);
+    if (first != next) {
+      sum.add(1 - from, seen_.composed(background_));
+      for (auto one = first; one != next; ++one) seen_.change(one->seen, -one->direction);
+    } else {
+      if (!whole) whole = seen_.composed(background_);
+      sum.add(1, *whole);
+    }
   }
   return sum.over(rays_);
 }

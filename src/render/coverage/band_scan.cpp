@@ -17,7 +17,7 @@ int rays_of(const DrawList& list) {
   return list.coverage == Coverage::area ? 0 : list.coverage == Coverage::rows ? list.rows : 1;
 }
 
-// The pixels of a box that something within bounds may show in.
+// The pixels of a box that something within bounds may show in, or have an edge of on their left border.
 PixelBox within(const PixelBox& box, const Bounds& bounds) {
   const auto low = [](double v, int a, int b) {
     return v > a ? static_cast<int>(std::min<double>(v, b)) : a;
@@ -25,9 +25,10 @@ PixelBox within(const PixelBox& box, const Bounds& bounds) {
   const auto high = [](double v, int a, int b) {
     return v < b ? static_cast<int>(std::ceil(std::max<double>(v, a))) : b;
   };
+  const double beyond = std::nextafter(bounds.high.x(), kInfinity);
   const int x = low(bounds.low.x(), box.x, box.right());
   const int y = low(bounds.low.y(), box.y, box.bottom());
-  return {x, y, high(bounds.high.x(), box.x, box.right()) - x,
+  return {x, y, high(beyond, box.x, box.right()) - x,
           high(bounds.high.y(), box.y, box.bottom()) - y};
 }
 
@@ -173,7 +174,7 @@ int BandScan::pass(const RowCut& cut, int winding) {
   for (std::size_t i = first / 64; i <= last / 64; ++i)
     each_one(i, bits_within(i, first, last + 1) & ~row_words_[i].settled, [&](int at) {
       const int column = box_.x + at;
-      add_part(column, cut.first < column ? right : winding, cuts);
+      add_part(column, {cut.first < column ? right : winding, all_rays_}, cuts);
     });
   return right;
 }
@@ -201,7 +202,7 @@ void BandScan::take_columns(const std::vector<RowCut>& cuts) {
         here_.push_back(&cut);
     }
     if (here_.empty()) return;
-    add_part(from++, windings_[0], here_);
+    add_part(from++, wound(), here_);
     for (const RowCut* cut : here_)
       if (cut->winds && cut->first == column) wind(*cut);
   });
@@ -209,37 +210,45 @@ void BandScan::take_columns(const std::vector<RowCut>& cuts) {
   std::fill(windings_.begin(), windings_.end(), 0);
 }
 
-void BandScan::add_part(int column, int winding, std::span<const RowCut* const> cuts) {
+void BandScan::add_part(int column, const Wound& wound, std::span<const RowCut* const> cuts) {
   const auto place = static_cast<std::size_t>(column - box_.x);
   const std::uint64_t bit = std::uint64_t{1} << (place % 64);
   Words& words = row_words_[place / 64];
   if ((words.settled & bit) != 0) return;
   const std::size_t first = pieces_.size();
-  const bool even = rays_ <= 1 || !add_windings();
+  if (wound.rays != all_rays_) add_windings(wound);
+  const bool in_order = pieces_.size() == first && cuts.size() < 2;
   for (const RowCut* cut : cuts) cutter_.add_pieces(*cut, row_, column, pieces_);
-  if (rays_ > 0 && (cuts.size() != 1 || !even))
+  if (rays_ > 0 && !in_order)
     std::sort(pieces_.begin() + static_cast<std::ptrdiff_t>(first), pieces_.end(),
               [](const Piece& a, const Piece& b) {
                 return a.ray != b.ray ? a.ray < b.ray : a.x_top < b.x_top;
               });
   const std::uint32_t above = (words.waits & bit) != 0 ? row_lowest_[place] : kNone;
   row_lowest_[place] = static_cast<std::uint32_t>(parts_.size());
-  parts_.push_back({item_, above, even ? winding : 0, static_cast<std::uint32_t>(first),
+  parts_.push_back({item_, above, wound, static_cast<std::uint32_t>(first),
                     static_cast<std::uint32_t>(pieces_.size() - first)});
   words.waits |= bit;
 }
 
-// Winding numbers at the left of a pixel as pieces there, where those of the rays differ.
-bool BandScan::add_windings() {
-  if (std::all_of(windings_.begin(), windings_.end(), [&](int w) { return w == windings_[0]; }))
-    return false;
+// The winding number at the left of a pixel: the first that is not 0, and the rays that have it.
+BandScan::Wound BandScan::wound() const {
+  const auto first = std::find_if(windings_.begin(), windings_.end(), [](int w) { return w != 0; });
+  if (first == windings_.end()) return {0, all_rays_};
+  std::uint64_t rays = 0;
+  for (std::size_t ray = 0; ray < windings_.size(); ++ray)
+    rays |= std::uint64_t{windings_[ray] == *first} << ray;
+  return {*first, rays};
+}
+
+// Those of other rays as pieces at the left of the pixel.
+void BandScan::add_windings(const Wound& wound) {
   for (std::size_t ray = 0; ray < windings_.size(); ++ray) {
-    if (windings_[ray] == 0) continue;
+    if (windings_[ray] == 0 || windings_[ray] == wound.winding) continue;
     Piece& piece = pieces_.emplace_back();
     piece.direction = windings_[ray];
     piece.ray = static_cast<std::int8_t>(ray);
   }
-  return true;
 }
 
 void BandScan::cover(int begin, int end) {
@@ -250,7 +259,7 @@ void BandScan::cover(int begin, int end) {
   if (rays == 0) return;
   if (rays == all_rays_) return cover_all(begin, end);
   if (end - begin > kFew) return cover_rays(begin, end, rays, false);
-  for (int column = begin; column < end; ++column) add_part(column, 0, {});
+  for (int column = begin; column < end; ++column) add_part(column, wound(), {});
 }
 
 // Of an item that covers whole pixels: they are drawn where nothing below is seen.

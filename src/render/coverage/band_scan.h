@@ -48,11 +48,16 @@ class BandScan {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
+  /// A winding number of some rays; of the others it is 0.
+  struct Wound {
+    int winding;
+    std::uint64_t rays;
+  };
   /// What an item covers of a pixel.
   struct Part {
     std::uint32_t item;
     std::uint32_t above;         ///< the part of the next item above in the pixel
-    int winding;                 ///< just inside its upper left corner, or at the left of each ray
+    Wound wound;                 ///< just inside its upper left corner, or at the left of its rays
     std::uint32_t first, count;  ///< its pieces; of rays from ray to ray, and along each
   };
   /// That an item covers whole pixels from a column on, or no longer, as far as some rays go.
@@ -75,8 +80,8 @@ class BandScan {
   /// An item of which a pixel has a part, or that covers it along some rays.
   struct Shown {
     std::uint32_t seen;
-    const Part* part;  ///< or
-    std::uint64_t rays;
+    const Part* part;    ///< none where it covers rays alone
+    std::uint64_t rays;  ///< that begin inside it, where not all do
   };
   struct RayChange {
     int ray;
@@ -94,8 +99,9 @@ class BandScan {
   void take_row(int row);
   void take_columns(const std::vector<RowCut>& cuts);
   int pass(const RowCut& cut, int winding);
-  void add_part(int column, int winding, std::span<const RowCut* const> cuts);
-  bool add_windings();
+  void add_part(int column, const Wound& wound, std::span<const RowCut* const> cuts);
+  Wound wound() const;
+  void add_windings(const Wound& wound);
   void cover(int begin, int end);
   void cover_all(int begin, int end);
   void cover_rays(int begin, int end, std::uint64_t rays, bool shining);
