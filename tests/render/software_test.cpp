@@ -88,16 +88,18 @@ TEST(Software, WhatIsHiddenOrBesideTheCropChangesNoPixel) {
     }
 }
 
-// Opaque triangles, more than are told apart in a pixel, among boxes whose sides lie on borders of pixels.
+// Opaque triangles, more than are told apart in a pixel, boxes that end on the border between its two
+// columns, and some that hide pixels left of it.
 DrawList crowd(std::uint64_t seed) {
   DrawList list{2, 4, {0, 0, 0, 1}, Coverage::area, {}};
   Draws draws(seed, 7);
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 120; ++i) {
     const auto at = [&] { return Vec2(2 * draws.unit(), 4 * draws.unit()); };
     std::vector<Vec2> ring{at(), at(), at()};
-    if (i % 9 == 8) {
-      const Vec2 low = ring[0].array().floor(), high = low + Vec2(1, 1);
-      ring = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+    if (i % 2 == 1) {
+      const double low = i % 4 == 1 ? ring[0].y() : std::floor(ring[0].y());
+      const double high = i % 4 == 1 ? low + 0.3 : low + 1;
+      ring = {{0, low}, {1, low}, {1, high}, {0, high}};
     }
     FillPath path;
     coverage_check::add_ring(ring, false, path);
