@@ -49,7 +49,9 @@ class RowCutter {
   void cut_centres(const ScanEdge& edge);
   RowCut& add_cut(const ScanEdge& edge, int row, int low, int high);
   void add_rays(const ScanEdge& edge, int row, int ray_begin, int ray_end);
-  double ray_y(int row, int ray) const { return (row * rays_ + ray + 0.5) / rays_; }
+  double ray_y(int row, int ray) const {
+    return (static_cast<double>(row) * rays_ + ray + 0.5) / rays_;
+  }
   int first_centre(const ScanEdge& edge, double x, double y, bool near_film) const;
 
   PixelBox box_;
