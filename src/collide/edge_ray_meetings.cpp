@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "collide/broad_phase.h"
-#include "geom/box_grid.h"
+#include "geom/box_tree.h"
 #include "geom/cyrus_beck.h"
 #include "geom/polygon_edges.h"
 
@@ -15,7 +15,8 @@ namespace {
 // The convex pieces of an entity where it stands, and which of them are near another.
 struct Pieces {
   std::vector<std::vector<Vec2>> rings;
-  BoxGrid grid;
+  std::vector<Bounds> boxes;
+  BoxTree tree;
 };
 
 Ray edge_of(const std::vector<Vec2>& ring, std::size_t i) {
@@ -33,7 +34,7 @@ Pieces pieces(const Shape& shape, const Pose& place) {
       boxes[piece].add(edge.origin + edge.direction);  // rounded, so as the edge ends
     }
   }
-  return {std::move(rings), BoxGrid(std::move(boxes))};
+  return {std::move(rings), boxes, BoxTree(boxes)};
 }
 
 bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& against) {
@@ -46,7 +47,7 @@ bool any_edge_hits(const std::vector<Vec2>& from, const std::vector<Vec2>& again
 bool any_edge_hits(const Pieces& a, const Pieces& b) {
   const Pieces &few = a.rings.size() < b.rings.size() ? a : b, &many = &few == &a ? b : a;
   for (std::size_t i = 0; i < few.rings.size(); ++i)
-    for (const std::uint32_t k : many.grid.near(few.grid.boxes()[i]))
+    for (const std::size_t k : many.tree.near(few.boxes[i]))
       if (any_edge_hits(few.rings[i], many.rings[k]) || any_edge_hits(many.rings[k], few.rings[i]))
         return true;
   return false;

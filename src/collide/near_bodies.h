@@ -27,7 +27,7 @@ class NearBodies {
 
   /// Calls `take(pair)` once for all pairs that may meet in the while as it was opened.
   template <class Take>
-  void each_pair(const Take& take) const {
+  void each_pair(const Take& take) {
     for (std::uint32_t i = 0; i < shapes_.size(); ++i)
       each_near(i, [&](std::uint32_t k) {
         if (k < i) take(IndexPair(k, i));
@@ -35,7 +35,7 @@ class NearBodies {
   }
   /// Calls `take(k)` once for all others that a body may meet in the rest of the while.
   template <class Take>
-  void each_near(std::uint32_t body, const Take& take) const {
+  void each_near(std::uint32_t body, const Take& take) {
     ways_.each_near(ways_.boxes()[body], [&](std::uint32_t k) {
       if (k != body) take(k);
     });

@@ -42,10 +42,4 @@ void BoxGrid::change(std::uint32_t number, const Bounds& box) {
   if (entries_.size() + large_.size() > most_kept_) put_in_cells();
 }
 
-std::vector<std::uint32_t> BoxGrid::near(const Bounds& box) const {
-  std::vector<std::uint32_t> found;
-  each_near(box, [&](std::uint32_t number) { found.push_back(number); });
-  return found;
-}
-
 }  // namespace flatray

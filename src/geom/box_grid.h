@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/bounds.h"
@@ -13,7 +14,7 @@ namespace flatray {
 /// are.
 ///
 /// Cost    a box is put into the cells it touches, as wide as half of all boxes are; one that touches
-///         many is looked at by all.
+///         many is looked at by all, and looks at all.
 class BoxGrid {
  public:
   explicit BoxGrid(std::vector<Bounds> boxes);
@@ -24,7 +25,7 @@ class BoxGrid {
   /// Calls `take(number)` once for those that have a point in common with `box`, in any order, but the
   /// same every time.
   template <class Take>
-  void each_near(const Bounds& box, const Take& take) const {
+  void each_near(const Bounds& box, const Take& take) {
     if (box.empty()) return;
     ++asked_;
     const auto look = [&](std::uint32_t k) {
@@ -39,7 +40,6 @@ class BoxGrid {
     });
     for (std::size_t i = 0; is_large && i < entries_.size(); ++i) look(entries_[i].number);
   }
-  std::vector<std::uint32_t> near(const Bounds& box) const;
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -58,8 +58,8 @@ class BoxGrid {
   void put_in_cells(std::uint32_t number);
 
   std::vector<Bounds> boxes_;
-  mutable std::vector<std::uint64_t> seen_;  // the last question in which each came up
-  mutable std::uint64_t asked_ = 0;
+  std::vector<std::uint64_t> seen_;  // the last question in which each came up
+  std::uint64_t asked_ = 0;
   double width_ = 1;        // of a cell
   std::size_t across_ = 1;  // a power of two, of which the square is how many lists there are
   std::vector<std::uint32_t> first_;  // entry of each list

@@ -34,15 +34,18 @@ std::vector<std::uint32_t> outline_edges(std::span<const Vec2> points,
     if (is_before(b, a)) lines.push_back({b, a, i, false});
   }
   std::sort(lines.begin(), lines.end());
-  std::vector<Line> standing;
-  for (const Line& line : lines)
-    if (!standing.empty() && standing.back().is_on(line) && standing.back().rises != line.rises)
-      standing.pop_back();
+  std::size_t standing = 0;  // the first of `lines`
+  for (const Line& line : lines) {
+    const Line* const last = standing > 0 ? &lines[standing - 1] : nullptr;
+    if (last != nullptr && last->is_on(line) && last->rises != line.rises)
+      --standing;
     else
-      standing.push_back(line);
+      lines[standing++] = line;
+  }
+  lines.resize(standing);
   std::vector<std::uint32_t> left;
-  left.reserve(standing.size());
-  for (const Line& line : standing) left.push_back(line.edge);
+  left.reserve(standing);
+  for (const Line& line : lines) left.push_back(line.edge);
   std::sort(left.begin(), left.end());
   return left;
 }

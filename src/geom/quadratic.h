@@ -15,7 +15,9 @@ class Quadratic {
   Quadratic(double finite) : a_(finite) {}
   Quadratic(Rational rational) : a_(std::move(rational)) {}
   Quadratic(Rational a, Rational b, Rational q)
-      : a_(std::move(a)), b_(std::move(b)), q_(std::move(q)) {}
+      : a_(std::move(a)),
+        b_(q.sign() == Sign::zero ? Rational(0) : std::move(b)),
+        q_(std::move(q)) {}
   /// The root of a number >= 0, rational where that is.
   static Quadratic root_of(const Rational& q) {
     if (auto root = Rational::exact_root(q)) return *std::move(root);

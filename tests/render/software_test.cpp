@@ -123,6 +123,20 @@ TEST(Software, CrowdedPixelsDependOnNoNeighbourAndOnNothingHidden) {
   }
 }
 
+// The same edges cut the pixel again and again, and rounding makes corners beside them.
+TEST(Software, CopiesOfAThinTriangleShowTheUppermost) {
+  FillPath path;
+  coverage_check::add_ring({{0.03397714339507729, 0.5869348547752509},
+                            {0.2003213380365878, 1},
+                            {0.19910809822022202, 1}},
+                           false, path);
+  DrawList list{1, 1, {0, 0, 0, 1}, Coverage::area, {}};
+  for (const float level : {0.2F, 0.4F, 0.6F, 0.8F})
+    list.items.push_back({path, {level, level, level, 1}});
+  const double area = coverage_check::steps_of(path, {0, 0, 1, 1})[0] / 64770.0;
+  EXPECT_NEAR(static_cast<double>(render_linear(list, {}).pixels[0]), 0.8 * area, 1e-5);
+}
+
 TEST(Software, ManyEdgesAreSortedIntoBandsWithoutLosingOne) {
   // One star of 400 edges through all bands against the same edges scanned at once.
   std::vector<Vec2> ring;

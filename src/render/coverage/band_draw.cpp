@@ -1,6 +1,9 @@
 // What BandScan draws of pixels when all is known that shows in them.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "render/coverage/band_scan.h"
 
@@ -219,7 +222,9 @@ std::optional<Light> BandScan::light_of_rest() {
       return {};
     }
     if (!PixelRest::can_cut(of, sign)) return {};
-    sum.add(rest_.cut(of, sign), seen_.items[one->seen].light);
+    const std::optional<double> area = rest_.cut(of, sign);
+    if (!area) return {};
+    sum.add(*area, seen_.items[one->seen].light);
   }
   sum.add(rest_.area(), whole > 0 ? seen_.items.front().light : background_);
   return sum.over(1);

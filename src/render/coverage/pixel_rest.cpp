@@ -1,6 +1,7 @@
 #include "render/coverage/pixel_rest.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flatray {
 namespace {
@@ -40,13 +41,20 @@ bool PixelRest::can_cut(std::span<const Piece> pieces, int sign) {
                                 inside(pieces[1], pieces[0]));
 }
 
-void PixelRest::part(const Polygon& of, const Piece& piece, int sign, Polygon& in, Polygon& out) {
-  const double side = sign * piece.direction;
+// Corners nearer to the line than rounding can tell are on it.
+bool PixelRest::part(const Polygon& of, const Piece& piece, int sign, Polygon& in, Polygon& out) {
+  const double length =
+      std::abs(piece.x_bottom - piece.x_top) + std::abs(piece.y_bottom - piece.y_top);
+  const auto side_of = [&](std::size_t i) {
+    const double right = sign * piece.direction * right_of(piece, of.x[i], of.y[i]);
+    return std::abs(right) < 0x1p-50 * length ? 0 : right;
+  };
   in.count = out.count = 0;
   const std::size_t last = of.count - 1;
-  double before = side * right_of(piece, of.x[last], of.y[last]);
+  double before = side_of(last);
   for (std::size_t i = 0, k = last; i < of.count; k = i++) {
-    const double here = side * right_of(piece, of.x[i], of.y[i]);
+    if (std::max(in.count, out.count) + 2 > of.x.size()) return false;
+    const double here = side_of(i);
     if ((before < 0 && here > 0) || (before > 0 && here < 0)) {
       const double t = before / (before - here);
       const double x = of.x[k] + t * (of.x[i] - of.x[k]), y = of.y[k] + t * (of.y[i] - of.y[k]);
@@ -56,15 +64,16 @@ void PixelRest::part(const Polygon& of, const Piece& piece, int sign, Polygon& i
     if (here <= 0) out.add(of.x[i], of.y[i]);
     before = here;
   }
+  return true;
 }
 
-double PixelRest::cut(std::span<const Piece> pieces, int sign) {
+std::optional<double> PixelRest::cut(std::span<const Piece> pieces, int sign) {
   next_.clear();
   double area = 0;
   for (Polygon& polygon : polygons_) {
     Polygon in, out;
     for (const Piece& piece : pieces) {
-      part(polygon, piece, sign, in, out);
+      if (!part(polygon, piece, sign, in, out)) return std::nullopt;
       if (out.count > 2) next_.push_back(out);
       polygon = in;
       if (in.count < 3) break;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ class PixelRest {
   /// right, where `sign` times their direction is 1. False where that is not told at a glance.
   /// Needs   an item of which each side of a piece is inside or outside.
   static bool can_cut(std::span<const Piece> pieces, int sign);
-  /// Cuts the item off. Gives its area.
-  double cut(std::span<const Piece> pieces, int sign);
+  /// Cuts the item off. Gives its area; nullopt where rounding has made more corners than there is room for.
+  std::optional<double> cut(std::span<const Piece> pieces, int sign);
   double area() const;
 
  private:
@@ -34,7 +35,7 @@ class PixelRest {
     void add(double px, double py) { x[count] = px, y[count++] = py; }
     double area() const;
   };
-  static void part(const Polygon& of, const Piece& piece, int sign, Polygon& in, Polygon& out);
+  static bool part(const Polygon& of, const Piece& piece, int sign, Polygon& in, Polygon& out);
 
   std::vector<Polygon> polygons_, next_;
 };

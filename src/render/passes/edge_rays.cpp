@@ -1,7 +1,7 @@
 
 #include "anim/world.h"
 #include "base/counted.h"
-#include "geom/box_grid.h"
+#include "geom/box_tree.h"
 #include "geom/cyrus_beck.h"
 #include "geom/interval_set.h"
 #include "render/pass.h"
@@ -63,17 +63,17 @@ struct Found {
 
 // Rays of one entity by their boxes. Rounding an end is monotone, so that no box of doubles tells two apart
 // that meet.
-BoxGrid grid_of(std::span<const Ray> rays) {
+BoxTree tree_of(std::span<const Ray> rays) {
   std::vector<Bounds> boxes(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     boxes[i].add(rays[i].origin);
     boxes[i].add(rays[i].origin + rays[i].direction);
   }
-  return BoxGrid(std::move(boxes));
+  return BoxTree(std::move(boxes));
 }
 
 Found clip_all(std::span<const Ray> rays, const InWorld& against) {
-  const BoxGrid boxes = grid_of(rays);
+  const BoxTree boxes = tree_of(rays);
   std::vector<std::vector<Range>> parts(rays.size());
   const auto keep = [&](std::size_t ray, const HitInterval& hit) {
     if (hit) parts[ray].push_back({hit.t_enter, hit.t_exit});
@@ -84,22 +84,22 @@ Found clip_all(std::span<const Ray> rays, const InWorld& against) {
     const std::vector<Vec2> vertices = posed_piece(shape, piece, against.pose);
     Bounds box;
     for (const Vec2& vertex : vertices) box.add(vertex);
-    const std::vector<std::uint32_t> near = boxes.near(box);
+    const std::vector<std::size_t> near = boxes.near(box);
     if (near.empty()) continue;
     RayBatch batch;
-    for (const std::uint32_t i : near) batch.add(rays[i]);
+    for (const std::size_t i : near) batch.add(rays[i]);
     hits.resize(near.size());
     clip_convex_batch(batch, vertices, kSegment, hits);
     for (std::size_t i = 0; i < near.size(); ++i) keep(near[i], hits[i]);
   }
   for (const Circle& circle : shape.circles) {
     const Circle there = posed(circle, against.pose);
-    for (const std::uint32_t i : boxes.near(curve_bounds(there)))
+    for (const std::size_t i : boxes.near(curve_bounds(there)))
       keep(i, clip_circle(rays[i], there, kSegment));
   }
   for (const ArcPath& path : shape.arc_paths) {
     const CurvedPath there = path_in_world(path, against.pose);
-    for (const std::uint32_t i : boxes.near(bounds_of(there)))
+    for (const std::size_t i : boxes.near(bounds_of(there)))
       for (const HitInterval& hit : clip_path(rays[i], there, kSegment)) keep(i, hit);
   }
   Found found;

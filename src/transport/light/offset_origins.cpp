@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "geom/box_grid.h"
+#include "geom/box_tree.h"
 #include "geom/decide.h"
 #include "geom/primitives/arc.h"
 
@@ -95,18 +95,18 @@ void OffsetOrigins::find_neighbours() {
   const auto count = static_cast<std::uint32_t>(walls_.size());
   std::vector<Bounds> boxes;
   for (std::uint32_t i = 0; i < count; ++i) boxes.push_back(box(i));
-  const BoxGrid grid(std::move(boxes));
+  const BoxTree tree(boxes);
   std::size_t looks = 0, kept = 0;
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < count; ++i) {
     others.clear();
-    const Bounds& own = grid.boxes()[i];
-    grid.each_near(own, [&](std::uint32_t other) {
-      ++looks;
-      if (other != i && !are_far(i, other, grid.boxes()[other]) && !are_far(other, i, own))
+    const std::vector<std::size_t> overlap = tree.near(boxes[i]);
+    for (const std::size_t near : overlap) {
+      const auto other = static_cast<std::uint32_t>(near);
+      if (other != i && !are_far(i, other, boxes[other]) && !are_far(other, i, boxes[i]))
         others.push_back(other);
-    });
-    kept += others.size();
+    }
+    looks += overlap.size(), kept += others.size();
     if (looks > kMostLooks || kept > 2 * (kMostPairs + kMostPairsOfWall * count)) {
       for (Wall& wall : table_) wall.ready = false;
       return;
