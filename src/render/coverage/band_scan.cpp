@@ -259,7 +259,8 @@ void BandScan::cover(int begin, int end) {
   if (rays == 0) return;
   if (rays == all_rays_) return cover_all(begin, end);
   if (end - begin > kFew) return cover_rays(begin, end, rays, false);
-  for (int column = begin; column < end; ++column) add_part(column, wound(), {});
+  const Wound all = wound();
+  for (int column = begin; column < end; ++column) add_part(column, all, {});
 }
 
 // Of an item that covers whole pixels: they are drawn where nothing below is seen.
