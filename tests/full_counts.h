@@ -22,4 +22,7 @@ inline std::uint64_t times(std::uint64_t full, std::uint64_t quick) {
   return at_full_counts() ? full : kSanitized ? (quick + 4) / 5 : quick;
 }
 
+/// The same for what every run affords as a whole.
+inline std::uint64_t times(std::uint64_t all) { return times(all, all); }
+
 }  // namespace flatray

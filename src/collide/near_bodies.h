@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "anim/responses.h"
+#include "collide/box_grid.h"
 #include "collide/outline_contact.h"
-#include "geom/box_grid.h"
 
 namespace flatray {
 

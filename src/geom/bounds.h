@@ -20,6 +20,11 @@ struct Bounds {
     return low.x() <= point.x() && point.x() <= high.x() && low.y() <= point.y() &&
            point.y() <= high.y();
   }
+  /// Whether they share a point. Neither is empty.
+  bool meets(const Bounds& other) const {
+    return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
+           other.low.y() <= high.y();
+  }
   Vec2 size() const { return high - low; }
   Vec2 centre() const { return 0.5 * low + 0.5 * high; }
 };

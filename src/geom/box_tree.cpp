@@ -4,13 +4,6 @@
 #include <numeric>
 
 namespace flatray {
-namespace {
-
-bool meet(const Bounds& a, const Bounds& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
-}  // namespace
 
 BoxTree::BoxTree(std::vector<Bounds> boxes)
     : boxes_(std::move(boxes)), order_(boxes_.size()), around_(boxes_.size()) {
@@ -43,8 +36,8 @@ void BoxTree::find(const Bounds& box, std::size_t begin, std::size_t end,
                    std::vector<std::size_t>& found) const {
   if (begin == end) return;
   const std::size_t middle = begin + (end - begin) / 2;
-  if (!meet(around_[middle], box)) return;
-  if (meet(boxes_[order_[middle]], box)) found.push_back(order_[middle]);
+  if (!around_[middle].meets(box)) return;
+  if (boxes_[order_[middle]].meets(box)) found.push_back(order_[middle]);
   find(box, begin, middle, found);
   find(box, middle + 1, end, found);
 }

@@ -34,5 +34,7 @@ Pair make_pair(const FamilyOf<Pair>& family, std::uint64_t seed, std::uint64_t i
   Draw draw(seed, family.number, item);
   return family.make(draw);
 }
+/// Where rounding has bent a ring, the next pair that is drawn.
+StraightPair make_pair(const StraightFamily& family, std::uint64_t seed, std::uint64_t item);
 
 }  // namespace flatray::oracle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
 #include "base/counted.h"
 #include "geom/decide.h"
 #include "trace/curve_filter.h"
@@ -14,7 +15,7 @@ constexpr std::size_t kFew = 8;  // so many are looked at without cells
 constexpr double kCellsAWall = 2, kMostCells = 0x1p22;
 // Width and height of a wall in cells, on average: those that lie on one another, all as large as the grid, would pass
 // the root of all cells each.
-constexpr double kCellsAcross = 16;
+constexpr double kCellsAcross = 10;
 constexpr double kMargin = 0x1p-10;  // of a cell's side, by which lists reach beyond it
 constexpr double kFar = 0x1p30;      // cells away, where places are off by 2^-22
 constexpr double kSlack = 0x1p-12;   // cells, by which a walk may be off
@@ -132,6 +133,7 @@ void WallCells::visit_cells(const Wall& wall, const Rect& rect, const Visit& vis
 
 template <class Offers>
 void WallCells::walk(const Ray& ray, Offers& offers) const {
+  FLATRAY_DCHECK(of_curves_);
   const Vec2 origin = (ray.origin - low_) / side_, way = ray.direction / side_;
   const double speed = way.norm();
   const Vec2 all(columns_, rows_);

@@ -27,6 +27,7 @@ class WallCells {
   static WallCells of_curves(const Surfaces& walls) { return {walls, true}; }
 
   /// Offers all curves that may be the first wall of the ray they are candidates of.
+  /// Needs   cells of curves, as near() of a ray.
   void offer_to(Candidates& found, const Ray& ray) const;
   /// All curves that a ray may meet, ascending.
   std::vector<std::uint32_t> near(const Ray& ray) const;

@@ -62,7 +62,7 @@ TEST(WallCells, HoldAFewCellsAWallHoweverLongWallsAre) {
     walls.add(Segment{from, to});
   }
   const WallCells cells(walls);
-  EXPECT_LT(cells.entries(), 20 * walls.size());
+  EXPECT_LT(cells.entries(), 12 * walls.size());
 }
 
 TEST(WallCells, OfAFlatSceneAreARow) {

@@ -166,7 +166,7 @@ TEST(MovingOrbit, RunsBackTheWayItCame) {
 
 // A box closed by a piston that comes at any speed: squeezed into a corner in the end, never out.
 TEST(MovingOrbit, NothingTunnelsWhateverTheSpeedOfTheWall) {
-  const std::uint64_t items = times(400, 400);
+  const std::uint64_t items = times(400);
   std::size_t bounces = 0;
   for (std::uint64_t item = 0; item < items; ++item) {
     Draw draw(12, 1, item);

@@ -92,7 +92,7 @@ class Builder {
       for (Vec2& point : chain.points) reach.add(point -= origin_);
       rings.push_back(std::move(chain.points));
     }
-    if (!meet(reach, box_)) return;
+    if (!box_.meets(reach)) return;
     const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
     if (one) return paint(rings[0]);
     if (path.rule == FillRule::even_odd) return cover(figures(rings), FLATRAY_GL_FLIP);
@@ -103,7 +103,7 @@ class Builder {
 
   void add(const FillRing& ring) {
     const Vec2 centre = ring.centre - origin_, reach(ring.radius, ring.radius);
-    if (!(ring.radius > 0) || !meet({centre - reach, centre + reach}, box_)) return;
+    if (!(ring.radius > 0) || !box_.meets({centre - reach, centre + reach})) return;
     const Ring outer = circle_ring(centre, ring.radius, guard_);
     if (ring.inner_radius > 0)
       cover(figures({outer, circle_ring(centre, ring.inner_radius, guard_)}), FLATRAY_GL_FLIP);
@@ -117,7 +117,7 @@ class Builder {
     if (ring.size() < 4) return;
     ring.pop_back();  // the first again
     for (Vec2& point : ring) point -= origin_;
-    if (!meet(bounds_of(ring), box_)) return;
+    if (!box_.meets(bounds_of(ring))) return;
     if (non_convex_vertex(ring))
       cover(figures({ring}), FLATRAY_GL_FLIP);
     else

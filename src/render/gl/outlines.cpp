@@ -22,7 +22,7 @@ void add_arc(const Vec2& centre, double radius, double from, double to, const Bo
   Bounds reach;
   reach.add(begin), reach.add(end);
   const Vec2 margin(sagitta, sagitta);
-  if (sagitta * kGridSteps <= 1 || !meet({reach.low - margin, reach.high + margin}, box)) {
+  if (sagitta * kGridSteps <= 1 || !box.meets({reach.low - margin, reach.high + margin})) {
     ring.push_back(end);
     return;
   }
@@ -96,11 +96,6 @@ Bounds bounds_of(std::span<const Vec2> points) {
 bool contains(const Bounds& outer, const Bounds& inner) {
   return outer.low.x() <= inner.low.x() && outer.low.y() <= inner.low.y() &&
          inner.high.x() <= outer.high.x() && inner.high.y() <= outer.high.y();
-}
-
-bool meet(const Bounds& a, const Bounds& b) {
-  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-         b.low.y() <= a.high.y();
 }
 
 }  // namespace flatray::gl

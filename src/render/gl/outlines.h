@@ -23,7 +23,5 @@ Ring clamped(const Ring& ring, const Bounds& box);
 Bounds bounds_of(std::span<const Vec2> points);
 /// Whether `inner` lies in `outer`.
 bool contains(const Bounds& outer, const Bounds& inner);
-/// Whether they share a point.
-bool meet(const Bounds& a, const Bounds& b);
 
 }  // namespace flatray::gl

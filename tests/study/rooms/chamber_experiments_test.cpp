@@ -364,7 +364,7 @@ TEST_P(EveryChamberExperiment, GivesTheSameBytesForAnyThreadsByQuasiRandomStarts
 
 TEST_P(EveryChamberExperiment, GoesOnFromKeptBlocksToTheSameBytes) {
   const Scene scene = scene_for(GetParam());
-  ExperimentContext context{scene, 5, times(20'000, 20'000), 1, 60};
+  ExperimentContext context{scene, 5, times(20'000), 1, 60};
   if (experiment(GetParam()).uses.starts) context.starts = Starts::quasi;
   const auto whole = experiment(GetParam()).run(context);
   if (is_unavailable(whole)) GTEST_SKIP() << format(whole.error());

@@ -1,4 +1,4 @@
-#include "geom/box_grid.h"
+#include "collide/box_grid.h"
 
 #include <algorithm>
 

@@ -31,7 +31,7 @@ class BoxGrid {
     const auto look = [&](std::uint32_t k) {
       if (seen_[k] == asked_) return;
       seen_[k] = asked_;
-      if (meet(box, boxes_[k])) take(k);
+      if (box.meets(boxes_[k])) take(k);
     };
     for (const std::uint32_t k : large_) look(k);
     const bool is_large = !each_list(box, [&](std::size_t list) {
@@ -47,10 +47,6 @@ class BoxGrid {
     std::uint32_t number, next;
   };
 
-  static bool meet(const Bounds& a, const Bounds& b) {
-    return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() && a.low.y() <= b.high.y() &&
-           b.low.y() <= a.high.y();
-  }
   // Calls `take(list)` for the list of each cell that a box touches; not if there are many.
   template <class Take>
   bool each_list(const Bounds& box, const Take& take) const;
