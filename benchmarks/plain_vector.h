@@ -67,10 +67,9 @@ inline Mask lanes_of(unsigned chosen) {
 struct Record {
   Float ax, ay, bx, by;
 };
-inline Record fetch(const float* records, const unsigned* twice) {
-  const auto row = [&](int lane) {
-    return _mm_loadu_ps(records + 2 * static_cast<unsigned long>(twice[lane]));
-  };
+template <class At>
+inline Record fetch(const At& at) {
+  const auto row = [&](int lane) { return _mm_loadu_ps(at(lane)); };
   __m128 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
   _MM_TRANSPOSE4_PS(r0, r1, r2, r3);
   return {_mm256_cvtps_pd(r0), _mm256_cvtps_pd(r1), _mm256_cvtps_pd(r2), _mm256_cvtps_pd(r3)};

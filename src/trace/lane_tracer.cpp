@@ -73,8 +73,8 @@ class LaneTracer : public Accelerator {
     const std::uint32_t slot = walls_.segment_slot(left.surface);
     if (!cells_ || (slot != kNoSurface && cells_->next_copy(slot) != CellGrid::kNoSlot))
       return search_.nearest(ray, left, tangents);
-    const lanes::SingleHit found = kernels_.single_ray(
-        view_, {ray.origin.x(), ray.origin.y(), ray.direction.x(), ray.direction.y(), slot});
+    const lanes::SingleHit found = kernels_.single_ray(view_, ray.origin.x(), ray.origin.y(),
+                                                       ray.direction.x(), ray.direction.y(), slot);
     if (found.found == lanes::kDoubt || std::isnan(found.t))
       return search_.nearest(ray, left, tangents);
     const NearestHit hit =

@@ -56,9 +56,8 @@ inline void weigh(const Grid& grid, const Line& line, const Open& o, unsigned re
 inline void test_list(const Grid& grid, const Line& line, unsigned record, Candidates& r) {
   __builtin_prefetch(grid.slots + record);
   for (;; record += kLanes) {
-    unsigned at[kLanes];
-    for (unsigned lane = 0; lane < kLanes; ++lane) at[lane] = 2 * (record + lane);
-    const Record w = fetch(grid.records, at);
+    const float* const first = grid.records + 4 * static_cast<unsigned long>(record);
+    const Record w = fetch([&](int lane) { return first + 4 * lane; });
     const unsigned last = bits(odd(w.by)), listed = last ^ (last - 1);
     const Float ax = w.ax - line.ox, ay = w.ay - line.oy;
     const Float bx = w.bx - line.ox, by = w.by - line.oy;

@@ -2,22 +2,22 @@
 // into columns; and the next values of a column spread over chosen lanes.
 #include "trace/kernels/single_vector.h"
 
-// Records are found by twice their numbers, as addresses take them without a shift.
 struct Record {
   Float ax, ay, bx, by;
 };
+// fetch: the records of all lanes, each from its address at(lane).
 
 #if FLATRAY_LANES == 1
-inline Record fetch(const float* records, const unsigned* twice) {
-  const float* r = records + 2 * static_cast<unsigned long>(*twice);
+template <class At>
+inline Record fetch(const At& at) {
+  const float* r = at(0);
   return {r[0], r[1], r[2], r[3]};
 }
 inline Float spread(unsigned, const float* from, Float) { return *from; }
 #elif FLATRAY_LANES == 2
-inline Record fetch(const float* records, const unsigned* twice) {
-  const auto row = [&](int lane) {
-    return load(records + 2 * static_cast<unsigned long>(twice[lane]));
-  };
+template <class At>
+inline Record fetch(const At& at) {
+  const auto row = [&](int lane) { return load(at(lane)); };
   const Float r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
   const Float x01 = _mm_unpacklo_ps(r0, r1), x23 = _mm_unpacklo_ps(r2, r3);
   const Float y01 = _mm_unpackhi_ps(r0, r1), y23 = _mm_unpackhi_ps(r2, r3);
@@ -32,10 +32,9 @@ inline Float spread(unsigned chosen, const float* from, Float others) {
   return load(lane);
 }
 #elif FLATRAY_LANES == 4
-inline Record fetch(const float* records, const unsigned* twice) {
-  const auto row = [&](int lane) {
-    return _mm_loadu_ps(records + 2 * static_cast<unsigned long>(twice[lane]));
-  };
+template <class At>
+inline Record fetch(const At& at) {
+  const auto row = [&](int lane) { return _mm_loadu_ps(at(lane)); };
   const auto rows = [&](int lane) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(row(lane)), row(lane + 4), 1);
   };
@@ -63,10 +62,9 @@ inline Float spread(unsigned chosen, const float* from, Float others) {
   return choose(lanes_of(chosen), _mm256_permutevar8x32_ps(load(from), rank), others);
 }
 #else
-inline Record fetch(const float* records, const unsigned* twice) {
-  const auto row = [&](int lane) {
-    return _mm_loadu_ps(records + 2 * static_cast<unsigned long>(twice[lane]));
-  };
+template <class At>
+inline Record fetch(const At& at) {
+  const auto row = [&](int lane) { return _mm_loadu_ps(at(lane)); };
   const auto rows = [&](int lane) {
     Float r = _mm512_setzero_ps();
     r = _mm512_maskz_insertf32x4(0xffff, r, row(lane), 0);

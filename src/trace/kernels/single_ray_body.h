@@ -45,6 +45,12 @@ inline double floor_of(double x) {  // of what an int can hold
 #endif
 }
 
+// A ray as given; `left` as walk.h has it.
+struct SingleRay {
+  double ox, oy, dx, dy;
+  unsigned left;
+};
+
 // A ray in cells, as it is and turned: what is known of it in doubles.
 struct Start {
   double x, y, from_x, from_y, step_x, step_y, turn_x, turn_y;
@@ -209,7 +215,8 @@ SingleHit answer(const Grid& grid, const SingleRay& ray, const Candidates& candi
   return hit;
 }
 
-SingleHit nearest(const Grid& grid, const SingleRay& ray) {
+SingleHit nearest(const Grid& grid, double ox, double oy, double dx, double dy, unsigned left) {
+  const SingleRay ray{ox, oy, dx, dy, left};
   Start start;
   const Fate fate = prepare(grid, ray, start);
   if (fate != Fate::walks) return {fate == Fate::misses ? kNoRecord : kDoubt, 0, 0};

@@ -95,13 +95,7 @@ struct Finish {
   int* open;  ///< gets the numbers of rays whose answer, or its t, is not certain
 };
 
-/// A ray alone.
-struct SingleRay {
-  double ox, oy, dx, dy;
-  unsigned left;  ///< slot of the segment just left, or kNone
-};
-
-/// What it meets: `found` as of rays that walk in lanes, the slot of the segment, its t, which is NaN
+/// What a ray alone meets: `found` as of rays that walk in lanes, the slot of the segment, its t, which is NaN
 /// where it is not certain.
 struct SingleHit {
   int found;
@@ -119,8 +113,10 @@ struct WalkKernels {
   void (*scan)(const Grid&, const Walking&, int* found);
   /// Gives how many rays are open.
   int (*finish)(const Grid&, const Rays&, const Finish&);
-  /// All of it for one ray; of every record where there are no cells.
-  SingleHit (*single_ray)(const Grid&, const SingleRay&);
+  /// All of it for one ray, `left` the slot of the segment just left or kNone; of every record where there
+  /// are no cells. Numbers come in registers: to read together from memory what was just written one by one
+  /// would wait for the ray before.
+  SingleHit (*single_ray)(const Grid&, double ox, double oy, double dx, double dy, unsigned left);
 };
 
 }  // namespace flatray::lanes
