@@ -33,14 +33,25 @@ constexpr double kLeastGrowth = 10;
 // it where it grows so many times as much.
 constexpr double kMostRegular = 3 * 0.6931471805599453, kTold = 5;
 
+// What blocks of orbits add up.
+struct GrowthSums {
+  std::vector<StartSums> sums;
+  FlightTail tail{};
+
+  SumList list() {
+    SumList all;
+    tail.append_to(all);
+    for (StartSums& one : sums) one.append_to(all);
+    return all;
+  }
+};
+
 class Growth : public OrbitSink {
  public:
-  Growth(const Room& room, Starts starts, std::uint64_t begin, std::uint64_t end,
-         std::uint64_t bounces)
+  Growth(const Room& room, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces)
       : room_(room),
         walls_(room.walls()),
         field_(room.scene().field()),
-        starts_(starts),
         begin_(begin),
         extent_(bounds_of(room.walls()).size().maxCoeff()),
         quarter_(bounces / 4),
@@ -71,8 +82,9 @@ class Growth : public OrbitSink {
   }
   void end(std::size_t, const OrbitStop&) override {}
 
-  Numbers numbers() const {
-    std::array<StartSums, kSums> sums = none(starts_);
+  // Once all are followed.
+  void add_to(GrowthSums& all) const {
+    std::vector<StartSums>& sums = all.sums;
     std::vector<double> longest;
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const State& state = states_[i];
@@ -86,16 +98,7 @@ class Growth : public OrbitSink {
       sums[of_power].add(begin_ + i, state.half, 1);
       sums[of_regular].add(begin_ + i, state.half < kMostRegular ? 1 : 0, 1);
     }
-    FlightTail tail;
-    tail.add(longest, 4 * quarter_);
-    Numbers all;
-    tail.append_to(all);
-    for (const StartSums& one : sums) one.append_to(all);
-    return all;
-  }
-  static std::array<StartSums, kSums> none(Starts starts) {
-    const StartSums one(starts);
-    return {one, one, one, one, one, one};
+    all.tail.add(longest, 4 * quarter_);
   }
 
  private:
@@ -116,7 +119,6 @@ class Growth : public OrbitSink {
   const Room& room_;
   const Surfaces& walls_;
   double field_;
-  Starts starts_;
   std::uint64_t begin_;  // the number of the first
   double extent_;
   std::uint64_t quarter_;  // of the bounces
@@ -126,21 +128,8 @@ class Growth : public OrbitSink {
 // All blocks together.
 struct Grown {
   FlightTail tail;
-  std::array<RatioSums, kSums> sums;
+  std::vector<RatioSums> sums{};
 };
-Grown together(const std::vector<Numbers>& blocks, Starts starts) {
-  Grown grown;
-  std::array<StartSums, kSums> all = Growth::none(starts);
-  const std::size_t size = StartSums::size(starts);
-  for (const Numbers& block : blocks) {
-    grown.tail += FlightTail::from(block);
-    for (std::size_t i = 0; i < kSums; ++i)
-      all[i] +=
-          StartSums::from(starts, std::span(block).subspan(FlightTail::kNumbers + size * i, size));
-  }
-  for (std::size_t i = 0; i < kSums; ++i) grown.sums[i] = all[i].all();
-  return grown;
-}
 
 // How neighbours part.
 enum class Law { straight, exponential, power, undecided };
@@ -235,14 +224,16 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                             "--count of several times as many",
                             2 * kSettling, kSettling),
                 Trouble::usage);
-  const Blocks blocks = Blocks::of(plan->orbits);
-  auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Growth growth(room, context.starts, blocks.begin(block), blocks.end(block), plan->bounces);
-    follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, growth);
-    return growth.numbers();
-  });
-  if (!found) return fail(std::move(found));
-  const Grown grown = together(*found, context.starts);
+  GrowthSums all{std::vector<StartSums>(kSums, StartSums(context.starts))};
+  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
+                        [&](std::uint64_t begin, std::uint64_t end, GrowthSums& some) {
+                          Growth growth(room, begin, end, plan->bounces);
+                          follow_drawn(context, room, begin, end, plan->bounces, growth);
+                          growth.add_to(some);
+                        });
+  if (!ran) return fail(std::move(ran));
+  Grown grown{all.tail};
+  for (const StartSums& one : all.sums) grown.sums.push_back(one.all());
   const Law law = law_of(room, grown.sums[of_doubling]);
   const double power = grown.sums[of_power].ratio() / portable::log(2);
   std::vector<Measure> measures = exponents(room, grown, law, power);

@@ -24,11 +24,6 @@ void StartSums::add(std::uint64_t number, double x, double y) {
   sums_[number % sums_.size()].add(x, y);
 }
 
-StartSums& StartSums::operator+=(const StartSums& other) {
-  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
-  return *this;
-}
-
 RatioSums StartSums::all() const {
   if (starts_ == Starts::random) return sums_.front();
   RatioSums all;
@@ -36,15 +31,8 @@ RatioSums StartSums::all() const {
   return all;
 }
 
-void StartSums::append_to(Numbers& numbers) const {
-  for (const RatioSums& one : sums_) one.append_to(numbers);
-}
-
-StartSums StartSums::from(Starts starts, std::span<const double> numbers) {
-  StartSums sums(starts);
-  for (std::size_t i = 0; i < sums.sums_.size(); ++i)
-    sums.sums_[i] = RatioSums::from(numbers.subspan(RatioSums::kNumbers * i));
-  return sums;
+void StartSums::append_to(SumList& list) {
+  for (RatioSums& one : sums_) one.append_to(list);
 }
 
 }  // namespace flatray

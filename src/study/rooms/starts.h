@@ -27,14 +27,9 @@ class StartSums {
   explicit StartSums(Starts starts) : starts_(starts), sums_(samples_of(starts)) {}
   /// Puts orbit `number` in.
   void add(std::uint64_t number, double x, double y);
-  StartSums& operator+=(const StartSums& other);
   RatioSums all() const;
 
-  /// As numbers, for blocks.
-  static std::size_t size(Starts starts) { return RatioSums::kNumbers * samples_of(starts); }
-  void append_to(Numbers& numbers) const;
-  /// Needs   size() numbers.
-  static StartSums from(Starts starts, std::span<const double> numbers);
+  void append_to(SumList& list);
 
  private:
   static std::size_t samples_of(Starts starts) { return starts == Starts::random ? 1 : kShifts; }

@@ -77,6 +77,16 @@ Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
   return run_in_order(context, count, task, take);
 }
 
+Numbers numbers_of(const SumList& sums) {
+  Numbers all;
+  for (const double* one : sums) all.push_back(*one);
+  return all;
+}
+
+void add(const SumList& sums, std::span<const double> numbers) {
+  for (std::size_t i = 0; i < sums.size(); ++i) *sums[i] += numbers[i];
+}
+
 Result<void> run_tasks(const ExperimentContext& context, std::size_t count,
                        const std::function<void(std::size_t)>& task) {
   const auto run = [&](std::size_t i) {

@@ -41,30 +41,16 @@ double chi_squared(double freedom, double normal) {
 
 void RatioSums::add(double sample_x, double sample_y) {
   const double square_x = sample_x * sample_x, square_y = sample_y * sample_y;
-  *this += {1,
-            sample_x,
-            sample_y,
-            square_x,
-            sample_x * sample_y,
-            square_y,
-            square_x * sample_x,
-            square_x * sample_y,
-            sample_x * square_y,
-            square_y * sample_y};
-}
-
-RatioSums& RatioSums::operator+=(const RatioSums& other) {
-  samples += other.samples;
-  x += other.x;
-  y += other.y;
-  xx += other.xx;
-  xy += other.xy;
-  yy += other.yy;
-  xxx += other.xxx;
-  xxy += other.xxy;
-  xyy += other.xyy;
-  yyy += other.yyy;
-  return *this;
+  ++samples;
+  x += sample_x;
+  y += sample_y;
+  xx += square_x;
+  xy += sample_x * sample_y;
+  yy += square_y;
+  xxx += square_x * sample_x;
+  xxy += square_x * sample_y;
+  xyy += sample_x * square_y;
+  yyy += square_y * sample_y;
 }
 
 double RatioSums::standard_error() const {
@@ -83,12 +69,8 @@ double RatioSums::widening() const {
   return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);
 }
 
-void RatioSums::append_to(Numbers& numbers) const {
-  numbers.insert(numbers.end(), {samples, x, y, xx, xy, yy, xxx, xxy, xyy, yyy});
-}
-
-RatioSums RatioSums::from(std::span<const double> n) {
-  return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]};
+void RatioSums::append_to(SumList& list) {
+  list.insert(list.end(), {&samples, &x, &y, &xx, &xy, &yy, &xxx, &xxy, &xyy, &yyy});
 }
 
 Measure RatioSums::measure(std::string name, std::optional<double> expected) const {

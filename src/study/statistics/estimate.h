@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "study/experiment.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 
@@ -11,7 +11,6 @@ struct RatioSums {
   double xxx = 0, xxy = 0, xyy = 0, yyy = 0;
 
   void add(double sample_x, double sample_y);
-  RatioSums& operator+=(const RatioSums& other);
 
   /// Sum of x over sum of y.
   double ratio() const { return x / y; }
@@ -29,10 +28,7 @@ struct RatioSums {
   /// The ratio as a measure, without an error where there is a sample alone.
   Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
 
-  /// As numbers, for blocks.
-  static constexpr std::size_t kNumbers = 10;
-  void append_to(Numbers& numbers) const;
-  static RatioSums from(std::span<const double> numbers);
+  void append_to(SumList& list);
 };
 
 /// Standard errors that a measure may lie from what must come out, where they are many's.
