@@ -48,7 +48,6 @@ class FirstPoint : public OrbitSink {
   explicit FirstPoint(const Vec2& start) : point_(start) {}
   void bounce(std::size_t, const Bounce& bounce) override { meet(bounce.point); }
   void cross(std::size_t, const Vec2& from, const Vec2&, const CellIndex&) override { meet(from); }
-  void end(std::size_t, const OrbitStop&) override {}
   const Vec2& point() const { return point_; }
 
  private:

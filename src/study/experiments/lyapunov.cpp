@@ -80,7 +80,6 @@ class Growth : public OrbitSink {
     state.length += bounce.t;
     state.curved += bend != 0 ? 1 : 0;
   }
-  void end(std::size_t, const OrbitStop&) override {}
 
   // Once all are followed.
   void add_to(GrowthSums& all) const {

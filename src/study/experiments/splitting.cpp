@@ -44,7 +44,6 @@ class Made : public OrbitSink {
  public:
   explicit Made(std::size_t count) : bounces(count) {}
   void bounce(std::size_t number, const Bounce&) override { ++bounces[number]; }
-  void end(std::size_t, const OrbitStop&) override {}
   std::vector<std::uint64_t> bounces;
 };
 

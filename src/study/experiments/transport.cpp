@@ -134,7 +134,6 @@ class Walks : public OrbitSink {
     walk.last = here;
     walk.length = bounce.path_length;
   }
-  void end(std::size_t, const OrbitStop&) override {}
 
   // Once all are followed.
   void add_orbits(std::uint64_t bounces) {

@@ -19,7 +19,6 @@ class Points : public OrbitSink {
     watches_[number]->see(
         {room_.place_of(bounce) / room_.perimeter(), sine_of(bounce.out, bounce.normal)});
   }
-  void end(std::size_t, const OrbitStop&) override {}
 
   Numbers numbers() const {
     Numbers all;

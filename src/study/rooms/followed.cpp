@@ -47,7 +47,6 @@ void follow_certified(const Room& room, const OrbitStart& start, std::size_t num
 class Bounces : public OrbitSink {
  public:
   void bounce(std::size_t, const Bounce& bounce) override { all.push_back(bounce); }
-  void end(std::size_t, const OrbitStop&) override {}
   std::vector<Bounce> all;
 };
 

@@ -12,14 +12,6 @@
 namespace flatray {
 namespace {
 
-class NoMonitor : public RunMonitor {
- public:
-  void begin(std::size_t) override {}
-  std::optional<Numbers> kept(std::size_t) override { return std::nullopt; }
-  void done(std::size_t, const Numbers&) override {}
-  bool stopped() override { return false; }
-};
-
 // Results as they come, handed on in order.
 class InOrder {
  public:
@@ -44,7 +36,7 @@ class InOrder {
 Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
                           const std::function<Numbers(std::size_t)>& task,
                           const std::function<void(Numbers&&)>& take) {
-  NoMonitor silent;
+  RunMonitor silent;
   RunMonitor& monitor = context.monitor != nullptr ? *context.monitor : silent;
   InOrder results(take);
   monitor.begin(count);
