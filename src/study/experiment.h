@@ -80,6 +80,11 @@ struct Measure {
   double widening = 1;
 };
 
+/// A number that has no error, and what it is or why that is so.
+inline Measure remarked(std::string name, double value, std::string remark) {
+  return {.name = std::move(name), .value = value, .remark = std::move(remark)};
+}
+
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with
 /// the closed form.
 struct ExperimentResult {

@@ -112,13 +112,12 @@ ExperimentResult results(const ExperimentContext& context, const Choices& choice
       ++by_tenth[std::min(kTenths - 1, static_cast<int>(time / duration * kTenths))];
   Table table({"met_before", "velocities"});
   for (int k = 0; k < kTenths; ++k) table.add({(k + 1) * duration / kTenths, by_tenth[k]});
-  Measure part{"meets nothing", static_cast<double>(free) / static_cast<double>(times.size())};
-  part.remark = "of these velocities, counted";
-  ExperimentResult result =
-      measured(context, "avoidance",
-               fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width,
-                           film.height, context.scene.entities[0].name, duration),
-               {std::move(part)});
+  ExperimentResult result = measured(
+      context, "avoidance",
+      fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width, film.height,
+                  context.scene.entities[0].name, duration),
+      {remarked("meets nothing", static_cast<double>(free) / static_cast<double>(times.size()),
+                "of these velocities, counted")});
   result.files.push_back(csv_file("avoidance_times", table));
   add_map(result, "avoidance", plot_of(context, choices, times), context.threads,
           [&](std::size_t i) { return times[i] == kFree ? "" : number_text(times[i]); });

@@ -148,8 +148,8 @@ class Study {
 
  private:
   void add_none(std::string name) {
-    measures_.push_back({std::move(name), 0});
-    measures_.back().remark = "all walls are straight: neighbours part like a power";
+    measures_.push_back(
+        remarked(std::move(name), 0, "all walls are straight: neighbours part like a power"));
   }
 
   // Least squares of the logarithm of the distance; what they leave is no error of the slope, as it is

@@ -47,10 +47,8 @@ class Basins {
     }
   }
 
-  ExperimentResult result(std::vector<Measure> audit) const {
-    std::vector<Measure> numbers = measures();
-    std::move(audit.begin(), audit.end(), std::back_inserter(numbers));
-    ExperimentResult all = measured(context_, "escape", headline(), std::move(numbers));
+  ExperimentResult result(const std::vector<Measure>& audit) const {
+    ExperimentResult all = measured(context_, "escape", headline(), measures(), audit);
     Table table({"bounces", "escaped", "remaining"});
     Plot plot{"Orbits that remain", "bounces", "orbits", {{"remaining", {}, true}}, true};
     std::uint64_t remaining = free_;
@@ -93,9 +91,7 @@ class Basins {
   std::vector<Measure> measures() const {
     const auto free = static_cast<double>(free_);
     const auto share = [&](std::string name, std::uint64_t count) {
-      Measure part{std::move(name), static_cast<double>(count) / free};
-      part.remark = "of the pixels, counted";
-      return part;
+      return remarked(std::move(name), static_cast<double>(count) / free, "of the pixels, counted");
     };
     std::vector<Measure> all;
     for (const auto& [exit, count] : exits_) all.push_back(share("into " + exit_name(exit), count));
@@ -117,9 +113,9 @@ class Basins {
       return;
     }
     const auto add = [&](const char* name, double value, double rest) {
-      all.push_back({name, value});
-      all.back().remark = fmt::format("no error: leaves {:.3g} for {:.0f} degrees of freedom", rest,
-                                      survival_.freedom);
+      all.push_back(remarked(name, value,
+                             fmt::format("no error: leaves {:.3g} for {:.0f} degrees of freedom",
+                                         rest, survival_.freedom)));
     };
     add("fit_of_a_rate_per_bounce", survival_.rate, survival_.rate_rest);
     add("fit_of_a_power_of_flights", survival_.power, survival_.power_rest);

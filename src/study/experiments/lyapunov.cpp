@@ -164,20 +164,17 @@ void add_spectrum(std::vector<Measure>& measures, double largest) {
       {0, "by theory: along the flight"},
       {0, "by theory: of the speed, which is kept"},
       {-largest, "by theory: minus the first, as volumes of phase space are kept"}};
-  for (std::size_t i = 0; i < std::size(others); ++i) {
-    measures.push_back({fmt::format("spectrum_{}", i + 2), others[i].first});
-    measures.back().remark = others[i].second;
-  }
+  for (std::size_t i = 0; i < std::size(others); ++i)
+    measures.push_back(
+        remarked(fmt::format("spectrum_{}", i + 2), others[i].first, others[i].second));
 }
 
 std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, double power) {
   const std::array names = {"per_length", "per_hit", "per_curved_hit"};
   std::vector<Measure> measures;
   if (law == Law::straight)
-    for (const char* name : {"per_length", "per_hit"}) {
-      measures.push_back({name, 0});
-      measures.back().remark = "all walls are straight";
-    }
+    for (const char* name : {"per_length", "per_hit"})
+      measures.push_back(remarked(name, 0, "all walls are straight"));
   for (std::size_t i = of_length; i <= of_curved; ++i) {
     if (!(grown.sums[i].y > 0)) continue;
     Measure one = grown.sums[i].measure(names[i]);
@@ -196,8 +193,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
     measures.push_back(std::move(one));
   }
   if (law != Law::exponential) {
-    measures.push_back({"power_of_growth", power});
-    measures.back().remark = "of time, in the later half";
+    measures.push_back(remarked("power_of_growth", power, "of time, in the later half"));
     return measures;
   }
   if (grown.sums[of_length].y > 0) add_spectrum(measures, grown.sums[of_length].ratio());
@@ -235,14 +231,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   for (const StartSums& one : all.sums) grown.sums.push_back(one.all());
   const Law law = law_of(room, grown.sums[of_doubling]);
   const double power = grown.sums[of_power].ratio() / portable::log(2);
-  std::vector<Measure> measures = exponents(room, grown, law, power);
-  for (Measure& one :
-       audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
-    measures.push_back(std::move(one));
   return measured(context, "lyapunov",
                   fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits: {}",
                               grown.sums[of_hits].y, plan->orbits, words(law, power)),
-                  std::move(measures));
+                  exponents(room, grown, law, power), audit(context, room, *plan));
 }
 
 }  // namespace

@@ -118,9 +118,6 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   std::vector<Measure> measures{std::move(path),
                                 {"orbits_escaped", all.escaped, {}, 0, kInfinity, 0},
                                 {"orbits_into_corners", all.corners}};
-  for (Measure& one :
-       audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
-    measures.push_back(std::move(one));
   ExperimentResult result = measured(
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
@@ -130,7 +127,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                   : room.scene().field() == 0 ? ""
                                               : " less the centres of free circles",
                   room.perimeter()),
-      std::move(measures));
+      std::move(measures), audit(context, room, *plan));
   all.spread.add_files(result, "mean_free_path_flights", "lengths of flights, world units");
   return result;
 }

@@ -173,10 +173,9 @@ class PeriodicOrbits {
     std::vector<Measure> all;
     for (const Verdict verdict : kVerdicts) {
       const bool orbits = verdict == Verdict::proven || verdict == Verdict::family;
-      Measure one{fmt::format("{}{}", orbits ? "orbits " : "words ", name_of(verdict)),
-                  static_cast<double>(total(verdict))};
-      one.remark = "counted";
-      if (one.value > 0) all.push_back(one);
+      if (total(verdict) > 0)
+        all.push_back(remarked(fmt::format("{}{}", orbits ? "orbits " : "words ", name_of(verdict)),
+                               static_cast<double>(total(verdict)), "counted"));
     }
     if (means_.empty()) return all;
     const std::size_t from = means_.size() - std::min<std::size_t>(3, means_.size());

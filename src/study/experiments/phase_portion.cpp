@@ -69,12 +69,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     if (!even.points.empty()) measures.push_back({"if_everywhere_alike", even.points.back().y});
     plot.series.push_back(std::move(even));
   }
-  measures.insert(measures.end(), audit->begin(), audit->end());
   ExperimentResult result =
       measured(context, "phase_portion",
                fmt::format("Part of {} x {} cells of walls and sines that each orbit comes to",
                            kCells, kCells),
-               std::move(measures));
+               std::move(measures), *audit);
   result.files.push_back({"phase_portion.svg", svg(plot)});
   return result;
 }

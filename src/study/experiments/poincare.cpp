@@ -246,13 +246,11 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
       },
       [&](std::size_t orbit, std::span<const double> found) { section.add(orbit, found); });
   if (!audit) return tl::unexpected(audit.error());
-  std::vector<Measure> measures{mean_square_sine(section)};
-  measures.insert(measures.end(), audit->begin(), audit->end());
   ExperimentResult result =
       measured(context, "poincare",
                fmt::format("Bounces of {} by place along the walls and sine of the angle",
                            counted(section.listed.size(), "orbit")),
-               std::move(measures));
+               {mean_square_sine(section)}, *audit);
   add_points(result, section);
   add_density(result, section);
   add_plot(result, "poincare", plot_of(section), context.threads);

@@ -41,10 +41,8 @@ class Returns {
     tail_.add(times, 1);
   }
 
-  ExperimentResult result(std::vector<Measure> audit) const {
-    std::vector<Measure> all = measures();
-    std::move(audit.begin(), audit.end(), std::back_inserter(all));
-    ExperimentResult found = measured(context_, "recurrence", headline(), std::move(all));
+  ExperimentResult result(const std::vector<Measure>& audit) const {
+    ExperimentResult found = measured(context_, "recurrence", headline(), measures(), audit);
     Table table({"arrivals", "returned", "still_away", "exponential_law"});
     Plot plot{"Orbits still away from where they set off",
               "arrivals at walls, by their mean until the return",

@@ -78,8 +78,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   }
   if (free > 0) {
     // Pixels on one line of the direction are one orbit: what they differ by tells no error.
-    measures.push_back({"pixels_mean", sum / free});
-    measures.back().remark = "of these pixels, counted";
+    measures.push_back(remarked("pixels_mean", sum / free, "of these pixels, counted"));
     measures.push_back({"pixels_most", most});
   }
   ExperimentResult result = measured(

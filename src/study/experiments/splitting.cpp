@@ -258,12 +258,13 @@ class Report {
         all.push_back(std::move(*one));
       }
     }
-    all.push_back({"orbits_followed", static_cast<double>(kGroups * plan_.orbits * plan_.levels)});
-    all.back().remark =
-        fmt::format("as many without splitting would leave {:.2g}", all.back().value * left.value);
-    all.push_back({"ancestors_of_a_group", ancestors});
-    all.back().remark =
-        fmt::format("of {} starts, those from which its last orbits come", plan_.orbits);
+    const auto orbits = static_cast<double>(kGroups * plan_.orbits * plan_.levels);
+    all.push_back(
+        remarked("orbits_followed", orbits,
+                 fmt::format("as many without splitting would leave {:.2g}", orbits * left.value)));
+    all.push_back(
+        remarked("ancestors_of_a_group", ancestors,
+                 fmt::format("of {} starts, those from which its last orbits come", plan_.orbits)));
     return all;
   }
 

@@ -182,14 +182,12 @@ enum class Growth {
 Measure power_of_displacement(const Transport& all) {
   const std::size_t last = all.times.lags - 1, half = last / 2;
   const auto log_at = [&](std::size_t lag) { return portable::log(all.lags.point(0, lag, 0).y); };
-  Measure power{"power_of_displacement",
-                (log_at(last) - log_at(half)) /
-                    (portable::log(all.times.lag(last)) - portable::log(all.times.lag(half)))};
-  power.remark = fmt::format(
-      "no error: walls are straight, and no law is known to fit; from t = "
-      "{:.4g} to {:.4g}",
-      all.times.lag(half), all.times.lag(last));
-  return power;
+  const double from = all.times.lag(half), to = all.times.lag(last);
+  return remarked("power_of_displacement",
+                  (log_at(last) - log_at(half)) / (portable::log(to) - portable::log(from)),
+                  fmt::format("no error: walls are straight, and no law is known to fit; from t = "
+                              "{:.4g} to {:.4g}",
+                              from, to));
 }
 
 std::vector<Measure> measures_of(const Transport& all, Growth growth,
@@ -223,11 +221,11 @@ std::vector<Measure> measures_of(const Transport& all, Growth growth,
         "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
         all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1));
   }
-  measures.push_back({"sines_off_even", all.sines.chi_squared_of_even() / 63});
-  measures.back().remark =
-      "chi-squared a degree of freedom; bounces of an orbit are not independent";
-  measures.push_back({"orbits_left_out", all.left_out});
-  measures.back().remark = "too short, as they met a corner or had short flights";
+  measures.push_back(
+      remarked("sines_off_even", all.sines.chi_squared_of_even() / 63,
+               "chi-squared a degree of freedom; bounces of an orbit are not independent"));
+  measures.push_back(remarked("orbits_left_out", all.left_out,
+                              "too short, as they met a corner or had short flights"));
   return measures;
 }
 

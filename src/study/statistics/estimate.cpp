@@ -133,7 +133,9 @@ std::optional<std::string> verdict(const Measure& measure) {
 }
 
 ExperimentResult measured(const ExperimentContext& context, const std::string& name,
-                          const std::string& headline, std::vector<Measure> measures) {
+                          const std::string& headline, std::vector<Measure> measures,
+                          const std::vector<Measure>& audit) {
+  measures.insert(measures.end(), audit.begin(), audit.end());
   ExperimentResult result{.table = table_of(measures)};
   result.holds = std::ranges::all_of(measures, agrees);
   Fields fields = head_of(name, context);

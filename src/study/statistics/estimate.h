@@ -65,8 +65,9 @@ bool agrees(const Measure& measure);
 std::optional<std::string> verdict(const Measure& measure);
 
 /// Result of an experiment whose answer is a list of measures: NAME.csv, NAME.json, and the table
-/// as text after `headline`.
+/// as text after `headline`; last what an audit of orbits adds to them.
 ExperimentResult measured(const ExperimentContext& context, const std::string& name,
-                          const std::string& headline, std::vector<Measure> measures);
+                          const std::string& headline, std::vector<Measure> measures,
+                          const std::vector<Measure>& audit = {});
 
 }  // namespace flatray
