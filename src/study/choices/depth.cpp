@@ -11,7 +11,7 @@
 #include "study/plots/palette.h"
 #include "study/rooms/pixel_map.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -140,9 +140,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice depth = {"depth", "After how many bounces is it known where orbits end?",
                              ErrorKind::truncation, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

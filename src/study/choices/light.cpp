@@ -14,7 +14,7 @@
 #include "study/rooms/pixel_map.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr int kSide = 128;           // pixels of the longer side of the film
@@ -160,9 +160,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice light = {"light", "How many rays of light, by which sampler and which way?",
                              ErrorKind::sampling, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

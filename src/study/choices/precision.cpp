@@ -12,7 +12,7 @@
 #include "study/accuracy/accuracy.h"
 #include "study/rooms/room.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 // Orbits in doubles or certified, each beside one in many bits.
@@ -165,9 +165,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice precision = {"precision", "What does it cost to know where an orbit is?",
                                  ErrorKind::rounding, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

@@ -12,7 +12,7 @@
 #include "oracle/nearest.h"
 #include "study/accuracy/accuracy.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr std::uint64_t kRays = 20'000, kFewRays = 200, kFirstRays = 20;
@@ -109,9 +109,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice tracer = {"tracer", "What does it cost to find the right wall?",
                               ErrorKind::rounding, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

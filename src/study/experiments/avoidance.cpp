@@ -11,7 +11,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr int kTenths = 10;
@@ -142,12 +142,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment avoidance = {
     "avoidance",
     "Which velocities of the first entity meet nothing, and when do the others?",
     &run,
     {.resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

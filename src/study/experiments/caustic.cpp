@@ -12,7 +12,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
@@ -174,12 +174,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment caustic = {
     "caustic",
     "What do the lines of a path leave free, and how sharp is its edge?",
     &run,
     {.bounces = true, .seed = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

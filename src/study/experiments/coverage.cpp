@@ -10,7 +10,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
@@ -118,11 +118,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment coverage = {"coverage",
                                     "How much of the room does one path cross?",
                                     &run,
                                     {.bounces = true, .seed = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

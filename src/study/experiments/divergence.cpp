@@ -14,7 +14,7 @@
 #include "study/statistics/estimate.h"
 #include "transport/reflection.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 200;
@@ -201,12 +201,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment divergence = {
     "divergence",
     "How soon do near orbits part, and until when do doubles know better?",
     &run,
     {.bounces = true, .apart = true, .seed = true, .starts = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

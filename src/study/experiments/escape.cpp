@@ -10,7 +10,7 @@
 #include "study/rooms/exits.h"
 #include "study/rooms/followed.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -234,7 +234,6 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment escape = {
     "escape",
     "Where does a ray from each pixel leave, and after how many bounces?",
@@ -248,6 +247,5 @@ extern const Experiment escape = {
      .precision = true,
      .conditional = true,
      .glass = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

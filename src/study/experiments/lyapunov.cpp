@@ -14,7 +14,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/counted_share.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 1000;  // of one orbit
@@ -239,10 +239,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment lyapunov = {"lyapunov",
                                     "How fast do two orbits part that start next to each other?",
                                     &run, kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,7 +10,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/streaming_histogram.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces =
@@ -134,10 +134,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment mean_free_path = {
     "mean-free-path", "How far does a ray fly between two walls, and is that pi A / P?", &run,
     kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

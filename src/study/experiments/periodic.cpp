@@ -14,7 +14,7 @@
 #include "study/periodic/words.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kUsualSymbols = 6;
@@ -297,12 +297,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment periodic = {
     "periodic",
     "Which orbits close, by the walls in order, and what do they say of the room?",
     &run,
     {.symbols = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

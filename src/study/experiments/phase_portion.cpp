@@ -8,7 +8,7 @@
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 8;
@@ -80,9 +80,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment phase_portion = {
     "phase-portion", "How much of phase space does one orbit come to?", &run, kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -12,7 +12,7 @@
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/stretches.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
@@ -259,10 +259,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment poincare = {"poincare",
                                     "Where along the walls do orbits bounce, and at which angles?",
                                     &run, kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -9,7 +9,7 @@
 #include "study/rooms/followed.h"
 #include "study/rooms/survival.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -147,12 +147,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment recurrence = {
     "recurrence",
     "After how long does what sets off from the holes of a room come back to them?",
     &run,
     {.count = true, .bounces = true, .seed = true, .resume = true, .precision = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

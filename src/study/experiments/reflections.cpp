@@ -7,7 +7,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 // Usual limits: of a map in a room that keeps every ray; of a ray, and of one in a wedge, which leaves
@@ -92,12 +92,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment reflections = {
     "reflections",
     "How often is a ray reflected, from every pixel and of every ray?",
     &run,
     {.bounces = true, .map = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -13,7 +13,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 // Of every eight groups the last turns its clones three times as far: what turning changes grows with the square.
@@ -299,7 +299,6 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment splitting = {
     "splitting",
     "How many orbits are left in an open room when a plain ensemble sees none?",
@@ -310,6 +309,5 @@ extern const Experiment splitting = {
      .seed = true,
      .resume = true,
      .precision = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -12,7 +12,7 @@
 #include "study/statistics/estimate.h"
 #include "study/statistics/streaming_histogram.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
@@ -324,12 +324,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment transport = {
     "transport",
     "How fast does a ray spread between periodic walls, and how are its flights spread?",
     &run,
     {.count = true, .bounces = true, .seed = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries
