@@ -15,10 +15,9 @@ Result<const PictureFormat*> picture_format(const std::string& name, const Place
   if (const PictureFormat* format = find_picture_format(name)) return format;
   if (const auto problem = if_left_out(where, "picture", name))
     return tl::unexpected(Diagnostics{*problem});
-  const std::string near = nearest_word(name, picture_format_names());
   return usage_error(where,
                      fmt::format("unknown picture format '{}'{}", name,
-                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                                 did_you_mean(name, picture_format_names())),
                      "say " + comma_list(picture_format_names()));
 }
 
