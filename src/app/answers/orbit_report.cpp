@@ -191,12 +191,6 @@ OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const
 
 namespace {
 
-JsonValue whole(std::int64_t number) {
-  JsonValue value;
-  value.data = number;
-  return value;
-}
-
 bool is_periodic(const OrbitRoom& room) {
   return std::ranges::find(room.materials, Material::periodic) != room.materials.end();
 }
@@ -219,7 +213,7 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
              : i < report.certain ? "yes"
                                   : "no"};
   if (room.glass.any()) row.emplace_back(bounce.is_refracted() ? "refracted" : "reflected");
-  if (is_periodic(room)) row.insert(row.end(), {whole(bounce.cell.a), whole(bounce.cell.b)});
+  if (is_periodic(room)) row.insert(row.end(), {bounce.cell.a, bounce.cell.b});
   if (!timed) return row;
   row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
   row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());
