@@ -189,6 +189,12 @@ std::optional<Image> picture_of(const AccuracyContext& context) {
   return render_image(*list, {std::nullopt, context.threads});
 }
 
+void shrink(Film& film, int side) {
+  const double by = std::min(1.0, static_cast<double>(side) / std::max(film.width, film.height));
+  film.width = std::max(1, static_cast<int>(by * film.width));
+  film.height = std::max(1, static_cast<int>(by * film.height));
+}
+
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context) {
   ChoiceReport report;
   report.name = choice.name;

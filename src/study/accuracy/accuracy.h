@@ -135,6 +135,9 @@ unsigned middle_frame(const Scene& scene);
 Result<DrawList> middle_list(const AccuracyContext& context);
 std::optional<Image> picture_of(const AccuracyContext& context);
 
+/// Makes a film no larger than so many pixels on its longer side.
+void shrink(Film& film, int side);
+
 /// What a choice is measured by, made ready for one scene.
 struct ChoiceSettings {
   std::string reference, unit, grows;

@@ -22,10 +22,7 @@ constexpr std::uint64_t kTruthBounces = 4096, kLeastBounces = 64, kMostBounces =
 // The room on a small film, and where its orbits end.
 struct Fates {
   Fates(const Scene& whole, std::uint64_t of_seed) : scene(whole), seed(of_seed) {
-    const double shrink =
-        std::min(1.0, static_cast<double>(kSide) / std::max(scene.film.width, scene.film.height));
-    scene.film.width = std::max(1, static_cast<int>(shrink * scene.film.width));
-    scene.film.height = std::max(1, static_cast<int>(shrink * scene.film.height));
+    shrink(scene.film, kSide);
     room.emplace(scene);
   }
   Scene scene;

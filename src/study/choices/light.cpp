@@ -132,10 +132,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                                 {},
                                 {}});
   Film& film = lit->scene.film;
-  const double shrink =
-      std::min(1.0, static_cast<double>(kSide) / std::max(film.width, film.height));
-  film.width = std::max(1, static_cast<int>(shrink * film.width));
-  film.height = std::max(1, static_cast<int>(shrink * film.height));
+  shrink(film, kSide);
   const auto [pictures, doubt] = find_truth(*lit, reference_budget(context));
   if (!(mean(lit->truth) > 0))
     return fail(context.scene.lamps.front().where, "no light reaches the picture");

@@ -62,7 +62,6 @@ Plot plot_of(const ExperimentContext& context, const Room& room,
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const auto orbits = orbits_to_watch(context, room, 0);
   if (!orbits) return tl::unexpected(orbits.error());
   const auto pixels =
