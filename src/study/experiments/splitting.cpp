@@ -10,6 +10,7 @@
 #include "base/table.h"
 #include "study/plots/plot.h"
 #include "study/rooms/followed.h"
+#include "study/rooms/survival.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
@@ -100,13 +101,8 @@ class ByLength {
   }
 
   Measure measure() const {
-    double low = 0, high = 0x1p-10 / longest_;
-    while (high * longest_ < 600 && sum(high) < 0) high *= 2;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (sum(middle) < 0 ? low : high) = middle;
-    }
-    Measure found{"escape_rate_per_length", 0.5 * (low + high)};
+    Measure found{"escape_rate_per_length",
+                  rate_of_zero([this](double rate) { return sum(rate); }, longest_)};
     constexpr double kStep = 0x1p-20;
     const double slope = (sum(found.value * (1 + kStep)) - sum(found.value * (1 - kStep))) /
                          (2 * kStep * found.value);

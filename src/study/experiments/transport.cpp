@@ -10,6 +10,7 @@
 #include "study/rooms/lags.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
+#include "study/statistics/line_fit.h"
 #include "study/statistics/streaming_histogram.h"
 
 namespace flatray::experiment_entries {
@@ -34,16 +35,10 @@ enum Asked : std::size_t {
 
 // The slope of D(t), the Green-Kubo integral up to t, over log t from 1/8 of the lags on.
 double slope_over_log(const Numbers& kubo, const LagTimes& times) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = (times.lags - 1) / 8; i < times.lags; ++i) {
-    const double x = portable::log(times.lag(i)), y = 0.5 * kubo[i], weight = 1 / times.lag(i);
-    n += weight;
-    sx += weight * x;
-    sy += weight * y;
-    sxx += weight * x * x;
-    sxy += weight * x * y;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  LineFit fit;
+  for (std::size_t i = (times.lags - 1) / 8; i < times.lags; ++i)
+    fit.add(portable::log(times.lag(i)), 0.5 * kubo[i], 1 / times.lag(i));
+  return fit.slope();
 }
 
 std::array<double, kAsked> asked_of(const Lags& lags, const LagTimes& times) {

@@ -20,6 +20,14 @@ UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number) {
   return {moved(0, kStepX), moved(1, kStepY)};
 }
 
+Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number) {
+  const auto draw = [&](std::uint32_t which) {
+    return unit_double(random_bits(seed, Stream::experiment, number, which));
+  };
+  return {window.low + Vec2(draw(0), draw(1)).cwiseProduct(window.size()),
+          {draw(2) - 0.5, draw(3) - 0.5}};
+}
+
 void StartSums::add(std::uint64_t number, double x, double y) {
   sums_[number % sums_.size()].add(x, y);
 }

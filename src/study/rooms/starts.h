@@ -19,6 +19,9 @@ struct UnitPoint {
 ///         p^3 = p + 1, in whole numbers of 64 bits; shifts modulo 1 (Cranley and Patterson 1976).
 UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number);
 
+/// A ray from anywhere in a window in any direction, drawn by its number.
+Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number);
+
 /// Sums over orbits from which a ratio of means and its error are estimated: under random starts
 /// each orbit is a sample, under quasi-random ones all those of a shift together are, and under conditional
 /// ones all those of a group.
