@@ -50,10 +50,7 @@ class Choices {
     const Bounds box = swept(shape_bounds(*mover.shape, mover.place), velocity, duration_);
     double first = kInfinity;
     for (std::size_t i = 1; i < bodies_.size(); ++i) {
-      const Bounds& other = boxes_[i - 1];
-      if (box.low.x() > other.high.x() || other.low.x() > box.high.x() ||
-          box.low.y() > other.high.y() || other.low.y() > box.high.y())
-        continue;
+      if (!box.meets(boxes_[i - 1])) continue;
       const auto parts = shapes_meet(mover, bodies_[i], {0, duration_});
       if (!parts.empty()) first = std::min(first, parts.front().times.low);
     }

@@ -19,7 +19,7 @@ constexpr std::uint64_t kBounces = 1000;
 constexpr LinearRgb kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
 
 // Who absorbed a ray: an entity, pillar or chamber, or a hole of it.
-using Exit = std::tuple<SurfaceOwner::Kind, std::uint64_t, std::uint32_t>;
+using Exit = std::tuple<SurfaceOwner::Kind, std::uint32_t, std::uint32_t, std::uint32_t>;
 
 class Basins {
  public:
@@ -71,17 +71,13 @@ class Basins {
  private:
   Exit exit_of(const PixelOutcome& pixel) const {
     const SurfaceOwner& owner = room_.owner(pixel.surface);
-    return {owner.kind, owner.kind == SurfaceOwner::Kind::pillar ? owner.pillar : owner.index,
-            owner.hole};
+    return {owner.kind, owner.index, owner.pillar, owner.hole};
   }
 
   std::string exit_name(const Exit& exit) const {
-    const auto& [kind, index, hole] = exit;
-    const Scene& scene = context_.scene;
-    if (hole != kNoEntry) return scene.chambers[index].holes[hole].name;
-    return kind == SurfaceOwner::Kind::entity    ? scene.entities[index].name
-           : kind == SurfaceOwner::Kind::chamber ? scene.chambers[index].name
-                                                 : scene.chambers[0].pillars[index].name;
+    const auto& [kind, index, pillar, hole] = exit;
+    return hole != kNoEntry ? context_.scene.chambers[index].holes[hole].name
+                            : owner_name(context_.scene, {kind, index, pillar, kNoEdge, {}});
   }
 
   static bool gone(const PixelOutcome& pixel) {

@@ -97,11 +97,7 @@ class PeriodicOrbits {
 
   std::string wall_name(std::uint32_t surface) const {
     const SurfaceOwner& owner = room_.room.owner(surface);
-    const Scene& scene = context_.scene;
-    const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
-    std::string name = owner.kind == SurfaceOwner::Kind::entity ? scene.entities[owner.index].name
-                       : chamber                                ? scene.chambers[owner.index].name
-                                 : scene.chambers[owner.index].pillars[owner.pillar].name;
+    const std::string& name = owner_name(context_.scene, owner);
     return owner.edge >= 0 ? fmt::format("{} {}", name, owner.edge + 1) : name;
   }
 

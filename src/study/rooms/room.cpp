@@ -252,6 +252,13 @@ Result<void> expect_not_periodic(const ExperimentContext& context) {
   return {};
 }
 
+const std::string& owner_name(const Scene& scene, const SurfaceOwner& owner) {
+  if (owner.kind == SurfaceOwner::Kind::entity) return scene.entities[owner.index].name;
+  const Chamber& chamber = scene.chambers[owner.index];
+  return owner.kind == SurfaceOwner::Kind::pillar ? chamber.pillars[owner.pillar].name
+                                                  : chamber.name;
+}
+
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {
   constexpr std::uint64_t kUsualOrbits = 16;  // at least: their differences are the error
   const std::uint64_t few = (context.count + kUsualOrbits - 1) / kUsualOrbits;
