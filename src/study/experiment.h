@@ -85,6 +85,12 @@ inline Measure remarked(std::string name, double value, std::string remark) {
   return {.name = std::move(name), .value = value, .remark = std::move(remark)};
 }
 
+/// Takes the error from a measure, and says why.
+inline void withhold_error(Measure& measure, std::string why) {
+  measure.standard_error.reset();
+  measure.remark = std::move(why);
+}
+
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with
 /// the closed form.
 struct ExperimentResult {

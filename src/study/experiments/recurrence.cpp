@@ -72,8 +72,8 @@ class Returns {
     Measure way = ways_.measure("mean_way", kPi * room_.solids().free_area() / holes);
     const std::string why = no_error();
     for (Measure* one : {&arrivals, &way}) {
-      one->remark = why.empty() ? "until the return; expected by Kac's lemma" : why;
-      if (!why.empty()) one->standard_error.reset();
+      one->remark = "until the return; expected by Kac's lemma";
+      if (!why.empty()) withhold_error(*one, why);
     }
     return {arrivals, way, {"orbits_still_away", away_}, {"index_of_long_times", tail_.index()}};
   }

@@ -211,10 +211,11 @@ std::vector<Measure> measures_of(const Transport& all, Growth growth,
     measures.push_back(power_of_displacement(all));
   } else {
     Measure& slope = measures.emplace_back(all.asked[logarithm].measure("diffusion_per_log_time"));
-    slope.standard_error.reset();
-    slope.remark = fmt::format(
-        "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
-        all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1));
+    withhold_error(
+        slope,
+        fmt::format(
+            "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
+            all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1)));
   }
   measures.push_back(
       remarked("sines_off_even", all.sines.chi_squared_of_even() / 63,

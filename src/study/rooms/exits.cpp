@@ -72,11 +72,10 @@ Measure Exits::mean(std::string name, const std::function<double(const PixelOutc
       std::count_if(drawn_.begin(), drawn_.end(),
                     [](const PixelOutcome& one) { return one.kind == Kind::limit; }));
   if (late_ && stay == 0) return measure;
-  measure.standard_error.reset();
-  measure.remark = stay > 0
-                       ? fmt::format("no error: {} drawn orbits stay for all bounces", stay)
-                       : "no error: orbits do not leave exponentially, so that the variance may "
-                         "be infinite";
+  withhold_error(measure,
+                 stay > 0 ? fmt::format("no error: {} drawn orbits stay for all bounces", stay)
+                          : "no error: orbits do not leave exponentially, so that the variance may "
+                            "be infinite");
   return measure;
 }
 

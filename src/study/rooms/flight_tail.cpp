@@ -52,10 +52,8 @@ std::string no_error_of_flights(const Room& room, const FlightTail& tail) {
 }
 
 void withhold_error_of_flights(Measure& mean, const Room& room, const FlightTail& tail) {
-  std::string why = no_error_of_flights(room, tail);
-  if (why.empty()) return;
-  mean.standard_error.reset();
-  mean.remark = std::move(why);
+  const std::string why = no_error_of_flights(room, tail);
+  if (!why.empty()) withhold_error(mean, why);
 }
 
 }  // namespace flatray

@@ -20,6 +20,10 @@ UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number) {
   return {moved(0, kStepX), moved(1, kStepY)};
 }
 
+double drawn_unit(std::uint64_t seed, std::uint64_t number, std::uint32_t which) {
+  return unit_double(random_bits(seed, Stream::experiment, number >> 32, number, which));
+}
+
 Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number) {
   const auto draw = [&](std::uint32_t which) {
     return unit_double(random_bits(seed, Stream::experiment, number, which));

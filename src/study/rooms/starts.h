@@ -19,6 +19,9 @@ struct UnitPoint {
 ///         p^3 = p + 1, in whole numbers of 64 bits; shifts modulo 1 (Cranley and Patterson 1976).
 UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number);
 
+/// A number in [0, 1): draw `which` of start `number`.
+double drawn_unit(std::uint64_t seed, std::uint64_t number, std::uint32_t which);
+
 /// A ray from anywhere in a window in any direction, drawn by its number.
 Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number);
 

@@ -80,8 +80,7 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
   one.widening = widening();
   const bool lost = (yy == 0 && y != 0) || (xx == 0 && x != 0);
   if (!lost && std::isfinite(*one.standard_error * one.widening)) return one;
-  one.standard_error.reset();
-  one.remark = "no error: squares of such numbers are beyond the doubles";
+  withhold_error(one, "no error: squares of such numbers are beyond the doubles");
   return one;
 }
 
