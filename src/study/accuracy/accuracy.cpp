@@ -209,14 +209,9 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
     return report;
   }
   report.reference_seconds = budget.used();
-  report.reference = made->reference;
-  report.unit = made->unit;
-  report.grows = made->grows;
-  report.missing = made->missing;
-  report.cut = made->cut;
+  static_cast<ChoiceFacts&>(report) = *made;
   Rounds rounds = first_round(*made, budget, report);
   more_rounds(rounds, budget, report);
-  report.one_question = made->one_question;
   if (report.one_question) mark_best(report.points);
   report.orders = fit_orders(*made, report.points);
   report.seconds = budget.used();
