@@ -12,7 +12,6 @@
 #include "study/rooms/tangent.h"
 #include "study/rooms/wall_places.h"
 #include "study/statistics/blocks.h"
-#include "study/statistics/counted_share.h"
 
 namespace flatray::experiment_entries {
 namespace {
@@ -201,9 +200,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
   if (!(regular.x > 0 && grown.sums[of_power].ratio() > kTold * kMostRegular)) return measures;
   for (Measure& one : measures)
     one.remark += (one.remark.empty() ? "" : "; ") + std::string("mean over both kinds of orbits");
-  measures.push_back(regular.measure("part_like_a_power"));
-  measures.back().remark = "share of the orbits";
-  withhold_error_of_few(measures.back(), regular);
+  measures.push_back(regular.share("part_like_a_power", "share of the orbits"));
   return measures;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "study/rooms/starts.h"
-#include "study/statistics/counted_share.h"
 
 namespace flatray {
 namespace {
@@ -84,9 +83,7 @@ std::vector<Measure> Exits::measures() const {
   const auto share = [&](std::string name, const std::function<bool(const PixelOutcome&)>& counts) {
     StartSums sums(context_.starts);
     for (std::size_t i = 0; i < drawn_.size(); ++i) sums.add(i, counts(drawn_[i]) ? 1 : 0, 1);
-    const RatioSums counted = sums.all();
-    all.push_back(counted.measure(std::move(name)));
-    withhold_error_of_few(all.back(), counted);
+    all.push_back(sums.all().share(std::move(name)));
   };
   for (const Hole& hole : holes_)
     share("leaves_by " + hole.name, [&](const PixelOutcome& one) {

@@ -84,6 +84,16 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
   return one;
 }
 
+Measure RatioSums::share(std::string name, std::string remark) const {
+  constexpr double kFewest = 10;
+  Measure one = measure(std::move(name));
+  if (!remark.empty()) one.remark = std::move(remark);
+  if (x < kFewest || y - x < kFewest)
+    withhold_error(one, one.remark + (one.remark.empty() ? "" : "; ") +
+                            "no error: fewer than ten are of one kind");
+  return one;
+}
+
 double student_95(double freedom) {
   constexpr double z = 1.959963984540054, s = z * z;
   const double n = 1 / freedom;

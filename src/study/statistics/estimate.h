@@ -27,6 +27,9 @@ struct RatioSums {
   double widening() const;
   /// The ratio as a measure, without an error where there is a sample alone.
   Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
+  /// A share of samples that are counted, without an error where fewer than ten are of one kind: its
+  /// spread says too little then, and of none nothing.
+  Measure share(std::string name, std::string remark = {}) const;
 
   void append_to(SumList& list);
 };
