@@ -234,13 +234,10 @@ std::string words(Growth growth, const std::string& unbounded) {
 }
 
 Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
-  Plot plot;
-  plot.title = std::move(title);
-  plot.x_label = "time, at speed 1";
-  plot.y_label = std::move(label);
-  Plot::Series& mean = plot.series.emplace_back(Plot::Series{"mean over orbits and times", {}});
+  Plot plot{
+      std::move(title), "time, at speed 1", std::move(label), {{"mean over orbits and times", {}}}};
   for (std::size_t i = 0; i < all.times.lags; ++i)
-    mean.points.push_back(all.lags.point(which, i, all.times.lag(i)));
+    plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
   return plot;
 }
 
