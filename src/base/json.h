@@ -34,6 +34,7 @@ struct JsonValue {
   JsonValue(int value) : data(std::int64_t{value}) {}
   JsonValue(unsigned value) : data(std::uint64_t{value}) {}
   JsonValue(std::uint64_t value) : data(value) {}
+  JsonValue(std::int64_t value) : data(value) {}
   JsonValue(double value) : data(value) {}
   JsonValue(std::string value) : data(std::move(value)) {}
   JsonValue(const char* value) : data(std::string(value)) {}

@@ -16,16 +16,17 @@ namespace flatray {
 /// Result of one block of work.
 using Numbers = std::vector<double>;
 
-/// What an experiment tells of its blocks, and asks. Its functions are called by several threads.
+/// What an experiment tells of its blocks, and asks. Its functions are called by several threads; as they stand
+/// here nobody is told, and nothing is kept.
 class RunMonitor {
  public:
   virtual ~RunMonitor() = default;
-  virtual void begin(std::size_t blocks) = 0;
+  virtual void begin(std::size_t /*blocks*/) {}
   /// What an earlier run found for a block.
-  virtual std::optional<Numbers> kept(std::size_t block) = 0;
-  virtual void done(std::size_t block, const Numbers& result) = 0;
+  virtual std::optional<Numbers> kept(std::size_t /*block*/) { return std::nullopt; }
+  virtual void done(std::size_t /*block*/, const Numbers& /*result*/) {}
   /// Whether no further block is to be begun.
-  virtual bool stopped() = 0;
+  virtual bool stopped() { return false; }
 };
 
 /// What the pixels of a picture stand for, one orbit each.
@@ -78,6 +79,17 @@ struct Measure {
   /// Of its interval, beyond Student's t, where what it is estimated from is skewed.
   double widening = 1;
 };
+
+/// A number that has no error, and what it is or why that is so.
+inline Measure remarked(std::string name, double value, std::string remark) {
+  return {.name = std::move(name), .value = value, .remark = std::move(remark)};
+}
+
+/// Takes the error from a measure, and says why.
+inline void withhold_error(Measure& measure, std::string why) {
+  measure.standard_error.reset();
+  measure.remark = std::move(why);
+}
 
 /// Named files (CSV, JSON, SVG, PNG) and a text for people; `holds` is whether results agree with
 /// the closed form.

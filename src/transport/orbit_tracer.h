@@ -35,7 +35,7 @@ class OrbitSink {
   /// Orbit `number` left by a periodic wall and goes on from that opposite.
   virtual void cross(std::size_t, const Vec2& /*from*/, const Vec2& /*to*/,
                      const CellIndex& /*step*/) {}
-  virtual void end(std::size_t number, const OrbitStop& stop) = 0;
+  virtual void end(std::size_t, const OrbitStop& /*stop*/) {}
 };
 
 /// Walls made ready to follow orbits among them, once for any number of orbits and threads.

@@ -127,7 +127,7 @@ std::string part_of(std::uint64_t part, std::uint64_t whole, const char* one, co
 }
 
 // What was drawn and what was not, in counts that are the same every time.
-std::vector<Saving> counts_of(const Drawn& some, std::size_t frames) {
+Savings counts_of(const Drawn& some, std::size_t frames) {
   const DrawCounts& counts = some.counts;
   const std::uint64_t bands = counts.bands + counts.kept_bands, packed = some.packed + some.kept;
   return {{"measured", counted(frames, "frame"), "the same bytes as with everything kept"},
@@ -148,7 +148,7 @@ std::vector<Saving> counts_of(const Drawn& some, std::size_t frames) {
 
 }  // namespace
 
-Result<std::vector<Saving>> measured_savings(const RenderJob& job) {
+Result<Savings> measured_savings(const RenderJob& job) {
   const std::vector<Way> ways = ways_to_draw(job);
   const Result<Drawn> drawn = draw(job, {});
   if (!drawn) return tl::unexpected(drawn.error());
@@ -156,7 +156,7 @@ Result<std::vector<Saving>> measured_savings(const RenderJob& job) {
   if (!costs) return tl::unexpected(costs.error());
   const CostRounds &some = costs->at(0), &every = costs->at(1);
   const std::size_t frames = job.frames.size();
-  std::vector<Saving> rows = counts_of(*drawn, frames);
+  Savings rows = counts_of(*drawn, frames);
   rows.push_back({"measured: by", some.instructions ? "instructions" : "processor time",
                   fmt::format("{} in turns; medians, and in brackets where they lie with {:.0f} % "
                               "confidence{}",

@@ -23,15 +23,15 @@ struct WallTests {
 
 }  // namespace
 
-Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
+Result<Savings> measured_walls(const RenderJob& job) {
   if (!need_of_ray_walls(job.scene).needed || job.scene.field() != 0 || job.frames.empty())
-    return std::vector<Saving>();
+    return Savings();
   const auto timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return tl::unexpected(timeline.error());
   const FrameState state = at(*timeline, job.frames.front());
   const RayWalls walls(job.scene, state, job.tracer);
   const std::size_t count = walls.world().surfaces.size();
-  if (count == 0) return std::vector<Saving>();
+  if (count == 0) return Savings();
   WallTests tests;
   for (const RayState& now : ray_states(job.scene, state)) {
     const RayPath& ray = job.scene.rays[now.ray];
@@ -51,7 +51,7 @@ Result<std::vector<Saving>> measured_walls(const RenderJob& job) {
     tests.hit += orbit.bounces.size() + (orbit.end == OrbitEnd::absorbed ? 1 : 0);
   }
   const auto all = static_cast<double>(count * tests.flights);
-  return std::vector<Saving>{
+  return Savings{
       {"measured: walls tested",
        fmt::format("{:.3g} a flight",
                    static_cast<double>(tests.tested) / static_cast<double>(tests.flights)),

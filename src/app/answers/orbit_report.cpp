@@ -11,7 +11,7 @@
 #include "geom/hit_interval.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
-#include "study/rooms/wall_places.h"
+#include "study/rooms/room.h"
 #include "transport/exact_origin.h"
 #include "transport/orbit_tracer.h"
 
@@ -22,16 +22,9 @@ constexpr double kDegreesInRadian = 57.29577951308232;
 constexpr std::size_t kMostProven = 10'000;
 
 std::string object_name(const Scene& scene, const SurfaceOwner& owner) {
-  switch (owner.kind) {
-    case SurfaceOwner::Kind::entity:
-      return scene.entities[owner.index].name;
-    case SurfaceOwner::Kind::chamber:
-      return scene.chambers[owner.index].name;
-    case SurfaceOwner::Kind::pillar:
-      break;
-  }
-  const Chamber& chamber = scene.chambers[owner.index];
-  return fmt::format("{}/{}", chamber.name, chamber.pillars[owner.pillar].name);
+  const std::string& own = owner_name(scene, owner);
+  const bool pillar = owner.kind == SurfaceOwner::Kind::pillar;
+  return pillar ? scene.chambers[owner.index].name + "/" + own : own;
 }
 
 JsonValue edge_value(const SurfaceOwner& owner) {
@@ -191,12 +184,6 @@ OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const
 
 namespace {
 
-JsonValue whole(std::int64_t number) {
-  JsonValue value;
-  value.data = number;
-  return value;
-}
-
 bool is_periodic(const OrbitRoom& room) {
   return std::ranges::find(room.materials, Material::periodic) != room.materials.end();
 }
@@ -219,7 +206,7 @@ Values bounce_row(const OrbitRoom& room, const OrbitReport& report, std::size_t 
              : i < report.certain ? "yes"
                                   : "no"};
   if (room.glass.any()) row.emplace_back(bounce.is_refracted() ? "refracted" : "reflected");
-  if (is_periodic(room)) row.insert(row.end(), {whole(bounce.cell.a), whole(bounce.cell.b)});
+  if (is_periodic(room)) row.insert(row.end(), {bounce.cell.a, bounce.cell.b});
   if (!timed) return row;
   row.push_back(report.clock ? JsonValue(report.clock->bounces[i].time) : JsonValue());
   row.push_back(report.clock ? JsonValue(bounce.out.stableNorm()) : JsonValue());

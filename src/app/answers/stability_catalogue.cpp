@@ -1,6 +1,8 @@
 // flatray stability --catalogue.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "app/answers/stability_reports.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
@@ -18,36 +20,40 @@ std::string share(double part, double all) {
   return all == 0 ? "" : fmt::format("{:.3g}", part / all);
 }
 
-Values row_of(const oracle::StiffCase& stiff, const Tracer& tracer, const CatalogueTally& tally) {
+// Who is asked about a case, and whether there is something to tell of leaks, of t, and of what goes
+// through lanes.
+struct Asked {
+  std::string name;
+  bool leaks, times, lanes;
+  bool decides = true;  // the exit code
+  const char* of = "";  // which cases it is asked about
+};
+
+// Tracers, then certified orbits and contacts, which keep nothing beside the walls.
+std::vector<Asked> all_asked(const StabilityRequest& request) {
+  std::vector<Asked> all;
+  for (const Tracer* one : request.tracers)
+    all.push_back({one->name, true, true, one->exact, request.named || one->exact});
+  all.push_back({"certified", true, false, false, true, " with orbits"});
+  all.push_back({"contact", false, true, false});
+  return all;
+}
+
+Values row_of(const oracle::StiffCase& stiff, const Asked& asked, const CatalogueTally& tally) {
   const auto number = [](std::uint64_t count) { return static_cast<double>(count); };
+  const auto told = [](bool is, JsonValue value) { return is ? std::move(value) : JsonValue(""); };
   return {stiff.id,
           stiff.words,
-          tracer.name,
+          asked.name,
           tally.queries,
           tally.wrong,
-          tally.leaks,
-          tally.apart,
-          tally.worst_ulps(),
-          tally.most_ulps(),
-          tracer.exact ? share(number(tally.one_by_one), number(tally.in_batches)) : "",
+          told(asked.leaks, tally.leaks),
+          told(asked.times, tally.apart),
+          told(asked.times, tally.worst_ulps()),
+          told(asked.times, tally.most_ulps()),
+          told(asked.lanes, share(number(tally.one_by_one), number(tally.in_batches))),
           share(number(tally.bytes), number(tally.objects)),
           tally.right() ? "right" : "wrong",
-          stiff.held_by};
-}
-
-// Of certified orbits: no t, no lanes, nothing that is kept.
-Values certified_row(const oracle::StiffCase& stiff, const CatalogueTally& tally) {
-  return {stiff.id,     stiff.words, "certified", tally.queries,
-          tally.wrong,  tally.leaks, "",          "",
-          "",           "",          "",          tally.right() ? "right" : "wrong",
-          stiff.held_by};
-}
-
-// Of contacts: t, but nothing that is kept, and no share that is decided one by one.
-Values contact_row(const oracle::StiffCase& stiff, const CatalogueTally& tally) {
-  return {stiff.id,          stiff.words, "contact",   tally.queries,
-          tally.wrong,       "",          tally.apart, tally.worst_ulps(),
-          tally.most_ulps(), "",          "",          tally.right() ? "right" : "wrong",
           stiff.held_by};
 }
 
@@ -61,19 +67,15 @@ struct CatalogueTables {
   Table facts{kColumns, {}}, shown{kColumns, {}}, times{{"id", "tracer", "ns_a_query"}, {}};
 
   CatalogueTables() { shown.columns.insert(shown.columns.begin() + kTimes, "ns_a_query"); }
+  void add(const oracle::StiffCase& stiff, const Asked& asked, const CatalogueTally& tally) {
+    add(row_of(stiff, asked, tally), nanoseconds(tally));
+  }
   void add(Values row, const JsonValue& ns) {
     if (ns.as_text() != "") times.add({row[0], row[2], ns});
     facts.rows.push_back(row);
     row.insert(row.begin() + kTimes, ns);
     shown.rows.push_back(std::move(row));
   }
-};
-
-// What is known of a case: a tally for each tracer, and of certified orbits and contacts where there
-// are any.
-struct Checked {
-  std::vector<CatalogueTally> by_tracer;
-  std::optional<CatalogueTally> certified, contacts;
 };
 
 // How many cases came out right, of those asked, and all of them together.
@@ -87,21 +89,11 @@ struct Score {
     right += tally.right() ? 1 : 0;
   }
   bool sound() const { return right == asked; }
-  std::string words(const char* name, const char* of) const {
-    return fmt::format("{}: {}, {} of {}{} right\n", name, sound() ? "right" : "wrong", right,
-                       asked, of);
+  std::string words(const Asked& who) const {
+    return fmt::format("{}: {}, {} of {}{} right\n", who.name, sound() ? "right" : "wrong", right,
+                       asked, who.of);
   }
 };
-
-void add_rows(const oracle::StiffCase& stiff, const std::vector<const Tracer*>& tracers,
-              const Checked& checked, CatalogueTables& tables) {
-  for (std::size_t k = 0; k < checked.by_tracer.size(); ++k)
-    tables.add(row_of(stiff, *tracers[k], checked.by_tracer[k]), nanoseconds(checked.by_tracer[k]));
-  if (checked.certified)
-    tables.add(certified_row(stiff, *checked.certified), nanoseconds(*checked.certified));
-  if (checked.contacts)
-    tables.add(contact_row(stiff, *checked.contacts), nanoseconds(*checked.contacts));
-}
 
 Values row_of_its_test(const oracle::StiffCase& stiff) {
   Values row(kColumns.size(), "");
@@ -110,15 +102,20 @@ Values row_of_its_test(const oracle::StiffCase& stiff) {
   return row;
 }
 
+// Of each case a tally of each of those asked, where it concerns them.
+using Checked = std::vector<std::optional<CatalogueTally>>;
+
 std::vector<Checked> check_all(const std::vector<oracle::StiffCase>& cases,
                                const StabilityRequest& request) {
   const bool certifies = !request.named && can_certify().has_value();
-  std::vector<Checked> checked(cases.size());
+  const std::size_t tracers = request.tracers.size();
+  std::vector<Checked> checked(cases.size(), Checked(tracers + 2));
   parallel_for(cases.size(), request.threads, [&](std::size_t i) {
-    if (cases[i].concerns_tracers()) checked[i].by_tracer = check_case(cases[i], request.tracers);
-    if (!cases[i].contacts.empty()) checked[i].contacts = check_contacts(cases[i]);
+    if (cases[i].concerns_tracers())
+      std::ranges::move(check_case(cases[i], request.tracers), checked[i].begin());
+    if (!cases[i].contacts.empty()) checked[i].back() = check_contacts(cases[i]);
     if (!certifies || cases[i].orbits.empty()) return;
-    if (auto tally = check_certified(cases[i])) checked[i].certified = *std::move(tally);
+    if (auto tally = check_certified(cases[i])) checked[i][tracers] = *std::move(tally);
   });
   return checked;
 }
@@ -128,39 +125,34 @@ std::vector<Checked> check_all(const std::vector<oracle::StiffCase>& cases,
 Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityRequest& request) {
   const std::vector<oracle::StiffCase> cases = oracle::catalogue();
   const std::vector<Checked> checked = check_all(cases, request);
+  const std::vector<Asked> asked = all_asked(request);
   CatalogueTables tables;
-  std::vector<Score> scores(request.tracers.size());
-  Score certified, contacts;
+  std::vector<Score> scores(asked.size());
   std::size_t of_tracers = 0, of_none = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::vector<CatalogueTally>& tallies = checked[i].by_tracer;
-    if (!tallies.empty()) ++of_tracers;
-    for (std::size_t k = 0; k < tallies.size(); ++k) scores[k].add(tallies[k]);
-    if (checked[i].certified) certified.add(*checked[i].certified);
-    if (checked[i].contacts) contacts.add(*checked[i].contacts);
-    if (tallies.empty() && !checked[i].contacts) {
+    if (cases[i].concerns_tracers())
+      ++of_tracers;
+    else if (cases[i].contacts.empty()) {
       ++of_none;
       tables.add(row_of_its_test(cases[i]), "");
     }
-    add_rows(cases[i], request.tracers, checked[i], tables);
+    for (std::size_t k = 0; k < asked.size(); ++k)
+      if (const auto& tally = checked[i][k]) {
+        scores[k].add(*tally);
+        tables.add(cases[i], asked[k], *tally);
+      }
   }
-  Checked all;
-  for (const Score& score : scores) all.by_tracer.push_back(score.sum);
-  if (certified.asked > 0) all.certified = certified.sum;
-  all.contacts = contacts.sum;
-  add_rows({"all", "", ""}, request.tracers, all, tables);
   ExperimentResult result;
   result.summary = fmt::format(
       "\n{} cases: {} asked of tracers, {} of contact, {} of files and pictures by their tests\n",
-      cases.size(), of_tracers, contacts.asked, of_none);
-  bool sound = certified.sound() && contacts.sound();
-  for (std::size_t k = 0; k < scores.size(); ++k) {
-    const Tracer& tracer = *request.tracers[k];
-    sound = sound && (scores[k].sound() || !(request.named || tracer.exact));
-    result.summary += scores[k].words(tracer.name, "");
+      cases.size(), of_tracers, scores.back().asked, of_none);
+  bool sound = true;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (scores[k].asked == 0) continue;
+    tables.add({"all", "", ""}, asked[k], scores[k].sum);
+    sound = sound && (scores[k].sound() || !asked[k].decides);
+    result.summary += scores[k].words(asked[k]);
   }
-  if (all.certified) result.summary += certified.words("certified", " with orbits");
-  result.summary += contacts.words("contact", "");
   result.summary += fmt::format(
       "ns_a_query: processor time, of tracers the least of up to {} measurements, of certified "
       "orbits one alone\n",

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -9,7 +10,8 @@
 
 #include "app/files/journal.h"
 #include "app/files/outputs.h"
-#include "app/files/rounds.h"
+#include "app/interrupt.h"
+#include "base/parallel.h"
 #include "base/result.h"
 #include "study/stability/leaks.h"
 #include "study/stability/pair_stability.h"
@@ -102,32 +104,47 @@ class TallyLog {
     for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
   }
-  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, in rounds
-  /// (app/files/rounds.h): `check(chunk, open)` gives tallies of the keys numbered in `open`.
+  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, a round of `threads`
+  /// chunks at a time, until interrupted: `check(chunk, open)` gives tallies of the keys numbered in
+  /// `open`, which are kept in order when the round is over.
+  ///
+  /// Cost    memory of a round, whatever the number of chunks.
   template <class Check>
   Result<void> run(const std::vector<ChunkLog::Key>& keys, std::uint64_t chunks, unsigned threads,
                    const Check& check) {
-    const auto key = [&](std::size_t k, std::uint64_t chunk) {
-      ChunkLog::Key one = keys[k];
-      one.chunk = chunk;
-      return one;
+    struct Chunk {
+      std::vector<ChunkLog::Key> keys{};  // that it is not there of
+      std::vector<std::size_t> open{};    // their numbers
+      std::vector<Tally> tallies{};
     };
-    const auto open = [&](std::uint64_t chunk) {
-      std::vector<std::size_t> numbers;
-      for (std::size_t k = 0; k < keys.size(); ++k)
-        if (!has(key(k, chunk))) numbers.push_back(k);
-      return numbers;
-    };
-    return in_rounds(
-        chunks, threads, [&](std::uint64_t chunk) { return !open(chunk).empty(); },
-        [&](std::uint64_t chunk) { return check(chunk, open(chunk)); },
-        [&](std::uint64_t chunk, const std::vector<Tally>& tallies, double seconds) {
-          const std::vector<std::size_t> numbers = open(chunk);
-          Result<void> added;
-          for (std::size_t i = 0; added && i < numbers.size(); ++i)
-            added = add(key(numbers[i], chunk), tallies[i], seconds);
-          return added;
-        });
+    std::uint64_t next = 0;
+    while (!interrupted()) {
+      std::vector<Chunk> round;
+      for (; next < chunks && round.size() < threads; ++next) {
+        Chunk one;
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+          ChunkLog::Key key = keys[k];
+          key.chunk = next;
+          if (has(key)) continue;
+          one.keys.push_back(std::move(key));
+          one.open.push_back(k);
+        }
+        if (!one.open.empty()) round.push_back(std::move(one));
+      }
+      if (round.empty()) break;
+      const auto start = std::chrono::steady_clock::now();
+      parallel_for(round.size(), threads, [&](std::size_t i) {
+        round[i].tallies = check(round[i].keys.front().chunk, round[i].open);
+      });
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+      for (const Chunk& one : round)
+        for (std::size_t i = 0; i < one.keys.size(); ++i)
+          if (auto added = add(one.keys[i], one.tallies[i],
+                               time.count() / static_cast<double>(round.size()));
+              !added)
+            return added;
+    }
+    return {};
   }
 
  private:

@@ -15,10 +15,9 @@ Result<const PictureFormat*> picture_format(const std::string& name, const Place
   if (const PictureFormat* format = find_picture_format(name)) return format;
   if (const auto problem = if_left_out(where, "picture", name))
     return tl::unexpected(Diagnostics{*problem});
-  const std::string near = nearest_word(name, picture_format_names());
   return usage_error(where,
                      fmt::format("unknown picture format '{}'{}", name,
-                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                                 did_you_mean(name, picture_format_names())),
                      "say " + comma_list(picture_format_names()));
 }
 
@@ -32,11 +31,6 @@ constexpr std::string_view kScene = "{scene}";
 constexpr std::size_t kShownBytes = 40;  // of a name too long
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
-
-struct FramePlace {
-  std::size_t at = 0, length = 0;
-  int digits = 1;
-};
 
 // The last run of '#' in the file name.
 FramePlace find_hashes(std::string_view text, std::size_t file_name) {
@@ -106,11 +100,8 @@ OutputPattern::OutputPattern(std::string text, const PictureFormat& format)
     : text_(std::move(text)), format_(&format) {
   const std::size_t slash = text_.find_last_of('/');
   const std::size_t file_name = slash == std::string::npos ? 0 : slash + 1;
-  FramePlace place = find_hashes(text_, file_name);
-  if (place.length == 0) place = find_percent(text_, file_name);
-  frame_at_ = place.at;
-  frame_length_ = place.length;
-  digits_ = place.digits;
+  place_ = find_hashes(text_, file_name);
+  if (place_.length == 0) place_ = find_percent(text_, file_name);
 }
 
 Result<OutputPattern> OutputPattern::parse(std::string text,
@@ -140,16 +131,16 @@ OutputPattern OutputPattern::standard(bool sequence, const PictureFormat& format
 std::filesystem::path OutputPattern::with_number(std::string_view scene,
                                                  const std::string& number) const {
   std::string result = text_;
-  if (has_frame()) result.replace(frame_at_, frame_length_, number);
+  if (has_frame()) result.replace(place_.at, place_.length, number);
   return with_scene(std::move(result), scene);
 }
 
 std::filesystem::path OutputPattern::path(std::string_view scene, unsigned frame) const {
-  return with_number(scene, fmt::format("{:0{}}", frame, digits_));
+  return with_number(scene, fmt::format("{:0{}}", frame, place_.digits));
 }
 
 std::string OutputPattern::file_pattern(std::string_view scene) const {
-  return with_number(scene, std::string(static_cast<std::size_t>(digits_), '#')).filename();
+  return with_number(scene, std::string(static_cast<std::size_t>(place_.digits), '#')).filename();
 }
 
 std::optional<std::filesystem::path> OutputPattern::link_chosen_by(std::string_view scene) const {

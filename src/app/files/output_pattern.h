@@ -13,6 +13,12 @@ namespace flatray {
 /// Error   Trouble::usage for a name that no format has; Trouble::unavailable for one left out.
 Result<const PictureFormat*> picture_format(const std::string& name, const Place& where);
 
+/// Where in a text the number of a frame goes; nowhere without a length.
+struct FramePlace {
+  std::size_t at = 0, length = 0;
+  int digits = 1;
+};
+
 /// Where pictures go: "out/{scene}/frame_####.png". `####` (any number of #, the last run in the
 /// file name) or `%04d` is the frame number, `{scene}` the scene's name. Nothing else is special,
 /// and no name is ever a format string.
@@ -28,7 +34,7 @@ class OutputPattern {
   static OutputPattern standard(bool sequence, const PictureFormat& format);
 
   bool is_stdout() const { return text_ == "-"; }
-  bool has_frame() const { return frame_length_ > 0; }
+  bool has_frame() const { return place_.length > 0; }
   bool has_scene() const { return text_.find("{scene}") != std::string::npos; }
   const PictureFormat& format() const { return *format_; }
 
@@ -46,8 +52,7 @@ class OutputPattern {
 
   std::string text_;
   const PictureFormat* format_;
-  std::size_t frame_at_ = 0, frame_length_ = 0;  ///< of the frame's place in the text
-  int digits_ = 1;
+  FramePlace place_;
 };
 
 /// A scene's name as part of a path: letters, digits, '_', '-' and inner '.' stay, any other byte

@@ -79,6 +79,9 @@ std::vector<std::byte> FrameEncoder::file_bytes(const Image& image, const RowsCh
 std::vector<std::byte> FrameEncoder::file_bytes(const LinearImage& image, const RowsChanged&) {
   return job_.output.format().of_light(image);
 }
+std::vector<std::byte> FrameEncoder::file_bytes(const FilmFile& film, const RowsChanged&) {
+  return job_.output.format().of_film(film);
+}
 
 // Of light, and of its error.
 void FrameEncoder::keep_report() {
@@ -95,12 +98,7 @@ Result<const Encoded*> FrameEncoder::encode_film(const RenderPlan& plan, const T
   Result<std::optional<FilmFile>> film = traced_film(job_, plan, timeline, frame, options_);
   if (!film) return fail(std::move(film));
   if (!*film) return nullptr;
-  out_.bytes = job_.output.format().of_film(**film);
-  out_.record.pixels = hash_of(**film);
-  out_.record.width = (*film)->width;
-  out_.record.height = (*film)->height;
-  out_.record.bytes = Hash().add(out_.bytes).hex();
-  ++encoded_;
+  keep(**film, all_changed);
   report_ = report_of(**film);
   keep_report();
   return &out_;

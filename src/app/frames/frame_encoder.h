@@ -40,6 +40,7 @@ class FrameEncoder {
   void keep(const Picture& picture, const RowsChanged& changed);
   std::vector<std::byte> file_bytes(const Image& image, const RowsChanged& changed);
   std::vector<std::byte> file_bytes(const LinearImage& image, const RowsChanged& changed);
+  std::vector<std::byte> file_bytes(const FilmFile& film, const RowsChanged& changed);
 
   const RenderJob& job_;
   LightReport report_;

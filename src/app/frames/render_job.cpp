@@ -47,28 +47,11 @@ class FrameMaker {
     JobResult result;
     result.drawn = source_.drawn();
     result.encoded = source_.encoded();
-    for (Made& made : made_) {
-      result.drawn += made.drawn;
-      result.encoded += made.encoded;
-      result.written.insert(result.written.end(), std::move_iterator(made.records.begin()),
-                            std::move_iterator(made.records.end()));
-      result.seconds.insert(result.seconds.end(), made.seconds.begin(), made.seconds.end());
-      if (result.problems.empty() && !made.problems.empty())
-        result.problems.push_back(made.problems.front());  // all threads meet the same full disk
-    }
+    for (JobResult& made : made_) result.add(std::move(made));
     return result;
   }
 
  private:
-  // Of one run.
-  struct Made {
-    std::vector<FrameRecord> records;
-    std::vector<double> seconds;
-    Diagnostics problems;
-    DrawCounts drawn;
-    std::size_t encoded = 0;
-  };
-
   // Enough runs for each thread to find work to the end.
   static std::size_t run_length(std::size_t count, const Spread& spread) {
     constexpr std::size_t kRunsAThread = 4, kLongest = 32;
@@ -78,28 +61,28 @@ class FrameMaker {
 
   // Names and lines of a run are flushed together: what a machine that stops then loses of them,
   // --resume makes again. The bytes of a picture are flushed before it has its name.
-  void make_run(std::size_t begin, Made& made) {
+  void make_run(std::size_t begin, JobResult& made) {
     draw_run(begin, made);
-    if (made.records.empty() || !job_.output.has_frame()) return;
+    if (made.written.empty() || !job_.output.has_frame()) return;
     flush_folder(job_.folder());
     if (auto flushed = flush_file(manifest_.path()); !flushed && made.problems.empty())
       made.problems = std::move(flushed).error();
   }
 
-  void draw_run(std::size_t begin, Made& made) {
+  void draw_run(std::size_t begin, JobResult& made) {
     FrameEncoder encoder(job_, spread_.threads_each, &interrupted);
     write_run(begin, encoder, made);
     made.drawn = encoder.counts();
     made.encoded = encoder.encoded();
   }
 
-  void write_run(std::size_t begin, FrameEncoder& encoder, Made& made) {
+  void write_run(std::size_t begin, FrameEncoder& encoder, JobResult& made) {
     const std::size_t end = std::min(begin + run_, frames_.size());
     for (std::size_t i = begin; i < end && !stopped_ && !interrupted(); ++i) {
       const auto start = std::chrono::steady_clock::now();
       if (Result<FrameRecord> record = write(frames_[i], encoder)) {
         if (record->frame == 0) return;
-        made.records.push_back(std::move(*record));
+        made.written.push_back(std::move(*record));
         made.seconds.push_back(
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         done_();
@@ -149,7 +132,7 @@ class FrameMaker {
   const std::function<void()>& done_;
   const Claim* const claim_;
   const Journal manifest_;
-  std::vector<Made> made_;
+  std::vector<JobResult> made_;
   std::atomic<bool> stopped_{false};  ///< a write failed: the others need not try
 };
 
@@ -226,6 +209,14 @@ Result<void> write_timings(const RenderJob& job, const JobResult& result) {
 }
 
 }  // namespace
+
+void JobResult::add(JobResult&& more) {
+  drawn += more.drawn;
+  encoded += more.encoded;
+  std::ranges::move(more.written, std::back_inserter(written));
+  seconds.insert(seconds.end(), more.seconds.begin(), more.seconds.end());
+  if (problems.empty() && !more.problems.empty()) problems.push_back(more.problems.front());
+}
 
 Result<Work> plan_work(const RenderJob& job, bool resume, unsigned threads) {
   Work work{&job, {}, {}};

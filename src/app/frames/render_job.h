@@ -91,6 +91,9 @@ struct JobResult {
   DrawCounts drawn{};                ///< by the software back end
   std::size_t encoded = 0;           ///< pictures; the others have the bytes of one before
   Diagnostics warnings{};            ///< of light that was lost
+
+  /// The frames that follow. Of problems the first is kept: all threads meet the same full disk.
+  void add(JobResult&& more);
 };
 /// Draws and writes `frames`, each with its line of the manifest once it is whole. Stops early,
 /// whole frames kept, when interrupted, when a file cannot be written or the claim is lost. `done`

@@ -45,9 +45,8 @@ struct GoldenRow {
   std::string renderer = {};         ///< of a GL picture: what drew it, with the version of Mesa
 
   bool exact() const { return backend == "software"; }
-  /// Whether both are goldens of one scene by one back end.
-  bool same_set(const GoldenRow& other) const {
-    return scene == other.scene && backend == other.backend;
+  bool is_of(const std::string& path, const std::string& by) const {
+    return scene == path && backend == by;
   }
 
   /// "chamber/hall": how people name the scene.

@@ -14,14 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool belongs(const GoldenRow& row, const GoldenRequest& request) {
-  return row.scene == request.scene && row.backend == request.backend;
-}
-
 std::vector<GoldenRow> rows_of(const std::vector<GoldenRow>& rows, const GoldenRequest& request) {
   std::vector<GoldenRow> mine;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(mine),
-               [&](const GoldenRow& row) { return belongs(row, request); });
+               [&](const GoldenRow& row) { return row.is_of(request.scene, request.backend); });
   return mine;
 }
 
@@ -166,7 +162,7 @@ Result<GoldenUpdate> plan_update(const fs::path& root, const std::vector<GoldenR
     update.pictures.push_back(std::move(*picture));
   }
   for (const GoldenRow& row : rows)
-    if (!belongs(row, request))
+    if (!row.is_of(request.scene, request.backend))
       update.rows.push_back(row);
     else if (!has_file(update.pictures, row.file()))
       update.removed.push_back(row);

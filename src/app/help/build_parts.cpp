@@ -5,71 +5,49 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/counted.h"
+
 namespace flatray {
 namespace {
 
-// How many things of a scene a part is about, and in which words.
-struct Use {
-  std::size_t count;
-  const char* words;
+std::size_t rays(const Scene& scene) { return scene.rays.size(); }
+std::size_t chambers(const Scene& scene) { return scene.chambers.size(); }
+std::size_t edge_rays(const Scene& scene) { return scene.edge_rays.size(); }
+std::size_t entities(const Scene& scene) { return scene.entities.size(); }
 
-  Use(std::size_t number, const char* one, const char* several = nullptr)
-      : count(number), words(number == 1 || several == nullptr ? one : several) {}
-};
-
-// A row for each part that a scene may call for without naming it.
-struct Part {
-  const char* name;
-  Use (*use)(const Scene& scene);
-};
-
-Use rays(const Scene& scene, const char* one, const char* several) {
-  return {scene.rays.size(), one, several};
+std::size_t boxes(const Scene& scene) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(scene.entities, [](const Entity& one) { return !!one.bounding_box; }));
 }
 
-const Part kParts[] = {
-    {"MPFR",
-     [](const Scene& scene) {
-       return rays(scene, "ray whose orbit it would certify", "rays whose orbits it would certify");
-     }},
-    {"EMBREE",
-     [](const Scene& scene) {
-       return rays(scene, "ray on which it would be a second opinion",
-                   "rays on which it would be a second opinion");
-     }},
-    {"passes/bounding_boxes",
-     [](const Scene& scene) {
-       const auto boxes = std::ranges::count_if(
-           scene.entities, [](const Entity& one) { return !!one.bounding_box; });
-       return Use{static_cast<std::size_t>(boxes), "box to be drawn", "boxes to be drawn"};
-     }},
-    {"passes/chambers",
-     [](const Scene& scene) {
-       return Use{scene.chambers.size(), "chamber to be drawn", "chambers to be drawn"};
-     }},
-    {"passes/contacts",
-     [](const Scene& scene) {
-       const auto& asked = scene.collisions;
-       const bool drawn =
-           asked && (asked->points || asked->normals || asked->ghosts || asked->time_bar);
-       return Use{drawn ? std::size_t{1} : 0, "[collisions] to be drawn"};
-     }},
-    {"passes/edge_rays",
-     [](const Scene& scene) {
-       return Use{scene.edge_rays.size(), "pair of entities", "pairs of entities"};
-     }},
-    {"passes/entities",
-     [](const Scene& scene) {
-       return Use{scene.entities.size(), "entity to be drawn", "entities to be drawn"};
-     }},
-    {"passes/orbits",
-     [](const Scene& scene) { return rays(scene, "ray to be drawn", "rays to be drawn"); }}};
+std::size_t contacts(const Scene& scene) {
+  const auto& asked = scene.collisions;
+  return asked && (asked->points || asked->normals || asked->ghosts || asked->time_bar) ? 1 : 0;
+}
+
+// A row for each part that a scene may call for without naming it: how many things of a scene it is
+// about, and in which words.
+struct Part {
+  const char* name;
+  std::size_t (*count)(const Scene& scene);
+  const char *one, *several;
+};
+constexpr Part kParts[] = {
+    {"MPFR", &rays, "ray whose orbit it would certify", "rays whose orbits it would certify"},
+    {"EMBREE", &rays, "ray on which it would be a second opinion",
+     "rays on which it would be a second opinion"},
+    {"passes/bounding_boxes", &boxes, "box to be drawn", "boxes to be drawn"},
+    {"passes/chambers", &chambers, "chamber to be drawn", "chambers to be drawn"},
+    {"passes/contacts", &contacts, "[collisions] to be drawn", "[collisions] to be drawn"},
+    {"passes/edge_rays", &edge_rays, "pair of entities", "pairs of entities"},
+    {"passes/entities", &entities, "entity to be drawn", "entities to be drawn"},
+    {"passes/orbits", &rays, "ray to be drawn", "rays to be drawn"}};
 
 MissingPart missing_part(const Scene& scene, std::string_view name) {
   for (const Part& part : kParts) {
     if (name != part.name) continue;
-    const Use use = part.use(scene);
-    return {std::string(name), use.count > 0, fmt::format("{} {}", use.count, use.words)};
+    const std::size_t count = part.count(scene);
+    return {std::string(name), count > 0, counted(count, part.one, part.several)};
   }
   if (name == "GL") return {std::string(name), false, "software draws, unless --backend says else"};
   if (name.starts_with("shapes/") || name.starts_with("formats/"))

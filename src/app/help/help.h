@@ -27,7 +27,7 @@ Result<std::string> help_page(const std::string& name);
 /// The topics written by hand. Their text may name tables, whose keys then follow it.
 struct WrittenTopic {
   const char *name, *summary, *text;
-  const char* tables;  ///< names, parted by blanks
+  const char* tables = "";  ///< names, parted by blanks
 };
 std::vector<WrittenTopic> written_topics();
 

@@ -55,14 +55,16 @@ void Arguments::keep_one_format() {
                         "each is all that is printed: leave one of them out", Trouble::usage});
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string near = nearest_word(word, known);
+  return near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near);
+}
+
 Result<std::size_t> word_of(const std::string& text, const Place& where,
                             const std::vector<std::string>& known) {
   const auto found = std::ranges::find(known, text);
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
-  const std::string near = nearest_word(text, known);
-  return usage_error(where,
-                     fmt::format("unknown value '{}'{}", text,
-                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+  return usage_error(where, fmt::format("unknown value '{}'{}", text, did_you_mean(text, known)),
                      fmt::format("say {}", comma_list(known)));
 }
 
@@ -83,10 +85,8 @@ tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const st
                                          const std::vector<std::string>& known) {
   if (const auto problem = if_left_out(where, what, word))
     return tl::unexpected(Diagnostics{*problem});
-  const std::string near = nearest_word(word, known);
   return usage_error(std::move(where),
-                     fmt::format("no {} is called '{}'{}", what, word,
-                                 near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near)),
+                     fmt::format("no {} is called '{}'{}", what, word, did_you_mean(word, known)),
                      known.empty() ? "there is none" : "there are: " + listed(known));
 }
 

@@ -111,6 +111,8 @@ inline tl::unexpected<Diagnostics> usage_error(Place where, std::string message,
   return fail(std::move(where), std::move(message), std::move(hint), Trouble::usage);
 }
 
+/// " (did you mean 'near'?)", or "".
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 /// Trouble::usage: "no WHAT is called 'word' (did you mean 'near'?)", and all of `known`.
 tl::unexpected<Diagnostics> unknown_name(Place where, const char* what, const std::string& word,
                                          const std::vector<std::string>& known);

@@ -1,4 +1,5 @@
 #include "app/query/query.h"
+#include "app/report/report.h"
 #include "trace/tracer.h"
 #include "transport/hit_point.h"
 
@@ -15,10 +16,9 @@ Fields answer(Question& question) {
   const Tracer* tracer = question.precision().tracer;
   (tracer == nullptr ? accelerate(walls) : tracer->build(walls))->nearest(rays, {&hit, 1});
   if (!hit) return {{"wall", JsonValue()}};
-  const Vec2 point = hit_point(walls, ray, hit);
   Fields fields = {{"wall", hit.surface},
                    {"t", hit.t},
-                   {"point", Values{point.x(), point.y()}},
+                   {"point", as_value(hit_point(walls, ray, hit))},
                    {"class", name(hit.kind)}};
   // A time that rounds to the largest double lies beyond it, or within half an ulp of it.
   if (hit.t == std::numeric_limits<double>::max()) fields.emplace_back("overflow", true);

@@ -2,6 +2,7 @@
 
 #include "app/query/periodic_cell.h"
 #include "app/query/query.h"
+#include "app/report/report.h"
 #include "geom/clip_range.h"
 #include "precise/certified_orbit.h"
 #include "precise/proven_bounces.h"
@@ -11,15 +12,6 @@ namespace {
 
 constexpr std::uint64_t kMostBounces = 1'000'000;  // an answer is one line in memory
 
-JsonValue as_json(const Vec2& point) { return Values{point.x(), point.y()}; }
-
-JsonValue as_json(const CellIndex& cell) {
-  JsonValue a, b;
-  a.data = cell.a;
-  b.data = cell.b;
-  return Values{a, b};
-}
-
 // Of either kind of orbit: what is the same.
 template <class Path>
 Fields path(const QuestionRoom& room, const Path& orbit, const char* end) {
@@ -27,25 +19,25 @@ Fields path(const QuestionRoom& room, const Path& orbit, const char* end) {
   const PeriodicWalls periodic(room.walls, room.materials);
   for (const auto& bounce : orbit.bounces) {
     numbers.emplace_back(room.numbers[bounce.surface]);
-    points.push_back(as_json(bounce.point));
-    if (periodic.any()) cells.push_back(as_json(bounce.cell));
+    points.push_back(as_value(bounce.point));
+    if (periodic.any()) cells.push_back(Values{bounce.cell.a, bounce.cell.b});
   }
   const bool escapes = orbit.end == OrbitEnd::escape;
   Fields fields{{"walls", std::move(numbers)},
                 {"points", std::move(points)},
                 {"end", end},
-                {"out", escapes ? as_json(orbit.out) : JsonValue()}};
+                {"out", escapes ? as_value(orbit.out) : JsonValue()}};
   if (orbit.end == OrbitEnd::corner) {
     Values corner_walls;
     for (const std::uint32_t wall : orbit.end_surfaces)
       corner_walls.emplace_back(room.numbers[wall]);
-    fields.emplace_back("corner", as_json(orbit.end_point));
+    fields.emplace_back("corner", as_value(orbit.end_point));
     fields.emplace_back("corner_walls", std::move(corner_walls));
   }
   if (!periodic.any()) return fields;
   fields.emplace_back("cells", std::move(cells));
   fields.emplace_back("lattice",
-                      Values{as_json(periodic.lattice()[0]), as_json(periodic.lattice()[1])});
+                      Values{as_value(periodic.lattice()[0]), as_value(periodic.lattice()[1])});
   return fields;
 }
 

@@ -22,9 +22,7 @@ Answer mistake(const JsonValue* id, std::string what) {
 
 std::string unknown_op(const std::string& op) {
   const std::vector<std::string> known = names_of(all_queries());
-  const std::string near = nearest_word(op, known);
-  return fmt::format("op: there is no '{}'{}; there are {}", op,
-                     near.empty() ? "" : fmt::format(" (did you mean '{}'?)", near),
+  return fmt::format("op: there is no '{}'{}; there are {}", op, did_you_mean(op, known),
                      comma_list(known));
 }
 

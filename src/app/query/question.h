@@ -59,22 +59,32 @@ class Question {
   std::string mistakes();
 
  private:
-  const JsonValue* find(std::string_view name);
-  void check_fields(const JsonValue& value, const std::string& where,
-                    const std::vector<std::string>& known);
-  void unknown_field(const std::string& where, const std::string& near);
-  Vec2 read_point(const JsonValue& value, const std::string& where);
-  std::vector<Vec2> read_polygon(const JsonValue& value, const std::string& where);
-  Circle read_circle(const JsonValue& value, const std::string& where);
-  void read_spin(const JsonValue& value, const std::string& where, Moving& body);
-  void read_whole(const JsonValue& value, const std::string& where, Surfaces& walls);
-  void read_ellipse(const JsonValue& value, const std::string& where, Surfaces& walls);
-  void read_bezier(const JsonValue& value, const std::string& where, Surfaces& walls);
-  void read_segment(const JsonValue& value, const std::string& where, Surfaces& walls);
-  void read_arc(const JsonValue& value, const std::string& where, Surfaces& walls);
-  void read_degrees(const JsonValue& value, const std::string& where, const Circle& circle,
-                    Surfaces& walls);
-  void read_wall(const JsonValue& value, const std::string& where, Surfaces& walls);
+  // A value in the question, and how messages name it: "walls[2].circle".
+  struct Part {
+    const JsonValue* value;  // null: it is not there
+    std::string where;
+
+    explicit operator bool() const { return value != nullptr; }
+    Part operator[](const std::string& field) const;
+    // The items of a list; null for anything else.
+    const Values* list() const { return std::get_if<Values>(&value->data); }
+    Part item(std::size_t i) const;
+  };
+  Part whole() const { return {&whole_, ""}; }
+  Part find(std::string_view name);
+  void check_fields(const Part& part, const std::vector<std::string>& known);
+  Vec2 read_point(const Part& part);
+  double read_length(const Part& part);
+  std::vector<Vec2> read_polygon(const Part& part);
+  Circle read_circle(const Part& part);
+  void read_spin(const Part& body, Moving& moving);
+  void read_whole(const Part& circle, Surfaces& walls);
+  void read_ellipse(const Part& ellipse, Surfaces& walls);
+  void read_bezier(const Part& points, Surfaces& walls);
+  void read_segment(const Part& ends, Surfaces& walls);
+  void read_arc(const Part& arc, Surfaces& walls);
+  void read_degrees(const Part& arc, const Circle& circle, Surfaces& walls);
+  void read_wall(const Part& wall, Surfaces& walls);
 
   const JsonValue& whole_;
   const Precision precision_;

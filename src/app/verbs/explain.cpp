@@ -35,7 +35,7 @@ struct Options : Arguments {
 };
 
 // What the rays of the first frame are traced by.
-Result<std::vector<RenderPlan::Choice>> walls_of(const RenderJob& job) {
+Result<Savings> walls_of(const RenderJob& job) {
   if (!need_of_ray_walls(job.scene).needed) return ray_wall_choices(job.scene, {}, job.tracer);
   Result<Timeline> timeline = make_timeline(job.scene, job.seed, job.last_frame);
   if (!timeline) return fail(std::move(timeline));
@@ -43,45 +43,43 @@ Result<std::vector<RenderPlan::Choice>> walls_of(const RenderJob& job) {
   return ray_wall_choices(job.scene, at(*timeline, frame), job.tracer);
 }
 
-Result<Table> decisions(const RenderJob& job, unsigned threads) {
+Result<Savings> decisions(const RenderJob& job, unsigned threads) {
   const RenderPlan plan = make_plan(job.scene, job.keep_all);
-  Table table({"part", "decision", "reason"});
-  const auto add = [&](std::string part, std::string decision, std::string reason) {
-    table.add({std::move(part), std::move(decision), std::move(reason)});
-  };
+  Savings rows;
   const auto left_out = left_out_of_build();
   for (const MissingPart& part : missing_parts(job.scene, left_out))
-    add("build " + part.name, "left out",
-        (part.concerns ? "concerns this scene: " : "does not concern this scene: ") + part.reason);
-  if (left_out.empty()) add("build", "whole", "configured with every optional part");
-  for (const RenderPlan::Choice& choice : plan.choices)
-    add(choice.part, choice.decision, choice.reason);
-  const Result<std::vector<RenderPlan::Choice>> walls = walls_of(job);
+    rows.push_back({"build " + part.name, "left out",
+                    (part.concerns ? "concerns this scene: " : "does not concern this scene: ") +
+                        part.reason});
+  if (left_out.empty()) rows.push_back({"build", "whole", "configured with every optional part"});
+  rows.insert(rows.end(), plan.choices.begin(), plan.choices.end());
+  const Result<Savings> walls = walls_of(job);
   if (!walls) return tl::unexpected(walls.error());
-  for (const RenderPlan::Choice& choice : *walls) add(choice.part, choice.decision, choice.reason);
+  rows.insert(rows.end(), walls->begin(), walls->end());
   const std::size_t count = plan.still ? 1 : job.frames.size();
   const Spread spread = flatray::spread(job, count, threads);
-  add("instructions", isa_name(active_isa()),
-      "the fastest tier of this machine, or FLATRAY_ISA; same bits on all");
-  add("threads",
-      fmt::format("{} at once, {} each", counted(spread.frames_at_once, "frame"),
-                  counted(spread.threads_each, "thread")),
-      fmt::format("{}, {} to draw", counted(threads, "thread"), counted(count, "frame")));
-  add("memory",
-      fmt::format("{:.1f} MB of pictures",
-                  static_cast<double>(picture_bytes_at_once(job, count, threads)) / 1e6),
-      fmt::format("of {}x{} and what lies still in them, at most; scene and outlines come on top: "
-                  "flatray help limits",
-                  job.picture().width, job.picture().height));
-  return table;
+  rows.push_back({"instructions", isa_name(active_isa()),
+                  "the fastest tier of this machine, or FLATRAY_ISA; same bits on all"});
+  rows.push_back(
+      {"threads",
+       fmt::format("{} at once, {} each", counted(spread.frames_at_once, "frame"),
+                   counted(spread.threads_each, "thread")),
+       fmt::format("{}, {} to draw", counted(threads, "thread"), counted(count, "frame"))});
+  rows.push_back(
+      {"memory",
+       fmt::format("{:.1f} MB of pictures",
+                   static_cast<double>(picture_bytes_at_once(job, count, threads)) / 1e6),
+       fmt::format("of {}x{} and what lies still in them, at most; scene and outlines come on top: "
+                   "flatray help limits",
+                   job.picture().width, job.picture().height)});
+  return rows;
 }
 
 Result<VerbOutput> run(const Options& options) {
   const auto jobs = make_jobs(options, options.request);
   if (!jobs) return tl::unexpected(jobs.error());
-  Result<Table> decided = decisions(jobs->front(), options.request.threads());
-  if (!decided) return fail(std::move(decided));
-  Table& table = *decided;
+  Result<Savings> rows = decisions(jobs->front(), options.request.threads());
+  if (!rows) return fail(std::move(rows));
   if (options.measure) {
     RenderJob job = jobs->front();
     if (!options.request.frames && job.frames.size() > kMeasuredFrames)
@@ -89,9 +87,11 @@ Result<VerbOutput> run(const Options& options) {
     for (const auto measure : {&measured_savings, &measured_walls}) {
       const auto savings = measure(job);
       if (!savings) return tl::unexpected(savings.error());
-      for (const auto& [part, decision, reason] : *savings) table.add({part, decision, reason});
+      rows->insert(rows->end(), savings->begin(), savings->end());
     }
   }
+  Table table({"part", "decision", "reason"});
+  for (const auto& [part, decision, reason] : *rows) table.add({part, decision, reason});
   return VerbOutput{.table = std::move(table)};
 }
 

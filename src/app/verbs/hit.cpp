@@ -25,6 +25,7 @@ struct Options : Arguments {
   std::optional<HitOperation> operation;
   unsigned frame = 1;
 
+  Range within(const Range& usual) const { return domain ? *domain : usual; }
   void rows(OptionTable& row) {
     row("-r, --ray x,y,dx,dy", "this ray, against every entity", ray, &parse_ray);
     row("--from ENTITY", "the edges of this entity as rays", from);
@@ -83,10 +84,7 @@ Result<Question> ask(const Options& options, const Scene& scene, std::vector<Nam
                      std::optional<std::uint32_t> from) {
   auto against = targets(options, scene, from);
   if (!against) return fail(std::move(against));
-  return Question{std::move(rays), std::move(*against),
-                  options.domain ? *options.domain
-                  : from         ? kSegment
-                                 : kRay};
+  return Question{std::move(rays), std::move(*against), options.within(from ? kSegment : kRay)};
 }
 
 // What the scene itself asks: its edge rays and its rays.
@@ -94,9 +92,8 @@ Result<std::vector<Question>> scene_questions(const Options& options, const Scen
                                               const FrameState& state) {
   std::vector<Question> questions;
   for (const EdgeRays& pair : scene.edge_rays)
-    questions.push_back({edge_rays(scene, state, pair.from),
-                         {pair.against},
-                         options.domain ? *options.domain : kSegment});
+    questions.push_back(
+        {edge_rays(scene, state, pair.from), {pair.against}, options.within(kSegment)});
   std::vector<NamedRay> rays;
   for (const RayState& ray : ray_states(scene, state))
     rays.push_back({scene.rays[ray.ray].name, ray.start});

@@ -126,29 +126,6 @@ std::vector<ChunkLog::Key> keys_of(const Options& options, const std::string& fa
   return keys;
 }
 
-Result<void> run_family(const Options& options, const oracle::Family& family,
-                        const std::vector<ChunkLog::Key>& keys, StabilityLog& log) {
-  return log.run(keys, options.chunks(), options.request.threads,
-                 [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
-                   std::vector<const Tracer*> asked;
-                   for (const std::size_t k : open) asked.push_back(options.request.tracers[k]);
-                   return check_scenes(asked, family, options.request.seed, chunk * kScenesAChunk,
-                                       kScenesAChunk);
-                 });
-}
-
-Result<void> run_pair_family(const Options& options, const PairFamily& family, std::uint64_t chunks,
-                             const std::vector<ChunkLog::Key>& keys, StabilityLog& log) {
-  return log.run(keys, chunks, options.request.threads,
-                 [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
-                   const auto all = check_pairs(family, options.request.seed, chunk * kPairsAChunk,
-                                                kPairsAChunk);
-                   std::vector<StabilityTally> tallies;
-                   for (const std::size_t k : open) tallies.push_back(all[k]);
-                   return tallies;
-                 });
-}
-
 Result<VerbOutput> run_pairs(const Options& options) {
   const std::uint64_t chunks = (*options.pairs + kPairsAChunk - 1) / kPairsAChunk;
   auto log = StabilityLog::open(options.text("output"), Outputs(options));
@@ -159,8 +136,15 @@ Result<VerbOutput> run_pairs(const Options& options) {
   for (const PairFamily& family : pair_families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, StabilityRows::pairs(family), family.methods);
-    if (auto done = run_pair_family(options, family, chunks, keys, *log); !done)
-      return fail(std::move(done));
+    auto done = log->run(keys, chunks, options.request.threads,
+                         [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
+                           const auto all = check_pairs(family, options.request.seed,
+                                                        chunk * kPairsAChunk, kPairsAChunk);
+                           std::vector<StabilityTally> tallies;
+                           for (const std::size_t k : open) tallies.push_back(all[k]);
+                           return tallies;
+                         });
+    if (!done) return fail(std::move(done));
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const StabilityTally sum = log->sum(keys[k], chunks);
       wrong += sum.wrong + sum.off_by_more;
@@ -205,7 +189,15 @@ Result<VerbOutput> run_families(const Options& options) {
   for (const oracle::Family& family : oracle::families()) {
     if (!options.chooses(family.name)) continue;
     const auto keys = keys_of(options, family.name, names_of(options.request.tracers));
-    if (auto done = run_family(options, family, keys, *log); !done) return fail(std::move(done));
+    auto done = log->run(keys, options.chunks(), options.request.threads,
+                         [&](std::uint64_t chunk, const std::vector<std::size_t>& open) {
+                           std::vector<const Tracer*> asked;
+                           for (const std::size_t k : open)
+                             asked.push_back(options.request.tracers[k]);
+                           return check_scenes(asked, family, options.request.seed,
+                                               chunk * kScenesAChunk, kScenesAChunk);
+                         });
+    if (!done) return fail(std::move(done));
     for (const ChunkLog::Key& key : keys) {
       const StabilityTally sum = log->sum(key, options.chunks());
       wrong += sum.wrong + sum.off_by_more;

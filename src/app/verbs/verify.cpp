@@ -32,11 +32,6 @@ struct Options : Arguments {
   }
 };
 
-// What is wrong with one file.
-struct Finding {
-  std::string file, problem;
-};
-
 // "frame_####.png" of "frame_0003.png": a name with its last number taken out.
 std::string pattern_of(std::string name) {
   constexpr const char* kDigits = "0123456789";
@@ -69,7 +64,7 @@ class FolderCheck {
 
   std::string text() const {
     std::string text;
-    for (const Finding& one : findings_) text += fmt::format("{}: {}\n", one.file, one.problem);
+    for (const Diagnostic& one : findings_) text += fmt::format("{}: {}\n", name(one), one.message);
     return text + fmt::format("{}: {}, {}\n", folder_.string(), counted(records_.size(), "record"),
                               sound() ? "all as recorded"
                                       : counted(findings_.size(), "thing") + " not as recorded");
@@ -77,8 +72,8 @@ class FolderCheck {
 
   JsonValue value() const {
     Values problems;
-    for (const Finding& one : findings_)
-      problems.push_back(Fields{{"file", one.file}, {"problem", one.problem}});
+    for (const Diagnostic& one : findings_)
+      problems.push_back(Fields{{"file", name(one)}, {"problem", one.message}});
     return Fields{{"folder", folder_.string()},
                   {"sound", sound()},
                   {"records", records_.size()},
@@ -86,12 +81,12 @@ class FolderCheck {
   }
 
  private:
+  static const std::string& name(const Diagnostic& one) { return one.where.source->name(); }
   void tell(const fs::path& file, std::string problem) {
-    findings_.push_back({file.string(), std::move(problem)});
+    findings_.push_back({named_place(file.string()), std::move(problem), ""});
   }
   void tell(const Diagnostics& problems) {
-    for (const Diagnostic& one : problems)
-      findings_.push_back({one.where.source->name(), one.message});
+    findings_.insert(findings_.end(), problems.begin(), problems.end());
   }
 
   void read_manifest(const fs::path& path) {
@@ -172,7 +167,7 @@ class FolderCheck {
   bool found_ = false;
   std::map<std::string, std::vector<FrameRecord>> records_;  ///< by file, of all manifests
   std::vector<fs::path> pictures_;                           ///< without a record
-  std::vector<Finding> findings_;
+  Diagnostics findings_;  ///< of each what is wrong with one file
 };
 
 Result<VerbOutput> run(const Options& options) {

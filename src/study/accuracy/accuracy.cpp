@@ -189,6 +189,12 @@ std::optional<Image> picture_of(const AccuracyContext& context) {
   return render_image(*list, {std::nullopt, context.threads});
 }
 
+void shrink(Film& film, int side) {
+  const double by = std::min(1.0, static_cast<double>(side) / std::max(film.width, film.height));
+  film.width = std::max(1, static_cast<int>(by * film.width));
+  film.height = std::max(1, static_cast<int>(by * film.height));
+}
+
 ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context) {
   ChoiceReport report;
   report.name = choice.name;
@@ -203,14 +209,9 @@ ChoiceReport measure_choice(const Choice& choice, const AccuracyContext& context
     return report;
   }
   report.reference_seconds = budget.used();
-  report.reference = made->reference;
-  report.unit = made->unit;
-  report.grows = made->grows;
-  report.missing = made->missing;
-  report.cut = made->cut;
+  static_cast<ChoiceFacts&>(report) = *made;
   Rounds rounds = first_round(*made, budget, report);
   more_rounds(rounds, budget, report);
-  report.one_question = made->one_question;
   if (report.one_question) mark_best(report.points);
   report.orders = fit_orders(*made, report.points);
   report.seconds = budget.used();

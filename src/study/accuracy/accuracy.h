@@ -100,22 +100,26 @@ struct FittedOrder {
   double rest = 0;  ///< squares of what it leaves of log error, together
 };
 
+/// What is said of a choice on one scene, whatever its settings come to.
+struct ChoiceFacts {
+  std::string reference{};   ///< what errors are measured against, and how that is known
+  std::string unit{};        ///< of the errors
+  std::string grows{};       ///< what n counts
+  bool one_question = true;  ///< whether all settings answer the same, so that one is best
+  std::vector<MissingSetting> missing{};
+  std::string cut{};  ///< what the budget left out, of the reference to begin with
+};
+
 /// What a choice costs and gives on one scene.
-struct ChoiceReport {
+struct ChoiceReport : ChoiceFacts {
   std::string name, question;
   ErrorKind kind = ErrorKind::sampling;
-  std::string unit;       ///< of the errors
-  std::string reference;  ///< what they are measured against, and how that is known
-  std::string grows;      ///< what n counts
   std::vector<AccuracyPoint> points;
-  bool one_question = true;         ///< else no point is best
   std::vector<FittedOrder> orders;  ///< of each series of which there is one
   std::string left_out;             ///< why there are no points
-  std::string cut;                  ///< what the budget left out
-  std::vector<MissingSetting> missing{};
-  std::size_t rounds = 0;        ///< that the median is of
-  double reference_seconds = 0;  ///< of processor time that the reference took
-  double seconds = 0;            ///< that all took, the reference among it
+  std::size_t rounds = 0;           ///< that the median is of
+  double reference_seconds = 0;     ///< of processor time that the reference took
+  double seconds = 0;               ///< that all took, the reference among it
 };
 
 /// What the choices are measured with.
@@ -135,18 +139,17 @@ unsigned middle_frame(const Scene& scene);
 Result<DrawList> middle_list(const AccuracyContext& context);
 std::optional<Image> picture_of(const AccuracyContext& context);
 
+/// Makes a film no larger than so many pixels on its longer side.
+void shrink(Film& film, int side);
+
 /// What a choice is measured by, made ready for one scene.
-struct ChoiceSettings {
-  std::string reference, unit, grows;
-  std::vector<Setting> settings;  ///< from the cheapest on
-  bool one_question = true;       ///< whether all settings answer the same, so that one is best
+struct ChoiceSettings : ChoiceFacts {
+  std::vector<Setting> settings{};  ///< from the cheapest on
   /// Of which the first is told, or one that fits clearly better.
   std::vector<Law> laws = {Law::power};
   /// Errors from which on they cannot grow any more, so that no law holds.
   double saturated = std::numeric_limits<double>::infinity();
-  std::vector<MissingSetting> missing{};
-  std::string cut{};  ///< what of the reference the budget left out
-  double doubt = 0;   ///< what the reference itself may be off, in the unit
+  double doubt = 0;  ///< what the reference itself may be off, in the unit
 };
 
 /// Something that trades time for error. A choice is a file in `choices/` and a line in CMake.

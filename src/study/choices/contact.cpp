@@ -3,7 +3,7 @@
 #include "collide/edge_ray_meetings.h"
 #include "study/stability/pair_scene.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 using Method = Result<std::vector<Meeting>> (*)(const Timeline& timeline, unsigned last_frame);
@@ -35,9 +35,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice contact = {"contact", "What does it cost to know who meets?",
                                ErrorKind::discretisation, &no_pairs, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

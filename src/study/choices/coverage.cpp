@@ -11,7 +11,7 @@
 #include "study/accuracy/linear_error.h"
 #include "study/accuracy/point_samples.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr std::array kTruthSides = {16, 12, 8, 6, 4};  // of a grid of samples
@@ -149,10 +149,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice coverage = {"coverage",
                                 "What does it cost to know how much of a pixel a thing covers?",
                                 ErrorKind::discretisation, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

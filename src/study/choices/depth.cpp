@@ -11,7 +11,7 @@
 #include "study/plots/palette.h"
 #include "study/rooms/pixel_map.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -22,10 +22,7 @@ constexpr std::uint64_t kTruthBounces = 4096, kLeastBounces = 64, kMostBounces =
 // The room on a small film, and where its orbits end.
 struct Fates {
   Fates(const Scene& whole, std::uint64_t of_seed) : scene(whole), seed(of_seed) {
-    const double shrink =
-        std::min(1.0, static_cast<double>(kSide) / std::max(scene.film.width, scene.film.height));
-    scene.film.width = std::max(1, static_cast<int>(shrink * scene.film.width));
-    scene.film.height = std::max(1, static_cast<int>(shrink * scene.film.height));
+    shrink(scene.film, kSide);
     room.emplace(scene);
   }
   Scene scene;
@@ -140,9 +137,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice depth = {"depth", "After how many bounces is it known where orbits end?",
                              ErrorKind::truncation, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

@@ -6,7 +6,7 @@
 #include "study/accuracy/accuracy.h"
 #include "study/accuracy/linear_error.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr double kTruthSagitta = 0x1p-18, kDoubtSagitta = 0x1p-16;  // px
@@ -112,9 +112,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice flattening = {"flattening", "What would it cost to draw curves as polygons?",
                                   ErrorKind::discretisation, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

@@ -14,7 +14,7 @@
 #include "study/rooms/pixel_map.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr int kSide = 128;           // pixels of the longer side of the film
@@ -132,10 +132,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
                                 {},
                                 {}});
   Film& film = lit->scene.film;
-  const double shrink =
-      std::min(1.0, static_cast<double>(kSide) / std::max(film.width, film.height));
-  film.width = std::max(1, static_cast<int>(shrink * film.width));
-  film.height = std::max(1, static_cast<int>(shrink * film.height));
+  shrink(film, kSide);
   const auto [pictures, doubt] = find_truth(*lit, reference_budget(context));
   if (!(mean(lit->truth) > 0))
     return fail(context.scene.lamps.front().where, "no light reaches the picture");
@@ -160,9 +157,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice light = {"light", "How many rays of light, by which sampler and which way?",
                              ErrorKind::sampling, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

@@ -3,7 +3,7 @@
 #include "collide/broad_phase.h"
 #include "study/stability/pair_scene.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 // Who overlaps at one instant: nothing moves while it is looked at.
@@ -53,9 +53,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice motion = {"motion", "What does it cost not to miss what meets between frames?",
                               ErrorKind::discretisation, &no_pairs, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

@@ -12,7 +12,7 @@
 #include "study/accuracy/accuracy.h"
 #include "study/rooms/room.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 // Orbits in doubles or certified, each beside one in many bits.
@@ -109,27 +109,19 @@ std::function<Outcome()> judged(const std::shared_ptr<Orbits>& orbits, std::size
 }
 
 // The last bounce of orbits of so many; an orbit that ends before has no right place.
-Setting doubles(const std::shared_ptr<Orbits>& orbits, std::size_t bounces) {
-  return {fmt::format("bounce {} in doubles", bounces), static_cast<double>(bounces),
-          [orbits, bounces] {
-            for (Orbits::One& one : orbits->all) {
-              const Orbit orbit =
-                  trace_orbit(orbits->room.walls(), orbits->mirrors, one.start, bounces);
-              one.last = orbit.bounces.empty() ? one.start.origin : orbit.bounces.back().point;
-            }
-          },
-          judged(orbits, bounces)};
-}
-
-Setting certified(const std::shared_ptr<Orbits>& orbits, std::size_t bounces) {
-  return {fmt::format("bounce {} certified", bounces), 0,
-          [orbits, bounces] {
-            for (Orbits::One& one : orbits->all) {
-              const auto orbit = certified_orbit(orbits->room.walls(), one.start, bounces);
-              one.last = orbit->bounces.empty() ? one.start.origin : orbit->bounces.back().point;
-            }
-          },
-          judged(orbits, bounces)};
+Setting last_bounce(const std::shared_ptr<Orbits>& orbits, std::size_t bounces, bool is_certified) {
+  const auto work = [orbits, bounces, is_certified] {
+    for (Orbits::One& one : orbits->all) {
+      const auto last_of = [&](const auto& orbit) {
+        return orbit.bounces.empty() ? one.start.origin : orbit.bounces.back().point;
+      };
+      const Surfaces& walls = orbits->room.walls();
+      one.last = is_certified ? last_of(*certified_orbit(walls, one.start, bounces))
+                              : last_of(trace_orbit(walls, orbits->mirrors, one.start, bounces));
+    }
+  };
+  return {fmt::format("bounce {} {}", bounces, is_certified ? "certified" : "in doubles"),
+          is_certified ? 0 : static_cast<double>(bounces), work, judged(orbits, bounces)};
 }
 
 std::string left_out(const Scene& scene) {
@@ -157,17 +149,15 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   made.laws = {Law::power, Law::exponential};  // e^n in a chaotic room, which has an end
   made.saturated = kSaturated * bounds_of(orbits->room.walls()).size().maxCoeff();
   for (const std::uint64_t bounces : kBounces)
-    if (bounces <= most) made.settings.push_back(doubles(orbits, bounces));
+    if (bounces <= most) made.settings.push_back(last_bounce(orbits, bounces, false));
   for (std::size_t bounces = 8; bounces <= most; bounces *= 4)
-    made.settings.push_back(certified(orbits, bounces));
+    made.settings.push_back(last_bounce(orbits, bounces, true));
   return made;
 }
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice precision = {"precision", "What does it cost to know where an orbit is?",
                                  ErrorKind::rounding, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

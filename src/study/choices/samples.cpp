@@ -8,7 +8,7 @@
 #include "study/rooms/room.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr std::uint64_t kSeeds = 16;
@@ -91,10 +91,8 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice samples = {"samples",
                                "What does it cost to know a mean by orbits of drawn starts?",
                                ErrorKind::sampling, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

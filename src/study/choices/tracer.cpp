@@ -6,13 +6,13 @@
 
 #include "anim/world.h"
 #include "base/counted.h"
-#include "base/philox.h"
 #include "base/processor_time.h"
 #include "oracle/long_orbit.h"
 #include "oracle/nearest.h"
 #include "study/accuracy/accuracy.h"
+#include "study/rooms/starts.h"
 
-namespace flatray {
+namespace flatray::choice_entries {
 namespace {
 
 constexpr std::uint64_t kRays = 20'000, kFewRays = 200, kFirstRays = 20;
@@ -40,15 +40,9 @@ std::shared_ptr<Shots> shots(const AccuracyContext& context) {
   const double start = processor_seconds();
   std::uint64_t count = kRays;
   for (std::uint64_t ray = 0; ray < count; ++ray) {
-    const auto draw = [&](std::uint32_t number) {
-      return unit_double(random_bits(context.seed, Stream::experiment, ray, number));
-    };
-    const Vec2 size = state.window.size();
-    const Vec2 from(state.window.low.x() + draw(0) * size.x(),
-                    state.window.low.y() + draw(1) * size.y());
-    const Vec2 along(draw(2) - 0.5, draw(3) - 0.5);
-    made->rays.add({from, along});
-    made->truth.push_back(first_wall(made->world.surfaces, {from, along}));
+    const Ray shot = random_ray(state.window, context.seed, ray);
+    made->rays.add(shot);
+    made->truth.push_back(first_wall(made->world.surfaces, shot));
     if (ray + 1 < kFirstRays) continue;
     const double each = (processor_seconds() - start) / static_cast<double>(ray + 1);
     if (each * static_cast<double>(ray + 2) > reference_budget(context) && ray + 1 >= kFewRays)
@@ -109,9 +103,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
 
 }  // namespace
 
-namespace choice_entries {
 extern const Choice tracer = {"tracer", "What does it cost to find the right wall?",
                               ErrorKind::rounding, &left_out, &settings};
-}  // namespace choice_entries
 
-}  // namespace flatray
+}  // namespace flatray::choice_entries

@@ -11,7 +11,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr int kTenths = 10;
@@ -50,10 +50,7 @@ class Choices {
     const Bounds box = swept(shape_bounds(*mover.shape, mover.place), velocity, duration_);
     double first = kInfinity;
     for (std::size_t i = 1; i < bodies_.size(); ++i) {
-      const Bounds& other = boxes_[i - 1];
-      if (box.low.x() > other.high.x() || other.low.x() > box.high.x() ||
-          box.low.y() > other.high.y() || other.low.y() > box.high.y())
-        continue;
+      if (!box.meets(boxes_[i - 1])) continue;
       const auto parts = shapes_meet(mover, bodies_[i], {0, duration_});
       if (!parts.empty()) first = std::min(first, parts.front().times.low);
     }
@@ -112,13 +109,12 @@ ExperimentResult results(const ExperimentContext& context, const Choices& choice
       ++by_tenth[std::min(kTenths - 1, static_cast<int>(time / duration * kTenths))];
   Table table({"met_before", "velocities"});
   for (int k = 0; k < kTenths; ++k) table.add({(k + 1) * duration / kTenths, by_tenth[k]});
-  Measure part{"meets nothing", static_cast<double>(free) / static_cast<double>(times.size())};
-  part.remark = "of these velocities, counted";
-  ExperimentResult result =
-      measured(context, "avoidance",
-               fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width,
-                           film.height, context.scene.entities[0].name, duration),
-               {std::move(part)});
+  ExperimentResult result = measured(
+      context, "avoidance",
+      fmt::format("{} x {} velocities of '{}', each to a pixel in {} s", film.width, film.height,
+                  context.scene.entities[0].name, duration),
+      {remarked("meets nothing", static_cast<double>(free) / static_cast<double>(times.size()),
+                "of these velocities, counted")});
   result.files.push_back(csv_file("avoidance_times", table));
   add_map(result, "avoidance", plot_of(context, choices, times), context.threads,
           [&](std::size_t i) { return times[i] == kFree ? "" : number_text(times[i]); });
@@ -143,12 +139,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment avoidance = {
     "avoidance",
     "Which velocities of the first entity meet nothing, and when do the others?",
     &run,
     {.resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,7 +10,7 @@
 #include "study/accuracy/point_samples.h"
 #include "study/experiment.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr const char* kBackend = "gl";
@@ -92,12 +92,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment backends = {
     "backends",
     "Do GL pictures differ from exact ones by more than their samples allow?",
     &run,
     {.field = true, .glass = true}};  // what bends or splits rays is drawn like all else
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

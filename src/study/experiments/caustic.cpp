@@ -12,7 +12,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
@@ -116,10 +116,8 @@ Plot plot_of(const Room& room, const LineDensity& density) {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const auto watched = orbits_to_watch(context, room, 1);
   if (!watched) return tl::unexpected(watched.error());
-  const NamedOrbits& orbits = *watched;
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;
   const bool round = elliptic && centre_of_circle(room.walls().arcs.front());
@@ -130,10 +128,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   const double extent = bounds_of(room.walls()).size().maxCoeff();
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
   const double rounding = kRoundingByBounce * static_cast<double>(bounces) * extent;
-  LineDensity all = empty_density(room, orbits.starts.size());
-  auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
-    Lines lines(all, orbits.starts[i], middle, foci);
-    room.orbits().follow(std::span(&orbits.starts[i], 1), bounces, lines);
+  LineDensity all = empty_density(room, watched->starts.size());
+  auto found = run_blocks(context, watched->starts.size(), [&](std::size_t i) {
+    Lines lines(all, watched->starts[i], middle, foci);
+    room.orbits().follow(std::span(&watched->starts[i], 1), bounces, lines);
     return lines.numbers();
   });
   if (!found) return fail(std::move(found));
@@ -144,9 +142,13 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     const auto truth = round ? std::optional(one[0]) : std::nullopt;
     const auto add = [&](const char* what, double value, std::optional<double> expected,
                          double allowed) {
-      measures.push_back({orbits.names[i] + what, value, {}, expected, kInfinity, allowed});
-      if (expected)
-        measures.back().remark = fmt::format("rounding may take it {:.2g} off", allowed);
+      measures.push_back({watched->names[i] + what,
+                          value,
+                          {},
+                          expected,
+                          kInfinity,
+                          allowed,
+                          expected ? fmt::format("rounding may take it {:.2g} off", allowed) : ""});
     };
     add(": nearest line to the middle", one[1], truth, rounding);
     add(": farthest line", one[2], truth, rounding);
@@ -170,12 +172,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment caustic = {
     "caustic",
     "What do the lines of a path leave free, and how sharp is its edge?",
     &run,
     {.bounces = true, .seed = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,7 +10,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 10'000;
@@ -84,26 +84,24 @@ class Crossed : public OrbitSink {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const auto watched = orbits_to_watch(context, room, 1);
   if (!watched) return tl::unexpected(watched.error());
-  const NamedOrbits& orbits = *watched;
   const Grid grid = grid_of(room);
   const std::uint64_t bounces = context.bounces.value_or(kBounces);
-  auto found = run_blocks(context, orbits.starts.size(), [&](std::size_t i) {
-    Crossed crossed(room, grid, orbits.starts[i].ray.origin);
-    room.orbits().follow(std::span(&orbits.starts[i], 1), bounces, crossed);
+  auto found = run_blocks(context, watched->starts.size(), [&](std::size_t i) {
+    Crossed crossed(room, grid, watched->starts[i].ray.origin);
+    room.orbits().follow(std::span(&watched->starts[i], 1), bounces, crossed);
     return crossed.numbers();
   });
   if (!found) return fail(std::move(found));
   Plot plot{"Part of the room a path has crossed", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
   for (std::size_t i = 0; i < found->size(); ++i) {
-    Plot::Series& series = plot.series.emplace_back(Plot::Series{orbits.names[i], {}});
+    Plot::Series& series = plot.series.emplace_back(Plot::Series{watched->names[i], {}});
     const Numbers& numbers = (*found)[i];
     for (std::size_t k = 1; k < 1 + static_cast<std::size_t>(numbers.front()); k += 2)
       series.points.push_back({numbers[k], numbers[k + 1] / grid.count});
-    measures.push_back({orbits.names[i], series.points.back().y});
+    measures.push_back({watched->names[i], series.points.back().y});
   }
   ExperimentResult result = measured(
       context, "coverage",
@@ -118,11 +116,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment coverage = {"coverage",
                                     "How much of the room does one path cross?",
                                     &run,
                                     {.bounces = true, .seed = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

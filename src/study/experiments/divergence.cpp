@@ -12,9 +12,10 @@
 #include "study/plots/plot.h"
 #include "study/rooms/scene_orbits.h"
 #include "study/statistics/estimate.h"
+#include "study/statistics/line_fit.h"
 #include "transport/reflection.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 200;
@@ -48,7 +49,6 @@ class FirstPoint : public OrbitSink {
   explicit FirstPoint(const Vec2& start) : point_(start) {}
   void bounce(std::size_t, const Bounce& bounce) override { meet(bounce.point); }
   void cross(std::size_t, const Vec2& from, const Vec2&, const CellIndex&) override { meet(from); }
-  void end(std::size_t, const OrbitStop&) override {}
   const Vec2& point() const { return point_; }
 
  private:
@@ -81,6 +81,9 @@ class Study {
         proven_bounces(room_.walls(), trio.plain, room_.materials()).bounces;
     const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
     Plot::Series parted{name + ": neighbours", {}}, error{name + ": doubles", {}};
+    // Of the logarithm of the distance; what the fit leaves is no error of the slope, as it is the same way
+    // of one orbit.
+    LineFit fit;
     std::uint64_t same = 0;
     bool near = true, right = true;
     for (std::size_t i = 0; i < trio.exact.bounces.size(); ++i) {
@@ -91,8 +94,7 @@ class Study {
       near = near && i < both && trio.beside.bounces[i].surface == exact.surface;
       const double apart = i < both ? distance(trio.beside.bounces[i].point, exact.point) : size_;
       near = near && apart < kHorizonShare * size_;
-      if (near && apart > 0)
-        rate_points_.push_back({static_cast<double>(i + 1), portable::log(apart)});
+      if (near && apart > 0) fit.add(static_cast<double>(i + 1), portable::log(apart));
       if (right) same = i + 1;
       table_.add({name, std::uint64_t{i + 1}, apart, off, right ? "yes" : "no",
                   i < proven ? "yes" : "no"});
@@ -107,11 +109,15 @@ class Study {
     measures_.push_back({name + ": walls of doubles right until bounce", bounces(same)});
     measures_.push_back({name + ": bounces of doubles proven", bounces(proven)});
     measures_.push_back({name + ": bits of the exact orbit", bounces(trio.exact.bits)});
-    const auto rate = slope();
-    if (rate && straight_) add_none(name + ": growth per bounce");
-    if (!rate || straight_) return;
-    measures_.push_back({name + ": growth per bounce", *rate});
-    growth_.add(*rate, 1);
+    if (!(fit.n > 2 && fit.spread() > 0)) return;
+    const std::string rate = name + ": growth per bounce";
+    if (straight_) {
+      measures_.push_back(
+          remarked(rate, 0, "all walls are straight: neighbours part like a power"));
+      return;
+    }
+    measures_.push_back({rate, fit.slope()});
+    growth_.add(fit.slope(), 1);
   }
 
   // Where starts are alike by symmetry, as in a circle, they differ by rounding and by `apart`; in open rooms those
@@ -148,32 +154,10 @@ class Study {
   }
 
  private:
-  void add_none(std::string name) {
-    measures_.push_back({std::move(name), 0});
-    measures_.back().remark = "all walls are straight: neighbours part like a power";
-  }
-
-  // Least squares of the logarithm of the distance; what they leave is no error of the slope, as it is
-  // the same way of one orbit.
-  std::optional<double> slope() {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto& [at, log] : std::exchange(rate_points_, {})) {
-      ++n;
-      x += at;
-      y += log;
-      xx += at * at;
-      xy += at * log;
-    }
-    const double spread = n * xx - x * x;
-    if (!(n > 2 && spread > 0)) return std::nullopt;
-    return (n * xy - x * y) / spread;
-  }
-
   const ExperimentContext& context_;
   const Room& room_;
   double size_;
   bool straight_ = room_.walls().curve_numbers.empty();
-  std::vector<std::pair<double, double>> rate_points_;
   RatioSums growth_;
   std::size_t starts_ = 0;
   std::vector<Measure> measures_;
@@ -183,31 +167,27 @@ class Study {
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const auto watched = orbits_to_watch(context, room, kRandomOrbits);
   if (!watched) return tl::unexpected(watched.error());
-  const NamedOrbits& orbits = *watched;
-  std::vector<std::optional<Result<Trio>>> trios(orbits.starts.size());
+  std::vector<std::optional<Result<Trio>>> trios(watched->starts.size());
   parallel_for(trios.size(), context.threads, [&](std::size_t i) {
-    const Ray start = orbits.random ? half_way(room, orbits.starts[i]) : orbits.starts[i].ray;
+    const Ray start = watched->random ? half_way(room, watched->starts[i]) : watched->starts[i].ray;
     trios[i] = trace(room, start, context.bounces.value_or(kBounces), context.apart);
   });
   Study study(context, room);
   for (std::size_t i = 0; i < trios.size(); ++i) {
     if (!*trios[i]) return tl::unexpected(trios[i]->error());
-    study.add(orbits.names[i], **trios[i]);
+    study.add(watched->names[i], **trios[i]);
   }
-  return std::move(study).result(orbits.random);
+  return std::move(study).result(watched->random);
 }
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment divergence = {
     "divergence",
     "How soon do near orbits part, and until when do doubles know better?",
     &run,
     {.bounces = true, .apart = true, .seed = true, .starts = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,7 +10,7 @@
 #include "study/rooms/exits.h"
 #include "study/rooms/followed.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -19,7 +19,7 @@ constexpr std::uint64_t kBounces = 1000;
 constexpr LinearRgb kSolid{0.02, 0.02, 0.025}, kTrapped{1, 1, 1};
 
 // Who absorbed a ray: an entity, pillar or chamber, or a hole of it.
-using Exit = std::tuple<SurfaceOwner::Kind, std::uint64_t, std::uint32_t>;
+using Exit = std::tuple<SurfaceOwner::Kind, std::uint32_t, std::uint32_t, std::uint32_t>;
 
 class Basins {
  public:
@@ -47,10 +47,8 @@ class Basins {
     }
   }
 
-  ExperimentResult result(std::vector<Measure> audit) const {
-    std::vector<Measure> numbers = measures();
-    std::move(audit.begin(), audit.end(), std::back_inserter(numbers));
-    ExperimentResult all = measured(context_, "escape", headline(), std::move(numbers));
+  ExperimentResult result(const std::vector<Measure>& audit) const {
+    ExperimentResult all = measured(context_, "escape", headline(), measures(), audit);
     Table table({"bounces", "escaped", "remaining"});
     Plot plot{"Orbits that remain", "bounces", "orbits", {{"remaining", {}, true}}, true};
     std::uint64_t remaining = free_;
@@ -73,17 +71,13 @@ class Basins {
  private:
   Exit exit_of(const PixelOutcome& pixel) const {
     const SurfaceOwner& owner = room_.owner(pixel.surface);
-    return {owner.kind, owner.kind == SurfaceOwner::Kind::pillar ? owner.pillar : owner.index,
-            owner.hole};
+    return {owner.kind, owner.index, owner.pillar, owner.hole};
   }
 
   std::string exit_name(const Exit& exit) const {
-    const auto& [kind, index, hole] = exit;
-    const Scene& scene = context_.scene;
-    if (hole != kNoEntry) return scene.chambers[index].holes[hole].name;
-    return kind == SurfaceOwner::Kind::entity    ? scene.entities[index].name
-           : kind == SurfaceOwner::Kind::chamber ? scene.chambers[index].name
-                                                 : scene.chambers[0].pillars[index].name;
+    const auto& [kind, index, pillar, hole] = exit;
+    return hole != kNoEntry ? context_.scene.chambers[index].holes[hole].name
+                            : owner_name(context_.scene, {kind, index, pillar, kNoEdge, {}});
   }
 
   static bool gone(const PixelOutcome& pixel) {
@@ -93,9 +87,7 @@ class Basins {
   std::vector<Measure> measures() const {
     const auto free = static_cast<double>(free_);
     const auto share = [&](std::string name, std::uint64_t count) {
-      Measure part{std::move(name), static_cast<double>(count) / free};
-      part.remark = "of the pixels, counted";
-      return part;
+      return remarked(std::move(name), static_cast<double>(count) / free, "of the pixels, counted");
     };
     std::vector<Measure> all;
     for (const auto& [exit, count] : exits_) all.push_back(share("into " + exit_name(exit), count));
@@ -117,9 +109,9 @@ class Basins {
       return;
     }
     const auto add = [&](const char* name, double value, double rest) {
-      all.push_back({name, value});
-      all.back().remark = fmt::format("no error: leaves {:.3g} for {:.0f} degrees of freedom", rest,
-                                      survival_.freedom);
+      all.push_back(remarked(name, value,
+                             fmt::format("no error: leaves {:.3g} for {:.0f} degrees of freedom",
+                                         rest, survival_.freedom)));
     };
     add("fit_of_a_rate_per_bounce", survival_.rate, survival_.rate_rest);
     add("fit_of_a_power_of_flights", survival_.power, survival_.power_rest);
@@ -238,7 +230,6 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment escape = {
     "escape",
     "Where does a ray from each pixel leave, and after how many bounces?",
@@ -252,6 +243,5 @@ extern const Experiment escape = {
      .precision = true,
      .conditional = true,
      .glass = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

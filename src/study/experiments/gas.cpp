@@ -10,7 +10,7 @@
 #include "scene/responses.h"
 #include "study/statistics/stretches.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 // What rounding may come to: an event makes and adds two velocities, each to some units in the last
@@ -206,12 +206,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment gas = {
     "gas",
     "What do a million elastic bounces leave of the energy, and do bodies stay apart?",
     &run,
     {.count = true, .seed = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

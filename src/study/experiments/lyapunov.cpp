@@ -12,9 +12,8 @@
 #include "study/rooms/tangent.h"
 #include "study/rooms/wall_places.h"
 #include "study/statistics/blocks.h"
-#include "study/statistics/counted_share.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces = 1000;  // of one orbit
@@ -33,14 +32,25 @@ constexpr double kLeastGrowth = 10;
 // it where it grows so many times as much.
 constexpr double kMostRegular = 3 * 0.6931471805599453, kTold = 5;
 
+// What blocks of orbits add up.
+struct GrowthSums {
+  std::vector<StartSums> sums;
+  FlightTail tail{};
+
+  SumList list() {
+    SumList all;
+    tail.append_to(all);
+    for (StartSums& one : sums) one.append_to(all);
+    return all;
+  }
+};
+
 class Growth : public OrbitSink {
  public:
-  Growth(const Room& room, Starts starts, std::uint64_t begin, std::uint64_t end,
-         std::uint64_t bounces)
+  Growth(const Room& room, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces)
       : room_(room),
         walls_(room.walls()),
         field_(room.scene().field()),
-        starts_(starts),
         begin_(begin),
         extent_(bounds_of(room.walls()).size().maxCoeff()),
         quarter_(bounces / 4),
@@ -69,10 +79,10 @@ class Growth : public OrbitSink {
     state.length += bounce.t;
     state.curved += bend != 0 ? 1 : 0;
   }
-  void end(std::size_t, const OrbitStop&) override {}
 
-  Numbers numbers() const {
-    std::array<StartSums, kSums> sums = none(starts_);
+  // Once all are followed.
+  void add_to(GrowthSums& all) const {
+    std::vector<StartSums>& sums = all.sums;
     std::vector<double> longest;
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const State& state = states_[i];
@@ -86,16 +96,7 @@ class Growth : public OrbitSink {
       sums[of_power].add(begin_ + i, state.half, 1);
       sums[of_regular].add(begin_ + i, state.half < kMostRegular ? 1 : 0, 1);
     }
-    FlightTail tail;
-    tail.add(longest, 4 * quarter_);
-    Numbers all;
-    tail.append_to(all);
-    for (const StartSums& one : sums) one.append_to(all);
-    return all;
-  }
-  static std::array<StartSums, kSums> none(Starts starts) {
-    const StartSums one(starts);
-    return {one, one, one, one, one, one};
+    all.tail.add(longest, 4 * quarter_);
   }
 
  private:
@@ -116,7 +117,6 @@ class Growth : public OrbitSink {
   const Room& room_;
   const Surfaces& walls_;
   double field_;
-  Starts starts_;
   std::uint64_t begin_;  // the number of the first
   double extent_;
   std::uint64_t quarter_;  // of the bounces
@@ -126,21 +126,8 @@ class Growth : public OrbitSink {
 // All blocks together.
 struct Grown {
   FlightTail tail;
-  std::array<RatioSums, kSums> sums;
+  std::vector<RatioSums> sums{};
 };
-Grown together(const std::vector<Numbers>& blocks, Starts starts) {
-  Grown grown;
-  std::array<StartSums, kSums> all = Growth::none(starts);
-  const std::size_t size = StartSums::size(starts);
-  for (const Numbers& block : blocks) {
-    grown.tail += FlightTail::from(block);
-    for (std::size_t i = 0; i < kSums; ++i)
-      all[i] +=
-          StartSums::from(starts, std::span(block).subspan(FlightTail::kNumbers + size * i, size));
-  }
-  for (std::size_t i = 0; i < kSums; ++i) grown.sums[i] = all[i].all();
-  return grown;
-}
 
 // How neighbours part.
 enum class Law { straight, exponential, power, undecided };
@@ -176,20 +163,17 @@ void add_spectrum(std::vector<Measure>& measures, double largest) {
       {0, "by theory: along the flight"},
       {0, "by theory: of the speed, which is kept"},
       {-largest, "by theory: minus the first, as volumes of phase space are kept"}};
-  for (std::size_t i = 0; i < std::size(others); ++i) {
-    measures.push_back({fmt::format("spectrum_{}", i + 2), others[i].first});
-    measures.back().remark = others[i].second;
-  }
+  for (std::size_t i = 0; i < std::size(others); ++i)
+    measures.push_back(
+        remarked(fmt::format("spectrum_{}", i + 2), others[i].first, others[i].second));
 }
 
 std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, double power) {
   const std::array names = {"per_length", "per_hit", "per_curved_hit"};
   std::vector<Measure> measures;
   if (law == Law::straight)
-    for (const char* name : {"per_length", "per_hit"}) {
-      measures.push_back({name, 0});
-      measures.back().remark = "all walls are straight";
-    }
+    for (const char* name : {"per_length", "per_hit"})
+      measures.push_back(remarked(name, 0, "all walls are straight"));
   for (std::size_t i = of_length; i <= of_curved; ++i) {
     if (!(grown.sums[i].y > 0)) continue;
     Measure one = grown.sums[i].measure(names[i]);
@@ -208,8 +192,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
     measures.push_back(std::move(one));
   }
   if (law != Law::exponential) {
-    measures.push_back({"power_of_growth", power});
-    measures.back().remark = "of time, in the later half";
+    measures.push_back(remarked("power_of_growth", power, "of time, in the later half"));
     return measures;
   }
   if (grown.sums[of_length].y > 0) add_spectrum(measures, grown.sums[of_length].ratio());
@@ -217,9 +200,7 @@ std::vector<Measure> exponents(const Room& room, const Grown& grown, Law law, do
   if (!(regular.x > 0 && grown.sums[of_power].ratio() > kTold * kMostRegular)) return measures;
   for (Measure& one : measures)
     one.remark += (one.remark.empty() ? "" : "; ") + std::string("mean over both kinds of orbits");
-  measures.push_back(regular.measure("part_like_a_power"));
-  measures.back().remark = "share of the orbits";
-  withhold_error_of_few(measures.back(), regular);
+  measures.push_back(regular.share("part_like_a_power", "share of the orbits"));
   return measures;
 }
 
@@ -235,32 +216,28 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                             "--count of several times as many",
                             2 * kSettling, kSettling),
                 Trouble::usage);
-  const Blocks blocks = Blocks::of(plan->orbits);
-  auto found = run_blocks(context, blocks.count(), [&](std::size_t block) {
-    Growth growth(room, context.starts, blocks.begin(block), blocks.end(block), plan->bounces);
-    follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, growth);
-    return growth.numbers();
-  });
-  if (!found) return fail(std::move(found));
-  const Grown grown = together(*found, context.starts);
+  GrowthSums all{std::vector<StartSums>(kSums, StartSums(context.starts))};
+  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
+                        [&](std::uint64_t begin, std::uint64_t end, GrowthSums& some) {
+                          Growth growth(room, begin, end, plan->bounces);
+                          follow_drawn(context, room, begin, end, plan->bounces, growth);
+                          growth.add_to(some);
+                        });
+  if (!ran) return fail(std::move(ran));
+  Grown grown{all.tail};
+  for (const StartSums& one : all.sums) grown.sums.push_back(one.all());
   const Law law = law_of(room, grown.sums[of_doubling]);
   const double power = grown.sums[of_power].ratio() / portable::log(2);
-  std::vector<Measure> measures = exponents(room, grown, law, power);
-  for (Measure& one :
-       audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
-    measures.push_back(std::move(one));
   return measured(context, "lyapunov",
                   fmt::format("Lyapunov exponent, {:.0f} bounces of {} orbits: {}",
                               grown.sums[of_hits].y, plan->orbits, words(law, power)),
-                  std::move(measures));
+                  exponents(room, grown, law, power), audit(context, room, *plan));
 }
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment lyapunov = {"lyapunov",
                                     "How fast do two orbits part that start next to each other?",
                                     &run, kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

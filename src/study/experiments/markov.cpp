@@ -10,7 +10,7 @@
 #include "study/statistics/absorption.h"
 #include "study/statistics/chain_walks.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr double kSigmas = 4;                  // by which an observation may miss what is expected
@@ -201,12 +201,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment markov = {
     "markov",
     "How many steps does each chain take to its end, and do its draws keep to it?",
     &run,
     {.count = true, .seed = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,7 +10,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/streaming_histogram.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kBounces =
@@ -20,49 +20,53 @@ constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kMostOfMean = 16;
 constexpr std::size_t kBins = 256;
 
+// What blocks of orbits add up.
+struct FlightSums {
+  StartSums flights;
+  StreamingHistogram spread;
+  double escaped = 0, corners = 0;
+  FlightTail tail{};
+
+  SumList list() {
+    SumList all{&escaped, &corners};
+    tail.append_to(all);
+    flights.append_to(all);
+    spread.append_to(all);
+    return all;
+  }
+};
+
 // By orbit: the way flown and the flights it is made of.
 class Flights : public OrbitSink {
  public:
-  Flights(Starts starts, std::uint64_t begin, std::uint64_t end, std::uint64_t bounces,
-          const StreamingHistogram& none)
-      : starts_(starts),
+  Flights(std::uint64_t begin, std::uint64_t end, FlightSums& sums)
+      : sums_(sums),
         begin_(begin),
-        bounces_(bounces),
         lengths_(end - begin),
         flights_(end - begin),
-        longest_(end - begin),
-        spread_(none) {}
+        longest_(end - begin) {}
   void bounce(std::size_t number, const Bounce& bounce) override {
     const double flight = bounce.path_length - lengths_[number];
-    spread_.add(flight);
+    sums_.spread.add(flight);
     longest_[number] = std::max(longest_[number], flight);
     lengths_[number] = bounce.path_length;
     ++flights_[number];
   }
   void end(std::size_t, const OrbitStop& stop) override {
-    if (stop.end == OrbitEnd::escape) ++escaped_;
-    if (stop.end == OrbitEnd::corner) ++corners_;
+    if (stop.end == OrbitEnd::escape) ++sums_.escaped;
+    if (stop.end == OrbitEnd::corner) ++sums_.corners;
   }
-  Numbers numbers() const {
-    StartSums sums(starts_);
+  // Once all are followed.
+  void add_orbits(std::uint64_t bounces) {
     for (std::size_t i = 0; i < lengths_.size(); ++i)
-      if (flights_[i] > 0) sums.add(begin_ + i, lengths_[i], flights_[i]);
-    Numbers all{escaped_, corners_};
-    FlightTail tail;
-    tail.add(longest_, bounces_);
-    tail.append_to(all);
-    sums.append_to(all);
-    all.insert(all.end(), spread_.numbers().begin(), spread_.numbers().end());
-    return all;
+      if (flights_[i] > 0) sums_.flights.add(begin_ + i, lengths_[i], flights_[i]);
+    sums_.tail.add(longest_, bounces);
   }
 
  private:
-  Starts starts_;
+  FlightSums& sums_;
   std::uint64_t begin_;  // the number of the first
-  std::uint64_t bounces_;
   std::vector<double> lengths_, flights_, longest_;
-  double escaped_ = 0, corners_ = 0;
-  StreamingHistogram spread_;
 };
 
 // In a field what circles freely meets no wall, and the mean is over all the rest of phase space, in which
@@ -97,40 +101,23 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!area) return tl::unexpected(area.error());
   const auto plan = plan_orbits(context, kBounces);
   if (!plan) return tl::unexpected(plan.error());
-  const Blocks blocks = Blocks::of(plan->orbits);
   const double expected = kPi * *area / room.perimeter();
-  const StreamingHistogram none(0, kMostOfMean * expected, kBins);
-  StreamingHistogram spread = none;
-  StartSums all(context.starts);
-  FlightTail tail;
-  double escaped = 0, corners = 0;
-  auto ran = fold_blocks(
-      context, blocks.count(),
-      [&](std::size_t block) {
-        Flights flights(context.starts, blocks.begin(block), blocks.end(block), plan->bounces,
-                        none);
-        follow_drawn(context, room, blocks.begin(block), blocks.end(block), plan->bounces, flights);
-        return flights.numbers();
-      },
-      [&](std::span<const double> block) {
-        escaped += block[0];
-        corners += block[1];
-        tail += FlightTail::from(block = block.subspan(2));
-        all += StartSums::from(context.starts, block = block.subspan(FlightTail::kNumbers));
-        spread.add_counts(block.subspan(StartSums::size(context.starts)));
-      });
+  FlightSums all{StartSums(context.starts), StreamingHistogram(0, kMostOfMean * expected, kBins)};
+  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
+                        [&](std::uint64_t begin, std::uint64_t end, FlightSums& some) {
+                          Flights flights(begin, end, some);
+                          follow_drawn(context, room, begin, end, plan->bounces, flights);
+                          flights.add_orbits(plan->bounces);
+                        });
   if (!ran) return fail(std::move(ran));
-  const RatioSums sums = all.all();
+  const RatioSums sums = all.flights.all();
   Measure path = sums.measure("mean_free_path", expected);
-  withhold_error_of_flights(path, room, tail);
+  withhold_error_of_flights(path, room, all.tail);
   if (room.scene().field() != 0 && path.standard_error)
     withhold_what_is_too_coarse(path, kPi * most_off_of_free_centres(room) / room.perimeter());
   std::vector<Measure> measures{std::move(path),
-                                {"orbits_escaped", escaped, {}, 0, kInfinity, 0},
-                                {"orbits_into_corners", corners}};
-  for (Measure& one :
-       audit(context, room, audited_starts(context, room, plan->orbits), plan->bounces))
-    measures.push_back(std::move(one));
+                                {"orbits_escaped", all.escaped, {}, 0, kInfinity, 0},
+                                {"orbits_into_corners", all.corners}};
   ExperimentResult result = measured(
       context, "mean_free_path",
       fmt::format("Mean free path of {:.0f} flights in {} orbits, beside pi A / P (Santalo), A = "
@@ -140,17 +127,15 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
                   : room.scene().field() == 0 ? ""
                                               : " less the centres of free circles",
                   room.perimeter()),
-      std::move(measures));
-  spread.add_files(result, "mean_free_path_flights", "lengths of flights, world units");
+      std::move(measures), audit(context, room, *plan));
+  all.spread.add_files(result, "mean_free_path_flights", "lengths of flights, world units");
   return result;
 }
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment mean_free_path = {
     "mean-free-path", "How far does a ray fly between two walls, and is that pi A / P?", &run,
     kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -14,7 +14,7 @@
 #include "study/periodic/words.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kUsualSymbols = 6;
@@ -97,11 +97,7 @@ class PeriodicOrbits {
 
   std::string wall_name(std::uint32_t surface) const {
     const SurfaceOwner& owner = room_.room.owner(surface);
-    const Scene& scene = context_.scene;
-    const bool chamber = owner.kind == SurfaceOwner::Kind::chamber;
-    std::string name = owner.kind == SurfaceOwner::Kind::entity ? scene.entities[owner.index].name
-                       : chamber                                ? scene.chambers[owner.index].name
-                                 : scene.chambers[owner.index].pillars[owner.pillar].name;
+    const std::string& name = owner_name(context_.scene, owner);
     return owner.edge >= 0 ? fmt::format("{} {}", name, owner.edge + 1) : name;
   }
 
@@ -173,10 +169,9 @@ class PeriodicOrbits {
     std::vector<Measure> all;
     for (const Verdict verdict : kVerdicts) {
       const bool orbits = verdict == Verdict::proven || verdict == Verdict::family;
-      Measure one{fmt::format("{}{}", orbits ? "orbits " : "words ", name_of(verdict)),
-                  static_cast<double>(total(verdict))};
-      one.remark = "counted";
-      if (one.value > 0) all.push_back(one);
+      if (total(verdict) > 0)
+        all.push_back(remarked(fmt::format("{}{}", orbits ? "orbits " : "words ", name_of(verdict)),
+                               static_cast<double>(total(verdict)), "counted"));
     }
     if (means_.empty()) return all;
     const std::size_t from = means_.size() - std::min<std::size_t>(3, means_.size());
@@ -298,12 +293,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment periodic = {
     "periodic",
     "Which orbits close, by the walls in order, and what do they say of the room?",
     &run,
     {.symbols = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -8,16 +8,16 @@
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 8;
 constexpr int kCells = 100;  // along the walls, and of the sine
 
 // Shares of the cells an orbit has come to, after 1, 2, 4, ... bounces and all of them.
-class Portions : public BoundaryWatch {
+class Portions {
  public:
-  void see(const BoundaryPoint& point) override {
+  void see(const BoundaryPoint& point) {
     const int x = std::clamp(static_cast<int>(point.along * kCells), 0, kCells - 1);
     const int y = std::clamp(static_cast<int>((1 + point.sine) * 0.5 * kCells), 0, kCells - 1);
     const auto cell = static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
@@ -27,7 +27,7 @@ class Portions : public BoundaryWatch {
     add_to(curve_);
     next_ = std::ceil(next_ * 1.25);
   }
-  Numbers numbers() const override {
+  Numbers numbers() const {
     Numbers all = curve_;
     if (bounces_ > 0 && all[all.size() - 2] != bounces_) add_to(all);
     return all;
@@ -53,8 +53,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   Plot plot{"Part of phase space an orbit comes to", "bounces", "portion of the cells", {}};
   std::vector<Measure> measures;
   const auto audit = watch_bounces(
-      context, room, *orbits, [] { return std::make_unique<Portions>(); },
-      [&](std::size_t orbit, std::span<const double> curve) {
+      context, room, *orbits, Portions(), [&](std::size_t orbit, std::span<const double> curve) {
         Plot::Series& series =
             plot.series.emplace_back(Plot::Series{orbits->orbits.names[orbit], {}});
         for (std::size_t i = 0; i < curve.size(); i += 2)
@@ -69,21 +68,18 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
     if (!even.points.empty()) measures.push_back({"if_everywhere_alike", even.points.back().y});
     plot.series.push_back(std::move(even));
   }
-  measures.insert(measures.end(), audit->begin(), audit->end());
   ExperimentResult result =
       measured(context, "phase_portion",
                fmt::format("Part of {} x {} cells of walls and sines that each orbit comes to",
                            kCells, kCells),
-               std::move(measures));
+               std::move(measures), *audit);
   result.files.push_back({"phase_portion.svg", svg(plot)});
   return result;
 }
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment phase_portion = {
     "phase-portion", "How much of phase space does one orbit come to?", &run, kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -12,7 +12,7 @@
 #include "study/rooms/boundary_orbits.h"
 #include "study/statistics/stretches.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr std::uint64_t kRandomOrbits = 64;
@@ -69,12 +69,12 @@ class Rounds {
 };
 
 // What is kept of an orbit while it bounces, however often that is.
-class Watch : public BoundaryWatch {
+class Watch {
  public:
   Watch(std::size_t parts, std::uint64_t bounces, std::uint64_t every)
       : planned_(bounces), every_(every), squares_(parts), ends_(parts), counts_(kPixels) {}
 
-  void see(const BoundaryPoint& point) override {
+  void see(const BoundaryPoint& point) {
     const auto x = std::clamp(static_cast<int>(point.along * kWidth), 0, kWidth - 1);
     const auto y = std::clamp(static_cast<int>((1 - point.sine) * 0.5 * kHeight), 0, kHeight - 1);
     ++counts_[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)];
@@ -86,7 +86,7 @@ class Watch : public BoundaryWatch {
     rounds_.see(point);
   }
   // Bounces, whether closed; squares and bounces of each stretch; points; pixels and their counts.
-  Numbers numbers() const override {
+  Numbers numbers() const {
     Numbers all{static_cast<double>(bounces_), rounds_.is_closed() ? 1.0 : 0.0};
     for (std::size_t i = 0; i < squares_.size(); ++i)
       all.insert(all.end(), {squares_[i], static_cast<double>(ends_[i])});
@@ -220,10 +220,9 @@ Measure mean_square_sine(const Section& section) {
     Measure measure = measure_of_run("mean_square_sine", section.squares);
     if (section.closed == 0) return measure;
     // What stretches of it differ by is rounding, and where they begin.
-    measure.standard_error.reset();
-    measure.remark = "no error: " + (orbits == 1 ? "a closed orbit"
-                                                 : fmt::format("{} of {} orbits are closed",
-                                                               section.closed, orbits));
+    withhold_error(measure, "no error: " + (orbits == 1 ? "a closed orbit"
+                                                        : fmt::format("{} of {} orbits are closed",
+                                                                      section.closed, orbits)));
     return measure;
   }
   RatioSums sums;
@@ -241,18 +240,14 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   Section section(std::move(*orbits));
   const auto audit = watch_bounces(
       context, room, section.watched,
-      [&] {
-        return std::make_unique<Watch>(section.parts(), section.watched.bounces, section.every);
-      },
+      Watch(section.parts(), section.watched.bounces, section.every),
       [&](std::size_t orbit, std::span<const double> found) { section.add(orbit, found); });
   if (!audit) return tl::unexpected(audit.error());
-  std::vector<Measure> measures{mean_square_sine(section)};
-  measures.insert(measures.end(), audit->begin(), audit->end());
   ExperimentResult result =
       measured(context, "poincare",
                fmt::format("Bounces of {} by place along the walls and sine of the angle",
                            counted(section.listed.size(), "orbit")),
-               std::move(measures));
+               {mean_square_sine(section)}, *audit);
   add_points(result, section);
   add_density(result, section);
   add_plot(result, "poincare", plot_of(section), context.threads);
@@ -261,10 +256,8 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment poincare = {"poincare",
                                     "Where along the walls do orbits bounce, and at which angles?",
                                     &run, kUsesOfOrbitMeans};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

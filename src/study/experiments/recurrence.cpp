@@ -9,7 +9,7 @@
 #include "study/rooms/followed.h"
 #include "study/rooms/survival.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 using Kind = PixelOutcome::Kind;
@@ -41,10 +41,8 @@ class Returns {
     tail_.add(times, 1);
   }
 
-  ExperimentResult result(std::vector<Measure> audit) const {
-    std::vector<Measure> all = measures();
-    std::move(audit.begin(), audit.end(), std::back_inserter(all));
-    ExperimentResult found = measured(context_, "recurrence", headline(), std::move(all));
+  ExperimentResult result(const std::vector<Measure>& audit) const {
+    ExperimentResult found = measured(context_, "recurrence", headline(), measures(), audit);
     Table table({"arrivals", "returned", "still_away", "exponential_law"});
     Plot plot{"Orbits still away from where they set off",
               "arrivals at walls, by their mean until the return",
@@ -74,8 +72,8 @@ class Returns {
     Measure way = ways_.measure("mean_way", kPi * room_.solids().free_area() / holes);
     const std::string why = no_error();
     for (Measure* one : {&arrivals, &way}) {
-      one->remark = why.empty() ? "until the return; expected by Kac's lemma" : why;
-      if (!why.empty()) one->standard_error.reset();
+      one->remark = "until the return; expected by Kac's lemma";
+      if (!why.empty()) withhold_error(*one, why);
     }
     return {arrivals, way, {"orbits_still_away", away_}, {"index_of_long_times", tail_.index()}};
   }
@@ -149,12 +147,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment recurrence = {
     "recurrence",
     "After how long does what sets off from the holes of a room come back to them?",
     &run,
     {.count = true, .bounces = true, .seed = true, .resume = true, .precision = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

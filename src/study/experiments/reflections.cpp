@@ -7,7 +7,7 @@
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 // Usual limits: of a map in a room that keeps every ray; of a ray, and of one in a wedge, which leaves
@@ -62,7 +62,6 @@ Plot plot_of(const ExperimentContext& context, const Room& room,
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
   const Room room(context.scene);
-  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   const auto orbits = orbits_to_watch(context, room, 0);
   if (!orbits) return tl::unexpected(orbits.error());
   const auto pixels =
@@ -78,8 +77,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   }
   if (free > 0) {
     // Pixels on one line of the direction are one orbit: what they differ by tells no error.
-    measures.push_back({"pixels_mean", sum / free});
-    measures.back().remark = "of these pixels, counted";
+    measures.push_back(remarked("pixels_mean", sum / free, "of these pixels, counted"));
     measures.push_back({"pixels_most", most});
   }
   ExperimentResult result = measured(
@@ -93,12 +91,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment reflections = {
     "reflections",
     "How often is a ray reflected, from every pixel and of every ray?",
     &run,
     {.bounces = true, .map = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,10 +10,11 @@
 #include "base/table.h"
 #include "study/plots/plot.h"
 #include "study/rooms/followed.h"
+#include "study/rooms/survival.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 // Of every eight groups the last turns its clones three times as far: what turning changes grows with the square.
@@ -44,7 +45,6 @@ class Made : public OrbitSink {
  public:
   explicit Made(std::size_t count) : bounces(count) {}
   void bounce(std::size_t number, const Bounce&) override { ++bounces[number]; }
-  void end(std::size_t, const OrbitStop&) override {}
   std::vector<std::uint64_t> bounces;
 };
 
@@ -101,13 +101,8 @@ class ByLength {
   }
 
   Measure measure() const {
-    double low = 0, high = 0x1p-10 / longest_;
-    while (high * longest_ < 600 && sum(high) < 0) high *= 2;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (sum(middle) < 0 ? low : high) = middle;
-    }
-    Measure found{"escape_rate_per_length", 0.5 * (low + high)};
+    Measure found{"escape_rate_per_length",
+                  rate_of_zero([this](double rate) { return sum(rate); }, longest_)};
     constexpr double kStep = 0x1p-20;
     const double slope = (sum(found.value * (1 + kStep)) - sum(found.value * (1 - kStep))) /
                          (2 * kStep * found.value);
@@ -259,12 +254,13 @@ class Report {
         all.push_back(std::move(*one));
       }
     }
-    all.push_back({"orbits_followed", static_cast<double>(kGroups * plan_.orbits * plan_.levels)});
-    all.back().remark =
-        fmt::format("as many without splitting would leave {:.2g}", all.back().value * left.value);
-    all.push_back({"ancestors_of_a_group", ancestors});
-    all.back().remark =
-        fmt::format("of {} starts, those from which its last orbits come", plan_.orbits);
+    const auto orbits = static_cast<double>(kGroups * plan_.orbits * plan_.levels);
+    all.push_back(
+        remarked("orbits_followed", orbits,
+                 fmt::format("as many without splitting would leave {:.2g}", orbits * left.value)));
+    all.push_back(
+        remarked("ancestors_of_a_group", ancestors,
+                 fmt::format("of {} starts, those from which its last orbits come", plan_.orbits)));
     return all;
   }
 
@@ -299,7 +295,6 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment splitting = {
     "splitting",
     "How many orbits are left in an open room when a plain ensemble sees none?",
@@ -310,6 +305,5 @@ extern const Experiment splitting = {
      .seed = true,
      .resume = true,
      .precision = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

@@ -10,9 +10,10 @@
 #include "study/rooms/lags.h"
 #include "study/statistics/blocks.h"
 #include "study/statistics/estimate.h"
+#include "study/statistics/line_fit.h"
 #include "study/statistics/streaming_histogram.h"
 
-namespace flatray {
+namespace flatray::experiment_entries {
 namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
@@ -34,16 +35,10 @@ enum Asked : std::size_t {
 
 // The slope of D(t), the Green-Kubo integral up to t, over log t from 1/8 of the lags on.
 double slope_over_log(const Numbers& kubo, const LagTimes& times) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = (times.lags - 1) / 8; i < times.lags; ++i) {
-    const double x = portable::log(times.lag(i)), y = 0.5 * kubo[i], weight = 1 / times.lag(i);
-    n += weight;
-    sx += weight * x;
-    sy += weight * y;
-    sxx += weight * x * x;
-    sxy += weight * x * y;
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  LineFit fit;
+  for (std::size_t i = (times.lags - 1) / 8; i < times.lags; ++i)
+    fit.add(portable::log(times.lag(i)), 0.5 * kubo[i], 1 / times.lag(i));
+  return fit.slope();
 }
 
 std::array<double, kAsked> asked_of(const Lags& lags, const LagTimes& times) {
@@ -75,10 +70,9 @@ class LagSums {
       }
     }
   }
-  void add_sums(std::span<const double> numbers) {
-    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += numbers[i];
+  void append_to(SumList& list) {
+    for (double& sum : sums_) list.push_back(&sum);
   }
-  const Numbers& numbers() const { return sums_; }
   /// The mean square displacement, the correlation of velocities, the Green-Kubo integral.
   Plot::Point point(std::size_t which, std::size_t lag, double time) const {
     const double n = sums_[0], mean = sums_[1 + 6 * lag + 2 * which] / n;
@@ -91,20 +85,31 @@ class LagSums {
   Numbers sums_;
 };
 
-struct Distributions {
-  StreamingHistogram flights, sines;
-  explicit Distributions(double mean_flight) : flights(0, 16 * mean_flight, 256), sines(0, 1, 64) {}
+// What blocks of orbits add up.
+struct Transport {
+  LagTimes times;
+  double mean_flight, left_out = 0;
+  FlightTail tail{};
+  std::array<RatioSums, kAsked> asked{};
+  LagSums lags{times.lags};
+  StreamingHistogram flights{0, 16 * mean_flight, 256}, sines{0, 1, 64};
+
+  SumList list() {
+    SumList all{&left_out};
+    tail.append_to(all);
+    for (RatioSums& one : asked) one.append_to(all);
+    lags.append_to(all);
+    flights.append_to(all);
+    sines.append_to(all);
+    return all;
+  }
 };
 
 // Orbits as they are made: where they are at the times, in the plane.
 class Walks : public OrbitSink {
  public:
-  Walks(const Room& room, const LagTimes& times, double mean_flight,
-        std::span<const OrbitStart> starts, std::uint64_t bounces)
-      : lattice_(room.orbits().periodic().lattice()),
-        times_(times),
-        bounces_(bounces),
-        distributions_(mean_flight) {
+  Walks(const Room& room, std::span<const OrbitStart> starts, Transport& all)
+      : lattice_(room.orbits().periodic().lattice()), times_(all.times), all_(all) {
     for (const OrbitStart& start : starts) walks_.push_back({start.ray.origin, {}, {}});
   }
   void bounce(std::size_t number, const Bounce& bounce) override {
@@ -118,40 +123,28 @@ class Walks : public OrbitSink {
       walk.places.push_back(walk.last + (time - walk.length) * bounce.in);
     }
     // Bounces up to a time that does not depend on them, and the flights that set off from these.
-    if (bounce.path_length <= end) distributions_.sines.add(portable::sin(bounce.incidence()));
-    if (walk.length > 0 && walk.length <= end)
-      distributions_.flights.add(bounce.path_length - walk.length);
+    if (bounce.path_length <= end) all_.sines.add(portable::sin(bounce.incidence()));
+    if (walk.length > 0 && walk.length <= end) all_.flights.add(bounce.path_length - walk.length);
     if (walk.length > 0) walk.longest = std::max(walk.longest, bounce.path_length - walk.length);
     walk.last = here;
     walk.length = bounce.path_length;
   }
-  void end(std::size_t, const OrbitStop&) override {}
 
-  Numbers numbers() const {
-    std::array<RatioSums, kAsked> asked{};
-    LagSums sums(times_.lags);
-    double left_out = 0;
+  // Once all are followed.
+  void add_orbits(std::uint64_t bounces) {
     std::vector<double> longest;
     for (const Walk& walk : walks_) {
       longest.push_back(walk.longest);
       if (walk.places.size() < times_.samples) {
-        ++left_out;
+        ++all_.left_out;
         continue;
       }
       const Lags lags = Lags::of(walk.places, walk.ways, times_.lags);
-      sums.add(lags);
+      all_.lags.add(lags);
       const auto found = asked_of(lags, times_);
-      for (std::size_t i = 0; i < kAsked; ++i) asked[i].add(found[i], 1);
+      for (std::size_t i = 0; i < kAsked; ++i) all_.asked[i].add(found[i], 1);
     }
-    FlightTail tail;
-    tail.add(longest, bounces_);
-    Numbers all{left_out};
-    tail.append_to(all);
-    for (const RatioSums& one : asked) one.append_to(all);
-    for (const Numbers* more :
-         {&sums.numbers(), &distributions_.flights.numbers(), &distributions_.sines.numbers()})
-      all.insert(all.end(), more->begin(), more->end());
-    return all;
+    all_.tail.add(longest, bounces);
   }
 
  private:
@@ -161,33 +154,9 @@ class Walks : public OrbitSink {
     double length = 0, longest = 0;
   };
   const std::array<Vec2, 2>& lattice_;
-  LagTimes times_;
-  std::uint64_t bounces_;
+  const LagTimes& times_;
+  Transport& all_;
   std::vector<Walk> walks_;
-  Distributions distributions_;
-};
-
-// All blocks together.
-struct Transport {
-  LagTimes times;
-  double mean_flight, left_out = 0;
-  FlightTail tail{};
-  std::array<RatioSums, kAsked> asked{};
-  LagSums lags{times.lags};
-  Distributions distributions{mean_flight};
-
-  void add(std::span<const double> block) {
-    left_out += block[0];
-    tail += FlightTail::from(block.subspan(1));
-    std::size_t at = 1 + FlightTail::kNumbers;
-    for (RatioSums& one : asked) {
-      one += RatioSums::from(block.subspan(at));
-      at += RatioSums::kNumbers;
-    }
-    lags.add_sums(block.subspan(at));
-    distributions.flights.add_counts(block.subspan(at += lags.numbers().size()));
-    distributions.sines.add_counts(block.subspan(at + distributions.flights.size()));
-  }
 };
 
 // Whether the Green-Kubo integral still changes from one half of the lags to all, by more than chance.
@@ -208,14 +177,12 @@ enum class Growth {
 Measure power_of_displacement(const Transport& all) {
   const std::size_t last = all.times.lags - 1, half = last / 2;
   const auto log_at = [&](std::size_t lag) { return portable::log(all.lags.point(0, lag, 0).y); };
-  Measure power{"power_of_displacement",
-                (log_at(last) - log_at(half)) /
-                    (portable::log(all.times.lag(last)) - portable::log(all.times.lag(half)))};
-  power.remark = fmt::format(
-      "no error: walls are straight, and no law is known to fit; from t = "
-      "{:.4g} to {:.4g}",
-      all.times.lag(half), all.times.lag(last));
-  return power;
+  const double from = all.times.lag(half), to = all.times.lag(last);
+  return remarked("power_of_displacement",
+                  (log_at(last) - log_at(half)) / (portable::log(to) - portable::log(from)),
+                  fmt::format("no error: walls are straight, and no law is known to fit; from t = "
+                              "{:.4g} to {:.4g}",
+                              from, to));
 }
 
 std::vector<Measure> measures_of(const Transport& all, Growth growth,
@@ -244,16 +211,17 @@ std::vector<Measure> measures_of(const Transport& all, Growth growth,
     measures.push_back(power_of_displacement(all));
   } else {
     Measure& slope = measures.emplace_back(all.asked[logarithm].measure("diffusion_per_log_time"));
-    slope.standard_error.reset();
-    slope.remark = fmt::format(
-        "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
-        all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1));
+    withhold_error(
+        slope,
+        fmt::format(
+            "no error: D(t) grows like log t, of which this is the slope from t = {:.4g} to {:.4g}",
+            all.times.lag((all.times.lags - 1) / 8), all.times.lag(all.times.lags - 1)));
   }
-  measures.push_back({"sines_off_even", all.distributions.sines.chi_squared_of_even() / 63});
-  measures.back().remark =
-      "chi-squared a degree of freedom; bounces of an orbit are not independent";
-  measures.push_back({"orbits_left_out", all.left_out});
-  measures.back().remark = "too short, as they met a corner or had short flights";
+  measures.push_back(
+      remarked("sines_off_even", all.sines.chi_squared_of_even() / 63,
+               "chi-squared a degree of freedom; bounces of an orbit are not independent"));
+  measures.push_back(remarked("orbits_left_out", all.left_out,
+                              "too short, as they met a corner or had short flights"));
   return measures;
 }
 
@@ -266,13 +234,10 @@ std::string words(Growth growth, const std::string& unbounded) {
 }
 
 Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
-  Plot plot;
-  plot.title = std::move(title);
-  plot.x_label = "time, at speed 1";
-  plot.y_label = std::move(label);
-  Plot::Series& mean = plot.series.emplace_back(Plot::Series{"mean over orbits and times", {}});
+  Plot plot{
+      std::move(title), "time, at speed 1", std::move(label), {{"mean over orbits and times", {}}}};
   for (std::size_t i = 0; i < all.times.lags; ++i)
-    mean.points.push_back(all.lags.point(which, i, all.times.lag(i)));
+    plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
   return plot;
 }
 
@@ -288,9 +253,8 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
     table.add(std::move(row));
   }
   result.files.push_back(csv_file("transport_lags", table));
-  all.distributions.flights.add_files(result, "transport_flights",
-                                      "lengths of flights, world units");
-  all.distributions.sines.add_files(result, "transport_sines", "sines of the incidence");
+  all.flights.add_files(result, "transport_flights", "lengths of flights, world units");
+  all.sines.add_files(result, "transport_sines", "sines of the incidence");
   add_plot(result, "transport_displacement",
            curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>"), context.threads);
   add_plot(result, "transport_velocity", curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>"),
@@ -320,18 +284,15 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
         Trouble::usage);
   const double mean_flight = kPi * area / room.perimeter();
   Transport all{LagTimes::of(mean_flight, plan->bounces), mean_flight};
-  const Blocks blocks = Blocks::of(plan->orbits);
-  auto ran = fold_blocks(
-      context, blocks.count(),
-      [&](std::size_t block) {
-        std::vector<OrbitStart> starts;
-        for (std::uint64_t i = blocks.begin(block); i < blocks.end(block); ++i)
-          starts.push_back(room.draw_free_start(context.seed, i));
-        Walks walks(room, all.times, mean_flight, starts, plan->bounces);
-        room.orbits().follow(starts, plan->bounces, walks);
-        return walks.numbers();
-      },
-      [&](const Numbers& block) { all.add(block); });
+  auto ran = sum_blocks(context, Blocks::of(plan->orbits), all,
+                        [&](std::uint64_t begin, std::uint64_t end, Transport& some) {
+                          std::vector<OrbitStart> starts;
+                          for (std::uint64_t i = begin; i < end; ++i)
+                            starts.push_back(room.draw_free_start(context.seed, i));
+                          Walks walks(room, starts, some);
+                          room.orbits().follow(starts, plan->bounces, walks);
+                          walks.add_orbits(plan->bounces);
+                        });
   if (!ran) return fail(std::move(ran));
   if (all.left_out > kMostLeftOut * static_cast<double>(plan->orbits))
     return fail(where,
@@ -356,12 +317,10 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
 
 }  // namespace
 
-namespace experiment_entries {
 extern const Experiment transport = {
     "transport",
     "How fast does a ray spread between periodic walls, and how are its flights spread?",
     &run,
     {.count = true, .bounces = true, .seed = true, .resume = true}};
-}  // namespace experiment_entries
 
-}  // namespace flatray
+}  // namespace flatray::experiment_entries

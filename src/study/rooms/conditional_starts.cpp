@@ -24,9 +24,6 @@ constexpr double kLogOfFour = 1.3862943611198906;  // a quarter is left at a lev
 class OnlyStops : public RunMonitor {
  public:
   explicit OnlyStops(RunMonitor* of) : of_(of) {}
-  void begin(std::size_t) override {}
-  std::optional<Numbers> kept(std::size_t) override { return std::nullopt; }
-  void done(std::size_t, const Numbers&) override {}
   bool stopped() override { return of_ != nullptr && of_->stopped(); }
 
  private:

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "study/rooms/starts.h"
-#include "study/statistics/counted_share.h"
 
 namespace flatray {
 namespace {
@@ -72,11 +71,10 @@ Measure Exits::mean(std::string name, const std::function<double(const PixelOutc
       std::count_if(drawn_.begin(), drawn_.end(),
                     [](const PixelOutcome& one) { return one.kind == Kind::limit; }));
   if (late_ && stay == 0) return measure;
-  measure.standard_error.reset();
-  measure.remark = stay > 0
-                       ? fmt::format("no error: {} drawn orbits stay for all bounces", stay)
-                       : "no error: orbits do not leave exponentially, so that the variance may "
-                         "be infinite";
+  withhold_error(measure,
+                 stay > 0 ? fmt::format("no error: {} drawn orbits stay for all bounces", stay)
+                          : "no error: orbits do not leave exponentially, so that the variance may "
+                            "be infinite");
   return measure;
 }
 
@@ -85,9 +83,7 @@ std::vector<Measure> Exits::measures() const {
   const auto share = [&](std::string name, const std::function<bool(const PixelOutcome&)>& counts) {
     StartSums sums(context_.starts);
     for (std::size_t i = 0; i < drawn_.size(); ++i) sums.add(i, counts(drawn_[i]) ? 1 : 0, 1);
-    const RatioSums counted = sums.all();
-    all.push_back(counted.measure(std::move(name)));
-    withhold_error_of_few(all.back(), counted);
+    all.push_back(sums.all().share(std::move(name)));
   };
   for (const Hole& hole : holes_)
     share("leaves_by " + hole.name, [&](const PixelOutcome& one) {

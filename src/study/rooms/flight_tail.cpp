@@ -31,31 +31,12 @@ void FlightTail::add(std::span<const double> longest, std::uint64_t flights) {
   }
 }
 
-FlightTail& FlightTail::operator+=(const FlightTail& other) {
-  groups_ += other.groups_;
-  logs_ += other.logs_;
-  squares_ += other.squares_;
-  return *this;
-}
-
 // The logarithm of the longest is Gumbel's: pi / sqrt(6) over its deviation is the index.
 double FlightTail::index() const {
   if (groups_ < kLeastGroups) return 0;
   const double mean = logs_ / groups_;
   const double variance = std::max(squares_ / groups_ - mean * mean, 0.0);
   return 1.2825498301618641 / std::sqrt(variance);
-}
-
-void FlightTail::append_to(Numbers& numbers) const {
-  numbers.insert(numbers.end(), {groups_, logs_, squares_});
-}
-
-FlightTail FlightTail::from(std::span<const double> three) {
-  FlightTail tail;
-  tail.groups_ = three[0];
-  tail.logs_ = three[1];
-  tail.squares_ = three[2];
-  return tail;
 }
 
 std::string no_error_of_flights(const Room& room, const FlightTail& tail) {
@@ -71,10 +52,8 @@ std::string no_error_of_flights(const Room& room, const FlightTail& tail) {
 }
 
 void withhold_error_of_flights(Measure& mean, const Room& room, const FlightTail& tail) {
-  std::string why = no_error_of_flights(room, tail);
-  if (why.empty()) return;
-  mean.standard_error.reset();
-  mean.remark = std::move(why);
+  const std::string why = no_error_of_flights(room, tail);
+  if (!why.empty()) withhold_error(mean, why);
 }
 
 }  // namespace flatray

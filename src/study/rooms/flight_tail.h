@@ -1,5 +1,6 @@
 #pragma once
 #include "study/rooms/room.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 
@@ -9,15 +10,12 @@ class FlightTail {
  public:
   /// Puts the longest flights of orbits in that have `flights` each: of some together where those are few.
   void add(std::span<const double> longest, std::uint64_t flights);
-  FlightTail& operator+=(const FlightTail& other);
 
   /// Of flights longer than t there are about t^-index: that of longest ones in groups (Gumbel 1958), 0
   /// where there are too few groups to say.
   double index() const;
 
-  static constexpr std::size_t kNumbers = 3;
-  void append_to(Numbers& numbers) const;
-  static FlightTail from(std::span<const double> three);
+  void append_to(SumList& list) { list.insert(list.end(), {&groups_, &logs_, &squares_}); }
 
  private:
   double groups_ = 0, logs_ = 0, squares_ = 0;

@@ -47,7 +47,6 @@ void follow_certified(const Room& room, const OrbitStart& start, std::size_t num
 class Bounces : public OrbitSink {
  public:
   void bounce(std::size_t, const Bounce& bounce) override { all.push_back(bounce); }
-  void end(std::size_t, const OrbitStop&) override {}
   std::vector<Bounce> all;
 };
 
@@ -118,11 +117,12 @@ std::vector<OrbitStart> audited_starts(
   return starts;
 }
 
-std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
-                                       std::uint64_t orbits) {
-  return audited_starts(context, orbits, [&](std::uint64_t i) {
+std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
+                           const OrbitPlan& plan) {
+  const auto drawn = [&](std::uint64_t i) {
     return room.draw_start(context.seed, i, context.starts);
-  });
+  };
+  return audit(context, room, audited_starts(context, plan.orbits, drawn), plan.bounces);
 }
 
 std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
@@ -134,16 +134,10 @@ std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
 std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext& context,
                               const Room& room, std::span<const OrbitStart> starts,
                               std::uint64_t bounces) {
-  if (const std::string& why = orbits.obstacle(); !why.empty()) {
-    Measure none{"audit_orbits", 0};
-    none.remark = "all orbits are exact: " + why;
-    return {none};
-  }
-  if (!can_certify()) {
-    Measure none{"audit_orbits", 0};
-    none.remark = "no audit: the module of certified orbits is not there";
-    return {none};
-  }
+  if (const std::string& why = orbits.obstacle(); !why.empty())
+    return {remarked("audit_orbits", 0, "all orbits are exact: " + why)};
+  if (!can_certify())
+    return {remarked("audit_orbits", 0, "no audit: the module of certified orbits is not there")};
   const std::uint64_t limit = std::min(bounces, kAuditedBounces);
   const double size = bounds_of(room.walls()).size().maxCoeff();
   std::vector<Followed> all(std::min<std::size_t>(starts.size(), kAuditedOrbits));
@@ -160,18 +154,27 @@ std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext&
     first = std::max(first, one.first);
   }
   const auto count = static_cast<double>(all.size());
-  std::vector<Measure> measures{{"audit_orbits", count},
-                                {"audit_bounces_certified", proven / count},
-                                {"audit_bounces_right_fast", fast / count},
-                                {"audit_bounces_right_exact", exact / count},
-                                {"audit_parted_at_once", wrong, {}, 0, kInfinity, 0},
-                                {"audit_first_flight", first, {}, 0, kInfinity, kRoundingOfFlight}};
-  measures[0].remark = "followed fast, exactly and certified from the same start";
-  measures[1].remark = "of an orbit, at most " + counted(limit, "bounce");
-  measures[2].remark = "on the walls of the certified one, within 1 % of the room";
-  measures[4].remark = "from within 2^-32 of the room, which rounding does not explain";
-  measures[5].remark = "largest difference, 2^-53 of the room";
-  return measures;
+  return {
+      remarked("audit_orbits", count, "followed fast, exactly and certified from the same start"),
+      remarked("audit_bounces_certified", proven / count,
+               "of an orbit, at most " + counted(limit, "bounce")),
+      remarked("audit_bounces_right_fast", fast / count,
+               "on the walls of the certified one, within 1 % of the room"),
+      {"audit_bounces_right_exact", exact / count},
+      {"audit_parted_at_once",
+       wrong,
+       {},
+       0,
+       kInfinity,
+       0,
+       "from within 2^-32 of the room, which rounding does not explain"},
+      {"audit_first_flight",
+       first,
+       {},
+       0,
+       kInfinity,
+       kRoundingOfFlight,
+       "largest difference, 2^-53 of the room"}};
 }
 
 }  // namespace flatray

@@ -17,13 +17,10 @@ void follow_starts(const ExperimentContext& context, const Room& room,
 void follow_drawn(const ExperimentContext& context, const Room& room, std::uint64_t begin,
                   std::uint64_t end, std::uint64_t bounces, OrbitSink& sink);
 
-/// Some of many starts, evenly over them, for an audit: of those that `start` has, or drawn as the context
-/// has it. None where the context's precision is not fast.
+/// Some of many starts, evenly over them, for an audit: of those that `start` has. None where the context's precision is not fast.
 std::vector<OrbitStart> audited_starts(
     const ExperimentContext& context, std::uint64_t orbits,
     const std::function<std::optional<OrbitStart>(std::uint64_t)>& start);
-std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const Room& room,
-                                       std::uint64_t orbits);
 
 /// What fast orbits are worth: some starts followed fast, in exact decisions, and certified, as far as the
 /// latter two can tell. Nothing where the context's precision is not fast.
@@ -33,6 +30,9 @@ std::vector<OrbitStart> audited_starts(const ExperimentContext& context, const R
 ///         first flights differ, in 2^-53 of the room. Why the room is followed exactly, where it is.
 std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
                            std::span<const OrbitStart> starts, std::uint64_t bounces);
+/// The same of a plan's orbits, drawn as the context has it.
+std::vector<Measure> audit(const ExperimentContext& context, const Room& room,
+                           const OrbitPlan& plan);
 /// The same of any fast orbits, beside exact and certified ones of the room.
 std::vector<Measure> audit_of(const FastOrbits& orbits, const ExperimentContext& context,
                               const Room& room, std::span<const OrbitStart> starts,

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "anim/rays.h"
-#include "base/philox.h"
 #include "base/portable_math.h"
 #include "study/rooms/followed.h"
 #include "study/statistics/blocks.h"
@@ -116,10 +115,7 @@ UnitPoint drawn_in_pixel(const Film& film, std::uint64_t pixel, std::uint64_t se
 }
 
 UnitPoint drawn_place(std::uint64_t seed, std::uint64_t number) {
-  const auto draw = [&](std::uint32_t which) {
-    return unit_double(random_bits(seed, Stream::experiment, number >> 32, number, which));
-  };
-  return {draw(0), draw(1)};
+  return {drawn_unit(seed, number, 0), drawn_unit(seed, number, 1)};
 }
 
 Result<std::vector<PixelOutcome>> trace_outcomes(

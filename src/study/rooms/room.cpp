@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/counted.h"
-#include "base/philox.h"
 #include "base/portable_math.h"
 #include "collide/pillars.h"
 #include "geom/predicates.h"
@@ -129,13 +128,11 @@ double Room::place_of(const Bounce& bounce) const {
 OrbitStart Room::draw_start_in(const Stretch& all, std::uint64_t seed, std::uint64_t number,
                                Starts starts) const {
   for (std::uint32_t attempt = 0;; attempt += 4) {
-    const auto draw = [&](std::uint32_t which) {
-      return unit_double(
-          random_bits(seed, Stream::experiment, number >> 32, number, attempt + which));
-    };
     // Where rounding leaves no place to start from, a draw that depends on no other is as good.
     const bool even = starts == Starts::quasi && attempt == 0;
-    const UnitPoint at = even ? quasi_point(seed, number) : UnitPoint{draw(0), draw(1)};
+    const UnitPoint at =
+        even ? quasi_point(seed, number)
+             : UnitPoint{drawn_unit(seed, number, attempt), drawn_unit(seed, number, attempt + 1)};
     const double along = all.from + at.x * (all.to - all.from), sine = 2 * at.y - 1;
     const auto above = std::upper_bound(before_.begin() + 1, before_.end() - 1, along);
     const auto drawn = static_cast<std::uint32_t>(above - before_.begin() - 1);
@@ -175,8 +172,7 @@ OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const
     box.add(shape_bounds(scene_.shapes[chamber.shape], world_pose(state_)));
   for (std::uint32_t attempt = 0;; attempt += 3) {
     const auto draw = [&](std::uint32_t which) {
-      return unit_double(
-          random_bits(seed, Stream::experiment, number >> 32, number, attempt + which));
+      return drawn_unit(seed, number, attempt + which);
     };
     const Vec2 place = box.low + Vec2(draw(0), draw(1)).cwiseProduct(box.size());
     if (!solids_.in_chamber(place) || solids_.holder(place)) continue;
@@ -250,6 +246,13 @@ Result<void> expect_not_periodic(const ExperimentContext& context) {
       return fail(chamber.where, "this experiment knows no periodic walls",
                   "leave material = \"periodic\" out");
   return {};
+}
+
+const std::string& owner_name(const Scene& scene, const SurfaceOwner& owner) {
+  if (owner.kind == SurfaceOwner::Kind::entity) return scene.entities[owner.index].name;
+  const Chamber& chamber = scene.chambers[owner.index];
+  return owner.kind == SurfaceOwner::Kind::pillar ? chamber.pillars[owner.pillar].name
+                                                  : chamber.name;
 }
 
 Result<OrbitPlan> plan_orbits(const ExperimentContext& context, std::uint64_t usual_bounces) {

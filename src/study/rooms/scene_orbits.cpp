@@ -9,6 +9,7 @@ namespace flatray {
 
 Result<NamedOrbits> orbits_to_watch(const ExperimentContext& context, const Room& room,
                                     std::uint64_t random_orbits) {
+  if (auto walls = expect_walls(context, room); !walls) return fail(std::move(walls));
   NamedOrbits orbits;
   Diagnostics outside;
   for (const RayState& state : ray_states(context.scene, room.state())) {

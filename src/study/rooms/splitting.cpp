@@ -20,7 +20,6 @@ class NextLevel : public OrbitSink {
   void bounce(std::size_t number, const Bounce& bounce) override {
     if (++made_[number] == limit_) last_[number] = bounce;
   }
-  void end(std::size_t, const OrbitStop&) override {}
 
   std::vector<Walker> left() const {
     std::vector<Walker> all;

@@ -20,13 +20,20 @@ UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number) {
   return {moved(0, kStepX), moved(1, kStepY)};
 }
 
-void StartSums::add(std::uint64_t number, double x, double y) {
-  sums_[number % sums_.size()].add(x, y);
+double drawn_unit(std::uint64_t seed, std::uint64_t number, std::uint32_t which) {
+  return unit_double(random_bits(seed, Stream::experiment, number >> 32, number, which));
 }
 
-StartSums& StartSums::operator+=(const StartSums& other) {
-  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
-  return *this;
+Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number) {
+  const auto draw = [&](std::uint32_t which) {
+    return unit_double(random_bits(seed, Stream::experiment, number, which));
+  };
+  return {window.low + Vec2(draw(0), draw(1)).cwiseProduct(window.size()),
+          {draw(2) - 0.5, draw(3) - 0.5}};
+}
+
+void StartSums::add(std::uint64_t number, double x, double y) {
+  sums_[number % sums_.size()].add(x, y);
 }
 
 RatioSums StartSums::all() const {
@@ -36,15 +43,8 @@ RatioSums StartSums::all() const {
   return all;
 }
 
-void StartSums::append_to(Numbers& numbers) const {
-  for (const RatioSums& one : sums_) one.append_to(numbers);
-}
-
-StartSums StartSums::from(Starts starts, std::span<const double> numbers) {
-  StartSums sums(starts);
-  for (std::size_t i = 0; i < sums.sums_.size(); ++i)
-    sums.sums_[i] = RatioSums::from(numbers.subspan(RatioSums::kNumbers * i));
-  return sums;
+void StartSums::append_to(SumList& list) {
+  for (RatioSums& one : sums_) one.append_to(list);
 }
 
 }  // namespace flatray

@@ -19,6 +19,12 @@ struct UnitPoint {
 ///         p^3 = p + 1, in whole numbers of 64 bits; shifts modulo 1 (Cranley and Patterson 1976).
 UnitPoint quasi_point(std::uint64_t seed, std::uint64_t number);
 
+/// A number in [0, 1): draw `which` of start `number`.
+double drawn_unit(std::uint64_t seed, std::uint64_t number, std::uint32_t which);
+
+/// A ray from anywhere in a window in any direction, drawn by its number.
+Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number);
+
 /// Sums over orbits from which a ratio of means and its error are estimated: under random starts
 /// each orbit is a sample, under quasi-random ones all those of a shift together are, and under conditional
 /// ones all those of a group.
@@ -27,14 +33,9 @@ class StartSums {
   explicit StartSums(Starts starts) : starts_(starts), sums_(samples_of(starts)) {}
   /// Puts orbit `number` in.
   void add(std::uint64_t number, double x, double y);
-  StartSums& operator+=(const StartSums& other);
   RatioSums all() const;
 
-  /// As numbers, for blocks.
-  static std::size_t size(Starts starts) { return RatioSums::kNumbers * samples_of(starts); }
-  void append_to(Numbers& numbers) const;
-  /// Needs   size() numbers.
-  static StartSums from(Starts starts, std::span<const double> numbers);
+  void append_to(SumList& list);
 
  private:
   static std::size_t samples_of(Starts starts) { return starts == Starts::random ? 1 : kShifts; }

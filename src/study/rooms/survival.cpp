@@ -147,20 +147,15 @@ struct Weighted {
 };
 
 double root(std::span<const Weighted> terms) {
-  const auto sum = [&](double rate) {
-    double total = 0;
-    for (const Weighted& one : terms) total += one.at(rate);
-    return total;
-  };
   double longest = 0;
   for (const Weighted& one : terms) longest = std::max(longest, one.length);
-  double low = 0, high = 0x1p-10 / longest;
-  while (high * longest < 600 && sum(high) < 0) high *= 2;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (sum(middle) < 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return rate_of_zero(
+      [&](double rate) {
+        double total = 0;
+        for (const Weighted& one : terms) total += one.at(rate);
+        return total;
+      },
+      longest);
 }
 
 Measure by_length(std::span<const LeavingOrbit> orbits, double start, double rate, double limit,
@@ -213,6 +208,16 @@ Survival survival(std::span<const LeavingOrbit> orbits, Starts starts) {
     step = std::max<std::size_t>(1, std::bit_floor(start) >> 1);
   }
   return first.law == Law::undecided ? last : first;
+}
+
+double rate_of_zero(const std::function<double(double)>& sum, double longest) {
+  double low = 0, high = 0x1p-10 / longest;
+  while (high * longest < 600 && sum(high) < 0) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sum(middle) < 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
 // What is left of the beginning falls from bounce to bounce; at the start it is as large as chance.

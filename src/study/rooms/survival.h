@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "study/rooms/starts.h"
 
 namespace flatray {
@@ -35,6 +37,9 @@ struct Survival {
 /// Needs   orbits in the order of their starts, independent of each other but for what `starts` says.
 Survival survival(std::span<const LeavingOrbit> orbits, Starts starts = Starts::random);
 
+/// The rate, by halves, at which a sum that rises from below 0 is 0: of terms that grow like e^(rate length), of
+/// lengths up to `longest`.
+double rate_of_zero(const std::function<double(double)>& sum, double longest);
 /// From how many bounces on what is left of the beginning is small beside chance; none where the law is not
 /// exponential.
 std::optional<double> late_start(const Survival& found);

@@ -6,6 +6,7 @@
 #include "base/philox.h"
 #include "base/portable_math.h"
 #include "geom/predicates.h"
+#include "study/stability/ulps.h"
 #include "trace/exact_nearest.h"
 #include "transport/orbit.h"
 
@@ -107,10 +108,9 @@ void compare_first(const Tracer& tracer, const Surfaces& walls, const std::vecto
   accelerate(walls)->nearest(batch, truth);
   tracer.build(walls)->nearest(batch, hits);
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    const double t = truth[i].t;
     if (hits[i].surface != truth[i].surface)
       ++tally.wrong;
-    else if (hits[i].t < std::nextafter(t, -kInfinity) || hits[i].t > std::nextafter(t, kInfinity))
+    else if (!is_within_ulp(hits[i].t, truth[i].t))
       ++tally.wrong_t;
   }
 }

@@ -7,8 +7,8 @@
 
 #include "anim/rays.h"
 #include "anim/world.h"
-#include "base/philox.h"
 #include "geom/predicates.h"
+#include "study/rooms/starts.h"
 #include "transport/orbit.h"
 
 namespace flatray {
@@ -27,9 +27,9 @@ double beside(const Leg& leg, const Vec2& point) {
   return std::fabs(cross(way, Vec2(point - leg.from))) / length;
 }
 
-class Measure {
+class MarginMeasure {
  public:
-  Measure(const Scene& scene, const World& world) : scene_(scene), world_(world) {
+  MarginMeasure(const Scene& scene, const World& world) : scene_(scene), world_(world) {
     for (const Segment& wall : world.surfaces.segments) grow(wall.a), grow(wall.b);
     for (const Arc& wall : world.surfaces.arcs) {
       const Ellipse& curve = wall.curve;
@@ -105,7 +105,7 @@ class Measure {
 // The ways of the scene's own rays among its mirrors.
 std::vector<Margin> of_rays(const Scene& scene, const FrameState& state) {
   const World world = build_world(scene, state);
-  const Measure measure(scene, world);
+  const MarginMeasure measure(scene, world);
   std::vector<Margin> all;
   for (const RayState& now : ray_states(scene, state)) {
     const RayPath& ray = scene.rays[now.ray];
@@ -128,18 +128,13 @@ std::vector<Margin> of_rays(const Scene& scene, const FrameState& state) {
 std::vector<Margin> of_random(const Scene& scene, const FrameState& state, std::uint64_t seed,
                               std::uint64_t count) {
   const World world = build_world(scene, state, WorldOf::everything);
-  const Measure measure(scene, world);
+  const MarginMeasure measure(scene, world);
   const std::unique_ptr<Accelerator> walls = accelerate(world.surfaces);
-  const Vec2 size = state.window.size();
   std::vector<Margin> all;
   for (std::uint64_t number = 0; number < count; ++number) {
-    const auto draw = [&](std::uint32_t k) {
-      return unit_double(random_bits(seed, Stream::experiment, number, k));
-    };
-    const Vec2 from = state.window.low + Vec2(draw(0) * size.x(), draw(1) * size.y());
-    const Vec2 way = Vec2(draw(2) - 0.5, draw(3) - 0.5);
+    const auto [from, way] = random_ray(state.window, seed, number);
     const NearestHit hit = walls->nearest_of_one({from, way});
-    const double t = hit ? hit.t : 2 * size.norm() / way.norm();
+    const double t = hit ? hit.t : 2 * state.window.size().norm() / way.norm();
     all.push_back(measure.nearest(fmt::format("random {}", number + 1), 0, {from, from + t * way}));
   }
   return all;

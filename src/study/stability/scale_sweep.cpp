@@ -6,6 +6,7 @@
 #include "base/portable_math.h"
 #include "oracle/families.h"
 #include "oracle/nearest.h"
+#include "study/stability/ulps.h"
 
 namespace flatray {
 namespace {
@@ -72,8 +73,7 @@ bool right_wall(const NearestHit& hit, const oracle::NearestWall& truth) {
 // Needs   the right wall.
 bool right_hit(const NearestHit& hit, const oracle::NearestWall& truth) {
   const double t = std::min(truth.t, std::numeric_limits<double>::max());
-  return !hit || (hit.kind == truth.kind && hit.at_end == truth.at_end &&
-                  hit.t >= std::nextafter(t, -kInfinity) && hit.t <= std::nextafter(t, kInfinity));
+  return !hit || (hit.kind == truth.kind && hit.at_end == truth.at_end && is_within_ulp(hit.t, t));
 }
 
 }  // namespace

@@ -46,8 +46,7 @@ void compare(const NearestHit& hit, const oracle::NearestWall& truth, StabilityT
   ++tally.hits;
   const double t = as_double(truth.t);
   if (hit.t != t) ++tally.not_nearest;
-  if (hit.t < std::nextafter(t, -kInfinity) || hit.t > std::nextafter(t, kInfinity))
-    ++tally.off_by_more;
+  if (!is_within_ulp(hit.t, t)) ++tally.off_by_more;
   if (hit.t != t) count_ulps(ulps_between(hit.t, t), tally);
 }
 

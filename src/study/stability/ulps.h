@@ -12,4 +12,9 @@ inline double ulps_between(double found, double truth) {
   return std::fabs(found - truth) / ulp;
 }
 
+/// Whether it is the double nearest to the true one, or beside it.
+inline bool is_within_ulp(double found, double truth) {
+  return found >= std::nextafter(truth, -kInfinity) && found <= std::nextafter(truth, kInfinity);
+}
+
 }  // namespace flatray

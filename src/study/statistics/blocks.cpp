@@ -12,14 +12,6 @@
 namespace flatray {
 namespace {
 
-class NoMonitor : public RunMonitor {
- public:
-  void begin(std::size_t) override {}
-  std::optional<Numbers> kept(std::size_t) override { return std::nullopt; }
-  void done(std::size_t, const Numbers&) override {}
-  bool stopped() override { return false; }
-};
-
 // Results as they come, handed on in order.
 class InOrder {
  public:
@@ -44,7 +36,7 @@ class InOrder {
 Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
                           const std::function<Numbers(std::size_t)>& task,
                           const std::function<void(Numbers&&)>& take) {
-  NoMonitor silent;
+  RunMonitor silent;
   RunMonitor& monitor = context.monitor != nullptr ? *context.monitor : silent;
   InOrder results(take);
   monitor.begin(count);
@@ -75,6 +67,16 @@ Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
                          const std::function<Numbers(std::size_t)>& task,
                          const std::function<void(const Numbers&)>& take) {
   return run_in_order(context, count, task, take);
+}
+
+Numbers numbers_of(const SumList& sums) {
+  Numbers all;
+  for (const double* one : sums) all.push_back(*one);
+  return all;
+}
+
+void add(const SumList& sums, std::span<const double> numbers) {
+  for (std::size_t i = 0; i < sums.size(); ++i) *sums[i] += numbers[i];
 }
 
 Result<void> run_tasks(const ExperimentContext& context, std::size_t count,

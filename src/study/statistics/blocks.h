@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <span>
 
 #include "study/experiment.h"
 
@@ -22,6 +23,12 @@ Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
                          const std::function<Numbers(std::size_t)>& task,
                          const std::function<void(const Numbers&)>& take);
 
+/// Numbers that blocks add up, where they stand: each type that has some lists them in one order.
+using SumList = std::vector<double*>;
+Numbers numbers_of(const SumList& sums);
+/// Needs   what numbers_of() gives of an equal list.
+void add(const SumList& sums, std::span<const double> numbers);
+
 /// The same of tasks that put their results where they belong: a monitor counts them and keeps nothing.
 ///
 /// Needs   an experiment that does not go on from what was kept (ExperimentUses::resume).
@@ -43,5 +50,22 @@ struct Blocks {
     return begin(block) + size < items ? begin(block) + size : items;
   }
 };
+
+/// Runs `task(begin, end, some)` for every block, items [begin, end), with sums of its own that begin as `sums` do,
+/// empty; adds all of them to `sums`, in the order of the blocks. What they are is their `list()`, a SumList.
+template <class Sums, class Task>
+Result<void> sum_blocks(const ExperimentContext& context, const Blocks& blocks, Sums& sums,
+                        const Task& task) {
+  const Sums none = sums;
+  const SumList all = sums.list();
+  return fold_blocks(
+      context, blocks.count(),
+      [&](std::size_t block) {
+        Sums some = none;
+        task(blocks.begin(block), blocks.end(block), some);
+        return numbers_of(some.list());
+      },
+      [&](const Numbers& block) { add(all, block); });
+}
 
 }  // namespace flatray

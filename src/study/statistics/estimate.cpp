@@ -41,30 +41,16 @@ double chi_squared(double freedom, double normal) {
 
 void RatioSums::add(double sample_x, double sample_y) {
   const double square_x = sample_x * sample_x, square_y = sample_y * sample_y;
-  *this += {1,
-            sample_x,
-            sample_y,
-            square_x,
-            sample_x * sample_y,
-            square_y,
-            square_x * sample_x,
-            square_x * sample_y,
-            sample_x * square_y,
-            square_y * sample_y};
-}
-
-RatioSums& RatioSums::operator+=(const RatioSums& other) {
-  samples += other.samples;
-  x += other.x;
-  y += other.y;
-  xx += other.xx;
-  xy += other.xy;
-  yy += other.yy;
-  xxx += other.xxx;
-  xxy += other.xxy;
-  xyy += other.xyy;
-  yyy += other.yyy;
-  return *this;
+  ++samples;
+  x += sample_x;
+  y += sample_y;
+  xx += square_x;
+  xy += sample_x * sample_y;
+  yy += square_y;
+  xxx += square_x * sample_x;
+  xxy += square_x * sample_y;
+  xyy += sample_x * square_y;
+  yyy += square_y * sample_y;
 }
 
 double RatioSums::standard_error() const {
@@ -83,12 +69,8 @@ double RatioSums::widening() const {
   return 1 + part * std::clamp((skewness2 - by_chance) / samples, 0.0, 1.0);
 }
 
-void RatioSums::append_to(Numbers& numbers) const {
-  numbers.insert(numbers.end(), {samples, x, y, xx, xy, yy, xxx, xxy, xyy, yyy});
-}
-
-RatioSums RatioSums::from(std::span<const double> n) {
-  return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]};
+void RatioSums::append_to(SumList& list) {
+  list.insert(list.end(), {&samples, &x, &y, &xx, &xy, &yy, &xxx, &xxy, &xyy, &yyy});
 }
 
 Measure RatioSums::measure(std::string name, std::optional<double> expected) const {
@@ -98,8 +80,17 @@ Measure RatioSums::measure(std::string name, std::optional<double> expected) con
   one.widening = widening();
   const bool lost = (yy == 0 && y != 0) || (xx == 0 && x != 0);
   if (!lost && std::isfinite(*one.standard_error * one.widening)) return one;
-  one.standard_error.reset();
-  one.remark = "no error: squares of such numbers are beyond the doubles";
+  withhold_error(one, "no error: squares of such numbers are beyond the doubles");
+  return one;
+}
+
+Measure RatioSums::share(std::string name, std::string remark) const {
+  constexpr double kFewest = 10;
+  Measure one = measure(std::move(name));
+  if (!remark.empty()) one.remark = std::move(remark);
+  if (x < kFewest || y - x < kFewest)
+    withhold_error(one, one.remark + (one.remark.empty() ? "" : "; ") +
+                            "no error: fewer than ten are of one kind");
   return one;
 }
 
@@ -151,7 +142,9 @@ std::optional<std::string> verdict(const Measure& measure) {
 }
 
 ExperimentResult measured(const ExperimentContext& context, const std::string& name,
-                          const std::string& headline, std::vector<Measure> measures) {
+                          const std::string& headline, std::vector<Measure> measures,
+                          const std::vector<Measure>& audit) {
+  measures.insert(measures.end(), audit.begin(), audit.end());
   ExperimentResult result{.table = table_of(measures)};
   result.holds = std::ranges::all_of(measures, agrees);
   Fields fields = head_of(name, context);

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include "study/experiment.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 
@@ -11,7 +11,6 @@ struct RatioSums {
   double xxx = 0, xxy = 0, xyy = 0, yyy = 0;
 
   void add(double sample_x, double sample_y);
-  RatioSums& operator+=(const RatioSums& other);
 
   /// Sum of x over sum of y.
   double ratio() const { return x / y; }
@@ -28,11 +27,11 @@ struct RatioSums {
   double widening() const;
   /// The ratio as a measure, without an error where there is a sample alone.
   Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
+  /// A share of samples that are counted, without an error where fewer than ten are of one kind: its
+  /// spread says too little then, and of none nothing.
+  Measure share(std::string name, std::string remark = {}) const;
 
-  /// As numbers, for blocks.
-  static constexpr std::size_t kNumbers = 10;
-  void append_to(Numbers& numbers) const;
-  static RatioSums from(std::span<const double> numbers);
+  void append_to(SumList& list);
 };
 
 /// Standard errors that a measure may lie from what must come out, where they are many's.
@@ -69,8 +68,9 @@ bool agrees(const Measure& measure);
 std::optional<std::string> verdict(const Measure& measure);
 
 /// Result of an experiment whose answer is a list of measures: NAME.csv, NAME.json, and the table
-/// as text after `headline`.
+/// as text after `headline`; last what an audit of orbits adds to them.
 ExperimentResult measured(const ExperimentContext& context, const std::string& name,
-                          const std::string& headline, std::vector<Measure> measures);
+                          const std::string& headline, std::vector<Measure> measures,
+                          const std::vector<Measure>& audit = {});
 
 }  // namespace flatray

@@ -59,8 +59,4 @@ double StreamingHistogram::chi_squared_of_even() const {
   return sum;
 }
 
-void StreamingHistogram::add_counts(std::span<const double> numbers) {
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += numbers[i];
-}
-
 }  // namespace flatray

@@ -1,8 +1,6 @@
 #pragma once
-#include <span>
-
 #include "base/table.h"
-#include "study/experiment.h"
+#include "study/statistics/blocks.h"
 
 namespace flatray {
 
@@ -25,10 +23,9 @@ class StreamingHistogram {
   /// Pearson's sum of (counted - even)^2 / even over the bins, if numbers were equally likely in all.
   double chi_squared_of_even() const;
 
-  /// As numbers, for blocks.
-  std::size_t size() const { return counts_.size(); }
-  const Numbers& numbers() const { return counts_; }
-  void add_counts(std::span<const double> numbers);
+  void append_to(SumList& list) {
+    for (double& count : counts_) list.push_back(&count);
+  }
 
  private:
   double from(std::size_t bin) const { return low_ + width_ * static_cast<double>(bin); }

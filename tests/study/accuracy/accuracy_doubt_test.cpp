@@ -35,8 +35,8 @@ Result<ChoiceSettings> doubtful(const AccuracyContext&) {
   const auto setting = [](const char* words, double n, double error) {
     return Setting{words, n, [] {}, [error] { return Outcome{error}; }};
   };
-  ChoiceSettings made{
-      "the truth", "m", "steps", {setting("far", 1, 0.5), setting("near", 2, 0.25)}};
+  ChoiceSettings made{{"the truth", "m", "steps"},
+                      {setting("far", 1, 0.5), setting("near", 2, 0.25)}};
   made.doubt = 0.3;
   return made;
 }

@@ -111,9 +111,7 @@ Setting setting(const char* words, double n, double seconds, double error) {
 }
 
 Result<ChoiceSettings> three(const AccuracyContext&) {
-  return ChoiceSettings{"the truth",
-                        "m",
-                        "steps",
+  return ChoiceSettings{{"the truth", "m", "steps"},
                         {setting("short", 1, 0, 0.5), setting("long and far", 2, 0.01, 0.75),
                          setting("long and near", 4, 0.01, 0.25)}};
 }

@@ -97,7 +97,7 @@ std::string always(const Scene&) { return ""; }
 // Work that differs from run to run, in nine settings: what is told of each is the middle of all runs,
 // so that half of their range is never below 0.
 Result<ChoiceSettings> uneven(const AccuracyContext&) {
-  ChoiceSettings made{"the truth", "m", "steps", {}};
+  ChoiceSettings made{{"the truth", "m", "steps"}};
   for (int n = 1; n <= 9; ++n)
     made.settings.push_back({fmt::format("{}", n), 1.0 * n,
                              [runs = std::make_shared<int>(n)] {

@@ -53,7 +53,8 @@ TEST(FastExperiments, HaveAnAuditThatSeesOrbitsOfAnotherRoom) {
   const Scene scene = sinai("0.25");
   const Room room(scene);
   const ExperimentContext context = fast(scene, 1000);
-  const std::vector<OrbitStart> starts = audited_starts(context, room, 16);
+  const std::vector<OrbitStart> starts = audited_starts(
+      context, 16, [&](std::uint64_t i) { return room.draw_start(context.seed, i); });
   const std::vector<Measure> right = audit(context, room, starts, 40);
   EXPECT_TRUE(std::all_of(right.begin(), right.end(), &agrees));
   const Scene larger = sinai("0.2500001");

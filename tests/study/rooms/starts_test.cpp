@@ -52,11 +52,13 @@ TEST(StartSums, TakeEachRandomOrbitAndEachShiftForASample) {
   EXPECT_EQ(random.all().samples, 10 * kShifts);
   EXPECT_EQ(quasi.all().samples, kShifts);
   EXPECT_EQ(random.all().ratio(), quasi.all().ratio());
-  Numbers numbers;
-  quasi.append_to(numbers);
-  ASSERT_EQ(numbers.size(), StartSums::size(Starts::quasi));
-  const RatioSums read = StartSums::from(Starts::quasi, numbers).all();
-  EXPECT_EQ(read.standard_error(), quasi.all().standard_error());
+  StartSums read(Starts::quasi);
+  SumList from, to;
+  quasi.append_to(from);
+  read.append_to(to);
+  ASSERT_EQ(from.size(), to.size());
+  add(to, numbers_of(from));
+  EXPECT_EQ(read.all().standard_error(), quasi.all().standard_error());
 }
 
 // How the error of a mean of one flight an orbit falls with their number: root mean square over

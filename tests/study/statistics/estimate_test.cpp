@@ -24,9 +24,10 @@ TEST(RatioSums, OfProportionalSamplesHaveNoError) {
   for (const double y : {1.0, 5.0, 9.0}) sums.add(3 * y, y);
   EXPECT_EQ(sums.ratio(), 3);
   EXPECT_EQ(sums.standard_error(), 0);
-  Numbers numbers;
-  sums.append_to(numbers);
-  half += RatioSums::from(numbers);
+  SumList from, to;
+  sums.append_to(from);
+  half.append_to(to);
+  add(to, numbers_of(from));
   EXPECT_EQ(half.ratio(), 3);
 }
 
