@@ -2,6 +2,7 @@
 
 #include "anim/camera.h"
 #include "anim/motion.h"
+#include "geom/polygon.h"
 #include "geom/turn.h"
 #include "scene/curve.h"
 #include "scene/keys/changing_shape.h"
@@ -154,6 +155,7 @@ std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose&
   std::vector<Vec2> vertices;
   for (std::uint32_t i = shape.begin[piece]; i < shape.begin[piece + 1]; ++i)
     vertices.push_back(place(shape.vertices[i]));
+  mend_convex(vertices);
   return vertices;
 }
 

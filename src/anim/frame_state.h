@@ -80,7 +80,8 @@ Pose entity_pose(const FrameState& state, std::size_t entity);
 Pose pillar_pose(const FrameState& state, const Chamber::Pillar& pillar);
 Pose world_pose(const FrameState& state);
 
-/// Vertices of a convex piece of a shape in the world.
+/// Vertices of a convex piece of a shape in the world, convex as they are rounded: one that comes to lie
+/// inside lies on the one before it.
 std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose& place);
 /// Circles and arcs in the world.
 Circle posed(const Circle& circle, const Pose& place);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "geom/hit_interval.h"
+#include "geom/predicates.h"
 #include "scene/outlines/outline.h"
 #include "scene/outlines/rounded.h"
 
@@ -23,13 +24,13 @@ PathEdge arc_in_world(const PathWall& wall, const Pose& place) {
   const bool whole = arc.is_whole();
   const bool is_flat = cross_sign(curve.u, curve.v) == Sign::zero;
   if (is_flat && whole) {
-    const Vec2 reach = curve.u.squaredNorm() > curve.v.squaredNorm() ? curve.u : curve.v;
+    const Vec2 reach = curve.u.cwiseAbs().maxCoeff() > curve.v.cwiseAbs().maxCoeff() ? curve.u : curve.v;
     return {curve.centre - reach, curve.centre + reach, std::nullopt};
   }
   // So small, and so far away, that the doubles do not tell an end from the centre.
   if (is_flat || (!whole && (from == to || from == curve.centre || to == curve.centre)))
     return {from, to, std::nullopt};
-  const bool forward = (arc.sweep > 0) == (cross(arc.u, arc.v) > 0);
+  const bool forward = (arc.sweep > 0) == (cross_sign(arc.u, arc.v) == Sign::positive);
   if (whole) return {from, to, Arc{curve, Arc::Extent::whole, {0, 0}, {0, 0}, !forward}, forward};
   return {from, to,
           Arc{curve, Arc::Extent::between, forward ? from : to, forward ? to : from, !forward},

@@ -5,6 +5,7 @@
 
 #include "geom/decide.h"
 #include "geom/pair.h"
+#include "geom/polygon.h"
 
 namespace flatray {
 namespace {
@@ -58,6 +59,7 @@ MovingBody BodyPairs::part(std::uint32_t body, std::uint32_t part, const Vec2& a
   const ShapePart& own = bodies_[body].parts[part];
   ring.clear();
   for (const Vec2& p : own.ring) ring.push_back(at + p);
+  mend_convex(ring);
   return {ring, stages_[body].back().velocity, own.radius};
 }
 

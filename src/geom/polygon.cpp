@@ -78,4 +78,22 @@ std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring) {
   return turns.third_change;
 }
 
+void mend_convex(std::vector<Vec2>& ring) {
+  const std::size_t n = ring.size();
+  if (n < 3) return;
+  const auto turn = [&](std::size_t i) {
+    return orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]);
+  };
+  // Where it turns one way everywhere it winds as often as it did before.
+  std::size_t same = 0;
+  while (same < n && turn(same) != Sign::zero && turn(same) == turn(0)) ++same;
+  if (same == n) return;
+  while (const auto inside = non_convex_vertex(ring)) {
+    const Vec2 corner = ring[*inside];  // those that were moved onto it go with it
+    std::size_t before = *inside;
+    while (ring[before] == corner) before = (before + n - 1) % n;
+    for (std::size_t i = (before + 1) % n; ring[i] == corner; i = (i + 1) % n) ring[i] = ring[before];
+  }
+}
+
 }  // namespace flatray

@@ -224,5 +224,21 @@ TEST(World, ASectorIsAnArcAndTwoSides) {
   EXPECT_EQ(world.owners[2].edge, 2);
 }
 
+// Products of their sizes are no doubles.
+TEST(World, ArcsOfAnySizeAreOnTheSameSide) {
+  for (const double v : {3.0, 2.0, -2.0}) {
+    const auto of_size = [v](double size) {
+      const EllipseArc arc{{0, 0}, {3 * size, 0}, {0, v * size}, 0.5, 3};
+      return world_of_path({{arc}, false}, {0, 0}, 0).surfaces.arcs.at(0);
+    };
+    const Arc one = of_size(1);
+    for (const double size : {0x1p-1000, 0x1p-570, 0x1p-530, 0x1p500, 0x1p900}) {
+      const Arc arc = of_size(size);
+      EXPECT_EQ(arc.from, Vec2(size * one.from)) << size;
+      EXPECT_EQ(arc.to, Vec2(size * one.to)) << size;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace flatray

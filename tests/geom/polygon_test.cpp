@@ -91,6 +91,33 @@ TEST(NonConvexVertex, OneUlpInwardIsSeen) {
   EXPECT_EQ(non_convex_vertex(square), 2u);
 }
 
+// Corners on a circle, in either orientation, far away: some come to lie inside of others.
+TEST(MendConvex, GivesTheHullOfRoundedCornersWithAsManyEdges) {
+  std::size_t moved = 0;
+  for (int n = 3; n < 120; n += 3)
+    for (const double far : {0.0, 0x1p48, 0x1p50, -0x1p51})
+      for (const double way : {1.0, -1.0}) {
+        std::vector<Vec2> given, rounded;
+        for (int i = 0; i < n; ++i) {
+          const double angle = way * 2 * std::numbers::pi * (i + 0.1) / n;
+          given.emplace_back(std::cos(angle) + (far + 1), std::sin(angle) - far);
+        }
+        rounded = given;
+        mend_convex(rounded);
+        ASSERT_EQ(rounded.size(), given.size());
+        EXPECT_FALSE(non_convex_vertex(rounded)) << n << " at " << far;
+        for (int i = 0; i < n; ++i) {
+          const auto k = static_cast<std::size_t>(i);
+          moved += rounded[k] != given[k] ? 1 : 0;
+          const Vec2 &a = rounded[k], &b = rounded[(k + 1) % rounded.size()];
+          for (const Vec2& corner : given)
+            EXPECT_NE(orientation(a, b, corner), way > 0 ? Sign::negative : Sign::positive)
+                << n << " at " << far;
+        }
+      }
+  EXPECT_GT(moved, 1000U);
+}
+
 TEST(CrossingEdges, ASimpleRingHasNone) {
   EXPECT_FALSE(crossing_edges(regular(1000)));
   EXPECT_FALSE(crossing_edges(Ring{{0, 0}, {0, 0}, {1, 0}, {2, 0}, {1, 1}, {0, 0}}));

@@ -1,10 +1,11 @@
 #include "app/answers/hit_svg.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "base/number_text.h"
 #include "base/portable_math.h"
 #include "geom/bounds.h"
 #include "geom/cyrus_beck.h"
@@ -80,13 +81,16 @@ std::string svg_of(const Scene& scene, const FrameState& state,
         to.points.insert(to.points.end(),
                          {point(at(ray, part.low)), point(at(ray, part.high)), Plot::gap()});
     };
-    add(rays, shown);
-    origins.points.push_back({ray.origin.x(), ray.origin.y(), 0, report.ray.name});
+    if (&report == &reports.front() || report.ray.name != (&report - 1)->ray.name ||
+        ray.origin != (&report - 1)->ray.ray.origin) {
+      add(rays, shown);
+      origins.points.push_back({ray.origin.x(), ray.origin.y(), 0, report.ray.name});
+    }
     if (!report.hit) continue;
     add(inside, {std::max(report.hit.t_enter, shown.low), std::min(report.hit.t_exit, shown.high)});
     for (const double t : {report.hit.t_enter, report.hit.t_exit})
       if (std::isfinite(t))
-        ends.points.push_back({at(ray, t).x(), at(ray, t).y(), 0, "t = " + number_text(t)});
+        ends.points.push_back({at(ray, t).x(), at(ray, t).y(), 0, fmt::format("t = {:.6g}", t)});
   }
   for (Plot::Series* series : {&walls, &rays, &origins, &inside, &ends})
     plot.series.push_back(std::move(*series));

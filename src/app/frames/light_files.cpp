@@ -265,4 +265,15 @@ std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRe
                         : "move lamps and what they aim at away from where walls meet"};
 }
 
+std::optional<Diagnostic> missed_error(double asked, std::span<const FrameRecord> records) {
+  double error = 0;
+  for (const FrameRecord& record : records)
+    if (record.light) error = std::max(error, record.light->error.value_or(0));
+  if (!(asked > 0 && error > asked)) return std::nullopt;
+  return Diagnostic{
+      named_place("--error"),
+      fmt::format("the error is {:.3g}, not {:.3g}: rays or time ended first", error, asked),
+      "say more --rays or --time, or leave them out"};
+}
+
 }  // namespace flatray

@@ -44,5 +44,7 @@ std::vector<std::byte> error_picture(const LightReport& report, const PictureFor
 /// The warning of the frame that lost most, where that is more than a hundredth of its light. What is
 /// cut off after as many bounces as the scene asks for is not lost.
 std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRecord> records);
+/// The warning of the frame with the largest error, where that is more than was asked for.
+std::optional<Diagnostic> missed_error(double asked, std::span<const FrameRecord> records);
 
 }  // namespace flatray

@@ -300,6 +300,8 @@ JobResult run_job(const RenderJob& job, const std::vector<unsigned>& frames, uns
                            : make_pictures(job, source, known, threads, done, claim);
   if (auto lost = lost_light(job.scene, result.written))
     result.warnings.push_back(std::move(*lost));
+  if (auto missed = missed_error(job.light.error, result.written))
+    result.warnings.push_back(std::move(*missed));
   if (job.output.has_frame() && result.problems.empty())
     if (auto written = write_timings(job, result); !written)
       result.problems = std::move(written).error();

@@ -26,7 +26,7 @@ Decisions are exact for the doubles given; there is no tolerance to set.
     {"environment", "variables that are read",
      R"(FLATRAY_SIZE=320x200 stands for --size 320x200, and so for every option: upper case, _ for -.
 A flag is set by 1, true, yes or on. The command line wins; other names are warned of.
-FLATRAY_ISA=portable, baseline, avx2 or avx512 chooses the instruction set. NO_COLOR and CI are honoured.
+FLATRAY_ISA=portable, baseline, avx2 or avx512 chooses the instruction set. CI refuses golden update.
 )"},
     {"exit-codes", "what a script can tell", R"(  0    done
   1    the answer is no: pictures differ, a law does not hold

@@ -22,6 +22,8 @@ class WordReader {
       if (word == "--") {
         operands.insert(operands.end(), next_, end_);
         next_ = end_;
+      } else if (word.empty()) {
+        wrong("''", "is empty", "name what is meant");
       } else if (word.size() < 2 || word[0] != '-') {
         operands.push_back(word);
       } else if (word[1] == '-') {
@@ -104,8 +106,11 @@ class WordReader {
     // One that is itself an option was most likely meant as one: `-o --quiet`.
     if (const std::string& text = value ? *value : *next_; named(text) != nullptr)
       return wrong(name, fmt::format("{}, not the option {}", needed, text));
+    if (!value) value = *next_++;
+    if (value->empty())
+      return wrong(name, "is empty", fmt::format("say {} {}, or leave it out", name, option.metavar));
     Given& one = given.try_emplace(option.name, Given{name, {}}).first->second;
-    one.values.push_back(value ? *std::move(value) : *next_++);
+    one.values.push_back(*std::move(value));
     if (option.kind == OptionKind::text && one.values.size() == 2)
       wrong(name, fmt::format("is given 2 times: '{}' and '{}'", one.values[0], one.values[1]),
             "say it once");

@@ -59,6 +59,12 @@ Result<VerbOutput> run(const Options& options) {
   std::vector<const Choice*> chosen;
   for (const Choice* choice : flatray::choices())
     if (options.chooses(choice->name)) chosen.push_back(choice);
+  Diagnostics left_out;
+  for (const Choice* choice : chosen)
+    if (const std::string why = choice->left_out(loaded->scene); !why.empty())
+      left_out.push_back({named_place(options.operands()[0]),
+                          fmt::format("{} cannot be measured: {}", choice->name, why), ""});
+  if (left_out.size() == chosen.size()) return tl::unexpected(std::move(left_out));
   expect_crashes_of_gl();  // where it is one of the choices
   const AccuracyContext context{loaded->scene, options.seed, options.scene.limits.threads,
                                 options.budget};

@@ -10,6 +10,7 @@
 #include "app/report/report.h"
 #include "app/verb.h"
 #include "base/isa.h"
+#include "base/number_text.h"
 #include "study/stability/leaks.h"
 #include "study/stability/pair_stability.h"
 
@@ -156,9 +157,10 @@ Result<VerbOutput> run_pairs(const Options& options) {
 }
 
 // Part of a whole, of that which was counted: chunks of before have fewer counts.
-std::string share(std::uint64_t part, std::uint64_t whole) {
+JsonValue share(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "unknown";
-  return fmt::format("{:.3g}", static_cast<double>(part) / static_cast<double>(whole));
+  const double exact = static_cast<double>(part) / static_cast<double>(whole);
+  return *parse_number(fmt::format("{:.3g}", exact));
 }
 
 // From the quickest chunk to the slowest: how far the mean of one run can be trusted. One chunk alone

@@ -29,11 +29,16 @@ class ListReader {
 
   Result<SceneDesc> read() {
     std::string_view rest = source_->text();
+    Diagnostics problems;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
-      if (Result<void> line = read_line(rest.substr(0, end)); !line) return fail(std::move(line));
+      if (Result<void> line = read_line(rest.substr(0, end)); !line) {
+        problems.insert(problems.end(), line.error().begin(), line.error().end());
+        if (entities_.size() >= max_entities_) break;
+      }
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
+    if (!problems.empty()) return tl::unexpected(std::move(problems));
     const Place whole{source_, 0, 1};
     std::vector<Member> root;
     root.push_back({"flatray", whole, built_in_number(1)});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geom/predicates.h"
 #include "scene/outlines/outline.h"
 
 namespace flatray {
@@ -50,7 +51,7 @@ struct Gap {
 // Arcs are counted counter-clockwise about their centre, whichever way a path goes along them.
 Gap gap_of(const Edge& edge, const Hole& hole, std::uint32_t number) {
   const auto& arc = edge.wall.arc;
-  const bool backward = arc && (arc->sweep > 0) != (cross(arc->u, arc->v) > 0);
+  const bool backward = arc && (arc->sweep > 0) != (cross_sign(arc->u, arc->v) == Sign::positive);
   const double all = hole.to > 1 ? 2 : 1;  // over the beginning of a whole curve
   return backward ? Gap{all - hole.to, all - hole.from, number} : Gap{hole.from, hole.to, number};
 }

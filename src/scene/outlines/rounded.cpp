@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "geom/predicates.h"
+
 namespace flatray {
 namespace {
 
@@ -26,7 +28,8 @@ std::optional<Rounded> rounded_by(const ArcPath& path) {
   if (!is_half(one) || !is_half(other) || other.u != -one.u || other.v != -one.v)
     return std::nullopt;
   // The second half faces away from the first.
-  if ((other.centre - one.centre).dot(one.v) >= 0) return std::nullopt;
+  const Vec2 across(one.v.y(), -one.v.x());
+  if (cross_sign(across, other.centre - one.centre) != Sign::negative) return std::nullopt;
   return Rounded{other.centre, one.centre, circle_radius(one.u)};
 }
 

@@ -39,9 +39,15 @@ Result<Value*> entry(Value& array, const Member& step) {
                             counted(array.items.size(), "entry", "entries")),
                 Trouble::usage);
   }
+  Value* found = nullptr;
   for (Value& item : array.items)
-    if (const Member* name = item.find("name"); name != nullptr && name->value.text == step.key)
-      return &item;
+    if (const Member* name = item.find("name"); name != nullptr && name->value.text == step.key) {
+      if (found != nullptr)
+        return fail(step.where, fmt::format("two entries are named '{}'", step.key),
+                    "say which by its number, from 0", Trouble::usage);
+      found = &item;
+    }
+  if (found != nullptr) return found;
   Diagnostic unknown = unknown_word(step.where, "name", step.key, names_of(array));
   unknown.trouble = Trouble::usage;
   return tl::unexpected(Diagnostics{std::move(unknown)});

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "geom/predicates.h"
 #include "scene/shape.h"
 
@@ -29,11 +32,16 @@ Result<Shape> build(Args& args) {
   if (sides == 4) {
     half = {-0.5 * a - 0.5 * b, 0.5 * a - 0.5 * b};
   } else {
-    if (!(a.dot(b) > 0 && a.dot(b) < a.dot(a) && a.dot(b) < b.dot(b)))
+    // A power of two: in it squares are doubles, and nothing else is rounded.
+    const double unit =
+        std::ldexp(1.0, std::ilogb(std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff())));
+    const Vec2 one = a / unit, other = b / unit, across = other - one;
+    if (!(one.dot(other) > 0 && one.dot(across) < 0 && other.dot(across) > 0))
       return fail(args.where,
                   "a cell of six sides needs 0, a and b to be corners of an acute triangle",
                   "write 4 sides, or lattice vectors about 60 degrees apart");
-    half = {-circumcentre(b, b - a), -circumcentre(b - a, -a), circumcentre(a, b)};
+    half = {-unit * circumcentre(other, across), -unit * circumcentre(across, -one),
+            unit * circumcentre(one, other)};
   }
   Shape shape;
   shape.vertices = half;

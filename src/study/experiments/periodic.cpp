@@ -77,7 +77,8 @@ class PeriodicOrbits {
     const std::vector<const ClosedOrbit*> shown = one_of_those_alike();
     if (!shown.empty()) {
       add_plot(all, "periodic", plot_of_orbits(room_, shown), context_.threads);
-      add_plot(all, "periodic_stability", plot_of_stability(shown), context_.threads);
+      if (const Plot plot = plot_of_stability(shown); !plot.series.empty())
+        add_plot(all, "periodic_stability", plot, context_.threads);
     }
     return all;
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geom/predicates.h"
+
 namespace flatray {
 namespace {
 
@@ -121,7 +123,7 @@ Judged judge(const MirrorRoom& room, const Word& word, const StationaryPolygon& 
     const Mirror& there = room.mirrors[word[bounces[j].place]];
     const CurvePlace place = polygon.place(i);
     const Pair<Near> way = polygon.way_from(i), from = polygon.way_to(i);
-    const bool turned = cross(here.arc->curve.u, here.arc->curve.v) < 0;
+    const bool turned = cross_sign(here.arc->curve.u, here.arc->curve.v) == Sign::negative;
     const Sign rightward = turned ? Sign::negative : Sign::positive;
     const Near out = signed_by(rightward, cross(way, place.rate)),
                in = signed_by(rightward, cross(place.rate, from));

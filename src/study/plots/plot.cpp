@@ -52,9 +52,8 @@ class PlotDrawing {
     for (const Plot::Series& series : plot_.series) {
       const std::size_t look = series.ink.empty() ? number++ : 0;
       const std::string ink = series.ink.empty() ? series_ink(look) : series.ink;
-      series.marks ? marks(series, ink, look, labels) : line(series, ink, look);
-      if (series.points.size() > (series.marks ? 0 : 1) && !series.name.empty())
-        name(series, ink, look);
+      is_marked(series) ? marks(series, ink, look, labels) : line(series, ink, look);
+      if (!series.points.empty() && !series.name.empty()) name(series, ink, look);
     }
     labels.draw(out_);
     if (plot_.bar) bar(*plot_.bar);
@@ -69,6 +68,10 @@ class PlotDrawing {
   }
 
  private:
+  // A line of one point would not be seen.
+  static bool is_marked(const Plot::Series& series) {
+    return series.marks || series.points.size() == 1;
+  }
   bool is_legend_full() const { return name_at_.y() > high_.y() + (3.4 + kMostRows) * kLine; }
   bool shown(const Plot::Point& point) const {
     return std::isfinite(point.x) && std::isfinite(point.y) && (!plot_.log_y || point.y > 0) &&
@@ -248,7 +251,7 @@ class PlotDrawing {
   void name(const Plot::Series& series, const std::string& ink, std::size_t number) {
     if (is_legend_full()) return;
     const Vec2 at = next_name(series.name) - Vec2(6, 0);
-    if (series.marks) return mark(at - Vec2(9, 0), ink, number, series.width);
+    if (is_marked(series)) return mark(at - Vec2(9, 0), ink, number, series.width);
     stroke({at - Vec2(22, 0), at}, {ink, "", series.width, number});
   }
 

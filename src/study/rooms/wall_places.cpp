@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "geom/decide.h"
+#include "geom/predicates.h"
 
 namespace flatray {
 namespace {
@@ -89,12 +90,17 @@ double passed_at(const Way& way, std::span<const double> lengths, double positio
   return from + share * part;
 }
 
+// -1 where u, v turn clockwise, else 1.
+double turn_of(const Ellipse& curve) {
+  return cross_sign(curve.u, curve.v) == Sign::negative ? -1 : 1;
+}
+
 // A curved wall by its parameter: centre + cos a u + sin a v, from `from` over `sweep`, which is
 // negative where u, v turn clockwise.
 class ArcWay {
  public:
   explicit ArcWay(const Arc& arc) : curve_(arc.curve) {
-    const double turn = cross(curve_.u, curve_.v) < 0 ? -kTurn : kTurn;
+    const double turn = turn_of(curve_) * kTurn;
     sweep_ = turn;
     if (arc.extent == Arc::Extent::whole) return;
     const bool half = arc.extent == Arc::Extent::half;
@@ -119,7 +125,7 @@ class ArcWay {
       return out / flatray::length(out);
     }
     const Vec2 along = tangent_at(point), across(along.y(), -along.x());
-    return (cross(curve_.u, curve_.v) < 0 ? -1 : 1) * across / flatray::length(across);
+    return turn_of(curve_) * across / flatray::length(across);
   }
   double curvature_at(const Vec2& point) const {
     if (curve_.is_circle()) return 1 / curve_.u.x();
@@ -154,11 +160,11 @@ class ArcWay {
     const Vec2 from = point - curve_.centre;
     const double c = cross(from, curve_.v), s = cross(curve_.u, from);
     return (c * curve_.v - s * curve_.u) *
-           ((cross(curve_.u, curve_.v) < 0 ? -1 : 1) / std::sqrt(c * c + s * s));
+           (turn_of(curve_) / std::sqrt(c * c + s * s));
   }
   double angle_of(const Vec2& from) const {
     return portable::atan2(cross(curve_.u, from), cross(from, curve_.v)) +
-           (cross(curve_.u, curve_.v) < 0 ? kTurn / 2 : 0);
+           (turn_of(curve_) < 0 ? kTurn / 2 : 0);
   }
 
   Ellipse curve_;

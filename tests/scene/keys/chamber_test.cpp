@@ -14,6 +14,8 @@ TEST(PeriodicChambers, AreCellsThatFillThePlane) {
   for (const char* cell :
        {"box = { min = [0, 0], max = [2, 1] }", "cell = { a = [1.1, 0.2], b = [0.3, 0.7] }",
         "cell = { a = [2.1, 0], b = [1.05, 1.818653347947321], sides = 6 }",
+        "cell = { a = [1e-300, 0], b = [0.5e-300, 0.8e-300], sides = 6 }",
+        "cell = { a = [1e200, 0], b = [0.5e200, 0.8e200], sides = 6 }",
         "polygon = { points = [[0, 0], [2, 0], [3, 1], [1, 1]] }"})
     EXPECT_EQ(loaded(chamber(cell)).scene.chambers.front().material, Material::periodic) << cell;
   EXPECT_NE(refusal(chamber("circle = { radius = 1 }"))
