@@ -88,7 +88,7 @@ bool BodyPairs::overlap(const IndexPair& pair, double time) const {
 // A time before which discs about both do not meet. What rounding may lose is far below 2^-30 of
 // what goes in.
 std::optional<double> BodyPairs::least_wait(const IndexPair& pair, double time, double end) const {
-  constexpr double kSlack = 0x1p-30;
+  constexpr double kSlack = 0x1p-30, kSmall = 0x1p-900;  // below, lengths have few digits
   const auto [i, k] = pair;
   const Vec2 at_i = place(i, time), at_k = place(k, time), from = at_k - at_i;
   const double distance = length_of(from);
@@ -97,6 +97,7 @@ std::optional<double> BodyPairs::least_wait(const IndexPair& pair, double time, 
   if (!(distance > reach)) return 0;
   const Vec2 way = stages_[k].back().velocity - stages_[i].back().velocity;
   const double speed = length_of(way);
+  if (distance < kSmall || (speed > 0 && speed < kSmall)) return 0;
   const double ahead = speed > 0 ? -(way / speed).dot(from) : 0;
   if (!(ahead > 0)) return std::nullopt;
   const double beside = length_of(from + ahead * (way / speed));

@@ -14,7 +14,11 @@ const Vec2& vertex(const MovingBody& body, int k) {
   return body.vertices[static_cast<std::size_t>(k)];
 }
 
-Vec2 turned_right(const Vec2& along) { return Vec2(along.y(), -along.x()).stableNormalized(); }
+// Of length 1, of differences that are hardly doubles too.
+Vec2 unit(const Vec2& v) {
+  return (v.cwiseAbs().maxCoeff() < 0x1p-900 ? Vec2(0x1p900 * v) : v).stableNormalized();
+}
+Vec2 turned_right(const Vec2& along) { return unit({along.y(), -along.x()}); }
 
 // Of an edge of positive length; of a core without area any tells the line.
 Vec2 edge_normal(std::span<const Vec2> ring, std::size_t edge) {
@@ -42,7 +46,7 @@ Vec2 normal_of_discs(const Vec2& at_a, const MovingBody& a, const Vec2& at_b, co
     });
   };
   const Sign beside = decide([&](const auto& number) { return cross(from(number), way(number)); });
-  const Vec2 ahead = (b.velocity - a.velocity).stableNormalized();
+  const Vec2 ahead = unit(b.velocity - a.velocity);
   const double sine = std::sqrt(share(true)) * static_cast<int>(beside);
   return -std::sqrt(share(false)) * ahead - sine * Vec2(-ahead.y(), ahead.x());
 }
@@ -73,7 +77,7 @@ ContactPlace contact_place(const ContactFeature& feature, const MovingBody& a, c
   }
   Vec2 normal = edge_normal((edge_of_a ? a : b).vertices, static_cast<std::size_t>(edge));
   // Out of the first: against the way in which it is met.
-  if (normal.dot((a.velocity - b.velocity).stableNormalized()) < 0) normal = -normal;
+  if (normal.dot(unit(a.velocity - b.velocity)) < 0) normal = -normal;
   return edge_of_a ? place_on_b(b, vertex(b, other), t, normal)
                    : place_on_a(a, vertex(a, other), t, normal);
 }
@@ -99,7 +103,7 @@ ContactPlace resting_place(const MovingBody& a, const MovingBody& b, double t) {
     if (beside && !difference.has_area && outward.dot(start) < 0) continue;  // the side back is
     const double distance = beside ? std::fabs(outward.dot(start)) : start.stableNorm();
     const bool is_corner = !beside && distance > 0;
-    const Vec2 normal = is_corner ? Vec2(start.stableNormalized()) : outward;
+    const Vec2 normal = is_corner ? unit(start) : outward;
     const auto rank = rank_of(distance, normal, velocity);
     if (!(rank < least)) continue;
     least = rank;

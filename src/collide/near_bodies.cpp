@@ -24,8 +24,10 @@ Bounds NearBodies::way_of(std::uint32_t body, const Stage& stage, double from) c
   const Vec2 sizes = stage.at.cwiseAbs() + (std::fabs(to_) + std::fabs(from)) * speed +
                      shape.low.cwiseAbs() + shape.high.cwiseAbs();
   Bounds way = swept({at + shape.low, at + shape.high}, stage.velocity, to_ - from);
-  way.low -= kSlack * sizes;
-  way.high += kSlack * sizes;
+  const Vec2 slack =
+      kSlack * sizes + Vec2::Constant(0x1p-1060);  // that of rounding to what is hardly a double
+  way.low -= slack;
+  way.high += slack;
   // Beyond the doubles it may be anywhere.
   if (!way.low.allFinite() || !way.high.allFinite())
     return {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};

@@ -31,6 +31,8 @@ struct Prospect {
 struct Tally {
   std::size_t hits = 0, doublings = 0;  // the latter in less time, and faster
   double at = 0, took = kInfinity, speed = 0;
+  std::uint32_t by = 0, before = 0;  // whose the last hit was, and the one before
+  bool by_movable = false;           // one of those since they had doubled
 };
 
 class Run {
@@ -123,8 +125,8 @@ class Run {
         }
         const auto [a, b] = hit.pair;
         const ContactPlace& place = hit.touches.front().place;
-        for (const std::uint32_t body : {a, b})
-          if (const double time = accumulation(body); time <= end_)
+        for (const auto& [body, other] : {hit.pair, IndexPair(b, a)})
+          if (const double time = accumulation(body, other, place.normal); time <= end_)
             accumulates_ = Hit{time, hit.pair};
         done.events.push_back({now_, a, b, place.point, place.normal, stages_[a].back().velocity,
                                stages_[b].back().velocity});
@@ -133,15 +135,36 @@ class Run {
     return true;
   }
 
-  // When the hits of a body accumulate; infinite where they do not.
-  double accumulation(std::uint32_t body) {
+  // When the hits of a body accumulate; infinite where they do not: what can be moved is turned in the end.
+  double accumulation(std::uint32_t body, std::uint32_t other, const Vec2& normal) {
     Tally& last = tallies_[body];
+    last.before = std::exchange(last.by, other);
+    last.by_movable |= bodies_[other].mass < kInfinity;
     if (++last.hits < kJamFirst || !std::has_single_bit(last.hits)) return kInfinity;
     const double took = now_ - last.at, speed = stages_[body].back().velocity.stableNorm();
-    const bool denser = took < last.took && speed > 1.5 * last.speed;
+    const bool denser = took < last.took && speed > 1.5 * last.speed && !last.by_movable;
     const double shorter = took / last.took;
-    last = {last.hits, denser ? last.doublings + 1 : 0, now_, took, speed};
-    return last.doublings < kJamDoublings ? kInfinity : now_ + took * shorter / (1 - shorter);
+    last = {last.hits, denser ? last.doublings + 1 : 0, now_, took, speed, other, last.before};
+    const double time = now_ + took * shorter / (1 - shorter);
+    const bool gets_out =
+        is_past(body, other, normal, time) || is_past(body, last.before, normal, time);
+    return last.doublings < kJamDoublings || gets_out ? kInfinity : time;
+  }
+
+  // Whether it has gone by beside another by then, if nothing else stops it.
+  bool is_past(std::uint32_t body, std::uint32_t other, const Vec2& normal, double time) const {
+    const auto extent = [&](std::uint32_t i) {
+      Range beside{kInfinity, -kInfinity};
+      for (const ShapePart& part : bodies_[i].parts)
+        for (const Vec2& p : part.ring) {
+          const double at = cross(normal, pairs_.place(i, time) + p);
+          beside = {std::min(beside.low, at - part.radius),
+                    std::max(beside.high, at + part.radius)};
+        }
+      return beside;
+    };
+    const Range a = extent(body), b = extent(other);
+    return a.high < b.low || b.high < a.low;
   }
 
   // Those at the next time at which something meets, which is now; none where the while ends.

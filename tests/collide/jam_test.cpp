@@ -75,5 +75,35 @@ TEST(Jams, WhatGoesOutBetweenClosingWallsIsNotJammed) {
   EXPECT_GT(done.events.size(), 1U);
 }
 
+// Between a wall and what is n times as heavy a ball is hit floor(pi sqrt(n)) times, fewer with what it begins with:
+// Galperin 2003.
+TEST(Jams, WhatCanBeMovedIsTurnedInTheEnd) {
+  const auto hits = [](double heavy) {
+    const SimulatedBody bodies[] = {box({-1, 0}, {1, 1}, {0, 0}, kInfinity),
+                                    box({1.25, 0}, {0.25, 0.5}, {0, 0}, 1),
+                                    box({2.5, 0}, {0.5, 1}, {-1, 0}, heavy)};
+    const Simulation done = simulate(bodies, Response::bounce, 100);
+    EXPECT_FALSE(done.jammed) << heavy;
+    EXPECT_TRUE(done.complete) << heavy;
+    return done.events.size();
+  };
+  EXPECT_EQ(hits(1e4), 314U);
+  EXPECT_EQ(hits(1e6), 3141U);
+  EXPECT_EQ(hits(1e7), 9934U);
+}
+
+// It leaves at 0.7495, before the walls have closed in to its width at 0.75.
+TEST(Jams, WhatSlipsOutBesideIsNotJammed) {
+  const auto done = [](double beside) {
+    const SimulatedBody bodies[] = {box({-0.5, 0}, {0.5, 1}, {0, 0}, kInfinity),
+                                    box({1.5, 0}, {0.5, 1}, {-1, 0}, kInfinity),
+                                    box({0.5, 0}, {0.125, 0.125}, {1, beside}, 1)};
+    return simulate(bodies, Response::bounce, 0.9);
+  };
+  EXPECT_FALSE(done(1.501).jammed);
+  EXPECT_FALSE(done(1.51).jammed);
+  EXPECT_TRUE(done(1.49).jammed);
+}
+
 }  // namespace
 }  // namespace flatray

@@ -355,5 +355,16 @@ TEST(Simulate, PairsThatComeNearGiveTheEventsOfAllPairsOfBodiesOfAnyKind) {
   EXPECT_GT(events, 80 * items);
 }
 
+// Lengths of so few units in the last place are off by a third.
+TEST(Simulate, BodiesThatAreHardlyDoublesMeet) {
+  constexpr double kUnit = 0x1p-1074;
+  const SimulatedBody bodies[] = {disc({-10 * kUnit, -10 * kUnit}, 2 * kUnit, {kUnit, kUnit}),
+                                  disc({0, 0}, 2 * kUnit, {0, 0})};
+  const Simulation done = simulate(bodies, Response::bounce, 20);
+  ASSERT_EQ(done.events.size(), 1U);
+  EXPECT_NEAR(done.events[0].time, 10 - 2 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(done.events[0].normal.x(), std::sqrt(0.5), 1e-15);
+}
+
 }  // namespace
 }  // namespace flatray
