@@ -97,7 +97,7 @@ class Builder {
     if (one) return paint(rings[0]);
     if (path.rule == FillRule::even_odd) return cover(figures(rings), FLATRAY_GL_FLIP);
     if (!convex_alike(rings)) return wind(figures(rings), path.simple);
-    if (!opaque_) return cover(convex_figures(rings), FLATRAY_GL_MARK);
+    if (!opaque_) return wind(convex_figures(rings), false);
     for (const Ring& ring : rings) paint(ring);
   }
 
@@ -130,9 +130,7 @@ class Builder {
     if (!corners.empty()) out_.paint(corners, paint_, out_.box(corners));
   }
 
-  Grid convex(const Ring& ring) const {
-    return hull(on_grid(contains(guard_, bounds_of(ring)) ? ring : clipped(ring, guard_)));
-  }
+  Grid convex(const Ring& ring) const { return hull(on_grid(clipped(ring, guard_))); }
 
   std::vector<Grid> convex_figures(const std::vector<Ring>& rings) const {
     std::vector<Grid> figures;
@@ -142,8 +140,7 @@ class Builder {
 
   std::vector<Grid> figures(const std::vector<Ring>& rings) const {
     std::vector<Grid> figures;
-    for (const Ring& ring : rings)
-      figures.push_back(on_grid(contains(guard_, bounds_of(ring)) ? ring : clamped(ring, guard_)));
+    for (const Ring& ring : rings) figures.push_back(on_grid(clamped(ring, guard_)));
     return figures;
   }
 
