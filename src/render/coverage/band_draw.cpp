@@ -18,20 +18,6 @@ Light mixed(const Light& a, const Light& b, double share) {
   return mean;
 }
 
-// Light along rays or over areas.
-struct LightSum {
-  std::array<double, 4> sum{};
-
-  void add(double share, const Light& light) {
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += share * static_cast<double>(light[c]);
-  }
-  Light over(double all) const {
-    Light mean;
-    for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum[c] / all);
-    return mean;
-  }
-};
-
 // Of a pixel that an item covers in part: the share of the item, which is simple or has one edge
 // there that parts two winding numbers.
 double share_of(const ItemLook& look, int winding, std::span<const Piece> pieces) {
@@ -120,7 +106,7 @@ Light BandScan::light_of(const Part& part, const Light& below) const {
   const ItemLook& look = looks_[part.item];
   const std::span<const Piece> pieces(pieces_.data() + part.first, part.count);
   if (rays_ == 0) return mixed(look.light, below, share_of(look, part.wound.winding, pieces));
-  LightSum sum;
+  SummedLight sum;
   auto next = pieces.begin();
   for (int ray = 0; ray < rays_; ++ray) {
     int winding = (part.wound.rays >> ray & 1) != 0 ? part.wound.winding : 0;
@@ -201,7 +187,7 @@ std::optional<Light> BandScan::light_of_rest() {
     if (!one.look->opaque) return {};
   for (const Shown& one : shown_) pieces += one.part->count;
   if (pieces > PixelRest::kMostPieces) return {};
-  LightSum sum;
+  SummedLight sum;
   rest_.begin();
   for (auto one = shown_.rbegin(); one != shown_.rend(); ++one) {
     const Part& part = *one->part;
@@ -250,7 +236,7 @@ Light BandScan::mean_of_rays() {
   std::sort(changes_.begin(), changes_.end(), [](const RayChange& a, const RayChange& b) {
     return a.ray != b.ray ? a.ray < b.ray : a.x < b.x;
   });
-  LightSum sum;
+  SummedLight sum;
   std::optional<Light> whole;
   auto next = changes_.begin();
   const auto is_of = [&](int ray) { return next != changes_.end() && next->ray == ray; };
