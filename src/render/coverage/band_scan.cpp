@@ -94,7 +94,7 @@ std::size_t BandScan::take_items(const Band& band) {
     if (open == words_.size()) return i + 1;
     const PixelBox rows = within(box_, band[i].bounds);
     if (rows.height <= 0 || is_settled(rows)) continue;
-    cut_item(band, i);
+    cut_item(band, i, rows);
     item_ = static_cast<std::uint32_t>(i);
     for (int row = rows.y; row < rows.bottom(); ++row) take_row(row);
   }
@@ -113,7 +113,7 @@ bool BandScan::is_settled(const PixelBox& box) const {
   return true;
 }
 
-void BandScan::cut_item(const Band& band, std::size_t i) {
+void BandScan::cut_item(const Band& band, std::size_t i, const PixelBox& rows) {
   ++scans_;
   edges_.drop();
   const Region& region = list_.items[band[i].item].region;
@@ -123,15 +123,15 @@ void BandScan::cut_item(const Band& band, std::size_t i) {
         edges_.add(path->edges[edge - band[i].first]);
     else
       for (const Segment& edge : path->edges)
-        if (std::max(edge.a.y(), edge.b.y()) > box_.y &&
-            std::min(edge.a.y(), edge.b.y()) < box_.bottom())
+        if (std::max(edge.a.y(), edge.b.y()) > rows.y &&
+            std::min(edge.a.y(), edge.b.y()) < rows.bottom())
           edges_.add(edge);
   } else if (const FillArcs* arcs = std::get_if<FillArcs>(&region)) {
     edges_.add(*arcs);
   } else {
     edges_.add(std::get<FillRing>(region));
   }
-  for (const ScanEdge& edge : edges_.edges()) cutter_.cut(edge);
+  for (const ScanEdge& edge : edges_.edges()) cutter_.cut(edge, rows);
 }
 
 void BandScan::begin_row(int row) {

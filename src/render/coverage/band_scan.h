@@ -94,7 +94,7 @@ class BandScan {
   void fetch(const Band& band, std::size_t i) const;
   std::size_t take_items(const Band& band);
   bool is_settled(const PixelBox& box) const;
-  void cut_item(const Band& band, std::size_t i);
+  void cut_item(const Band& band, std::size_t i, const PixelBox& rows);
   void begin_row(int row);
   void take_row(int row);
   void take_columns(const std::vector<RowCut>& cuts);
