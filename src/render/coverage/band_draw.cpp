@@ -35,20 +35,18 @@ double share_of(const ItemLook& look, int winding, std::span<const Piece> pieces
 void BandScan::draw_row(int row) {
   begin_row(row);
   std::vector<Cover>& covers = *row_covers_;
+  std::sort(covers.begin(), covers.end());
   int from = box_.x;
-  columns_.each(covers, box_.x, box_.width, [&](std::span<const std::uint32_t> of_column) {
-    const int column = covers[of_column.front()].column;
-    draw_shining(std::exchange(from, column), column);
-    for (const std::uint32_t i : of_column) {
-      const auto at =
-          std::lower_bound(active_.begin(), active_.end(), covers[i],
-                           [](const Cover& a, const Cover& b) { return a.item < b.item; });
-      if (covers[i].begins)
-        active_.insert(at, covers[i]);
-      else
-        active_.erase(at);
-    }
-  });
+  for (const Cover& cover : covers) {
+    draw_shining(std::exchange(from, cover.column), cover.column);
+    const auto at =
+        std::lower_bound(active_.begin(), active_.end(), cover,
+                         [](const Cover& a, const Cover& b) { return a.item < b.item; });
+    if (cover.begins)
+      active_.insert(at, cover);
+    else
+      active_.erase(at);
+  }
   draw_shining(from, box_.right());
   covers.clear(), active_.clear();
   const auto rest = [this](std::size_t i) {
