@@ -21,6 +21,7 @@ void CellBox::add(const CellBox& more) {
   x1 = std::max(x1, more.x1), y1 = std::max(y1, more.y1);
 }
 
+// Those a figure can touch, with a pixel around it for the shifts of its samples.
 CellBox BatchList::box(std::span<const GridPoint> points) const {
   constexpr auto kStep = static_cast<std::int64_t>(kGridSteps);
   std::int64_t x0 = width_ * kStep, x1 = 0, y0 = height_ * kStep, y1 = 0;
@@ -65,8 +66,8 @@ void BatchList::add_box(FlatrayGlKind kind, const CellBox& box, const VertexPain
           paint);
 }
 
-void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& paint,
-                      const CellBox& box) {
+void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& paint) {
+  const CellBox box = this->box(corners);
   if (box.empty()) return;
   reach_.add(box);
   begin(FLATRAY_GL_PAINT, paint);
@@ -74,7 +75,9 @@ void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& pai
 }
 
 void BatchList::mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
-                     const VertexPaint& paint, const CellBox& box) {
+                     const VertexPaint& paint) {
+  CellBox box;
+  for (const std::vector<GridPoint>& figure : figures) box.add(this->box(figure));
   if (box.empty()) return;
   reach_.add(box);
   begin(kind, {});

@@ -8,9 +8,9 @@
 
 namespace flatray::gl {
 
-/// Pixels [x0, x1) x [y0, y1) of a tile.
+/// Pixels [x0, x1) x [y0, y1) of a tile; at first none.
 struct CellBox {
-  int x0, y0, x1, y1;
+  int x0 = FLATRAY_GL_TILE, y0 = FLATRAY_GL_TILE, x1 = 0, y1 = 0;
   bool empty() const { return x0 >= x1 || y0 >= y1; }
   /// The smallest box around both.
   void add(const CellBox& more);
@@ -27,16 +27,13 @@ class BatchList {
  public:
   BatchList(int width, int height) : width_(width), height_(height) {}
 
-  /// Pixels a figure can touch, with a pixel around it for the shifts of its samples.
-  CellBox box(std::span<const GridPoint> points) const;
-
   /// A convex figure that is blended as it is.
-  void paint(std::span<const GridPoint> corners, const VertexPaint& paint, const CellBox& box);
+  void paint(std::span<const GridPoint> corners, const VertexPaint& paint);
 
   /// An item that is marked first and then covered: triangles from the first point of each figure
   /// to every edge of it, as marks of `kind`.
   void mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
-            const VertexPaint& paint, const CellBox& box);
+            const VertexPaint& paint);
 
   /// What another list drew of the tile, as one picture, faded.
   void lay(const BatchList& layer, float opacity);
@@ -44,12 +41,13 @@ class BatchList {
   Batches finish() && { return std::move(all_); }
 
  private:
+  CellBox box(std::span<const GridPoint> points) const;
   void begin(FlatrayGlKind kind, const VertexPaint& paint);
   void add_fan(std::span<const GridPoint> corners, const VertexPaint& paint);
   void add_box(FlatrayGlKind kind, const CellBox& box, const VertexPaint& paint);
 
   int width_, height_;
-  CellBox reach_{FLATRAY_GL_TILE, FLATRAY_GL_TILE, 0, 0};  // of all there is
+  CellBox reach_;  // of all there is
   Batches all_;
 };
 
