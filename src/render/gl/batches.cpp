@@ -57,7 +57,7 @@ class Builder {
     std::swap(layer, out_);
     for (const DrawItem& item : items) add(item);
     std::swap(layer, out_);
-    out_.lay(std::move(layer), items.front().opacity);
+    out_.lay(layer, items.front().opacity);
   }
 
   Batches finish() && {
@@ -134,14 +134,16 @@ class Builder {
   Grid convex(const Ring& ring) const { return hull(on_grid(clipped(ring, guard_))); }
 
   std::vector<Grid> convex_figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures;
-    for (const Ring& ring : rings) figures.push_back(convex(ring));
+    std::vector<Grid> figures(rings.size());
+    std::transform(rings.begin(), rings.end(), figures.begin(),
+                   [this](const Ring& ring) { return convex(ring); });
     return figures;
   }
 
   std::vector<Grid> figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures;
-    for (const Ring& ring : rings) figures.push_back(on_grid(clamped(ring, guard_)));
+    std::vector<Grid> figures(rings.size());
+    std::transform(rings.begin(), rings.end(), figures.begin(),
+                   [this](const Ring& ring) { return on_grid(clamped(ring, guard_)); });
     return figures;
   }
 
