@@ -159,24 +159,6 @@ std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose&
   return vertices;
 }
 
-Bounds shape_bounds(const Shape& shape, const Pose& place) {
-  Bounds box;
-  for (const Vec2& vertex : shape.vertices) box.add(place(vertex));
-  for (const auto& ring : shape.crossing_rings)
-    for (const Vec2& vertex : ring) box.add(place(vertex));
-  for (const Segment& segment : shape.segments)
-    box.add(place(segment.a)), box.add(place(segment.b));
-  for (const Circle& circle : shape.circles) {
-    const Circle there = posed(circle, place);
-    const Vec2 reach(there.radius, there.radius);
-    box.add(Bounds{there.centre - reach, there.centre + reach});
-  }
-  for (const ArcPath& path : shape.arc_paths) box.add(path_bounds(posed(path, place)));
-  for (const Bezier& curve : shape.beziers)
-    for (int k = 0; k <= curve.degree; ++k) box.add(place(curve.point(k)));
-  return box;
-}
-
 Circle posed(const Circle& circle, const Pose& place) {
   return {place(circle.centre), place.length(circle.radius)};
 }

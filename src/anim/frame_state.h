@@ -83,11 +83,30 @@ Pose world_pose(const FrameState& state);
 /// Vertices of a convex piece of a shape in the world, convex as they are rounded: one that comes to lie
 /// inside lies on the one before it.
 std::vector<Vec2> posed_piece(const Shape& shape, std::size_t piece, const Pose& place);
-/// Circles and arcs in the world.
+/// Points, circles and arcs in the world.
+inline Vec2 posed(const Vec2& point, const Pose& place) { return place(point); }
 Circle posed(const Circle& circle, const Pose& place);
 ArcPath posed(ArcPath path, const Pose& place);
 
-/// Box around a posed shape, without its stroke; empty for a shape without content.
-Bounds shape_bounds(const Shape& shape, const Pose& place);
+/// Box around a shape, without its stroke, whose points, circles and paths posed(what, place) puts where
+/// they are: a Pose, or one beyond the world. Empty for a shape without content.
+template <class Place>
+Bounds shape_bounds(const Shape& shape, const Place& place) {
+  Bounds box;
+  const auto add = [&](const Vec2& point) { box.add(posed(point, place)); };
+  for (const Vec2& vertex : shape.vertices) add(vertex);
+  for (const auto& ring : shape.crossing_rings)
+    for (const Vec2& vertex : ring) add(vertex);
+  for (const Segment& segment : shape.segments) add(segment.a), add(segment.b);
+  for (const Circle& circle : shape.circles) {
+    const Circle there = posed(circle, place);
+    const Vec2 reach(there.radius, there.radius);
+    box.add(Bounds{there.centre - reach, there.centre + reach});
+  }
+  for (const ArcPath& path : shape.arc_paths) box.add(path_bounds(posed(path, place)));
+  for (const Bezier& curve : shape.beziers)
+    for (int k = 0; k <= curve.degree; ++k) add(curve.point(k));
+  return box;
+}
 
 }  // namespace flatray

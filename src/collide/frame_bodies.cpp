@@ -11,8 +11,8 @@ namespace {
 // Of what turns a box around all its angles, by its farthest point; empty without a shape.
 Bounds still_box(const Shape& shape, const Pose& place, bool turns) {
   if (!turns) return shape_bounds(shape, place);
-  const Bounds own = shape_bounds(shape, {{0, 0}, 1, 0, place.scale});
-  if (own.empty()) return own;
+  const Bounds own = shape_bounds(shape, Pose{{0, 0}, 1, 0, place.scale});
+  if (own.empty()) return {};
   const double reach =
       (1 + 0x1p-40) * Vec2(own.low.cwiseAbs().cwiseMax(own.high.cwiseAbs())).stableNorm();
   return {place.at - Vec2(reach, reach), place.at + Vec2(reach, reach)};

@@ -54,8 +54,7 @@ LineHit hit_along(const Ray& ray, Vertices vertices) {
           point ? HitClass::touch : HitClass::along};
 }
 
-}  // namespace
-
+// What the line has in common with a closed convex polygon whose sides are known.
 LineHit hit_line(const Ray& ray, Vertices vertices, const Sides& sides) {
   if (!sides.left && !sides.right) return hit_along(ray, vertices);
   if (sides.down == kNoEdge) return {};
@@ -65,6 +64,8 @@ LineHit hit_line(const Ray& ray, Vertices vertices, const Sides& sides) {
   return {time_on_edge(ray, vertices, enter), time_on_edge(ray, vertices, exit), enter, exit,
           sides.kind(turn != Sign::zero)};
 }
+
+}  // namespace
 
 HitInterval clip_convex(const Ray& ray, Vertices vertices, Range within) {
   if (vertices.empty()) return {};

@@ -23,6 +23,7 @@ struct EllipseArc {
   Vec2 start() const { return at(from); }
   Vec2 end() const { return at(from + sweep); }
   bool is_whole() const { return std::fabs(sweep) >= 2 * std::numbers::pi; }
+  bool operator==(const EllipseArc&) const = default;
 };
 
 /// Arcs in turn, joined by straight lines; a closed path's last to its first. A corner is an arc
@@ -33,6 +34,7 @@ struct ArcPath {
 
   /// Whether it is the boundary of an ellipse.
   bool is_ellipse() const { return closed && arcs.size() == 1 && arcs.front().is_whole(); }
+  bool operator==(const ArcPath&) const = default;
 };
 
 /// A part of an arc on which x and y each only rise or only fall. Neighbours share their ends.

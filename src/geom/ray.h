@@ -30,6 +30,7 @@ inline int root_sign(Root root) { return root == Root::second ? 1 : -1; }
 
 struct Segment {
   Vec2 a, b;
+  bool operator==(const Segment&) const = default;
 };
 
 struct Circle {

@@ -42,7 +42,4 @@ Sides sides_of(std::size_t corners, const SideOf& side, const IsEdge& is_edge) {
   return sides;
 }
 
-/// What the line of `ray` has in common with a closed convex polygon whose sides are known.
-LineHit hit_line(const Ray& ray, std::span<const Vec2> vertices, const Sides& sides);
-
 }  // namespace flatray

@@ -1,7 +1,9 @@
 #include "oracle/exact_coverage.h"
 
 #include <algorithm>
+#include <array>
 
+#include "geom/bounds.h"
 #include "oracle/point.h"
 
 namespace flatray {
@@ -10,46 +12,24 @@ namespace {
 using oracle::Point;
 using Ring = std::vector<Point>;
 
-// Sutherland and Hodgman: the part of a ring where `depth` of a point is not negative.
-template <class Depth>
-Ring clip(const Ring& ring, const Depth& depth) {
-  Ring out;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
-    const Rational dp = depth(p), dq = depth(q);
-    if (dp >= 0) out.push_back(p);
-    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) {
-      const Rational t = dp / (dp - dq);
-      out.push_back(p + t * (q - p));
-    }
-  }
-  return out;
-}
-
-Ring clip_to_pixel(const std::vector<Vec2>& piece, int x, int y) {
+Ring ring_of(std::span<const Vec2> corners) {
   Ring ring;
-  for (const Vec2& v : piece) ring.push_back(oracle::exact(v));
-  ring = clip(ring, [&](const Point& p) { return p.x - x; });
-  ring = clip(ring, [&](const Point& p) { return Rational(x + 1.0) - p.x; });
-  ring = clip(ring, [&](const Point& p) { return p.y - y; });
-  return clip(ring, [&](const Point& p) { return Rational(y + 1.0) - p.y; });
+  for (const Vec2& v : corners) ring.push_back(oracle::exact(v));
+  return ring;
 }
 
-bool misses(const std::vector<Vec2>& piece, int x, int y) {
-  const auto all = [&](auto outside) { return std::all_of(piece.begin(), piece.end(), outside); };
-  return all([&](const Vec2& v) { return v.x() <= x; }) ||
-         all([&](const Vec2& v) { return v.x() >= x + 1.0; }) ||
-         all([&](const Vec2& v) { return v.y() <= y; }) ||
-         all([&](const Vec2& v) { return v.y() >= y + 1.0; });
-}
-
-// Every x at which two sides of any rings cross, and every corner's.
-std::vector<Rational> slab_borders(const std::vector<Ring>& rings) {
+// Every x at which two sides of any rings cross inside the pixel, and that of every corner there.
+std::vector<Rational> slab_borders(const std::vector<Ring>& rings, const Bounds& pixel) {
   std::vector<Rational> borders;
+  const auto add = [&](const Point& p) {
+    if (p.x >= pixel.low.x() && p.x <= pixel.high.x() && p.y >= pixel.low.y() &&
+        p.y <= pixel.high.y())
+      borders.push_back(p.x);
+  };
   std::vector<std::pair<const Point*, const Point*>> sides;
   for (const Ring& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      borders.push_back(ring[i].x);
+      add(ring[i]);
       sides.emplace_back(&ring[i], &ring[(i + 1) % ring.size()]);
     }
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -60,78 +40,70 @@ std::vector<Rational> slab_borders(const std::vector<Ring>& rings) {
       const Rational det = cross(u, v);
       if (det == 0) continue;
       const Rational t = cross(*c - *a, v) / det;
-      if (t > 0 && t < 1) borders.push_back(a->x + t * u.x);
+      if (t > 0 && t < 1) add(*a + t * u);
     }
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
   return borders;
 }
 
-struct Span {
-  Rational low, high;
-};
-
-// Where the upright line at x, through no corner, is inside a convex ring.
-std::vector<Span> spans_at(const std::vector<Ring>& rings, const Rational& x) {
-  std::vector<Span> spans;
+// Of the upright line at x, through no corner, what lies in the pixel and in so many convex rings that
+// `counts(rings)`.
+template <class Counts>
+Rational length_at(const std::vector<Ring>& rings, const Rational& x, const Bounds& pixel,
+                   const Counts& counts) {
+  std::vector<std::pair<Rational, int>> ends;  // and the rings more from there on
   for (const Ring& ring : rings) {
     std::vector<Rational> ys;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
-      if ((p.x < x) != (q.x < x)) ys.push_back(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y));
+      if ((p.x < x) == (q.x < x)) continue;
+      const Rational y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
+      ys.push_back(std::clamp<Rational>(y, pixel.low.y(), pixel.high.y()));
     }
     if (ys.size() < 2) continue;
     const auto [low, high] = std::minmax_element(ys.begin(), ys.end());
-    spans.push_back({*low, *high});
+    ends.emplace_back(*low, 1), ends.emplace_back(*high, -1);
   }
-  return spans;
-}
-
-Rational union_length(std::vector<Span> spans) {
-  std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.low < b.low; });
-  Rational sum, reached;
-  bool any = false;
-  for (const Span& span : spans) {
-    if (!any || span.low > reached) reached = span.low, any = true;
-    if (span.high > reached) sum += span.high - reached, reached = span.high;
-  }
-  return sum;
-}
-
-Rational odd_length(const std::vector<Span>& spans) {
-  std::vector<Rational> ends;
-  for (const Span& span : spans) ends.push_back(span.low), ends.push_back(span.high);
   std::sort(ends.begin(), ends.end());
   Rational sum;
-  for (std::size_t i = 0; i + 1 < ends.size(); i += 2) sum += ends[i + 1] - ends[i];
+  int inside = 0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    inside += ends[i].second;
+    if (counts(inside)) sum += ends[i + 1].first - ends[i].first;
+  }
   return sum;
 }
 
-// Of what `length` measures on the upright lines through a pixel.
-template <class Length>
-Rational area_of(std::span<const std::vector<Vec2>> pieces, int x, int y, const Length& length) {
+template <class Counts>
+Rational area_of(std::span<const std::vector<Vec2>> pieces, int x, int y, const Counts& counts) {
+  const Bounds pixel{Vec2(x, y), Vec2(x + 1.0, y + 1.0)};
   std::vector<Ring> rings;
   for (const std::vector<Vec2>& piece : pieces) {
-    if (misses(piece, x, y)) continue;
-    Ring ring = clip_to_pixel(piece, x, y);
-    if (ring.size() >= 3) rings.push_back(std::move(ring));
+    Bounds box;
+    for (const Vec2& v : piece) box.add(v);
+    if (box.meets(pixel)) rings.push_back(ring_of(piece));
   }
-  const std::vector<Rational> borders = slab_borders(rings);
+  std::vector<Ring> all = rings;
+  all.push_back(ring_of(std::array{pixel.low, Vec2(pixel.high.x(), pixel.low.y()), pixel.high,
+                                   Vec2(pixel.low.x(), pixel.high.y())}));
+  const std::vector<Rational> borders = slab_borders(all, pixel);
   Rational area;
-  for (std::size_t i = 0; i + 1 < borders.size(); ++i)
-    area += (borders[i + 1] - borders[i]) *
-            length(spans_at(rings, (borders[i] + borders[i + 1]) * Rational(0.5)));
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    const Rational middle = (borders[i] + borders[i + 1]) * Rational(0.5);
+    area += (borders[i + 1] - borders[i]) * length_at(rings, middle, pixel, counts);
+  }
   return area;
 }
 
 }  // namespace
 
 Rational exact_union_area(std::span<const std::vector<Vec2>> pieces, int x, int y) {
-  return area_of(pieces, x, y, &union_length);
+  return area_of(pieces, x, y, [](int inside) { return inside > 0; });
 }
 
 Rational exact_odd_area(std::span<const std::vector<Vec2>> pieces, int x, int y) {
-  return area_of(pieces, x, y, &odd_length);
+  return area_of(pieces, x, y, [](int inside) { return inside % 2 != 0; });
 }
 
 }  // namespace flatray

@@ -8,8 +8,8 @@
 namespace flatray {
 
 /// Exact area of the union or of the symmetric difference of convex pieces inside
-/// pixel [x, x+1] x [y, y+1], by clipping every piece to the pixel and cutting what is left into
-/// vertical slabs. Shares nothing with the engine: no windings, no outlines.
+/// pixel [x, x+1] x [y, y+1], by vertical slabs between the corners and crossings of their sides and
+/// the pixel's. Shares nothing with the engine: no windings, no outlines.
 ///
 /// Needs   convex rings in either orientation; without area they count for nothing.
 /// Cost    some 100 us a pixel.

@@ -112,38 +112,29 @@ class FlatTracer {
            scene_.height;
   }
 
-  // Adds the length of a line in each pixel, from border to border.
+  // Adds the length of a line in each pixel: between two borders that it crosses it lies in one.
   void deposit(const Point& from, const Point& to, const std::array<double, 3>& rgb) {
     const double scale = std::min(width_ / scene_.width, height_ / scene_.height);
     const double start[2] = {(from.x - scene_.left) * scale, (from.y - scene_.top) * scale};
     const double way[2] = {(to.x - from.x) * scale, (to.y - from.y) * scale};
     const double size[2] = {static_cast<double>(width_), static_cast<double>(height_)};
-    double begin = 0, end = 1;
+    std::vector<double> cuts = {0, 1};
     for (int axis = 0; axis < 2; ++axis) {
-      if (way[axis] == 0 && !(start[axis] >= 0 && start[axis] < size[axis])) return;
-      if (way[axis] == 0) continue;
-      const double low = -start[axis] / way[axis], high = (size[axis] - start[axis]) / way[axis];
-      begin = std::max(begin, std::min(low, high)), end = std::min(end, std::max(low, high));
+      const auto [low, high] = std::minmax({start[axis], start[axis] + way[axis]});
+      const double last = std::min(high, size[axis]);
+      for (double border = std::max(std::ceil(low), 0.0); border <= last && low < high; ++border)
+        cuts.push_back(std::clamp((border - start[axis]) / way[axis], 0.0, 1.0));
     }
+    std::sort(cuts.begin(), cuts.end());
     const double length = std::sqrt(way[0] * way[0] + way[1] * way[1]);
-    while (begin < end) {
-      double next = end;  // where it leaves the pixel in which it goes on
-      int cell[2];
-      for (int axis = 0; axis < 2; ++axis) {
-        const double at = start[axis] + begin * way[axis];
-        constexpr double kInto = 1e-9;  // of a pixel, past a border it stands on
-        const double into = std::floor(at + (way[axis] < 0 ? -kInto : kInto));
-        cell[axis] = std::clamp(static_cast<int>(into), 0, static_cast<int>(size[axis]) - 1);
-        if (way[axis] == 0) continue;
-        const double border = into + (way[axis] > 0 ? 1 : 0);
-        const double t = (border - start[axis]) / way[axis];
-        if (t > begin) next = std::min(next, t);
-      }
-      const auto pixel = static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(width_) +
-                         static_cast<std::size_t>(cell[0]);
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const double middle = 0.5 * (cuts[i - 1] + cuts[i]);
+      const double x = start[0] + middle * way[0], y = start[1] + middle * way[1];
+      if (!(x >= 0 && x < size[0] && y >= 0 && y < size[1])) continue;
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                         static_cast<std::size_t>(x);
       for (std::size_t c = 0; c < 3; ++c)
-        light_.rgb[3 * pixel + c] += (next - begin) * length * rgb[c];
-      begin = next;
+        light_.rgb[3 * pixel + c] += (cuts[i] - cuts[i - 1]) * length * rgb[c];
     }
   }
 

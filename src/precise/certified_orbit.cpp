@@ -21,14 +21,13 @@ std::uint64_t work_for(unsigned most_bits) {
   return kMostWork / kMostBits * std::max(most_bits, kMostBits);
 }
 
-struct MakeBall {
+template <class Number>
+struct MakeOf {
   int bits;
-  Ball operator()(double x) const { return {x, bits}; }
+  Number operator()(double x) const { return {x, bits}; }
 };
-struct MakeCertain {
-  int bits;
-  Certain operator()(double x) const { return {x, bits}; }
-};
+template <class Number>
+using FlightIn = Flight<Number, MakeOf<Number>>;
 
 template <class Number>
 std::optional<Vec2> rounded(const Pair<Number>& point) {
@@ -55,38 +54,36 @@ std::optional<Vec2> rounded_out(const Pair<Certain>& direction, const Certain& s
 
 // Bits that the numbers of a flight hold, and what a wall costs then, counted in bits of balls: long
 // fractions are reduced.
-unsigned bits_of(const Flight<Ball, MakeBall>&, unsigned working) { return working; }
-unsigned bits_of(const Flight<Certain, MakeCertain>& flight, unsigned) {
+unsigned bits_of(const FlightIn<Ball>&, unsigned working) { return working; }
+unsigned bits_of(const FlightIn<Certain>& flight, unsigned) {
   std::size_t most = 0;
   for (const Certain* x : {&flight.moment(), &flight.direction().x, &flight.direction().y,
                            &flight.point().x, &flight.point().y})
     most = std::max(most, x->bits());
   return static_cast<unsigned>(most);
 }
-std::uint64_t cost_of(const Flight<Ball, MakeBall>&, unsigned bits) { return bits; }
-std::uint64_t cost_of(const Flight<Certain, MakeCertain>&, unsigned bits) {
+std::uint64_t cost_of(const FlightIn<Ball>&, unsigned bits) { return bits; }
+std::uint64_t cost_of(const FlightIn<Certain>&, unsigned bits) {
   return bits + std::uint64_t{bits} * bits / 4096;
 }
 
 // Makes balls of numbers without error that have become too long.
-void keep_short(Flight<Ball, MakeBall>&, unsigned) {}
-void keep_short(Flight<Certain, MakeCertain>& flight, unsigned longest) {
+void keep_short(FlightIn<Ball>&, unsigned) {}
+void keep_short(FlightIn<Certain>& flight, unsigned longest) {
   if (bits_of(flight, 0) > longest) flight.blur();
 }
 
 // The orbit as far as an arithmetic tells it.
-template <class Number, class Make>
+template <class Number>
 class Follower {
  public:
   /// `bits` is the working precision of balls.
-  Follower(const Surfaces& walls, const CertifiedRules& rules, const Ray& start, const Make& make,
-           unsigned bits)
+  Follower(const Surfaces& walls, const CertifiedRules& rules, const Ray& start, unsigned bits)
       : rules_(rules),
+        make_{static_cast<int>(bits)},
         periodic_(walls, rules.materials),
-        flight_(walls, periodic_, start, make),
-        none_(make(0)),
-        flown_(none_),
-        most_(make(std::numeric_limits<double>::max())),
+        flight_(walls, periodic_, start, make_),
+        flown_(make_(0)),
         walls_(walls.size() + 1),
         bits_(bits) {}
 
@@ -126,14 +123,15 @@ class Follower {
     if (!turned || *turned == Sign::zero) return false;
     if (*turned == Sign::negative) normal = {-normal.x, -normal.y};
     const auto point = rounded(flight_.point());
-    const bool beyond = (flown_ - most_).sign() == Sign::positive;
-    const auto t = beyond ? std::numeric_limits<double>::max() : flown_.nearest();
+    constexpr double kMost = std::numeric_limits<double>::max();
+    const bool beyond = (flown_ - make_(kMost)).sign() == Sign::positive;
+    const auto t = beyond ? kMost : flown_.nearest();
     const auto up = rounded_out(normal, dot(normal, normal));
     const auto in = rounded_out(way, flight_.size());
     const auto out = rounded_out(flight_.direction(), flight_.size());
     if (!point || !t || !up || !in || !out) return false;
     orbit_.bounces.push_back({wall, *point, *t, *up, *in, *out, flight_.cell()});
-    flown_ = none_;
+    flown_ = make_(0);
     return true;
   }
 
@@ -178,29 +176,14 @@ class Follower {
   }
 
   const CertifiedRules& rules_;
+  const MakeOf<Number> make_;
   PeriodicWalls periodic_;
-  Flight<Number, Make> flight_;
-  Number none_, flown_;  // t since the last bounce
-  Number most_;          // the largest double
+  FlightIn<Number> flight_;
+  Number flown_;  // t since the last bounce
   std::size_t walls_;
   unsigned bits_;
   CertifiedOrbit orbit_;
 };
-
-CertifiedOrbit in_balls(const Surfaces& walls, const CertifiedRules& rules, const Ray& start,
-                        std::uint64_t bounces, unsigned bits, std::uint64_t& work) {
-  const MakeBall make{static_cast<int>(bits)};
-  return Follower<Ball, MakeBall>(walls, rules, start, make, bits).follow(bounces, work);
-}
-
-CertifiedOrbit in_roots(const Surfaces& walls, const CertifiedRules& rules, const Ray& start,
-                        std::uint64_t bounces, unsigned bits, std::uint64_t& work) {
-  const MakeCertain make{static_cast<int>(bits)};
-  CertifiedOrbit orbit =
-      Follower<Certain, MakeCertain>(walls, rules, start, make, bits).follow(bounces, work);
-  orbit.rational = true;
-  return orbit;
-}
 
 }  // namespace
 
@@ -227,9 +210,13 @@ CertifiedOrbit certify(const Surfaces& walls, const Ray& start, std::uint64_t bo
   };
   for (unsigned bits = kFirstBits;; bits = std::min(2 * bits, rules.most_bits)) {
     const bool last = bits >= rules.most_bits;
-    const bool further = !best.rational && keep(in_balls(walls, rules, start, bounces, bits, work));
-    if (!best.decided && (!further || last))
-      keep(in_roots(walls, rules, start, bounces, bits, work));
+    const bool further =
+        !best.rational && keep(Follower<Ball>(walls, rules, start, bits).follow(bounces, work));
+    if (!best.decided && (!further || last)) {
+      CertifiedOrbit orbit = Follower<Certain>(walls, rules, start, bits).follow(bounces, work);
+      orbit.rational = true;
+      keep(std::move(orbit));
+    }
     if (best.decided || last || work == 0) return best;
   }
 }

@@ -13,6 +13,7 @@ namespace flatray {
 /// Linear light with straight alpha.
 struct LinearColour {
   float r = 0, g = 0, b = 0, a = 1;
+  bool operator==(const LinearColour&) const = default;
 };
 
 inline std::array<float, 4> premultiplied(const LinearColour& c) {
@@ -26,18 +27,21 @@ struct FillPath {
   std::vector<Segment> edges;
   FillRule rule = FillRule::nonzero;
   bool simple = false;  ///< winding is 0 or 1 everywhere: one convex piece, or proven so
+  bool operator==(const FillPath&) const = default;
 };
 
 /// Disc or ring in film coordinates; inner_radius < 0 is a whole disc.
 struct FillRing {
   Vec2 centre;
   double radius, inner_radius = -1;
+  bool operator==(const FillRing&) const = default;
 };
 
 /// Region inside a closed path of arcs and straight lines in film coordinates that crosses itself
 /// nowhere.
 struct FillArcs {
   ArcPath path;
+  bool operator==(const FillArcs&) const = default;
 };
 
 using Region = std::variant<FillPath, FillRing, FillArcs>;
@@ -48,11 +52,13 @@ struct FilmGradient {
   struct Stop {
     double at;  ///< rising or equal
     LinearColour colour;
+    bool operator==(const Stop&) const = default;
   };
   bool radial = false;
   Vec2 origin{0, 0}, axis{0, 0};
   double per_pixel = 0;
   std::vector<Stop> stops;  ///< at least one
+  bool operator==(const FilmGradient&) const = default;
 };
 
 /// Light of the whole film, row by row from the top, three channels a pixel: added to what lies

@@ -20,13 +20,26 @@ bool still_convex(const std::vector<Segment>& ring) {
   return !non_convex_vertex(corners);
 }
 
-ArcPath film_path(ArcPath path, const FilmTransform& film_from_world) {
-  for (EllipseArc& arc : path.arcs) {
-    arc.centre = film_from_world(arc.centre);
-    arc.u = film_from_world.direction(arc.u);
-    arc.v = film_from_world.direction(arc.v);
+// Where a shape is on the film.
+struct OnFilm {
+  const Pose& world_from_shape;
+  const FilmTransform& film_from_world;
+};
+Vec2 posed(const Vec2& point, const OnFilm& place) {
+  return place.film_from_world(place.world_from_shape(point));
+}
+Circle posed(const Circle& circle, const OnFilm& place) {
+  const Circle in_world = posed(circle, place.world_from_shape);
+  return {place.film_from_world(in_world.centre), place.film_from_world.length(in_world.radius)};
+}
+ArcPath posed(const ArcPath& path, const OnFilm& place) {
+  ArcPath there = posed(path, place.world_from_shape);
+  for (EllipseArc& arc : there.arcs) {
+    arc.centre = place.film_from_world(arc.centre);
+    arc.u = place.film_from_world.direction(arc.u);
+    arc.v = place.film_from_world.direction(arc.v);
   }
-  return path;
+  return there;
 }
 
 // A whole turn is a ring of its own: no line leads from the rim of a whole sector to its hole.
@@ -79,7 +92,8 @@ std::vector<Chain> chains_of(const FilmShape& shape) {
 // winding stays +1.
 FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
                      const FilmTransform& film_from_world) {
-  const auto film = [&](const Vec2& point) { return film_from_world(world_from_shape(point)); };
+  const OnFilm place{world_from_shape, film_from_world};
+  const auto film = [&](const Vec2& point) { return posed(point, place); };
   FilmShape there;
   const std::vector<OutlineEdge> edges = outline(shape);
   for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge)
@@ -89,15 +103,10 @@ FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
     std::vector<Vec2>& points = there.crossing_rings.emplace_back();
     for (const Vec2& point : ring) points.push_back(film(point));
   }
-  for (const Circle& circle : shape.circles) {
-    const Circle in_world = posed(circle, world_from_shape);
-    there.circles.push_back(
-        {film_from_world(in_world.centre), film_from_world.length(in_world.radius)});
-  }
+  for (const Circle& circle : shape.circles) there.circles.push_back(posed(circle, place));
   for (const Segment& segment : shape.segments)
     there.segments.push_back({film(segment.a), film(segment.b)});
-  for (const ArcPath& path : shape.arc_paths)
-    there.arc_paths.push_back(film_path(posed(path, world_from_shape), film_from_world));
+  for (const ArcPath& path : shape.arc_paths) there.arc_paths.push_back(posed(path, place));
   std::vector<Bezier> curves;
   for (const Bezier& curve : shape.beziers) curves.push_back(mapped(curve, film));
   there.curves = chords_of(curves);
@@ -146,61 +155,12 @@ void add_dashes(const Chain& chain, const LineLook& look, std::vector<Segment>& 
   }
 }
 
-// What the corners of a shape take on the film, until some of it is seen to lie there.
-class FilmReach {
- public:
-  FilmReach(const Film& film, double reach)
-      : width_(film.width), height_(film.height), reach_(reach) {}
-
-  // Whether what was added so far, with this box, may be seen.
-  bool add(const Vec2& low, const Vec2& high) {
-    low_ = low_.cwiseMin(low);
-    high_ = high_.cwiseMax(high);
-    return !(high_.x() + reach_ < 0 || high_.y() + reach_ < 0 || low_.x() - reach_ > width_ ||
-             low_.y() - reach_ > height_);
-  }
-
- private:
-  const double width_, height_, reach_;
-  Vec2 low_ = Vec2::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
-};
-
-bool may_be_seen(const ArcPath& path, FilmReach& film) {
-  return std::any_of(path.arcs.begin(), path.arcs.end(), [&](const EllipseArc& arc) {
-    const Vec2 half = 1.01 * (arc.u.cwiseAbs() + arc.v.cwiseAbs());
-    return film.add(arc.centre - half, arc.centre + half);
-  });
-}
-
 }  // namespace
 
 bool beside_film(const Shape& shape, const Pose& world_from_shape,
                  const FilmTransform& film_from_world, const Film& film, double reach) {
-  FilmReach on(film, reach);
-  const auto seen = [&](const Vec2& corner) {
-    const Vec2 there = film_from_world(world_from_shape(corner));
-    return on.add(there, there);
-  };
-  const auto circle_seen = [&](const Circle& circle) {
-    const Circle in_world = posed(circle, world_from_shape);
-    const Vec2 centre = film_from_world(in_world.centre),
-               half = Vec2::Constant(film_from_world.length(in_world.radius));
-    return on.add(centre - half, centre + half);
-  };
-  const auto any = [](const auto& things, const auto& is_seen) {
-    return std::any_of(things.begin(), things.end(), is_seen);
-  };
-  return !any(shape.vertices, seen) && !any(shape.circles, circle_seen) &&
-         !any(shape.segments, [&](const Segment& s) { return seen(s.a) || seen(s.b); }) &&
-         !any(shape.crossing_rings, [&](const auto& ring) { return any(ring, seen); }) &&
-         !any(shape.beziers,
-              [&](const Bezier& curve) {
-                return std::any_of(curve.points.begin(), curve.points.begin() + curve.degree + 1,
-                                   seen);
-              }) &&
-         !any(shape.arc_paths, [&](const ArcPath& path) {
-           return may_be_seen(film_path(posed(path, world_from_shape), film_from_world), on);
-         });
+  return !shape_bounds(shape, OnFilm{world_from_shape, film_from_world})
+              .meets({Vec2(-reach, -reach), Vec2(film.width + reach, film.height + reach)});
 }
 
 std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look,

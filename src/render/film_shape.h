@@ -20,7 +20,7 @@ FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
                      const FilmTransform& film_from_world);
 
 /// Whether all of a shape and what reaches `reach` pixels from it lies beside the film.
-/// Cost    a few corners of a shape that is on the film; its corners, not its outline, elsewhere.
+/// Cost    a look at its corners, not at its outline.
 bool beside_film(const Shape& shape, const Pose& world_from_shape,
                  const FilmTransform& film_from_world, const Film& film, double reach);
 

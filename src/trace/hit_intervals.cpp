@@ -5,7 +5,6 @@
 
 #include "geom/bounds.h"
 #include "geom/clip_range.h"
-#include "geom/convex_polygon.h"
 #include "geom/polygon.h"
 #include "trace/kernels/tiers.h"
 #include "trace/ray_block.h"
@@ -13,9 +12,6 @@
 namespace flatray {
 namespace {
 
-// From here on a search for the two edges is faster than lanes that look at all
-// (docs/adr/0012-convex-search.md).
-constexpr std::size_t kManyEdges = 1536;
 constexpr std::size_t kBlock =
     256;  // rays of a call of the kernel: what it gives stays in the first cache
 static_assert(kBlock % lanes::kWidest == 0);
@@ -63,11 +59,6 @@ void clip_convex_batch(const RayBatch& rays, std::span<const Vec2> polygon, Rang
   if (turn == Sign::zero) {  // a segment or a point
     for (std::size_t i = 0; i < rays.size(); ++i)
       intervals[i] = clip_convex(rays.ray(i), polygon, within);
-    return;
-  }
-  if (polygon.size() >= kManyEdges) {
-    const ConvexPolygon searched(polygon);
-    for (std::size_t i = 0; i < rays.size(); ++i) intervals[i] = searched.clip(rays.ray(i), within);
     return;
   }
   const ClosedRing ring(polygon);

@@ -18,20 +18,6 @@ Light mixed(const Light& a, const Light& b, double share) {
   return mean;
 }
 
-// Light along rays or over areas.
-struct LightSum {
-  std::array<double, 4> sum{};
-
-  void add(double share, const Light& light) {
-    for (std::size_t c = 0; c < 4; ++c) sum[c] += share * static_cast<double>(light[c]);
-  }
-  Light over(double all) const {
-    Light mean;
-    for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum[c] / all);
-    return mean;
-  }
-};
-
 // Of a pixel that an item covers in part: the share of the item, which is simple or has one edge
 // there that parts two winding numbers.
 double share_of(const ItemLook& look, int winding, std::span<const Piece> pieces) {
@@ -49,20 +35,18 @@ double share_of(const ItemLook& look, int winding, std::span<const Piece> pieces
 void BandScan::draw_row(int row) {
   begin_row(row);
   std::vector<Cover>& covers = *row_covers_;
+  std::sort(covers.begin(), covers.end());
   int from = box_.x;
-  columns_.each(covers, box_.x, box_.width, [&](std::span<const std::uint32_t> of_column) {
-    const int column = covers[of_column.front()].column;
-    draw_shining(std::exchange(from, column), column);
-    for (const std::uint32_t i : of_column) {
-      const auto at =
-          std::lower_bound(active_.begin(), active_.end(), covers[i],
-                           [](const Cover& a, const Cover& b) { return a.item < b.item; });
-      if (covers[i].begins)
-        active_.insert(at, covers[i]);
-      else
-        active_.erase(at);
-    }
-  });
+  for (const Cover& cover : covers) {
+    draw_shining(std::exchange(from, cover.column), cover.column);
+    const auto at =
+        std::lower_bound(active_.begin(), active_.end(), cover,
+                         [](const Cover& a, const Cover& b) { return a.item < b.item; });
+    if (cover.begins)
+      active_.insert(at, cover);
+    else
+      active_.erase(at);
+  }
   draw_shining(from, box_.right());
   covers.clear(), active_.clear();
   const auto rest = [this](std::size_t i) {
@@ -120,7 +104,7 @@ Light BandScan::light_of(const Part& part, const Light& below) const {
   const ItemLook& look = looks_[part.item];
   const std::span<const Piece> pieces(pieces_.data() + part.first, part.count);
   if (rays_ == 0) return mixed(look.light, below, share_of(look, part.wound.winding, pieces));
-  LightSum sum;
+  SummedLight sum;
   auto next = pieces.begin();
   for (int ray = 0; ray < rays_; ++ray) {
     int winding = (part.wound.rays >> ray & 1) != 0 ? part.wound.winding : 0;
@@ -201,7 +185,7 @@ std::optional<Light> BandScan::light_of_rest() {
     if (!one.look->opaque) return {};
   for (const Shown& one : shown_) pieces += one.part->count;
   if (pieces > PixelRest::kMostPieces) return {};
-  LightSum sum;
+  SummedLight sum;
   rest_.begin();
   for (auto one = shown_.rbegin(); one != shown_.rend(); ++one) {
     const Part& part = *one->part;
@@ -250,7 +234,7 @@ Light BandScan::mean_of_rays() {
   std::sort(changes_.begin(), changes_.end(), [](const RayChange& a, const RayChange& b) {
     return a.ray != b.ray ? a.ray < b.ray : a.x < b.x;
   });
-  LightSum sum;
+  SummedLight sum;
   std::optional<Light> whole;
   auto next = changes_.begin();
   const auto is_of = [&](int ray) { return next != changes_.end() && next->ray == ray; };

@@ -94,7 +94,7 @@ std::size_t BandScan::take_items(const Band& band) {
     if (open == words_.size()) return i + 1;
     const PixelBox rows = within(box_, band[i].bounds);
     if (rows.height <= 0 || is_settled(rows)) continue;
-    cut_item(band, i);
+    cut_item(band, i, rows);
     item_ = static_cast<std::uint32_t>(i);
     for (int row = rows.y; row < rows.bottom(); ++row) take_row(row);
   }
@@ -113,7 +113,7 @@ bool BandScan::is_settled(const PixelBox& box) const {
   return true;
 }
 
-void BandScan::cut_item(const Band& band, std::size_t i) {
+void BandScan::cut_item(const Band& band, std::size_t i, const PixelBox& rows) {
   ++scans_;
   edges_.drop();
   const Region& region = list_.items[band[i].item].region;
@@ -123,15 +123,15 @@ void BandScan::cut_item(const Band& band, std::size_t i) {
         edges_.add(path->edges[edge - band[i].first]);
     else
       for (const Segment& edge : path->edges)
-        if (std::max(edge.a.y(), edge.b.y()) > box_.y &&
-            std::min(edge.a.y(), edge.b.y()) < box_.bottom())
+        if (std::max(edge.a.y(), edge.b.y()) > rows.y &&
+            std::min(edge.a.y(), edge.b.y()) < rows.bottom())
           edges_.add(edge);
   } else if (const FillArcs* arcs = std::get_if<FillArcs>(&region)) {
     edges_.add(*arcs);
   } else {
     edges_.add(std::get<FillRing>(region));
   }
-  for (const ScanEdge& edge : edges_.edges()) cutter_.cut(edge);
+  for (const ScanEdge& edge : edges_.edges()) cutter_.cut(edge, rows);
 }
 
 void BandScan::begin_row(int row) {
@@ -190,22 +190,23 @@ void BandScan::take_columns(const std::vector<RowCut>& cuts) {
       windings_[static_cast<std::size_t>(ray)] += cut.edge->direction;
   };
   int from = box_.x;
-  columns_.each(entries_, box_.x, box_.width, [&](std::span<const std::uint32_t> of_column) {
-    const int column = entries_[of_column.front()].column;
+  std::sort(entries_.begin(), entries_.end());
+  for (auto next = entries_.begin(); next != entries_.end();) {
+    const int column = next->column;
     cover(std::exchange(from, column), column);
     here_.clear();
-    for (const std::uint32_t i : of_column) {
-      const RowCut& cut = cuts[entries_[i].cut];
+    for (; next != entries_.end() && next->column == column; ++next) {
+      const RowCut& cut = cuts[next->cut];
       if (cut.high < cut.low)
         wind(cut);
       else
         here_.push_back(&cut);
     }
-    if (here_.empty()) return;
+    if (here_.empty()) continue;
     add_part(from++, wound(), here_);
     for (const RowCut* cut : here_)
       if (cut->winds && cut->first == column) wind(*cut);
-  });
+  }
   cover(from, box_.right());
   std::fill(windings_.begin(), windings_.end(), 0);
 }
@@ -295,8 +296,8 @@ void BandScan::cover_rays(int begin, int end, std::uint64_t rays, bool shining) 
     return shining ? open & words.shines : open;
   };
   each_run(first / 64, (last - 1) / 64, bits, [&](int b, int e) {
-    row_covers_->push_back({box_.x + b, item_, rays, true});
-    if (e < box_.width) row_covers_->push_back({box_.x + e, item_, rays, false});
+    row_covers_->push_back({box_.x + b, true, item_, rays});
+    if (e < box_.width) row_covers_->push_back({box_.x + e, false, item_, rays});
   });
   for (std::size_t i = first / 64; i <= (last - 1) / 64; ++i) row_words_[i].shines |= bits(i);
 }

@@ -63,9 +63,10 @@ class BandScan {
   /// That an item covers whole pixels from a column on, or no longer, as far as some rays go.
   struct Cover {
     std::int32_t column;
+    bool begins;  ///< of one item after what ends there
     std::uint32_t item;
     std::uint64_t rays;
-    bool begins;
+    auto operator<=>(const Cover&) const = default;
   };
   /// A bit for each of 64 columns.
   struct Words {
@@ -76,6 +77,7 @@ class BandScan {
   struct Entry {
     std::int32_t column;
     std::uint32_t cut;
+    auto operator<=>(const Entry&) const = default;
   };
   /// An item of which a pixel has a part, or that covers it along some rays.
   struct Shown {
@@ -94,7 +96,7 @@ class BandScan {
   void fetch(const Band& band, std::size_t i) const;
   std::size_t take_items(const Band& band);
   bool is_settled(const PixelBox& box) const;
-  void cut_item(const Band& band, std::size_t i);
+  void cut_item(const Band& band, std::size_t i, const PixelBox& rows);
   void begin_row(int row);
   void take_row(int row);
   void take_columns(const std::vector<RowCut>& cuts);
@@ -146,7 +148,6 @@ class BandScan {
   std::uint32_t item_ = 0;  ///< that is taken
   /// Of it, along the row's upper border or each ray, from column to column; else 0.
   std::vector<int> windings_;
-  ColumnLists columns_;
   std::vector<Entry> entries_;
   std::vector<const RowCut*> here_;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "image/tile.h"
 
@@ -29,60 +28,15 @@ Bounds region_bounds(const FillArcs& arcs) {
   return {bounds.low - margin, bounds.high + margin};
 }
 
-// Equal bits, not equal numbers: -0 is not 0, and nothing needs to be known of either.
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
-bool same(const Vec2& a, const Vec2& b) {
-  return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
-}
-bool same(const LinearColour& a, const LinearColour& b) { return same_bits(a, b); }
-bool same(const FillPath& a, const FillPath& b) {
-  return a.rule == b.rule && a.simple == b.simple &&
-         std::equal(
-             a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(),
-             [](const Segment& p, const Segment& q) { return same(p.a, q.a) && same(p.b, q.b); });
-}
-bool same(const FillRing& a, const FillRing& b) {
-  return same(a.centre, b.centre) && same_bits(a.radius, b.radius) &&
-         same_bits(a.inner_radius, b.inner_radius);
-}
-bool same(const FillArcs& a, const FillArcs& b) {
-  return a.path.closed == b.path.closed &&
-         std::equal(a.path.arcs.begin(), a.path.arcs.end(), b.path.arcs.begin(), b.path.arcs.end(),
-                    [](const EllipseArc& p, const EllipseArc& q) {
-                      return same(p.centre, q.centre) && same(p.u, q.u) && same(p.v, q.v) &&
-                             same_bits(p.from, q.from) && same_bits(p.sweep, q.sweep);
-                    });
-}
-bool same(const FilmGradient& a, const FilmGradient& b) {
-  return a.radial == b.radial && same(a.origin, b.origin) && same(a.axis, b.axis) &&
-         same_bits(a.per_pixel, b.per_pixel) &&
-         std::equal(a.stops.begin(), a.stops.end(), b.stops.begin(), b.stops.end(),
-                    [](const FilmGradient::Stop& p, const FilmGradient::Stop& q) {
-                      return same_bits(p.at, q.at) && same(p.colour, q.colour);
-                    });
-}
 bool same(const std::shared_ptr<const LightPicture>& a,
           const std::shared_ptr<const LightPicture>& b) {
-  if (a == nullptr || b == nullptr) return a == b;
-  return a->rgb.size() == b->rgb.size() &&
-         std::memcmp(a->rgb.data(), b->rgb.data(), a->rgb.size() * sizeof(float)) == 0;
+  return a == b || (a != nullptr && b != nullptr && a->rgb == b->rgb);
 }
+
+// By numbers: no picture tells -0 from 0.
 bool same(const DrawItem& a, const DrawItem& b) {
-  if (!same(a.light, b.light)) return false;
-  if (a.region.index() != b.region.index() || !same(a.colour, b.colour) || a.layer != b.layer ||
-      !same_bits(a.opacity, b.opacity) || a.gradient.has_value() != b.gradient.has_value())
-    return false;
-  if (a.gradient && !same(*a.gradient, *b.gradient)) return false;
-  return std::visit(
-      [&b](const auto& region) {
-        return same(region, std::get<std::decay_t<decltype(region)>>(b.region));
-      },
-      a.region);
+  return same(a.light, b.light) && a.colour == b.colour && a.layer == b.layer &&
+         a.opacity == b.opacity && a.gradient == b.gradient && a.region == b.region;
 }
 
 BandChange columns_of(const Bounds& bounds, const PixelBox& box) {
@@ -189,7 +143,7 @@ std::vector<BandChange> compare_bands(const DrawList& now, const Bands& now_band
                                       const DrawList& before, const Bands& before_bands) {
   std::vector<BandChange> changes = whole_bands(now_bands);
   if (now.width != before.width || now.height != before.height || now.coverage != before.coverage ||
-      now.rows != before.rows || !same(now.background, before.background) ||
+      now.rows != before.rows || now.background != before.background ||
       now_bands.count() != before_bands.count())
     return changes;
   ItemComparison items(now, before);

@@ -28,6 +28,20 @@ struct ItemLook {
   Light at(int x, int y, int film_width) const;
 };
 
+/// Light along rays or over areas.
+struct SummedLight {
+  std::array<double, 4> sum{};
+
+  void add(double share, const Light& light) {
+    for (std::size_t c = 0; c < 4; ++c) sum[c] += share * static_cast<double>(light[c]);
+  }
+  Light over(double all) const {
+    Light mean;
+    for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum[c] / all);
+    return mean;
+  }
+};
+
 /// An item of which a pixel may show something.
 struct Seen {
   const ItemLook* look;

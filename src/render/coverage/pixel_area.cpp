@@ -217,8 +217,7 @@ void PixelArea::light_strands(SeenItems& seen, const Stretch& stretch, const Lig
 void PixelArea::add_slab(double height) {
   double from = 0;
   const auto add = [&](double to, const Light& light) {
-    const double area = height * (to - from);
-    for (std::size_t c = 0; c < 4; ++c) sum_[c] += area * static_cast<double>(light[c]);
+    sum_.add(height * (to - from), light);
     from = to;
   };
   add(strands_.empty() ? 1 : strands_.front().x, left_);
@@ -255,9 +254,7 @@ Light PixelArea::mean(std::vector<PieceOf>& pieces, SeenItems& seen, int row,
     light_strands(seen, strands_to_light(), background);
     add_slab(bottom - top);
   }
-  Light mean;
-  for (std::size_t c = 0; c < 4; ++c) mean[c] = static_cast<float>(sum_[c]);
-  return mean;
+  return sum_.over(1);
 }
 
 }  // namespace flatray

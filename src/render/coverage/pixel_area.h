@@ -79,7 +79,7 @@ class PixelArea {
   std::size_t next_ = 0;  ///< of the pieces, the first that lies below
   std::vector<Lit> lit_;  ///< the strands of the slab before
   Light left_{};          ///< of them all
-  std::array<double, 4> sum_{};
+  SummedLight sum_;
   bool crowded_ = false;
 };
 

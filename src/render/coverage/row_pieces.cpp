@@ -47,24 +47,24 @@ inline RowCut& RowCutter::add_cut(const ScanEdge& e, int row, int low, int high)
   return cut;
 }
 
-void RowCutter::cut(const ScanEdge& edge) {
-  if (std::min(edge.x_top, edge.x_bottom) >= box_.right() || edge.y_top >= box_.bottom() ||
-      edge.y_bottom <= box_.y)
+void RowCutter::cut(const ScanEdge& edge, const PixelBox& rows) {
+  if (std::min(edge.x_top, edge.x_bottom) >= box_.right() || edge.y_top >= rows.bottom() ||
+      edge.y_bottom <= rows.y)
     return;
   if (coverage_ == Coverage::area)
-    cut_area(edge);
+    cut_area(edge, rows);
   else if (coverage_ == Coverage::rows)
-    cut_rays(edge);
+    cut_rays(edge, rows);
   else
-    cut_centres(edge);
+    cut_centres(edge, rows);
 }
 
 // A column border belongs to the pixel right of it: an edge that ends on it inside the row crosses
 // it or not by that. On the row's own borders nothing is lost by staying in the pixel the edge comes
 // through.
-void RowCutter::cut_area(const ScanEdge& e) {
-  const int begin = std::max(floor_column(e.y_top), box_.y);
-  const int end = std::min(ceil_column(e.y_bottom), box_.bottom());
+void RowCutter::cut_area(const ScanEdge& e, const PixelBox& rows) {
+  const int begin = std::max(floor_column(e.y_top), rows.y);
+  const int end = std::min(ceil_column(e.y_bottom), rows.bottom());
   const int left = box_.x, right = box_.right();
   double x_in = e.y_top >= begin ? e.x_top : e.x_at(begin);
   Columns in(x_in);
@@ -94,11 +94,11 @@ void RowCutter::cut_area(const ScanEdge& e) {
   }
 }
 
-void RowCutter::cut_centres(const ScanEdge& e) {
+void RowCutter::cut_centres(const ScanEdge& e, const PixelBox& rows) {
   constexpr double kDoubt = 0x1p-20;
   const bool near_film = is_near_film(e);
-  const int begin = std::max(ceil_column(e.y_top - 0.5), box_.y);
-  const int end = std::min(ceil_column(e.y_bottom - 0.5), box_.bottom());
+  const int begin = std::max(ceil_column(e.y_top - 0.5), rows.y);
+  const int end = std::min(ceil_column(e.y_bottom - 0.5), rows.bottom());
   for (int row = begin; row < end; ++row) {
     const double x = e.x_at(row + 0.5) - 0.5;
     int column = ceil_column(x);
@@ -111,10 +111,10 @@ void RowCutter::cut_centres(const ScanEdge& e) {
 
 // An edge that crosses several rays in few columns has pieces in all of them; else each ray is cut
 // by itself.
-void RowCutter::cut_rays(const ScanEdge& e) {
+void RowCutter::cut_rays(const ScanEdge& e, const PixelBox& rows) {
   constexpr int kFew = 8;
-  const int begin = std::max(floor_column(e.y_top), box_.y);
-  const int end = std::min(ceil_column(e.y_bottom), box_.bottom());
+  const int begin = std::max(floor_column(e.y_top), rows.y);
+  const int end = std::min(ceil_column(e.y_bottom), rows.bottom());
   for (int row = begin; row < end; ++row) {
     int ray = 0, ray_end = rays_;
     while (ray < ray_end && ray_y(row, ray) < e.y_top) ++ray;

@@ -37,16 +37,16 @@ class RowCutter {
  public:
   /// Rows of the box, each with `rays` rays; 0 to cut by areas.
   void begin(const PixelBox& box, Coverage coverage, int rays);
-  /// Adds the passages of an edge, which must stay where it is.
-  void cut(const ScanEdge& edge);
+  /// Adds the passages of an edge, which must stay where it is, through some rows of the box.
+  void cut(const ScanEdge& edge, const PixelBox& rows);
   std::vector<RowCut>& row(int y) { return rows_[static_cast<std::size_t>(y - box_.y)]; }
   /// Adds what an edge has in a pixel; of a ray that it crosses left of it, at its left border.
   void add_pieces(const RowCut& cut, int row, int column, std::vector<Piece>& out) const;
 
  private:
-  void cut_area(const ScanEdge& edge);
-  void cut_rays(const ScanEdge& edge);
-  void cut_centres(const ScanEdge& edge);
+  void cut_area(const ScanEdge& edge, const PixelBox& rows);
+  void cut_rays(const ScanEdge& edge, const PixelBox& rows);
+  void cut_centres(const ScanEdge& edge, const PixelBox& rows);
   RowCut& add_cut(const ScanEdge& edge, int row, int low, int high);
   void add_rays(const ScanEdge& edge, int row, int ray_begin, int ray_end);
   double ray_y(int row, int ray) const {

@@ -14,15 +14,6 @@ FlatrayGlVertex vertex(const GridPoint& point, const VertexPaint& paint) {
   return {pixels(point.x), pixels(point.y), {a, b, c, d}};
 }
 
-void append(const Batches& more, Batches& to) {
-  const auto first = static_cast<std::uint32_t>(to.vertices.size());
-  for (FlatrayGlBatch batch : more.batches) {
-    batch.first += first;
-    to.batches.push_back(batch);
-  }
-  to.vertices.insert(to.vertices.end(), more.vertices.begin(), more.vertices.end());
-}
-
 }  // namespace
 
 void CellBox::add(const CellBox& more) {
@@ -30,24 +21,7 @@ void CellBox::add(const CellBox& more) {
   x1 = std::max(x1, more.x1), y1 = std::max(y1, more.y1);
 }
 
-std::uint64_t BatchList::Occupied::columns(const CellBox& box) {
-  const int first = box.x0 >> kCell, last = (box.x1 - 1) >> kCell;
-  return (~std::uint64_t{0} >> (kCells - 1 - last)) & (~std::uint64_t{0} << first);
-}
-
-bool BatchList::Occupied::any(const CellBox& box) const {
-  const std::uint64_t mask = columns(box);
-  const auto first = rows_.begin() + (box.y0 >> kCell),
-             end = rows_.begin() + ((box.y1 - 1) >> kCell) + 1;
-  return std::any_of(first, end, [mask](std::uint64_t row) { return (row & mask) != 0; });
-}
-
-void BatchList::Occupied::add(const CellBox& box) {
-  const std::uint64_t mask = columns(box);
-  for (int row = box.y0 >> kCell; row <= (box.y1 - 1) >> kCell; ++row)
-    rows_[static_cast<std::size_t>(row)] |= mask;
-}
-
+// Those a figure can touch, with a pixel around it for the shifts of its samples.
 CellBox BatchList::box(std::span<const GridPoint> points) const {
   constexpr auto kStep = static_cast<std::int64_t>(kGridSteps);
   std::int64_t x0 = width_ * kStep, x1 = 0, y0 = height_ * kStep, y1 = 0;
@@ -65,78 +39,65 @@ CellBox BatchList::box(std::span<const GridPoint> points) const {
   return {low(x0), low(y0), high(x1, width_), high(y1, height_)};
 }
 
-void BatchList::add_fan(std::span<const GridPoint> corners, const VertexPaint& paint,
-                        std::vector<FlatrayGlVertex>& to) {
+// A batch of its own, unless the last is painted likewise.
+void BatchList::begin(FlatrayGlKind kind, const VertexPaint& paint) {
+  const std::int32_t gradients = paint.gradient ? 1 : 0;
+  const bool goes_on = kind == FLATRAY_GL_PAINT && !all_.batches.empty() &&
+                       all_.batches.back().kind == kind &&
+                       all_.batches.back().gradients == gradients;
+  if (goes_on) return;
+  all_.batches.push_back({kind, gradients, static_cast<std::uint32_t>(all_.vertices.size()), 0});
+}
+
+void BatchList::add_fan(std::span<const GridPoint> corners, const VertexPaint& paint) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     if (area(corners[0], corners[i], corners[i + 1]) == 0) continue;
-    to.push_back(vertex(corners[0], paint));
-    to.push_back(vertex(corners[i], paint));
-    to.push_back(vertex(corners[i + 1], paint));
+    for (const GridPoint& corner : {corners[0], corners[i], corners[i + 1]})
+      all_.vertices.push_back(vertex(corner, paint));
+    all_.batches.back().count += 3;
   }
 }
 
-void BatchList::add_box(const CellBox& box, const VertexPaint& paint,
-                        std::vector<FlatrayGlVertex>& to) {
+void BatchList::add_box(FlatrayGlKind kind, const CellBox& box, const VertexPaint& paint) {
+  begin(kind, paint);
   const auto corner = [](int x, int y) { return on_grid({x, y}); };
-  const std::array<GridPoint, 4> all = {corner(box.x0, box.y0), corner(box.x1, box.y0),
-                                        corner(box.x1, box.y1), corner(box.x0, box.y1)};
-  add_fan(all, paint, to);
+  add_fan(std::array{corner(box.x0, box.y0), corner(box.x1, box.y0), corner(box.x1, box.y1),
+                     corner(box.x0, box.y1)},
+          paint);
 }
 
-// `others`: what of the group must not lie where the item does.
-void BatchList::begin_item(const VertexPaint& paint, const Occupied& others, const CellBox& box) {
-  if (others.any(box) || layered_.any(box) || paint.gradient != gradients_) flush();
-  gradients_ = paint.gradient;
-  any_.add(box);
-  reach_.add(box);
-}
-
-void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& paint,
-                      const CellBox& box) {
+void BatchList::paint(std::span<const GridPoint> corners, const VertexPaint& paint) {
+  const CellBox box = this->box(corners);
   if (box.empty()) return;
-  begin_item(paint, marked_, box);
-  add_fan(corners, paint, waiting_[FLATRAY_GL_PAINT]);
+  reach_.add(box);
+  begin(FLATRAY_GL_PAINT, paint);
+  add_fan(corners, paint);
 }
 
 void BatchList::mark(FlatrayGlKind kind, std::span<const std::vector<GridPoint>> figures,
-                     const VertexPaint& paint, const CellBox& box) {
+                     const VertexPaint& paint) {
+  CellBox box;
+  for (const std::vector<GridPoint>& figure : figures) box.add(this->box(figure));
   if (box.empty()) return;
-  begin_item(paint, any_, box);
-  marked_.add(box);
-  for (const std::vector<GridPoint>& figure : figures)
-    add_fan(figure, {}, waiting_[static_cast<std::size_t>(kind)]);
-  if (kind == FLATRAY_GL_SUM) add_box(box, {}, waiting_[FLATRAY_GL_FIND]);
-  add_box(box, paint, waiting_[FLATRAY_GL_COVER]);
-}
-
-void BatchList::lay(BatchList&& layer, float opacity) {
-  const CellBox box = layer.reach_;
-  if (box.empty()) return;
-  if (layered_.any(box)) flush();
-  layered_.add(box);
   reach_.add(box);
-  add_box(box, {}, waiting_[FLATRAY_GL_LAYER]);
-  add_box(box, {{opacity}}, waiting_[FLATRAY_GL_LAY]);
-  append(std::move(layer).finish(), layers_);
+  begin(kind, {});
+  for (const std::vector<GridPoint>& figure : figures) add_fan(figure, {});
+  if (kind == FLATRAY_GL_SUM) add_box(FLATRAY_GL_FIND, box, {});
+  add_box(FLATRAY_GL_COVER, box, paint);
 }
 
-void BatchList::push(int kind) {
-  std::vector<FlatrayGlVertex>& vertices = waiting_[static_cast<std::size_t>(kind)];
-  if (vertices.empty()) return;
-  const auto count = static_cast<std::uint32_t>(vertices.size());
-  append({std::exchange(vertices, {}), {{kind, gradients_ ? 1 : 0, 0, count}}, {}, {}}, all_);
-}
-
-void BatchList::flush() {
-  for (int kind = FLATRAY_GL_PAINT; kind <= FLATRAY_GL_LAYER; ++kind) push(kind);
-  append(std::exchange(layers_, {}), all_);
-  push(FLATRAY_GL_LAY);
-  for (Occupied* cells : {&marked_, &any_, &layered_}) cells->clear();
-}
-
-Batches BatchList::finish() && {
-  flush();
-  return std::move(all_);
+void BatchList::lay(const BatchList& layer, float opacity) {
+  const CellBox& box = layer.reach_;
+  if (box.empty()) return;
+  reach_.add(box);
+  add_box(FLATRAY_GL_LAYER, box, {});
+  const auto first = static_cast<std::uint32_t>(all_.vertices.size());
+  for (FlatrayGlBatch batch : layer.all_.batches) {
+    batch.first += first;
+    all_.batches.push_back(batch);
+  }
+  all_.vertices.insert(all_.vertices.end(), layer.all_.vertices.begin(), layer.all_.vertices.end());
+  add_box(FLATRAY_GL_LAY, box, {{opacity}});
 }
 
 }  // namespace flatray::gl

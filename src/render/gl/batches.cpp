@@ -57,7 +57,7 @@ class Builder {
     std::swap(layer, out_);
     for (const DrawItem& item : items) add(item);
     std::swap(layer, out_);
-    out_.lay(std::move(layer), items.front().opacity);
+    out_.lay(layer, items.front().opacity);
   }
 
   Batches finish() && {
@@ -95,9 +95,9 @@ class Builder {
     if (!box_.meets(reach)) return;
     const bool one = rings.size() == 1 && (path.simple || !non_convex_vertex(rings[0]));
     if (one) return paint(rings[0]);
-    if (path.rule == FillRule::even_odd) return cover(figures(rings), FLATRAY_GL_FLIP);
+    if (path.rule == FillRule::even_odd) return out_.mark(FLATRAY_GL_FLIP, figures(rings), paint_);
     if (!convex_alike(rings)) return wind(figures(rings), path.simple);
-    if (!opaque_) return cover(convex_figures(rings), FLATRAY_GL_MARK);
+    if (!opaque_) return wind(convex_figures(rings), false);
     for (const Ring& ring : rings) paint(ring);
   }
 
@@ -106,7 +106,8 @@ class Builder {
     if (!(ring.radius > 0) || !box_.meets({centre - reach, centre + reach})) return;
     const Ring outer = circle_ring(centre, ring.radius, guard_);
     if (ring.inner_radius > 0)
-      cover(figures({outer, circle_ring(centre, ring.inner_radius, guard_)}), FLATRAY_GL_FLIP);
+      out_.mark(FLATRAY_GL_FLIP, figures({outer, circle_ring(centre, ring.inner_radius, guard_)}),
+                paint_);
     else
       paint(outer);
   }
@@ -119,7 +120,7 @@ class Builder {
     for (Vec2& point : ring) point -= origin_;
     if (!box_.meets(bounds_of(ring))) return;
     if (non_convex_vertex(ring))
-      cover(figures({ring}), FLATRAY_GL_FLIP);
+      out_.mark(FLATRAY_GL_FLIP, figures({ring}), paint_);
     else
       paint(ring);
   }
@@ -127,35 +128,28 @@ class Builder {
   // A convex ring.
   void paint(const Ring& ring) {
     const Grid corners = convex(ring);
-    if (!corners.empty()) out_.paint(corners, paint_, out_.box(corners));
+    if (!corners.empty()) out_.paint(corners, paint_);
   }
 
-  Grid convex(const Ring& ring) const {
-    return hull(on_grid(contains(guard_, bounds_of(ring)) ? ring : clipped(ring, guard_)));
-  }
+  Grid convex(const Ring& ring) const { return hull(on_grid(clipped(ring, guard_))); }
 
   std::vector<Grid> convex_figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures;
-    for (const Ring& ring : rings) figures.push_back(convex(ring));
+    std::vector<Grid> figures(rings.size());
+    std::transform(rings.begin(), rings.end(), figures.begin(),
+                   [this](const Ring& ring) { return convex(ring); });
     return figures;
   }
 
   std::vector<Grid> figures(const std::vector<Ring>& rings) const {
-    std::vector<Grid> figures;
-    for (const Ring& ring : rings)
-      figures.push_back(on_grid(contains(guard_, bounds_of(ring)) ? ring : clamped(ring, guard_)));
+    std::vector<Grid> figures(rings.size());
+    std::transform(rings.begin(), rings.end(), figures.begin(),
+                   [this](const Ring& ring) { return on_grid(clamped(ring, guard_)); });
     return figures;
   }
 
   void wind(const std::vector<Grid>& figures, bool simple) {
     const bool few = simple || most_windings(figures, kMostWindings) <= kMostWindings;
-    cover(figures, few ? FLATRAY_GL_COUNT : FLATRAY_GL_SUM);
-  }
-
-  void cover(const std::vector<Grid>& figures, FlatrayGlKind kind) {
-    Grid all;
-    for (const Grid& figure : figures) all.insert(all.end(), figure.begin(), figure.end());
-    out_.mark(kind, figures, paint_, out_.box(all));
+    out_.mark(few ? FLATRAY_GL_COUNT : FLATRAY_GL_SUM, figures, paint_);
   }
 
   const PixelBox tile_;

@@ -18,9 +18,8 @@ struct Batches {
 /// Triangles for the items of `list` in `tile`, corners on the grid (grid.h).
 ///
 /// Needs   a tile of at most FLATRAY_GL_TILE pixels each way.
-/// Gives   items in an order that shows the same: convex regions in one batch, as far as nothing
-///         between them lies in the same place; of other regions first their marks, then their
-///         light. Curves as chords within 1/256 of a pixel.
+/// Gives   items in their order: convex regions that follow one another in one batch; of other
+///         regions first their marks, then their light. Curves as chords within 1/256 of a pixel.
 /// Cost    O(edges), O(edges log edges) for those not in the order of their rings.
 Batches batches(const DrawList& list, const PixelBox& tile);
 

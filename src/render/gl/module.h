@@ -6,7 +6,7 @@
 /// module knows triangles; what they are triangles of is decided on the other side.
 
 /// Grows with every change of what stands below: a module of another number is not used.
-#define FLATRAY_GL_ABI 3
+#define FLATRAY_GL_ABI 4
 /// Most pixels of a tile in either direction.
 #define FLATRAY_GL_TILE 2048
 
@@ -35,10 +35,9 @@ struct FlatrayGlStop {
   float rgba[4];  ///< premultiplied
 };
 
-/// In the order in which those of items that share no place are drawn.
+/// What is done with the triangles of a batch.
 enum FlatrayGlKind {
   FLATRAY_GL_PAINT,  ///< blends its triangles
-  FLATRAY_GL_MARK,   ///< marks the samples in its triangles
   FLATRAY_GL_COUNT,  ///< adds the winding of its triangles to the samples in them, modulo 256
   FLATRAY_GL_FLIP,   ///< flips the mark of the samples in its triangles
   FLATRAY_GL_SUM,    ///< adds the winding of its triangles to sums that begin at 0 and may be large

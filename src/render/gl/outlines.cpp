@@ -93,9 +93,4 @@ Bounds bounds_of(std::span<const Vec2> points) {
   return bounds;
 }
 
-bool contains(const Bounds& outer, const Bounds& inner) {
-  return outer.low.x() <= inner.low.x() && outer.low.y() <= inner.low.y() &&
-         inner.high.x() <= outer.high.x() && inner.high.y() <= outer.high.y();
-}
-
 }  // namespace flatray::gl

@@ -21,7 +21,5 @@ Ring clipped(Ring ring, const Bounds& box);
 Ring clamped(const Ring& ring, const Bounds& box);
 
 Bounds bounds_of(std::span<const Vec2> points);
-/// Whether `inner` lies in `outer`.
-bool contains(const Bounds& outer, const Bounds& inner);
 
 }  // namespace flatray::gl

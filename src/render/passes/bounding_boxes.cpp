@@ -35,7 +35,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass bounding_boxes_pass;
-const Pass bounding_boxes_pass = {"bounding_boxes", &need, &draw};
+extern const Pass bounding_boxes_pass = {"bounding_boxes", &need, &draw};
 
 }  // namespace flatray

@@ -28,7 +28,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass chambers_pass;
-const Pass chambers_pass = {"chambers", &need, &draw};
+extern const Pass chambers_pass = {"chambers", &need, &draw};
 
 }  // namespace flatray

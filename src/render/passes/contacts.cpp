@@ -90,7 +90,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass contacts_pass;
-const Pass contacts_pass = {"contacts", &need, &draw};
+extern const Pass contacts_pass = {"contacts", &need, &draw};
 
 }  // namespace flatray

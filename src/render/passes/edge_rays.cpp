@@ -132,7 +132,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass edge_rays_pass;
-const Pass edge_rays_pass = {"edge_rays", &need, &draw};
+extern const Pass edge_rays_pass = {"edge_rays", &need, &draw};
 
 }  // namespace flatray

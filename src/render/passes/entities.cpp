@@ -24,7 +24,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass entities_pass;
-const Pass entities_pass = {"entities", &need, &draw};
+extern const Pass entities_pass = {"entities", &need, &draw};
 
 }  // namespace flatray

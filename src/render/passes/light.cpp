@@ -32,7 +32,6 @@ void draw(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass light_pass;
-const Pass light_pass = {"light", &need, &draw};
+extern const Pass light_pass = {"light", &need, &draw};
 
 }  // namespace flatray

@@ -196,7 +196,6 @@ void draw_all(DrawContext& context) {
 
 }  // namespace
 
-extern const Pass orbits_pass;
-const Pass orbits_pass = {"orbits", &need, &draw_all};
+extern const Pass orbits_pass = {"orbits", &need, &draw_all};
 
 }  // namespace flatray

@@ -35,10 +35,7 @@ Bodies::Bodies(const World& world, std::span<const Scatterer* const> scatterers)
 
 // By the crossings of the half line to the right.
 bool Bodies::holds(std::uint32_t body, const Vec2& point) const {
-  const Bounds& box = bounds_[body];
-  if (!(box.low.x() <= point.x() && point.x() <= box.high.x() && box.low.y() <= point.y() &&
-        point.y() <= box.high.y()))
-    return false;
+  if (!bounds_[body].contains(point)) return false;
   bool inside = false;
   for (const std::uint32_t surface : surfaces_[body]) {
     const bool on_it = walls_.visit(surface, [&](const auto& wall) {

@@ -58,28 +58,5 @@ TEST(BitRuns, EachOneIsTakenOnceAndThoseWithinAStretchAreItsPlaces) {
     }
 }
 
-TEST(ColumnLists, GiveTheThingsOfEachColumnRisingAndForgetTheRowBefore) {
-  struct Thing {
-    int column;
-  };
-  ColumnLists lists;
-  for (std::uint64_t item = 0; item < 200; ++item) {
-    oracle::Draw draw(1, 2, item);
-    const int left = draw.whole(-9, 9), width = draw.whole(1, 200);
-    std::vector<Thing> things(static_cast<std::size_t>(draw.whole(0, 40)));
-    for (Thing& thing : things) thing.column = left + draw.whole(0, width);
-    std::vector<std::uint32_t> expected, found;
-    for (int column = left; column < left + width; ++column)
-      for (std::uint32_t i = 0; i < things.size(); ++i)
-        if (things[i].column == column) expected.push_back(i);
-    lists.each(things, left, width, [&](std::span<const std::uint32_t> numbers) {
-      found.insert(found.end(), numbers.begin(), numbers.end());
-      for (const std::uint32_t i : numbers)
-        EXPECT_EQ(things[i].column, things[numbers.front()].column);
-    });
-    ASSERT_EQ(found, expected) << item;
-  }
-}
-
 }  // namespace
 }  // namespace flatray

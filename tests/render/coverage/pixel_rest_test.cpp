@@ -55,8 +55,8 @@ TEST(PixelRest, OfHalvesCutAcrossIsTheProductOfWhatEachLeaves) {
   const Piece slant = piece(0.25, 0, 0.75, 1), level = piece(0, 0.25, 1, 0.25);
   EXPECT_EQ(rest.cut({&slant, 1}, 1), 0.5) << "right of it";
   EXPECT_EQ(rest.area(), 0.5);
-  EXPECT_EQ(rest.cut({&level, 1}, -1), 0.40625) << "below it: 0.75 high, on average 0.5417 wide";
-  EXPECT_EQ(rest.area(), 0.09375);
+  EXPECT_EQ(rest.cut({&level, 1}, -1), 0.421875) << "below it: 0.75 high, on average 0.5625 wide";
+  EXPECT_EQ(rest.area(), 0.078125);
   rest.begin();
   EXPECT_EQ(rest.area(), 1);
 }

@@ -25,7 +25,6 @@ struct Manner {
 };
 constexpr Manner kManners[] = {
     {Task::paint, Ink::over},                                            // paint
-    {Task::paint, Ink::none, GL_ALWAYS, 1, GL_REPLACE, GL_REPLACE},      // mark
     {Task::paint, Ink::none, GL_ALWAYS, 0, GL_INCR_WRAP, GL_DECR_WRAP},  // count
     {Task::paint, Ink::none, GL_ALWAYS, 0, GL_INVERT, GL_INVERT},        // flip
     {Task::sum, Ink::add},                                               // sum
@@ -34,7 +33,7 @@ constexpr Manner kManners[] = {
     {Task::paint, Ink::replace},                                         // layer
     {Task::lay, Ink::over}                                               // lay
 };
-static_assert(FLATRAY_GL_COVER == 6 && FLATRAY_GL_LAY + 1 == std::size(kManners));
+static_assert(FLATRAY_GL_COVER == 5 && FLATRAY_GL_LAY + 1 == std::size(kManners));
 
 void set_ink(const Functions& gl, Ink ink) {
   const GLboolean mask = ink == Ink::none ? GL_FALSE : GL_TRUE;

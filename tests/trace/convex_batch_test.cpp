@@ -1,8 +1,9 @@
-#include "geom/convex_polygon.h"
-
 #include <gtest/gtest.h>
 
-#include "geom/clip_cases.h"
+#include "geom/cyrus_beck.h"
+#include "geom/polygon.h"
+#include "oracle/families.h"
+#include "trace/hit_intervals.h"
 
 namespace flatray {
 namespace {
@@ -43,17 +44,21 @@ std::vector<Vec2> with_more_vertices(const std::vector<Vec2>& ring) {
 }
 
 void expect_equal_answers(const std::vector<Vec2>& ring, const Ray& ray) {
-  const ConvexPolygon polygon(ring);
-  for (const Range& within : {kRay, kLine, kSegment})
-    ASSERT_EQ(polygon.clip(ray, within), clip_convex(ray, ring, within))
+  RayBatch batch;
+  batch.add(ray);
+  for (const Range& within : {kRay, kLine, kSegment}) {
+    HitInterval hit;
+    clip_convex_batch(batch, ring, within, {&hit, 1});
+    ASSERT_EQ(hit, clip_convex(ray, ring, within))
         << ring.size() << " vertices, from " << ray.origin.transpose() << " along "
         << ray.direction.transpose();
+  }
 }
 
 void expect_equal_answers(std::vector<Vec2> ring, std::uint64_t family) {
   ASSERT_FALSE(non_convex_vertex(ring));
   for (std::uint64_t item = 0; item < 400; ++item) {
-    Draw draw(kSeed, family, item);
+    oracle::Draw draw(20181123, family, item);
     const auto any = [&] {
       return ring[static_cast<std::size_t>(draw.below(static_cast<int>(ring.size())))];
     };
@@ -62,7 +67,8 @@ void expect_equal_answers(std::vector<Vec2> ring, std::uint64_t family) {
     expect_equal_answers(ring, {origin, a - origin});  // at a vertex
     expect_equal_answers(ring, {a, b - a});            // along an edge or a chord
     expect_equal_answers(ring, {a - 2 * (b - a), b - a});
-    expect_equal_answers(ring, {nudge(origin, draw), nudge(Vec2(b - origin), draw)});
+    expect_equal_answers(ring,
+                         {oracle::nudge(origin, draw), oracle::nudge(Vec2(b - origin), draw)});
     expect_equal_answers(ring, {middle, {draw.below(5) - 2, draw.below(5) - 2}});
     expect_equal_answers(ring, {origin, {draw.unit() - 0.5, draw.unit() - 0.5}});
     std::rotate(ring.begin(), ring.begin() + 1, ring.end());
@@ -70,14 +76,14 @@ void expect_equal_answers(std::vector<Vec2> ring, std::uint64_t family) {
   }
 }
 
-TEST(ConvexPolygon, AnswersAsTheLoopOverAllEdges) {
+TEST(ConvexBatch, AnswersAsTheLoopOverAllEdges) {
   expect_equal_answers(whole_ring(), 90);
   expect_equal_answers(with_more_vertices(whole_ring()), 91);
   expect_equal_answers(parabola(100), 92);
   expect_equal_answers(with_more_vertices(parabola(40)), 93);
 }
 
-TEST(ConvexPolygon, AnswersAsTheLoopAtAnyScale) {
+TEST(ConvexBatch, AnswersAsTheLoopAtAnyScale) {
   for (const double scale : {0x1p-1060, 0x1p900}) {
     std::vector<Vec2> ring = with_more_vertices(whole_ring());
     for (Vec2& vertex : ring) vertex *= scale;
@@ -86,7 +92,7 @@ TEST(ConvexPolygon, AnswersAsTheLoopAtAnyScale) {
   }
 }
 
-TEST(ConvexPolygon, WithoutAreaItIsTheSegmentOrPointItIs) {
+TEST(ConvexBatch, WithoutAreaItIsTheSegmentOrPointItIs) {
   std::vector<Vec2> line;
   for (int i = 0; i < 40; ++i) line.push_back({double(i), 2.0 * i});
   expect_equal_answers(line, {{0, 0}, {1, 2}});
@@ -94,7 +100,7 @@ TEST(ConvexPolygon, WithoutAreaItIsTheSegmentOrPointItIs) {
   expect_equal_answers(std::vector<Vec2>(40, Vec2(1, 1)), {{0, 0}, {1, 1}});
 }
 
-TEST(ConvexPolygon, ADirectionOfZeroIsAPointTest) {
+TEST(ConvexBatch, ADirectionOfZeroIsAPointTest) {
   const std::vector<Vec2> ring = whole_ring();
   expect_equal_answers(ring, {ring[3], {0, 0}});
   expect_equal_answers(ring, {{2, 5}, {0, 0}});
