@@ -95,6 +95,7 @@ FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
   const OnFilm place{world_from_shape, film_from_world};
   const auto film = [&](const Vec2& point) { return posed(point, place); };
   FilmShape there;
+  there.cos = world_from_shape.cos, there.sin = world_from_shape.sin;
   const std::vector<OutlineEdge> edges = outline(shape);
   for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge)
     there.edges.push_back({film(shape.vertices[edge->to]), film(shape.vertices[edge->from])});
@@ -173,9 +174,10 @@ std::vector<Region> line_regions(const FilmShape& shape, const LineLook& look,
   for (const Circle& circle : shape.circles)
     if (look.dashes.empty())
       regions.push_back(FillRing{circle.centre, circle.radius + half, circle.radius - half});
-    else
-      chains.push_back(
-          chain_of({{{circle.centre, {circle.radius, 0}, {0, -circle.radius}}}, true}));
+    else {
+      const double along = circle.radius * shape.cos, up = 0.0 - circle.radius * shape.sin;
+      chains.push_back(chain_of({{{circle.centre, {along, up}, {up, 0.0 - along}}}, true}));
+    }
   for (const Chain& chain : chains) {
     if (look.dashes.empty())
       add_counted(chain, look.style, path.edges, budget);

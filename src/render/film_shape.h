@@ -12,6 +12,7 @@ struct FilmShape {
   bool simple = false;         ///< which are one, still convex
   std::vector<std::vector<Vec2>> crossing_rings;
   std::vector<Circle> circles;
+  double cos = 1, sin = 0;  ///< of its turn in the world, with which dashes of circles begin
   std::vector<Segment> segments;
   std::vector<ArcPath> arc_paths;
   std::vector<std::vector<Vec2>> curves;  ///< Bezier curves that follow one another, as chords

@@ -84,5 +84,19 @@ pillars = [{ shape = { circle = { radius = 2 } }, at = )" +
   EXPECT_EQ(differ, 0u);
 }
 
+TEST(CornerBudget, ARayIsRefusedByItsPlace) {
+  const auto refused = list_of(R"([[entity]]
+shape = { segment = { from = [0, 5], to = [100, 5] } }
+[[ray]]
+at = [0, 20]
+direction = [1, 0]
+stroke = { width_px = 1, colour = "#ff0000", dashes = [0.5, 0.5] }
+)",
+                               100);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(format(refused.error()).substr(0, 20), "test.toml:5:1: error")
+      << format(refused.error());
+}
+
 }  // namespace
 }  // namespace flatray

@@ -41,5 +41,20 @@ TEST(FilmShape, DashesAreDrawnUnlessTheyRepeatWithinAQuarterOfAPixel) {
   EXPECT_NEAR(dashed_area(0.0625), 32, 1e-9);
 }
 
+// An ellipse of two equal radii is the same curve.
+TEST(FilmShape, DashesOfACircleTurnWithIt) {
+  const auto turned = [](const std::string& shape, int angle) {
+    return picture(
+        "flatray = 1\nfilm = { size = [20, 20], world = [[-10, -10], [10, 10]] }\n[[entity]]\n"
+        "shape = { " +
+        shape + " }\nangle = " + std::to_string(angle) +
+        "\nstroke = { width = 1, caps = 'butt', dashes = [5, 4] }\n");
+  };
+  const std::string circle = "circle = { radius = 7 }", ellipse = "ellipse = { radii = [7, 7] }";
+  for (const int angle : {0, 90, 180, 270})
+    EXPECT_EQ(turned(circle, angle), turned(ellipse, angle)) << angle;
+  EXPECT_NE(turned(circle, 0), turned(circle, 90));
+}
+
 }  // namespace
 }  // namespace flatray

@@ -219,5 +219,18 @@ TEST(Omissions, APictureThatIsOpaqueHasNoFourthChannel) {
   EXPECT_EQ(render_image(list, {}).channels, 4);
 }
 
+TEST(Omissions, HowManyRespondInWhichWayIsListed) {
+  const std::string box = "[[entity]]\nshape = { box = { min = [0, 0], max = [1, 1] } }\n";
+  const auto reason = [&](const std::string& text) {
+    for (const RenderPlan::Choice& choice : make_plan(scene_of(kFilm + text), false).choices)
+      if (choice.part == "responses") return choice.reason;
+    return std::string("not listed");
+  };
+  EXPECT_EQ(reason(box), "nothing responds to contact");
+  EXPECT_EQ(reason(box + "response = 'mark'\n" + box + "response = 'bounce'\nat = [3, 0]\n" + box +
+                   "response = 'mark'\nat = [6, 0]\n" + box),
+            "2 mark, 1 bounce");
+}
+
 }  // namespace
 }  // namespace flatray

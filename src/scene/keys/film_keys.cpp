@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "scene/keys/keys.h"
 #include "scene/keys/motion_keys.h"
 #include "scene/keys/scene_keys.h"
@@ -40,6 +42,11 @@ void read_world(Builder& builder, const Field& field, Film& film) {
       film.world = Bounds{{0, 0}, Vec2(film.width, film.height)};
   } else if (const auto world = builder.in.box(field)) {
     film.world = world;
+    const Vec2 size = world->size();
+    if (!std::isfinite(film.width / size.x()) || !std::isfinite(film.height / size.y()))
+      builder.in.problem(field.value.where,
+                         field.name + " is so small that a unit has no number of pixels",
+                         "write a window of 1e-300 or more");
   }
 }
 

@@ -307,5 +307,14 @@ TEST(Scenes, EdgeRaysOfAnEntityWithoutAShapeTellTheShapesMistakeAlone) {
 )");
 }
 
+TEST(Film, ShowsNoWorldOfWhichAUnitHasNoNumberOfPixels) {
+  const auto film = [](const std::string& side) {
+    return "flatray = 1\nfilm = { size = [8, 8], world = [[0, 0], [" + side + ", " + side +
+           "]] }\n";
+  };
+  EXPECT_EQ(loaded(film("8e-307")).scene.film.world->high.x(), 8e-307);
+  EXPECT_NE(refusal(film("8e-309")).find("t.toml:2:"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace flatray
