@@ -24,7 +24,8 @@ PathEdge arc_in_world(const PathWall& wall, const Pose& place) {
   const bool whole = arc.is_whole();
   const bool is_flat = cross_sign(curve.u, curve.v) == Sign::zero;
   if (is_flat && whole) {
-    const Vec2 reach = curve.u.cwiseAbs().maxCoeff() > curve.v.cwiseAbs().maxCoeff() ? curve.u : curve.v;
+    const Vec2 reach =
+        curve.u.cwiseAbs().maxCoeff() > curve.v.cwiseAbs().maxCoeff() ? curve.u : curve.v;
     return {curve.centre - reach, curve.centre + reach, std::nullopt};
   }
   // So small, and so far away, that the doubles do not tell an end from the centre.

@@ -92,7 +92,8 @@ void mend_convex(std::vector<Vec2>& ring) {
     const Vec2 corner = ring[*inside];  // those that were moved onto it go with it
     std::size_t before = *inside;
     while (ring[before] == corner) before = (before + n - 1) % n;
-    for (std::size_t i = (before + 1) % n; ring[i] == corner; i = (i + 1) % n) ring[i] = ring[before];
+    for (std::size_t i = (before + 1) % n; ring[i] == corner; i = (i + 1) % n)
+      ring[i] = ring[before];
   }
 }
 

@@ -108,7 +108,8 @@ class WordReader {
       return wrong(name, fmt::format("{}, not the option {}", needed, text));
     if (!value) value = *next_++;
     if (value->empty())
-      return wrong(name, "is empty", fmt::format("say {} {}, or leave it out", name, option.metavar));
+      return wrong(name, "is empty",
+                   fmt::format("say {} {}, or leave it out", name, option.metavar));
     Given& one = given.try_emplace(option.name, Given{name, {}}).first->second;
     one.values.push_back(*std::move(value));
     if (option.kind == OptionKind::text && one.values.size() == 2)

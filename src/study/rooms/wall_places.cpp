@@ -159,8 +159,7 @@ class ArcWay {
   Vec2 tangent_at(const Vec2& point) const {
     const Vec2 from = point - curve_.centre;
     const double c = cross(from, curve_.v), s = cross(curve_.u, from);
-    return (c * curve_.v - s * curve_.u) *
-           (turn_of(curve_) / std::sqrt(c * c + s * s));
+    return (c * curve_.v - s * curve_.u) * (turn_of(curve_) / std::sqrt(c * c + s * s));
   }
   double angle_of(const Vec2& from) const {
     return portable::atan2(cross(curve_.u, from), cross(from, curve_.v)) +
