@@ -24,6 +24,7 @@ enum class Stream : std::uint32_t {
   scramble = 11,     ///< seeds of pictures of light that are compared with one another
   alternative = 12,  ///< which of its alternatives light meets of a wall
   split = 13,        ///< whether orbits are reflected or refracted by glass
+  fading = 14,       ///< where light that fades on its way is cut
 };
 
 /// 64 uniform bits named by (seed, stream, frame, item, draw). `frame` and `item` keep 32 bits

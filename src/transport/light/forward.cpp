@@ -92,7 +92,7 @@ class Forward {
       if (rules_.stop != nullptr && rules_.stop()) return false;
       choose_worlds(block, bounces);
       fly();
-      if (walls_.bodies().absorb()) fade();
+      if (walls_.bodies().absorb()) fade(block, bounces);
       film_->add(lines_, rules_.threads);
       scatter(block, bounces);
     }
@@ -162,22 +162,28 @@ class Forward {
 
   // In bodies that absorb rays get fainter on their way. What falls on the film is added here; for the
   // others, lines_ are left.
-  void fade() {
+  void fade(std::uint64_t block, std::uint32_t bounces) {
     std::vector<std::vector<LightLine>> pieces;
     for (std::size_t first = 0; first < rays_.size(); first += kFading) {
       const std::size_t count = std::min(kFading, rays_.size() - first);
       pieces.assign((count + kChunk - 1) / kChunk, {});
       in_parts(count, [&](std::size_t begin, std::size_t end, LightCounts& counts) {
-        for (std::size_t i = begin; i < end; ++i) fade(first + i, pieces[begin / kChunk], counts);
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::uint32_t number = rays_[first + i].number;
+          const double shift = 1 - random_number(Stream::fading, block, number, bounces);
+          fade(first + i, shift, pieces[begin / kChunk], counts);
+        }
       });
       for (const std::vector<LightLine>& some : pieces) film_->add(some, rules_.threads);
     }
     std::erase_if(lines_, [](const LightLine& line) { return line.weight == kDark; });
   }
 
-  // Cuts the flight of a ray into pieces, each with its mean weight, over which what fades fastest
-  // and has not yet faded to 2^-12 loses a 16th at most; an 8th of a pixel is short enough.
-  void fade(std::size_t i, std::vector<LightLine>& pieces, LightCounts& counts) {
+  // Cuts the flight of a ray into pieces of even weights, over which what fades fastest and has not yet
+  // faded to 2^-12 loses a 16th at most; an 8th of a pixel is short enough. Where they are cut moves by
+  // `shift` of a piece. With h the depth of a piece and e its end, the weight is exp(-e) h / (1 - exp(-h)):
+  // over all shifts its mean at each depth x is exp(-x), up to both ends of the flight.
+  void fade(std::size_t i, double shift, std::vector<LightLine>& pieces, LightCounts& counts) {
     LightRay& ray = rays_[i];
     const std::array<double, 3>& absorption = walls_.bodies().absorption_in(ray.media);
     if (!arrivals_[i].hit || absorption == std::array<double, 3>{0, 0, 0}) return;
@@ -186,22 +192,31 @@ class Forward {
     const LightWeight first = ray.weight;
     const double short_enough = 0.125 / place_.pixels_per_unit;
     Vec2 at = ray.ray.origin;
-    double begin = 0, end = 0;
+    double begin = 0;
     while (begin < length) {
       double fastest = 0;
       for (const double channel : absorption)
-        if (channel * begin < kFaded) fastest = std::max(fastest, channel);
-      end = fastest > 0 ? begin + std::max(kPiece / fastest, short_enough) : length;
-      end = std::min(end, length);
-      const Vec2 next = end < length ? Vec2(ray.ray.origin + end / length * way) : to;
-      LightWeight mean{};
-      for (std::size_t c = 0; c < mean.size(); ++c) {
-        const double left = fading(absorption[c], begin).left;
-        mean[c] = static_cast<float>(static_cast<double>(first[c]) * left *
-                                     fading(absorption[c], end - begin).mean);
+        if (begin < kFaded / channel) fastest = std::max(fastest, channel);
+      const double until = std::min(length, kFaded / fastest);
+      const double piece = std::max(kPiece / fastest, short_enough);
+      for (double last = begin + shift * piece; begin < until; last += piece) {
+        const double end = std::min(last, until);
+        const Vec2 next = end < length ? Vec2(ray.ray.origin + end / length * way) : to;
+        LightWeight weight{};
+        for (std::size_t c = 0; c < weight.size(); ++c) {
+          const double a = absorption[c];
+          // Where it fades within a piece, which is short or dark, its mean.
+          const double part = a * piece <= 2 * kPiece
+                                  ? fading(a, last).left / fading(a, piece).mean
+                                  : fading(a, begin).left * fading(a, end - begin).mean;
+          weight[c] = static_cast<float>(static_cast<double>(first[c]) * part);
+        }
+        // A line weighs 1 at most, and the first piece, shortened, more: twice the half of it.
+        const int lines = largest(weight) > 1 ? 2 : 1;
+        for (float& channel : weight) channel /= static_cast<float>(lines);
+        for (int k = 0; k < lines; ++k) pieces.push_back(line(at, next, weight));
+        at = next, begin = end;
       }
-      pieces.push_back(line(at, next, mean));
-      at = next, begin = end;
     }
     const std::array<double, 3> left = walls_.bodies().left_after(length, ray.media);
     for (std::size_t c = 0; c < left.size(); ++c) ray.weight[c] *= static_cast<float>(left[c]);

@@ -42,8 +42,18 @@ TEST(TintedLight, FadesEvenlyAlongItsWay) {
                   "material = { glass = { index = 1, absorption = 1.5 } }\n"));
   for (int x = 16; x < 48; ++x) {
     const double left = std::exp(-1.5 * (x - 16) / 8.0);
-    EXPECT_NEAR(made.at(x, 32) / (left * (1 - std::exp(-1.5 / 8)) / (1.5 / 8)), 1, 0.006) << x;
+    EXPECT_NEAR(made.at(x, 32) / (left * (1 - std::exp(-1.5 / 8)) / (1.5 / 8)), 1, 0.001) << x;
   }
+}
+
+// Also where many pixels lie in a piece of 16 to the depth.
+TEST(TintedLight, HasNoStepsWherePixelsAreSmall) {
+  const Fluence made =
+      fluence(lit("[[lamp]]\nsource = { beam = { width = 1 } }\nat = [-3.5, 0]\n"
+                  "[[entity]]\nshape = { box = { min = [-2, -2], max = [2, 2] } }\n"
+                  "material = { glass = { index = 1, absorption = 0.1 } }\n"));
+  for (int x = 16; x < 48; ++x)
+    EXPECT_NEAR(made.at(x, 32) / std::exp(-0.1 * (x + 0.5 - 16) / 8.0), 1, 0.002) << x;
 }
 
 // The innermost body absorbs: a bubble nothing, what lies in two the inner one's part.
