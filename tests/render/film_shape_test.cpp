@@ -41,6 +41,15 @@ TEST(FilmShape, DashesAreDrawnUnlessTheyRepeatWithinAQuarterOfAPixel) {
   EXPECT_NEAR(dashed_area(0.0625), 32, 1e-9);
 }
 
+TEST(FilmShape, AHoleThatIsAPointHasNoLine) {
+  const Image image = picture(
+      "flatray = 1\nfilm = { size = [40, 40], world = [[-10, -10], [10, 10]] }\n[[entity]]\n"
+      "shape = { sector = { radius = 8, from = 0, to = 360, inner = 0 } }\n"
+      "stroke = { width = 2 }\nfill = 'none'\n");
+  EXPECT_EQ(image.at(20, 20)[0], 0xff);
+  EXPECT_LT(image.at(36, 20)[0], 0xff);
+}
+
 // An ellipse of two equal radii is the same curve.
 TEST(FilmShape, DashesOfACircleTurnWithIt) {
   const auto turned = [](const std::string& shape, int angle) {
