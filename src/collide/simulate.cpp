@@ -31,8 +31,12 @@ struct Prospect {
 struct Tally {
   std::size_t hits = 0, doublings = 0;  // the latter in less time, and faster
   double at = 0, took = kInfinity, speed = 0;
-  std::uint32_t by = 0, before = 0;  // whose the last hit was, and the one before
-  bool by_movable = false;           // one of those since they had doubled
+  bool by_calm = false;  // one since was with what can be moved and is not hit ever faster
+  struct Hit {
+    std::uint32_t other = 0;
+    Vec2 normal{0, 0};
+  };
+  Hit now{}, before{};
 };
 
 class Run {
@@ -135,35 +139,37 @@ class Run {
     return true;
   }
 
-  // When the hits of a body accumulate; infinite where they do not: what can be moved is turned in the end.
+  // When the hits of a body accumulate; infinite where they do not: what can be moved, and is not itself in
+  // a jam, is turned in the end.
   double accumulation(std::uint32_t body, std::uint32_t other, const Vec2& normal) {
     Tally& last = tallies_[body];
-    last.before = std::exchange(last.by, other);
-    last.by_movable |= bodies_[other].mass < kInfinity;
+    last.before = std::exchange(last.now, {other, normal});
+    last.by_calm |= bodies_[other].mass < kInfinity && tallies_[other].doublings == 0;
     if (++last.hits < kJamFirst || !std::has_single_bit(last.hits)) return kInfinity;
     const double took = now_ - last.at, speed = stages_[body].back().velocity.stableNorm();
-    const bool denser = took < last.took && speed > 1.5 * last.speed && !last.by_movable;
+    const bool denser = took < last.took && speed > 1.5 * last.speed;
+    const bool calm = std::exchange(last.by_calm, false);
     const double shorter = took / last.took;
-    last = {last.hits, denser ? last.doublings + 1 : 0, now_, took, speed, other, last.before};
+    last.doublings = denser ? last.doublings + 1 : 0;
+    last.at = now_, last.took = took, last.speed = speed;
+    if (last.doublings < kJamDoublings || calm) return kInfinity;
     const double time = now_ + took * shorter / (1 - shorter);
-    const bool gets_out =
-        is_past(body, other, normal, time) || is_past(body, last.before, normal, time);
-    return last.doublings < kJamDoublings || gets_out ? kInfinity : time;
+    return is_past(body, last.now, time) || is_past(body, last.before, time) ? kInfinity : time;
   }
 
-  // Whether it has gone by beside another by then, if nothing else stops it.
-  bool is_past(std::uint32_t body, std::uint32_t other, const Vec2& normal, double time) const {
+  // Whether it has gone by beside what it hit by then, if nothing else stops it.
+  bool is_past(std::uint32_t body, const Tally::Hit& hit, double time) const {
     const auto extent = [&](std::uint32_t i) {
       Range beside{kInfinity, -kInfinity};
       for (const ShapePart& part : bodies_[i].parts)
         for (const Vec2& p : part.ring) {
-          const double at = cross(normal, pairs_.place(i, time) + p);
+          const double at = cross(hit.normal, pairs_.place(i, time) + p);
           beside = {std::min(beside.low, at - part.radius),
                     std::max(beside.high, at + part.radius)};
         }
       return beside;
     };
-    const Range a = extent(body), b = extent(other);
+    const Range a = extent(body), b = extent(hit.other);
     return a.high < b.low || b.high < a.low;
   }
 

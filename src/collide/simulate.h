@@ -33,8 +33,9 @@ struct Simulation : Responses {
 inline constexpr std::size_t kJamEvents = 1024;
 /// Whether the hits of a body accumulate, as between walls that close in, is asked when they are so many
 /// and whenever they have doubled: they do where so many times in succession they took less time than the
-/// time before, and left it half as fast again or more. From the last two such times follows when it
-/// has no way out.
+/// time before, and left it half as fast again or more, the last time by nothing that can be moved and is not hit
+/// ever faster itself. From the last two such times follows when it has no way out, unless it is past by then
+/// one of the two it hit last, beside it.
 inline constexpr std::size_t kJamFirst = 256, kJamDoublings = 4;
 
 /// Which pairs are looked at: those whose boxes meet in a while of time, or all. The same events come

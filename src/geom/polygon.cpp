@@ -1,5 +1,7 @@
 #include "geom/polygon.h"
 
+#include <algorithm>
+
 #include "geom/decide.h"
 #include "geom/polygon_edges.h"
 
@@ -81,13 +83,29 @@ std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring) {
 void mend_convex(std::vector<Vec2>& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return;
-  const auto turn = [&](std::size_t i) {
-    return orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]);
+  const auto turn = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return orientation(ring[a % n], ring[b % n], ring[c % n]);
   };
   // Where it turns one way everywhere it winds as often as it did before.
-  std::size_t same = 0;
-  while (same < n && turn(same) != Sign::zero && turn(same) == turn(0)) ++same;
-  if (same == n) return;
+  const Sign first = turn(0, 1, 2);
+  std::size_t same = first == Sign::zero ? 0 : 1;
+  while (same != 0 && same < n && turn(same, same + 1, same + 2) == first) ++same;
+  if (same == n || !non_convex_vertex(ring)) return;
+  // Once round from a corner that is outermost (Graham 1972).
+  const Sign inward = -ring_orientation(ring);
+  const auto begin = static_cast<std::size_t>(
+      std::min_element(ring.begin(), ring.end(), runs_forward) - ring.begin());
+  std::vector<std::size_t> kept;
+  for (std::size_t i = begin; i <= begin + n; ++i) {
+    while (kept.size() > 1 && turn(kept[kept.size() - 2], kept.back(), i) == inward)
+      kept.pop_back();
+    if (kept.empty() || ring[kept.back() % n] != ring[i % n]) kept.push_back(i);
+  }
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const std::size_t end = k + 1 < kept.size() ? kept[k + 1] : begin + n;
+    for (std::size_t i = kept[k] + 1; i < end; ++i) ring[i % n] = ring[kept[k] % n];
+  }
+  // What is left goes back and forth along a line.
   while (const auto inside = non_convex_vertex(ring)) {
     const Vec2 corner = ring[*inside];  // those that were moved onto it go with it
     std::size_t before = *inside;

@@ -20,8 +20,9 @@ double ring_area(std::span<const Vec2> ring);
 std::optional<std::size_t> non_convex_vertex(std::span<const Vec2> ring);
 
 /// Of a ring that was convex until its corners were rounded: moves each corner that has come to lie inside
-/// onto the one before it, so that the ring is convex again and edges keep their numbers. Exact.
-/// Cost    O(n), and as much for each corner moved.
+/// onto the one before it, so that the ring is convex again with as many edges: the number of the last of those
+/// that became one is left to it. A ring without area stays as it is. Exact.
+/// Cost    O(n).
 void mend_convex(std::vector<Vec2>& ring);
 
 /// Two edges of a ring that meet where they should not, or nullopt for a simple ring. Edge i runs

@@ -15,4 +15,12 @@ run 0 render box.toml -f 1..3
 run 0 render box.toml --dry-run --resume
 says out "2 frames of 64x48, 3 kept"
 (($(ls out/box/*.png | wc -l) == 3)) || fail "a dry run wrote"
+# A frame of a sequence has its number, and so have several of what has one.
+run 0 render box.toml --dry-run --json -f 3
+says out '"files":["out/box/frame_0003.png"]'
+scene still.toml 1
+run 0 render still.toml --dry-run --json -f 2..3
+says out '"files":["out/still/frame_0002.png","out/still/frame_0003.png"]'
+run 0 render still.toml --dry-run --json
+says out '"files":["out/still.png"]'
 finish

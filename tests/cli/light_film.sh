@@ -187,4 +187,7 @@ for moving in lamp.0.velocity=[1,0] entity.0.velocity=[1,0] light.noise=\"moving
   run 0 explain below.toml -D $moving
   says out "each traced"
 done
+# An error that the rays do not reach is told.
+run 0 render lamp.toml --rays 1 --error 1e-6 --size 8x6 -o short.png
+says err "warning: the error is"
 finish

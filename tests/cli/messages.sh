@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# needs: formats/obj
+# needs: formats/obj formats/list shapes/circle
 # Messages say what is meant; what means nothing is told, not passed over.
 source "$(dirname "$0")/lib.sh"
 scene scene.toml 3
@@ -79,4 +79,13 @@ rm flatray.toml
 printf 'caf\xe9, 1, 2\n' > latin.list
 run 0 convert latin.list latin.toml
 run 0 check latin.toml
+# All mistakes of a list, and a name that two have.
+printf 'X, 1\nY, a, b\nZ, 1, 2\nW 1 2\n' > three.txt
+run 4 check three.txt
+says err "three.txt:4:1: error: a name and two numbers are wanted"
+says err "3 errors"
+printf 'flatray = 1\n[[entity]]\nname = "d"\nshape = { circle = {} }\n' > two.toml
+printf '[[entity]]\nname = "d"\nshape = { circle = {} }\n' >> two.toml
+run 2 convert two.toml - -D 'entity.d.at=[7,7]'
+says err "two entries are named 'd'"
 finish

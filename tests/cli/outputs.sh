@@ -57,4 +57,12 @@ run 1 compare a.png b.png --diff a.png --force
 # What a run of the kind wrote is replaced as ever.
 run 0 render box.toml -f 2 -o mine/picture.png --quiet
 cmp -s b.png mine/picture.png || fail "a picture was not replaced by a picture"
+run 4 accuracy box.toml --budget 0.1 --choice precision -o nothing
+says err "precision cannot be measured"
+absent nothing
+run 2 stability --families vertex --count 1 -o ''
+says err "--output: error: is empty"
+run 2 verify ''
+says err "is empty"
+absent stability.csv
 finish

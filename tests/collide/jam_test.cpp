@@ -105,5 +105,16 @@ TEST(Jams, WhatSlipsOutBesideIsNotJammed) {
   EXPECT_TRUE(done(1.49).jammed);
 }
 
+// Each of them is hit ever faster, by a wall and by the other.
+TEST(Jams, OfTwoBetweenWallsIsOne) {
+  std::vector<SimulatedBody> bodies = between_walls(1, 0);
+  bodies.back() = disc({-1.5, 0}, 1, {0.75, 0});
+  bodies.push_back(disc({1.5, 0}, 1, {-0.5, 0}));
+  const Simulation done = simulate(bodies, Response::bounce, 10, 100'000);
+  EXPECT_TRUE(done.jammed);
+  EXPECT_NEAR(done.jam, 2, 0.01);
+  EXPECT_LT(done.events.size(), 100'000U);
+}
+
 }  // namespace
 }  // namespace flatray

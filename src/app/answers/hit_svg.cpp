@@ -81,8 +81,9 @@ std::string svg_of(const Scene& scene, const FrameState& state,
         to.points.insert(to.points.end(),
                          {point(at(ray, part.low)), point(at(ray, part.high)), Plot::gap()});
     };
-    if (&report == &reports.front() || report.ray.name != (&report - 1)->ray.name ||
-        ray.origin != (&report - 1)->ray.ray.origin) {
+    const NamedRay* const before = &report == &reports.front() ? nullptr : &(&report - 1)->ray;
+    if (before == nullptr || report.ray.name != before->name || ray.origin != before->ray.origin ||
+        ray.direction != before->ray.direction) {
       add(rays, shown);
       origins.points.push_back({ray.origin.x(), ray.origin.y(), 0, report.ray.name});
     }

@@ -92,7 +92,7 @@ Result<RenderJob> make_job(const Arguments& arguments, const RenderRequest& requ
     return usage_error(arguments.where("frames"),
                        fmt::format("there is no frame {} in {}", frames.back(), scene.name),
                        fmt::format("its lines are frames 1 to {}", scene.frames));
-  const auto output = output_of(request, scene.frames > 1);
+  const auto output = output_of(request, scene.frames > 1 || frames.size() > 1);
   if (!output) return tl::unexpected(output.error());
   if (auto fits = check_places(arguments, *output, frames.size()); !fits)
     return fail(std::move(fits));

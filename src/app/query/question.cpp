@@ -12,7 +12,7 @@
 namespace flatray {
 
 Question::Part Question::Part::operator[](const std::string& field) const {
-  return {value->find(field), where.empty() ? field : where + "." + field};
+  return {value->find(field), name_of(field)};
 }
 
 Question::Part Question::Part::item(std::size_t i) const {
@@ -139,10 +139,10 @@ void Question::check_fields(const Part& part, const std::vector<std::string>& kn
   if (fields == nullptr) return;
   std::set<std::string_view> seen;
   for (const auto& field : *fields) {
-    const std::string where = part[field.first].where;
-    if (!seen.insert(field.first).second) mistake(where, "is given twice");
+    if (!seen.insert(field.first).second) mistake(part.name_of(field.first), "is given twice");
     if (std::ranges::find(known, field.first) == known.end())
-      mistake(where, "is not a field of this question" + did_you_mean(field.first, known));
+      mistake(part.name_of(field.first),
+              "is not a field of this question" + did_you_mean(field.first, known));
   }
 }
 

@@ -66,6 +66,10 @@ class Question {
 
     explicit operator bool() const { return value != nullptr; }
     Part operator[](const std::string& field) const;
+    // What messages call a field of it.
+    std::string name_of(const std::string& field) const {
+      return where.empty() ? field : where + "." + field;
+    }
     // The items of a list; null for anything else.
     const Values* list() const { return std::get_if<Values>(&value->data); }
     Part item(std::size_t i) const;

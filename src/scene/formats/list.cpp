@@ -34,7 +34,7 @@ class ListReader {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
       if (Result<void> line = read_line(rest.substr(0, end)); !line) {
         problems.insert(problems.end(), line.error().begin(), line.error().end());
-        if (entities_.size() >= max_entities_) break;
+        if (entities_.size() >= max_entities_ || problems.size() >= kMostProblems) break;
       }
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }

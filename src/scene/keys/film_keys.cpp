@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "scene/keys/keys.h"
@@ -43,7 +44,7 @@ void read_world(Builder& builder, const Field& field, Film& film) {
   } else if (const auto world = builder.in.box(field)) {
     film.world = world;
     const Vec2 size = world->size();
-    if (!std::isfinite(film.width / size.x()) || !std::isfinite(film.height / size.y()))
+    if (!std::isfinite(std::min(film.width / size.x(), film.height / size.y())))
       builder.in.problem(field.value.where,
                          field.name + " is so small that a unit has no number of pixels",
                          "write a window of 1e-300 or more");

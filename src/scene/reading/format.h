@@ -9,6 +9,9 @@
 
 namespace flatray {
 
+/// Of a file of lines so many mistakes are told.
+inline constexpr std::size_t kMostProblems = 20;
+
 /// How an outline is laid before it becomes a shape.
 struct OutlineOptions {
   double scale = 1;

@@ -11,7 +11,6 @@
 namespace flatray {
 namespace {
 
-constexpr std::size_t kMostProblems = 20;
 constexpr const char* kHint = "a line reads WAVELENGTH, POWER, as 589.3, 0.75";
 
 class SpectrumReader {

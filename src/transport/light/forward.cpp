@@ -199,6 +199,8 @@ class Forward {
         if (begin < kFaded / channel) fastest = std::max(fastest, channel);
       const double until = std::min(length, kFaded / fastest);
       const double piece = std::max(kPiece / fastest, short_enough);
+      std::array<double, 3> mean{};  // over a whole piece
+      for (std::size_t c = 0; c < mean.size(); ++c) mean[c] = fading(absorption[c], piece).mean;
       for (double last = begin + shift * piece; begin < until; last += piece) {
         const double end = std::min(last, until);
         const Vec2 next = end < length ? Vec2(ray.ray.origin + end / length * way) : to;
@@ -207,7 +209,7 @@ class Forward {
           const double a = absorption[c];
           // Where it fades within a piece, which is short or dark, its mean.
           const double part = a * piece <= 2 * kPiece
-                                  ? fading(a, last).left / fading(a, piece).mean
+                                  ? fading(a, last).left / mean[c]
                                   : fading(a, begin).left * fading(a, end - begin).mean;
           weight[c] = static_cast<float>(static_cast<double>(first[c]) * part);
         }

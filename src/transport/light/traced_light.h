@@ -20,9 +20,9 @@ struct LightCounts {
   LightCounts& operator+=(const LightCounts& more);
 };
 
-/// On the film, of a leg that fades: 8.5 / (1/16) pieces and one for rounding, for each channel, and the
-/// rest. Others are one line.
-inline constexpr std::uint64_t kMostLinesOfLeg = 3 * 137 + 1;
+/// On the film, of a leg that fades: 8.5 / (1/16) pieces, one that is begun, one for rounding and the first twice,
+/// for each channel, and the rest. Others are one line.
+inline constexpr std::uint64_t kMostLinesOfLeg = 3 * 139 + 1;
 
 /// The light of a frame: independent pictures of it, one for each scramble, and all of them have seen
 /// the same rounds of rays.

@@ -16,7 +16,8 @@ std::array<std::uint64_t, 3> words_of(std::uint64_t item) {
   Bits bits(192);
   for (std::size_t at = 0; at < bits.size();) {
     const std::size_t to = std::min<std::size_t>(
-        bits.size(), draw.unit() < 0.2 ? (at / 64 + 1) * 64 : at + 1 + draw.whole(0, 70));
+        bits.size(), draw.unit() < 0.2 ? (at / 64 + 1) * 64
+                                       : at + 1 + static_cast<std::size_t>(draw.whole(0, 70)));
     const bool on = draw.unit() < 0.5;
     for (; at < to; ++at) bits[at] = on;
   }
