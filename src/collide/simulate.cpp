@@ -154,7 +154,8 @@ class Run {
     last.at = now_, last.took = took, last.speed = speed;
     if (last.doublings < kJamDoublings || calm) return kInfinity;
     const double time = now_ + took * shorter / (1 - shorter);
-    return is_past(body, last.now, time) || is_past(body, last.before, time) ? kInfinity : time;
+    if (is_past(body, last.now, time) || is_past(body, last.before, time)) return kInfinity;
+    return time;
   }
 
   // Whether it has gone by beside what it hit by then, if nothing else stops it.
