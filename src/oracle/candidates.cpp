@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "geom/primitives/wall.h"
+
 namespace flatray::oracle {
 namespace {
 
@@ -100,9 +102,10 @@ static Reach around(Reach reach, std::span<const Vec2> points) {
 }
 Reach reach_of(const Arc& arc) {
   const auto& [centre, u, v] = arc.curve;
+  const auto circle = circle_along(arc);
+  if (whole_circle(arc)) return {centre, circle->radius, true};
   const Point a = wide(u), b = wide(v);
-  if (arc.curve.is_circle() && arc.extent == Arc::Extent::whole) return {centre, a.x, true};
-  const Long sum = arc.curve.is_circle() ? a.x : length_above(a.x, a.y) + length_above(b.x, b.y);
+  const Long sum = circle ? circle->radius : length_above(a.x, a.y) + length_above(b.x, b.y);
   const Reach whole{centre, sum * (1 + kRounding * 4)};
   return arc.extent == Arc::Extent::between ? around(whole, std::array{arc.from, arc.to}) : whole;
 }

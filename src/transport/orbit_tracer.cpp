@@ -137,7 +137,8 @@ class OrbitTracer::Wave {
 
   // The centre of the circle that a wall is on.
   std::optional<Vec2> circle_at(std::uint32_t surface) const {
-    return walls_.visit(surface, [](const auto& wall) { return centre_of_circle(wall); });
+    const auto circle = walls_.visit(surface, [](const auto& wall) { return circle_along(wall); });
+    return circle ? std::optional(circle->centre) : std::nullopt;
   }
 
   bool arrive(Flight& flight, const NearestHit& hit) {

@@ -53,22 +53,20 @@ double depth(const Segment& wall, const Vec2& place) {
 
 // The whole circles that reach over the walls of a cell and come in copies: a single one is no part of what
 // the cell repeats.
-std::vector<Ellipse> discs_across(const Surfaces& walls,
-                                  std::span<const PeriodicWalls::Side> sides) {
-  std::vector<Ellipse> across, copied;
+std::vector<Circle> discs_across(const Surfaces& walls,
+                                 std::span<const PeriodicWalls::Side> sides) {
+  std::vector<Circle> across, copied;
   for (const Arc& arc : walls.arcs) {
-    if (arc.extent != Arc::Extent::whole || !arc.curve.is_circle()) continue;
+    const auto disc = whole_circle(arc);
     const auto reaches = [&](const PeriodicWalls::Side& side) {
-      return depth(side.wall, arc.curve.centre) < arc.curve.u.x();
+      return depth(side.wall, disc->centre) < disc->radius;
     };
-    if (std::any_of(sides.begin(), sides.end(), reaches)) across.push_back(arc.curve);
+    if (disc && std::any_of(sides.begin(), sides.end(), reaches)) across.push_back(*disc);
   }
-  const auto radius = [](const Ellipse& disc) { return disc.u.x(); };
-  std::stable_sort(across.begin(), across.end(),
-                   [&](const Ellipse& a, const Ellipse& b) { return radius(a) < radius(b); });
+  std::ranges::stable_sort(across, {}, &Circle::radius);
   for (std::size_t i = 0; i < across.size(); ++i)
-    if ((i > 0 && radius(across[i - 1]) == radius(across[i])) ||
-        (i + 1 < across.size() && radius(across[i + 1]) == radius(across[i])))
+    if ((i > 0 && across[i - 1].radius == across[i].radius) ||
+        (i + 1 < across.size() && across[i + 1].radius == across[i].radius))
       copied.push_back(across[i]);
   return copied;
 }
@@ -148,9 +146,8 @@ bool PeriodicWalls::may_stand(const Vec2& point) const {
 }
 
 bool PeriodicWalls::in_disc_across(const Vec2& point) const {
-  return std::any_of(discs_.begin(), discs_.end(), [&](const Ellipse& disc) {
-    return curve_side(point, disc) != Sign::positive;
-  });
+  return std::any_of(discs_.begin(), discs_.end(),
+                     [&](const Circle& disc) { return curve_side(point, disc) != Sign::positive; });
 }
 
 // Copies of a disc are rounded, too: what goes round one may come in under another by as much, and is moved

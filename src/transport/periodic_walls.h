@@ -93,7 +93,7 @@ class PeriodicWalls {
 
   std::vector<Side> sides_;  // in order round the cell
   std::array<Vec2, 2> lattice_{Vec2(0, 0), Vec2(0, 0)};
-  std::vector<Ellipse> discs_;  // that reach over its walls, each with the copies that do
+  std::vector<Circle> discs_;  // that reach over its walls, each with the copies that do
 };
 
 template <class LeadsOut>

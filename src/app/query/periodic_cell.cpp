@@ -43,15 +43,6 @@ std::string fault_of(const Corners& cell) {
   return fault ? fault->message : "";
 }
 
-std::optional<Circle> disc_of(const Arc& arc) {
-  if (arc.extent != Arc::Extent::whole || !arc.curve.is_circle()) return std::nullopt;
-  return Circle{arc.curve.centre, arc.curve.u.x()};
-}
-template <class Wall>
-std::optional<Circle> disc_of(const Wall&) {
-  return std::nullopt;
-}
-
 // Whether a wall that is no disc stands in the cell.
 bool stands_in(const Corners& cell, const Segment& wall) {
   return holds(cell, wall.a) && holds(cell, wall.b);
@@ -72,7 +63,7 @@ struct Discs {
   Discs(const Corners& cell, const Surfaces& given) {
     scene.shapes.push_back(shape_of(cell));
     for (std::uint32_t i = 0; i < given.size(); ++i)
-      if (const auto disc = given.visit(i, [](const auto& wall) { return disc_of(wall); })) {
+      if (const auto disc = given.visit(i, [](const auto& wall) { return whole_circle(wall); })) {
         Chamber::Pillar pillar;
         pillar.shape = static_cast<ShapeId>(scene.shapes.size());
         scene.shapes.emplace_back().circles.push_back(*disc);
@@ -131,7 +122,7 @@ QuestionRoom periodic_room(Question& question, Surfaces walls) {
   }
   for (std::uint32_t i = 0; i < room.walls.size(); ++i)
     room.walls.visit(i, [&](const auto& wall) {
-      if (!disc_of(wall) && !stands_in(cell, wall))
+      if (!whole_circle(wall) && !stands_in(cell, wall))
         question.mistake(fmt::format("walls[{}]", i),
                          "reaches out of the cell, or its box does: only whole circles may");
     });

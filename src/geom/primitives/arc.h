@@ -174,6 +174,12 @@ bool is_same_curve(const Ellipse& a, const Ellipse& b);
 /// The circle that an ellipse is.
 inline Circle circle_of(const Ellipse& curve) { return {curve.centre, curve.u.x()}; }
 
+/// At most the shorter half-axis, and at least the longer, but for rounding; of a circle its radius.
+struct HalfAxes {
+  double least, most;
+};
+HalfAxes half_axes(const Ellipse& curve);
+
 /// Box around a whole curve, rounded outward.
 Bounds curve_bounds(const Ellipse& curve);
 

@@ -141,12 +141,20 @@ bool lies_along(const Segment& one, const Segment& other);
 bool lies_along(const Arc& one, const Arc& other);
 bool lies_along(const Bezier& one, const Bezier& other);
 
-/// The centre of the circle that it is a part of, if it is.
-inline std::optional<Vec2> centre_of_circle(const Arc& wall) {
-  return wall.curve.is_circle() ? std::optional(wall.curve.centre) : std::nullopt;
+/// The circle that it is a part of, or all of, if it is.
+inline std::optional<Circle> circle_along(const Arc& wall) {
+  return wall.curve.is_circle() ? std::optional(circle_of(wall.curve)) : std::nullopt;
 }
 template <class Wall>
-std::optional<Vec2> centre_of_circle(const Wall&) {
+std::optional<Circle> circle_along(const Wall&) {
+  return std::nullopt;
+}
+/// The circle that it is all of, if it is.
+inline std::optional<Circle> whole_circle(const Arc& wall) {
+  return wall.extent == Arc::Extent::whole ? circle_along(wall) : std::nullopt;
+}
+template <class Wall>
+std::optional<Circle> whole_circle(const Wall&) {
   return std::nullopt;
 }
 

@@ -120,7 +120,7 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (!watched) return tl::unexpected(watched.error());
   const bool elliptic = room.walls().size() == 1 && room.walls().arcs.size() == 1 &&
                         room.walls().arcs.front().extent == Arc::Extent::whole;
-  const bool round = elliptic && centre_of_circle(room.walls().arcs.front());
+  const bool round = elliptic && circle_along(room.walls().arcs.front());
   const Vec2 middle =
       elliptic ? room.walls().arcs.front().curve.centre : Vec2(room.state().window.centre());
   const Foci foci =

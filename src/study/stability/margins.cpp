@@ -72,8 +72,9 @@ class MarginMeasure {
       see(arc.from, beside(leg, arc.from));
       see(arc.to, beside(leg, arc.to));
     }
-    if (!arc.curve.is_circle()) return;  // the way may end on it, short of its foot
-    const auto [centre, radius] = circle_of(arc.curve);
+    const auto circle = circle_along(arc);
+    if (!circle) return;
+    const auto& [centre, radius] = *circle;  // the way may end on it, short of its foot
     const Vec2 way = leg.to - leg.from;
     const Leg longer{leg.from, leg.to + (radius / way.norm()) * way};
     see(centre, std::fabs(beside(longer, centre) - radius));

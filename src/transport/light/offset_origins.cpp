@@ -18,21 +18,10 @@ constexpr std::size_t kMostPairs = 1U << 16,
                       kMostPairsOfWall = 16;   // that are kept, and a wall more
 constexpr std::uint32_t kMostNeighbours = 16;  // of a curve
 
-double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // How far from the centre of a curve a point is: 1 on it, in proportion along each line.
 double share_of_radius(const Ellipse& curve, const Vec2& point) {
   const auto form = curve_form(kPlain, curve, pair_of(kPlain, Vec2(point - curve.centre)));
   return std::sqrt(dot(form, form)) / form_size(kPlain, curve);
-}
-
-struct Axes {
-  double least, most;  // at most the shorter half-axis, at least the longer
-};
-Axes axes(const Ellipse& curve) {
-  if (curve.is_circle()) return {curve.u.x(), curve.u.x()};
-  const double most = std::sqrt(curve.u.squaredNorm() + curve.v.squaredNorm());
-  return {cross_of(curve.u, curve.v) / most, most};
 }
 
 // What of a wall lies farthest to any side; its box, where it is curved.
@@ -70,7 +59,7 @@ OffsetOrigins::Wall OffsetOrigins::wall(const Segment& ends) const {
 
 OffsetOrigins::Wall OffsetOrigins::wall(const Arc& arc) const {
   Wall made;
-  const Axes half = axes(arc.curve);
+  const HalfAxes half = half_axes(arc.curve);
   made.at = arc.curve.centre;
   made.length = half.least;
   const bool is_round =
