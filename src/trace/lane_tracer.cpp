@@ -8,7 +8,6 @@
 #include "trace/kernels/tiers.h"
 #include "trace/lane_block.h"
 #include "trace/many_rays.h"
-#include "trace/rescaled.h"
 
 namespace flatray {
 namespace {
@@ -34,13 +33,13 @@ class LaneTracer : public Accelerator {
       block.walk();
       const std::span<const int> open = block.finish(&hits[begin]);
       if (walls_.curve_numbers.empty()) {
-        for (const int i : open) find_alone(rays, begin + static_cast<std::size_t>(i), hits);
+        for (const int i : open) find_single(rays, begin + static_cast<std::size_t>(i), hits);
         return;
       }
       for (const int i : open) hits[begin + static_cast<std::size_t>(i)].kind = HitClass::along;
       for (std::size_t i = begin; i < begin + count; ++i)
         if (hits[i].kind == HitClass::along)
-          find_alone(rays, i, hits);
+          find_single(rays, i, hits);
         else
           hits[i] = with_curves(hits[i], rays.ray(i), rays.left[i], rays.tangents);
     });
@@ -132,7 +131,7 @@ class LaneTracer : public Accelerator {
     }
   }
 
-  void find_alone(const RayBatch& rays, std::size_t i, std::span<NearestHit> hits) const {
+  void find_single(const RayBatch& rays, std::size_t i, std::span<NearestHit> hits) const {
     hits[i] = search_.nearest(rays.ray(i), rays.left[i], rays.tangents);
   }
 
@@ -162,13 +161,7 @@ class LaneTracer : public Accelerator {
 
 std::unique_ptr<Accelerator> trace_in_lanes(const Surfaces& walls, const CellBuilder& cells_of,
                                             Isa isa) {
-  const auto in_lanes = [&](const Surfaces& given) -> std::unique_ptr<Accelerator> {
-    return std::make_unique<LaneTracer>(given, cells_of(given), isa);
-  };
-  auto as_given = in_lanes(walls);
-  if (!is_unusual(walls)) return as_given;
-  auto rescaled = trace_rescaled(walls, as_given, in_lanes);
-  return rescaled ? std::move(rescaled) : std::move(as_given);
+  return std::make_unique<LaneTracer>(walls, cells_of(walls), isa);
 }
 
 }  // namespace flatray
