@@ -1,6 +1,6 @@
 // needs: lamps/point formats/toml
 // The states of lamps as scenes have them.
-#include "scene_text.h"
+#include "scene/scene_text.h"
 
 namespace flatray {
 namespace {

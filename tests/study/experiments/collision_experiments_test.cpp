@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "chamber_scenes.h"
+#include "study/chamber_scenes.h"
 
 namespace flatray {
 namespace {

@@ -1,7 +1,7 @@
 // needs: gl shapes/box experiments/backends backends/gl passes/entities
 #include <gtest/gtest.h>
 
-#include "chamber_scenes.h"
+#include "study/chamber_scenes.h"
 
 namespace flatray {
 namespace {
