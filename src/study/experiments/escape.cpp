@@ -127,17 +127,14 @@ class Basins {
                          drawn_.size());
     const std::string of =
         fmt::format("of {} drawn orbits, those left after n bounces fall ", drawn_.size());
-    const std::string fits =
-        fmt::format("e^(-{:.4g} n) or (n + 1)^-{:.4g}", survival_.rate, survival_.power);
     if (survival_.law == Law::exponential) return of + "exponentially";
     if (survival_.law == Law::power)
       return of + fmt::format("like (n + 1)^-{:.3g}: there is no rate", survival_.power);
     const bool neither =
         std::min(survival_.rate_rest, survival_.power_rest) > chi_squared_95(survival_.freedom);
-    if (!neither) return of + "like " + fits + ": undecided";
-    const bool powers = survival_.power_rest < survival_.rate_rest;
-    return of + fmt::format("like neither {}; the data prefer {}", fits,
-                            powers ? "the power" : "the exponential");
+    return of + fmt::format("like {}e^(-{:.4g} n) {} (n + 1)^-{:.4g}{}", neither ? "neither " : "",
+                            survival_.rate, neither ? "nor" : "or", survival_.power,
+                            neither ? "" : ": undecided");
   }
 
   std::string headline() const {

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kLeastTail = 100, kLeastGone = 25;  // orbits of a tail, of a stretch of it
 constexpr std::size_t kLeastStretches = 3;           // to tell one law from the other
-constexpr double kClearly = 2;    // times what chi-squared has in one run of twenty
-constexpr double kLifetimes = 5;  // after which less than one in a hundred is left
+constexpr double kFreedomOfPower = 5;  // as what is left of the starts is soon like a power
+constexpr double kClearly = 2;         // times what chi-squared has in one run of twenty
+constexpr double kLifetimes = 5;       // after which less than one in a hundred is left
 constexpr int kHalvings = 200;
 
 // Bounces [from, to): those that are there at first, and those of them that leave.
@@ -103,7 +104,8 @@ Survival looked_at(const FallingCurve& curve, std::size_t start, double design_e
   const double most = chi_squared_95(found.freedom);
   const bool fits = found.rate_rest <= most;
   if (fits && found.power_rest > kClearly * most) found.law = Survival::Law::exponential;
-  if (!fits && found.power_rest <= most) found.law = Survival::Law::power;
+  if (!fits && found.power_rest <= most && found.freedom >= kFreedomOfPower)
+    found.law = Survival::Law::power;
   return found;
 }
 

@@ -29,7 +29,8 @@ struct Survival {
 /// Both laws are fitted to the tail from 1, 2, 3, 4, 6, 8, 12, ... bounces on, as long as a hundred
 /// orbits are left, and tested by chi-squared in stretches of 25 and more. The first start from which
 /// one of them fits decides, unless a later one is clearly not of it. What falls like a power is soon like an
-/// exponential for a few orbits: that is decided only where a power leaves twice what it may.
+/// exponential for a few orbits: that is decided only where a power leaves twice what it may. What falls
+/// exponentially is like a power until its starts are forgotten: that is decided only of six stretches and more.
 ///
 /// Of conditional starts from 0 bounces on, squares divided by how much more their groups differ than independent
 /// orbits would (the design effect: Rao and Scott 1981).

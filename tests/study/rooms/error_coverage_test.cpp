@@ -170,6 +170,20 @@ TEST(Survival, OfAPowerHasNoRate) {
   EXPECT_LE(exponentials, 1);
 }
 
+// Odds of 0.38 to leave, and of 0.3 / 2^n more at bounce n: what is left of the starts is no power.
+TEST(Survival, OfStartsThatAreSoonForgottenIsNoPower) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    std::vector<LeavingOrbit> orbits;
+    for (std::uint64_t i = 0; i < 500 + 10 * seed; ++i) {
+      LeavingOrbit one{0, 1, true};
+      std::uint32_t draw = 0;
+      while (unit(seed, i, draw++) >= 0.38 + 0.3 * std::exp2(-one.bounces)) ++one.bounces;
+      orbits.push_back(one);
+    }
+    EXPECT_NE(survival(orbits).law, Survival::Law::power) << seed;
+  }
+}
+
 TEST(Survival, OfFewOrbitsIsUndecided) {
   std::vector<LeavingOrbit> orbits;
   for (int i = 0; i < 50; ++i) orbits.push_back({static_cast<double>(i % 7), 1, true});
