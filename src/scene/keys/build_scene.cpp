@@ -92,6 +92,9 @@ Result<LoadedScene> build_scene(const SceneDesc& desc, Imports& imports, const L
     before += source->text().size() + 1;
   }
   read_keys<Scene>(builder, desc.root, "scene", kSceneKeys, builder.scene);
+  const Member* film = desc.root.find("film");
+  if (!builder.scene.lamps.empty() && (film == nullptr || !film->value.find("background")))
+    builder.scene.film.background = {0, 0, 0, 255};
   check_light(builder);
   check_field(builder);
   sort_by_source(builder.in.problems, builder);

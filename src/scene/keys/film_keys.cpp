@@ -55,7 +55,7 @@ constexpr Key<Film> kFilmKeys[] = {
     {{"size", "[width, height]", "[640, 360]"}, &read_size},
     {{"world", R"([[x0, y0], [x1, y1]] or "pixels")", "what the scene holds, and 5 %"},
      &read_world},
-    {{"background", "\"#rrggbb\"", "\"#ffffff\""}, &set<&Film::background>},
+    {{"background", "\"#rrggbb\"", "\"#ffffff\"; with lamps \"#000000\""}, &set<&Film::background>},
     {{"coverage", R"("area", "rows" or "centre")", "\"area\""},
      &set_word<&Film::coverage, kCoverages>},
     {{"rows", "whole number", "4"}, &read_rows},

@@ -44,6 +44,18 @@ TEST(Lamps, SendOutRaysOfLengthOneWhereTheyAre) {
   EXPECT_EQ(arc.direction, Vec2(0, -1));
 }
 
+TEST(Lamps, ShineBeforeBlackWhereNoBackgroundIsSaid) {
+  const std::string lamp = "[[lamp]]\nsource = { point = {} }\n";
+  const auto background = [&](const std::string& rest) {
+    return loaded("flatray = 1\n" + rest).scene.film.background;
+  };
+  EXPECT_EQ(background(lamp), (Colour{0, 0, 0, 255}));
+  EXPECT_EQ(background("film = { size = [9, 9] }\n" + lamp), (Colour{0, 0, 0, 255}));
+  EXPECT_EQ(background("film = { background = \"#ffffff\" }\n" + lamp),
+            (Colour{255, 255, 255, 255}));
+  EXPECT_EQ(background(""), (Colour{255, 255, 255, 255}));
+}
+
 TEST(Lamps, ChangeWithTheirCurves) {
   const double u[] = {0, 0};
   const char* source = "{ cone = { spread = { keys = [[0, 0], [1, 180]] } } }";
