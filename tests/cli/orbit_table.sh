@@ -24,6 +24,9 @@ says out "started on hall edge 1"
 sinai=$root/scenes/chamber/sinai.toml
 run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]'
 says err "one starts inside box/disc"
+run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]' --json -q
+silent err
+says out '"message":"one starts inside box/disc"'
 run 0 orbit "$sinai" --ray one -n 60
 says out "only the first 4"
 if "$flatray" --version | grep -q "MPFR"; then

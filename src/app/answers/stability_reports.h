@@ -21,8 +21,8 @@ struct StabilityRequest {
   SceneOptions scene{};
 };
 
-/// All tracers that this machine has; says on standard error what it lacks.
-std::vector<const Tracer*> tracers_at_hand();
+/// All tracers that this machine has; warns of what it lacks.
+std::vector<const Tracer*> tracers_at_hand(const Arguments& arguments);
 
 /// --catalogue: a row for each stiff case and tracer, the tests of the others, and a row for each
 /// tracer over all; catalogue.csv in the folder of --output, and what was measured in

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -74,6 +75,8 @@ class Arguments {
 
   /// What is wrong with the words, to be told with what is wrong with their values.
   Diagnostics problems{};
+  /// Told so far (report_warnings of app/report/report.h); those of all copies are the same.
+  std::shared_ptr<Diagnostics> warnings = std::make_shared<Diagnostics>();
 
  private:
   std::map<std::string, Given, std::less<>> given_;

@@ -254,8 +254,10 @@ Result<VerbOutput> run(const Options& options) {
   if (!result) return tl::unexpected(result.error());
   if (auto held = claim->expect_held(); !held) return fail(std::move(held));
   if (options.hdf5 && result->measures.empty())
-    report_note(
-        "flatray: no .h5 is written: what was asked has tables alone, and they are in .csv");
+    report_warnings(
+        {{options.where("hdf5"),
+          "no .h5 is written: what was asked has tables alone, and they are in .csv", ""}},
+        options);
   else if (options.hdf5) {
     std::string name = experiment.name;
     std::replace(name.begin(), name.end(), '-', '_');  // as files beside it are called

@@ -219,7 +219,7 @@ Result<VerbOutput> run(const Options& options) {
   if (options.request.leaks) return report_leaks(options, options.request);
   if (!options.catalogue && !options.sweep) return run_families(options);
   StabilityRequest request = options.request;
-  if (!request.named) request.tracers = tracers_at_hand();
+  if (!request.named) request.tracers = tracers_at_hand(options);
   return options.catalogue ? report_catalogue(options, request) : report_sweep(options, request);
 }
 
