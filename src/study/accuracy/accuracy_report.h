@@ -15,6 +15,9 @@ namespace flatray {
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
                                  const std::optional<Image>& shown = {});
 
+/// What accuracy.json holds: the scene, its choices, the orders fitted, and a row for each point.
+Fields accuracy_fields(const std::string& scene, std::span<const ChoiceReport> reports);
+
 /// The kinds of error that any point has, the choice's own among them.
 std::vector<std::size_t> kinds_of_error(const ChoiceReport& report);
 
