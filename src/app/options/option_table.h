@@ -47,6 +47,7 @@ class OptionTable {
   const std::vector<Option>& options() const { return options_; }
   /// Whether it is given, when rows are read.
   bool has(std::string_view name) const { return given_ != nullptr && given_->has(name); }
+  bool is_asked(std::string_view name) const { return given_ != nullptr && given_->is_asked(name); }
   /// The operand of that number; "" where there is none or rows are listed.
   std::string operand(std::size_t index) const;
 
@@ -106,9 +107,9 @@ class OptionTable {
   void each(const char* spelling, std::string help, std::vector<M>& members, const Take& take) {
     (*this)(spelling, std::move(help));
     options_.back().kind = OptionKind::list;
-    if (!has(options_.back().name)) return;
-    for (const std::string& text : given_->list(options_.back().name))
-      if (auto result = take(text, given_->where(options_.back().name)))
+    const auto given = given_ == nullptr ? nullptr : given_->find(options_.back().name);
+    for (std::size_t i = 0; given != nullptr && i < given->values.size(); ++i)
+      if (auto result = take(given->values[i], given->where(i)))
         members.push_back(*std::move(result));
       else
         keep(result.error());

@@ -69,7 +69,7 @@ Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room
     made = pilot(context, room, kPilotBounces);
   const std::uint64_t step = std::max<std::uint64_t>(made[kQuarter], 1);
   if (step >= kPilotBounces || made.back() >= kFirstBounces)
-    return fail(named_place(context.scene.name), "hardly any orbit leaves",
+    return fail(context.scene.where, "hardly any orbit leaves",
                 "splitting is for rooms that orbits leave by holes or gaps");
   const auto those = std::ranges::count_if(made, [&](std::uint64_t one) { return one >= step; });
   const double stay = std::max(static_cast<double>(those) / kPilot, 1.0 / kPilot);
