@@ -52,6 +52,7 @@ class ChunkLog {
                                const Outputs& outputs);
 
   bool has(const Key& key) const { return rows_.contains(key); }
+  std::size_t size() const { return rows_.size(); }
   /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
   /// Counts that rows did not have when one was written are missing.
   /// Cost    of the rows that are there.
@@ -90,6 +91,7 @@ class TallyLog {
     return TallyLog(std::move(*log));
   }
   bool has(const ChunkLog::Key& key) const { return log_.has(key); }
+  std::size_t size() const { return log_.size(); }
   Result<void> add(const ChunkLog::Key& key, const Tally& tally, double seconds) {
     return log_.add(key, Rows::row(tally), seconds);
   }
