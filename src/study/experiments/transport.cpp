@@ -234,8 +234,10 @@ std::string words(Growth growth, const std::string& unbounded) {
 }
 
 Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
-  Plot plot{
-      std::move(title), "time, at speed 1", std::move(label), {{"mean over orbits and times", {}}}};
+  Plot plot{std::move(title),
+            "time, world units at speed 1",
+            std::move(label),
+            {{"mean over orbits and times", {}}}};
   for (std::size_t i = 0; i < all.times.lags; ++i)
     plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
   return plot;
@@ -256,11 +258,13 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
   all.flights.add_files(result, "transport_flights", "lengths of flights, world units");
   all.sines.add_files(result, "transport_sines", "sines of the incidence");
   add_plot(result, "transport_displacement",
-           curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>"), context.threads);
-  add_plot(result, "transport_velocity", curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>"),
+           curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>, world units squared"),
            context.threads);
+  add_plot(result, "transport_velocity",
+           curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>, at speed 1"), context.threads);
   add_plot(result, "transport_green_kubo",
-           curve(all, 2, "Green-Kubo integral of the velocity autocorrelation", "D(t)"),
+           curve(all, 2, "Green-Kubo integral of the velocity autocorrelation",
+                 "D(t), world units at speed 1"),
            context.threads);
 }
 
