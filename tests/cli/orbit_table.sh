@@ -40,6 +40,9 @@ if "$flatray" --version | grep -q "MPFR"; then
   says out '"horizon_of_doubles":null'
   says out '"end_certain":false,"end":"undecided"'
 fi
+run 2 orbit "$sinai" --bits 256
+says err "--bits: error: is about certified orbits"
+FLATRAY_BITS=256 run 0 orbit "$sinai" --ray one -n 3
 run 2 orbit "$sinai" --precision certified --corner back
 says err "leave --corner back out"
 run 0 orbit "$sinai" --svg
