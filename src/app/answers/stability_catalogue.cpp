@@ -22,8 +22,8 @@ JsonValue share(double part, double all) {
   return all == 0 ? JsonValue() : *parse_number(fmt::format("{:.3g}", part / all));
 }
 
-// Who is asked about a case, and whether there is something to tell of leaks, of t, and of what goes
-// through lanes.
+// Who is asked about a case, and whether there is something to tell of leaks, of t, and of what
+// goes through lanes.
 struct Asked {
   std::string name;
   bool leaks, times, lanes;

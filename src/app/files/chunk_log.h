@@ -20,8 +20,8 @@
 namespace flatray {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
-/// without its end, as a full disk leaves it, does not count; an older file gets the present columns,
-/// empty in its rows, with its next row.
+/// without its end, as a full disk leaves it, does not count; an older file gets the present
+/// columns, empty in its rows, with its next row.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -106,9 +106,9 @@ class TallyLog {
     for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
   }
-  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, a round of `threads`
-  /// chunks at a time, until interrupted: `check(chunk, open)` gives tallies of the keys numbered in
-  /// `open`, which are kept in order when the round is over.
+  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, a
+  /// round of `threads` chunks at a time, until interrupted: `check(chunk, open)` gives tallies of
+  /// the keys numbered in `open`, which are kept in order when the round is over.
   ///
   /// Cost    memory of a round, whatever the number of chunks.
   template <class Check>

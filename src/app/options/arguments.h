@@ -110,8 +110,8 @@ class Arguments {
 ///
 /// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a
 ///         flag is set by 1, true, yes or on, and not by 0, false, no, off; empty counts as unset).
-///         Its `problems`: unknown options with the nearest known one, missing values, options given
-///         twice.
+///         Its `problems`: unknown options with the nearest known one, missing values, options
+///         given twice.
 using Environment = const char* (*)(const char* name);
 Arguments parse_arguments(std::span<const Option> options, const std::vector<std::string>& words,
                           Environment environment);

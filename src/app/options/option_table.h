@@ -26,16 +26,18 @@ struct SharedRow {
   const char *spelling, *help;
 };
 
-/// The options of a verb: each row says how one is written, what it is for, and which member takes its
-/// value. All else comes from the rows: help, completion, environment, flatray.toml, defaults and
-/// messages. A struct of options has one function that tells its rows,
+/// The options of a verb: each row says how one is written, what it is for, and which member takes
+/// its value. All else comes from the rows: help, completion, environment, flatray.toml, defaults
+/// and messages. A struct of options has one function that tells its rows,
 ///
 ///     void rows(OptionTable& row) {
-///       row("-n, --bounces N", "most bounces, instead of the ray's own", bounces, 0, kMostBounces);
+///       row("-n, --bounces N", "most bounces, instead of the ray's own", bounces, 0,
+///       kMostBounces);
 ///     }
 ///
 /// which is called to list them and to read them: what the member is before is the default. As the
-/// keys of scenes, each is read whatever is wrong with others, so that all mistakes are told together.
+/// keys of scenes, each is read whatever is wrong with others, so that all mistakes are told
+/// together.
 class OptionTable {
  public:
   /// Lists the rows.
@@ -156,7 +158,8 @@ struct VerbOutput;
 /// A verb that has read its options.
 using Ready = std::function<Result<VerbOutput>()>;
 
-/// How a verb's options are listed, and read for it to run. What is read with mistakes must not run.
+/// How a verb's options are listed, and read for it to run. What is read with mistakes must not
+/// run.
 struct Command {
   std::vector<Option> (*options)();
   Ready (*read)(Arguments given, Diagnostics& problems);

@@ -9,7 +9,8 @@
 namespace flatray {
 
 /// What was measured on a scene, as files: accuracy.csv, accuracy.json, a log-log picture
-/// accuracy_CHOICE.svg of each choice that has an error, and accuracy.html, one page that needs no other file.
+/// accuracy_CHOICE.svg of each choice that has an error, and accuracy.html, one page that needs no
+/// other file.
 /// Gives   the summary as text for a terminal.
 /// `shown`: a picture of the scene.
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,

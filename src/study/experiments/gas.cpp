@@ -14,8 +14,8 @@ namespace flatray::experiment_entries {
 namespace {
 
 // What rounding may come to: an event makes and adds two velocities, each to some units in the last
-// place of the fastest; bodies are placed by at + velocity * time, to units of the largest coordinate,
-// and lie deeper in each other along a slanting way than across it.
+// place of the fastest; bodies are placed by at + velocity * time, to units of the largest
+// coordinate, and lie deeper in each other along a slanting way than across it.
 constexpr double kEnergyByEvent = 0x1p-50, kOverlap = 0x1p-40;
 constexpr double kEnd = 0x1p40;  // seconds: the count ends it before
 

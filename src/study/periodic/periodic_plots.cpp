@@ -18,8 +18,8 @@ Plot::Series line_through(std::string name, const std::vector<Vec2>& points, boo
   return series;
 }
 
-// The number of a mirror: in a disc, else beside the middle of it, where no orbits are or, of a wall with orbits on
-// both sides, on one.
+// The number of a mirror: in a disc, else beside the middle of it, where no orbits are or, of a
+// wall with orbits on both sides, on one.
 Plot::Point number_of(const MirrorRoom& room, std::size_t i, const std::vector<Plot::Point>& wall) {
   constexpr double kAway = 0.075;
   const Plot::Point &a = wall[(wall.size() - 1) / 2], &b = wall[wall.size() / 2];

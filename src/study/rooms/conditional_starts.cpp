@@ -54,7 +54,8 @@ Result<Survival> natural_survival(const ExperimentContext& context, const Room& 
   return found;
 }
 
-// Points that fast orbits bounce at may lie behind their wall, by rounding: exact ones would meet it at once.
+// Points that fast orbits bounce at may lie behind their wall, by rounding: exact ones would meet
+// it at once.
 std::vector<OrbitStart> in_front_of_walls(const Room& room, const std::vector<Walker>& walkers) {
   std::vector<OrbitStart> starts;
   for (const Walker& one : walkers) {

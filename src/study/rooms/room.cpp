@@ -72,7 +72,8 @@ bool Room::is_free(const Vec2& point) const {
   return (!holder || holder->material == Material::glass) && solids_.in_chamber(point);
 }
 
-// Bounces are spread evenly over lengths and tangential momenta, which are the index times the sine.
+// Bounces are spread evenly over lengths and tangential momenta, which are the index times the
+// sine.
 std::array<double, 2> Room::weights_of(std::uint32_t surface) const {
   if (materials_[surface] == Material::periodic || counted_[surface] != surface) return {0, 0};
   if (materials_[surface] == Material::glass) return glass_.indices(surface);
