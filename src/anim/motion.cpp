@@ -68,13 +68,13 @@ std::vector<GroupPose> group_poses(const Scene& scene, double time) {
 namespace {
 
 std::string reason_of(const Scene& scene, const Entity& entity) {
-  if (moves(scene, entity)) return "'" + entity.name + "' moves";
+  if (moves(scene, entity)) return called("entity", entity.name, entity.where) + " moves";
   return reason_of_groups(scene, entity.group);
 }
 
 std::string reason_of_lamps(const Scene& scene) {
   for (const Lamp& lamp : scene.lamps) {
-    if (moves(lamp)) return "lamp '" + lamp.name + "' moves";
+    if (moves(lamp)) return called("lamp", lamp.name, lamp.where) + " moves";
     if (auto reason = reason_of_groups(scene, lamp.group); !reason.empty()) return reason;
   }
   return !scene.lamps.empty() && scene.light.noise_moves ? "the noise of light moves" : "";

@@ -45,7 +45,8 @@ int report(const std::exception_ptr& error) {
 [[gnu::constructor(101)]] void prepare() { std::set_terminate(&end_at_once); }
 
 // A file that is opened must not get the number of standard output or error where these are closed:
-// messages would be written into it. What stands there instead fails to be read or written as before.
+// messages would be written into it. What stands there instead fails to be read or written as
+// before.
 void hold_closed_files() {
   for (int file = 0; file <= 2; ++file)
     if (::fcntl(file, F_GETFD) < 0)

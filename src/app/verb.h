@@ -22,8 +22,8 @@ struct Verb {
   const char* kept = nullptr;
 };
 
-/// Its own options and those that every verb has: --root, --sandbox where it has any, --max-seconds,
-/// --max-memory, --help.
+/// Its own options and those that every verb has: --root, --sandbox where it has any,
+/// --max-seconds, --max-memory, --help.
 std::vector<Option> options_of(const Verb& verb);
 
 /// Registered verbs by name: one file each in app/verbs, defining `const Verb <name>` in namespace

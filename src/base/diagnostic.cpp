@@ -96,6 +96,12 @@ std::string format(const Diagnostics& diagnostics, const char* severity) {
   return all;
 }
 
+std::string called(std::string_view what, std::string_view name, const Place& where) {
+  if (!name.empty()) return fmt::format("{} '{}'", what, name);
+  if (!where || where.source->text().empty()) return fmt::format("an unnamed {}", what);
+  return fmt::format("{} of line {}", what, where.source->position(where.offset).line);
+}
+
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;

@@ -29,6 +29,9 @@ using Diagnostics = std::vector<Diagnostic>;
 std::string format(const Diagnostic& diagnostic, const char* severity = "error");
 std::string format(const Diagnostics& diagnostics, const char* severity = "error");
 
+/// What a message calls a thing of a scene: "lamp 'left'", or "lamp of line 12" where it has no name.
+std::string called(std::string_view what, std::string_view name, const Place& where);
+
 /// The entry of `known` nearest to `word` by edit distance, or "" when none is near: "did you
 /// mean".
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);

@@ -121,8 +121,12 @@ std::optional<std::string> JsonValue::as_text() const {
 }
 
 std::optional<std::uint64_t> JsonValue::as_whole() const {
-  const auto* number = std::get_if<std::uint64_t>(&data);
-  return number == nullptr ? std::nullopt : std::optional(*number);
+  if (const auto* number = std::get_if<std::uint64_t>(&data)) return *number;
+  constexpr double kExact = 9007199254740992;  // up to which doubles hold all whole numbers
+  const auto* number = std::get_if<double>(&data);
+  if (number == nullptr || !(*number >= 0 && *number <= kExact) || std::floor(*number) != *number)
+    return std::nullopt;
+  return static_cast<std::uint64_t>(*number);
 }
 
 std::optional<double> JsonValue::as_number() const {

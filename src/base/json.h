@@ -51,7 +51,7 @@ struct JsonValue {
   /// The field of that name, or nullptr where there is none or this is no object.
   const JsonValue* find(std::string_view name) const;
   std::optional<std::string> as_text() const;
-  /// A whole number that is not negative.
+  /// A whole number that is not negative, however it is written: 1e6 is one, up to 2^53.
   std::optional<std::uint64_t> as_whole() const;
   /// Any number, rounded where it is a large whole one.
   std::optional<double> as_number() const;

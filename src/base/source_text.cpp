@@ -4,10 +4,12 @@
 
 namespace flatray {
 
-SourceText::SourceText(std::string name, std::string text, std::shared_ptr<const Place> named_at)
+SourceText::SourceText(std::string name, std::string text, std::shared_ptr<const Place> named_at,
+                       Kind kind)
     : name_(std::move(name)),
       text_(std::move(text)),
       named_at_(std::move(named_at)),
+      kind_(kind),
       line_starts_{0} {
   line_starts_.reserve(1 + static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')));
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))

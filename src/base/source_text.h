@@ -17,12 +17,15 @@ class SourceText {
     int line = 0, column = 0;
   };
 
+  enum class Kind { file, option };
   /// `named_at` is where another text names this one, if one does: includes or imports it.
-  SourceText(std::string name, std::string text, std::shared_ptr<const Place> named_at = nullptr);
+  SourceText(std::string name, std::string text, std::shared_ptr<const Place> named_at = nullptr,
+             Kind kind = Kind::file);
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return text_; }
   const Place* named_at() const { return named_at_.get(); }
+  Kind kind() const { return kind_; }
   /// Line and column of a byte. `offset` past the end is the end.
   Position position(std::size_t offset) const;
   /// Byte at a line and column, clamped to that line: the inverse of `position`.
@@ -33,6 +36,7 @@ class SourceText {
  private:
   std::string name_, text_;
   std::shared_ptr<const Place> named_at_;
+  Kind kind_;
   std::vector<std::size_t> line_starts_;
 };
 

@@ -184,14 +184,22 @@ bool changes_size(const Scene& scene, std::uint32_t entity) {
          any_group(scene, entity, [](const Group& group) { return bool(group.scale_curve); });
 }
 
+namespace {
+
+std::string called(const Scene& scene, std::uint32_t entity) {
+  return called("entity", scene.entities[entity].name, scene.entities[entity].where);
+}
+
+}  // namespace
+
 std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline) {
   Diagnostics problems;
   const auto expect_few_corners = [&](const char* kind, const auto& thing) {
     if (corners_a_frame(scene, thing.motion) > kMostCorners)
       problems.push_back({thing.where,
-                          fmt::format("{} '{}' passes more than {} corners of its path from one "
+                          fmt::format("{} passes more than {} corners of its path from one "
                                       "frame to the next",
-                                      kind, thing.name, kMostCorners),
+                                      called(kind, thing.name, thing.where), kMostCorners),
                           "write a lower speed or more frames a second"});
   };
   for (const Group& group : scene.groups) expect_few_corners("group", group);
@@ -200,17 +208,15 @@ std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline)
     if (turns(scene, i) &&
         any_look(scene, i, [](const Shape& shape) { return has_parts_left_out(shape); }))
       problems.push_back({scene.entities[i].where,
-                          fmt::format("entity '{}' turns, and has curves other than circles and "
-                                      "capsules, or crossing outlines: when the box around it "
-                                      "meets others is not known",
-                                      scene.entities[i].name),
+                          called(scene, i) +
+                              " turns, and has curves other than circles and capsules, or crossing "
+                              "outlines: when the box around it meets others is not known",
                           "leave --method out, or give it a shape of polygons and circles"});
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (changes_size(scene, i))
       problems.push_back(
           {scene.entities[i].where,
-           fmt::format("entity '{}' changes its size: when it meets others is not known",
-                       scene.entities[i].name),
+           called(scene, i) + " changes its size: when it meets others is not known",
            "write sizes and scales as numbers, or ask who meets in each frame: flatray collide "
            "--method edge-rays"});
   return problems.empty() ? std::nullopt : std::optional(std::move(problems));
@@ -218,8 +224,7 @@ std::optional<Diagnostics> refused_meetings(const Scene& scene, Outline outline)
 
 Diagnostic too_many_meetings(const Scene& scene, std::uint32_t entity, std::string what) {
   return {scene.entities[entity].where,
-          fmt::format("there are more than {}, one of them of entity '{}'", what,
-                      scene.entities[entity].name),
+          fmt::format("there are more than {}, one of them of {}", what, called(scene, entity)),
           "leave out what meets all the others, or say a lower --last"};
 }
 

@@ -96,10 +96,11 @@ Result<double> mass_by_area(const Entity& entity, const std::vector<ShapePart>& 
   if (!any_area(parts)) return kInfinity;
   const double mass = area(parts, scale);
   if (std::isnormal(mass)) return mass;
-  return fail(entity.where,
-              fmt::format("entity '{}' is too {} beside the others for a mass by its area",
-                          entity.name, mass < 1 ? "small" : "large"),
-              "write a mass, or mass = \"fixed\"");
+  return fail(
+      entity.where,
+      fmt::format("{} is too {} beside the others for a mass by its area",
+                  called("entity", entity.name, entity.where), mass < 1 ? "small" : "large"),
+      "write a mass, or mass = \"fixed\"");
 }
 
 }  // namespace
@@ -121,9 +122,9 @@ Result<std::vector<SimulatedBody>> bodies_of(const Timeline& timeline,
     body.response = response.value_or(response_of(scene, entity));
     if (body.response == Response::none) continue;
     if (const auto why = hindrance(scene, entity))
-      problems.push_back({entity.where, fmt::format("entity '{}' {}", entity.name, why->what),
-                          "responses are for entities that keep one velocity until they meet",
-                          Trouble::invalid});
+      problems.push_back(
+          {entity.where, called("entity", entity.name, entity.where) + " " + why->what,
+           "responses are for entities that keep one velocity until they meet", Trouble::invalid});
     body.parts =
         parts_of(shape_of(scene, states[i]), pose({0, 0}, states[i].angle, states[i].scale));
   }

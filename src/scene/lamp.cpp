@@ -39,10 +39,6 @@ bool is_specular(const Scene& scene, const Wall& wall) {
   return shares == nullptr || shares->mirror > 0;
 }
 
-std::string named(std::string_view what, std::string_view name) {
-  return fmt::format("{} \"{}\"", what, name);
-}
-
 bool is_ever_one_ray(const Scene& scene, const Lamp& lamp) {
   std::set<double> times = key_times(scene, lamp.source);
   times.insert(0);
@@ -75,7 +71,7 @@ std::optional<Diagnostic> why_noisy_backward(const Scene& scene) {
       return Diagnostic{wall.where,
                         fmt::format("paths from pixels have noise without bounds near {}, which "
                                     "scatters alike into all directions",
-                                    named(wall.what, wall.name)),
+                                    called(wall.what, wall.name, wall.where)),
                         kHint};
   }
   return std::nullopt;
@@ -88,13 +84,13 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene) {
       return Diagnostic{lamp.where,
                         fmt::format("no path from a pixel finds the light of {}, whose source is "
                                     "{}",
-                                    named("lamp", lamp.name), lamp.type->name),
+                                    called("lamp", lamp.name, lamp.where), lamp.type->name),
                         kHint};
     if (is_ever_one_ray(scene, lamp))
       return Diagnostic{lamp.where,
                         fmt::format("no path from a pixel finds the light of {}, a {} that is one "
                                     "ray",
-                                    named("lamp", lamp.name), lamp.type->name),
+                                    called("lamp", lamp.name, lamp.where), lamp.type->name),
                         kHint};
     if (lamp.type->seen == LampSeen::points && points == nullptr) points = &lamp;
   }
@@ -102,25 +98,26 @@ std::optional<Diagnostic> why_not_backward(const Scene& scene) {
     if (!entity.alternatives.empty())
       return Diagnostic{entity.where,
                         fmt::format("paths from pixels do not know the alternatives of {}",
-                                    named("entity", entity.name)),
+                                    called("entity", entity.name, entity.where)),
                         kHint};
   for (const Wall& wall : walls_of(scene)) {
     if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->disperses())
       return Diagnostic{wall.where,
                         fmt::format("paths from pixels have no wavelength, and {} parts colours",
-                                    named(wall.what, wall.name)),
+                                    called(wall.what, wall.name, wall.where)),
                         kHint};
     if (wall.scatterer != kNoEntry && scene.scatterers[wall.scatterer]->depends_on_place())
       return Diagnostic{wall.where,
                         fmt::format("no path goes back by way of {}, whose mirror is turned",
-                                    named(wall.what, wall.name)),
+                                    called(wall.what, wall.name, wall.where)),
                         kHint};
     if (points != nullptr && is_specular(scene, wall))
       return Diagnostic{
           points->where,
           fmt::format("no path from a pixel finds the light of {}, a {}, by way of {}, which "
                       "sends it on in one direction",
-                      named("lamp", points->name), points->type->name, named(wall.what, wall.name)),
+                      called("lamp", points->name, points->where), points->type->name,
+                      called(wall.what, wall.name, wall.where)),
           kHint};
   }
   return std::nullopt;

@@ -41,7 +41,7 @@ std::uint64_t hash_of(const SourceText& source, const std::vector<Override>& ove
                       const Imports& imports) {
   Hash hash;
   hash.add(source.text());
-  for (const auto& [key, value] : overrides) hash.add(key).add(value);
+  for (const Override& one : overrides) hash.add(one.key).add(one.value);
   imports.add_to(hash);
   return hash.value();
 }
@@ -53,14 +53,18 @@ Result<ReadScene> read_text(std::string name, std::string text,
   const auto source = std::make_shared<const SourceText>(std::move(name), std::move(text));
   Imports imports(source, limits.max_bytes, limits.threads, limits.root);
   Result<SceneDesc> desc = describe(source, overrides, imports, limits);
-  if (!desc) return fail(std::move(desc));
+  if (!desc) {
+    tell_where_said(desc.error());
+    return fail(std::move(desc));
+  }
   Result<LoadedScene> loaded = build_scene(*desc, imports, limits, seed);
   if (!loaded) {
-    for (Diagnostic& problem : loaded.error())
-      if (is_override(problem.where)) problem.trouble = Trouble::usage;
+    tell_where_said(loaded.error());
     return fail(std::move(loaded));
   }
+  tell_where_said(loaded->warnings);
   loaded->scene.name = scene_name(source->name());
+  loaded->scene.where = named_place(source->name());
   loaded->scene.ends = desc->ends;
   loaded->scene.hash = hash_of(*source, overrides, imports);
   return ReadScene{std::move(*desc), std::move(*loaded)};

@@ -13,6 +13,7 @@ namespace flatray {
 /// as TOML.
 struct Override {
   std::string key, value;
+  Place where{};  ///< where it is said, if not by -D: messages name that
 };
 
 struct LoadLimits {

@@ -58,16 +58,17 @@ Diagnostics refused_mirrors(const Scene& scene) {
   for (const Entity& entity : scene.entities) {
     if (!entity.material) continue;
     if (const std::string why = why_not(scene, entity); !why.empty())
-      refuse(problems, entity.where, fmt::format("mirror '{}' {}", entity.name, why));
+      refuse(problems, entity.where, called("mirror", entity.name, entity.where) + " " + why);
   }
   for (const Chamber& chamber : scene.chambers) {
     if (chamber.material == Material::periodic)
-      refuse(problems, chamber.where, fmt::format("chamber '{}' has periodic walls", chamber.name));
+      refuse(problems, chamber.where,
+             called("chamber", chamber.name, chamber.where) + " has periodic walls");
     bool arcs = has_arcs(scene, chamber.shape);
     for (const Chamber::Pillar& pillar : chamber.pillars) arcs |= has_arcs(scene, pillar.shape);
     if (arcs)
       refuse(problems, chamber.where,
-             fmt::format("chamber '{}' has curves other than circles", chamber.name));
+             called("chamber", chamber.name, chamber.where) + " has curves other than circles");
   }
   return problems;
 }

@@ -366,6 +366,7 @@ struct Film {
 /// once built.
 struct Scene {
   std::string name;  ///< file name without folder and extension
+  Place where;       ///< the file, by its name
   Film film;
   Camera camera;
   std::uint64_t max_corners = std::uint64_t{1} << 25;  ///< of all that one frame draws

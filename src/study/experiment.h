@@ -16,8 +16,8 @@ namespace flatray {
 /// Result of one block of work.
 using Numbers = std::vector<double>;
 
-/// What an experiment tells of its blocks, and asks. Its functions are called by several threads; as they stand
-/// here nobody is told, and nothing is kept.
+/// What an experiment tells of its blocks, and asks. Its functions are called by several threads;
+/// as they stand here nobody is told, and nothing is kept.
 class RunMonitor {
  public:
   virtual ~RunMonitor() = default;
@@ -37,11 +37,12 @@ enum class PixelMap : std::uint8_t {
              ///< right as seen along the ray, and at angles to it from 90 degrees, top, to -90
 };
 
-/// How starts that are drawn are spread: each by itself; evenly together; or as what is left of an open room
-/// after long is (study/rooms/conditional_starts.h).
+/// How starts that are drawn are spread: each by itself; evenly together; or as what is left of an
+/// open room after long is (study/rooms/conditional_starts.h).
 enum class Starts : std::uint8_t { random, quasi, conditional };
 
-/// How orbits are followed: deciding exactly, in lanes of doubles (transport/fast_orbits.h), or proven.
+/// How orbits are followed: deciding exactly, in lanes of doubles (transport/fast_orbits.h), or
+/// proven.
 enum class OrbitPrecision : std::uint8_t { exact, fast, certified };
 
 /// What an experiment is run with.
@@ -70,8 +71,8 @@ struct Measure {
   std::optional<double> expected{};
   /// Degrees of freedom of the standard error: independent parts of the data, less one.
   double freedom = std::numeric_limits<double>::infinity();
-  /// Of a number without an error: how far from what is expected rounding may take it, 0 of a count;
-  /// none where nothing can be said of that.
+  /// Of a number without an error: how far from what is expected rounding may take it, 0 of a
+  /// count; none where nothing can be said of that.
   std::optional<double> allowed{};
   std::string remark{};  ///< what the error is estimated from, or why there is none
   /// Bounds that it is proven to lie between, in place of an error.

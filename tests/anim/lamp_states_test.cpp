@@ -37,7 +37,7 @@ TEST(LampStates, TurnALampOnAndOffAndChangeItsColour) {
   EXPECT_TRUE(states(4).empty());
   EXPECT_EQ(states(5)[0].nm, 500);
   EXPECT_TRUE(moves(made.lamps[0]));
-  EXPECT_EQ(reason_to_move(made), "lamp '' moves");
+  EXPECT_EQ(reason_to_move(made), "lamp of line 4 moves");
 }
 
 TEST(LampStates, WithoutALookAreTheLampItself) {

@@ -112,6 +112,13 @@ TEST(Diagnostic, AValueThatGoesOnInTheNextLineIsMarkedToItsLineEnd) {
   EXPECT_EQ(format(diagnostic), "my/runner.toml:1:5: error: wrong\n    a = [1,\n        ^~~\n");
 }
 
+TEST(Called, WhatHasNoNameIsKnownByItsLine) {
+  const Place second = place_of("a = 1\nb = 2", "b");
+  EXPECT_EQ(called("lamp", "left", second), "lamp 'left'");
+  EXPECT_EQ(called("lamp", "", second), "lamp of line 2");
+  EXPECT_EQ(called("entity", "", {}), "an unnamed entity");
+}
+
 TEST(NearestWord, FindsTypingMistakesAndNothingElse) {
   const std::vector<std::string> keys = {"velocity", "angle", "at", "name"};
   EXPECT_EQ(nearest_word("velocty", keys), "velocity");

@@ -47,6 +47,14 @@ TEST(JsonValue, NothingIsNullAndFieldsAreFoundByTheirKind) {
   EXPECT_EQ(read->text_of("whole"), "");
 }
 
+TEST(Json, AWholeNumberIsOneHoweverItIsWritten) {
+  EXPECT_EQ(parse_json("1e6")->as_whole(), 1'000'000U);
+  EXPECT_EQ(parse_json("7.0")->as_whole(), 7U);
+  EXPECT_EQ(parse_json("9007199254740992.0")->as_whole(), std::uint64_t{1} << 53);
+  for (const char* none : {"-1e6", "1e-6", "1e16", "1e300", "\"1e6\""})
+    EXPECT_EQ(parse_json(none)->as_whole(), std::nullopt) << none;
+}
+
 // As the library that reads it writes it, too.
 TEST(JsonValue, ManyLinesAreIndentedByLevel) {
   Table table({"name", "t"});

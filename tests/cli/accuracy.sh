@@ -10,6 +10,8 @@ exists out/accuracy.{csv,json,html} out/accuracy_coverage.svg
 head -1 out/accuracy.csv | grep -q '^choice,series,setting,n,seconds' || fail "header of accuracy.csv"
 run 0 accuracy box.toml -o json --choice coverage --budget 5 --json
 says out '"files":'
+says out '"points":[{"choice":"coverage",'
+grep -qE '"seconds":[0-9.e-]+,"seconds_half_range":([0-9.e-]+|null),"error":[0-9.e-]+,' out.txt || fail "no numbers in --json"
 run 0 accuracy box.toml -o cut --choice coverage --budget 0.000001s
 says out "not within the budget: reference of 16 samples"
 says out "exact area, 4 rays a row"

@@ -16,6 +16,8 @@ expect "--frames --format --force " "$(words flatray render --f)" options
 expect "$("$flatray" list pictures | cut -d" " -f1 | tr "\n" " ")" "$(words flatray render --format '')" "values of an option"
 expect "--progress=always " "$(words flatray render --progress=al)" "values after ="
 expect "always " "$(words flatray render --progress = al)" "values after =, as bash parts words"
+expect "grid,exact " "$(words flatray stability --tracer grid,ex)" "the second of several values"
+expect "--tracer=grid,exact " "$(words flatray stability --tracer=grid,ex)" "the second value after ="
 expect "markov " "$(words flatray experiment mar)" experiments
 expect "software " "$(words flatray render --backend s)" "back ends"
 expect "mean " "$(words flatray compare a b --metric me)" metrics

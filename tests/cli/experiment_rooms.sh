@@ -23,6 +23,8 @@ exists half/mean-free-path.blocks
 run 6 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 says err "was kept by another run: its count is 100000000, not 20000"
 run 0 verify half
+blocks=$(($(wc -l < half/mean-free-path.blocks) - 1))
+says out "$blocks record"
 rm -r half
 run 0 experiment mean-free-path "$sinai" --count 20000 --resume -o half
 cmp whole/mean_free_path.json half/mean_free_path.json || fail "a resumed run differs"
@@ -41,6 +43,9 @@ says err "is not an option of experiment reflections"
 run 0 experiment mean-free-path "$sinai" --count 5000 -o sweep --sweep chamber.0.pillars.0.shape.circle.radius=0.1..0.4:0.1
 exists sweep/sweep.csv sweep/sweep.json sweep/sweep_mean_free_path.svg
 (($(grep -c '^0.[1-4],mean_free_path' sweep/sweep.csv) == 4)) || fail "four values were asked for"
+grep -q 'lengths in world units' sweep/sweep_mean_free_path.svg || fail "a plot of a sweep says no units"
+run 0 experiment mean-free-path "$sinai" --count 5000 -n 50 -o kept --sweep seed=1,2 --resume
+[[ -z $(find kept -mindepth 1 -type d) ]] || fail "a sweep leaves empty folders"
 run 2 experiment mean-free-path "$sinai" --sweep radius
 says err "write KEY=0.1..0.4:0.05"
 run 2 experiment mean-free-path "$sinai" --sweep radius=1..0:0.1

@@ -24,6 +24,9 @@ says out "started on hall edge 1"
 sinai=$root/scenes/chamber/sinai.toml
 run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]'
 says err "one starts inside box/disc"
+run 0 orbit "$sinai" --ray one -D 'ray.0.at=[0.5,0.5]' --json -q
+silent err
+says out '"message":"one starts inside box/disc"'
 run 0 orbit "$sinai" --ray one -n 60
 says out "only the first 4"
 if "$flatray" --version | grep -q "MPFR"; then
@@ -37,6 +40,9 @@ if "$flatray" --version | grep -q "MPFR"; then
   says out '"horizon_of_doubles":null'
   says out '"end_certain":false,"end":"undecided"'
 fi
+run 2 orbit "$sinai" --bits 256
+says err "--bits: error: is about certified orbits"
+FLATRAY_BITS=256 run 0 orbit "$sinai" --ray one -n 3
 run 2 orbit "$sinai" --precision certified --corner back
 says err "leave --corner back out"
 run 0 orbit "$sinai" --svg

@@ -23,6 +23,18 @@ printf 'define = ["film.size=[7,5]", "fps=3"]\n' > flatray.toml
 run 0 render box.toml -o seven.png
 [[ $(size_of seven.png) == 7x5 ]] || fail "-D of flatray.toml is not heard"
 
+run 0 render box.toml -D fps=5 -o key.png
+[[ $(size_of key.png) == 7x5 ]] || fail "-D of another key discards those of flatray.toml"
+FLATRAY_DEFINE=film.size=[9,9] run 0 render box.toml -D fps=5 -o key.png
+[[ $(size_of key.png) == 9x9 ]] || fail "the environment does not win over flatray.toml"
+printf 'define = ["fps=3",\n  "film.size=[7,0]"]\n' > flatray.toml
+run 2 check box.toml
+says err "flatray.toml:2:3: error: film.size[1] is 0"
+run 0 check box.toml -D film.size=[7,5]
+rm flatray.toml
+run 2 experiment mean-free-path "$root/scenes/chamber/sinai.toml" --sweep fps=1,0 --count 100 -n 3
+says err "--sweep fps:1:7: error: fps is not above 0"
+
 printf 'jobz = 2\nquiet = 3\nsize = [1, 2]\n' > flatray.toml
 run 2 render box.toml -o x.png
 says err "flatray.toml:1:1: error: unknown option 'jobz' (did you mean 'jobs'?)"

@@ -134,4 +134,5 @@ says err 'stability.csv:'
 run 1 verify log
 run 0 stability --families vertex --count 10 -o log --force
 run 0 verify log
+says out "log: $(($(wc -l < log/stability.csv) - 1)) record"
 finish

@@ -95,8 +95,8 @@ std::vector<Way> ways_to_draw(const RenderJob& job) {
   return ways;
 }
 
-// What each way costs in each round. Every other round goes through the ways backwards, so that none
-// is always the later one.
+// What each way costs in each round. Every other round goes through the ways backwards, so that
+// none is always the later one.
 Result<std::vector<CostRounds>> costs_of(const std::vector<Way>& ways, const Drawn& expected) {
   std::vector<std::vector<Cost>> costs(ways.size());
   const auto turn = [&](std::size_t i) -> Result<void> {

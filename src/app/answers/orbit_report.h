@@ -33,8 +33,8 @@ struct OrbitRequest {
 /// One ray of a scene and what became of it.
 struct OrbitReport {
   std::string ray;
-  /// Whose walls the orbit names: that of the room, or of walls as they move, of which none is left out.
-  /// It outlives the report.
+  /// Whose walls the orbit names: that of the room, or of walls as they move, of which none is left
+  /// out. It outlives the report.
   const World* world;
   Orbit orbit;
   std::string start;  ///< "free", "on hall edge 2", "inside hall/post", "outside hall"
@@ -49,8 +49,8 @@ struct OrbitReport {
   bool rational = false;    ///< that it took numbers without error of so many bits
   std::uint64_t horizon = 0;  ///< of a certified orbit: bounces until doubles are noise, or all
   bool decided = true;        ///< false: the bits allowed were not enough for what comes next
-  /// At finite speed, of which nothing is proven: when it set off, when each bounce was, and when it
-  /// ended.
+  /// At finite speed, of which nothing is proven: when it set off, when each bounce was, and when
+  /// it ended.
   struct Clock {
     double start, end;
     std::vector<BounceTime> bounces;
@@ -67,15 +67,15 @@ Result<OrbitReport> follow_orbit(const OrbitRoom& room, const std::string& name,
 OrbitReport follow_moving(const OrbitRoom& room, const MovingWalls& walls, const std::string& name,
                           const Ray& start, double from, const MovingLimits& limits);
 
-/// As `flatray orbit` prints it: rows, made from room and reports when they are written, an object, and
-/// for people. The time and the speed after each bounce are told where any report has them, and empty
-/// where walls stand still.
+/// As `flatray orbit` prints it: rows, made from room and reports when they are written, an object,
+/// and for people. The time and the speed after each bounce are told where any report has them, and
+/// empty where walls stand still.
 Table bounce_table(const OrbitRoom& room, std::span<const OrbitReport> reports);
 JsonValue as_value(const OrbitRoom& room, const OrbitReport& report);
 std::string status_line(const OrbitRoom& room, const OrbitReport& report);
 
-/// Walls, paths, bounces by number where they are few and there is room, in the scene's window; a ray
-/// that leaves ends at the border.
+/// Walls, paths, bounces by number where they are few and there is room, in the scene's window; a
+/// ray that leaves ends at the border.
 std::string svg_of(const OrbitRoom& room, const std::vector<OrbitReport>& reports);
 
 }  // namespace flatray

@@ -5,8 +5,8 @@
 
 namespace flatray {
 
-/// The paper's tables 4 and 5 (box against box) recomputed beside what is printed there, and the hit
-/// time it has not.
+/// The paper's tables 4 and 5 (box against box) recomputed beside what is printed there, and the
+/// hit time it has not.
 ///
 /// Needs   a scene with the paper's two boxes, as scenes/paper/case_two.toml has them.
 /// Error   one without, Trouble::usage at `where`.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/answers/stability_reports.h"
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "precise/certified_orbit.h"
 #include "study/stability/catalogue_check.h"
@@ -16,12 +17,13 @@ const std::vector<std::string> kColumns = {
     "t_ulps", "t_ulps_99.9%", "one_by_one", "bytes_an_object", "verdict", "test"};
 constexpr std::size_t kTimes = 10;  // the column after which what was measured is shown
 
-std::string share(double part, double all) {
-  return all == 0 ? "" : fmt::format("{:.3g}", part / all);
+// To three digits; nothing of none.
+JsonValue share(double part, double all) {
+  return all == 0 ? JsonValue() : *parse_number(fmt::format("{:.3g}", part / all));
 }
 
-// Who is asked about a case, and whether there is something to tell of leaks, of t, and of what goes
-// through lanes.
+// Who is asked about a case, and whether there is something to tell of leaks, of t, and of what
+// goes through lanes.
 struct Asked {
   std::string name;
   bool leaks, times, lanes;
@@ -41,7 +43,7 @@ std::vector<Asked> all_asked(const StabilityRequest& request) {
 
 Values row_of(const oracle::StiffCase& stiff, const Asked& asked, const CatalogueTally& tally) {
   const auto number = [](std::uint64_t count) { return static_cast<double>(count); };
-  const auto told = [](bool is, JsonValue value) { return is ? std::move(value) : JsonValue(""); };
+  const auto told = [](bool is, JsonValue value) { return is ? std::move(value) : JsonValue(); };
   return {stiff.id,
           stiff.words,
           asked.name,
@@ -58,8 +60,7 @@ Values row_of(const oracle::StiffCase& stiff, const Asked& asked, const Catalogu
 }
 
 JsonValue nanoseconds(const CatalogueTally& tally) {
-  if (tally.in_batches == 0) return "";
-  return fmt::format("{:.3g}", 1e9 * tally.seconds / static_cast<double>(tally.in_batches));
+  return share(1e9 * tally.seconds, static_cast<double>(tally.in_batches));
 }
 
 // What is the same every time, and what was measured.
@@ -71,7 +72,7 @@ struct CatalogueTables {
     add(row_of(stiff, asked, tally), nanoseconds(tally));
   }
   void add(Values row, const JsonValue& ns) {
-    if (ns.as_text() != "") times.add({row[0], row[2], ns});
+    if (ns.as_number()) times.add({row[0], row[2], ns});
     facts.rows.push_back(row);
     row.insert(row.begin() + kTimes, ns);
     shown.rows.push_back(std::move(row));
@@ -96,7 +97,7 @@ struct Score {
 };
 
 Values row_of_its_test(const oracle::StiffCase& stiff) {
-  Values row(kColumns.size(), "");
+  Values row(kColumns.size());
   row[0] = stiff.id, row[1] = stiff.words, row[2] = stiff.matter;
   row[kColumns.size() - 2] = "by its test", row.back() = stiff.held_by;
   return row;
@@ -134,7 +135,7 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
       ++of_tracers;
     else if (cases[i].contacts.empty()) {
       ++of_none;
-      tables.add(row_of_its_test(cases[i]), "");
+      tables.add(row_of_its_test(cases[i]), {});
     }
     for (std::size_t k = 0; k < asked.size(); ++k)
       if (const auto& tally = checked[i][k]) {

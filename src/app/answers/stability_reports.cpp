@@ -33,14 +33,14 @@ Result<VerbOutput> stability_files(const Arguments& arguments, Table table,
       .text = {table, result.summary}, .table = std::move(table), .exit_code = sound ? 0 : 1};
 }
 
-std::vector<const Tracer*> tracers_at_hand() {
+std::vector<const Tracer*> tracers_at_hand(const Arguments& arguments) {
   std::vector<const Tracer*> all;
   for (const Tracer* tracer : tracers()) {
     const std::string why = tracer->missing == nullptr ? "" : tracer->missing();
     if (why.empty())
       all.push_back(tracer);
     else
-      report_note(fmt::format("tracer {} is not here: {}", tracer->name, why));
+      report_warnings({{named_place(tracer->name), "is not here: " + why, ""}}, arguments);
   }
   return all;
 }

@@ -21,8 +21,8 @@ struct StabilityRequest {
   SceneOptions scene{};
 };
 
-/// All tracers that this machine has; says on standard error what it lacks.
-std::vector<const Tracer*> tracers_at_hand();
+/// All tracers that this machine has; warns of what it lacks.
+std::vector<const Tracer*> tracers_at_hand(const Arguments& arguments);
 
 /// --catalogue: a row for each stiff case and tracer, the tests of the others, and a row for each
 /// tracer over all; catalogue.csv in the folder of --output, and what was measured in
@@ -33,8 +33,8 @@ Result<VerbOutput> report_catalogue(const Arguments& arguments, const StabilityR
 /// the folder of --output.
 Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityRequest& request);
 
-/// --leaks: a row for each place and tracer; leaks.csv in the folder of --output, from which it goes
-/// on.
+/// --leaks: a row for each place and tracer; leaks.csv in the folder of --output, from which it
+/// goes on.
 Result<VerbOutput> report_leaks(const Arguments& arguments, const StabilityRequest& request);
 
 /// What other runs print, and their exit code; the files of `result` go to the folder of --output.

@@ -100,8 +100,13 @@ Result<void> ExperimentMonitor::finish() {
   return {};
 }
 
-Result<void> ExperimentMonitor::forget() const {
-  return journal_ ? journal_->remove() : Result<void>();
+Result<void> ExperimentMonitor::forget() {
+  if (!journal_) return {};
+  claim_.reset();
+  if (auto removed = journal_->remove(); !removed) return removed;
+  std::error_code not_empty;
+  std::filesystem::remove(folder_of(journal_->path()), not_empty);
+  return {};
 }
 
 }  // namespace flatray

@@ -29,8 +29,8 @@ class ExperimentMonitor : public RunMonitor {
 
   /// Clears the bar. Error   of the first block that could not be kept.
   Result<void> finish();
-  /// Removes what was kept: all that came of it is written.
-  Result<void> forget() const;
+  /// Removes what was kept, and a folder that held nothing else: all that came of it is written.
+  Result<void> forget();
 
  private:
   Result<void> read(const std::string& key, bool force);

@@ -116,6 +116,7 @@ ExperimentResult SweepResults::result() && {
               sweep_.key,
               name,
               {{"found", {}, true}, {"expected", {}, false}}};
+    plot.caption = "lengths in world units, times at speed 1";
     for (const auto& [value, measures] : found_) {
       const auto x = parse_number(value);
       for (const Measure& one : measures) {

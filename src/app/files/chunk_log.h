@@ -20,8 +20,8 @@
 namespace flatray {
 
 /// Rows of a file, one for each chunk checked: what a run that was stopped goes on from. A last row
-/// without its end, as a full disk leaves it, does not count; an older file gets the present columns,
-/// empty in its rows, with its next row.
+/// without its end, as a full disk leaves it, does not count; an older file gets the present
+/// columns, empty in its rows, with its next row.
 ///
 /// Needs   a folder of its own for every build: rows tell tracers and tiers apart, not programs.
 class ChunkLog {
@@ -52,6 +52,7 @@ class ChunkLog {
                                const Outputs& outputs);
 
   bool has(const Key& key) const { return rows_.contains(key); }
+  std::size_t size() const { return rows_.size(); }
   /// `each(row)` of chunks 0 to `chunks` - 1 that are there, in order, whatever the chunk of `key`.
   /// Counts that rows did not have when one was written are missing.
   /// Cost    of the rows that are there.
@@ -90,6 +91,7 @@ class TallyLog {
     return TallyLog(std::move(*log));
   }
   bool has(const ChunkLog::Key& key) const { return log_.has(key); }
+  std::size_t size() const { return log_.size(); }
   Result<void> add(const ChunkLog::Key& key, const Tally& tally, double seconds) {
     return log_.add(key, Rows::row(tally), seconds);
   }
@@ -104,9 +106,9 @@ class TallyLog {
     for_each(key, chunks, [&](const Tally& tally) { sum.add(tally); });
     return sum;
   }
-  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, a round of `threads`
-  /// chunks at a time, until interrupted: `check(chunk, open)` gives tallies of the keys numbered in
-  /// `open`, which are kept in order when the round is over.
+  /// Adds what is not there of chunks 0 to `chunks` - 1 of all `keys`, whatever their chunk, a
+  /// round of `threads` chunks at a time, until interrupted: `check(chunk, open)` gives tallies of
+  /// the keys numbered in `open`, which are kept in order when the round is over.
   ///
   /// Cost    memory of a round, whatever the number of chunks.
   template <class Check>

@@ -11,9 +11,10 @@ using Texts = std::vector<std::pair<std::string, std::string>>;
 /// Whether this machine has the module that writes HDF5.
 Result<void> can_write_hdf5();
 
-/// NAME.h5 of an experiment: a dataset for each of its .npy files, of the same rows and columns, with its
-/// caption, and one of its measures (NaN where there is no error, or nothing is expected). Attributes of the
-/// file are the texts of `attributes`. The same numbers are the same bytes, of one version of the library.
+/// NAME.h5 of an experiment: a dataset for each of its .npy files, of the same rows and columns,
+/// with its caption, and one of its measures (NaN where there is no error, or nothing is expected).
+/// Attributes of the file are the texts of `attributes`. The same numbers are the same bytes, of
+/// one version of the library.
 ///
 /// Needs   can_write_hdf5().
 /// Error   the library fails.

@@ -12,9 +12,9 @@
 namespace flatray {
 
 /// Lines of finished work in one file, which runs of several processes make longer at once: frames
-/// of a sequence, blocks of an experiment, chunks of `stability`. A line is added whole, and none is
-/// lost: every change is made under a lock, at the end or by replacing the file. Hard links of it,
-/// as a copy of the folder may have, keep what they hold.
+/// of a sequence, blocks of an experiment, chunks of `stability`. A line is added whole, and none
+/// is lost: every change is made under a lock, at the end or by replacing the file. Hard links of
+/// it, as a copy of the folder may have, keep what they hold.
 class Journal {
  public:
   /// `head` is the first line of a file that is begun, "" for none.

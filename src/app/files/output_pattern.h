@@ -29,8 +29,8 @@ class OutputPattern {
   ///         name too long.
   static Result<OutputPattern> parse(std::string text, const std::optional<std::string>& format,
                                      const Place& where);
-  /// out/<scene>/frame_####.png for sequences, out/<scene>.png for one picture, out/<scene>.y4m for a
-  /// video.
+  /// out/<scene>/frame_####.png for sequences, out/<scene>.png for one picture, out/<scene>.y4m for
+  /// a video.
   static OutputPattern standard(bool sequence, const PictureFormat& format);
 
   bool is_stdout() const { return text_ == "-"; }

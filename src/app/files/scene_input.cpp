@@ -59,7 +59,8 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
   Result<ReadScene> read = read_scene(path, overrides, options.limits, options.seed);
   if (!read) return read;
   const Scene& scene = read->loaded.scene;
-  // What leaves by a periodic wall in the middle of a pillar would come in where none is, or in a copy.
+  // What leaves by a periodic wall in the middle of a pillar would come in where none is, or in a
+  // copy.
   if (!scene.chambers.empty() && scene.chambers.front().material == Material::periodic) {
     if (auto inside = expect_pillars_inside(scene); !inside) return fail(std::move(inside));
     const auto& pillars = scene.chambers.front().pillars;

@@ -8,13 +8,13 @@
 namespace flatray {
 
 /// A file of all frames of a sequence while it is written: a plain file, standard output, or what a
-/// program makes of the parts. A file has its name once it is whole; where it never is, nothing is left.
-/// What ends the other side of a pipe ends the write, not flatray.
+/// program makes of the parts. A file has its name once it is whole; where it never is, nothing is
+/// left. What ends the other side of a pipe ends the write, not flatray.
 class VideoFile {
  public:
   /// `path` is "-" for standard output.
-  /// Error   Trouble::output; Trouble::unavailable where the format's program is not on this machine,
-  ///         with what to install.
+  /// Error   Trouble::output; Trouble::unavailable where the format's program is not on this
+  ///         machine, with what to install.
   static Result<VideoFile> begin(const PictureFormat& format, const std::filesystem::path& path);
 
   /// The bytes of the next part. Error   Trouble::output, with what the program said.

@@ -23,7 +23,8 @@ std::uint64_t pixels_of(const RenderJob& job) {
   return static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
 }
 
-// What one picture takes at its peak, for pixels that do not compress. Not what the scene and its outlines take.
+// What one picture takes at its peak, for pixels that do not compress. Not what the scene and its
+// outlines take.
 std::uint64_t bytes_of_frame(const RenderJob& job) {
   const PictureFormat& format = job.output.format();
   const std::uint64_t bytes =

@@ -28,21 +28,21 @@ Result<FilmFile> read_film(const std::filesystem::path& path, std::size_t most_b
 /// Adds a film that was read from `name`. Error   Trouble::invalid, with what differs.
 Result<void> merge_film(FilmFile& film, const FilmFile& more, const std::string& name);
 
-/// The film of a frame: with --resume that which is there, and to it the rays that it lacks. What has
-/// been traced is written from time to time, so that a run that is killed loses little.
+/// The film of a frame: with --resume that which is there, and to it the rays that it lacks. What
+/// has been traced is written from time to time, so that a run that is killed loses little.
 /// Gives   nullopt where it was stopped.
 /// Error   Trouble::output where a film of other light is there; that of read_film.
 Result<std::optional<FilmFile>> traced_film(const RenderJob& job, const RenderPlan& plan,
                                             const Timeline& timeline, unsigned frame,
                                             const FrameOptions& options);
 
-/// The file of a picture of the error: of light `error_image`, where .hdr has 0 for no number, of 8-bit
-/// values `shown_error`. Needs   several scrambles.
+/// The file of a picture of the error: of light `error_image`, where .hdr has 0 for no number, of
+/// 8-bit values `shown_error`. Needs several scrambles.
 std::vector<std::byte> error_picture(const LightReport& report, const PictureFormat& format,
                                      const PixelBox& film, const PixelBox& part);
 
-/// The warning of the frame that lost most, where that is more than a hundredth of its light. What is
-/// cut off after as many bounces as the scene asks for is not lost.
+/// The warning of the frame that lost most, where that is more than a hundredth of its light. What
+/// is cut off after as many bounces as the scene asks for is not lost.
 std::optional<Diagnostic> lost_light(const Scene& scene, std::span<const FrameRecord> records);
 /// The warning of the frame with the largest error, where that is more than was asked for.
 std::optional<Diagnostic> missed_error(double asked, std::span<const FrameRecord> records);

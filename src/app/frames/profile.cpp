@@ -194,7 +194,7 @@ Result<void> choose_by_profile(Arguments& arguments, const ProfileOptions& optio
   if (!arguments.has("quiet"))
     report_note(fmt::format("profile: {}, error {}{:.3g}, {:.3g} s a frame", way->words,
                             way->at_most ? "at most " : "", way->error, way->seconds));
-  for (const auto& [name, value] : way->options) arguments.add(name, {"--profile", {value}});
+  for (const auto& [name, value] : way->options) arguments.add_nearer(name, {"--profile", {value}});
   return {};
 }
 

@@ -128,8 +128,8 @@ Result<std::vector<RenderJob>> make_jobs(const Arguments& arguments, const Rende
   Diagnostics problems;
   std::vector<Override> size;  // before the scene's own is held against the limit
   if (request.size)
-    size.push_back(
-        {"film.size", fmt::format("[{}, {}]", request.size->width, request.size->height)});
+    size.push_back({"film.size", fmt::format("[{}, {}]", request.size->width, request.size->height),
+                    arguments.where("size")});
   std::set<std::string> names;
   for (const std::string& path : arguments.operands()) {
     Result<LoadedScene> loaded = load_input(request.scene, path, size);

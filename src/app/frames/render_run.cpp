@@ -114,8 +114,8 @@ class Run {
     });
   }
 
-  // All that can be refused is refused before the first picture. Where nothing is to be done nothing
-  // is written. Files of runs that were killed go first.
+  // All that can be refused is refused before the first picture. Where nothing is to be done
+  // nothing is written. Files of runs that were killed go first.
   Result<void> begin() {
     const Outputs outputs(arguments_);
     Diagnostics warnings;

@@ -70,8 +70,7 @@ Result<void> can_draw(const Scene& scene, std::span<const std::string_view> left
     if (!name.starts_with("passes/")) continue;
     if (const MissingPart part = missing_part(scene, name); part.concerns)
       problems.push_back(
-          {named_place(scene.name),
-           fmt::format("has {}, and {} is left out of this build", part.reason, name),
+          {scene.where, fmt::format("has {}, and {} is left out of this build", part.reason, name),
            "configure it without FLATRAY_ONLY and FLATRAY_WITHOUT", Trouble::unavailable});
   }
   if (problems.empty()) return {};

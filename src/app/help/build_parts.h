@@ -18,7 +18,8 @@ struct MissingPart {
 std::vector<MissingPart> missing_parts(const Scene& scene,
                                        std::span<const std::string_view> left_out);
 
-/// Error   Trouble::unavailable for each pass left out that the scene needs: its pictures would lack something.
+/// Error   Trouble::unavailable for each pass left out that the scene needs: its pictures would
+///         lack something.
 Result<void> can_draw(const Scene& scene, std::span<const std::string_view> left_out);
 
 }  // namespace flatray

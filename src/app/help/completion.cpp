@@ -136,7 +136,12 @@ Completion complete(const std::vector<std::string>& words) {
   }
   const Verb* verb = find_verb(words[1]);
   if (verb == nullptr) return completion;
-  const CommandLine line = divide(*verb, {words.begin() + 2, words.end()});
+  CommandLine line = divide(*verb, {words.begin() + 2, words.end()});
+  const bool lists = line.open != nullptr && line.open->metavar.find(',') != std::string::npos;
+  if (const std::size_t comma = line.last.rfind(','); lists && comma != std::string::npos) {
+    line.before_value += line.last.substr(0, comma + 1);
+    line.last.erase(0, comma + 1);
+  }
   if (line.open == nullptr)
     complete_operand(completion, line, *verb);
   else

@@ -16,25 +16,43 @@ std::string environment_name(const Option& option) {
 }
 
 std::optional<std::string> Arguments::text(std::string_view name) const {
-  const auto found = given_.find(name);
-  if (found == given_.end()) return std::nullopt;
-  return found->second.values.front();
+  const Given* found = find(name);
+  return found == nullptr ? std::nullopt : std::optional(found->values.front());
 }
 
 std::vector<std::string> Arguments::list(std::string_view name) const {
-  const auto found = given_.find(name);
-  return found == given_.end() ? std::vector<std::string>{} : found->second.values;
+  const Given* found = find(name);
+  return found == nullptr ? std::vector<std::string>{} : found->values;
 }
 
 Place Arguments::where(std::string_view name) const {
-  const auto found = given_.find(name);
-  if (found == given_.end()) return named_place(fmt::format("--{}", name));
-  return found->second.place ? found->second.place : named_place(found->second.origin);
+  const Given* found = find(name);
+  return found == nullptr ? named_place(fmt::format("--{}", name)) : found->where();
 }
 
-void Arguments::add(const std::string& name, Given given) {
-  Given& one = given_.try_emplace(name, Given{given.origin, {}, given.place}).first->second;
-  std::move(given.values.begin(), given.values.end(), std::back_inserter(one.values));
+void Arguments::Given::add_farther(const Given& farther) {
+  if (values.empty()) {
+    *this = farther;
+    return;
+  }
+  for (std::size_t i = farther.values.size(); i-- > 0;) {
+    const std::string& value = farther.values[i];
+    const std::string key = value.substr(0, value.find('=')) + "=";
+    if (std::ranges::any_of(values, [&](const auto& one) { return one.starts_with(key); }))
+      continue;
+    values.insert(values.begin(), value);
+    places.insert(places.begin(), farther.where(i));
+  }
+}
+
+void Arguments::add_nearer(const std::string& name, Given given) {
+  Given& one = given_[name];
+  given.add_farther(one);
+  one = std::move(given);
+}
+
+void Arguments::add_farther(const std::string& name, const Given& given) {
+  given_[name].add_farther(given);
 }
 
 void Arguments::keep_one_format() {

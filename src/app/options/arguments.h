@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,9 @@ struct Option {
   std::string help;     ///< one line, no full stop
   OptionKind kind = OptionKind::text;
   Words words = nullptr;  ///< its values, where they are names
+
+  /// Whether values of the command line, the environment and files go together, key by key.
+  bool has_keys() const { return metavar == "KEY=VALUE"; }
 };
 
 /// The variable that stands for it: FLATRAY_MAX_PIXELS.
@@ -44,6 +48,13 @@ class Arguments {
     std::string origin;  ///< "--size" or "FLATRAY_SIZE": the place messages name
     std::vector<std::string> values;
     Place place{};  ///< where it is written, in a file
+    /// Of the first values, where these are said elsewhere.
+    std::vector<Place> places{};
+
+    Place where() const { return place ? place : named_place(origin); }
+    Place where(std::size_t value) const { return value < places.size() ? places[value] : where(); }
+    /// Values said farther away come first, but for those KEY=VALUE whose key has a value here.
+    void add_farther(const Given& farther);
   };
 
   Arguments() = default;
@@ -58,7 +69,17 @@ class Arguments {
   /// When they were read: the time a verb takes counts from here.
   std::chrono::steady_clock::time_point read_at() const { return read_at_; }
 
-  bool has(std::string_view name) const { return given_.find(name) != given_.end(); }
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+  /// What is given to an option; null for nothing.
+  const Given* find(std::string_view name) const {
+    const auto found = given_.find(name);
+    return found == given_.end() ? nullptr : &found->second;
+  }
+  /// Whether it is given for this command: what files and the environment say is for all of them.
+  bool is_asked(std::string_view name) const {
+    const Given* given = find(name);
+    return given != nullptr && given->origin.starts_with("--");
+  }
   /// Value of a text option, if given.
   std::optional<std::string> text(std::string_view name) const;
   /// Values of a list option in order.
@@ -66,14 +87,17 @@ class Arguments {
   /// Where an option's value comes from, for messages.
   Place where(std::string_view name) const;
 
-  /// Gives an option a value more.
-  void add(const std::string& name, Given given);
+  /// Gives an option more values, nearer than those it has or farther.
+  void add_nearer(const std::string& name, Given given);
+  void add_farther(const std::string& name, const Given& given);
   /// Where two ways to print are given, the one said nearer counts: the command line before the
   /// environment, and this before a file. Two said alike are a mistake.
   void keep_one_format();
 
   /// What is wrong with the words, to be told with what is wrong with their values.
   Diagnostics problems{};
+  /// Told so far (report_warnings of app/report/report.h); those of all copies are the same.
+  std::shared_ptr<Diagnostics> warnings = std::make_shared<Diagnostics>();
 
  private:
   std::map<std::string, Given, std::less<>> given_;
@@ -86,8 +110,8 @@ class Arguments {
 ///
 /// Gives   options of the command line, then for those absent FLATRAY_<NAME> of `environment` (a
 ///         flag is set by 1, true, yes or on, and not by 0, false, no, off; empty counts as unset).
-///         Its `problems`: unknown options with the nearest known one, missing values, options given
-///         twice.
+///         Its `problems`: unknown options with the nearest known one, missing values, options
+///         given twice.
 using Environment = const char* (*)(const char* name);
 Arguments parse_arguments(std::span<const Option> options, const std::vector<std::string>& words,
                           Environment environment);

@@ -17,8 +17,8 @@ struct BackendOptions {
   void rows(OptionTable& row);
 };
 
-/// The renderer that they name, opened; null for the software back end, which needs none. `auto`: GL
-/// where it is to be had.
+/// The renderer that they name, opened; null for the software back end, which needs none. `auto`:
+/// GL where it is to be had.
 /// Error   Trouble::unavailable, and what to install.
 Result<std::shared_ptr<const Renderer>> chosen_renderer(const BackendOptions& options,
                                                         unsigned threads);

@@ -34,8 +34,8 @@ struct LightWish {
   void read_ends(OptionTable& row);
 };
 
-/// Gives a job its wish, and its scene the rays and scrambles for it. A film has whole rounds, so that
-/// more can be added.
+/// Gives a job its wish, and its scene the rays and scrambles for it. A film has whole rounds, so
+/// that more can be added.
 /// Error   Trouble::usage: what does not go with the scene or the other options.
 Result<void> wish_light(const Arguments& arguments, const LightWish& wish, RenderJob& job);
 

@@ -26,16 +26,18 @@ struct SharedRow {
   const char *spelling, *help;
 };
 
-/// The options of a verb: each row says how one is written, what it is for, and which member takes its
-/// value. All else comes from the rows: help, completion, environment, flatray.toml, defaults and
-/// messages. A struct of options has one function that tells its rows,
+/// The options of a verb: each row says how one is written, what it is for, and which member takes
+/// its value. All else comes from the rows: help, completion, environment, flatray.toml, defaults
+/// and messages. A struct of options has one function that tells its rows,
 ///
 ///     void rows(OptionTable& row) {
-///       row("-n, --bounces N", "most bounces, instead of the ray's own", bounces, 0, kMostBounces);
+///       row("-n, --bounces N", "most bounces, instead of the ray's own", bounces, 0,
+///       kMostBounces);
 ///     }
 ///
 /// which is called to list them and to read them: what the member is before is the default. As the
-/// keys of scenes, each is read whatever is wrong with others, so that all mistakes are told together.
+/// keys of scenes, each is read whatever is wrong with others, so that all mistakes are told
+/// together.
 class OptionTable {
  public:
   /// Lists the rows.
@@ -47,6 +49,7 @@ class OptionTable {
   const std::vector<Option>& options() const { return options_; }
   /// Whether it is given, when rows are read.
   bool has(std::string_view name) const { return given_ != nullptr && given_->has(name); }
+  bool is_asked(std::string_view name) const { return given_ != nullptr && given_->is_asked(name); }
   /// The operand of that number; "" where there is none or rows are listed.
   std::string operand(std::size_t index) const;
 
@@ -106,9 +109,9 @@ class OptionTable {
   void each(const char* spelling, std::string help, std::vector<M>& members, const Take& take) {
     (*this)(spelling, std::move(help));
     options_.back().kind = OptionKind::list;
-    if (!has(options_.back().name)) return;
-    for (const std::string& text : given_->list(options_.back().name))
-      if (auto result = take(text, given_->where(options_.back().name)))
+    const auto given = given_ == nullptr ? nullptr : given_->find(options_.back().name);
+    for (std::size_t i = 0; given != nullptr && i < given->values.size(); ++i)
+      if (auto result = take(given->values[i], given->where(i)))
         members.push_back(*std::move(result));
       else
         keep(result.error());
@@ -155,7 +158,8 @@ struct VerbOutput;
 /// A verb that has read its options.
 using Ready = std::function<Result<VerbOutput>()>;
 
-/// How a verb's options are listed, and read for it to run. What is read with mistakes must not run.
+/// How a verb's options are listed, and read for it to run. What is read with mistakes must not
+/// run.
 struct Command {
   std::vector<Option> (*options)();
   Ready (*read)(Arguments given, Diagnostics& problems);

@@ -116,7 +116,9 @@ Result<Override> parse_override(const std::string& text, const Place& where) {
   if (equals == std::string::npos || equals == 0)
     return usage_error(where, fmt::format("'{}' is not key=value", text),
                        "as -D film.background='\"#000000\"'");
-  return Override{text.substr(0, equals), text.substr(equals + 1)};
+  Override made{text.substr(0, equals), text.substr(equals + 1), {}};
+  if (where && where.source->name() != "--define") made.where = where;  // else it is shown as -D
+  return made;
 }
 
 }  // namespace flatray

@@ -35,12 +35,12 @@ class WordReader {
   }
 
   void read(const Option& option, const std::string& variable, const std::string& value) {
-    if (value.empty() || given.contains(option.name)) return;
+    if (value.empty() || (given.contains(option.name) && !option.has_keys())) return;
     const auto is_one_of = [&](std::initializer_list<const char*> words) {
       return std::ranges::find(words, value) != words.end();
     };
     if (option.kind != OptionKind::flag)
-      given[option.name] = {variable, {value}};
+      given[option.name].add_farther({variable, {value}});
     else if (is_one_of({"1", "true", "yes", "on"}))
       given[option.name] = {variable, {}};
     else if (!is_one_of({"0", "false", "no", "off"}))

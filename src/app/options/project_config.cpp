@@ -63,6 +63,13 @@ tl::expected<std::optional<std::vector<std::string>>, Wrong> values_of(
   return texts;
 }
 
+// With the place of each item of a list.
+Arguments::Given given_by(const Value& value, std::string file, std::vector<std::string> texts) {
+  Arguments::Given given{std::move(file), std::move(texts), value.where};
+  for (const Value& item : value.items) given.places.push_back(item.where);
+  return given;
+}
+
 // Its text as a table; nullopt where there is none.
 Result<std::optional<SceneDesc>> read_config(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
@@ -97,8 +104,8 @@ void add_project_config(std::span<const Option> options, Arguments& arguments,
       const auto values = values_of(*option, member.value, folder_of(file));
       if (!values)
         problems.push_back({member.value.where, values.error().message, values.error().hint});
-      else if (*values && !arguments.has(member.key))
-        arguments.add(member.key, {file.string(), **values, member.value.where});
+      else if (*values && (!arguments.has(member.key) || option->has_keys()))
+        arguments.add_farther(member.key, given_by(member.value, file.string(), **values));
     }
   }
   for (Diagnostic& problem : problems) {

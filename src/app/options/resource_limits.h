@@ -5,7 +5,8 @@
 
 namespace flatray {
 
-/// What every verb may use at most; on top of what each verb counts by itself (flatray help limits).
+/// What every verb may use at most; on top of what each verb counts by itself (flatray help
+/// limits).
 struct ResourceLimits {
   std::optional<double> seconds, bytes;
 

@@ -25,6 +25,8 @@ void Precision::rows(OptionTable& row) {
   row("--precision", "of orbits; certified proves every bounce, in as many bits as it takes",
       certified, kPrecisions);
   row("--bits N", "most bits of a certified orbit", most_bits, 128, 1U << 24);
+  if (row.is_asked("bits") && !certified)
+    row.problem("bits", "is about certified orbits", "say --precision certified, or leave it out");
   row_of_tracer(row, tracer);
 }
 

@@ -54,7 +54,8 @@ bool stands_in(const Corners& cell, const Curve& wall) {
          holds(cell, {box.low.x(), box.high.y()}) && holds(cell, {box.high.x(), box.low.y()});
 }
 
-// Discs as pillars of a chamber, by which walls they are, with the copies of those across its walls.
+// Discs as pillars of a chamber, by which walls they are, with the copies of those across its
+// walls.
 struct Discs {
   Scene scene;
   Chamber chamber;

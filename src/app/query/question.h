@@ -32,9 +32,9 @@ class Question {
   Range domain(const char* line, const char* ray, const char* segment);
   /// Corners of a convex polygon, at least one.
   std::vector<Vec2> polygon(std::string_view name);
-  /// {"polygon":[[x,y],...],"velocity":[vx,vy]}, also with a "radius" that is laid round it, or with
-  /// "disc":{"center":[x,y],"radius":r} in place of the polygon; with a "spin" in degrees a unit of
-  /// t it turns about the point "about", [0, 0] where that is not said.
+  /// {"polygon":[[x,y],...],"velocity":[vx,vy]}, also with a "radius" that is laid round it, or
+  /// with "disc":{"center":[x,y],"radius":r} in place of the polygon; with a "spin" in degrees a
+  /// unit of t it turns about the point "about", [0, 0] where that is not said.
   struct Moving {
     std::vector<Vec2> polygon;
     Vec2 velocity;
@@ -47,8 +47,8 @@ class Question {
   Circle disc(std::string_view name);
   /// [{"segment":[[x1,y1],[x2,y2]]}, {"circle":{"center":[x,y],"radius":r}},
   /// {"arc":{"center":[x,y],"radius":r,"towards":[hx,hy]}}, {"arc":{...,"from":deg,"to":deg}},
-  /// {"ellipse":{"center":[x,y],"u":[ux,uy],"v":[vx,vy]}}, {"bezier":[[x,y],...]}, ...], numbered in
-  /// this order.
+  /// {"ellipse":{"center":[x,y],"u":[ux,uy],"v":[vx,vy]}}, {"bezier":[[x,y],...]}, ...], numbered
+  /// in this order.
   Surfaces walls(std::string_view name);
 
   /// Says what is wrong, and where: "direction: is missing".

@@ -44,6 +44,7 @@ int report_failure(const Diagnostics& problems, const std::string& undone) {
 
 void report_warnings(const Diagnostics& warnings, const Arguments& arguments) {
   if (!arguments.has("quiet")) std::fputs(format(warnings, "warning").c_str(), stderr);
+  arguments.warnings->insert(arguments.warnings->end(), warnings.begin(), warnings.end());
 }
 
 void report_note(const std::string& line) { std::fputs((shown_text(line) + "\n").c_str(), stderr); }
@@ -71,7 +72,8 @@ std::string json_of(const char* verb, const Arguments& arguments, const JsonValu
   text.back() = ',';
   text += "\"results\":" + json_text(results) + ',';
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - arguments.read_at();
-  Fields rest{{"timing", Fields{{"seconds", time.count()}}}};
+  Fields rest{{"timing", Fields{{"seconds", time.count()}}},
+              {"warnings", as_values(*arguments.warnings)}};
   rest.insert(rest.end(), of_all.begin(), of_all.end());
   text += json_text(rest).substr(1) + "\n";
   return text;

@@ -19,7 +19,7 @@ int exit_code(const Diagnostics& problems);
 /// Gives   the exit code.
 int report_failure(const Diagnostics& problems, const std::string& undone);
 
-/// Warnings on standard error, unless the verb was given --quiet.
+/// Warnings on standard error, unless the verb was given --quiet, and in the object of --json.
 void report_warnings(const Diagnostics& warnings, const Arguments& arguments);
 
 /// One line for people on standard error.
@@ -40,8 +40,9 @@ struct VerbOutput {
 };
 
 /// In the form asked for, of results that it takes out. --json prints one object: schema
-/// "flatray.VERB/1", version, args, results, timing (seconds from when the arguments were read until
-/// this is written), what the verb tells of all results, and its problems as "errors".
+/// "flatray.VERB/1", version, args, results, timing (seconds from when the arguments were read
+/// until this is written), warnings, what the verb tells of all results, and its problems as
+/// "errors".
 std::string written(const char* verb, const Arguments& arguments, VerbOutput& output);
 /// What --json prints of a verb that failed: "errors" for results; "" without --json.
 std::string written(const char* verb, const Arguments& arguments, const Diagnostics& problems);

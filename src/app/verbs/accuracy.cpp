@@ -1,5 +1,7 @@
 #include "study/accuracy/accuracy.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "app/files/result_files.h"
@@ -78,8 +80,9 @@ Result<VerbOutput> run(const Options& options) {
       return fail(std::move(written));
     files->emplace_back(options.profile);
   }
-  return VerbOutput{.text = {result.summary},
-                    .results = Fields{{"summary", result.summary}, {"files", std::move(*files)}}};
+  Fields results = accuracy_fields(loaded->scene.name, reports);
+  results.insert(results.end(), {{"summary", result.summary}, {"files", std::move(*files)}});
+  return VerbOutput{.text = {result.summary}, .results = std::move(results)};
 }
 
 }  // namespace

@@ -168,11 +168,13 @@ Result<VerbOutput> events(const Options& options, const Timeline& timeline, cons
   const Simulation done = simulate(*bodies, end, most_events(timeline.scene()));
   const Place where =
       options.response ? options.where("response") : where_responds(timeline.scene());
-  if (!done.overlaps.empty() && !options.has("quiet"))
-    report_note(
-        fmt::format("in each other at the start, so that they respond only where they come "
-                    "nearer: {}",
-                    named_pairs(timeline.scene(), done.overlaps)));
+  if (!done.overlaps.empty())
+    report_warnings({{timeline.scene().entities[done.overlaps.front().first].where,
+                      fmt::format("in each other at the start, so that they respond only where "
+                                  "they come nearer: {}",
+                                  named_pairs(timeline.scene(), done.overlaps)),
+                      "move them apart"}},
+                    options);
   VerbOutput answer{.table = event_table(timeline.scene(), done, asked)};
   if (auto complete = check_complete(timeline.scene(), done, end, where); !complete)
     answer.problems = std::move(complete.error());
@@ -182,17 +184,18 @@ Result<VerbOutput> events(const Options& options, const Timeline& timeline, cons
 Result<VerbOutput> meetings(const Options& options, const Timeline& timeline, const Asked& asked) {
   const Scene& scene = timeline.scene();
   if (options.method == Method::edge_rays) {
-    if (!options.has("quiet"))
-      report_note("edge-rays knows polygons only, and neither how nor where they meet");
+    report_warnings(
+        {{options.where("method"),
+          "edge-rays knows polygons only, and neither how nor where they meet", "leave it out"}},
+        options);
     const auto met = find_edge_ray_meetings(timeline, asked.last);
     if (!met) return tl::unexpected(met.error());
     return VerbOutput{.table = meeting_table(scene, *met, asked, Knows::times)};
   }
   const Outline outline = options.method == Method::boxes ? Outline::box : Outline::own;
   if (auto refused = refused_meetings(scene, outline)) return tl::unexpected(*std::move(refused));
-  if (const std::string note = left_out(scene);
-      outline == Outline::own && !note.empty() && !options.has("quiet"))
-    report_note(note);
+  if (std::string note = left_out(scene); outline == Outline::own && !note.empty())
+    report_warnings({{named_place(options.operands()[0]), std::move(note), ""}}, options);
   const auto met = find_meetings(timeline, asked.last, outline, options.scene.limits.threads);
   if (!met) return tl::unexpected(met.error());
   return VerbOutput{.table = meeting_table(scene, *met, asked)};

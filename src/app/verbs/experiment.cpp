@@ -101,10 +101,6 @@ struct Options : Arguments {
     std::string used;
     for (const auto& [name, is_used] : all)
       if (is_used) used += (used.empty() ? "--" : ", --") + std::string(name);
-    const auto is_asked = [&](const char* name) {
-      const auto one = given().find(name);
-      return one != given().end() && one->second.origin.starts_with("--");
-    };
     for (const auto& [name, is_used] : all)
       if (!is_used && is_asked(name))
         row.problem(name, fmt::format("is not an option of experiment {}", experiment->name),
@@ -176,7 +172,7 @@ Result<ExperimentResult> measure(const Options& options, const std::vector<Overr
   if (auto finished = monitors.back()->finish(); !finished) return fail(std::move(finished));
   if (result && interrupted() &&
       options.experiment->uses.resume)  // an audit may have been cut short
-    return fail(named_place(loaded->scene.name), "stopped after its last block");
+    return fail(loaded->scene.where, "stopped after its last block");
   return result;
 }
 
@@ -186,7 +182,7 @@ Result<ExperimentResult> measure_all(const Options& options, Monitors& monitors)
   SweepResults results(options.experiment->name, *options.sweep);
   for (std::size_t i = 0; i < options.sweep->values.size() && !interrupted(); ++i) {
     const std::string& value = options.sweep->values[i];
-    const std::vector<Override> changed{{options.sweep->key, value}};
+    const std::vector<Override> changed{{options.sweep->key, value, options.where("sweep")}};
     auto one = measure(options, changed, folder / std::to_string(i + 1), monitors);
     if (!one && interrupted() && i > 0) break;  // those before are told
     if (!one) return one;
@@ -254,8 +250,10 @@ Result<VerbOutput> run(const Options& options) {
   if (!result) return tl::unexpected(result.error());
   if (auto held = claim->expect_held(); !held) return fail(std::move(held));
   if (options.hdf5 && result->measures.empty())
-    report_note(
-        "flatray: no .h5 is written: what was asked has tables alone, and they are in .csv");
+    report_warnings(
+        {{options.where("hdf5"),
+          "no .h5 is written: what was asked has tables alone, and they are in .csv", ""}},
+        options);
   else if (options.hdf5) {
     std::string name = experiment.name;
     std::replace(name.begin(), name.end(), '-', '_');  // as files beside it are called

@@ -207,7 +207,9 @@ Result<void> follow(const Options& options, Followed& all) {
     auto report = follow_ray(options, all.room, all.frame, ray, all.moving);
     if (!report) return fail(std::move(report));
     if (report->starts_badly)
-      report_note(all.scene.rays[ray.ray].name + " starts " + report->start);
+      report_warnings({{all.scene.rays[ray.ray].where,
+                        all.scene.rays[ray.ray].name + " starts " + report->start, ""}},
+                      options);
     all.reports.push_back(std::move(*report));
   }
   return {};

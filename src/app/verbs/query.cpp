@@ -26,8 +26,8 @@ struct Options : Arguments {
   }
 };
 
-// Questions are answered in waves, so that few answers wait for one before them: long ones, of orbits,
-// make a wave short.
+// Questions are answered in waves, so that few answers wait for one before them: long ones, of
+// orbits, make a wave short.
 constexpr std::size_t kLinesAThread = 128;
 constexpr std::size_t kLongAnswers = std::size_t{1} << 22;
 

@@ -97,8 +97,8 @@ struct Options : Arguments {
   }
 
  private:
-  // What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one at
-  // most.
+  // What stands instead of the families: of a scene, --catalogue, --sweep, --leaks and --pairs one
+  // at most.
   void expect_one_thing(OptionTable& row) {
     const bool scene_given = !row.operand(0).empty();
     std::string what = scene_given ? "a scene" : "";
@@ -163,8 +163,8 @@ JsonValue share(std::uint64_t part, std::uint64_t whole) {
   return *parse_number(fmt::format("{:.3g}", exact));
 }
 
-// From the quickest chunk to the slowest: how far the mean of one run can be trusted. One chunk alone
-// does not tell.
+// From the quickest chunk to the slowest: how far the mean of one run can be trusted. One chunk
+// alone does not tell.
 std::string range_of_times(const StabilityLog& log, const ChunkLog::Key& key,
                            std::uint64_t chunks) {
   std::vector<double> times;
@@ -219,7 +219,7 @@ Result<VerbOutput> run(const Options& options) {
   if (options.request.leaks) return report_leaks(options, options.request);
   if (!options.catalogue && !options.sweep) return run_families(options);
   StabilityRequest request = options.request;
-  if (!request.named) request.tracers = tracers_at_hand();
+  if (!request.named) request.tracers = tracers_at_hand(options);
   return options.catalogue ? report_catalogue(options, request) : report_sweep(options, request);
 }
 

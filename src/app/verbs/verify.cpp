@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
 
 #include "app/experiments/experiment_monitor.h"
@@ -65,7 +66,8 @@ class FolderCheck {
   std::string text() const {
     std::string text;
     for (const Diagnostic& one : findings_) text += fmt::format("{}: {}\n", name(one), one.message);
-    return text + fmt::format("{}: {}, {}\n", folder_.string(), counted(records_.size(), "record"),
+    return text + fmt::format("{}: {}, {}\n", folder_.string(),
+                              counted(records_.size() + rows_, "record"),
                               sound() ? "all as recorded"
                                       : counted(findings_.size(), "thing") + " not as recorded");
   }
@@ -76,7 +78,7 @@ class FolderCheck {
       problems.push_back(Fields{{"file", name(one)}, {"problem", one.message}});
     return Fields{{"folder", folder_.string()},
                   {"sound", sound()},
-                  {"records", records_.size()},
+                  {"records", records_.size() + rows_},
                   {"problems", std::move(problems)}};
   }
 
@@ -109,7 +111,8 @@ class FolderCheck {
     const auto check = [&](const char* name, const auto& log) {
       std::error_code ignored;
       found_ = found_ || fs::exists(folder_ / name, ignored);
-      if (!log) tell(log.error());
+      if (!log) return tell(log.error());
+      rows_ += log->size();
     };
     check(StabilityRows::kFormat.file, StabilityLog::open(folder_.string()));
     check(LeakRows::kFormat.file, LeakLog::open(folder_.string()));
@@ -124,6 +127,8 @@ class FolderCheck {
         tell(text.error());
       else if (!are_blocks(*text))
         tell(path, "is not what an experiment keeps");
+      else  // a block a line, but the first
+        rows_ += static_cast<std::size_t>(std::max(std::ranges::count(*text, '\n') - 1, {}));
     } else if (is_picture(path.extension())) {
       if (!records_.contains(name)) pictures_.push_back(path);
     }
@@ -165,6 +170,7 @@ class FolderCheck {
   const fs::path folder_;
   const unsigned threads_;
   bool found_ = false;
+  std::size_t rows_ = 0;                                     ///< and blocks
   std::map<std::string, std::vector<FrameRecord>> records_;  ///< by file, of all manifests
   std::vector<fs::path> pictures_;                           ///< without a record
   Diagnostics findings_;  ///< of each what is wrong with one file

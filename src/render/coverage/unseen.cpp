@@ -17,10 +17,6 @@ namespace {
 constexpr std::uint64_t kTrialRays = 1024;
 constexpr unsigned kTrialBounces = 32;
 
-std::string called(const char* what, const std::string& name) {
-  return name.empty() ? fmt::format("the {}", what) : fmt::format("{} '{}'", what, name);
-}
-
 // Of the rays of one table the first.
 void add_rays(const Scene& scene, const FrameState& state, Diagnostics& warnings) {
   if (!need_of_ray_walls(scene).needed) return;
@@ -34,7 +30,8 @@ void add_rays(const Scene& scene, const FrameState& state, Diagnostics& warnings
     told = ray.where.offset;
     warnings.push_back(
         {ray.where,
-         fmt::format("{} draws nothing in frame 1: it starts {}", called("ray", ray.name),
+         fmt::format("{} draws nothing in frame 1: it starts {}",
+                     called("ray", ray.name, ray.where),
                      end == OrbitEnd::corner ? "at an end of a wall, or where walls meet"
                                              : "on a wall and runs along it"),
          "let it start beside the wall"});
@@ -56,7 +53,7 @@ Around around(const Scene& scene, const Thing& thing, const char* what, int laye
               Material material) {
   const bool opaque = thing.fill && thing.fill->a == 255 && thing.fill->gradient == kNoEntry &&
                       thing.fill->curve == kNoEntry;
-  return {called(what, thing.name),
+  return {called(what, thing.name, thing.where),
           thing.scatterer == kNoEntry ? nullptr : scene.scatterers[thing.scatterer].get(), material,
           opaque && layer >= scene.light.layer};
 }
@@ -87,7 +84,8 @@ void add_lamps(const Scene& scene, const FrameState& state, std::span<const Lamp
     if (told == lamp.where.offset) continue;
     const auto tell = [&](const std::string& what) {
       told = lamp.where.offset;
-      warnings.push_back({lamp.where, called("lamp", lamp.name) + what, "move it into the open"});
+      warnings.push_back(
+          {lamp.where, called("lamp", lamp.name, lamp.where) + what, "move it into the open"});
     };
     if (const auto owner = solids.holder(now.pose.at)) {
       const Around body = around(scene, *owner);

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <new>
 
 #include "base/number_text.h"
@@ -126,6 +127,38 @@ std::string own_words(std::string_view description) {
   return std::string(description);
 }
 
+constexpr const char* kNumberRemedy = "numbers are written like 12, -0.5 or 1e-3";
+
+// What to write instead, by the first of these that toml++'s words hold.
+constexpr std::pair<std::string_view, const char*> kRemedies[] = {
+    {"value, saw '#'", R"(colours are written in quotes: "#rrggbb")"},
+    {"escape sequence", R"(write \\ for a backslash, or the text in single quotes: 'a\b')"},
+    {"string: ", "close the text with the quotes that open it"},
+    {"could not determine value type", R"(words are written in quotes: "word")"},
+    {"saw ';'", "nothing but a comment follows a value in its line"},
+    {"value-terminator", "nothing but a comment follows a value in its line"},
+    {"boolean: ", R"(write true or false; words are written in quotes: "word")"},
+    {"array: ", "part values by commas, and close the array with ]: [1, 2]"},
+    {"(dangling comma)", "leave out the comma before }"},
+    {"inline table: ",
+     "what stands in braces is parted by commas and stands in one line: { a = 1, b = 2 }"},
+    {"expected '='", "write key = value; a table is [table]"},
+    {"expected value, saw", R"(write a value after =, such as 12, true, "word" or [1, 2])"},
+    {"expected ']'", "close the brackets in the same line: [table], or [[entry]] of several"},
+    {"as array-of-tables", "write double brackets for each of several: [[entry]]"},
+    {"cannot redefine", "a key or table stands once: leave one of them out"},
+    {"comment or whitespace", "write one key = value a line, and decimals with a point"},
+    {"leading zeroes", "leave out the zeros it begins with"},
+    {"integer", kNumberRemedy},
+    {"floating-point", kNumberRemedy},
+    {"", "a line is key = value, [table], [[entry]] or # a comment"}};
+
+const char* remedy(std::string_view message) {
+  return std::ranges::find_if(
+             kRemedies, [&](const auto& one) { return message.find(one.first) != message.npos; })
+      ->second;
+}
+
 tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Positions& positions) {
   const SourcePtr& source = positions.source();
   const std::size_t offset = positions.offset(error.source().begin);
@@ -133,20 +166,19 @@ tl::unexpected<Diagnostics> syntax_error(const ::toml::parse_error& error, Posit
   const std::string_view text = source->text().substr(token.offset, token.length);
   const std::string message = own_words(error.description());
   if (message.ends_with("expected value, saw '#'"))
-    return fail({source, offset, 1}, "a value is missing: # begins a comment",
-                R"(colours are written in quotes: "#rrggbb")");
-  if (!is_number_like(text)) return fail({source, offset, 1}, message);
+    return fail({source, offset, 1}, "a value is missing: # begins a comment", remedy(message));
+  if (!is_number_like(text)) return fail({source, offset, 1}, message, remedy(message));
   // What toml++ says of a number names its grammar, not the mistake.
   for (const char* grammar : {"floating-point: e", "decimal integer: expected"})
-    if (message.starts_with(grammar) && message.find("length") == std::string::npos)
-      return fail(token, fmt::format("'{}' is not a number", text.substr(0, 40)),
-                  "numbers are written like 12, -0.5 or 1e-3");
+    if (message.starts_with(grammar) && message.find("length") == std::string::npos &&
+        !message.ends_with("';'"))
+      return fail(token, fmt::format("'{}' is not a number", text.substr(0, 40)), kNumberRemedy);
   if (message.find("could not be interpreted") != std::string::npos) {
     if (parse_number(text)) throw std::bad_alloc();  // which the stream toml++ reads from hides
     return fail(token, fmt::format("{} is beyond the doubles", text.substr(0, 40)),
                 "write a number between -1.7e308 and 1.7e308");
   }
-  return fail(token, message);
+  return fail(token, message, remedy(message));
 }
 
 Result<void> check_load(const SourcePtr& source) {

@@ -67,10 +67,10 @@ void read_mass(Builder& builder, const Field& field, Entity& entity) {
 void refuse_hindered(Builder& builder, const Entity& entity, const Value& table) {
   if (response_of(builder.scene, entity) == Response::none) {
     if (entity.markov && entity.markov->hit)
-      builder.in.problem(
-          table.find("markov")->value.where,
-          fmt::format("entity '{}' does not respond to contact, so nothing hits it", entity.name),
-          R"(write response = "mark", or another response)");
+      builder.in.problem(table.find("markov")->value.where,
+                         called("entity", entity.name, entity.where) +
+                             " does not respond to contact, so nothing hits it",
+                         R"(write response = "mark", or another response)");
     return;
   }
   if (entity.shape >= builder.scene.shapes.size()) return;  // a mistake that has been told
@@ -79,7 +79,8 @@ void refuse_hindered(Builder& builder, const Entity& entity, const Value& table)
   const Member* key = table.find(why->key);
   builder.in.problem(
       key != nullptr ? key->value.where : table.where,
-      fmt::format("entity '{}' {}, so it cannot respond to contact", entity.name, why->what),
+      fmt::format("{} {}, so it cannot respond to contact",
+                  called("entity", entity.name, entity.where), why->what),
       "responses are for what keeps one velocity until it meets something: write response = "
       "\"none\" in the entity");
 }

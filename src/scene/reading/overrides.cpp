@@ -12,8 +12,6 @@
 namespace flatray {
 namespace {
 
-constexpr std::string_view kPrefix = "-D ";
-
 // The value at the end of a dotted key is what was written after "="; the tables before it stand at
 // their keys.
 bool is_part_of_key(const Value& value) {
@@ -93,36 +91,50 @@ bool is_bare(const std::string& value) {
          std::ranges::all_of(value, in_word);
 }
 
-Result<SceneDesc> read_override(const Format& toml, const std::string& key,
-                                const std::string& value) {
-  return toml.read(std::make_shared<const SourceText>(std::string(kPrefix) + key,
-                                                      fmt::format("{} = {}", key, value)),
+bool is_in_file(const Place& place) { return place && !place.source->text().empty(); }
+
+std::string name_of(const Override& one) {
+  return fmt::format("{} {}", one.where ? one.where.source->name() : "-D", one.key);
+}
+
+Result<SceneDesc> read_override(const Format& toml, const Override& one, const std::string& value) {
+  return toml.read(std::make_shared<const SourceText>(
+                       name_of(one), fmt::format("{} = {}", one.key, value),
+                       is_in_file(one.where) ? std::make_shared<const Place>(one.where) : nullptr,
+                       SourceText::Kind::option),
                    {});
 }
 
 }  // namespace
 
 Result<void> apply_override(SceneDesc& desc, const Override& override_value) {
-  const auto& [key, value] = override_value;
-  const Place where = named_place(std::string(kPrefix) + key);
+  const std::string& value = override_value.value;
+  const Place where = is_in_file(override_value.where) ? override_value.where
+                                                       : named_place(name_of(override_value));
   const Format* toml = find_format("toml");
   if (toml == nullptr)
     return fail(where, "-D needs TOML, which this build leaves out", "", Trouble::unavailable);
-  Result<SceneDesc> parsed = read_override(*toml, key, value);
+  Result<SceneDesc> parsed = read_override(*toml, override_value, value);
   if (!parsed && is_bare(value))
-    if (auto quoted = read_override(*toml, key, fmt::format("\"{}\"", value)))
+    if (auto quoted = read_override(*toml, override_value, fmt::format("\"{}\"", value)))
       parsed = std::move(quoted);
   if (parsed && !is_one_key(parsed->root))
-    parsed = fail(where, "this is not one key and one value", "write -D film.size=[640,360]");
-  if (!parsed) {
-    for (Diagnostic& problem : parsed.error()) problem.trouble = Trouble::usage;
-    return fail(std::move(parsed));
-  }
+    parsed = fail(where, "this is not one key and one value", "write -D film.size=[640,360]",
+                  Trouble::usage);
+  if (!parsed) return fail(std::move(parsed));
   return put(&desc.root, &parsed->root.members.front());
 }
 
 bool is_override(const Place& place) {
-  return place && std::string_view(place.source->name()).starts_with(kPrefix);
+  return place && place.source->kind() == SourceText::Kind::option;
+}
+
+void tell_where_said(Diagnostics& problems) {
+  for (Diagnostic& problem : problems) {
+    if (!is_override(problem.where)) continue;
+    problem.trouble = Trouble::usage;
+    if (const Place* said = problem.where.source->named_at()) problem.where = Place(*said);
+  }
 }
 
 Place place_of_change(const Value& value, const Place& otherwise) {

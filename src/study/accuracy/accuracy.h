@@ -91,8 +91,9 @@ enum class Law : std::uint8_t {
   exponential  ///< like e^(slope n)
 };
 
-/// Least squares of log error against log n, or n, over the points with both above 0. What they leave is
-/// no error of the slope: most points are computed, not drawn, and lie near a line, not on it.
+/// Least squares of log error against log n, or n, over the points with both above 0. What they
+/// leave is no error of the slope: most points are computed, not drawn, and lie near a line, not on
+/// it.
 struct FittedOrder {
   double slope = 0;
   std::string series{};
@@ -133,8 +134,8 @@ struct AccuracyContext {
 /// Seconds of a budget that a reference may take.
 inline double reference_budget(const AccuracyContext& context) { return 0.6 * context.seconds; }
 
-/// The frame in the middle of the scene, which settings are measured on, and its picture, of few rays
-/// of light; none where it cannot be drawn.
+/// The frame in the middle of the scene, which settings are measured on, and its picture, of few
+/// rays of light; none where it cannot be drawn.
 unsigned middle_frame(const Scene& scene);
 Result<DrawList> middle_list(const AccuracyContext& context);
 std::optional<Image> picture_of(const AccuracyContext& context);

@@ -30,19 +30,25 @@ JsonValue half_range_cell(const ChoiceReport& report, const AccuracyPoint& point
   return cell_or("unknown", half_range(report, point));
 }
 
-Table points_table(std::span<const ChoiceReport> reports) {
+// For people, or else for programs: null is what is not known, and there are true and false.
+Table points_table(std::span<const ChoiceReport> reports, bool for_people) {
   Table table({"choice", "series", "setting", "n", "seconds", "seconds_half_range", "error",
                "error_half_interval", "at_most", "sampling", "truncation", "discretisation",
                "rounding", "best", "advice"});
-  const auto yes_or_no = [](bool yes) { return std::string(yes ? "yes" : "no"); };
+  const auto yes_or_no = [=](bool yes) {
+    return for_people ? JsonValue(yes ? "yes" : "no") : JsonValue(yes);
+  };
+  const auto known = [=](JsonValue cell) {
+    return for_people || !cell.as_text() ? std::move(cell) : JsonValue();
+  };
   for (const ChoiceReport& report : reports)
     for (const AccuracyPoint& point : report.points) {
       const auto parts = error_parts(report, point);
       table.add({report.name, point.series, point.setting, point.n, point.seconds,
-                 half_range_cell(report, point), point.outcome.error, point.outcome.half,
-                 yes_or_no(point.outcome.at_most), part_cell(parts[0]), part_cell(parts[1]),
-                 part_cell(parts[2]), part_cell(parts[3]), yes_or_no(point.best),
-                 advice(report, point)});
+                 known(half_range_cell(report, point)), point.outcome.error, point.outcome.half,
+                 yes_or_no(point.outcome.at_most), known(part_cell(parts[0])),
+                 known(part_cell(parts[1])), known(part_cell(parts[2])), known(part_cell(parts[3])),
+                 yes_or_no(point.best), advice(report, point)});
     }
   return table;
 }
@@ -146,15 +152,18 @@ std::vector<std::string> remarks(const ChoiceReport& report) {
   return lines;
 }
 
+Fields accuracy_fields(const std::string& scene, std::span<const ChoiceReport> reports) {
+  return {{"scene", scene},
+          {"choices", choices_table(reports)},
+          {"orders", orders_table(reports)},
+          {"points", points_table(reports, false)}};
+}
+
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
                                  const std::optional<Image>& shown) {
   ExperimentResult result;
-  const Table points = points_table(reports);
-  result.files.push_back(csv_file("accuracy", points));
-  result.files.push_back(json_file("accuracy", {{"scene", scene},
-                                                {"choices", choices_table(reports)},
-                                                {"orders", orders_table(reports)},
-                                                {"points", points}}));
+  result.files.push_back(csv_file("accuracy", points_table(reports, true)));
+  result.files.push_back(json_file("accuracy", accuracy_fields(scene, reports)));
   for (const ChoiceReport& report : reports)
     if (has_plot(report))
       result.files.push_back({fmt::format("accuracy_{}.svg", report.name), accuracy_plot(report)});

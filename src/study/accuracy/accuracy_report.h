@@ -9,11 +9,15 @@
 namespace flatray {
 
 /// What was measured on a scene, as files: accuracy.csv, accuracy.json, a log-log picture
-/// accuracy_CHOICE.svg of each choice that has an error, and accuracy.html, one page that needs no other file.
+/// accuracy_CHOICE.svg of each choice that has an error, and accuracy.html, one page that needs no
+/// other file.
 /// Gives   the summary as text for a terminal.
 /// `shown`: a picture of the scene.
 ExperimentResult accuracy_report(const std::string& scene, std::span<const ChoiceReport> reports,
                                  const std::optional<Image>& shown = {});
+
+/// What accuracy.json holds: the scene, its choices, the orders fitted, and a row for each point.
+Fields accuracy_fields(const std::string& scene, std::span<const ChoiceReport> reports);
 
 /// The kinds of error that any point has, the choice's own among them.
 std::vector<std::size_t> kinds_of_error(const ChoiceReport& report);

@@ -11,8 +11,8 @@ namespace flatray {
 /// Place in a pixel, from its top left corner.
 using SamplePlace = std::array<double, 2>;
 
-/// Places at which the GL back ends take `count` samples (4, 16 or 64): those of Mesa's four, moved as
-/// they move the picture. One, the centre, for scenes that ask for pixel centres.
+/// Places at which the GL back ends take `count` samples (4, 16 or 64): those of Mesa's four, moved
+/// as they move the picture. One, the centre, for scenes that ask for pixel centres.
 std::vector<SamplePlace> sample_places(Coverage coverage, unsigned count);
 
 /// Mean light of samples at these places, each seen by the software back end's rule for centres.
@@ -25,8 +25,9 @@ struct PointSampled {
 };
 
 /// Needs   places as above.
-/// Gives   a sample is near where it sees something else 1/128 of a pixel away, or has a straight edge
-///         so near: twice what the GL back ends may move an edge, whose corners they round to 1/256.
+/// Gives   a sample is near where it sees something else 1/128 of a pixel away, or has a straight
+///         edge so near: twice what the GL back ends may move an edge, whose corners they round to
+///         1/256.
 PointSampled point_sampled(const DrawList& list, std::span<const SamplePlace> places,
                            unsigned threads);
 

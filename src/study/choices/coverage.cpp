@@ -90,8 +90,8 @@ Setting rays(const std::shared_ptr<Film>& film, int rows) {
   return made;
 }
 
-// The mean of side * side samples, as many as there is time for; doubt is by how much a coarser grid
-// is off. One of half the side would see level and upright edges where the finer one does.
+// The mean of side * side samples, as many as there is time for; doubt is by how much a coarser
+// grid is off. One of half the side would see level and upright edges where the finer one does.
 struct Truth {
   int side;
   double doubt;

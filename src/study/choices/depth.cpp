@@ -112,7 +112,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
       fates->truth, [](const PixelOutcome& p) { return p.kind == Kind::solid; });
   const auto count = static_cast<std::ptrdiff_t>(fates->truth.size()) - solid;
   if (stay == count)
-    return fail(named_place(context.scene.name),
+    return fail(context.scene.where,
                 fmt::format("none of {} orbits ends within {} bounces", count, bounces));
   ChoiceSettings made;
   made.unit = "share of the orbits that end whose end is not reached";

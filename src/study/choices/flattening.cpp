@@ -90,7 +90,7 @@ Result<ChoiceSettings> settings(const AccuracyContext& context) {
   curves->list = std::move(*list);
   curves->threads = context.threads;
   if (in_chords(curves->list, 1).chords == 0)
-    return fail(named_place(context.scene.name),
+    return fail(context.scene.where,
                 fmt::format("frame {} shows no curve", middle_frame(context.scene)));
   curves->truth = drawn(*curves, in_chords(curves->list, kTruthSagitta).list);
   const double doubt =

@@ -77,8 +77,8 @@ unsigned find_truth(const Room& room, std::uint64_t bounces, double seconds, Orb
   }
 }
 
-// All starts with as many bounces as the longest; what ends before, in a corner or as time was up, is
-// left out. Gives   the most bits that took.
+// All starts with as many bounces as the longest; what ends before, in a corner or as time was up,
+// is left out. Gives the most bits that took.
 unsigned find_truths(Orbits& orbits, std::uint64_t seed, double seconds) {
   unsigned bits = kFirstBits;
   const double each = seconds / static_cast<double>(kStarts);

@@ -71,7 +71,7 @@ class Choices {
 Result<void> expect_movers(const Scene& scene) {
   if (responds(scene)) return tl::unexpected(Diagnostics{refused_responses(scene, "avoidance")});
   if (scene.entities.size() < 2 || scene.frames < 2)
-    return fail(named_place(scene.name), "avoidance needs two entities and two frames",
+    return fail(scene.where, "avoidance needs two entities and two frames",
                 "the first entity is the one that is to choose its velocity");
   for (std::uint32_t i = 0; i < scene.entities.size(); ++i)
     if (!keeps_velocity(scene, i) || has_parts_left_out(scene.shapes[scene.entities[i].shape]))

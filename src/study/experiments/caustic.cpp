@@ -20,8 +20,8 @@ constexpr std::size_t kNumbers = 6;  // of a path, before its cells
 constexpr int kWide = 640;           // cells of the picture's longer side, where all paths together
 constexpr std::size_t kMostCells = std::size_t{1}
                                    << 23;  // have no more than that; else as the film
-// What of the distance of a line that keeps it one bounce may round away, in extents of the room: its
-// point is 2 units in the last place off, its direction as many.
+// What of the distance of a line that keeps it one bounce may round away, in extents of the room:
+// its point is 2 units in the last place off, its direction as many.
 constexpr double kRoundingByBounce = 0x1p-50;
 
 // The foci of an ellipse: for conjugate half-diameters u, v the roots of u^2 + v^2 as complex

@@ -81,8 +81,8 @@ class Study {
         proven_bounces(room_.walls(), trio.plain, room_.materials()).bounces;
     const std::size_t both = std::min(trio.exact.bounces.size(), trio.beside.bounces.size());
     Plot::Series parted{name + ": neighbours", {}}, error{name + ": doubles", {}};
-    // Of the logarithm of the distance; what the fit leaves is no error of the slope, as it is the same way
-    // of one orbit.
+    // Of the logarithm of the distance; what the fit leaves is no error of the slope, as it is the
+    // same way of one orbit.
     LineFit fit;
     std::uint64_t same = 0;
     bool near = true, right = true;
@@ -120,8 +120,8 @@ class Study {
     growth_.add(fit.slope(), 1);
   }
 
-  // Where starts are alike by symmetry, as in a circle, they differ by rounding and by `apart`; in open rooms those
-  // that stay long enough are no fair draw.
+  // Where starts are alike by symmetry, as in a circle, they differ by rounding and by `apart`; in
+  // open rooms those that stay long enough are no fair draw.
   std::string why_no_error(const Measure& mean) const {
     constexpr double kAlike = 1e-4, kMost = 0.75;
     if (growth_.samples < kMost * static_cast<double>(starts_))

@@ -14,8 +14,8 @@ namespace flatray::experiment_entries {
 namespace {
 
 // What rounding may come to: an event makes and adds two velocities, each to some units in the last
-// place of the fastest; bodies are placed by at + velocity * time, to units of the largest coordinate,
-// and lie deeper in each other along a slanting way than across it.
+// place of the fastest; bodies are placed by at + velocity * time, to units of the largest
+// coordinate, and lie deeper in each other along a slanting way than across it.
 constexpr double kEnergyByEvent = 0x1p-50, kOverlap = 0x1p-40;
 constexpr double kEnd = 0x1p40;  // seconds: the count ends it before
 
@@ -141,8 +141,8 @@ Result<void> expect_bounces(const Scene& scene) {
   for (const Entity& entity : scene.entities)
     if (const Response response = response_of(scene, entity); response != Response::bounce)
       problems.push_back({entity.where,
-                          fmt::format("in a gas everything bounces, and the response of '{}' is {}",
-                                      entity.name, name(response)),
+                          fmt::format("in a gas everything bounces, and the response of {} is {}",
+                                      called("entity", entity.name, entity.where), name(response)),
                           "write response = \"bounce\"; flatray collide shows what the scene does",
                           Trouble::invalid});
   if (!problems.empty()) return tl::unexpected(std::move(problems));
@@ -157,8 +157,8 @@ Result<void> expect_rest(const Scene& scene, std::span<const SimulatedBody> bodi
         bodies[i].mass == kInfinity && !bodies[i].velocity.isZero(0))
       problems.push_back(
           {entity.where,
-           fmt::format("in a gas energy is kept, and '{}' moves though nothing moves it",
-                       entity.name),
+           fmt::format("in a gas energy is kept, and {} moves though nothing moves it",
+                       called("entity", entity.name, entity.where)),
            "let it rest, or give it a mass", Trouble::invalid});
   if (!problems.empty()) return tl::unexpected(std::move(problems));
   return {};
@@ -172,9 +172,9 @@ Result<ExperimentResult> run(const ExperimentContext& context) {
   if (auto rest = expect_rest(context.scene, *bodies); !rest) return fail(std::move(rest));
   const Simulation done = simulate(*bodies, kEnd, context.count);
   if (done.events.empty())
-    return fail(context.scene.entities.empty() ? named_place(context.scene.name)
-                                               : context.scene.entities.front().where,
-                "nothing ever meets", "give the entities velocities, and walls that keep them in");
+    return fail(
+        context.scene.entities.empty() ? context.scene.where : context.scene.entities.front().where,
+        "nothing ever meets", "give the entities velocities, and walls that keep them in");
   const double time = done.events.back().time;
   const Units units = units_of(*bodies, done);
   const double before = energy(*bodies, done, units, true);

@@ -19,17 +19,18 @@ namespace {
 constexpr std::uint64_t kBounces = 1000;  // of one orbit
 constexpr std::uint64_t kSettling = 20;   // bounces that turn any first difference to the fastest
 
-// What is summed over orbits: growth over length, over hits, over hits of curved walls; that between
-// a half and all bounces over that between a quarter and a half; the former alone; and how many orbits
-// there grow no more than like a power.
+// What is summed over orbits: growth over length, over hits, over hits of curved walls; that
+// between a half and all bounces over that between a quarter and a half; the former alone; and how
+// many orbits there grow no more than like a power.
 constexpr std::size_t kSums = 6;
 enum Sum : std::size_t { of_length, of_hits, of_curved, of_doubling, of_power, of_regular };
 
-// Of an orbit, logarithm: differences have turned to the direction that grows, and growth is that of long times.
+// Of an orbit, logarithm: differences have turned to the direction that grows, and growth is that
+// of long times.
 constexpr double kLeastGrowth = 10;
 
-// What grows like t^3 from a half on; regular orbits grow like t. What parts exponentially is told from
-// it where it grows so many times as much.
+// What grows like t^3 from a half on; regular orbits grow like t. What parts exponentially is told
+// from it where it grows so many times as much.
 constexpr double kMostRegular = 3 * 0.6931471805599453, kTold = 5;
 
 // What blocks of orbits add up.
@@ -132,9 +133,10 @@ struct Grown {
 // How neighbours part.
 enum class Law { straight, exponential, power, undecided };
 
-// What grows like e^(rate t) grows twice as much from a half on as between a quarter and a half, what
-// grows like a power as much: where the quotient lies, by more than chance, is the law. Nearer to 2
-// and not 2 is neither yet. Where orbits of both kinds are mixed those that part exponentially win.
+// What grows like e^(rate t) grows twice as much from a half on as between a quarter and a half,
+// what grows like a power as much: where the quotient lies, by more than chance, is the law. Nearer
+// to 2 and not 2 is neither yet. Where orbits of both kinds are mixed those that part exponentially
+// win.
 Law law_of(const Room& room, const RatioSums& doubling) {
   if (room.walls().curve_numbers.empty() && room.scene().field() == 0) return Law::straight;
   if (doubling.samples < 3) return Law::undecided;

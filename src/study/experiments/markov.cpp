@@ -184,7 +184,7 @@ class Study {
 };
 
 Result<ExperimentResult> run(const ExperimentContext& context) {
-  const Place place = named_place(context.scene.name);
+  const Place place = context.scene.where;
   if (context.scene.chains.empty())
     return fail(place, "has no Markov chain", "give it a table [markov.NAME]");
   if (context.count < 1 || context.count > kMostSteps)

@@ -69,9 +69,9 @@ class Flights : public OrbitSink {
   std::vector<double> lengths_, flights_, longest_;
 };
 
-// In a field what circles freely meets no wall, and the mean is over all the rest of phase space, in which
-// the way to the next wall has the area of the walls' own for its flow (Santalo's argument): a flight
-// is a centre and a phase as well as a place and a direction.
+// In a field what circles freely meets no wall, and the mean is over all the rest of phase space,
+// in which the way to the next wall has the area of the walls' own for its flow (Santalo's
+// argument): a flight is a centre and a phase as well as a place and a direction.
 Result<double> area_of_flights(const Room& room) {
   const Place& where = room.scene().chambers.front().where;
   const double enclosed = room.area(), field = room.scene().field();
@@ -86,7 +86,8 @@ Result<double> area_of_flights(const Room& room) {
   return area;
 }
 
-// The area of free circles is a sum over rows: in a strong field, and of many flights, nothing is judged by it.
+// The area of free circles is a sum over rows: in a strong field, and of many flights, nothing is
+// judged by it.
 void withhold_what_is_too_coarse(Measure& path, double most_off) {
   if (most_off < *path.standard_error) return;
   path.remark = fmt::format("pi A / P is {:.6g} within {:.2g}, too coarse to judge by",

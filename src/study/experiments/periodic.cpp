@@ -32,7 +32,8 @@ JsonValue middle_of(const std::optional<Near>& number) {
   return number ? JsonValue(number->value()) : JsonValue();
 }
 
-// As many as three discs have of two bounces more than twice those of the longest orbit; some 160 MB.
+// As many as three discs have of two bounces more than twice those of the longest orbit; some 160
+// MB.
 std::size_t words_for_bounds(std::size_t symbols) {
   constexpr std::size_t kMostSymbols = 10;
   return std::size_t{6} << 2 * std::min(symbols, kMostSymbols);

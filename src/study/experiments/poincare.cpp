@@ -40,8 +40,8 @@ struct Section {
   void add(std::size_t orbit, std::span<const double> found);
 };
 
-// Whether an orbit comes round to the same bounces for ever, as far as doubles are rounded, and without
-// drift. One that takes longer than is looked at is not told.
+// Whether an orbit comes round to the same bounces for ever, as far as doubles are rounded, and
+// without drift. One that takes longer than is looked at is not told.
 class Rounds {
  public:
   void see(const BoundaryPoint& point) {
@@ -147,7 +147,8 @@ Image light_of(const Section& section) {
     const LinearRgb& sum = section.light[i];
     const double most = std::max({sum.r, sum.g, sum.b});
     if (most == 0) return LinearRgb{};
-    // All of a pixel by one factor: the colour of an orbit stays its own, however often it comes by.
+    // All of a pixel by one factor: the colour of an orbit stays its own, however often it comes
+    // by.
     return sum * ((1 - portable::exp(-2 * scale * most)) / most);
   });
 }
@@ -194,7 +195,8 @@ void add_points(ExperimentResult& result, const Section& section) {
                           "along: share of the walls' length; sine: of the angle to the normal"});
 }
 
-// How many bounces are in each pixel: by the middle of the sine from its top down, and of the place.
+// How many bounces are in each pixel: by the middle of the sine from its top down, and of the
+// place.
 void add_density(ExperimentResult& result, const Section& section) {
   std::string text = "sine";
   for (int x = 0; x < kWidth; ++x) text += fmt::format(",{}", number_text((x + 0.5) / kWidth));

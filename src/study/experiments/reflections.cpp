@@ -10,8 +10,8 @@
 namespace flatray::experiment_entries {
 namespace {
 
-// Usual limits: of a map in a room that keeps every ray; of a ray, and of one in a wedge, which leaves
-// in the end.
+// Usual limits: of a map in a room that keeps every ray; of a ray, and of one in a wedge, which
+// leaves in the end.
 constexpr std::uint64_t kPixelBounces = 200, kRayBounces = 1'000'000;
 constexpr std::uint64_t kWedgeBounces = std::uint64_t{1} << 30;
 constexpr LinearRgb kSolid{0.02, 0.03, 0.08};

@@ -17,7 +17,8 @@
 namespace flatray::experiment_entries {
 namespace {
 
-// Of every eight groups the last turns its clones three times as far: what turning changes grows with the square.
+// Of every eight groups the last turns its clones three times as far: what turning changes grows
+// with the square.
 constexpr std::uint64_t kGroups = 32, kOneIn = 8;
 constexpr double kFarther = 3;
 constexpr std::uint64_t kPilot = 2000, kFirstBounces = 1000, kPilotBounces = 100'000,
@@ -26,8 +27,9 @@ constexpr double kLeftAtLevel = 0.25, kLeftAtEnd = 1e-8;
 constexpr std::uint64_t kForgotten = 3;  // levels before those of a rate, of which nothing is left
 constexpr double kWidest = 0.6;  // spread of the groups' shares, beside which intervals still cover
 
-// What a number would be if clones were not turned, from what it is for two angles; as it is, without an error, where
-// that is not known, or turning changes it by more than chance: its square is then not all of it.
+// What a number would be if clones were not turned, from what it is for two angles; as it is,
+// without an error, where that is not known, or turning changes it by more than chance: its square
+// is then not all of it.
 Measure not_turned(Measure near, const Measure& far) {
   constexpr double kShare = 1 / (kFarther * kFarther - 1);
   const double change = kShare * (near.value - far.value);
@@ -69,7 +71,7 @@ Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room
     made = pilot(context, room, kPilotBounces);
   const std::uint64_t step = std::max<std::uint64_t>(made[kQuarter], 1);
   if (step >= kPilotBounces || made.back() >= kFirstBounces)
-    return fail(named_place(context.scene.name), "hardly any orbit leaves",
+    return fail(context.scene.where, "hardly any orbit leaves",
                 "splitting is for rooms that orbits leave by holes or gaps");
   const auto those = std::ranges::count_if(made, [&](std::uint64_t one) { return one >= step; });
   const double stay = std::max(static_cast<double>(those) / kPilot, 1.0 / kPilot);
@@ -91,7 +93,8 @@ Result<SplittingPlan> plan_of(const ExperimentContext& context, const Room& room
   return plan;
 }
 
-// Sums of e^(rate way) over what is left at the two levels, weighted; where they are alike is the rate.
+// Sums of e^(rate way) over what is left at the two levels, weighted; where they are alike is the
+// rate.
 class ByLength {
  public:
   ByLength(const std::vector<SplitGroup>& groups, std::uint64_t first_level)

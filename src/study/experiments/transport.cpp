@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr std::uint64_t kBounces = 256;  // of one orbit
-// So that few orbits are much shorter than the mean, and the Green-Kubo integral is cut after ten flights: after
-// five, as 64 bounces have it, a gap of 0.3 still lacks 6 % of its coefficient.
+// So that few orbits are much shorter than the mean, and the Green-Kubo integral is cut after ten
+// flights: after five, as 64 bounces have it, a gap of 0.3 still lacks 6 % of its coefficient.
 constexpr std::uint64_t kFewestBounces = 128;
 
 // What is asked of the lags of an orbit, each a mean over orbits.
@@ -159,7 +159,8 @@ class Walks : public OrbitSink {
   std::vector<Walk> walks_;
 };
 
-// Whether the Green-Kubo integral still changes from one half of the lags to all, by more than chance.
+// Whether the Green-Kubo integral still changes from one half of the lags to all, by more than
+// chance.
 bool is_settled(const Transport& all) {
   const RatioSums& change = all.asked[unsettled];
   return std::fabs(change.ratio()) <= kAllowedErrors * change.standard_error();
@@ -170,7 +171,8 @@ enum class Growth {
   linear,       // 4 D t
   undecided,    // that, or faster: of so few flights it cannot be told whether they have a variance
   logarithmic,  // t log t: flights of any length between curved walls
-  unknown  // flights of any length between straight walls, which part neighbours no faster than a power
+  unknown  // flights of any length between straight walls, which part neighbours no faster than a
+           // power
 };
 
 // Of the mean square displacement from a half of the lags on, as if it grew like t^power.
@@ -234,8 +236,10 @@ std::string words(Growth growth, const std::string& unbounded) {
 }
 
 Plot curve(const Transport& all, std::size_t which, std::string title, std::string label) {
-  Plot plot{
-      std::move(title), "time, at speed 1", std::move(label), {{"mean over orbits and times", {}}}};
+  Plot plot{std::move(title),
+            "time, world units at speed 1",
+            std::move(label),
+            {{"mean over orbits and times", {}}}};
   for (std::size_t i = 0; i < all.times.lags; ++i)
     plot.series[0].points.push_back(all.lags.point(which, i, all.times.lag(i)));
   return plot;
@@ -256,11 +260,13 @@ void add_files(ExperimentResult& result, const Transport& all, const ExperimentC
   all.flights.add_files(result, "transport_flights", "lengths of flights, world units");
   all.sines.add_files(result, "transport_sines", "sines of the incidence");
   add_plot(result, "transport_displacement",
-           curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>"), context.threads);
-  add_plot(result, "transport_velocity", curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>"),
+           curve(all, 0, "Mean square displacement", "<(r(t) - r(0))^2>, world units squared"),
            context.threads);
+  add_plot(result, "transport_velocity",
+           curve(all, 1, "Velocity autocorrelation", "<v(0) v(t)>, at speed 1"), context.threads);
   add_plot(result, "transport_green_kubo",
-           curve(all, 2, "Green-Kubo integral of the velocity autocorrelation", "D(t)"),
+           curve(all, 2, "Green-Kubo integral of the velocity autocorrelation",
+                 "D(t), world units at speed 1"),
            context.threads);
 }
 

@@ -29,8 +29,8 @@ struct ClosedOrbit {
 /// The closed orbits of a word.
 ///
 /// Gives   of a word of straight walls alone, or of discs and straight walls, one answer. Where a
-///         wall is bounced off from inside, every orbit that Newton's method comes to from 48 draws,
-///         of a word that is a power those that are no repeats.
+///         wall is bounced off from inside, every orbit that Newton's method comes to from 48
+///         draws, of a word that is a power those that are no repeats.
 /// Source  docs/NUMERICS.md, periodic orbits.
 std::vector<ClosedOrbit> closed_orbits(const MirrorRoom& room, const Word& word);
 
@@ -38,15 +38,15 @@ std::vector<ClosedOrbit> closed_orbits(const MirrorRoom& room, const Word& word)
 ClosedOrbit straight_orbit(const MirrorRoom& room, const Word& word);
 /// The same, of discs, one at least, and straight walls.
 ClosedOrbit disc_orbit(const MirrorRoom& room, const Word& word);
-/// Whether every closed polygon of the word's walls is ruled out, by ever smaller boxes of places along
-/// curves: nowhere is its length stationary, or it runs past an end, or a wall is in its way. Words in which
-/// a curve follows itself at once are not looked at.
+/// Whether every closed polygon of the word's walls is ruled out, by ever smaller boxes of places
+/// along curves: nowhere is its length stationary, or it runs past an end, or a wall is in its way.
+/// Words in which a curve follows itself at once are not looked at.
 bool is_ruled_out(const MirrorRoom& room, const Word& word);
 /// The same, of any walls.
 std::vector<ClosedOrbit> drawn_orbits(const MirrorRoom& room, const Word& word);
 
-/// The way along a straight line that straight walls, one after the other, bring back to itself; all
-/// lines along it are such, or only one, that leads through a point.
+/// The way along a straight line that straight walls, one after the other, bring back to itself;
+/// all lines along it are such, or only one, that leads through a point.
 struct ReturningLine {
   Pair<Near> way;
   std::optional<Pair<Near>> through;

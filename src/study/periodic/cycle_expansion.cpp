@@ -8,14 +8,14 @@
 namespace flatray {
 namespace {
 
-// The determinant cut off after `most` bounces, and its derivatives by the rates of bounces, of lengths and
-// of logarithms of eigenvalues.
+// The determinant cut off after `most` bounces, and its derivatives by the rates of bounces, of
+// lengths and of logarithms of eigenvalues.
 struct Determinant {
   double value = 1, by_bounce = 0, by_length = 0, by_stretch = 0;
 };
 
-// Terms by number of bounces, of which the determinant is exp(-sum): what multiplies one rate is its
-// derivative, too.
+// Terms by number of bounces, of which the determinant is exp(-sum): what multiplies one rate is
+// its derivative, too.
 Determinant determinant(const std::vector<Cycle>& cycles, std::size_t most, double per_length,
                         double per_bounce) {
   std::vector<Determinant> terms(most + 1, {0}), parts(most + 1, {0});

@@ -15,8 +15,8 @@ struct Touched {
   bool passed;  // the straight line from a to b goes through the disc
 };
 
-// The point of a filled disc by which the way from a to b is shortest: between the directions to both, halved
-// until its derivative vanishes.
+// The point of a filled disc by which the way from a to b is shortest: between the directions to
+// both, halved until its derivative vanishes.
 Touched nearest_touch(const Circle& disc, const Vec2& a, const Vec2& b) {
   const Vec2 way = b - a, to = disc.centre - a;
   const double size = way.squaredNorm();

@@ -39,8 +39,8 @@ class WordOrbit {
     for (int i = 0; i < kPasses; ++i) tighten();
   }
 
-  // From the bounce in its middle to the next: the length of the way, and how much wider what is across an
-  // unstable orbit gets on it.
+  // From the bounce in its middle to the next: the length of the way, and how much wider what is
+  // across an unstable orbit gets on it.
   OrbitStep middle_step() const {
     const std::size_t middle = (word_.size() - 1) / 2;
     Leg in = with_play(0);
@@ -93,7 +93,8 @@ class WordOrbit {
     }
   }
 
-  // Solves own[k] x[k] - shared[k - 1] x[k - 1] - shared[k] x[k + 1] = x[k] as given, between ends that are 0.
+  // Solves own[k] x[k] - shared[k - 1] x[k - 1] - shared[k] x[k + 1] = x[k] as given, between ends
+  // that are 0.
   static void solve(std::vector<double> own, const std::vector<double>& shared,
                     std::vector<double>& x) {
     const std::size_t last = x.size() - 1;
@@ -171,16 +172,17 @@ class WordOrbit {
     return all;
   }
 
-  // The cosine of the angle at a bounce, which is half of that between the ways to and from it; where the bounce is
-  // taken to be these make angles that differ by its slope.
+  // The cosine of the angle at a bounce, which is half of that between the ways to and from it;
+  // where the bounce is taken to be these make angles that differ by its slope.
   Near cosine(std::size_t k, const Leg& in, const Leg& out) const {
     const Near& into = legs_[k - 1].into;
     return turned(into,
                   (in.turn + out.turn) / 2 + slope_[k] / (spots_[k].disc.radius * into.low()));
   }
 
-  // The slope at each bounce, 0 of an orbit, is what it is where the bounces are taken to be, and second derivatives
-  // between there and the orbit times what is off: so much of one is off at most, where so much of its neighbours is.
+  // The slope at each bounce, 0 of an orbit, is what it is where the bounces are taken to be, and
+  // second derivatives between there and the orbit times what is off: so much of one is off at
+  // most, where so much of its neighbours is.
   void tighten() {
     const std::size_t n = spots_.size();
     std::vector<double> own(n, 0), shared(n, 0);

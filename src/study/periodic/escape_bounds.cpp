@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t kFewestBounces = 6;
 
-// What a word multiplies numbers of orbits with, by length and by bounces, and by what part it may be off.
+// What a word multiplies numbers of orbits with, by length and by bounces, and by what part it may
+// be off.
 struct WordWeight {
   double by_length = 0, by_bounce = 0;
   float off = 0;
@@ -39,7 +40,8 @@ class TransferMatrix {
                    });
   }
 
-  // Of the rate at which what is multiplied by e^(rate length) and divided by stretches neither grows nor falls.
+  // Of the rate at which what is multiplied by e^(rate length) and divided by stretches neither
+  // grows nor falls.
   Range per_length() const {
     const Range growth = logarithm(&WordWeight::by_length);
     const auto steps = [&](double of, bool up) {
@@ -74,8 +76,9 @@ class TransferMatrix {
             portable::log(eigenvalue(of, 1).high) + kRounding};
   }
 
-  // Of the matrix of lower or upper bounds, the largest: for any positive vector it is between the least and the
-  // most of what the matrix multiplies its numbers with. Source: L. Collatz (1942), H. Wielandt (1950).
+  // Of the matrix of lower or upper bounds, the largest: for any positive vector it is between the
+  // least and the most of what the matrix multiplies its numbers with. Source: L. Collatz (1942),
+  // H. Wielandt (1950).
   Range eigenvalue(double WordWeight::*of, double side) const {
     constexpr int kMostRounds = 400;
     constexpr double kAlike = 1e-14;
@@ -93,7 +96,8 @@ class TransferMatrix {
       }
       bounds = {std::max(bounds.low, ratio.low), std::min(bounds.high, ratio.high)};
       if (ratio.high - ratio.low < kAlike * ratio.high) break;
-      // Half of what it was stays, so that rooms of two discs, where it goes to and fro, come to rest.
+      // Half of what it was stays, so that rooms of two discs, where it goes to and fro, come to
+      // rest.
       for (std::size_t i = 0; i < vector.size(); ++i)
         vector[i] = (vector[i] + next[i] / ratio.high) / 2;
     }

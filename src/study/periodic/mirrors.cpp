@@ -63,7 +63,7 @@ Proof is_met(const Segment& wall, bool from_it, bool to_it, const Chord& chord) 
 Result<MirrorRoom> MirrorRoom::of(const Room& room) {
   MirrorRoom made{room, {}};
   const Surfaces& walls = room.walls();
-  const Place place = named_place(room.scene().name);
+  const Place place = room.scene().where;
   if (!walls.beziers.empty())
     return fail(place, "has Bezier curves, of which no periodic orbits are proven",
                 "take segments, arcs, circles and ellipses");

@@ -5,7 +5,8 @@
 
 namespace flatray {
 
-/// Words of so many bounces off discs, none of which follows itself, by number, and which follows which.
+/// Words of so many bounces off discs, none of which follows itself, by number, and which follows
+/// which.
 class NumberedWords {
  public:
   NumberedWords(std::size_t discs, std::size_t bounces) : discs_(discs), bounces_(bounces) {

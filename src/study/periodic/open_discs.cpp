@@ -17,7 +17,8 @@ Vec2 turned(const Vec2& v, double by) {
   return portable::cos(by) * v + portable::sin(by) * Vec2(-v.y(), v.x());
 }
 
-// How ways to a bounce are turned from the way to the centre of its disc, seen from `back` of that centre.
+// How ways to a bounce are turned from the way to the centre of its disc, seen from `back` of that
+// centre.
 Range turns_to(const Vec2& back, const BounceArc& bounce) {
   const double far = std::sqrt(back.squaredNorm()), radius = bounce.disc.radius;
   const auto turn = [&](double beta) {
@@ -32,8 +33,8 @@ Range turns_to(const Vec2& back, const BounceArc& bounce) {
   return turns;
 }
 
-// How ways to some bounces are turned from the normal of a disc at `at`, from within `half` radians of there; empty
-// where none leaves the disc.
+// How ways to some bounces are turned from the normal of a disc at `at`, from within `half` radians
+// of there; empty where none leaves the disc.
 Range ways(const Circle& disc, const Vec2& at, double half, std::span<const BounceArc> bounces) {
   Range all{kInfinity, -kInfinity};
   const double most = kRight + half + kRough;
@@ -54,8 +55,8 @@ Range ways(const Circle& disc, const Vec2& at, double half, std::span<const Boun
   return all;
 }
 
-// Whether a bounce may be within `half` radians of `at` on a disc: the normal there halves the angle between the ways to
-// the bounces before and after it.
+// Whether a bounce may be within `half` radians of `at` on a disc: the normal there halves the
+// angle between the ways to the bounces before and after it.
 bool may_bounce(const Circle& disc, const Vec2& at, double half, std::span<const BounceArc> before,
                 std::span<const BounceArc> after) {
   const Range in = ways(disc, at, half, before), out = ways(disc, at, half, after);
@@ -152,8 +153,8 @@ bool OpenDiscs::are_beside(const Surfaces& walls, std::uint32_t surface) const {
   return left == Proof::yes || right == Proof::yes;
 }
 
-// With one bounce before and after from the half of a disc that faces both, with more from what those with fewer have
-// come to; in the end with fewer again, from all that may stand there.
+// With one bounce before and after from the half of a disc that faces both, with more from what
+// those with fewer have come to; in the end with fewer again, from all that may stand there.
 void OpenDiscs::find_arcs() {
   constexpr std::size_t kMostArcs = 1000;
   Arcs all{NumberedWords(size(), 3), 1};
@@ -198,7 +199,8 @@ OpenDiscs::Arcs OpenDiscs::with_fewer(const Arcs& known, bool at_front) const {
   return fewer;
 }
 
-// Until none gives way: what comes before and after the middle bounce of a word is the middle one of words that overlap it.
+// Until none gives way: what comes before and after the middle bounce of a word is the middle one
+// of words that overlap it.
 void OpenDiscs::narrow_together(Arcs& level) const {
   constexpr int kMostRounds = 400;
   const std::size_t n = level.words.bounces();

@@ -14,15 +14,16 @@ inline double turn_between(const Vec2& from, const Vec2& to) {
   return portable::atan2(cross(from, to), from.dot(to));
 }
 
-/// The part of a disc on which a bounce is: within so many radians of a direction from the centre, near length 1.
+/// The part of a disc on which a bounce is: within so many radians of a direction from the centre,
+/// near length 1.
 struct BounceArc {
   Circle disc{};
   Vec2 at{1, 0};
   double off = 0;
 };
 
-/// Discs of which every word that does not name one twice in turn has one orbit: whole ones, and neither another disc
-/// is near the way between two nor anything else.
+/// Discs of which every word that does not name one twice in turn has one orbit: whole ones, and
+/// neither another disc is near the way between two nor anything else.
 ///
 /// Source  of that: T. Morita, Trans. Amer. Math. Soc. 325 (1991) 819.
 class OpenDiscs {

@@ -18,8 +18,8 @@ Plot::Series line_through(std::string name, const std::vector<Vec2>& points, boo
   return series;
 }
 
-// The number of a mirror: in a disc, else beside the middle of it, where no orbits are or, of a wall with orbits on
-// both sides, on one.
+// The number of a mirror: in a disc, else beside the middle of it, where no orbits are or, of a
+// wall with orbits on both sides, on one.
 Plot::Point number_of(const MirrorRoom& room, std::size_t i, const std::vector<Plot::Point>& wall) {
   constexpr double kAway = 0.075;
   const Plot::Point &a = wall[(wall.size() - 1) / 2], &b = wall[wall.size() / 2];
@@ -39,7 +39,10 @@ Plot::Point number_of(const MirrorRoom& room, std::size_t i, const std::vector<P
 }  // namespace
 
 Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*>& orbits) {
-  Plot plot{"The shortest periodic orbits, by their walls in order", "x", "y", {}};
+  Plot plot{"The shortest periodic orbits, by their walls in order",
+            "x, world units",
+            "y, world units",
+            {}};
   plot.equal = true;
   Plot::Series numbers{"", {}, true, "axis", 0};
   for (std::size_t i = 0; i < room.mirrors.size(); ++i) {
@@ -61,8 +64,11 @@ Plot plot_of_orbits(const MirrorRoom& room, const std::vector<const ClosedOrbit*
 }
 
 Plot plot_of_stability(const std::vector<const ClosedOrbit*>& orbits) {
-  Plot plot{
-      "Instability of the periodic orbits", "length", "size of the larger eigenvalue", {}, true};
+  Plot plot{"Instability of the periodic orbits",
+            "length, world units",
+            "size of the larger eigenvalue",
+            {},
+            true};
   std::map<std::size_t, Plot::Series> by_bounces;
   for (const ClosedOrbit* orbit : orbits) {
     const auto value = orbit->eigenvalue();

@@ -131,8 +131,8 @@ bool StationaryPolygon::may_be_within(const std::vector<Near>& box) {
   return std::ranges::all_of(all.first, [](const Near& slope) { return !slope.sign(); });
 }
 
-// With C near the inverse of the second derivatives H, and f the gradient: if -C f + (1 - C H) Q lies
-// inside Q, for H anywhere in the box Q about here, one solution and no other lies in Q.
+// With C near the inverse of the second derivatives H, and f the gradient: if -C f + (1 - C H) Q
+// lies inside Q, for H anywhere in the box Q about here, one solution and no other lies in Q.
 bool StationaryPolygon::prove() {
   constexpr double kWider = 8, kLeast = 0x1p-50;
   const std::size_t n = bounces_.size();

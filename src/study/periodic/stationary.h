@@ -7,9 +7,9 @@
 
 namespace flatray {
 
-/// A bounce off a curved wall in a closed orbit, near the direction `at` in the coordinates in which
-/// the wall's curve is the unit circle. What comes between it and the next such bounce, reflections
-/// by straight walls, is unfolded: there the next one is at `next` of its place.
+/// A bounce off a curved wall in a closed orbit, near the direction `at` in the coordinates in
+/// which the wall's curve is the unit circle. What comes between it and the next such bounce,
+/// reflections by straight walls, is unfolded: there the next one is at `next` of its place.
 struct CurvedBounce {
   const Arc* arc;
   Vec2 at{1, 0};
@@ -17,15 +17,16 @@ struct CurvedBounce {
   std::size_t place = 0;  ///< in the word
 };
 
-/// A point of a curve, and its derivatives by q. The curve's points are centre + U (1 - q^2) /
-/// (1 + q^2) + V 2 q / (1 + q^2) with U toward `at`: no sine is needed, and only the point opposite is left out.
+/// A point of a curve, and its derivatives by q. The curve's points are centre + U (1 - q^2) / (1 +
+/// q^2) + V 2 q / (1 + q^2) with U toward `at`: no sine is needed, and only the point opposite is
+/// left out.
 struct CurvePlace {
   Pair<Near> point, rate, bend;
 };
 CurvePlace curve_place(const CurvedBounce& bounce, const Near& q);
 
-/// The bounces of a closed orbit off curved walls: places at which the length of the closed polygon,
-/// unfolded, is stationary. A single one has itself as the next.
+/// The bounces of a closed orbit off curved walls: places at which the length of the closed
+/// polygon, unfolded, is stationary. A single one has itself as the next.
 class StationaryPolygon {
  public:
   explicit StationaryPolygon(std::vector<CurvedBounce> bounces) : bounces_(std::move(bounces)) {}

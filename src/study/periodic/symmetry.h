@@ -23,18 +23,19 @@ Word least_turn(const Word& word);
 /// How many words, told apart wherever they begin, the symmetries make of it.
 std::size_t words_alike(const Word& word, const std::vector<Symmetry>& all);
 
-/// A closed orbit in a room of which what symmetries make alike is one: after `symbols` bounces it is
-/// where a symmetry takes its beginning, and after `parts` times as many where it began.
+/// A closed orbit in a room of which what symmetries make alike is one: after `symbols` bounces it
+/// is where a symmetry takes its beginning, and after `parts` times as many where it began.
 struct ReducedWord {
   Word word;  ///< the whole of it, one of those alike
   std::size_t symbols, parts;
   bool turned;  ///< of that symmetry
 };
 
-/// All of `symbols` bounces that are no repeats, each once. Needs   mirrors of which none follows itself.
+/// All of `symbols` bounces that are no repeats, each once. Needs mirrors of which none follows
+/// itself.
 ///
-/// Gives   nullopt where one is taken to itself, place by place, by a symmetry that moves walls: it lies on an
-///         axis, and counts otherwise.
+/// Gives   nullopt where one is taken to itself, place by place, by a symmetry that moves walls: it
+///         lies on an axis, and counts otherwise.
 std::optional<std::vector<ReducedWord>> reduced_words(const std::vector<Symmetry>& all,
                                                       std::size_t mirrors, std::size_t symbols);
 

@@ -40,11 +40,13 @@ struct Judged {
   }
 };
 
-/// Follows straight walls of a word from a chord's beginning: `way` leads to the last point, unfolded.
+/// Follows straight walls of a word from a chord's beginning: `way` leads to the last point,
+/// unfolded.
 void follow_straight(const MirrorRoom& room, const Chord& ends, Pair<Near> way,
                      const Word& straight, Judged& judged);
 
-/// Needs   a polygon whose places are known, proven or within a box: what is said holds for all of it.
+/// Needs   a polygon whose places are known, proven or within a box: what is said holds for all of
+///         it.
 /// Source  of the trace: S. Tabachnikov, Geometry and Billiards (2005), chapter 5: free flights and
 ///         reflections as matrices of two rows, each reflection with the sign -1.
 Judged judge(const MirrorRoom& room, const Word& word, const StationaryPolygon& polygon,

@@ -4,8 +4,9 @@
 namespace flatray {
 
 /// Words of `length` walls that closed orbits may have, each once among those that differ in where
-/// they begin: no straight wall and no disc follows itself. None repeats a shorter one, but where orbits of
-/// it need not: where a wall is bounced off from inside, and of straight walls twice an odd number of them.
+/// they begin: no straight wall and no disc follows itself. None repeats a shorter one, but where
+/// orbits of it need not: where a wall is bounced off from inside, and of straight walls twice an
+/// odd number of them.
 ///
 /// Cost    nullopt where there are more than `most`.
 std::optional<std::vector<Word>> words(const std::vector<Mirror>& mirrors, std::size_t length,

@@ -17,8 +17,8 @@ struct Ink {
 constexpr std::array kInks = {
     Ink{"text", "#1a1a1a", "#eeeeee"}, Ink{"axis", "#595959", "#a6a6a6"},
     Ink{"grid", "#e2e2e2", "#33373d"}, Ink{"paper", "#ffffff", "#16181c"},
-    // Okabe and Ito, Color Universal Design, 2008; their black is the text's, and on dark paper the lighter
-    // blue comes first.
+    // Okabe and Ito, Color Universal Design, 2008; their black is the text's, and on dark paper the
+    // lighter blue comes first.
     Ink{"blue", "#0072b2", "#56b4e9"}, Ink{"vermillion", "#d55e00", "#d55e00"},
     Ink{"green", "#009e73", "#009e73"}, Ink{"purple", "#cc79a7", "#cc79a7"},
     Ink{"orange", "#e69f00", "#e69f00"}, Ink{"sky", "#56b4e9", "#0072b2"}};

@@ -60,8 +60,8 @@ double words_width(const std::string& words);
 /// the width it has. Gives   well-formed XML of any text given; the same bytes on every machine.
 std::string svg(const Drawing& drawing);
 
-/// The diagram on light paper, drawn by the software back end, `scale` pixels a unit; text is ASCII,
-/// and question marks. The same bytes on every machine, whatever `threads`.
+/// The diagram on light paper, drawn by the software back end, `scale` pixels a unit; text is
+/// ASCII, and question marks. The same bytes on every machine, whatever `threads`.
 Image pixels(const Drawing& drawing, double scale, unsigned threads = 1);
 
 /// Text as it stands between tags and in attributes; control characters become question marks.

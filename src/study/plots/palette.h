@@ -17,8 +17,8 @@ struct LinearRgb {
 
 /// Full colours round the circle: hue 0 and 1 are the same.
 LinearRgb hue(double turn);
-/// Colours that are easy to tell apart, any number of them: the seven of Okabe and Ito, then the hue
-/// goes on by the golden section.
+/// Colours that are easy to tell apart, any number of them: the seven of Okabe and Ito, then the
+/// hue goes on by the golden section.
 LinearRgb nth_colour(std::size_t n);
 /// From black over red and yellow to white, for 0 to 1.
 LinearRgb heat(double level);

@@ -75,8 +75,8 @@ double log_share(double number, double most);
 void add_plot(ExperimentResult& result, const std::string& name, const Plot& plot,
               unsigned threads);
 
-/// The same, and NAME_pixels.csv with the numbers behind the map: a line for each row of pixels, with
-/// its y first, under a line of their x; "" where there is none.
+/// The same, and NAME_pixels.csv with the numbers behind the map: a line for each row of pixels,
+/// with its y first, under a line of their x; "" where there is none.
 void add_map(ExperimentResult& result, const std::string& name, const Plot& plot, unsigned threads,
              const std::function<std::string(std::size_t)>& cell);
 

@@ -22,7 +22,8 @@ struct BoundaryOrbits {
 Result<BoundaryOrbits> boundary_orbits(const ExperimentContext& context, const Room& room,
                                        std::uint64_t random_orbits);
 
-/// Shows each of some orbits to a watch of its own, which has see(BoundaryPoint), and numbers() of what it found.
+/// Shows each of some orbits to a watch of its own, which has see(BoundaryPoint), and numbers() of
+/// what it found.
 template <class Watch>
 class WatchedBounces : public OrbitSink {
  public:

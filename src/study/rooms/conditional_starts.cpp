@@ -39,7 +39,7 @@ Result<Survival> natural_survival(const ExperimentContext& context, const Room& 
   });
   if (!outcomes) return tl::unexpected(outcomes.error());
   const Survival found = survival(departures_of(*outcomes));
-  const Place where = named_place(context.scene.name);
+  const Place where = context.scene.where;
   if (found.law == Survival::Law::power)
     return fail(where,
                 fmt::format("orbits leave like (n + 1)^-{:.3g}, not exponentially: what is left "
@@ -54,7 +54,8 @@ Result<Survival> natural_survival(const ExperimentContext& context, const Room& 
   return found;
 }
 
-// Points that fast orbits bounce at may lie behind their wall, by rounding: exact ones would meet it at once.
+// Points that fast orbits bounce at may lie behind their wall, by rounding: exact ones would meet
+// it at once.
 std::vector<OrbitStart> in_front_of_walls(const Room& room, const std::vector<Walker>& walkers) {
   std::vector<OrbitStart> starts;
   for (const Walker& one : walkers) {

@@ -117,7 +117,8 @@ Table Exits::table() const {
   return table;
 }
 
-// Of all exits and of late ones in one of so many cells; what counts of independent orbits vary by, 95 % of them.
+// Of all exits and of late ones in one of so many cells; what counts of independent orbits vary by,
+// 95 % of them.
 void Exits::add_counts(Plot& plot, double x, const std::array<double, 2>& counts,
                        double cells) const {
   constexpr double kMost = 1.959963984540054;

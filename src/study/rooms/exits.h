@@ -6,22 +6,23 @@
 
 namespace flatray {
 
-/// How orbits of starts drawn on the walls leave a room by its holes: by which, after how many bounces, on
-/// how long a way, where along the hole and under which angle.
+/// How orbits of starts drawn on the walls leave a room by its holes: by which, after how many
+/// bounces, on how long a way, where along the hole and under which angle.
 ///
-/// What leaves late does so as the conditionally invariant measure has it: that of what is left after long,
-/// which is spread the same at every later bounce, but for its size.
+/// What leaves late does so as the conditionally invariant measure has it: that of what is left
+/// after long, which is spread the same at every later bounce, but for its size.
 class Exits {
  public:
-  /// `late`: from so many bounces on they count as such; none where orbits do not leave exponentially.
+  /// `late`: from so many bounces on they count as such; none where orbits do not leave
+  /// exponentially.
   Exits(const ExperimentContext& context, const Room& room, std::span<const PixelOutcome> drawn,
         std::optional<double> late);
 
   /// By hole, of those that leave at the first wall, mean bounces and ways.
   ///
-  /// Gives   of starts by the measure that reflection keeps the share that leaves at the first wall is the
-  ///         holes' share of the walls, whatever the room. Means have errors where orbits leave
-  ///         exponentially; else their variance may be infinite.
+  /// Gives   of starts by the measure that reflection keeps the share that leaves at the first wall
+  ///         is the holes' share of the walls, whatever the room. Means have errors where orbits
+  ///         leave exponentially; else their variance may be infinite.
   std::vector<Measure> measures() const;
   /// By hole, place and sine.
   Table table() const;

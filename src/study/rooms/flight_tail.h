@@ -8,11 +8,12 @@ namespace flatray {
 /// periodic walls. What averages them then may have no variance, and no standard error.
 class FlightTail {
  public:
-  /// Puts the longest flights of orbits in that have `flights` each: of some together where those are few.
+  /// Puts the longest flights of orbits in that have `flights` each: of some together where those
+  /// are few.
   void add(std::span<const double> longest, std::uint64_t flights);
 
-  /// Of flights longer than t there are about t^-index: that of longest ones in groups (Gumbel 1958), 0
-  /// where there are too few groups to say.
+  /// Of flights longer than t there are about t^-index: that of longest ones in groups (Gumbel
+  /// 1958), 0 where there are too few groups to say.
   double index() const;
 
   void append_to(SumList& list) { list.insert(list.end(), {&groups_, &logs_, &squares_}); }

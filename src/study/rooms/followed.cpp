@@ -18,11 +18,11 @@ constexpr std::uint64_t kAuditedBounces = 60;
 // What a certified orbit of the audit may take: more tells little, and could take minutes.
 constexpr unsigned kAuditedBits = 2048;
 constexpr std::uint64_t kAuditedWork = std::uint64_t{1} << 22;
-// Of the room: an orbit as near as that to the certified one meets the same wall next, unless it passes an
-// end or a tangent as near.
+// Of the room: an orbit as near as that to the certified one meets the same wall next, unless it
+// passes an end or a tangent as near.
 constexpr double kSamePlace = 0x1p-32;
-// Of a first flight, in units of 2^-53 of the room, times the cosine of the incidence: the start of the flight
-// on its wall, the point met and the wall's own numbers are some ulps off each.
+// Of a first flight, in units of 2^-53 of the room, times the cosine of the incidence: the start of
+// the flight on its wall, the point met and the wall's own numbers are some ulps off each.
 constexpr double kRoundingOfFlight = 64;
 
 void follow_certified(const Room& room, const OrbitStart& start, std::size_t number,

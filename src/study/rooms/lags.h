@@ -12,8 +12,8 @@ struct LagTimes {
   std::size_t samples, lags;
   double lag(std::size_t i) const { return step * static_cast<double>(i); }
 
-  /// Of an orbit of so many flights, up to two thirds of its mean length, than which it is shorter once in
-  /// some ten thousand times; over lags of up to a quarter of that.
+  /// Of an orbit of so many flights, up to two thirds of its mean length, than which it is shorter
+  /// once in some ten thousand times; over lags of up to a quarter of that.
   static LagTimes of(double mean_flight, std::uint64_t bounces);
 };
 

@@ -23,9 +23,9 @@ struct PixelOutcome {
   double way = 0;     ///< of the path up to there
 };
 
-/// Where orbits set off of places of the picture, (0, 0) its upper left corner and (1, 1) its lower right
-/// one, as the context's map says, or `usual`. A scene without rays has one from the middle of its window
-/// to the right.
+/// Where orbits set off of places of the picture, (0, 0) its upper left corner and (1, 1) its lower
+/// right one, as the context's map says, or `usual`. A scene without rays has one from the middle
+/// of its window to the right.
 class PlaceStarts {
  public:
   PlaceStarts(const ExperimentContext& context, const Room& room, PixelMap usual);
@@ -39,8 +39,9 @@ class PlaceStarts {
   Ray ray_;
 };
 
-/// `count` orbits, each from where `start` has it: the first `exact` of them exactly decided, the others in
-/// the precision of the context. Orbits that end in a corner count as absorbed by its lowest wall.
+/// `count` orbits, each from where `start` has it: the first `exact` of them exactly decided, the
+/// others in the precision of the context. Orbits that end in a corner count as absorbed by its
+/// lowest wall.
 Result<std::vector<PixelOutcome>> trace_outcomes(
     const ExperimentContext& context, const Room& room, std::uint64_t bounces, std::uint64_t count,
     std::uint64_t exact, const std::function<std::optional<OrbitStart>(std::uint64_t)>& start);
@@ -55,8 +56,8 @@ std::uint64_t pixel_count(const Film& film);
 Result<std::vector<PixelOutcome>> trace_pixels(const ExperimentContext& context, const Room& room,
                                                std::uint64_t bounces, PixelMap usual);
 
-/// A map of such pixels, with axes that say where each orbit starts: world x and y, or the place on the
-/// line across the ray and the angle to it.
+/// A map of such pixels, with axes that say where each orbit starts: world x and y, or the place on
+/// the line across the ray and the angle to it.
 Plot pixel_plot(const ExperimentContext& context, const Room& room, PixelMap usual,
                 const std::function<LinearRgb(std::size_t)>& colour);
 /// How many bounces, for a table; "" of what starts no orbit.

@@ -72,7 +72,8 @@ bool Room::is_free(const Vec2& point) const {
   return (!holder || holder->material == Material::glass) && solids_.in_chamber(point);
 }
 
-// Bounces are spread evenly over lengths and tangential momenta, which are the index times the sine.
+// Bounces are spread evenly over lengths and tangential momenta, which are the index times the
+// sine.
 std::array<double, 2> Room::weights_of(std::uint32_t surface) const {
   if (materials_[surface] == Material::periodic || counted_[surface] != surface) return {0, 0};
   if (materials_[surface] == Material::glass) return glass_.indices(surface);
@@ -183,7 +184,7 @@ OrbitStart Room::draw_free_start(std::uint64_t seed, std::uint64_t number) const
 
 Result<void> expect_walls(const ExperimentContext& context, const Room& room) {
   if (room.perimeter() > 0) return {};
-  return fail(named_place(context.scene.name), "has no walls",
+  return fail(context.scene.where, "has no walls",
               "add a [[chamber]], or give entities material = \"mirror\"");
 }
 
@@ -191,9 +192,9 @@ namespace {
 
 Result<void> expect_no_other_way_out(const ExperimentContext& context) {
   const Scene& scene = context.scene;
-  const Place place = named_place(scene.name);
   if (scene.chambers.empty())
-    return fail(place, "has no chamber for orbits to stay in", "add [[chamber]] with a shape");
+    return fail(scene.where, "has no chamber for orbits to stay in",
+                "add [[chamber]] with a shape");
   const Chamber& chamber = scene.chambers.front();
   const Shape& shape = scene.shapes[chamber.shape];
   if (!has_area(shape))
@@ -203,18 +204,18 @@ Result<void> expect_no_other_way_out(const ExperimentContext& context) {
   if (chamber.material == Material::glass)
     return fail(chamber.where, "the chamber is of glass, and orbits leave it",
                 "make it a mirror, and what stands in it glass");
-  const bool absorbs =
-      chamber.material == Material::absorb ||
-      std::any_of(chamber.pillars.begin(), chamber.pillars.end(),
-                  [](const Chamber::Pillar& one) { return one.material == Material::absorb; });
-  const bool others = std::any_of(scene.entities.begin(), scene.entities.end(),
-                                  [](const Entity& one) { return one.material.has_value(); });
-  if (absorbs) return fail(place, "has walls that absorb", "all must be mirrors here");
+  const auto absorbs = [](const auto& one) { return one.material == Material::absorb; };
+  const auto pillar = std::ranges::find_if(chamber.pillars, absorbs);
+  if (absorbs(chamber) || pillar != chamber.pillars.end())
+    return fail(absorbs(chamber) ? chamber.where : pillar->where, "has walls that absorb",
+                "all must be mirrors here");
   if (chamber.material == Material::periodic && chamber.pillars.empty())
-    return fail(place, "has nothing to bounce off", "add pillars between the periodic walls");
-  if (others)
-    return fail(place, "has entities that rays meet beside its chamber",
-                "write what stands in the chamber as its pillars: their areas count");
+    return fail(chamber.where, "has nothing to bounce off",
+                "add pillars between the periodic walls");
+  for (const Entity& entity : scene.entities)
+    if (entity.material)
+      return fail(entity.where, "rays meet this entity beside the chamber",
+                  "write what stands in the chamber as its pillars: their areas count");
   if (auto inside = expect_pillars_inside(scene); !inside) return inside;
   return expect_pillars_apart(scene);
 }
@@ -233,7 +234,7 @@ Result<void> expect_closed(const ExperimentContext& context) {
 Result<void> expect_holes(const ExperimentContext& context) {
   const Scene& scene = context.scene;
   if (scene.chambers.empty())
-    return fail(named_place(scene.name), "there is no chamber with holes to come back to");
+    return fail(scene.where, "there is no chamber with holes to come back to");
   if (scene.chambers.front().holes.empty())
     return fail(scene.chambers.front().where, "the chamber has no holes to come back to",
                 "add holes = [{ edge = 0, from = 0.4, to = 0.5 }]");

@@ -28,22 +28,22 @@ class Room {
   bool has_start(const Vec2& point) const;
   bool is_free(const Vec2& point) const;
 
-  /// Of the free part (Solids::free_area), and of pillars of glass times their index: what flights are spread
-  /// over evenly, as their places and momenta are.
+  /// Of the free part (Solids::free_area), and of pillars of glass times their index: what flights
+  /// are spread over evenly, as their places and momenta are.
   double area() const;
   /// At glass: the index on the side of a bounce over that beyond.
   double index_ratio(const Bounce& bounce) const;
 
-  /// Length of all walls but periodic ones, those bounced off on both sides twice, of glass each side times
-  /// the index there, those in copies once.
+  /// Length of all walls but periodic ones, those bounced off on both sides twice, of glass each
+  /// side times the index there, those in copies once.
   double perimeter() const { return before_.back(); }
-  /// How far along all of them a bounce lies: with the sine of its angle, what bounces are spread over
-  /// evenly, whatever they are reflected by or split.
+  /// How far along all of them a bounce lies: with the sine of its angle, what bounces are spread
+  /// over evenly, whatever they are reflected by or split.
   double place_of(const Bounce& bounce) const;
 
   /// A start on a wall such that bounces along its orbit have the measure that reflection keeps:
-  /// uniform in length of wall, as perimeter() has it, and in the sine of the angle. One for each number under one seed;
-  /// quasi-random ones are spread evenly in both (study/rooms/starts.h).
+  /// uniform in length of wall, as perimeter() has it, and in the sine of the angle. One for each
+  /// number under one seed; quasi-random ones are spread evenly in both (study/rooms/starts.h).
   OrbitStart draw_start(std::uint64_t seed, std::uint64_t number,
                         Starts starts = Starts::random) const {
     return draw_start_in({0, perimeter()}, seed, number, starts);
@@ -56,8 +56,8 @@ class Room {
   Left left_by(const Bounce& bounce) const;
   /// The side of a wall on which orbits are (geom/primitives/wall.h); nullopt: both.
   std::optional<Sign> inner_side(std::uint32_t surface) const;
-  /// A start in the free part of a closed chamber, uniform in place and direction: the measure that flight
-  /// keeps, so that what is seen along its orbit does not depend on the time. Of speed 1.
+  /// A start in the free part of a closed chamber, uniform in place and direction: the measure that
+  /// flight keeps, so that what is seen along its orbit does not depend on the time. Of speed 1.
   OrbitStart draw_free_start(std::uint64_t seed, std::uint64_t number) const;
 
  private:

@@ -6,7 +6,8 @@ namespace flatray {
 /// Orbits an experiment looks at one by one: the rays of the scene, or drawn ones where it has
 /// none, of quasi-random starts all under one shift.
 ///
-/// Error   no walls; a ray that starts in an obstacle, or outside the chamber: nothing is measured of it.
+/// Error   no walls; a ray that starts in an obstacle, or outside the chamber: nothing is measured
+///         of it.
 struct NamedOrbits {
   std::vector<std::string> names;
   std::vector<OrbitStart> starts;

@@ -32,9 +32,10 @@ struct Walker {
 /// The side of its wall on which a start stands.
 Sign side_of_start(const Room& room, const OrbitStart& start);
 
-/// A group of orbits from level to level: first starts by the measure that reflection keeps. Those that are
-/// left at a level are drawn from with repetition, as many as at first, and each of these is turned by a
-/// random angle at the wall where it stands, as a clone that sets off alike stays alike for ever.
+/// A group of orbits from level to level: first starts by the measure that reflection keeps. Those
+/// that are left at a level are drawn from with repetition, as many as at first, and each of these
+/// is turned by a random angle at the wall where it stands, as a clone that sets off alike stays
+/// alike for ever.
 class Population {
  public:
   /// Needs   the context, room and plan to outlive it.
@@ -57,10 +58,10 @@ class Population {
 
 /// What a population comes to.
 ///
-/// Gives   shares whose mean over many groups is what is left of all orbits, but for what turning by `apart`
-///         changes, which grows with its square.
-/// Source  fixed splitting with a fixed number of orbits: Kahn and Harris 1951; unbiased, as Del Moral
-///         (Feynman-Kac Formulae, 2004, theorem 7.4.2) has it.
+/// Gives   shares whose mean over many groups is what is left of all orbits, but for what turning
+///         by `apart` changes, which grows with its square.
+/// Source  fixed splitting with a fixed number of orbits: Kahn and Harris 1951; unbiased, as Del
+///         Moral (Feynman-Kac Formulae, 2004, theorem 7.4.2) has it.
 SplitGroup split_group(const ExperimentContext& context, const Room& room,
                        const SplittingPlan& plan, std::uint64_t group);
 

@@ -26,8 +26,8 @@ double drawn_unit(std::uint64_t seed, std::uint64_t number, std::uint32_t which)
 Ray random_ray(const Bounds& window, std::uint64_t seed, std::uint64_t number);
 
 /// Sums over orbits from which a ratio of means and its error are estimated: under random starts
-/// each orbit is a sample, under quasi-random ones all those of a shift together are, and under conditional
-/// ones all those of a group.
+/// each orbit is a sample, under quasi-random ones all those of a shift together are, and under
+/// conditional ones all those of a group.
 class StartSums {
  public:
   explicit StartSums(Starts starts) : starts_(starts), sums_(samples_of(starts)) {}

@@ -41,8 +41,8 @@ struct FallingCurve {
     for (std::size_t n = gone.size(); n-- > 0;) there[n] += there[n + 1];
   }
 
-  // The tail from a start on, each stretch with enough that leave; the last one with what is left over,
-  // for those who stay longer than a law has it are against it.
+  // The tail from a start on, each stretch with enough that leave; the last one with what is left
+  // over, for those who stay longer than a law has it are against it.
   std::vector<Stretch> tail(std::size_t start) const {
     std::vector<Stretch> stretches;
     for (std::size_t from = start; from < gone.size();) {
@@ -57,8 +57,8 @@ struct FallingCurve {
   }
 };
 
-// The part of those at the beginning of a stretch that is there at its end is e^(-fall width), where the
-// width is in bounces or in their logarithm.
+// The part of those at the beginning of a stretch that is there at its end is e^(-fall width),
+// where the width is in bounces or in their logarithm.
 struct Fit {
   double fall = 0, rest = 0;
 };
@@ -139,9 +139,9 @@ double mean_bounces(double rate, double most) {
   return rate * most > 700 ? all : all - most / (portable::exp(rate * most) - 1);
 }
 
-// The rate by length is the root of the sum of these: an orbit's weight e^(rate length), times how much more
-// often it bounces than orbits do in the mean. Times e^(-decay bounces), which does not move the root, all
-// weights are about as large.
+// The rate by length is the root of the sum of these: an orbit's weight e^(rate length), times how
+// much more often it bounces than orbits do in the mean. Times e^(-decay bounces), which does not
+// move the root, all weights are about as large.
 struct Weighted {
   std::size_t sample;
   double length, decay, excess;

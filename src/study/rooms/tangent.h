@@ -7,13 +7,14 @@
 
 namespace flatray {
 
-/// How two orbits an infinitesimal way apart part, across the ray: apart by q, at an angle p. A flight of
-/// length t adds t p to q; a mirror of curvature k adds 2 k q / cos(incidence) to p and turns both round.
-/// In a magnetic field, of flights of curvature b, q'' = -b^2 q; and as the neighbour comes to the mirror
-/// q tan(incidence) later and flies off it as much earlier, its direction turns by b for each.
+/// How two orbits an infinitesimal way apart part, across the ray: apart by q, at an angle p. A
+/// flight of length t adds t p to q; a mirror of curvature k adds 2 k q / cos(incidence) to p and
+/// turns both round. In a magnetic field, of flights of curvature b, q'' = -b^2 q; and as the
+/// neighbour comes to the mirror q tan(incidence) later and flies off it as much earlier, its
+/// direction turns by b for each.
 ///
-/// Glass keeps q / cos along the wall, and the index times the cosine times the angle to its normal, which turns by the
-/// curvature: q p times the index is kept, Snell's law differentiated.
+/// Glass keeps q / cos along the wall, and the index times the cosine times the angle to its
+/// normal, which turns by the curvature: q p times the index is kept, Snell's law differentiated.
 ///
 /// Units   any: lengths, curvatures and fields of one.
 /// Source  Sinai 1970; Berglund and Kunz 1996 for the field.

@@ -6,11 +6,12 @@
 namespace flatray {
 
 /// Walls by the way along each: a segment from its first end, an arc counter-clockwise from its
-/// beginning, a circle from its rightmost point, an ellipse from the end of its first half-diameter.
+/// beginning, a circle from its rightmost point, an ellipse from the end of its first
+/// half-diameter.
 ///
 /// Needs   `walls` to outlive it.
-/// Error   a few ulps of the largest coordinate; of ellipses some 1e-13 of the length where one axis is up
-///         to ten times the other.
+/// Error   a few ulps of the largest coordinate; of ellipses some 1e-13 of the length where one
+///         axis is up to ten times the other.
 /// Cost    1 us and under; lengths along ellipses and Bezier curves are summed up once.
 class WallPlaces {
  public:

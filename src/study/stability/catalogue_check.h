@@ -39,15 +39,15 @@ struct CatalogueTally {
 
 /// Needs   tracers that are not missing.
 /// Gives   a tally for each; all but `seconds` the same every time.
-/// Source  walls by oracle/nearest and oracle/long_orbit, t by the catalogue; of the legs of orbits,
-///         each from one bounce to the next, t by oracle/nearest for the wall they meet.
+/// Source  walls by oracle/nearest and oracle/long_orbit, t by the catalogue; of the legs of
+///         orbits, each from one bounce to the next, t by oracle/nearest for the wall they meet.
 /// Cost    mostly under 0.1 s a tracer, up to 0.7 s (A13).
 std::vector<CatalogueTally> check_case(const oracle::StiffCase& stiff,
                                        std::span<const Tracer* const> tracers);
 
-/// The same of contacts, which no tracer has a part in: each asked alone, and among many of its kind
-/// so that it goes through the lanes. `wrong` is of class and start, `in_batches` and `seconds` of
-/// contacts.
+/// The same of contacts, which no tracer has a part in: each asked alone, and among many of its
+/// kind so that it goes through the lanes. `wrong` is of class and start, `in_batches` and
+/// `seconds` of contacts.
 ///
 /// Source  class and t by the catalogue, class and start by oracle/contact.
 /// Cost    under 0.1 s.

@@ -17,8 +17,8 @@ struct Margin {
 };
 
 /// Of each leg of each ray of a scene's first frame the nearest end of a wall, or tangent of a
-/// circle; ascending; none of a leg that comes by neither. A scene without rays is asked with `count` random ones from its window, a leg
-/// each.
+/// circle; ascending; none of a leg that comes by neither. A scene without rays is asked with
+/// `count` random ones from its window, a leg each.
 ///
 /// Gives   distances in doubles; those of 0 are decided exactly. Arcs count with their ends, and
 ///         where they are of circles with their tangents.

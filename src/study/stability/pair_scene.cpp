@@ -27,8 +27,7 @@ Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context) {
   auto scene = std::make_shared<PairScene>(context, reference_budget(context));
   if (auto met = find_meetings(scene->timeline, scene->frames()); !met) return fail(std::move(met));
   if (scene->truth.compared.empty())
-    return fail(named_place(context.scene.name),
-                "the reference tells of no pair: " + scene->truth.words());
+    return fail(context.scene.where, "the reference tells of no pair: " + scene->truth.words());
   return scene;
 }
 

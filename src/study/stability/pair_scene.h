@@ -28,8 +28,8 @@ std::string no_pairs(const Scene& scene);
 Result<std::shared_ptr<PairScene>> pair_scene(const AccuracyContext& context);
 /// Unit, reference and what was cut of it; no settings yet.
 ChoiceSettings pair_settings(const PairScene& scene);
-/// Of what is found when it is asked: all is discretisation but, where pairs were cut, the doubt that
-/// the others leave, which is of sampling.
+/// Of what is found when it is asked: all is discretisation but, where pairs were cut, the doubt
+/// that the others leave, which is of sampling.
 std::function<Outcome()> judged_pairs(const std::shared_ptr<PairScene>& scene);
 
 }  // namespace flatray

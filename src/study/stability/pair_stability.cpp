@@ -47,8 +47,8 @@ bool count_verdict(StabilityTally& tally, std::uint64_t item, const HitInterval&
   return true;
 }
 
-// Of round bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they are not
-// apart, where it lasts as long.
+// Of round bodies that overlap for a while: an ulp outside of it they do not, an ulp inside they
+// are not apart, where it lasts as long.
 void check_while(StabilityTally& tally, const oracle::StraightPair& pair, const HitInterval& met) {
   const auto apart = [&](double at) { return oracle::apart_at(pair.a(), pair.b(), Rational(at)); };
   const double in = std::nextafter(met.t_enter, kInfinity),

@@ -19,9 +19,9 @@ inline constexpr std::uint64_t kPairsAChunk = 1024;
 
 /// Pairs `first` to `first + count - 1` of a family against the oracle.
 ///
-/// Gives   a tally for each method, pairs as rays: `other_wall` counts classes and starts that are wrong,
-///         times are those of the first and the last touch. Of turning pairs `not_nearest` counts
-///         intervals wider than asked, `by_rationals` what either side leaves undecided.
+/// Gives   a tally for each method, pairs as rays: `other_wall` counts classes and starts that are
+///         wrong, times are those of the first and the last touch. Of turning pairs `not_nearest`
+///         counts intervals wider than asked, `by_rationals` what either side leaves undecided.
 /// Cost    5 to 100 us a pair, some 300 of round ones, a ms of turning ones.
 std::vector<StabilityTally> check_pairs(const PairFamily& family, std::uint64_t seed,
                                         std::uint64_t first, std::uint64_t count);

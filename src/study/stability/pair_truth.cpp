@@ -19,8 +19,8 @@ namespace {
 
 using Pair = PairTruth::Pair;
 
-// An entity for a stretch of time. Parts lie as placed if it is straight, else as seen from where it
-// turns about.
+// An entity for a stretch of time. Parts lie as placed if it is straight, else as seen from where
+// it turns about.
 struct Body {
   std::vector<ShapePart> parts;
   RigidMotion motion;

@@ -25,8 +25,8 @@ struct PairTruth {
 ///
 /// Needs   last_frame as the timeline has it.
 /// Gives   pairs of which one moves; those never within each other's reach take no arithmetic.
-/// Cost    some 100 us for each two pieces, a ms of what is round or turns, and that each frame where
-///         motion is not straight.
+/// Cost    some 100 us for each two pieces, a ms of what is round or turns, and that each frame
+///         where motion is not straight.
 PairTruth pair_truth(const Timeline& timeline, unsigned last_frame, double seconds);
 
 /// Wrong pairs of those compared, split into those not seen and those not there.

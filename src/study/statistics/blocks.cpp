@@ -48,7 +48,7 @@ Result<void> run_in_order(const ExperimentContext& context, std::size_t count,
     results.put(block, std::move(result));
   });
   if (results.there() == count) return {};
-  return fail(named_place(context.scene.name),
+  return fail(context.scene.where,
               fmt::format("stopped after {} of {}", results.there(), counted(count, "block")));
 }
 

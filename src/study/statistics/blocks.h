@@ -15,8 +15,8 @@ namespace flatray {
 Result<std::vector<Numbers>> run_blocks(const ExperimentContext& context, std::size_t count,
                                         const std::function<Numbers(std::size_t)>& task);
 
-/// The same, each result given to `take` in the order of the blocks as soon as those before are, and
-/// not kept: memory does not grow with the number of blocks.
+/// The same, each result given to `take` in the order of the blocks as soon as those before are,
+/// and not kept: memory does not grow with the number of blocks.
 ///
 /// Needs   `take` to be called by one thread at a time, whichever.
 Result<void> fold_blocks(const ExperimentContext& context, std::size_t count,
@@ -29,7 +29,8 @@ Numbers numbers_of(const SumList& sums);
 /// Needs   what numbers_of() gives of an equal list.
 void add(const SumList& sums, std::span<const double> numbers);
 
-/// The same of tasks that put their results where they belong: a monitor counts them and keeps nothing.
+/// The same of tasks that put their results where they belong: a monitor counts them and keeps
+/// nothing.
 ///
 /// Needs   an experiment that does not go on from what was kept (ExperimentUses::resume).
 Result<void> run_tasks(const ExperimentContext& context, std::size_t count,
@@ -51,8 +52,9 @@ struct Blocks {
   }
 };
 
-/// Runs `task(begin, end, some)` for every block, items [begin, end), with sums of its own that begin as `sums` do,
-/// empty; adds all of them to `sums`, in the order of the blocks. What they are is their `list()`, a SumList.
+/// Runs `task(begin, end, some)` for every block, items [begin, end), with sums of its own that
+/// begin as `sums` do, empty; adds all of them to `sums`, in the order of the blocks. What they are
+/// is their `list()`, a SumList.
 template <class Sums, class Task>
 Result<void> sum_blocks(const ExperimentContext& context, const Blocks& blocks, Sums& sums,
                         const Task& task) {

@@ -18,17 +18,18 @@ struct RatioSums {
   ///
   /// Needs   two samples or more; of few the interval is wide, by Student's t.
   double standard_error() const;
-  /// By how much more than Student's t takes intervals must be wide to cover as often where samples are
-  /// skewed: 1 where they are no more so than by chance.
+  /// By how much more than Student's t takes intervals must be wide to cover as often where samples
+  /// are skewed: 1 where they are no more so than by chance.
   ///
-  /// Source  the Edgeworth expansion of a two-sided t (Hall 1992, The Bootstrap and Edgeworth Expansion,
-  ///         section 2.6): z^4 + 2 z^2 - 3 parts in 18 of skewness^2 / samples, at z = 1.96. Moving the interval, too
-  ///         (Johnson 1978), covers no better: of 32 orbits tails that are long on both sides are taken for skewness.
+  /// Source  the Edgeworth expansion of a two-sided t (Hall 1992, The Bootstrap and Edgeworth
+  ///         Expansion, section 2.6): z^4 + 2 z^2 - 3 parts in 18 of skewness^2 / samples, at z =
+  ///         1.96. Moving the interval, too (Johnson 1978), covers no better: of 32 orbits tails
+  ///         that are long on both sides are taken for skewness.
   double widening() const;
   /// The ratio as a measure, without an error where there is a sample alone.
   Measure measure(std::string name, std::optional<double> expected = std::nullopt) const;
-  /// A share of samples that are counted, without an error where fewer than ten are of one kind: its
-  /// spread says too little then, and of none nothing.
+  /// A share of samples that are counted, without an error where fewer than ten are of one kind:
+  /// its spread says too little then, and of none nothing.
   Measure share(std::string name, std::string remark = {}) const;
 
   void append_to(SumList& list);
@@ -50,8 +51,9 @@ double student_95(double freedom);
 double chi_squared_95(double freedom);
 double chi_squared_5(double freedom);
 
-/// Half of the interval of a root mean square of `count` normal numbers, as a part of it, that holds the true
-/// one in 95 % of all runs: it is seldom more too small, and hardly ever as much too large.
+/// Half of the interval of a root mean square of `count` normal numbers, as a part of it, that
+/// holds the true one in 95 % of all runs: it is seldom more too small, and hardly ever as much too
+/// large.
 double half_of_rms(double count);
 
 /// Half of the interval that covers the truth in 95 % of all runs; none without a standard error.
@@ -61,8 +63,8 @@ std::optional<Range> interval(const Measure& measure);
 /// An end of it in a table; null where there is none.
 JsonValue end_cell(const Measure& measure, double Range::*end);
 
-/// Whether a measure lies near enough to what is expected, where anything is: by its standard error,
-/// or as far as rounding is allowed to take it.
+/// Whether a measure lies near enough to what is expected, where anything is: by its standard
+/// error, or as far as rounding is allowed to take it.
 bool agrees(const Measure& measure);
 /// That in a word: "yes" or "no", nothing where it cannot be said.
 std::optional<std::string> verdict(const Measure& measure);

@@ -9,8 +9,8 @@ struct MedianInterval {
   double confidence = 0;  ///< the share of draws whose interval holds it, at the least
 };
 
-/// From order statistics, whatever the distribution: the two values between which the number that lie
-/// below the true median, binomial with 1/2, stays with at least `confidence`.
+/// From order statistics, whatever the distribution: the two values between which the number that
+/// lie below the true median, binomial with 1/2, stays with at least `confidence`.
 ///
 /// Needs   values drawn independently, at least one. Where all of them are too few for `confidence`
 ///         the interval is their range, whose confidence is less.

@@ -20,7 +20,8 @@ class StreamingHistogram {
   /// NAME.csv of these rows, and NAME.npy (base/npy.h) with a caption.
   void add_files(ExperimentResult& result, const std::string& name,
                  const std::string& caption) const;
-  /// Pearson's sum of (counted - even)^2 / even over the bins, if numbers were equally likely in all.
+  /// Pearson's sum of (counted - even)^2 / even over the bins, if numbers were equally likely in
+  /// all.
   double chi_squared_of_even() const;
 
   void append_to(SumList& list) {

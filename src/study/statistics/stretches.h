@@ -3,7 +3,8 @@
 
 namespace flatray {
 
-/// What of one long run falls into a stretch of it: the ratio of all x to all y is what is measured.
+/// What of one long run falls into a stretch of it: the ratio of all x to all y is what is
+/// measured.
 struct Stretch {
   double x, y;
 };
@@ -13,8 +14,8 @@ inline constexpr std::size_t kStretches = 32;
 /// Events of a run that a stretch must have for the next one to depend little on it.
 inline constexpr std::size_t kLeastInStretch = 30;
 
-/// A mean over runs of which what follows each other is not independent, by batch means: stretches so
-/// long that they know little of each other.
+/// A mean over runs of which what follows each other is not independent, by batch means: stretches
+/// so long that they know little of each other.
 ///
 /// Needs   stretches in the order of their runs.
 /// Gives   no error, and a remark why, where there are fewer than kStretches, or where neighbours

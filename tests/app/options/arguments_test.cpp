@@ -70,6 +70,19 @@ TEST(Arguments, AListOptionTakesOneValueEachTime) {
   EXPECT_EQ(arguments.operands(), std::vector<std::string>{"scene.toml"});
 }
 
+// A key has the value said nearest: on the command line, in the environment, in a file.
+TEST(Arguments, KeysOfAllPlacesGoTogether) {
+  Arguments arguments = parse({"-D", "a=1"}, [](const char* name) {
+    return std::string_view(name) == "FLATRAY_DEFINE" ? "b=2" : nullptr;
+  });
+  arguments.add_farther("define", {"flatray.toml", {"a=9", "b=9", "c=3", "aa=4"}});
+  arguments.add_nearer("define", {"--profile", {"c=7"}});
+  EXPECT_EQ(arguments.list("define"), (std::vector<std::string>{"aa=4", "b=2", "a=1", "c=7"}));
+  const Arguments::Given& given = *arguments.find("define");
+  const char* const places[] = {"flatray.toml", "FLATRAY_DEFINE", "--define", "--profile"};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(given.where(i).source->name(), places[i]);
+}
+
 TEST(Arguments, LettersOfFlagsStandTogetherBeforeAValue) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"-qo", "x.png"}, {"-qox.png"}}) {

@@ -42,7 +42,7 @@ using Given = std::map<std::string, std::string>;
 // What is read of options given; problems as text.
 std::pair<Options, std::string> read(const Given& given) {
   Arguments arguments;
-  for (const auto& [name, value] : given) arguments.add(name, {"--" + name, {value}});
+  for (const auto& [name, value] : given) arguments.add_nearer(name, {"--" + name, {value}});
   Diagnostics problems;
   const auto options = read_options<Options>(arguments, problems);
   for (const Diagnostic& one : problems) EXPECT_EQ(one.trouble, Trouble::usage);
@@ -82,7 +82,7 @@ TEST(OptionTable, NumbersAreDigitsInRange) {
 
 TEST(OptionTable, AMistakeInTheEnvironmentNamesTheVariable) {
   Arguments arguments;
-  arguments.add("jobs", {"FLATRAY_JOBS", {"0"}});
+  arguments.add_nearer("jobs", {"FLATRAY_JOBS", {"0"}});
   Diagnostics problems;
   read_options<Options>(arguments, problems);
   EXPECT_EQ(format(problems),

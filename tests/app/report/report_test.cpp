@@ -46,6 +46,19 @@ TEST(Report, TextIsOfPartsAndResultsAreTheirOwn) {
 
 TEST(Report, WithoutResultsThereIsNoJson) { EXPECT_EQ(written("json", {.exit_code = 130}), ""); }
 
+// A copy of the arguments is what the verb warns with.
+TEST(Report, WarningsAreInTheObjectEvenWhereTheyAreNotPrinted) {
+  const Arguments given({{"json", {"--json", {}}}, {"quiet", {"-q", {}}}}, {"scene.toml"});
+  const Arguments of_verb = given;
+  report_warnings({{named_place("scene.toml"), "two lie in each other", "move one"}}, of_verb);
+  VerbOutput output{.results = Values{}};
+  const auto json = parse_json(flatray::written("test", given, output));
+  ASSERT_TRUE(json);
+  EXPECT_EQ(json_text(*json->find("warnings")),
+            R"([{"file":"scene.toml","message":"two lie in each other","hint":"move one"}])");
+  EXPECT_EQ(json_text(*json_written({.results = Values{}}).find("warnings")), "[]");
+}
+
 // Rows that are made when they are written take their time, too.
 TEST(Report, SecondsAreThoseUntilItIsWritten) {
   Table slow({"n"});

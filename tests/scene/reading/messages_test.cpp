@@ -100,6 +100,39 @@ TEST(Messages, AColourWithoutQuotesIsToldToWantThem) {
   EXPECT_NE(shown.find("colours are written in quotes"), std::string::npos) << shown;
 }
 
+// What is no TOML, the place, and the end of the hint.
+TEST(Messages, EverySyntaxErrorSaysWhatToWriteInstead) {
+  const struct {
+    const char *text, *place, *hint;
+  } kCases[] = {
+      {"x = \"abc", "2:9", "close the text with the quotes that open it"},
+      {"x = 'abc", "2:9", "close the text with the quotes that open it"},
+      {"x = \"\"\"abc", "2:11", "close the text with the quotes that open it"},
+      {"x = \"a\\q\"", "2:8", "or the text in single quotes: 'a\\b'"},
+      {"fps 3", "2:5", "write key = value; a table is [table]"},
+      {"x =", "2:4", "write a value after =, such as 12, true, \"word\" or [1, 2]"},
+      {"x = [1, 2", "2:9", "close the array with ]: [1, 2]"},
+      {"x = [1 2]", "2:8", "part values by commas, and close the array with ]: [1, 2]"},
+      {"x = { a = 1 ", "2:13", "stands in one line: { a = 1, b = 2 }"},
+      {"x = { a = 1, }", "2:14", "leave out the comma before }"},
+      {"[film", "2:6", "[table], or [[entry]] of several"},
+      {"[[entity]", "2:10", "[table], or [[entry]] of several"},
+      {"flatray = 2", "2:11", "a key or table stands once: leave one of them out"},
+      {"x = abc", "2:5", "words are written in quotes: \"word\""},
+      {"x = True", "2:5", "write true or false; words are written in quotes: \"word\""},
+      {"x = 1 y = 2", "2:7", "write one key = value a line, and decimals with a point"},
+      {"x = 1;", "2:5", "nothing but a comment follows a value in its line"},
+      {"x = 05", "2:5", "leave out the zeros it begins with"},
+      {"x = 0x", "2:5", "numbers are written like 12, -0.5 or 1e-3"},
+      {"// text", "2:1", "a line is key = value, [table], [[entry]] or # a comment"},
+  };
+  for (const auto& [text, place, hint] : kCases) {
+    const std::string shown = refusal(std::string("flatray = 1\n") + text + "\n");
+    EXPECT_TRUE(shown.starts_with(std::string("t.toml:") + place + ": error: ")) << shown;
+    EXPECT_TRUE(shown.ends_with(hint + std::string("\n"))) << shown;
+  }
+}
+
 TEST(Messages, AllMistakesComeTogetherInTheOrderOfTheSource) {
   const std::string shown = refusal(R"(flatray = 1
 [camera]

@@ -76,6 +76,18 @@ TEST(Overrides, MistakesAreUsageErrorsThatNameTheKey) {
   }
 }
 
+// A line of flatray.toml, a variable and a sweep, as messages name them.
+TEST(Overrides, MistakesAreToldWhereTheyAreSaid) {
+  const auto file = std::make_shared<const SourceText>("flatray.toml", "define = ['fps=0']\n");
+  const Place in_file{file, 10, 7};
+  EXPECT_EQ(refusal(kScene, {{"fps", "0", in_file}}),
+            "flatray.toml:1:11: error: fps is not above 0\n    define = ['fps=0']\n"
+            "              ^~~~~~~  write frames a second\n");
+  EXPECT_TRUE(refusal(kScene, {{"fps", "[", in_file}}).starts_with("flatray.toml:1:11: error:"));
+  EXPECT_TRUE(refusal(kScene, {{"fps", "0", named_place("FLATRAY_DEFINE")}})
+                  .starts_with("FLATRAY_DEFINE fps:1:7: error: fps is not above 0\n"));
+}
+
 TEST(StiffCases, E3SizesFromTheCommandLineAreUsageErrors) {
   for (const char* size : {"[0, 1]", "[-1, 1]", "[2147483648, 1]", "[4294967297, 1]",
                            "[65536, 65536]", "[1e9, 1e9]"}) {

@@ -30,14 +30,15 @@ void expect_refused(const std::string& text, const std::string& words, std::uint
 }
 
 TEST(EveryChamberExperiment, RefusesWhatItCannotMeasure) {
-  expect_refused("film = { size = [9, 9] }\n", "has no chamber for orbits to stay in");
+  expect_refused("film = { size = [9, 9] }\n",
+                 ".toml: error: has no chamber for orbits to stay in");
   expect_refused("[[chamber]]\nshape = { segment = { from = [0, 0], to = [1, 0] } }\n",
                  "the chamber is open");
-  expect_refused(kBox + "material = \"absorb\"\n", "has walls that absorb");
+  expect_refused(kBox + "material = \"absorb\"\n", "room.toml:2:1: error: has walls that absorb");
   expect_refused(kBox + "material = \"periodic\"\n", "has nothing to bounce off");
   expect_refused(
       kBox + "[[entity]]\nmaterial = \"mirror\"\nshape = { circle = { radius = 0.1 } }\n",
-      "has entities that rays meet beside its chamber");
+      "rays meet this entity beside the chamber");
   expect_refused(kBox, "an orbit without bounces measures nothing", 0);
   expect_refused(kBox, "one orbit alone has no error", 1000, 1000);
   const Scene scene = scene_of(kBox);
