@@ -146,7 +146,7 @@ struct ChainReader {
     split(table);
     if (rows.empty())
       in().problem(table.where, fmt::format("chain '{}' has no states", chain.name),
-                   "write STATE = { STATE = 1 }");
+                   "write STATE = { STATE = 1 }, states in upper case");
     if (rows.size() > kMaxStates)
       return in().problem(table.where,
                           fmt::format("chain '{}' has {} states", chain.name, rows.size()),

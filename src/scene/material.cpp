@@ -108,6 +108,15 @@ std::unique_ptr<const Scatterer> mixture(const LightShares& shares, Material for
 std::optional<ReadMaterial> read_material(Builder& builder, const Field& field,
                                           std::span<const Word<Material>> words) {
   if (field.value.kind != Value::Kind::table) {
+    const std::string& text = field.value.text;
+    const auto is_word = [&](const auto& word) { return word.first == text; };
+    const auto is_type = [&](const auto* type) { return type->name == text; };
+    if (std::ranges::none_of(words, is_word) && std::ranges::any_of(material_types(), is_type)) {
+      builder.in.problem(field.value.where,
+                         fmt::format("{} '{}' has numbers of its own", field.name, text),
+                         fmt::format("write {{ {} = {{}} }}", text));
+      return std::nullopt;
+    }
     const auto material = builder.in.word<Material>(field, words);
     return material ? std::optional(ReadMaterial{*material}) : std::nullopt;
   }

@@ -48,7 +48,7 @@ TEST(Responses, WhatDoesNotKeepItsVelocityIsRefusedWhereItSaysSo) {
       {responding("respond = \"bounce\"", ""), "did you mean 'response'?"},
       {responding("most = 0", ""), "collisions.most"},
       {responding("shown = 0", ""), "collisions.shown is not above 0"},
-      {responding("ghosts = { width = -1 }", ""), "stroke.width is not above 0"},
+      {responding("ghosts = { width = -1 }", ""), "ghosts.width is not above 0"},
       {responding("", "markov = { chain = \"c\", hit = \"B\" }", "markov.c = { A = { A = 1 } }\n"),
        "'B'"},
       {responding("", "markov = { chain = \"c\", hit = \"A\" }", "markov.c = { A = { A = 1 } }\n"),

@@ -111,7 +111,8 @@ bool is_none(const Value& value) {
 
 bool read_stroke(Builder& builder, const Field& field, Stroke& stroke) {
   const std::size_t problems = builder.in.problems.size();
-  read_keys<Stroke>(builder, field.value, "stroke", kStrokeKeys, stroke);
+  const std::string name = field.name.substr(field.name.rfind('.') + 1);  // or bounding_box
+  read_keys<Stroke>(builder, field.value, name, kStrokeKeys, stroke);
   const Member* both = field.value.find("width") ? field.value.find("width_px") : nullptr;
   if (both != nullptr)
     builder.in.problem(both->where, "stroke has both width and width_px",

@@ -77,7 +77,7 @@ TEST(Motion, RefusalsSayWhatToWrite) {
       {disc("velocity = [{ keys = [[0, 1]] }, 0]"), "entity.velocity[0] cannot change with time"},
       {disc("velocity = { keys = [[0, [1, 0]]] }"), "entity.velocity cannot change with time"},
       {disc("bounding_box = { width = { keys = [[0, 1]] } }"),
-       "stroke.width cannot change with time"},
+       "bounding_box.width cannot change with time"},
       {disc("stroke = { width = { keys = [[0, 1], [1, -1]] } }"), "stroke.width goes below 0"},
       {"flatray = 1\nfps = { keys = [[0, 1]] }", "fps cannot change with time"},
       {"flatray = 1\ncamera = { zoom = 0 }", "camera.zoom is not above 0"},
