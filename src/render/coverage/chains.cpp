@@ -79,7 +79,7 @@ void go_straight(const Vec2& point, Chain& chain) {
 template <class Curve>
 void add_chords(const Curve& at, double chords, Chain& chain) {
   Place from = at(0);
-  for (double i = 1; i <= chords; ++i) {
+  for (int i = 1; i <= static_cast<int>(chords); ++i) {
     const Place to = at(i / chords);
     go_to(to, from.ahead, chain);
     from = to;
@@ -141,7 +141,7 @@ void add_curve(const Bezier& curve, Chain& chain) {
       return Place{s < 1 ? point_at(curve, s) : curve.end(), ahead_at(curve, s)};
     };
     const double chords = std::min(wanted, kMostChords) * (cuts[k + 1] - cuts[k]);
-    add_chords(at, std::max(std::ceil(chords), 1.0), chain);
+    add_chords(at, std::max(1.0, std::ceil(chords)), chain);
   }
 }
 

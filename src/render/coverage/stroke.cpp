@@ -57,9 +57,9 @@ class LineOutline {
   void add(const ChainLeg& leg, std::vector<ChainLeg>& legs) const {
     if (is_one_chord(leg.from, leg.to, 0.25 * kCapSagitta_px)) return legs.push_back(leg);
     const double angle = angle_of(leg.from, leg.to);
-    const double parts = std::ceil(2 * chords_ * std::fabs(angle) / kHalfTurn);
-    const auto at = [&](double i) { return leg.a + i / parts * (leg.b - leg.a); };
-    for (double i = 0; i < parts; ++i)
+    const int parts = static_cast<int>(std::ceil(2 * chords_ * std::fabs(angle) / kHalfTurn));
+    const auto at = [&](double i) -> Vec2 { return leg.a + i / parts * (leg.b - leg.a); };
+    for (int i = 0; i < parts; ++i)
       legs.push_back({at(i), i + 1 < parts ? at(i + 1) : leg.b, i > 0 ? legs.back().to : leg.from,
                       i + 1 < parts ? turned(leg.from, angle * (i + 1) / parts) : leg.to,
                       leg.length / parts});
@@ -148,8 +148,8 @@ class LineOutline {
 
   // The points between the ends of an arc.
   void arc(const Vec2& centre, const Vec2& from, double angle, Ring& ring) const {
-    const double chords = std::ceil(angle / kHalfTurn * chords_);
-    for (double i = 1; i < chords; ++i) ring.go_to(centre + turned(from, angle * i / chords));
+    const int chords = static_cast<int>(std::ceil(angle / kHalfTurn * chords_));
+    for (int i = 1; i < chords; ++i) ring.go_to(centre + turned(from, angle * i / chords));
   }
 
   const LineStyle style_;
