@@ -127,11 +127,13 @@ Chain arc_chain(const Vec2& centre, double radius, double from, double sweep) {
 // A pen square to the arc covers a sector of a ring; one longer than the radius on both sides of the
 // centre a sector each way.
 TEST(Strokes, AWideArcIsItsSectorOfARing) {
-  for (const double sweep : {0.2, 1.0, 2.5, -2.5})
+  for (const double sweep : {0.2, 1.0, -2.5, 4.0})
     for (const double radius : {1.0, 2.0, 4.5})
       for (const double half : {0.5, 1.0, 3.0, 4.5}) {
         const double outer = radius + half, inner = radius - half;
-        const double area = std::abs(sweep) / 2 * (outer * outer - inner * std::abs(inner));
+        const double across =
+            inner > 0 ? -std::abs(sweep) : std::min(std::abs(sweep), kTurn - std::abs(sweep));
+        const double area = (std::abs(sweep) * outer * outer + across * inner * inner) / 2;
         const double most = std::abs(sweep) * (outer + std::abs(inner)) * kCapSagitta_px;
         EXPECT_NEAR(area_of(arc_chain({10, 10}, radius, 0.3, sweep),
                             {half, LineJoin::bevel, LineCap::butt}),
@@ -198,7 +200,10 @@ TEST(Strokes, TheOuterEdgeOfACurveIsWithinTheSagitta) {
     Draws draws(17, item);
     const double half = std::exp2(-3 + 11 * draws.unit()), size = std::exp2(1 + 7 * draws.unit());
     const auto point = [&] { return Vec2(size * draws.unit(), size * draws.unit()); };
-    const Bezier curve(point(), point(), point(), point());
+    const double near = size * std::exp2(-6 - 8 * draws.unit());  // to a cusp
+    const Bezier curve = item % 4 == 1
+                             ? Bezier(point(), point(), point(), point())
+                             : Bezier({0, 0}, {size - near, size}, {near, size}, {size, 0});
     const EllipseArc arc{point(),
                          {size, 0},
                          {0, size * (0.05 + draws.unit())},
