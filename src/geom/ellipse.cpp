@@ -25,13 +25,9 @@ void go_to(const Vec2& point, std::vector<Vec2>& points) {
 }
 
 void flatten(const EllipseArc& arc, double sagitta, std::vector<Vec2>& points) {
-  // A chord of a circle under angle a lies within r (1 - cos(a / 2)) <= r a^2 / 8 of it; the
-  // ellipse is its affine image, which stretches no distance more than this.
-  const double reach = std::sqrt(arc.u.squaredNorm() + arc.v.squaredNorm());
-  const double step = std::max(std::sqrt(8 * sagitta / reach), 2 * kPi / kMostChords);
-  const double chords = std::ceil(std::abs(arc.sweep) / std::min(step, kPi / 4));
+  const double chords = chord_count(arc, sagitta);
   go_to(arc.start(), points);
-  if (reach == 0) return;
+  if (chords == 0) return;
   for (double i = 1; i < chords; ++i) go_to(arc.at(arc.from + arc.sweep * (i / chords)), points);
   go_to(arc.end(), points);
 }
@@ -69,6 +65,15 @@ Bounds path_bounds(const ArcPath& path) {
     for (const MonotoneArc& part : monotone_parts(arc)) bounds.add(part.b);
   }
   return bounds;
+}
+
+double chord_count(const EllipseArc& arc, double sagitta) {
+  // A chord of a circle under angle a lies within r (1 - cos(a / 2)) <= r a^2 / 8 of it; the
+  // ellipse is its affine image, which stretches no distance more than this.
+  const double reach = std::sqrt(arc.u.squaredNorm() + arc.v.squaredNorm());
+  if (reach == 0) return 0;
+  const double step = std::max(std::sqrt(8 * sagitta / reach), 2 * kPi / kMostChords);
+  return std::ceil(std::abs(arc.sweep) / std::min(step, kPi / 4));
 }
 
 std::vector<Vec2> flattened(const ArcPath& path, double sagitta) {

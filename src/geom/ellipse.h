@@ -47,6 +47,9 @@ std::vector<MonotoneArc> monotone_parts(const EllipseArc& arc);
 /// Box around a path.
 Bounds path_bounds(const ArcPath& path);
 
+/// Chords that stay within `sagitta` of an arc, as many as `flattened` takes; none of a point.
+double chord_count(const EllipseArc& arc, double sagitta);
+
 /// Points along a path, both ends among them; a closed path's first point comes again as its last.
 ///
 /// Gives   chords that stay within `sagitta` of the arcs they replace, if a full turn needs no more

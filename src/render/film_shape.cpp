@@ -53,36 +53,12 @@ void add_chains(const ArcPath& path, std::vector<Chain>& chains) {
     if (arc.u != Vec2(0, 0)) chains.push_back(chain_of({{arc}, true}));
 }
 
-// Chords within 1/256 of a pixel of the curves: a degree of n and second differences of the control
-// points up to D bend no further from k chords than n (n - 1) D / (8 k^2).
-std::vector<std::vector<Vec2>> chords_of(const std::vector<Bezier>& curves) {
-  constexpr double kSagitta_px = 1.0 / 256, kMostChords = 4096;
-  std::vector<std::vector<Vec2>> lines;
-  for (const Bezier& curve : curves) {
-    if (lines.empty() || lines.back().back() != curve.start()) lines.push_back({curve.start()});
-    double bend = 0;
-    for (int k = 0; k + 2 <= curve.degree; ++k)
-      bend = std::max(bend,
-                      (curve.point(k) - 2 * curve.point(k + 1) + curve.point(k + 2)).stableNorm());
-    const double degree = curve.degree;
-    const double wanted = std::sqrt(degree * (degree - 1) * bend / (8 * kSagitta_px));
-    const int chords = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, kMostChords));
-    for (int i = 1; i < chords; ++i)
-      lines.back().push_back(point_at(curve, static_cast<double>(i) / chords));
-    lines.back().push_back(curve.end());
-  }
-  return lines;
-}
-
 std::vector<Chain> chains_of(const FilmShape& shape) {
   std::vector<Chain> chains = rings_of(shape.edges);
   for (const std::vector<Vec2>& ring : shape.crossing_rings) chains.push_back({ring, true});
   for (Chain& line : chained(shape.segments)) chains.push_back(std::move(line));
   for (const ArcPath& path : shape.arc_paths) add_chains(path, chains);
-  for (const std::vector<Vec2>& line : shape.curves) {
-    const bool closed = line.front() == line.back() && line.size() > 3;
-    chains.push_back({{line.begin(), line.end() - (closed ? 1 : 0)}, closed});
-  }
+  chains.insert(chains.end(), shape.curves.begin(), shape.curves.end());
   return chains;
 }
 
@@ -110,7 +86,7 @@ FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
   for (const ArcPath& path : shape.arc_paths) there.arc_paths.push_back(posed(path, place));
   std::vector<Bezier> curves;
   for (const Bezier& curve : shape.beziers) curves.push_back(mapped(curve, film));
-  there.curves = chords_of(curves);
+  there.curves = chains_of(curves);
   return there;
 }
 

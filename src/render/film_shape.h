@@ -15,7 +15,7 @@ struct FilmShape {
   double cos = 1, sin = 0;  ///< of its turn in the world, with which dashes of circles begin
   std::vector<Segment> segments;
   std::vector<ArcPath> arc_paths;
-  std::vector<std::vector<Vec2>> curves;  ///< Bezier curves that follow one another, as chords
+  std::vector<Chain> curves;  ///< Bezier curves that follow one another
 };
 FilmShape film_shape(const Shape& shape, const Pose& world_from_shape,
                      const FilmTransform& film_from_world);

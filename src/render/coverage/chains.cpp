@@ -50,71 +50,174 @@ void close_if_back(Chain& chain) {
   if (chain.closed) chain.points.pop_back();
 }
 
-double length_of(const Vec2& a, const Vec2& b) { return std::sqrt((b - a).squaredNorm()); }
+// Points nearer to each other than this are one: less than a picture shows, more than positions on
+// a film and sums of lengths are rounded by.
+constexpr double kSame_px = 0x1p-20;
+constexpr double kCurveSagitta_px = 0.5 * kCapSagitta_px;  // the rest is for what the width adds
+
+// Of a curve: a point, and its direction there, (0, 0) where it has none.
+struct Place {
+  Vec2 point, ahead;
+};
+
+void go_to(const Place& to, const Vec2& from, Chain& chain) {
+  const Vec2 chord = to.point - chain.points.back();
+  if (chord == Vec2(0, 0)) return;
+  chain.points.push_back(to.point);
+  for (const Vec2& ahead : {from, to.ahead})
+    chain.ahead.push_back((ahead == Vec2(0, 0) ? chord : ahead).stableNormalized());
+}
+
+void go_straight(const Vec2& point, Chain& chain) {
+  if (chain.points.empty())
+    chain.points.push_back(point);
+  else if ((point - chain.points.back()).stableNorm() > kSame_px)
+    go_to({point, {0, 0}}, {0, 0}, chain);
+}
+
+// Goes on by chords of a curve over [0, 1].
+template <class Curve>
+void add_chords(const Curve& at, double chords, Chain& chain) {
+  Place from = at(0);
+  for (int i = 1; i <= static_cast<int>(chords); ++i) {
+    const Place to = at(i / chords);
+    go_to(to, from.ahead, chain);
+    from = to;
+  }
+}
+
+void add_arc(const EllipseArc& arc, Chain& chain) {
+  const double way = arc.sweep < 0 ? -1 : 1;
+  const EllipseArc ahead{{0, 0}, way * arc.v, -way * arc.u};
+  const auto at = [&](double s) {
+    const double t = arc.from + arc.sweep * s;
+    return Place{arc.at(t), ahead.at(t)};
+  };
+  go_straight(arc.start(), chain);
+  add_chords(at, chord_count(arc, kCurveSagitta_px), chain);
+}
+
+// Of control points that lie on an end, the next one tells the direction.
+Vec2 ahead_at(const Bezier& curve, double s) {
+  Vec2 ahead = tangent_at(curve, s);
+  for (int k = 2; ahead == Vec2(0, 0) && k <= curve.degree; ++k) {
+    if (s == 0) ahead = curve.point(k) - curve.start();
+    if (s == 1) ahead = curve.end() - curve.point(curve.degree - k);
+  }
+  return ahead;
+}
+
+// Parameters between which the curve turns to one side only, so that chords turn as their ends say.
+std::vector<double> bends(const Bezier& curve) {
+  std::vector<double> cuts{0};
+  if (curve.degree == 3) {
+    // The second derivative beside the first is proportional to c + b s + a s^2.
+    const Vec2 p = curve.point(1) - curve.start(), q = curve.point(2) - curve.point(1) - p,
+               r = curve.end() - curve.point(2) - p - 2 * q;
+    const double a = cross(q, r), b = cross(p, r), c = cross(p, q);
+    const double h = b + std::copysign(std::sqrt(std::max(b * b - 4 * a * c, 0.0)), b);
+    for (const double s : {-h / (2 * a), -2 * c / h})
+      if (s > 0 && s < 1) cuts.push_back(s);
+    std::sort(cuts.begin(), cuts.end());
+  }
+  cuts.push_back(1);
+  return cuts;
+}
+
+// A degree of n and second differences of the control points up to D bend no further from k chords
+// than n (n - 1) D / (8 k^2).
+void add_curve(const Bezier& curve, Chain& chain) {
+  constexpr double kMostChords = 4096;
+  double bend = 0;
+  for (int k = 0; k + 2 <= curve.degree; ++k)
+    bend =
+        std::max(bend, (curve.point(k) - 2 * curve.point(k + 1) + curve.point(k + 2)).stableNorm());
+  const double wanted =
+      std::sqrt(curve.degree * (curve.degree - 1) * bend / (8 * kCurveSagitta_px));
+  const std::vector<double> cuts = bends(curve);
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const auto at = [&](double part) {
+      const double s = part < 1 ? cuts[k] + part * (cuts[k + 1] - cuts[k]) : cuts[k + 1];
+      return Place{s < 1 ? point_at(curve, s) : curve.end(), ahead_at(curve, s)};
+    };
+    const double chords = std::min(wanted, kMostChords) * (cuts[k + 1] - cuts[k]);
+    add_chords(at, std::max(1.0, std::ceil(chords)), chain);
+  }
+}
 
 // Walks a chain and cuts it.
 class Dasher {
  public:
   Dasher(std::span<const double> lengths, double offset) : lengths_(lengths) {
     const double period = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    left_ = offset - period * std::floor(offset / period);
-    while (left_ > 0 && left_ >= lengths_[index_] && index_ + 1 < lengths_.size())
-      left_ -= lengths_[index_++];
-    left_ = std::max(lengths_[index_] - left_, 0.0);
-  }
-
-  void walk(const std::vector<Vec2>& points) {
-    started_on_ = is_line();
-    if (started_on_) dash_.points.push_back(points.front());
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) leg(points[i], points[i + 1]);
-  }
-
-  // `joined`: the walk came back to where it began.
-  std::vector<Chain> finish(bool joined) {
-    if (dash_.points.size() < 2) return std::move(dashes_);  // none, or one that begins at the end
-    if (joined && dashes_.empty() && started_on_) close_if_back(dash_);
-    if (joined && started_on_ && !dashes_.empty()) {
-      Chain& first = dashes_.front();
-      dash_.points.insert(dash_.points.end(), first.points.begin() + 1, first.points.end());
-      first.points = std::move(dash_.points);
-    } else {
-      dashes_.push_back(std::move(dash_));
+    double passed = std::fmod(offset, period);
+    if (passed < 0) passed += period;
+    while (passed > kSame_px && passed >= lengths_[index_] - kSame_px) {
+      passed -= lengths_[index_];
+      index_ = (index_ + 1) % lengths_.size();
     }
+    left_ = std::max(lengths_[index_] - passed, 0.0);
+  }
+
+  std::vector<Chain> walk(const std::vector<ChainLeg>& legs, bool closed) {
+    const bool starts = is_line();
+    if (starts) dash_.points.push_back(legs.front().a);
+    for (const ChainLeg& leg : legs) walk(leg);
+    const bool unfinished = dash_.points.size() > 1;  // one that begins at the end is none
+    if (unfinished) dashes_.push_back(std::move(dash_));
+    if (closed && starts && (unfinished || (ended_ && !is_line()))) join_ends();
     return std::move(dashes_);
   }
 
  private:
   bool is_line() const { return index_ % 2 == 0; }
 
-  void leg(const Vec2& a, const Vec2& b) {
-    const double length = length_of(a, b);
-    if (!(length > 0)) return;
-    const Vec2 ahead = (b - a) / length;
+  void walk(const ChainLeg& leg) {
+    Vec2 from = leg.from;
+    const auto go_to = [&](const Vec2& point, const Vec2& to) {
+      dash_.points.push_back(point);
+      dash_.ahead.insert(dash_.ahead.end(), {from, to});
+    };
     double at = 0;
-    while (left_ <= length - at) {
+    ended_ = false;
+    while (left_ <= leg.length - at + kSame_px) {
       at += left_;
-      cut(a + at * ahead, ahead);
+      const double part = at < leg.length ? at / leg.length : 1;
+      const Vec2 ahead = (leg.from + part * (leg.to - leg.from)).stableNormalized();
+      ended_ = at >= leg.length - kSame_px;
+      const Vec2 point = ended_ ? leg.b : leg.a + part * (leg.b - leg.a);
+      if (is_line()) {
+        go_to(point, ahead);
+        dashes_.push_back(std::move(dash_));
+      }
+      dash_ = {};
+      index_ = (index_ + 1) % lengths_.size();
+      left_ = lengths_[index_];
+      if (is_line()) dash_.points.push_back(point);
+      from = ahead;
     }
-    left_ -= length - at;
-    if (is_line() && at < length) dash_.points.push_back(b);
+    left_ -= leg.length - at;
+    if (is_line() && !ended_) go_to(leg.b, leg.to);
   }
 
-  void cut(const Vec2& point, const Vec2& ahead) {
-    if (is_line()) {
-      dash_.points.push_back(point);
-      dash_.ahead = ahead;
-      dashes_.push_back(std::move(dash_));
+  // The last dash ends where the first begins.
+  void join_ends() {
+    Chain last = std::move(dashes_.back());
+    dashes_.pop_back();
+    if (dashes_.empty()) {
+      close_if_back(last);
+      return dashes_.push_back(std::move(last));
     }
-    dash_ = {};
-    index_ = (index_ + 1) % lengths_.size();
-    left_ = lengths_[index_];
-    if (is_line()) dash_.points.push_back(point);
+    Chain& first = dashes_.front();
+    last.points.insert(last.points.end(), first.points.begin() + 1, first.points.end());
+    last.ahead.insert(last.ahead.end(), first.ahead.begin(), first.ahead.end());
+    first = std::move(last);
   }
 
   std::span<const double> lengths_;
   std::size_t index_ = 0;
-  double left_ = 0;  // of the present line or gap
-  bool started_on_ = false;
+  double left_ = 0;     // of the present line or gap
+  bool ended_ = false;  // at the end of the leg
   Chain dash_;
   std::vector<Chain> dashes_;
 };
@@ -153,23 +256,35 @@ std::vector<Chain> rings_of(std::span<const Segment> edges) {
 }
 
 Chain chain_of(const ArcPath& film_path) {
-  Chain chain{flattened(film_path, kCapSagitta_px)};
-  if (film_path.closed) close_if_back(chain);
+  Chain chain;
+  for (const EllipseArc& arc : film_path.arcs) add_arc(arc, chain);
+  if (!film_path.closed) return chain;
+  go_straight(chain.points.front(), chain);
+  chain.points.back() = chain.points.front();
+  close_if_back(chain);
   return chain;
+}
+
+std::vector<Chain> chains_of(std::span<const Bezier> film_curves) {
+  std::vector<Chain> chains;
+  for (const Bezier& curve : film_curves) {
+    if (chains.empty() || chains.back().points.back() != curve.start())
+      chains.push_back({{curve.start()}});
+    add_curve(curve, chains.back());
+  }
+  for (Chain& chain : chains) close_if_back(chain);
+  return chains;
 }
 
 std::vector<Chain> dashed(const Chain& chain, std::span<const double> lengths, double offset) {
   constexpr double kMostDashes = 1e6;
-  std::vector<Vec2> points = chain.points;
-  if (chain.closed) points.push_back(points.front());
+  const std::vector<ChainLeg> legs = legs_of(chain);
   double length = 0;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) length += length_of(points[i], points[i + 1]);
+  for (const ChainLeg& leg : legs) length += leg.length;
   const double period = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   const double count = length / period * static_cast<double>(lengths.size() / 2);
   if (!(count <= kMostDashes) || !(length > 0)) return {chain};
-  Dasher dasher(lengths, offset);
-  dasher.walk(points);
-  return dasher.finish(chain.closed);
+  return Dasher(lengths, offset).walk(legs, chain.closed);
 }
 
 }  // namespace flatray

@@ -13,8 +13,10 @@ std::vector<Chain> chained(std::span<const Segment> lines);
 /// Cost    O(n log n), O(n) where they come in turn.
 std::vector<Chain> rings_of(std::span<const Segment> edges);
 
-/// A path of arcs by chords, within kCapSagitta_px of it.
+/// A path of arcs, and Bezier curves that follow one another, by chords with the curves' directions,
+/// within half of kCapSagitta_px of them.
 Chain chain_of(const ArcPath& film_path);
+std::vector<Chain> chains_of(std::span<const Bezier> film_curves);
 
 /// The dashes of a chain; all of it where it has more than 10^6 of them.
 ///

@@ -17,14 +17,6 @@ int half_circle_chords(double radius) {
 
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
-// A straight part of a chain, and the offset of its right side.
-struct Leg {
-  Vec2 a, b, ahead, side;
-  double length;
-
-  Leg back() const { return {b, a, -ahead, -side, length}; }
-};
-
 // One ring of directed edges.
 class Ring {
  public:
@@ -46,9 +38,9 @@ class LineOutline {
   LineOutline(const LineStyle& style, std::vector<Segment>& edges, std::uint64_t most)
       : style_(style), chords_(half_circle_chords(style.half_width)), edges_(edges), most_(most) {}
 
-  void open(const std::vector<Leg>& legs) {
-    const std::vector<Leg> back = backward(legs);
-    Ring ring(legs.front().a + legs.front().side, edges_);
+  void open(const std::vector<ChainLeg>& legs) const {
+    const std::vector<ChainLeg> back = backward(legs);
+    Ring ring(legs.front().a + side(legs.front().from), edges_);
     right_side(legs, ring);
     cap(legs.back(), ring);
     right_side(back, ring);
@@ -56,82 +48,108 @@ class LineOutline {
     ring.close();
   }
 
-  void closed(const std::vector<Leg>& legs) {
+  void closed(const std::vector<ChainLeg>& legs) const {
     one_side(legs);
     one_side(backward(legs));
   }
 
-  void dot(const Vec2& point, const Vec2& ahead) {
-    if (style_.caps == LineCap::butt) return;
-    const Vec2 side = -style_.half_width * left_of(ahead);
-    const Leg leg{point, point, ahead, side, 0};
-    Ring ring(point + side, edges_);
-    cap(leg, ring);
-    cap(leg.back(), ring);
-    ring.close();
+  // Adds a leg, in parts where it turns by more than one chord may.
+  void add(const ChainLeg& leg, std::vector<ChainLeg>& legs) const {
+    if (is_one_chord(leg.from, leg.to, 0.25 * kCapSagitta_px)) return legs.push_back(leg);
+    const double angle = angle_of(leg.from, leg.to);
+    const int parts = static_cast<int>(std::ceil(2 * chords_ * std::fabs(angle) / kHalfTurn));
+    const auto at = [&](double i) -> Vec2 { return leg.a + i / parts * (leg.b - leg.a); };
+    for (int i = 0; i < parts; ++i)
+      legs.push_back({at(i), i + 1 < parts ? at(i + 1) : leg.b, i > 0 ? legs.back().to : leg.from,
+                      i + 1 < parts ? turned(leg.from, angle * (i + 1) / parts) : leg.to,
+                      leg.length / parts});
   }
 
  private:
-  static std::vector<Leg> backward(const std::vector<Leg>& legs) {
-    std::vector<Leg> back;
+  static constexpr double kHalfTurn = std::numbers::pi;
+
+  static std::vector<ChainLeg> backward(const std::vector<ChainLeg>& legs) {
+    std::vector<ChainLeg> back;
     for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) back.push_back(leg->back());
     return back;
   }
 
-  void right_side(const std::vector<Leg>& legs, Ring& ring) const {
+  // The offset of the right side.
+  Vec2 side(const Vec2& ahead) const { return -style_.half_width * left_of(ahead); }
+
+  static double angle_of(const Vec2& from, const Vec2& to) {
+    const double turn = cross(from, to);
+    return turn == 0 ? kHalfTurn : portable::atan2(turn, from.dot(to));
+  }
+  bool is_one_chord(const Vec2& from, const Vec2& to, double sagitta) const {
+    return (side(to) - side(from)).squaredNorm() <= 8 * sagitta * style_.half_width;
+  }
+
+  void right_side(const std::vector<ChainLeg>& legs, Ring& ring) const {
     for (std::size_t i = 0; i < legs.size() && edges_.size() <= most_; ++i) {
-      ring.go_to(legs[i].b + legs[i].side);
+      go_along(legs[i], ring);
       if (i + 1 < legs.size()) join(legs[i], legs[i + 1], ring);
     }
   }
 
-  void one_side(const std::vector<Leg>& legs) const {
-    Ring ring(legs.front().a + legs.front().side, edges_);
+  void one_side(const std::vector<ChainLeg>& legs) const {
+    Ring ring(legs.front().a + side(legs.front().from), edges_);
     right_side(legs, ring);
     join(legs.back(), legs.front(), ring);
     ring.close();
   }
 
+  // Where the right sides of both ends cross, the line is wider than the leg's circle, and what
+  // lies beyond the crossing is passed the other way round: it winds as all the rest.
+  void go_along(const ChainLeg& leg, Ring& ring) const {
+    const Vec2 along = leg.b - leg.a, from = side(leg.from), to = side(leg.to);
+    const double turn = cross(from, to), ahead = cross(along, to), behind = cross(along, from);
+    if (turn < 0 && turn < std::min(ahead, behind)) {
+      const Vec2 crossing = leg.a + std::max(ahead / turn, 0.0) * from;
+      for (const Vec2& point : {crossing, Vec2(leg.b + to), Vec2(leg.a + from), crossing})
+        ring.go_to(point);
+    }
+    ring.go_to(leg.b + to);
+  }
+
   // From the right side of one leg to that of the next, round the point they share.
-  void join(const Leg& from, const Leg& to, Ring& ring) const {
-    const double turn = cross(from.ahead, to.ahead), along = from.ahead.dot(to.ahead);
-    const Vec2& pivot = from.b;
+  void join(const ChainLeg& from, const ChainLeg& to, Ring& ring) const {
+    if (from.to == to.from) return;
+    const double turn = cross(from.to, to.from), along = from.to.dot(to.from);
+    const Vec2 &pivot = from.b, begin = side(from.to), end = side(to.from);
     if (turn < 0) {
       // On the inside both sides pass the pivot, unless each leg covers where the other begins.
-      if (!(-turn * style_.half_width <= std::min(from.length, to.length))) ring.go_to(pivot);
+      const auto straight = [](const ChainLeg& leg) { return leg.from == leg.to ? leg.length : 0; };
+      if (!(-turn * style_.half_width <= std::min(straight(from), straight(to)))) ring.go_to(pivot);
     } else if (style_.joins == LineJoin::round) {
-      round_join(from, to, turn, along, ring);
+      if (!is_one_chord(from.to, to.from, kCapSagitta_px))
+        arc(pivot, begin, angle_of(from.to, to.from), ring);
     } else if (style_.joins == LineJoin::miter && along > -1 &&
                2 <= style_.miter_limit * style_.miter_limit * (1 + along)) {
-      ring.go_to(pivot + (from.side + to.side) / (1 + along));
+      ring.go_to(pivot + (begin + end) / (1 + along));
     }
-    ring.go_to(pivot + to.side);
+    ring.go_to(pivot + end);
   }
 
-  void round_join(const Leg& from, const Leg& to, double turn, double along, Ring& ring) const {
-    if ((to.side - from.side).squaredNorm() <= 8 * kCapSagitta_px * style_.half_width) return;
-    const double angle = turn == 0 ? std::numbers::pi : portable::atan2(turn, along);
-    const double count = std::ceil(angle / std::numbers::pi * chords_);
-    arc(from.b, from.side, angle, static_cast<int>(count), ring);
-  }
-
-  void cap(const Leg& leg, Ring& ring) const {
-    if (style_.caps == LineCap::round) arc(leg.b, leg.side, std::numbers::pi, chords_, ring);
+  void cap(const ChainLeg& leg, Ring& ring) const {
+    const Vec2 begin = side(leg.to);
+    if (style_.caps == LineCap::round) arc(leg.b, begin, kHalfTurn, ring);
     if (style_.caps == LineCap::square) {
-      const Vec2 out = style_.half_width * leg.ahead;
-      ring.go_to(leg.b + leg.side + out);
-      ring.go_to(leg.b - leg.side + out);
+      const Vec2 out = style_.half_width * leg.to;
+      ring.go_to(leg.b + begin + out);
+      ring.go_to(leg.b - begin + out);
     }
-    ring.go_to(leg.b - leg.side);
+    ring.go_to(leg.b - begin);
+  }
+
+  static Vec2 turned(const Vec2& v, double angle) {
+    return portable::cos(angle) * v + portable::sin(angle) * left_of(v);
   }
 
   // The points between the ends of an arc.
-  static void arc(const Vec2& centre, const Vec2& from, double angle, int chords, Ring& ring) {
-    const Vec2 ahead = left_of(from);
-    for (int i = 1; i < chords; ++i) {
-      const double a = angle * i / chords;
-      ring.go_to(centre + portable::cos(a) * from + portable::sin(a) * ahead);
-    }
+  void arc(const Vec2& centre, const Vec2& from, double angle, Ring& ring) const {
+    const int chords = static_cast<int>(std::ceil(angle / kHalfTurn * chords_));
+    for (int i = 1; i < chords; ++i) ring.go_to(centre + turned(from, angle * i / chords));
   }
 
   const LineStyle style_;
@@ -142,26 +160,32 @@ class LineOutline {
 
 }  // namespace
 
-void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
-              std::uint64_t most) {
-  std::vector<Leg> legs;
+std::vector<ChainLeg> legs_of(const Chain& chain) {
+  std::vector<ChainLeg> legs;
   const std::size_t count = chain.points.size();
   for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < count; ++i) {
     const Vec2 &a = chain.points[i], &b = chain.points[i + 1 < count ? i + 1 : 0];
     const Vec2 along = b - a;
     const double length = std::sqrt(along.squaredNorm());
-    if (!(length > 0)) continue;
-    const Vec2 ahead = along / length;
-    legs.push_back({a, b, ahead, -style.half_width * left_of(ahead), length});
+    if (!chain.ahead.empty())
+      legs.push_back({a, b, chain.ahead[2 * i], chain.ahead[2 * i + 1], length});
+    else if (length > 0)
+      legs.push_back({a, b, along / length, along / length, length});
   }
-  LineOutline outline(style, edges, most);
-  if (legs.empty()) {
-    if (count > 0) outline.dot(chain.points.front(), chain.ahead);
-  } else if (chain.closed && legs.size() > 1) {
+  return legs;
+}
+
+void add_line(const Chain& chain, const LineStyle& style, std::vector<Segment>& edges,
+              std::uint64_t most) {
+  if (chain.points.empty()) return;
+  const LineOutline outline(style, edges, most);
+  std::vector<ChainLeg> legs;
+  for (const ChainLeg& leg : legs_of(chain)) outline.add(leg, legs);
+  if (legs.empty()) legs.push_back({chain.points[0], chain.points[0], {1, 0}, {1, 0}, 0});
+  if (chain.closed && legs.size() > 1)
     outline.closed(legs);
-  } else {
+  else
     outline.open(legs);
-  }
 }
 
 double line_reach(const LineStyle& style) {

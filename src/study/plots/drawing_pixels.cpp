@@ -51,7 +51,7 @@ class Painter {
     FilmShape line;
     if (!path.pen.fill.empty() || path.closed) line.crossing_rings.push_back(points);
     if (!path.pen.fill.empty()) paint(fill_regions(line), path.pen.fill);
-    if (!path.closed) line = FilmShape{}, line.curves.push_back(std::move(points));
+    if (!path.closed) line = FilmShape{}, line.curves.push_back({std::move(points)});
     stroke(line, path.pen);
   }
   void add(const Drawing::Disc& disc) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geom/primitives/bezier.h"
 #include "render/coverage/chains.h"
 #include "render/coverage_families.h"
 
@@ -112,6 +117,117 @@ TEST(Strokes, TheOutlineIsTheUnionOfItsLegs) {
   }
 }
 
+constexpr double kTurn = 2 * std::numbers::pi;
+
+Chain arc_chain(const Vec2& centre, double radius, double from, double sweep) {
+  const EllipseArc arc{centre, {radius, 0}, {0, radius}, from, sweep};
+  return chain_of({{arc}, false});
+}
+
+// A pen square to the arc covers a sector of a ring; one longer than the radius on both sides of the
+// centre a sector each way.
+TEST(Strokes, AWideArcIsItsSectorOfARing) {
+  for (const double sweep : {0.2, 1.0, -2.5, 4.0})
+    for (const double radius : {1.0, 2.0, 4.5})
+      for (const double half : {0.5, 1.0, 3.0, 4.5}) {
+        const double outer = radius + half, inner = radius - half;
+        const double across =
+            inner > 0 ? -std::abs(sweep) : std::min(std::abs(sweep), kTurn - std::abs(sweep));
+        const double area = (std::abs(sweep) * outer * outer + across * inner * inner) / 2;
+        const double most = std::abs(sweep) * (outer + std::abs(inner)) * kCapSagitta_px;
+        EXPECT_NEAR(area_of(arc_chain({10, 10}, radius, 0.3, sweep),
+                            {half, LineJoin::bevel, LineCap::butt}),
+                    area, most + 1e-6)
+            << sweep << " " << radius << " " << half;
+      }
+}
+
+// Whether an edge ends there, within rounding.
+bool has_corner(const std::vector<Segment>& edges, const Vec2& corner) {
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](const Segment& edge) { return (edge.b - corner).norm() < 1e-12; });
+}
+
+TEST(Strokes, CapsOfCurvesAreSquareToThem) {
+  std::vector<Segment> edges;
+  add_line(arc_chain({4, 4}, 8, 0, kTurn / 4), {3, LineJoin::miter, LineCap::butt}, edges);
+  for (const Vec2& corner : {Vec2(9, 4), Vec2(15, 4), Vec2(4, 9), Vec2(4, 15)})
+    EXPECT_TRUE(has_corner(edges, corner)) << corner;
+  // They set off by (3, 4) and arrive by (4, -3), also where the next control point lies on the end.
+  const Bezier curves[] = {{{20, 20}, {23, 24}, {36, 27}, {40, 24}},
+                           {{20, 20}, {20, 20}, {23, 24}, {40, 24}},
+                           {{20, 20}, {23, 24}, {27, 16}}};
+  const Vec2 last[] = {{4, -3}, {17, 0}, {4, -8}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    edges.clear();
+    add_line(chains_of({&curves[i], 1}).front(), {5, LineJoin::miter, LineCap::butt}, edges);
+    const Vec2 side = 5 * Vec2(-last[i].y(), last[i].x()).normalized();
+    for (const Vec2& corner :
+         {Vec2(16, 23), Vec2(24, 17), Vec2(curves[i].end() + side), Vec2(curves[i].end() - side)})
+      EXPECT_TRUE(has_corner(edges, corner)) << i << ": " << corner;
+  }
+}
+
+TEST(Strokes, CurvesThatMeetInACornerJoinByTheirDirections) {
+  const Bezier curves[] = {{{2, 4}, {6, 10}, {10, 10}}, {{10, 10}, {10, 14}, {4, 18}}};
+  std::vector<Segment> edges;
+  add_line(chains_of(curves).front(), {2, LineJoin::miter, LineCap::butt}, edges);
+  EXPECT_TRUE(has_corner(edges, {12, 8}));
+}
+
+TEST(Strokes, AWholeTurnHasNoJointWhereItBegins) {
+  for (const double from : {0.1, 0.3, 1.0, 2.0, 5.0}) {
+    std::vector<Segment> edges;
+    const EllipseArc arc{{100, 100}, {70, 0}, {0, 70}, from};
+    add_line(chain_of({{arc}, true}), {20, LineJoin::miter, LineCap::butt}, edges);
+    for (const Segment& edge : edges) EXPECT_LT((edge.a - arc.centre).norm(), 90 + 1e-5) << from;
+  }
+}
+
+double distance_to(const std::vector<Segment>& edges, const Vec2& point) {
+  double least = 1e9;
+  for (const Segment& edge : edges) {
+    const Vec2 along = edge.b - edge.a, there = point - edge.a;
+    const double part = std::clamp(there.dot(along) / along.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (there - part * along).norm());
+  }
+  return least;
+}
+
+// The curve moved outward by half the width, and where it is straight to both sides.
+TEST(Strokes, TheOuterEdgeOfACurveIsWithinTheSagitta) {
+  for (std::uint64_t item = 0; item < 120; ++item) {
+    Draws draws(17, item);
+    const double half = std::exp2(-3 + 11 * draws.unit()), size = std::exp2(1 + 7 * draws.unit());
+    const auto point = [&] { return Vec2(size * draws.unit(), size * draws.unit()); };
+    const double near = size * std::exp2(-6 - 8 * draws.unit());  // to a cusp
+    const Bezier curve = item % 4 == 1
+                             ? Bezier(point(), point(), point(), point())
+                             : Bezier({0, 0}, {size - near, size}, {near, size}, {size, 0});
+    const EllipseArc arc{point(),
+                         {size, 0},
+                         {0, size * (0.05 + draws.unit())},
+                         5 * draws.unit(),
+                         6 * draws.unit() - 3};
+    const bool is_arc = item % 2 == 0;
+    const Chain chain = is_arc ? chain_of({{arc}, false}) : chains_of({&curve, 1}).front();
+    std::vector<Segment> edges;
+    add_line(chain, {half, LineJoin::bevel, LineCap::butt}, edges);
+    const auto along = [&](double s) -> Vec2 {
+      const EllipseArc slope{{0, 0}, arc.v, -arc.u};
+      return is_arc ? slope.at(arc.from + s * arc.sweep) : tangent_at(curve, s);
+    };
+    for (int i = 0; i < 50; ++i) {
+      const double s = (i + draws.unit()) / 50;
+      const Vec2 ahead = along(s).normalized();
+      const bool left = cross(along(s - 1e-6), along(s + 1e-6)) * (is_arc ? arc.sweep : 1) < 0;
+      const Vec2 out = (left ? half : -half) * Vec2(-ahead.y(), ahead.x());
+      const Vec2 on = is_arc ? arc.at(arc.from + s * arc.sweep) : point_at(curve, s);
+      EXPECT_LE(distance_to(edges, on + out), kCapSagitta_px) << item << " at " << s;
+    }
+  }
+}
+
 TEST(Strokes, LinesInTurnAreOneChain) {
   const std::vector<Segment> lines = {{{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}, {{5, 5}, {6, 6}}};
   const std::vector<Chain> chains = chained(lines);
@@ -188,6 +304,61 @@ TEST(Dashes, AClosedChainHasNoCutWhereItBegins) {
   const std::vector<Chain> whole = dashed(kSquare, long_line, 0);
   ASSERT_EQ(whole.size(), 1U);
   EXPECT_TRUE(whole[0].closed);
+}
+
+// A dash of the square from every corner, its cuts on corners and between them.
+TEST(Dashes, WhereAClosedChainBeginsMakesNoDifference) {
+  const std::vector<std::vector<double>> patterns = {
+      {8, 2}, {10, 10}, {0.7, 0.3}, {2.3, 0.1, 1.5, 0.1}};
+  for (const std::vector<double>& lengths : patterns)
+    for (const double offset : {0.0, 0.3, 4.0, 8.0, 9.0, -1e-16}) {
+      Steps first;
+      for (std::size_t corner = 0; corner < 4; ++corner) {
+        Chain square = kSquare;
+        std::rotate(square.points.begin(), square.points.begin() + static_cast<int>(corner),
+                    square.points.end());
+        FillPath path;
+        for (const Chain& dash :
+             dashed(square, lengths, offset + 10.0 * static_cast<double>(corner)))
+          add_line(dash, {2, LineJoin::miter, LineCap::butt}, path.edges);
+        const Steps steps = stroke_steps(path);
+        if (corner == 0) first = steps;
+        for (std::size_t i = 0; i < steps.size(); ++i)
+          ASSERT_NEAR(steps[i], first[i], 1) << lengths[0] << " " << offset << " " << corner;
+      }
+    }
+}
+
+TEST(Dashes, OneThatEndsWhereAClosedChainBeginsIsJoinedToTheOneThatBeginsThere) {
+  const std::vector<double> lengths = {10, 5}, round = {40, 3};
+  const std::vector<Chain> dashes = dashed(kSquare, lengths, 0);
+  ASSERT_EQ(dashes.size(), 2U);
+  EXPECT_EQ(dashes[0].points, (std::vector<Vec2>{{4, 14}, {4, 4}, {14, 4}}));
+  ASSERT_EQ(dashed(kSquare, round, 0).size(), 1U);
+  EXPECT_TRUE(dashed(kSquare, round, 0).front().closed);
+}
+
+TEST(Dashes, ACutBesideACornerIsAtIt) {
+  for (const double off : {-1e-9, -1e-15, 0.0, 1e-15, 1e-9}) {
+    const std::vector<double> ends = {10 + off, 5, 20, 1}, begins = {5, 5 + off, 3, 20};
+    EXPECT_EQ(dashed(kCorner, ends, 0)[0].points, (std::vector<Vec2>{{4, 4}, {14, 4}}));
+    const Chain dash = dashed(kCorner, begins, 0)[1];
+    EXPECT_EQ(dash.points.front(), Vec2(14, 4)) << off;
+    EXPECT_EQ(dash.points.size(), 2U) << off;
+  }
+}
+
+// The ends of a dash of a circle lie on lines through its centre.
+TEST(Dashes, CapsOfCurvesAreSquareToThem) {
+  const std::vector<double> lengths = {3, 2.2};
+  for (const Chain& dash : dashed(arc_chain({10, 10}, 6, 0.3, 4), lengths, 1)) {
+    std::vector<Segment> edges;
+    add_line(dash, {3, LineJoin::miter, LineCap::butt}, edges);
+    const std::size_t legs = dash.points.size() - 1;
+    const Segment& cap = edges[legs];
+    EXPECT_NEAR((cap.b - cap.a).norm(), 6, 1e-12);
+    EXPECT_NEAR(cross(cap.a - Vec2(10, 10), cap.b - Vec2(10, 10)), 0, 1e-12);
+  }
 }
 
 TEST(Dashes, MoreThanAMillionAreAWholeLine) {
