@@ -19,7 +19,10 @@ run 1 stability --catalogue --tracer float
 says out "float: wrong"
 run 0 stability --sweep --tracer grid -o out
 says out "right"
-exists out/sweep.csv out/sweep_grid.svg
+exists out/sweep.csv
+[[ ! -e out/sweep_grid.svg ]] || fail "a map of what is nowhere wrong"
+run 1 stability --sweep --tracer float -o single
+exists single/sweep_float.svg
 scene box.toml 1 '[[ray]]' 'name = "r"' 'at = [0, 0]' 'direction = [1, 1]' 'bounces = 1'
 run 0 stability box.toml -o out
 exists out/margins.csv
