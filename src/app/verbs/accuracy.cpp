@@ -1,5 +1,7 @@
 #include "study/accuracy/accuracy.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "app/files/result_files.h"
