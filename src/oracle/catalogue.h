@@ -59,10 +59,10 @@ struct StiffCase {
   bool concerns_tracers() const { return !rays.empty() || !orbits.empty(); }
 };
 
-/// All of the catalogue, A1 to E11; those about files and pictures name their test alone.
+/// All of the catalogue, A1 to F5; those about files and pictures name their test alone.
 std::vector<StiffCase> catalogue();
 
-/// Its parts by letter: A and B are rays, C orbits, D contacts.
+/// Its parts by letter: A, B and F, of Bezier curves, are rays, C orbits, D contacts.
 std::vector<StiffCase> stiff_rays();
 std::vector<StiffCase> stiff_orbits();
 std::vector<StiffCase> stiff_contacts();

@@ -121,6 +121,69 @@ Rays odd_circles() {
          of_circle({{0, 0}, 1e308}, {{0, 0}, {1e308, 0}}, 1);
 }
 
+Rays of_curve(const Bezier& curve, const Ray& ray, T t) { return among(walls_of(curve), ray, t); }
+
+// x - 1/2 = 4 u^3 and y = 3/4 - 3 u^2: it turns back at u = 0.
+Rays cusp() {
+  const Bezier curve({0, 0}, {1, 1}, {0, 1}, {1, 0});
+  return of_curve(curve, {{-1, 0.75}, {1, 0}}, 1.5) +
+         of_curve(curve, {{-1, 0.75 + 0x1p-53}, {1, 0}}, {}) +
+         of_curve(curve, {{-1, 0.75 - 0x1p-53}, {1, 0}}, 1.5) +
+         of_curve(curve, {{0.5, 2}, {0, -1}}, 1.25) + of_curve(curve, {{0.5, -1}, {0, 1}}, 1.75) +
+         of_curve(curve, {{0.5 + 0x1p-52, 2}, {0, -1}}, 1.25 + 3 * 0x1p-36);
+}
+
+// y = x^2 and, as a cubic, y = x^2 / 3.
+Rays double_roots() {
+  const Bezier parabola({-1, 1}, {0, -1}, {1, 1}), cubic({-3, 3}, {-1, -1}, {1, -1}, {3, 3});
+  return of_curve(parabola, {{-1, 0}, {1, 0}}, 1) +
+         of_curve(parabola, {{-1, -5e-324}, {1, 0}}, {}) +
+         of_curve(parabola, {{-1, 0x1p-60}, {1, 0}}, 1 - 0x1p-30) +
+         of_curve(parabola, {{-1, -1.25}, {1, 1}}, 1.5) +
+         of_curve(parabola, {{-1, -1.25 - 0x1p-52}, {1, 1}}, {}) +
+         of_curve(parabola, {{-1, -1.25 + 0x1p-52}, {1, 1}}, 1.5 - 0x1p-26) +
+         of_curve(cubic, {{-3, -3.75}, {1, 1}}, 4.5) +
+         of_curve(cubic, {{-3, -3.75 - 0x1p-51}, {1, 1}}, {});
+}
+
+// y = x^3 / 27, by lines of slopes 0 and +-3 * 2^-60.
+Rays inflection() {
+  const Bezier curve({-3, -1}, {-1, 1}, {1, -1}, {3, 1});
+  constexpr double kSlope = 3 * 0x1p-60;
+  return of_curve(curve, {{-6, 0}, {1, 0}}, 6) +
+         of_curve(curve, {{-6, 0x1p-60}, {1, 0}}, 6 + 3 * 0x1p-20) +
+         of_curve(curve, {{-6, -0x1p-60}, {1, 0}}, 6 - 3 * 0x1p-20) +
+         of_curve(curve, {{-6, -6 * kSlope}, {1, kSlope}}, 6 - 9 * 0x1p-30) +
+         of_curve(curve, {{-6, 6 * kSlope}, {1, -kSlope}}, 6);
+}
+
+// Two halves of y = x^2 from either side, and two curves that leave (0, 0) along one tangent.
+Rays shared_end() {
+  const Surfaces halves =
+      walls_of(Bezier({-1, 1}, {-0.5, 0}, {0, 0}), Bezier({0, 0}, {0.5, 0}, {1, 1}));
+  const Surfaces spike = walls_of(Bezier({0, 0}, {1, 0}, {1, 1}), Bezier({1, -1}, {1, 0}, {0, 0}));
+  Rays rays = among(halves, {{-1, 0}, {1, 0}}, 1) + among(halves, {{-1, -5e-324}, {1, 0}}, {}) +
+              among(spike, {{-1, 0}, {1, 0}}, 1) + among(spike, {{0, 1}, {0, -1}}, 1) +
+              among(spike, {{-5e-324, 1}, {0, -1}}, {}) +
+              among(spike, {{0x1p-19 - 0x1p-40, 1}, {0, -1}}, 1 - 0x1p-40);
+  const auto shared = std::make_shared<const Surfaces>(halves);
+  for (int k = -32; k <= 32; ++k)
+    for (const double x : {k / 64.0, k * 0x1p-40})
+      rays = std::move(rays) +
+             Rays{{shared, {{x, -1}, {0, 1}}, 1 + x * x}, {shared, {{x, 1}, {0, -1}}, 1 - x * x}};
+  return rays;
+}
+
+// y = x^2 / 4, whose focus is (0, 1), under a lid: what comes down the axis leaves up it, by the focus.
+std::vector<StiffOrbits> focus() {
+  StiffOrbits orbits{
+      walls_of(Bezier({-8, 16}, {0, -16}, {8, 16}), Segment{{8, 16}, {-8, 16}}), {}, 60};
+  for (int k = 9; k < 128; k += 7) orbits.starts.push_back({{k / 16.0, 16}, {0, -1}});
+  orbits.count = orbits.ordered = orbits.bounces;
+  orbits.room = 1;
+  return {orbits};
+}
+
 std::vector<StiffCase> of_scale() {
   const double x = 1e16, same = 10000000000000001.0;
   const Ray beside_top{{-1, 1 - 0x1p-53}, {1, 1e-17}};
@@ -181,8 +244,18 @@ std::vector<StiffCase> of_shape() {
   };
 }
 
+std::vector<StiffCase> of_curves() {
+  return {
+      {"F1", "cusp of a curve", "trace.StiffWalls.F1CuspOfACurve", cusp()},
+      {"F2", "double root of a curve", "trace.StiffWalls.F2DoubleRootOfACurve", double_roots()},
+      {"F3", "along an inflection", "trace.StiffWalls.F3AlongAnInflection", inflection()},
+      {"F4", "curves that share an end", "trace.StiffWalls.F4CurvesThatShareAnEnd", shared_end()},
+      of("F5", "focus of a parabola", "precise.CertifiedOrbit.F5FocusOfAParabola", focus()),
+  };
+}
+
 }  // namespace
 
-std::vector<StiffCase> stiff_rays() { return of_scale() + of_shape(); }
+std::vector<StiffCase> stiff_rays() { return of_scale() + of_shape() + of_curves(); }
 
 }  // namespace flatray::oracle

@@ -19,4 +19,8 @@ run 2 accuracy box.toml --choice covrage
 says err "did you mean 'coverage'?"
 run 2 accuracy box.toml --budget soon
 says err "is not a time above 0"
+field=$root/scenes/chamber/magnetic_stadium.toml
+run 0 accuracy "$field" -o field --choice coverage --budget 0.000001s
+run 4 accuracy "$field" --choice tracer
+says err "a magnetic field bends them"
 finish

@@ -346,5 +346,22 @@ TEST(CertifiedOrbit, AnEscapeHasItsDirectionRounded) {
   EXPECT_EQ(orbit->out, Vec2(0.7071067811865476, 0.7071067811865476));
 }
 
+// Of y = x^2 / 4 the focus is (0, 1): the chord from x = a through it ends at -4 / a. The lid sends what comes
+// up the axis down again.
+TEST(CertifiedOrbit, F5FocusOfAParabola) {
+  Surfaces walls;
+  walls.add(Bezier({-8, 16}, {0, -16}, {8, 16}));
+  walls.add(Segment{{8, 16}, {-8, 16}});
+  for (int k = 9; k < 128; ++k) {
+    const double a = k / 16.0, b = -4 / a;  // and a^2 without error
+    const auto orbit = certified_orbit(walls, {{a, 16}, {0, -1}}, 30);
+    ASSERT_TRUE(orbit && orbit->decided);
+    ASSERT_EQ(orbit->bounces.size(), 30U);
+    const Vec2 at_a(a, a * a / 4), at_b(b, 4 / (a * a));
+    const Vec2 points[] = {at_a, at_b, {b, 16}, at_b, at_a, {a, 16}};
+    for (std::size_t i = 0; i < 30; ++i) EXPECT_EQ(orbit->bounces[i].point, points[i % 6]) << a;
+  }
+}
+
 }  // namespace
 }  // namespace flatray

@@ -244,5 +244,74 @@ TEST(StiffWalls, B13OddCircles) {
   expect_circle({{0, 0}, 1e308}, {{0, 0}, {1e308, 0}}, {1});
 }
 
+void expect_curve(const Bezier& curve, const Ray& ray, const Times& times) {
+  Surfaces walls;
+  walls.add(curve);
+  expect_times(walls, ray, times);
+  std::vector<Vec2> back(curve.points.begin(), curve.points.begin() + curve.degree + 1);
+  std::reverse(back.begin(), back.end());
+  Surfaces reversed;
+  reversed.add(Bezier(back));
+  expect_times(reversed, ray, times);
+}
+
+// x - 1/2 = 4 u^3, y = 3/4 - 3 u^2.
+TEST(StiffWalls, F1CuspOfACurve) {
+  const Bezier curve({0, 0}, {1, 1}, {0, 1}, {1, 0});
+  expect_curve(curve, {{-1, 0.75}, {1, 0}}, {1.5});
+  expect_curve(curve, {{-1, std::nextafter(0.75, 1)}, {1, 0}}, {});
+  expect_curve(curve, {{-1, std::nextafter(0.75, 0)}, {1, 0}}, {1.5});
+  expect_curve(curve, {{-1, 0.75 - 3 * 0x1p-20}, {1, 0}}, {1.5 - 0x1p-28, 1.5 + 0x1p-28});
+  expect_curve(curve, {{0.5, 2}, {0, -1}}, {1.25});
+  expect_curve(curve, {{0.5, -1}, {0, 1}}, {1.75});
+  for (const double side : {-1.0, 1.0})
+    expect_curve(curve, {{0.5 + side * 0x1p-52, 2}, {0, -1}}, {1.25 + 3 * 0x1p-36});
+}
+
+// y = x^2 by its tangents, and an ulp beside them; y = x^2 / 3 as a cubic.
+TEST(StiffWalls, F2DoubleRootOfACurve) {
+  const Bezier parabola({-1, 1}, {0, -1}, {1, 1});
+  expect_curve(parabola, {{-1, 0}, {1, 0}}, {1});
+  expect_curve(parabola, {{-1, -5e-324}, {1, 0}}, {});
+  expect_curve(parabola, {{-1, 0x1p-60}, {1, 0}}, {1 - 0x1p-30, 1 + 0x1p-30});
+  expect_curve(parabola, {{-1, -1.25}, {1, 1}}, {1.5});
+  expect_curve(parabola, {{-1, std::nextafter(-1.25, -2)}, {1, 1}}, {});
+  expect_curve(parabola, {{-1, std::nextafter(-1.25, 0)}, {1, 1}}, {1.5 - 0x1p-26, 1.5 + 0x1p-26});
+  const Bezier cubic({-3, 3}, {-1, -1}, {1, -1}, {3, 3});
+  expect_curve(cubic, {{-3, -3.75}, {1, 1}}, {4.5});
+  expect_curve(cubic, {{-3, std::nextafter(-3.75, -4)}, {1, 1}}, {});
+}
+
+// y = x^3 / 27.
+TEST(StiffWalls, F3AlongAnInflection) {
+  const Bezier curve({-3, -1}, {-1, 1}, {1, -1}, {3, 1});
+  expect_curve(curve, {{-6, 0}, {1, 0}}, {6});
+  expect_curve(curve, {{6, 0}, {-1, 0}}, {6});
+  for (const double side : {-1.0, 1.0})
+    expect_curve(curve, {{-6, side * 0x1p-60}, {1, 0}}, {6 + side * 3 * 0x1p-20});
+  const double slope = 3 * 0x1p-60, apart = 9 * 0x1p-30;
+  expect_curve(curve, {{-6, -6 * slope}, {1, slope}}, {6 - apart, 6, 6 + apart});
+  expect_curve(curve, {{-6, 6 * slope}, {1, -slope}}, {6});
+}
+
+TEST(StiffWalls, F4CurvesThatShareAnEnd) {
+  Surfaces halves, spike;  // of y = x^2; and two curves that leave (0, 0) along one tangent
+  halves.add(Bezier({-1, 1}, {-0.5, 0}, {0, 0}));
+  halves.add(Bezier({0, 0}, {0.5, 0}, {1, 1}));
+  expect_times(halves, {{-1, 0}, {1, 0}}, {1});
+  expect_times(halves, {{-1, -5e-324}, {1, 0}}, {});
+  for (int k = -32; k <= 32; ++k)
+    for (const double x : {k / 64.0, k * 0x1p-40}) {
+      expect_times(halves, {{x, -1}, {0, 1}}, {1 + x * x});
+      expect_times(halves, {{x, 1}, {0, -1}}, {1 - x * x});
+    }
+  spike.add(Bezier({0, 0}, {1, 0}, {1, 1}));
+  spike.add(Bezier({1, -1}, {1, 0}, {0, 0}));
+  expect_times(spike, {{-1, 0}, {1, 0}}, {1});
+  expect_times(spike, {{0, 1}, {0, -1}}, {1});
+  expect_times(spike, {{-5e-324, 1}, {0, -1}}, {});
+  expect_times(spike, {{0x1p-19 - 0x1p-40, 1}, {0, -1}}, {1 - 0x1p-40, 1 + 0x1p-40});
+}
+
 }  // namespace
 }  // namespace flatray

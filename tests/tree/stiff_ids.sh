@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$1/tests"
 
-ids=(A{1..16} B{1..13} C{1..32} D{1..9} E{1..11})
+ids=(A{1..16} B{1..13} C{1..32} D{1..9} E{1..11} F{1..5})
 names=$(
   find . -name '*_test.cpp' -exec cat {} + | tr '\n' ' ' |
     grep -oE 'TEST(_[PF])?\([A-Za-z0-9_]+,[[:space:]]*[A-Za-z0-9_]+' | sed -E 's/.*,[[:space:]]*//'
@@ -24,7 +24,7 @@ present=$(
   find cli -name '*.sh' | sed 's,/,.,; s/\.sh$//'
 )
 mapfile -t gone < <(
-  grep -ohE '"(cli\.e[0-9]+_[a-z_]+|[a-z]+\.[A-Za-z]+\.[A-E][0-9]+[A-Za-z0-9]*)"' ../src/oracle/catalogue*.cpp |
+  grep -ohE '"(cli\.e[0-9]+_[a-z_]+|[a-z]+\.[A-Za-z]+\.[A-F][0-9]+[A-Za-z0-9]*)"' ../src/oracle/catalogue*.cpp |
     tr -d '"' | sort -u | grep -vxFf <(echo "$present")
 )
 echo "tests that the catalogue names: ${#gone[@]} are not there${gone[*]:+: ${gone[*]}}"

@@ -81,7 +81,8 @@ Result<VerbOutput> report_sweep(const Arguments& arguments, const StabilityReque
     table.add({tracer.name, std::uint64_t{cells.size()}, cells_wrong, rays, wrong, off,
                static_cast<double>(worst->wrong[k]) / static_cast<double>(worst->rays),
                worst->scale_log2, worst->offset_log2, wrong + off == 0 ? "right" : "wrong"});
-    result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(plot_of(map))});
+    if (wrong > 0)
+      result.files.push_back({fmt::format("sweep_{}.svg", tracer.name), svg(plot_of(map))});
   }
   result.files.push_back(csv_file("sweep", all));
   return stability_files(arguments, std::move(table), result, sound);

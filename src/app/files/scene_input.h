@@ -43,7 +43,7 @@ Result<ReadScene> read_input(const SceneOptions& options, const std::string& pat
 /// The same for verbs of one scene: the first operand, its warnings printed.
 Result<Scene> load_only_input(const Arguments& arguments, const SceneOptions& options);
 
-/// Refuses a scene with a magnetic field for what follows straight rays, as "accuracy".
+/// Refuses a scene with a magnetic field for what follows straight rays, as "hit".
 Result<void> expect_no_field(const Scene& scene, const std::string& what);
 
 /// Refuses a scene with glass for what knows mirrors only.

@@ -51,8 +51,6 @@ Result<VerbOutput> run(const Options& options) {
   const auto loaded = load_input(options.scene, options.operands()[0]);
   if (!loaded) return tl::unexpected(loaded.error());
   report_warnings(loaded->warnings, options);
-  if (auto straight = expect_no_field(loaded->scene, "accuracy"); !straight)
-    return fail(std::move(straight));
   // Before anything is measured, as nothing is measured for a file that cannot be written.
   const Outputs outputs(options);
   if (!options.profile.empty())

@@ -165,6 +165,11 @@ struct Choice {
   Result<ChoiceSettings> (*settings)(const AccuracyContext& context);
 };
 
+/// Why choices that trace rays are left out of a scene with a magnetic field.
+inline constexpr const char* kRaysAreBent =
+    "its rays are straight, and a magnetic field bends them; say -D chamber.0.field=0 to leave the "
+    "field out";
+
 /// Registered choices by name.
 std::vector<const Choice*> choices();
 

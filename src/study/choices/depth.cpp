@@ -83,6 +83,7 @@ Setting limited(const std::shared_ptr<Fates>& fates, std::uint64_t bounces, unsi
 }
 
 std::string left_out(const Scene& scene) {
+  if (scene.field() != 0) return kRaysAreBent;
   if (scene.rays.empty()) return "the scene has no rays";
   const Room room(scene);
   if (const auto met = expect_walls({.scene = scene}, room); !met)

@@ -125,6 +125,7 @@ Setting last_bounce(const std::shared_ptr<Orbits>& orbits, std::size_t bounces, 
 }
 
 std::string left_out(const Scene& scene) {
+  if (scene.field() != 0) return kRaysAreBent;
   if (place_of_glass(scene) != nullptr) return "glass splits its orbits";
   if (const auto can = can_certify(); !can) return can.error().front().message;
   for (const auto expected : {&expect_closed, &expect_not_periodic})

@@ -66,6 +66,7 @@ Outcome judge(const Shots& shots) {
 }
 
 std::string left_out(const Scene& scene) {
+  if (scene.field() != 0) return kRaysAreBent;
   const FrameState state = at(Timeline(scene, scene.seed, 1), 1);
   return build_world(scene, state, WorldOf::everything).surfaces.size() == 0
              ? "the scene has no outline a ray could meet"

@@ -87,7 +87,7 @@ struct HeatMap {
   std::vector<double> shares;  ///< by y, then x: 0 to 1
 };
 
-/// White for 0, then from yellow to dark red, so that a single wrong one is seen.
+/// From yellow for 0 to dark red, by the fourth root, so that a single wrong one is seen.
 Plot plot_of(const HeatMap& map);
 
 }  // namespace flatray

@@ -15,7 +15,6 @@ constexpr int kSteps = 256;       // of a bar
 
 // By the fourth root, so that small shares are not pale.
 LinearRgb share_colour(double root) {
-  if (root <= 0) return {1, 1, 1};
   return {light_of(255 - 135 * root), light_of(230 - 230 * root), light_of(150 - 130 * root)};
 }
 double fourth_root(double share) { return std::sqrt(std::sqrt(share)); }

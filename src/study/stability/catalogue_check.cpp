@@ -21,21 +21,20 @@ constexpr std::size_t kShare = 1000;  // of which one answer may be farther off
 struct RayGroup {
   const Surfaces* walls;
   RayBatch rays;
-  std::vector<std::optional<std::uint32_t>> wall{};  // where it is told; of a miss none
+  std::vector<std::optional<std::uint32_t>> wall{};  // of a miss none
   std::vector<std::optional<double>> t{};
 };
 
 // The rays that follow `first` among the same walls, all at once.
 RayGroup group_of(std::span<const oracle::StiffRay> rays) {
   RayGroup group{rays.front().walls.get(), {}};
-  const Surfaces& walls = *group.walls;
+  oracle::NearestWalls walls(*group.walls);
   for (const oracle::StiffRay& asked : rays) {
     if (asked.walls.get() != group.walls) break;
     group.rays.add(asked.ray);
     group.wall.emplace_back();
     group.t.push_back(asked.t);
-    if (!walls.curve_numbers.empty()) continue;
-    const oracle::NearestWall truth = oracle::nearest_wall(asked.ray, walls.segments);
+    const oracle::NearestWall truth = walls.of(asked.ray);
     if (truth) group.wall.back() = static_cast<std::uint32_t>(truth.wall);
     if (asked.t == kInfinity) group.t.back() = truth.t;
   }
@@ -53,7 +52,7 @@ void compare(const NearestHit& hit, const RayGroup& group, std::size_t i, Catalo
   ++tally.queries;
   const auto& wall = group.wall[i];
   const auto& t = group.t[i];
-  if (static_cast<bool>(hit) != t.has_value() || (hit && wall && hit.surface != *wall))
+  if (static_cast<bool>(hit) != t.has_value() || (hit && hit.surface != wall))
     ++tally.wrong;
   else if (hit)
     tally.ulps.push_back(ulps_between(hit.t, *t));

@@ -1,6 +1,8 @@
 // needs: shapes/box choices/coverage passes/entities
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "scene/scene_text.h"
 #include "study/accuracy/accuracy.h"
 
@@ -26,6 +28,19 @@ TEST(Accuracy, OfCoverageIsThatOfTheFrameInTheMiddle) {
       EXPECT_EQ(report.points[0].outcome.error > 0, middle > 1);
     }
   }
+}
+
+// How much of a pixel a thing covers has nothing to do with rays.
+TEST(Accuracy, AMagneticFieldLeavesOutWhatTracesRays) {
+  const Scene scene = loaded(
+                          "flatray = 1\nfilm = { size = [12, 8], world = [[0, 0], [12, 8]] }\n"
+                          "[[chamber]]\nshape = { box = { min = [1, 1], max = [9, 7] } }\n"
+                          "field = 0.1\n[[ray]]\nat = [4, 4]\ndirection = [1, 0]\n")
+                          .scene;
+  const std::set<std::string> straight = {"depth", "precision", "samples", "tracer"};
+  for (const Choice* choice : choices())
+    EXPECT_EQ(choice->left_out(scene) == kRaysAreBent, straight.contains(choice->name))
+        << choice->name;
 }
 
 }  // namespace

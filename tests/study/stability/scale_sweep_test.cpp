@@ -38,7 +38,7 @@ TEST(ScaleSweep, FindsFloatsWrongWhereTheyHaveNoBitsLeft) {
   EXPECT_GT(sweep_cell(single, 3, -1000, -1000).wrong[0], 0U);
 }
 
-TEST(HeatMap, ColoursTheCellsThatAreNotNothing) {
+TEST(HeatMap, HasTheColoursOfItsBar) {
   const HeatMap map{"<t>", "x", "y", {0, 1}, {0, 1, 2}, {0, 0.5, 0, 0, 1, 0}};
   const Plot plot = plot_of(map);
   const std::string text = svg(plot);
@@ -48,10 +48,15 @@ TEST(HeatMap, ColoursTheCellsThatAreNotNothing) {
   const auto colour = [&](int x, int y) {
     return std::vector<int>(cells.at(x, y), cells.at(x, y) + 3);
   };
-  EXPECT_LT(colour(0, 0)[0], 130);  // a share of 1, dark, y upwards
-  EXPECT_LT(colour(0, 0)[1], 10);
-  EXPECT_EQ(colour(0, 2), (std::vector<int>{255, 255, 255}));
-  EXPECT_NE(colour(1, 2), (std::vector<int>{255, 255, 255}));
+  const Image& bar = plot.bar->strip;
+  const auto step = [&](int y) { return std::vector<int>(bar.at(0, y), bar.at(0, y) + 3); };
+  EXPECT_EQ(colour(0, 0), step(0));  // a share of 1, y upwards
+  EXPECT_EQ(colour(0, 2), step(bar.height - 1));
+  EXPECT_LT(colour(1, 2)[1], colour(0, 2)[1] / 2);
+  EXPECT_LT(colour(0, 0)[0], 130);  // dark
+  // The bar has no line of its own at 0.
+  for (std::size_t part = 0; part < 3; ++part)
+    EXPECT_LT(std::abs(step(bar.height - 2)[part] - step(bar.height - 1)[part]), 3);
 }
 
 }  // namespace
