@@ -88,7 +88,7 @@ TEST(Gas, AllAtOnceHasNoRate) {
 TEST(CollisionExperiments, AnEmptySceneIsNamed) {
   for (const char* name : {"gas", "avoidance"}) {
     const std::string text = format(refusal("", name));
-    EXPECT_EQ(text.find("room: error: "), 0U) << text;
+    EXPECT_EQ(text.find("room.toml: error: "), 0U) << text;
   }
 }
 
