@@ -282,7 +282,7 @@ std::vector<Chain> dashed(const Chain& chain, std::span<const double> lengths, d
   double length = 0;
   for (const ChainLeg& leg : legs) length += leg.length;
   const double period = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  const double count = length / period * static_cast<double>(lengths.size() / 2);
+  const double count = length / period * 0.5 * static_cast<double>(lengths.size());
   if (!(count <= kMostDashes) || !(length > 0)) return {chain};
   return Dasher(lengths, offset).walk(legs, chain.closed);
 }

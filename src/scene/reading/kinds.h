@@ -1,6 +1,8 @@
 #pragma once
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "scene/reading/reader.h"
 
 namespace flatray {
@@ -18,8 +20,8 @@ std::optional<Kind<Type>> read_kind(Reader& in, const Field& field,
                                     const std::vector<const Type*>& types, const char* what) {
   if (!in.is(field, Value::Kind::table, what)) return std::nullopt;
   const auto names = [&types] {
-    std::vector<std::string> all;
-    for (const Type* type : types) all.emplace_back(type->name);
+    std::vector<std::string> all(types.size());
+    std::ranges::transform(types, all.begin(), &Type::name);
     return all;
   };
   if (field.value.members.size() != 1) {
