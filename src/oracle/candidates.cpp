@@ -103,9 +103,10 @@ static Reach around(Reach reach, std::span<const Vec2> points) {
 Reach reach_of(const Arc& arc) {
   const auto& [centre, u, v] = arc.curve;
   const auto circle = circle_along(arc);
-  if (whole_circle(arc)) return {centre, Long{circle->radius}, true};
+  if (whole_circle(arc)) return {centre, static_cast<Long>(circle->radius), true};
   const Point a = wide(u), b = wide(v);
-  const Long sum = circle ? Long{circle->radius} : length_above(a.x, a.y) + length_above(b.x, b.y);
+  const Long sum =
+      circle ? static_cast<Long>(circle->radius) : length_above(a.x, a.y) + length_above(b.x, b.y);
   const Reach whole{centre, sum * (1 + kRounding * 4)};
   return arc.extent == Arc::Extent::between ? around(whole, std::array{arc.from, arc.to}) : whole;
 }
