@@ -43,7 +43,7 @@ fi
 chmod u+w four
 
 # Another seed, size or scene where a run is at work: refused, with what differs; --force ends the other.
-scene long.toml 4000
+scene long.toml 40000  # it must not come to its end before others come, in memory neither
 at_work() {
   "$flatray" render long.toml -o 'long/f_####.png' --seed 1 -j 1 2> first.txt &
   first=$!
