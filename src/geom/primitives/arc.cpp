@@ -106,14 +106,14 @@ PlaceOn place_on(const Arc& arc, const Vec2& point) {
   return PlaceOn::outside;
 }
 
-// The reach along an axis is sqrt(u_i^2 + v_i^2), below |u_i| + |v_i|, neither of which overflows
-// before the other by more than a factor of 2; four roundings, and one of the sum with the centre.
 HalfAxes half_axes(const Ellipse& curve) {
   if (curve.is_circle()) return {curve.u.x(), curve.u.x()};
   const double most = std::sqrt(curve.u.squaredNorm() + curve.v.squaredNorm());
   return {(curve.u.x() * curve.v.y() - curve.u.y() * curve.v.x()) / most, most};
 }
 
+// The reach along an axis is sqrt(u_i^2 + v_i^2), below |u_i| + |v_i|, neither of which overflows
+// before the other by more than a factor of 2; four roundings, and one of the sum with the centre.
 Bounds curve_bounds(const Ellipse& curve) {
   constexpr double kUp = 1 + 0x1p-49;
   Bounds box;
