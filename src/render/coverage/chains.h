@@ -20,7 +20,8 @@ std::vector<Chain> chains_of(std::span<const Bezier> film_curves);
 
 /// The dashes of a chain; all of it where it has more than 10^6 of them.
 ///
-/// Units   film pixels. Needs   an even number of lengths >= 0, lines and gaps in turn, not all 0.
+/// Units   film pixels. Needs   an even number of lengths >= 0, lines and gaps in turn, together
+///         far more than the 2^-20 px by which points are told apart (add_dashes: 0.25 px).
 /// Gives   a closed chain's last dash joined to its first where none ends there.
 std::vector<Chain> dashed(const Chain& chain, std::span<const double> lengths, double offset);
 
