@@ -36,7 +36,7 @@ says() {
 }
 silent() { [[ ! -s $work/$1.txt ]] || fail "std$1 is not empty: $(head -1 "$work/$1.txt")"; }
 
-# ignore_leaks: those of Mesa, and where the leak sanitizer cannot look.
+# ignore_leaks: those of Mesa, and where the leak sanitizer cannot look, as at threads of Embree that end with the program.
 ignore_leaks() { export ASAN_OPTIONS=detect_leaks=0; }
 
 # limit_memory KIB: of what is run from here on. Sanitizers map more than any limit allows.

@@ -43,7 +43,9 @@ fi
 chmod u+w four
 
 # Another seed, size or scene where a run is at work: refused, with what differs; --force ends the other.
-scene long.toml 40000  # it must not come to its end before others come, in memory neither
+# It must not come to its end before others come: a ray that is reflected often makes a minute of it, in memory too.
+scene long.toml 40000 '[[chamber]]' 'shape = { box = { min = [0, 0], max = [16, 12] } }' \
+  '[[ray]]' 'at = [9, 5]' 'direction = [1, 0.3]' 'bounces = 3000'
 at_work() {
   "$flatray" render long.toml -o 'long/f_####.png' --seed 1 -j 1 2> first.txt &
   first=$!
