@@ -38,8 +38,9 @@ says err "bash, zsh, fish"
 
 # Every verb has every option of its help completed.
 for verb in $(words flatray ''); do
+  completed=" $(words flatray "$verb" --) "
   for option in $("$flatray" help "$verb" | sed '/^Examples/,$d' | grep -o ' --[a-z0-9-]*'); do
-    [[ " $(words flatray "$verb" --)" == *" $option "* ]] || fail "$verb: $option is not completed"
+    [[ $completed == *" $option "* ]] || fail "$verb: $option is not completed"
   done
 done
 
