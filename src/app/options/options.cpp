@@ -89,8 +89,8 @@ class WordReader {
     std::vector<std::string> known;
     for (const Option& option : options_) known.push_back(long_name(option));
     const std::string near = nearest_word(word, known);
-    wrong(word,
-          near.empty() ? "unknown option" : fmt::format("unknown option (did you mean {}?)", near));
+    if (near.empty()) return wrong(word, "unknown option", "--help lists those there are");
+    wrong(word, fmt::format("unknown option (did you mean {}?)", near));
   }
 
   void give(const Option& option, std::optional<std::string> value) {

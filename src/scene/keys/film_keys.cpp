@@ -114,7 +114,11 @@ void read_film(Builder& builder, const Field& field, Scene& scene) {
 }
 
 void read_camera(Builder& builder, const Field& field, Scene& scene) {
-  read_keys<Camera>(builder, field.value, "camera", kCameraKeys, scene.camera);
+  Camera& camera = scene.camera;
+  read_keys<Camera>(builder, field.value, "camera", kCameraKeys, camera);
+  if (camera.follow && camera.at)
+    builder.in.problem(field.value.where, "follow and at both say where the camera looks",
+                       "leave at out: offset moves it beside what it follows");
 }
 
 std::vector<TableInfo> film_tables() {

@@ -52,7 +52,9 @@ Diagnostic unknown_word(Place where, std::string_view what, std::string_view wor
   const std::string near = nearest_word(word, known);
   const std::string message = fmt::format("unknown {} '{}'", what, word.substr(0, 64));
   if (near.empty())
-    return {std::move(where), message, known.empty() ? "there is none" : "known: " + some(known)};
+    return {std::move(where), message,
+            known.empty() ? fmt::format("there is no {} yet: write one, or leave this out", what)
+                          : "known: " + some(known)};
   return {std::move(where), fmt::format("{} (did you mean '{}'?)", message, near), {}};
 }
 

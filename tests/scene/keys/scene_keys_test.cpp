@@ -254,6 +254,11 @@ TEST(SceneKeys, WrongValuesAreRefused) {
       {"film = { background = 1979-05-27 }", "2:23: error: film.background is a date"},
       {"camera = { height = 0 }", "2:21: error: camera.height is not above 0"},
       {"camera = { motion = \"object\" }", "did you mean 'objects'?"},
+      {"camera = { follow = \"e\", at = [1, 1] }\n[[entity]]\nname = \"e\"\nshape = { circle = { "
+       "radius = 1 } }",
+       "2:10: error: follow and at both say where the camera looks"},
+      {"[[entity]]\ngroup = \"g\"\nshape = { circle = { radius = 1 } }",
+       "there is no group yet: write one, or leave this out"},
       {"entity = 1", "2:10: error: entity is a number, not an array of tables"},
       {"[[entity]]", "2:1: error: entity needs 'shape'"},
       {"[[entity]]\nshape = {}", "3:9: error: entity.shape has 0 kinds, not one"},
