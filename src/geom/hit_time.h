@@ -81,7 +81,7 @@ std::strong_ordering compare(const HitTime& a, const HitTime& b);
 
 /// Where a ray's line meets a closed segment (t of any sign).
 struct SegmentHit {
-  enum class Place { inner, at_a, at_b } place;  ///< whether exactly at an end
+  enum class Part { inner, at_a, at_b } part;  ///< whether exactly at an end
   HitTime t;
 };
 

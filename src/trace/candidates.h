@@ -14,8 +14,9 @@ class Candidates {
  public:
   /// Needs   `walls`, `ray` and `left` to outlive it; a direction that is not zero. What is surely
   ///         met later than `limit` is no candidate.
-  Candidates(const Surfaces& walls, const Ray& ray, const Left& left, double limit = kInfinity)
-      : walls_(walls), ray_(ray), left_(left), filter_(ray), high_(limit) {}
+  Candidates(const Surfaces& walls, const Ray& ray, const DepartedSurface& departed,
+             double limit = kInfinity)
+      : walls_(walls), ray_(ray), departed_(departed), filter_(ray), high_(limit) {}
 
   /// A segment that the ray has not left; it need not be counted where it is surely met later than
   /// `limit`.
@@ -48,7 +49,7 @@ class Candidates {
 
   const Surfaces& walls_;
   const Ray& ray_;
-  const Left& left_;
+  const DepartedSurface& departed_;
   const SegmentFilter filter_;
   std::vector<Candidate> open_;
   double high_;

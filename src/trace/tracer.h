@@ -28,11 +28,11 @@ class Accelerator {
   ///         on.
   virtual void nearest(const RayBatch& rays, std::span<NearestHit> hits) const;
   /// The first wall of one ray, on which the lanes of a batch would be wasted.
-  virtual NearestHit nearest_of_one(const Ray& ray, const Left& left = {},
+  virtual NearestHit nearest_of_one(const Ray& ray, const DepartedSurface& departed = {},
                                     bool tangents = true) const;
   /// Walls looked at to find that of one ray, those looked at twice counted twice: over all walls the
   /// measure of the paper. Of a search in double precision; lanes look at a few more.
-  virtual std::size_t tested_of_one(const Ray& ray, const Left& left = {}) const;
+  virtual std::size_t tested_of_one(const Ray& ray, const DepartedSurface& departed = {}) const;
   /// Rays that are decided one by one, after lanes that could not be certain: all, where there are no
   /// lanes. For statistics; costs what the lanes do.
   virtual std::size_t left_by_lanes(const RayBatch& rays) const { return rays.size(); }
@@ -42,13 +42,14 @@ class Accelerator {
   /// Gives   of exact tracers the exact answer, also where t rounds to `up_to`.
   virtual void any(const RayBatch& rays, std::span<const double> up_to,
                    std::span<std::uint8_t> met) const;
-  bool any_of_one(const Ray& ray, double up_to, const Left& left = {}, bool tangents = true) const;
+  bool any_of_one(const Ray& ray, double up_to, const DepartedSurface& departed = {},
+                  bool tangents = true) const;
   /// Every wall a ray meets, in order of t, those met together by number.
   ///
   /// Gives   a wall that the ray runs along once, a curve once for each point met. A wall just left is not
   ///         met, as in nearest(). Of every tracer the exact hits.
   /// Cost    some us, and 1 us a hit.
-  virtual std::vector<NearestHit> all_of_one(const Ray& ray, const Left& left = {},
+  virtual std::vector<NearestHit> all_of_one(const Ray& ray, const DepartedSurface& departed = {},
                                              bool tangents = true) const;
   /// The same of many rays, one after the other: `ends[i]` is where those of ray i end.
   void all(const RayBatch& rays, std::vector<NearestHit>& hits,

@@ -69,9 +69,9 @@ void meet(const Arc& wall, const Ray& ray, const MeetingRules& rules,
 void meet(const Bezier& wall, const Ray& ray, const MeetingRules& rules,
           std::vector<WallMeeting>& met);
 /// Whether a ray that has left it by a root cannot meet it again.
-constexpr bool is_left_for_good(const Segment&, Root) { return true; }
-constexpr bool is_left_for_good(const Arc&, Root left) { return left == Root::both; }
-inline bool is_left_for_good(const Bezier&, Root) { return false; }
+constexpr bool is_departed_for_good(const Segment&, Root) { return true; }
+constexpr bool is_departed_for_good(const Arc&, Root left) { return left == Root::both; }
+inline bool is_departed_for_good(const Bezier&, Root) { return false; }
 /// Whether the line of a ray crosses its line, or its curve in two points. Exact.
 bool is_crossed(const Segment& wall, const Ray& ray);
 bool is_crossed(const Arc& wall, const Ray& ray);
@@ -116,11 +116,11 @@ bool runs_along(const Segment& wall, const Vec2& direction);
 constexpr bool runs_along(const Arc&, const Vec2&) { return false; }
 inline bool runs_along(const Bezier&, const Vec2&) { return false; }
 /// The root that a ray has left that sets off to a side, and does not meet again.
-constexpr Root root_left(const Segment&, Sign) { return Root::none; }
-constexpr Root root_left(const Arc&, Sign side) {
+constexpr Root root_departed(const Segment&, Sign) { return Root::none; }
+constexpr Root root_departed(const Arc&, Sign side) {
   return side == Sign::negative ? Root::first : Root::second;
 }
-inline Root root_left(const Bezier&, Sign side) {
+inline Root root_departed(const Bezier&, Sign side) {
   return side == Sign::negative ? Root::first : Root::second;
 }
 

@@ -29,8 +29,8 @@ struct Contact {
   double first = 1, last = 0;  ///< to 1 ulp; first > last exactly where `kind` is none
   /// touch: for one instant, or without a common inner point for no time; along: they touch for a
   /// while; through: they overlap.
-  Meeting kind = Meeting::none;
-  Place start = Place::outside;  ///< at t = 0: apart, touching or overlapping
+  HitClass kind = HitClass::none;
+  StartPlace start = StartPlace::outside;  ///< at t = 0: apart, touching or overlapping
   bool first_overflows = false,
        last_overflows = false;  ///< that t lies beyond the doubles, given as the largest
   ContactFeature at_first{},

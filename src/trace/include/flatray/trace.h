@@ -18,7 +18,7 @@ enum class Root : std::uint8_t { none, first, second, both, third, fourth };
 /// What a ray has just left and does not meet again: a segment by its number, a curve by its number
 /// and in the root stood on; `both` leaves the whole curve out. No distance is involved. Of a Bezier
 /// curve every root but `none` leaves out what is met at t = 0, and nothing else.
-struct Left {
+struct DepartedSurface {
   std::uint32_t wall = kNoWall;
   Root root = Root::none;
 };
@@ -29,14 +29,14 @@ struct Left {
 /// Owns    nothing: the arrays must live until the call they are given to returns.
 struct Rays {
   std::span<const double> ox, oy, dx, dy;
-  std::span<const Left> left{};  ///< none, or one a ray
-  bool tangents = true;          ///< whether a curve touched in one point is met
+  std::span<const DepartedSurface> departed{};  ///< none, or one a ray
+  bool tangents = true;                         ///< whether a curve touched in one point is met
 
   std::size_t size() const { return ox.size(); }
 };
 
 /// How a ray meets a wall or a closed shape.
-enum class Meeting : std::uint8_t {
+enum class HitClass : std::uint8_t {
   none,
   touch,   ///< in one point
   along,   ///< in a stretch, all of it on the boundary
@@ -47,7 +47,7 @@ enum class Meeting : std::uint8_t {
 struct Hit {
   double t = kInfinity;  ///< in lengths of the direction, to 1 ulp; the largest double if beyond it
   std::uint32_t wall = kNoWall;
-  Meeting kind = Meeting::none;
+  HitClass kind = HitClass::none;
   Root root = Root::none;  ///< of a curve; `both` where the ray is tangent to it
   bool at_end = false;     ///< exactly at an end of the wall
 
@@ -102,7 +102,7 @@ struct Range {
 inline constexpr Range kLine{-kInfinity, kInfinity}, kRay{0, kInfinity}, kSegment{0, 1};
 
 /// Where an origin lies, or how two bodies are at t = 0.
-enum class Place : std::uint8_t {
+enum class StartPlace : std::uint8_t {
   outside,   ///< two bodies: apart
   boundary,  ///< they touch
   inside     ///< they overlap
@@ -116,8 +116,8 @@ struct Interval {
   /// Edge i runs from vertex i to the next; kNoEdge where the interval ends with the range, or of a
   /// disc. Of two edges at a vertex the lower number.
   std::int32_t edge_enter = kNoEdge, edge_exit = kNoEdge;
-  Meeting kind = Meeting::none;
-  Place start = Place::outside;
+  HitClass kind = HitClass::none;
+  StartPlace start = StartPlace::outside;
   bool enter_overflows = false,
        exit_overflows = false;  ///< that t lies beyond the doubles, given as the largest
 
