@@ -22,7 +22,8 @@ class Candidates {
   /// `limit`.
   void offer_segment(std::uint32_t slot, double limit = kInfinity);
   void offer_curve(std::uint32_t surface);
-  /// A segment that is surely crossed between its ends, at `t` within an ulp; NaN where t is not known.
+  /// A segment that is surely crossed between its ends; `t` is the nearest double, NaN where not
+  /// known.
   void take_segment(std::uint32_t slot, double t);
 
   /// Whether nothing met later than t can be the first.
@@ -41,7 +42,7 @@ class Candidates {
     double low;           // t is not surely less
     bool sure;            // surely met
     Root root;            // then, of a curve
-    double t = kUnknown;  // exact to half an ulp, where known
+    double t = kUnknown;  // the nearest double, where known
   };
   bool is_known(std::uint32_t surface) const;
   void take(const Candidate& candidate, double high);
