@@ -9,8 +9,8 @@
 #include <array>
 #include <span>
 
+#include "geom/clip.h"
 #include "geom/clip_range.h"
-#include "geom/cyrus_beck.h"
 #include "geom/exact_hit.h"
 
 namespace flatray {

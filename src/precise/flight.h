@@ -41,8 +41,7 @@ class Flight {
         course_(start, make),
         point_(pair(start.origin)),
         first_entry_(point_) {
-    for (const std::uint32_t surface : ExactOrigins(walls).walls_at(start.origin))
-      departed_ = surface;
+    for (const auto surface : ExactOrigins(walls).walls_at(start.origin)) departed_ = surface;
   }
 
   Prospect next() const {
@@ -225,21 +224,19 @@ class Flight {
   }
 
   // Of its own curve, whichever part of it was left.
-  bool stands_on(const Segment&, std::uint32_t surface) const { return surface == departed_; }
-  bool stands_on(const Bezier&, std::uint32_t surface) const { return surface == departed_; }
+  template <class Wall>
+  bool stands_on(const Wall&, std::uint32_t surface) const {
+    return surface == departed_;
+  }
   bool stands_on(const Arc& arc, std::uint32_t surface) const {
-    return surface == departed_ ||
-           (departed_ != kNoSurface && walls_.visit(departed_, [&](const auto& departed) {
-             return is_part_of(departed, arc.curve);
-           }));
+    const auto is_part = [&](const auto& wall) { return is_part_of(wall, arc.curve); };
+    return surface == departed_ || (departed_ != kNoSurface && walls_.visit(departed_, is_part));
   }
   static bool is_part_of(const Arc& arc, const Ellipse& curve) {
     return is_same_curve(arc.curve, curve);
   }
-  template <class Wall>
-  static bool is_part_of(const Wall&, const Ellipse&) {
-    return false;
-  }
+  static bool is_part_of(const Segment&, const Ellipse&) { return false; }
+  static bool is_part_of(const Bezier&, const Ellipse&) { return false; }
 
   // Of places that are known: positive where b comes first.
   std::optional<Sign> order_of(const CourseHit<Number>& a, const CourseHit<Number>& b) const {

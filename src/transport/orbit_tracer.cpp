@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/philox.h"
-#include "geom/cyrus_beck.h"
+#include "geom/clip.h"
 #include "geom/error_free.h"
 #include "geom/predicates.h"
 #include "transport/reflection.h"
